@@ -52,6 +52,13 @@ def from_poses(p: Place) -> list[Any]:
     return reg().registration_icp_batch(p.source, p.facing, p.reach, np.array(starts), plane)
 
 
+def halved(p: Place) -> Any:
+    """The cloud with every second point called ground."""
+    cloud = p.cloud.copy()
+    cloud["classification"] = np.arange(len(cloud)) % 2 + 1
+    return cloud
+
+
 def depth_lens(p: Place) -> Any:
     return loom().PinholeCameraIntrinsic(WIDTH, HEIGHT, 150, 150, WIDTH / 2, HEIGHT / 2)
 
@@ -60,6 +67,7 @@ SIZE = (WIDTH, HEIGHT)
 ON_CLOUDS: dict[str, Callable[[Place], Any]] = {
     "voxel_down_sample": lambda p: p.facing.voxel_down_sample(4 * p.spacing),
     "voxel_down_sample, nearest": lambda p: p.cloud.voxel_down_sample(4 * p.spacing, reduction="nearest"),
+    "thin": lambda p: p.cloud.thin(4 * p.spacing),
     "voxel_down_sample_and_trace": lambda p: p.cloud.voxel_down_sample_and_trace(4 * p.spacing),
     "voxel_down_sample_and_trace, box": lambda p: p.cloud.voxel_down_sample_and_trace(
         4 * p.spacing, p.middle - p.size, p.middle + p.size, approximate_class=True
@@ -132,6 +140,7 @@ ON_CLOUDS: dict[str, Callable[[Place], Any]] = {
     "segment_plane": lambda p: p.cloud.segment_plane(p.spacing, 3, 200),
     "segment_plane, 6 points": lambda p: p.cloud.segment_plane(p.spacing, 6, 100, probability=0.999, seed=5),
     "segment_planes": lambda p: p.cloud.segment_planes(p.spacing, max_planes=3),
+    "region_growing": lambda p: p.facing.region_growing(12.0, 0.02, 10, max_nn=15),
     "detect_planar_patches": lambda p: p.facing.detect_planar_patches(max_nn=20),
     "hidden_point_removal": lambda p: p.cloud.hidden_point_removal(p.above(1.5), 150 * p.size),
     "compute_convex_hull": lambda p: p.cloud.compute_convex_hull(),
@@ -171,6 +180,12 @@ ON_CLOUDS: dict[str, Callable[[Place], Any]] = {
     "smooth_taubin": lambda p: p.cloud.smooth_taubin(2),
     "smooth_taubin, fixed": lambda p: p.cloud.smooth_taubin(3, knn=12, use_fixed_neighborhoods=True),
     "classify_ground": lambda p: loom().classify_ground(p.cloud, 4 * p.spacing, 0.05, 30 * p.spacing, p.spacing),
+    "classify_ground, corner": lambda p: loom().classify_ground(
+        p.cloud, 4 * p.spacing, 0.05, 30 * p.spacing, p.spacing, corner=(0, 0)
+    ),
+    "height_above_ground": lambda p: loom().height_above_ground(halved(p), reach=20 * p.spacing, cell=2 * p.spacing),
+    "rasterize": lambda p: loom().terrain.rasterize(halved(p), 3 * p.spacing, "chm").values,
+    "rasterize, triangles": lambda p: loom().terrain.rasterize(halved(p), 3 * p.spacing, "dtm", method="tin").values,
     "project_to_depth_image": lambda p: p.cloud.project_to_depth_image(
         *SIZE, depth_lens(p), p.camera, depth_max=2 * p.size
     ),

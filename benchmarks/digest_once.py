@@ -304,6 +304,8 @@ def scene_distances(d: Scenes) -> list[Any]:
     one.add_triangles(d.ball)
     open_one.add_triangles(some_triangles(d))
     signed = [one.compute_signed_distance(queries), open_one.compute_signed_distance(queries)]
+    cloud, open_mesh = loom().PointCloud(queries, device=d.device), some_triangles(d)
+    signed += [loom().change.cloud_to_mesh(cloud, open_mesh, radius=radius) for radius in (None, 0.5)]
     return [one.compute_closest_points(queries), *signed, one.compute_occupancy(queries)]
 
 
@@ -331,6 +333,22 @@ def icp_with(p: Place, method: str = "PointToPlane", **options: Any) -> Any:
     """ICP with options that are the call's own."""
     estimation = getattr(reg(), f"TransformationEstimation{method}")()
     return reg().registration_icp(p.source, p.facing, p.reach, None, estimation, **options)
+
+
+def icp_held(p: Place) -> list[Any]:
+    """With some motions free, with a prior that holds what a plane leaves loose, with a scale, and in a batch."""
+    turn = np.array([[0.8, -0.6, 0.0, 0.02], [0.6, 0.8, 0.0, 0.01], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]])
+    known = reg().Prior(turn, sigma_translation=0.1, sigma_rotation=0.5)
+    level, scaled = ("x", "y", "z", "yaw"), reg().TransformationEstimationPointToPoint(True)
+    weights = np.linspace(0, 1, len(p.source))
+    return [
+        icp_with(p, free=level, frame=turn[:3, :3], pivot=(0.0, 0.1, 0.2), weights=weights),
+        icp_with(p, prior=known),
+        reg().registration_icp(
+            p.source, p.facing, p.reach, None, scaled, free=("roll", "pitch", "yaw", "x"), prior=known
+        ),
+        reg().registration_icp_batch(p.source, p.facing, p.reach, np.stack([np.eye(4)] * 2), free=level, prior=known),
+    ]
 
 
 def icp_watched(p: Place) -> list[Any]:
@@ -609,6 +627,7 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "icp, overlap": lambda d: [icp_with(d.surface, method, overlap=0.7) for method in ("PointToPoint", "PointToPlane")],
     "icp, max_normal_angle": lambda d: icp_with(d.surface, max_normal_angle=0.5),
     "icp, degeneracy": lambda d: [icp_with(d.plane), icp_with(d.plane, degeneracy=0), icp_with(d.plane, "Symmetric")],
+    "icp, held": lambda d: [icp_held(d.surface), icp_held(d.plane)],
     "icp, callback": lambda d: icp_watched(d.surface),
     "icp, criteria": lambda d: [
         icp_with(d.surface, criteria=reg().ICPConvergenceCriteria(1e-3, 1e-3, steps)) for steps in (0, 1, 50)

@@ -30,16 +30,22 @@ import numpy as np
 import psutil
 
 import pointloom as loom
+from pointloom.scale.manifest import Manifest
 
 STEPS = [
     {"step": "remove_statistical_outlier", "nb_neighbors": 8, "std_ratio": 2.0},
     {"step": "voxel_down_sample", "voxel_size": 0.5},
     {"step": "estimate_normals", "max_nn": 10},
 ]
+CLUSTERS = [{"step": "voxel_down_sample", "voxel_size": 0.5}, {"step": "cluster_dbscan", "eps": 0.8, "min_points": 4}]
+CHAINS = {"filters": STEPS, "clusters": CLUSTERS}
 RUNNERS = ("workers", "dask", "scheduler")
 COMMAND = [sys.executable, "-m", "pointloom", "tile"]
 MOST_RUNS = 60  # of one job
+MOST_KILLS = 10  # while the tiles of one job are worked off, that there are several jobs of each runner
 LONGEST = 300.0  # [s] of one run
+LINGER = 60.0  # [s] that workers may look for a scheduler that has gone
+MARK = "POINTLOOM_FAULT_RUN"  # in the environment of all processes of a run
 
 
 def made_survey(folder: Path, points: int, seed: int) -> list[Path]:
@@ -76,6 +82,7 @@ class Attack:
 
     def __init__(self, job: Path, chance: random.Random, kills: Counter[str], counts: Counter[str], most: int):
         self.job, self.chance, self.kills, self.counts, self.most = job, chance, kills, counts, most
+        self._here = min(most, kills.total() + MOST_KILLS)
 
     def work(self, runner: str) -> None:
         """Run until all tiles are done, killing meanwhile."""
@@ -90,11 +97,12 @@ class Attack:
                 self.counts["tiles set aside"] += status.aside
                 self.counts["tiles failed"] += status.failed
                 if status.failed:
-                    print(status, file=sys.stderr)
+                    print(str(status)[:600], file=sys.stderr)
                 loom.scale.retry_tiles(self.job)
-            elif any(name.endswith(".laz") for name in status.troubles):
-                print(status, file=sys.stderr)
-                self.counts["files failed"] += 1
+            elif states := _bad_files(self.job):
+                print(str(status)[:600], file=sys.stderr)
+                self.counts["files set aside"] += states.count("aside")  # three workers were killed at it
+                self.counts["files failed"] += states.count("failed")
                 loom.scale.retry_tiles(self.job)
             elif status.is_finished:
                 return
@@ -110,7 +118,7 @@ class Attack:
                 self.counts["runs that hung"] += 1
                 _end(process)
                 return
-            if process.poll() is None and self.kills.total() < self.most:
+            if process.poll() is None and self.kills.total() < self._here:
                 self._kill(process, others)
 
     def _kill(self, process: subprocess.Popen[bytes], others: dict[str, list[subprocess.Popen[bytes]]]) -> None:
@@ -132,9 +140,9 @@ class Attack:
         """Make the file of all tiles, killing meanwhile, and hold it against what is expected."""
         path = self.job / "result.laz"
         while True:
-            process = _begin("finish", str(self.job))
+            process = _begin("finish", str(self.job), "--force")
             if self.chance.random() < 0.7 and self.kills.total() < self.most:
-                time.sleep(self.chance.uniform(0.5, 2.5))
+                time.sleep(self.chance.uniform(0.5, 1.6))
                 if process.poll() is None:
                     process.kill()
                     self.kills["finish"] += 1
@@ -147,6 +155,12 @@ class Attack:
             if code > 0:
                 self.counts["finish failed"] += 1
                 loom.scale.run_tiles(self.job)
+
+
+def _bad_files(job: Path) -> list[str]:
+    """The states of files that could not be laid by tile."""
+    with Manifest(job) as manifest:
+        return [row["state"] for row in manifest.rows("SELECT state FROM sources WHERE state IN ('failed', 'aside')")]
 
 
 _WORKER = ("--nthreads", "1", "--no-nanny", "--no-dashboard", "--memory-limit", "0", "--death-timeout", "20")
@@ -200,6 +214,24 @@ def _workers_of(process: subprocess.Popen[bytes]) -> list[psutil.Process]:
     return found
 
 
+def left_over(mark: str) -> int:
+    """How many processes of the runs are still there after a while; they are ended."""
+    end = time.monotonic() + LINGER
+    while True:
+        left = []
+        for process in psutil.process_iter():
+            with contextlib.suppress(psutil.Error):
+                if process.environ().get(MARK) == mark and process.pid != os.getpid():
+                    left.append(process)
+        if not left or time.monotonic() > end:
+            break
+        time.sleep(1)
+    for process in left:
+        with contextlib.suppress(psutil.Error):
+            process.kill()
+    return len(left)
+
+
 _log: Any = subprocess.DEVNULL
 
 
@@ -210,18 +242,22 @@ def main() -> None:
     parser.add_argument("--kills", type=int, default=100)
     parser.add_argument("--points", type=int, default=300_000)
     parser.add_argument("--runners", default=",".join(RUNNERS))
+    parser.add_argument("--chain", choices=CHAINS, default="filters")
     parser.add_argument("--log", help="a file for what the killed commands say")
+    parser.add_argument("--json", type=Path, help="a file for the counts")
     told = parser.parse_args()
     global _log
     _log = Path(told.log).open("wb") if told.log else subprocess.DEVNULL  # noqa: SIM115
     os.environ.setdefault("POINTLOOM_CPU_THREADS", "1")
+    mark = os.environ[MARK] = f"{os.getpid()}-{time.time()}"
+    steps = CHAINS[told.chain]
     chance, kills, counts = random.Random(told.seed), Counter[str](), Counter[str]()
     begin = time.monotonic()
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         files = made_survey(folder, told.points, told.seed)
         side = (told.points / 4) ** 0.5
-        loom.scale.plan_tiles(files, STEPS, folder / "alone", size=side / 2.5)
+        loom.scale.plan_tiles(files, steps, folder / "alone", size=side / 2.5)
         loom.scale.run_tiles(folder / "alone")
         expected = sorted_rows(loom.scale.finish_tiles(folder / "alone"))
         size = len(expected)
@@ -229,7 +265,7 @@ def main() -> None:
         while kills.total() < told.kills:
             runner = told.runners.split(",")[counts["jobs"] % len(told.runners.split(","))]
             job = folder / f"job{counts['jobs']}"
-            loom.scale.plan_tiles(files, STEPS, job, size=side / 7)
+            loom.scale.plan_tiles(files, steps, job, size=side / 7)
             attack = Attack(job, chance, kills, counts, told.kills)
             attack.work(runner)
             attack.finish(expected)
@@ -238,7 +274,19 @@ def main() -> None:
             shutil.rmtree(job)
             seconds = time.monotonic() - begin
             print(f"{seconds:5.0f} s  {runner:9}  kills {dict(kills)}  {dict(counts)}", flush=True)
-    if counts["files that differ"] or counts["tiles failed"] or counts["files failed"] or counts["runs that hung"]:
+    counts["processes left over"] = left_over(mark)
+    print(f"kills {dict(kills)}  {dict(counts)}")
+    if told.json:
+        options = {name: getattr(told, name) for name in ("seed", "points", "runners", "chain")}
+        row = options | {"seconds": round(time.monotonic() - begin), "kills": kills, "counts": counts}
+        told.json.write_text(json.dumps(row, indent=1) + "\n")
+    if (
+        counts["processes left over"]
+        or counts["files that differ"]
+        or counts["tiles failed"]
+        or counts["files failed"]
+        or counts["runs that hung"]
+    ):
         raise SystemExit(1)
 
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import contextlib
+import io
 import os
 import shutil
 import tempfile
 from collections.abc import Iterator
 from pathlib import Path
-from typing import IO
+from typing import IO, Any
 
 from .errors import FileError
 from .paths import path_of
@@ -41,8 +42,9 @@ def atomic_write(path: str | os.PathLike[str], *, overwrite: bool = True) -> Ite
     path = check_writable(path, overwrite=overwrite)
     handle, name = tempfile.mkstemp(prefix=f".{path.name}.", suffix=".part", dir=path.parent)
     part = Path(name)
+    file = _Written(io.FileIO(handle, "wb"))
     try:
-        with os.fdopen(handle, "wb") as file:
+        with file:
             yield file
             file.flush()
         mode = path.stat().st_mode & 0o777 if path.exists() else 0o666 & ~_umask()
@@ -57,9 +59,23 @@ def atomic_write(path: str | os.PathLike[str], *, overwrite: bool = True) -> Ite
         raise FileError(path, "exists already", remedy=_REPLACE) from error
     except BaseException as error:
         part.unlink(missing_ok=True)
-        if isinstance(error, OSError) and error.strerror:
-            raise FileError(path, f"cannot be written: {error.strerror}") from error
+        told = error if isinstance(error, OSError) else file.failed
+        if told is not None and told.strerror:
+            raise FileError(path, f"cannot be written: {told.strerror}") from error
         raise
+
+
+class _Written(io.BufferedWriter):
+    """A file that remembers why it could not be written: libraries that write to it may tell another reason."""
+
+    failed: OSError | None = None
+
+    def write(self, data: Any, /) -> int:
+        try:
+            return super().write(data)
+        except OSError as error:
+            self.failed = error
+            raise
 
 
 def check_folder(path: str | os.PathLike[str], marker: str, *, overwrite: bool = True) -> Path:

@@ -20,7 +20,7 @@ from ..kernels.surface.cylinder_change import Changes, Cylinder, find_flattest, 
 from .cloud import PointCloud
 from .point_arrays import check_cloud
 
-_LEAST_POINTS = 4  # in either cylinder: a spread of fewer tells little
+LEAST_POINTS = 4  # in either cylinder: a spread of fewer tells little
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,7 +50,7 @@ class M3C2Result:
     def is_significant(self) -> NDArray[np.bool_]:
         """Where the distance exceeds the level of detection and at least 4 points of each epoch say so, bool [n]."""
         with np.errstate(invalid="ignore"):
-            return (np.abs(self.distances) > self.level_of_detection) & (self.counts.min(axis=1) >= _LEAST_POINTS)
+            return (np.abs(self.distances) > self.level_of_detection) & (self.counts.min(axis=1) >= LEAST_POINTS)
 
     def __repr__(self) -> str:
         """Its size, and how much has changed."""
@@ -126,7 +126,7 @@ def m3c2(
     radius, reach = check_positive("cylinder_radius", cylinder_radius), check_positive("max_distance", max_distance)
     error = check_positive("registration_error", registration_error, allow_zero=True)
     upwards = check_direction("orientation", orientation)
-    radii = _check_radii(normal_radii, directions)
+    radii = check_radii(normal_radii, directions)
     places, tree = cores.points_about(first.origin), first.search_tree()
     if directions is not None:
         given, which = upload(_check_directions(directions, len(cores)), vec3, first.device), None
@@ -155,7 +155,12 @@ def _tree_about(cloud: PointCloud, other: PointCloud) -> Any:
     return PointCloud(cloud.points, origin=other.origin, device=cloud.device).search_tree()
 
 
-def _check_radii(radii: Any, directions: Any) -> NDArray[np.float64]:
+def check_radii(radii: Any, directions: Any) -> NDArray[np.float64]:
+    """Radii of normals, ascending; none where directions are given.
+
+    Raises:
+        ValueError: Neither is, or a radius is no length above 0.
+    """
     if directions is not None:
         return np.empty(0)
     if radii is None:

@@ -25,13 +25,13 @@ from .kept_tree import KeptTree
 from .motion import Motion
 from .normals import Normals
 from .outliers import Outliers
-from .planes import Planes
+from .regions import Regions
 from .sampling import Sampling
 from .smoothing import Smoothing
 
 
 class PointCloud(
-    Sampling, Normals, Motion, Distances, Outliers, Clusters, Planes, Hulls, Smoothing, DepthClouds, Interop
+    Sampling, Normals, Motion, Distances, Outliers, Clusters, Regions, Hulls, Smoothing, DepthClouds, Interop
 ):
     """Points in space with attributes, on one device.
 

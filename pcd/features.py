@@ -85,7 +85,9 @@ def compute_eigen_features(cloud: PointCloud, *, radius: float | None = None, ma
     - `linearity`: (l1 - l2) / l1; `planarity`: (l2 - l3) / l1; `sphericity` (scattering): l3 / l1; their sum is 1;
     - `omnivariance`: (e1 e2 e3)^(1/3); `anisotropy`: (l1 - l3) / l1; `eigenentropy`: -sum of e ln e;
     - `curvature` (surface variation): e3, 0 on a plane and 1/3 in a ball;
-    - `verticality`: `1 - |nz|` of the normal, 0 on the ground and 1 on a wall.
+    - `verticality`: `1 - |nz|` of the normal, 0 on the ground and 1 on a wall;
+    - `density` [1 / m^3]: neighbours over the volume of their ball, whose radius is that of the search, or the distance
+      of the last neighbour where `max_nn` ends it; NaN where all lie at the point.
 
     Args:
         cloud: Any cloud; normals are not needed.
@@ -101,8 +103,8 @@ def compute_eigen_features(cloud: PointCloud, *, radius: float | None = None, ma
         ValueError: Neither limit given, or one out of range.
 
     Notes:
-        O(n) memory. Same bits from run to run. Weinmann et al. 2015, section 3.2.1; Pauly, Gross and Kobbelt 2002.
-        Eigenvalues below 1e-15 of the largest are zero.
+        O(n) memory. Same bits from run to run. Weinmann et al. 2015, sections 3.2.1 and 3.2.2; Pauly, Gross and Kobbelt
+        2002. Eigenvalues below 1e-15 of the largest are zero.
 
     Example:
         >>> import numpy as np, pointloom as loom

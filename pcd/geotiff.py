@@ -14,11 +14,22 @@ from ..core.atomic import check_writable
 from ..core.errors import FileError, FilePath
 
 BLOCK = 256  # cells along a side of a block
+_MAPS = {
+    "driver": "COG", "blocksize": BLOCK, "compress": "deflate", "predictor": "yes", "bigtiff": "if_safer",
+    "overviews": "ignore_existing", "overview_resampling": "average", "num_threads": 1,
+}  # fmt: skip
 
 
 @contextmanager
 def geotiff(
-    path: FilePath, shape: tuple[int, int], corner: tuple[float, float], cell: float, told: Any, *, overwrite: bool
+    path: FilePath,
+    shape: tuple[int, int],
+    corner: tuple[float, float],
+    cell: float,
+    told: Any,
+    *,
+    overwrite: bool,
+    for_maps: bool = False,
 ) -> Iterator[Any]:
     """A GeoTIFF of two bands to write blocks to, which takes its name when all is written.
 
@@ -29,6 +40,7 @@ def geotiff(
         cell: The side of a cell.
         told: What has the `kind`, the `crs` and the `nodata`.
         overwrite: Whether an existing file may be replaced.
+        for_maps: Whether it has overviews, in the order of a Cloud Optimized GeoTIFF; it is written twice for it.
 
     Raises:
         FileError: As `Raster.write`.
@@ -37,7 +49,7 @@ def geotiff(
     if path.suffix.lower() not in (".tif", ".tiff"):
         raise FileError(path, "is no name of a GeoTIFF", remedy="End it in .tif")
     rasterio = _rasterio(path)
-    part = path.with_name(f".{path.name}.{uuid.uuid4().hex}.part")
+    part, first = (path.with_name(f".{path.name}.{uuid.uuid4().hex}.part") for _ in range(2))
     profile = {
         "driver": "GTiff", "dtype": "float32", "count": 2, "height": shape[0], "width": shape[1], "crs": told.crs,
         "transform": rasterio.Affine(cell, 0.0, corner[0], 0.0, -cell, corner[1] + shape[0] * cell),
@@ -45,10 +57,14 @@ def geotiff(
         "predictor": 3, "BIGTIFF": "IF_SAFER", "interleave": "band",
     }  # fmt: skip
     try:
-        with rasterio.open(part, "w", **profile) as file:
+        with rasterio.open(first if for_maps else part, "w", **profile) as file:
             file.set_band_description(1, told.kind)
             file.set_band_description(2, "filled")
             yield file
+        if for_maps:
+            _check_blocks(rasterio, first)
+            rasterio.shutil.copy(first, part, **_MAPS)
+        _check_blocks(rasterio, part)
         if overwrite:
             part.replace(path)
         else:
@@ -62,11 +78,28 @@ def geotiff(
         raise FileError(path, f"cannot be written: {reason}") from error
     finally:
         part.unlink(missing_ok=True)
+        first.unlink(missing_ok=True)
+
+
+def _check_blocks(rasterio: Any, part: Path) -> None:
+    """Read every block back: where a disk is full when a file is closed, GDAL tells nobody.
+
+    Raises:
+        RasterioError: A block, or the list of them, is not whole; the checksum of each says so.
+    """
+    with rasterio.open(part) as file:
+        levels = len(file.overviews(1))
+    for level in (None, *range(levels)):
+        with rasterio.open(part) if level is None else rasterio.open(part, overview_level=level) as file:
+            for band in file.indexes:
+                for _, window in file.block_windows(band):
+                    file.read(band, window=window)
 
 
 def _rasterio(path: Path) -> Any:
     try:
-        importlib.import_module("rasterio.errors")
+        for name in ("errors", "shutil"):
+            importlib.import_module(f"rasterio.{name}")
         return importlib.import_module("rasterio")
     except ImportError as error:
         remedy = 'pip install "pointloom[geo]"'

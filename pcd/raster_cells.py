@@ -19,6 +19,7 @@ from ..kernels.terrain.cells import COUNT, HIGHEST, LOWEST, MEAN, CellGroups, Fi
 from ..kernels.terrain.cells import heights_of as heights_of_points
 from ..kernels.terrain.inverse_distance import heights_above, interpolate_centres
 from ..kernels.terrain.listed_values import VALUES, keep_listed
+from ..kernels.terrain.raster_rows import lay_rows
 from ..kernels.terrain.triangle_heights import triangle_heights
 from .cloud import PointCloud
 
@@ -169,13 +170,12 @@ def ground_heights(ground: Points, window: FixedCells, method: str, reach: float
 def _triangles(ground: Points) -> Any:
     from scipy.spatial import Delaunay, QhullError  # loads for longer than a first raster needs
 
-    places = download(ground).reshape(-1, 3)[:, :2].astype(np.float64)
-    if not np.isfinite(places).all():
-        raise ValueError("cloud: has ground points that are not finite; take them out, or method='idw'")
+    places = download(ground).reshape(-1, 3).astype(np.float64)
+    rows = np.flatnonzero(np.isfinite(places).all(axis=1))  # heights too
     try:
-        found = Delaunay(places).simplices
+        found = rows[Delaunay(places[rows, :2]).simplices]
     except (QhullError, ValueError) as error:
-        reason = f"the {len(places):,} ground points span no triangle: fewer than 3, or all on one line"
+        reason = f"the {len(rows):,} finite ground points span no triangle: fewer than 3, or all on one line"
         raise ValueError(f"cloud: {reason}; take method='idw'") from error
     return upload(found.astype(np.int32), vec3i, ground.device)
 
@@ -197,15 +197,17 @@ def measured_cells(cloud: PointCloud, window: FixedCells, kind: str, classes: tu
     return groups.measure(heights_of_points(chosen), measure)
 
 
-def combined(kind: str, surface: Any, ground: Any, side: float, base: float) -> NDArray[np.float64]:
-    """What files hold, of numbers about the origin."""
+def raster_values(kind: str, surface: Any, ground: Any, window: FixedCells, base: float) -> NDArray[np.float32]:
+    """The rows of a raster, the northernmost first, of numbers about the origin, whose height is the base."""
     if kind == "chm":
-        return download(surface) - download(ground)
-    if kind == "density":
-        return download(surface) / (side * side)
-    if kind == "intensity":
-        return np.asarray(download(surface))
-    return download(ground if kind == "dtm" else surface) + base
+        laid = lay_rows(surface, window, below=ground)
+    elif kind == "density":
+        laid = lay_rows(surface, window, divisor=window.cell * window.cell)
+    elif kind == "intensity":
+        laid = lay_rows(surface, window)
+    else:
+        laid = lay_rows(ground if kind == "dtm" else surface, window, base=base)
+    return np.asarray(download(laid)).reshape(window.rows, window.columns)
 
 
 def heights_above_ground(points: Points, ground: Points, corner: Any, side: float, reach: float, count: int) -> Doubles:

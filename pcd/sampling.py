@@ -19,7 +19,7 @@ from ..kernels.lang import float64, int32, vec3
 from ..kernels.memory import cast, download, upload
 from ..kernels.sampling.farthest_points import choose_farthest
 from ..kernels.sampling.voxel_keys import VoxelGroups
-from ..kernels.sampling.voxel_traces import commonest_rows, nearest_to_means, trace_voxels
+from ..kernels.sampling.voxel_traces import commonest_rows, nearest_to_means, nearest_to_middles, trace_voxels
 from .length_doubts import warn_of_long
 from .point_arrays import VECTORS
 from .selection import Selection
@@ -116,6 +116,37 @@ class Sampling(Selection):
         )
         cubic_id = hand_out(octants, self._library, shape=(octants.size // 8, 8))
         return VoxelTrace(cloud, cubic_id, voxels, indices, offsets)
+
+    @returns_new
+    def thin(self, spacing: float, corner: ArrayLike = (0.0, 0.0, 0.0)) -> Self:
+        """One point for each occupied cell of a grid that is fixed in space: the point nearest to the cell's middle.
+
+        Points stay where they were measured, with all their attributes and in their own order. What is kept in a cell
+        depends on its points alone: parts of a cloud that are thinned one by one are the thinned whole, and thinning
+        again with the same grid changes nothing.
+
+        Args:
+            spacing: Edge of a cell [m]: points are about as far apart, two at a border may be closer.
+            corner: Where cells are counted from [m], shape [3].
+
+        Returns:
+            One point a cell; of points equally near the first. Points that are not finite are dropped. O(n) memory,
+            the same bits from run to run.
+
+        Raises:
+            ValueError: Not a positive number, a corner that is not finite, or more cells than fit.
+
+        Example:
+            >>> import pointloom as loom
+            >>> cloud = loom.PointCloud([[0.1, 0, 0], [0.4, 0.4, 0.5], [0.9, 0, 0], [1.2, 0, 0]])
+            >>> cloud.thin(1.0).points[:, 0].round(1).tolist()
+            [0.4, 1.2]
+        """
+        size = check_positive("spacing", spacing)
+        fixed = check_finite("corner", check_shape("corner", corner, (3,)))
+        groups, low = self._voxels(size, fixed, ("spacing", "corner"))
+        rows = nearest_to_middles(self._arrays["points"], groups, low, size)
+        return self.select_rows(sort_rows(rows, len(self), are_distinct=True))
 
     @returns_new
     def uniform_down_sample(self, every_k_points: int) -> Self:
@@ -224,7 +255,9 @@ class Sampling(Selection):
             )
         return choose_farthest(self.search_tree(), count, start)
 
-    def _voxels(self, size: float, min_bound: NDArray[np.float64] | None) -> tuple[Any, NDArray[np.float64]]:
+    def _voxels(
+        self, size: float, min_bound: NDArray[np.float64] | None, names: tuple[str, str] = ("voxel_size", "min_bound")
+    ) -> tuple[Any, NDArray[np.float64]]:
         """The finite points by voxel, and the corner of the grid relative to the origin."""
         points = self._arrays["points"]
         low, high, finite = bound_points(points)
@@ -237,9 +270,9 @@ class Sampling(Selection):
                 corner = min_bound - self._origin
                 first = np.floor((low - corner) / size)
                 if not (np.abs(first) < CELL_LIMIT).all():
-                    raise ValueError(f"voxel_size: {size} puts more than 2^53 voxels between min_bound and the cloud")
+                    raise ValueError(f"{names[0]}: {size} puts more than 2^53 voxels between {names[1]} and the cloud")
             cells = np.floor((high - corner) / size) + 1 - first
-        return VoxelGroups(points, corner, size, cells, first.astype(np.int64)), corner
+        return VoxelGroups(points, corner, size, cells, first.astype(np.int64), names[0]), corner
 
     def _means(self, groups: Any) -> Self:
         """The means of voxels; of whole numbers the first."""

@@ -30,10 +30,10 @@ from .raster_cells import (
     check_classes,
     check_lengths,
     chosen_points,
-    combined,
     ground_heights,
     heights_above_ground,
     measured_cells,
+    raster_values,
     window_of,
 )
 
@@ -185,7 +185,7 @@ def rasterize(
     Raises:
         TypeError: No PointCloud.
         ValueError: An argument out of range; coordinates in degrees; no points that count; no classes, where they are
-            needed; ground points on one line, of which there are no triangles; more than 2^28 cells.
+            needed; ground points of which there is no triangle; more than 2^28 cells.
         MemoryError: The raster does not fit into memory.
 
     Notes:
@@ -223,10 +223,9 @@ def rasterize(
         ground = ground_heights(chosen, window, method, far, count)
     if kind != "dtm":
         surface = measured_cells(cloud, window, kind, None if kind == "chm" else wanted)
-    values = combined(kind, surface, ground, side, cloud.origin[2])
-    upright = np.ascontiguousarray(values.astype(np.float32).reshape(window.columns, window.rows).T[::-1])
+    values = raster_values(kind, surface, ground, window, float(cloud.origin[2]))
     low = start + np.array([window.column0, window.row0]) * side
-    return Raster(upright, low, side, np.zeros(upright.shape, bool), kind, crs)
+    return Raster(values, low, side, np.zeros(values.shape, bool), kind, crs)
 
 
 def height_above_ground(

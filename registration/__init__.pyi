@@ -26,6 +26,7 @@ from .globally.robust_global import (
 from .globally.robust_global import (
     registration_robust_based_on_feature_matching as registration_robust_based_on_feature_matching,
 )
+from .icp.constraint import Prior as Prior
 from .icp.estimation import TransformationEstimation as TransformationEstimation
 from .icp.estimation import TransformationEstimationForColoredICP as TransformationEstimationForColoredICP
 from .icp.estimation import TransformationEstimationForDopplerICP as TransformationEstimationForDopplerICP
@@ -36,11 +37,12 @@ from .icp.estimation import TransformationEstimationSymmetric as TransformationE
 from .icp.evaluation import evaluate_registration as evaluate_registration
 from .icp.evaluation import get_information_matrix_from_point_clouds as get_information_matrix_from_point_clouds
 from .icp.icp import ICPConvergenceCriteria as ICPConvergenceCriteria
-from .icp.icp import registration_colored_icp as registration_colored_icp
-from .icp.icp import registration_generalized_icp as registration_generalized_icp
 from .icp.icp import registration_icp as registration_icp
 from .icp.icp import registration_icp_batch as registration_icp_batch
-from .icp.icp import registration_symmetric_icp as registration_symmetric_icp
+from .icp.kinds import registration_colored_icp as registration_colored_icp
+from .icp.kinds import registration_generalized_icp as registration_generalized_icp
+from .icp.kinds import registration_symmetric_icp as registration_symmetric_icp
+from .icp.levelling import levelled as levelled
 from .icp.multi_scale import multi_scale_icp as multi_scale_icp
 from .lidar.deskewing import deskew_point_cloud as deskew_point_cloud
 from .lidar.lidar_odometry import LidarOdometry as LidarOdometry

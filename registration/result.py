@@ -43,10 +43,15 @@ class RegistrationResult:
         reason: str = "",
         degenerate_directions: NDArray[np.float64] | None = None,
         score: float | Callable[[], float] | None = None,
+        free: tuple[str, ...] | None = None,
+        held_count: int = 0,
+        motion: NDArray[np.float64] | None = None,
     ):
         self.transformation, self.fitness, self.inlier_rmse = transformation, fitness, inlier_rmse
         self.iterations, self.converged, self.reason, self._score = iterations, converged, reason, score
         self.degenerate_directions = np.empty((0, 6)) if degenerate_directions is None else degenerate_directions
+        self.free, self.prior_directions = free, self.degenerate_directions[:held_count]
+        self._motion = motion  # the parameters since the first pose, of a registration that goes on from here
         self._correspondences, self.hint = correspondences, ""
 
     @cached_property

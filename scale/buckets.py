@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 from ..core.errors import FileError
 from ..files.foreign import foreign_errors, import_for
 from ..files.points.las import COLORS, LasFile, open_las
+from .manifest import is_dead
 
 FOLDER, INDEX = "buckets", "index.json"
 MOST_ROWS = 1 << 22  # held in memory before some go to disk
@@ -34,6 +35,8 @@ _MARK = b"LOOM"
 _ZLIB, _LASZIP = 0, 1
 Window = tuple[float, float, float, float]  # low x, low y, high x, high y: the low ends included
 
+_ANEW = "Remove {} and call retry_tiles(folder)"
+REMOTE = "remote-"  # begins the names of workers that have no lock here; what they left is removed in the end
 _LASZIP_FORMATS = (0, 1, 2, 3, 6, 7, 8)
 
 
@@ -52,22 +55,33 @@ def folder_of(folder: Path, number: int) -> Path:
 
 
 def fill_buckets(plan: Any, folder: Path, number: int, owner: str) -> Filled:
-    """Lay the rows of a file by tile; what an earlier pass left unfinished is removed.
+    """Lay the rows of a file by tile; what dead workers left unfinished is removed.
+
+    A folder that is there already has all rows: it may be that of a worker that was taken for dead, or be read from.
 
     Raises:
         FileError: The file is damaged, or has points outside the bounds that its header tells; the disk is full.
     """
-    source, done = plan.sources[number], folder_of(folder, number)
+    source, done = plan.files[number], folder_of(folder, number)
+    if (done / INDEX).is_file():
+        return _filled(done)
     file = open_las(source["path"])
     part = done.with_name(f"{done.name}.{owner}.part")
-    for old in (done, *done.parent.glob(f"{done.name}.*.part")):
-        shutil.rmtree(old, ignore_errors=True)
+    for old in done.parent.glob(f"{done.name}.*.part"):
+        other = old.name.split(".")[1]
+        if not other.startswith(REMOTE) and is_dead(folder, other):
+            shutil.rmtree(old, ignore_errors=True)
     try:
         part.mkdir(parents=True)
         filled = _fill(plan, file, part)
         told = filled._asdict() | {"tiles": {str(tile): rows for tile, rows in sorted(filled.tiles.items())}}
         (part / INDEX).write_text(json.dumps(told))
-        part.rename(done)
+        try:
+            part.rename(done)
+        except OSError:
+            if not (done / INDEX).is_file():
+                raise
+            shutil.rmtree(part, ignore_errors=True)  # a worker that was taken for dead has laid the same rows meanwhile
     except OSError as error:
         shutil.rmtree(part, ignore_errors=True)
         if isinstance(error, FileError):
@@ -77,6 +91,15 @@ def fill_buckets(plan: Any, folder: Path, number: int, owner: str) -> Filled:
         shutil.rmtree(part, ignore_errors=True)
         raise
     return filled
+
+
+def _filled(done: Path) -> Filled:
+    """What a pass that is over found."""
+    try:
+        told = json.loads((done / INDEX).read_text())
+        return Filled(**told | {"tiles": {int(tile): rows for tile, rows in told["tiles"].items()}})
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        raise FileError(done / INDEX, f"cannot be read: {error}", remedy=_ANEW.format(done)) from error
 
 
 def _fill(plan: Any, file: LasFile, part: Path) -> Filled:
@@ -197,8 +220,10 @@ def _packed(file: LasFile, rows: Any, numbers: NDArray[np.uint64], places: NDArr
     return head + body + told
 
 
-def read_buckets(plan: Any, folder: Path, number: int, file: LasFile, window: Any) -> NDArray[Any]:
-    """The rows of a file in a window, in the order of the file.
+def read_buckets(
+    plan: Any, folder: Path, number: int, file: LasFile, window: Any
+) -> tuple[NDArray[Any], NDArray[np.int64]]:
+    """The rows of a file in a window, in the order of the file, and their numbers in it.
 
     Raises:
         FileError: A bucket is missing or damaged.
@@ -212,22 +237,24 @@ def read_buckets(plan: Any, folder: Path, number: int, file: LasFile, window: An
         path = place / f"{tile}.blocks"
         found, size = _read_blocks(path, file, window)
         if size != counts[tile]:
-            raise FileError(path, f"holds {size} points, the index counts {counts[tile]}", remedy="Plan it anew")
+            raise FileError(path, f"holds {size} points, the index counts {counts[tile]}", remedy=_ANEW.format(place))
         for block, which in found:
             rows.append(block)
             numbers.append(which)
         check_size(plan, sum(map(len, rows)))
     if not rows:
-        return np.empty(0, file.layout.dtype())
-    joined = np.concatenate(rows)
-    return joined[np.argsort(np.concatenate(numbers), kind="stable")]
+        return np.empty(0, file.layout.dtype()), np.empty(0, np.int64)
+    joined, told = np.concatenate(rows), np.concatenate(numbers).astype(np.int64)
+    order = np.argsort(told, kind="stable")
+    return joined[order], told[order]
 
 
 def _time_of(place: Path) -> int:
     try:
         return (place / INDEX).stat().st_mtime_ns
     except OSError as error:
-        raise FileError(place / INDEX, f"cannot be read: {error.strerror or error}") from error
+        reason = f"cannot be read: {error.strerror or error}"
+        raise FileError(place / INDEX, reason, remedy=_ANEW.format(place)) from error
 
 
 @lru_cache(maxsize=64)
@@ -235,7 +262,7 @@ def _index_of(place: Path, time: int) -> dict[int, int]:
     try:
         return {int(tile): rows for tile, rows in json.loads((place / INDEX).read_text())["tiles"].items()}
     except (OSError, ValueError, KeyError) as error:
-        raise FileError(place / INDEX, f"cannot be read: {error}", remedy="Plan it anew in another folder") from error
+        raise FileError(place / INDEX, f"cannot be read: {error}", remedy=_ANEW.format(place)) from error
 
 
 def _read_blocks(path: Path, file: LasFile, window: Any) -> tuple[list[tuple[Any, NDArray[np.uint64]]], int]:

@@ -26,14 +26,16 @@ from ..files.foreign import foreign_errors, import_for
 from ..files.points.copc import octree_of
 from ..files.points.las import LasFile, open_las
 from ..files.points.laszip import unpack_beginnings
+from .borders import JOINED, LEFT, Leavings, join_step
 from .buckets import FOLDER as BUCKETS
 from .buckets import Window, fill_buckets, inside, positions_of
 from .exact_sums import ExactSums
-from .manifest import write_manifest
+from .halos import halos_of
+from .manifest import files_of, write_manifest
 from .plan import Plan, open_plan
 from .sources import describe
 from .work_tile import FOLDER as TILES
-from .work_tile import halos_of, tile_path, work_tile
+from .work_tile import tile_path, work_tile
 
 WHOLE = 8_000_000  # rows up to which all of a survey's are counted, and more are a sample
 SAMPLE = 400_000
@@ -57,6 +59,8 @@ class Measured:
         base, peak: Memory before and at most [bytes].
         out: Points that the steps left.
         size: Of the tile's file, or of the buckets [bytes].
+        left: Of what it leaves for joins, and of what they give it [bytes].
+        join: CPU seconds of joins.
     """
 
     points: int
@@ -69,6 +73,8 @@ class Measured:
     peak: int
     out: int
     size: int
+    left: int = 0
+    join: float = 0.0
 
 
 class Counts:
@@ -150,7 +156,7 @@ def calibrate(
     write_manifest(folder, told, __version__, [])
     report("calibration", 0, len(tiles) + 1)
     laid = None
-    if any(source["kind"] != "copc" for source in told["sources"]):
+    if any(source["kind"] != "copc" for source in files_of(told)):
         laid = _measured(folder, FILES, threads)
     report("calibration", 1, len(tiles) + 1)
     found = []
@@ -165,21 +171,34 @@ def _sampled(plan: Plan, tiles: list[int], folder: Path) -> tuple[dict[str, Any]
     halo = halos_of(plan.steps, [step.reach for step in plan.steps], plan.slack)[0]
     nx = plan.shape[0]
     windows = [plan.window(tile % nx, tile // nx, 2.5 * halo) for tile in tiles]
-    chosen = [source for source in plan.sources if source["points"] and _meets_any(source, windows)]
+    sources, least = _sample_of(plan.sources, windows, folder)
+    if not sources:
+        raise FileError(plan.sources[0]["path"], "no points were found in the tiles that were chosen for a calibration")
+    epochs = []
+    for number, epoch in enumerate(plan.epochs):
+        there, share = _sample_of(epoch["sources"], windows, folder, f"{number}-")
+        epochs.append(epoch | {"sources": there or epoch["sources"][:1]})
+        least = min(least, share)
+    return plan.told | {"sources": sources, "epochs": epochs}, least
+
+
+def _sample_of(
+    listed: list[dict[str, Any]], windows: list[Window], folder: Path, mark: str = ""
+) -> tuple[list[dict[str, Any]], float]:
+    """Files beside a folder with the rows of some windows, those that know windows themselves, and the share read."""
+    chosen = [source for source in listed if source["points"] and _meets_any(source, windows)]
     rows = sum(source["points"] for source in chosen if source["kind"] != "copc")
     least, sources = 1.0, []
     for number, source in enumerate(chosen):
         if source["kind"] == "copc":
             sources.append(source)
             continue
-        path = folder.with_name(f"{number:06d}{Path(source['path']).suffix}")
+        path = folder.with_name(f"{mark}{number:06d}{Path(source['path']).suffix}")
         most = source["points"] if rows <= MOST_READ else max(1, MOST_READ * source["points"] // rows)
         least = min(least, most / source["points"])
         if _write_rows(Path(source["path"]), path, windows, most):
             sources.append(describe(path))
-    if not sources:
-        raise FileError(plan.sources[0]["path"], "no points were found in the tiles that were chosen for a calibration")
-    return plan.told | {"sources": sources}, least
+    return sources, least
 
 
 def _meets_any(source: dict[str, Any], windows: list[Window]) -> bool:
@@ -250,7 +269,7 @@ def main() -> None:
 
 def _lay(plan: Plan, folder: Path) -> dict[str, Any]:
     filled, begin, cpu = [], time.monotonic(), time.process_time()
-    for number, source in enumerate(plan.sources):
+    for number, source in enumerate(plan.files):
         if source["kind"] != "copc":
             filled.append(fill_buckets(plan, folder, number, "calibration"))
     took = {"cpu": [time.process_time() - cpu], "wall": [time.monotonic() - begin], "start": 0.0}
@@ -260,13 +279,13 @@ def _lay(plan: Plan, folder: Path) -> dict[str, Any]:
 
 def _work(plan: Plan, folder: Path, tile: int, begin: float) -> dict[str, Any]:
     fulls = {}
-    for number in range(len(plan.sources)):
+    for number in range(len(plan.files)):
         index = folder / BUCKETS / f"{number:06d}" / "index.json"
         fulls[number] = json.loads(index.read_text())["full"] if index.exists() else 65535
     before = time.monotonic() - begin
     rounds: list[dict[str, Any]] = []
     while len(rounds) < 2:  # the first loads kernels, too
-        took: dict[str, Any] = {"read": [], "halos": [], "cpu": [], "wall": []}
+        took: dict[str, Any] = {"read": [], "halos": [], "cpu": [], "wall": [], "left": 0, "join": 0.0}
         numbers: dict[int, ExactSums] = {}
         for number, step in enumerate(plan.passes):
             at, cpu = time.monotonic(), time.process_time()
@@ -276,7 +295,10 @@ def _work(plan: Plan, folder: Path, tile: int, begin: float) -> dict[str, Any]:
             took["halos"].append(found.halo)
             took["cpu"].append(time.process_time() - cpu)
             took["wall"].append(time.monotonic() - at)
-            if step is not None:
+            if step is not None and plan.steps[step].joins:
+                size, seconds = _join(plan, folder, step, {tile: found.sums.count if found.sums else 0})
+                took |= {"left": took["left"] + size, "join": took["join"] + seconds}
+            elif step is not None:
                 numbers[step] = found.sums or ExactSums()
         rounds.append(took)
         if sum(took["wall"]) > MOST_REPEATED:
@@ -284,6 +306,14 @@ def _work(plan: Plan, folder: Path, tile: int, begin: float) -> dict[str, Any]:
     start = before + max(0.0, sum(rounds[0]["wall"]) - sum(rounds[-1]["wall"]))
     path = tile_path(plan, folder, tile)
     return rounds[-1] | {"start": start, "size": path.stat().st_size if path.exists() else 0}
+
+
+def _join(plan: Plan, folder: Path, step: int, counts: dict[int, int]) -> tuple[int, float]:
+    """Join what a tile left alone; its bytes with what it gets, and CPU seconds."""
+    cpu, counts = time.process_time(), {tile: count for tile, count in counts.items() if count}
+    join_step(folder, step, plan.steps[step], Leavings(folder, step, counts, is_whole=False), "calibration")
+    paths = [folder / name / str(step) / f"{tile}.npy" for name in (LEFT, JOINED) for tile in counts]
+    return sum(path.stat().st_size for path in paths), time.process_time() - cpu
 
 
 def _peak() -> int:

@@ -23,11 +23,12 @@ from typing import Any
 from .. import __version__  # pyright: ignore[reportMissingImports]
 from ..core.errors import FileError
 from ..files.foreign import import_for
-from .buckets import Filled
+from .borders import Joined
+from .buckets import REMOTE, Filled
 from .gpus import Gpu, environment_of, held_gpus
 from .manifest import NAME
 from .plan import Plan, plan_alone
-from .tasks import Task, Taskbook, do_task
+from .tasks import Found, Task, Taskbook, do_task
 from .work_tile import Outcome
 
 LOOK = 0.5  # [s]
@@ -35,7 +36,11 @@ AHEAD = 2  # tasks a worker that are on their way
 PATIENCE = 10.0  # [s] for a scheduler
 MOST_LONELY = 60.0  # [s] without any worker
 MOST_VAIN = 3  # deaths a process, in a row without one task done
-_OPTIONS = ("--host", "127.0.0.1", "--nthreads", "1", "--no-nanny", "--no-dashboard", "--memory-limit", "0")
+# A worker whose runner was killed ends: at once where it had found the scheduler, else after half a minute.
+_OPTIONS = (
+    *("--host", "127.0.0.1", "--nthreads", "1", "--no-nanny", "--no-dashboard"),
+    *("--memory-limit", "0", "--death-timeout", "30"),
+)
 
 
 def run_on_cluster(
@@ -112,8 +117,8 @@ def _settle(distributed: Any, folder: Path, book: Taskbook, task: Task, future: 
         book.fail(task, error)
     else:
         # as its class is here
-        kind = Filled if task.table == "sources" else Outcome
-        assert isinstance(found, kind)
+        kinds = {"sources": Filled, "tiles": Outcome, "joins": Joined}
+        assert isinstance(found, kinds[task.table])
         book.settle(task, found, seconds)
 
 
@@ -240,7 +245,7 @@ _held = contextlib.ExitStack()
 _devices: dict[str, str] = {}  # those that this process holds, by what was asked for
 
 
-def _do(folder: str, task: Task, device: str) -> tuple[Filled | Outcome, float]:
+def _do(folder: str, task: Task, device: str) -> tuple[Found, float]:
     """A task on a worker of the cluster."""
     with _ONE:
         if device not in _devices:
@@ -248,7 +253,7 @@ def _do(folder: str, task: Task, device: str) -> tuple[Filled | Outcome, float]:
             _devices[device] = gpus[0].alias if gpus else device
         plan = _plan(folder, (Path(folder) / NAME).stat().st_ino)
         plan.device = _devices[device]
-        return do_task(plan, Path(folder), task, uuid.uuid4().hex)
+        return do_task(plan, Path(folder), task, REMOTE + uuid.uuid4().hex)
 
 
 @lru_cache(maxsize=4)

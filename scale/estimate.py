@@ -17,8 +17,8 @@ from ..core.progress import ReportProgress, say_nothing
 from ..core.reports import Fields, Report
 from .buckets import MOST_ROWS
 from .calibration import Counts, Measured, calibrate
-from .plan import Plan, open_plan, plan_tiles
-from .work_tile import halos_of
+from .halos import far_files, halos_of
+from .plan import Plan, open_plan, plan_tiles, tiles_of
 
 _CLAIM = 0.01  # [s] of a tile beside its points: the manifest's transactions
 _NOISE = 1.25  # that the same tile may take longer or shorter another time
@@ -161,6 +161,8 @@ def estimate_tiles(
     reads = [counts.within(_halo_of(measured, number)).ravel()[ids] for number in range(len(measured[0].read))]
     spread = _NOISE * (_THINNED if share < 1 else 1.0) * (_SAMPLED if counts.is_sample else 1.0)
     cpu, seconds = _times(plan, measured, laid, reads, workers, threads)
+    join, left = _joins(own, measured)
+    cpu, seconds = cpu + join, seconds + join
     crowded = max(1.0, workers * threads / cores)
     out = _over(own, [one.points for one in measured], [one.out for one in measured])
     file_size = sum(one.size for one in measured) / max(1, sum(one.out for one in measured))
@@ -173,7 +175,7 @@ def estimate_tiles(
         seconds=seconds.times(crowded).spread(spread),
         cpu_seconds=cpu.spread(spread),
         memory=_memory(plan, measured, laid, densest).spread(1.25),
-        temporary=_buckets(plan, laid) + (written if output == "copc" else Estimate()),
+        temporary=_buckets(plan, laid) + left + (written if output == "copc" else Estimate()),
         output=written,
         points_out=out.spread(1.1),
         calibration=_said(measured, laid, threads, share, counts.is_sample),
@@ -232,12 +234,21 @@ def _times(
         cpu += _over(read, at, busy, intercept=_CLAIM)
         seconds += _over(read, at, took, intercept=_CLAIM, among=workers)
     if laid is not None:
-        rows = [source["points"] for source in plan.sources if source["kind"] != "copc"]
+        rows = [source["points"] for source in plan.files if source["kind"] != "copc"]
         rate = laid.cpu[0] / max(1, laid.points)
         cpu += Estimate.of(rate * sum(rows))
         seconds += Estimate.of(rate * max(sum(rows) / workers, max(rows)))
     start = float(np.median([one.start for one in measured]))
     return cpu + Estimate.of(start * workers), seconds + Estimate.of(start)
+
+
+def _joins(own: NDArray[np.float64], measured: list[Measured]) -> tuple[Estimate, Estimate]:
+    """CPU time of joins, each by one worker while the others wait, and bytes on disk for them."""
+    if not any(one.left for one in measured):
+        return Estimate(), Estimate()
+    at = [one.points for one in measured]
+    seconds, size = _over(own, at, [one.join for one in measured]), _over(own, at, [one.left for one in measured])
+    return seconds, size.spread(1.5)
 
 
 def _memory(plan: Plan, measured: list[Measured], laid: Measured | None, densest: float) -> Estimate:
@@ -248,7 +259,7 @@ def _memory(plan: Plan, measured: list[Measured], laid: Measured | None, densest
     most = max(measured, key=lambda one: max(one.read))
     value = base + (most.peak - base) * max(1.0, densest / max(1, *most.read))
     if laid is not None:
-        rows = max(min(source["points"], MOST_ROWS) for source in plan.sources if source["kind"] != "copc")
+        rows = max(min(source["points"], MOST_ROWS) for source in plan.files if source["kind"] != "copc")
         value = max(value, base + (laid.peak - laid.base) * max(1.0, rows / max(1, min(laid.points, MOST_ROWS))))
     return Estimate(value, min(value, *peaks), value)
 
@@ -256,7 +267,8 @@ def _memory(plan: Plan, measured: list[Measured], laid: Measured | None, densest
 def _buckets(plan: Plan, laid: Measured | None) -> Estimate:
     if laid is None:
         return Estimate()
-    rows = sum(source["points"] for source in plan.sources if source["kind"] != "copc")
+    far = far_files(plan, tiles_of(plan))
+    rows = sum(f["points"] for number, f in enumerate(plan.files) if f["kind"] != "copc" and number not in far)
     return Estimate.of(laid.size / max(1, laid.points) * rows).spread(1.2)
 
 

@@ -1,4 +1,4 @@
-"""The tiles of a finished job as one file."""
+"""The tiles of a finished job as one file or one folder."""
 
 from __future__ import annotations
 
@@ -7,22 +7,26 @@ from pathlib import Path
 from typing import Any
 
 from ..core.atomic import atomic_write, check_writable
-from ..core.checks import check_positive, check_progress, shown
+from ..core.checks import check_count, check_positive, check_progress, shown
 from ..core.errors import FileError, FilePath
 from ..core.paths import path_of
 from ..core.progress import ReportProgress, say_nothing
 from ..files.foreign import foreign_errors, import_for
 from ..files.points.las import open_las
+from .borders import LEFT
 from .buckets import FOLDER as BUCKETS
-from .manifest import Manifest
+from .crew import Crew
+from .manifest import CHECKSUMS, Manifest, clear_locks, only_one
 from .plan import Plan, open_plan
-from .rasters import write_mosaics
+from .rasters import mosaics_of, write_mosaics
 from .status import status_of
+from .tasks import lay_again
 from .tree_outputs import FOLDERS, tree_of, write_folder, write_tree
 from .work_tile import FOLDER as TILES
-from .work_tile import tile_path
+from .work_tile import checksum_of, tile_path
 
 BLOCK = 1 << 18
+FILES = {"laz": ".laz", "las": ".las", "copc": ".copc.laz"}  # how the name of each kind of file ends
 
 
 def finish_tiles(
@@ -31,6 +35,7 @@ def finish_tiles(
     *,
     output: str | None = None,
     overview: float | None = None,
+    workers: int = 0,
     overwrite: bool = True,
     progress: ReportProgress = say_nothing,
 ) -> Path:
@@ -40,21 +45,25 @@ def finish_tiles(
         folder: Of `plan_tiles`, all tiles done.
         path: The file, an octree where it ends in .copc.laz; None takes `result.laz`, or `result.copc.laz` where the
             plan says "copc", in the folder.
-        output: What to make of a folder. "tiles" are COPC files with an index `index.vpc`, which QGIS and PDAL open as
-            one cloud, and a coarse version of all of them, `overview.copc.laz`. "3dtiles" are 3D Tiles 1.1
+        output: What to make. "laz", "las" and "copc" are one file; None takes the one that the name says, or else the
+            plan. The others are folders: "tiles" are COPC files with an index `index.vpc`, which QGIS and PDAL open
+            as one cloud, and a coarse version of all of them, `overview.copc.laz`. "3dtiles" are 3D Tiles 1.1
             (`tileset.json`), on the globe where the coordinate system is known; "potree" is Potree 2.0
-            (`metadata.json`). None makes one file.
-        overview: Spacing of the overview's points; None takes the level of which a square of points has a million.
+            (`metadata.json`).
+        overview: Spacing of the points of the overview beside "tiles"; None takes the level of which a square of
+            points has a million.
+        workers: Processes that make an octree, 1 GB of memory each; 0 makes it in this one. The result has the same
+            bits. A LAZ file is packed by threads of this process, whatever the workers.
         overwrite: Whether an existing file may be replaced, or a folder of the same kind.
         progress: Called with "points", how many are read, and how many there are to read, twice for an octree.
 
     Returns:
-        The file or folder.
+        The file or folder; the first raster where the steps left no point but `rasterize` is among them.
 
     Raises:
-        ValueError: An output that there is not.
+        ValueError: An output that there is not, a folder without a path, or an overview of no tiles.
         FileError: Tiles wait, failed or were set aside; points are missing; a tile is gone or damaged; for an octree,
-            millions of points lie in one place; the file cannot be written.
+            millions of points lie in one place; the name is not that of such a file; the file cannot be written.
 
     Notes:
         A LAZ file is written tile by tile. The octree of a COPC file is that of `write_point_cloud` of all tiles'
@@ -62,31 +71,72 @@ def finish_tiles(
         number; no disk but for the file.
     """
     report, spacing = check_progress(progress), None if overview is None else check_positive("overview", overview)
-    if output is not None and output not in FOLDERS:
-        raise ValueError(f"output: expected None or one of {', '.join(map(repr, FOLDERS))}, got {shown(output)}")
-    if output is not None and path is None:
-        raise ValueError("path: give the folder that is to be made")
+    _check_output(path, output, spacing)
+    count = check_count("workers", workers, minimum=0)
     manifest, plan = open_plan(folder)
-    with manifest:
+    with manifest, only_one(manifest.folder, "finish"):
         _check_finished(manifest, plan)
-        wanted = "result.copc.laz" if plan.told["output"] == "copc" else "result.laz"
-        path = path_of(path if path else manifest.folder / wanted)
+        path = path_of(path if path else manifest.folder / f"result{FILES[output or plan.told['output']]}")
         rows = manifest.rows("SELECT id, points_out FROM tiles WHERE state = 'done' ORDER BY id")
         parts = [(tile_path(plan, manifest.folder, row["id"]), row["points_out"]) for row in rows]
-        if not parts:
+        _check_tiles(manifest, plan)
+        mosaics = mosaics_of(plan, path)
+        for mosaic in mosaics:
+            check_writable(mosaic, overwrite=overwrite)
+            _clear_parts(mosaic)
+        if not parts and not mosaics:
             raise FileError(path, "there is nothing to write: the steps left no point")
-        if output is not None:
-            write_folder(path, parts, output, spacing, overwrite, report)
+        _clear_parts(path)
+        if not parts:
+            path = mosaics[0]
+        elif output in FOLDERS:
+            with Crew(count, path) as crew:
+                write_folder(path, parts, output, spacing, overwrite, report, crew)
         elif path.name.lower().endswith(".copc.laz"):
             check_writable(path, overwrite=overwrite)
-            write_tree(path, tree_of(parts, report), overwrite)
+            with Crew(count, path) as crew:
+                write_tree(path, tree_of(parts, report, crew), overwrite)
         else:
-            _merge(path, parts, overwrite)
-        write_mosaics(manifest, plan, path)
-        shutil.rmtree(manifest.folder / BUCKETS, ignore_errors=True)
+            _merge(path, parts, overwrite, report)
+        write_mosaics(manifest, plan, mosaics, overwrite)
+        for name in (BUCKETS, LEFT):  # what joins gave stays: a tile whose file is damaged is made again with it
+            shutil.rmtree(manifest.folder / name, ignore_errors=True)
         for left in (manifest.folder / TILES).glob(".*.part"):  # of workers that were killed
             left.unlink(missing_ok=True)
+        clear_locks(manifest.folder)
         return path
+
+
+def _check_output(path: FilePath | None, output: Any, overview: float | None) -> None:
+    """Refuse what cannot be made, and a name that says something else."""
+    known = [*FILES, *FOLDERS]
+    if output is not None and output not in known:
+        raise ValueError(f"output: expected None or one of {', '.join(map(repr, known))}, got {shown(output)}")
+    if overview is not None and output != "tiles":
+        raise ValueError(f"overview: goes with output='tiles', not with {shown(output)}")
+    if output in FOLDERS:
+        if path is None:
+            raise ValueError(f"path: {shown(output)} is a folder of files; give the folder that is to be made")
+        return
+    if path is None:
+        return
+    name = path_of(path).name.lower()
+    said = (
+        "copc" if name.endswith(FILES["copc"]) else next((kind for kind in FILES if name.endswith(FILES[kind])), None)
+    )
+    if not said or output not in (None, said):
+        wanted = " or ".join(FILES.values()) if output is None else FILES[output]
+        told = "of a LAS or LAZ file" if output is None else f"of {output!r}"
+        raise FileError(path_of(path), f"is no name {told}", remedy=f"End it in {wanted}")
+
+
+def _clear_parts(path: Path) -> None:
+    """Remove what killed processes left of a file or folder that they made."""
+    for part in path.parent.glob(f".{path.name}.*.part"):
+        if part.is_dir():
+            shutil.rmtree(part, ignore_errors=True)
+        else:
+            part.unlink(missing_ok=True)
 
 
 def _check_finished(manifest: Manifest, plan: Plan) -> None:
@@ -98,12 +148,34 @@ def _check_finished(manifest: Manifest, plan: Plan) -> None:
         raise FileError(manifest.folder, reason)
 
 
-def _merge(path: Path, parts: list[tuple[Path, int]], overwrite: bool) -> None:
+def _check_tiles(manifest: Manifest, plan: Plan) -> None:
+    """Hold that the files of tiles are those that were written; others wait to be made again."""
+    with manifest.change() as base:
+        base.execute(CHECKSUMS)
+    query = "SELECT id, crc FROM tiles JOIN checksums ON tile = id WHERE state = 'done' ORDER BY id"
+    bad = []
+    for row in manifest.rows(query):
+        path = tile_path(plan, manifest.folder, row["id"])
+        if not path.is_file():
+            bad.append((row["id"], path, "is gone"))
+        elif checksum_of(path) != row["crc"]:
+            bad.append((row["id"], path, "is damaged: it is not the file that was written"))
+    if not bad:
+        return
+    with manifest.change() as base:
+        base.executemany("UPDATE tiles SET state = 'waiting' WHERE id = ?", [(tile,) for tile, _, _ in bad])
+    lay_again(manifest)
+    _, path, reason = bad[0]
+    others = f"It and {len(bad) - 1} others wait" if len(bad) > 1 else "It waits"
+    raise FileError(path, reason, remedy=f"{others} to be made again: call run_tiles, then this")
+
+
+def _merge(path: Path, parts: list[tuple[Path, int]], overwrite: bool, report: ReportProgress) -> None:
     path = check_writable(path, overwrite=overwrite)
     laspy: Any = import_for(path, "laspy", "las")
     with laspy.open(parts[0][0]) as first:
         header = first.header
-    compress = path.suffix.lower() == ".laz"
+    compress, done, total = path.suffix.lower() == ".laz", 0, sum(count for _, count in parts)
     with (
         atomic_write(path, overwrite=overwrite) as file,
         foreign_errors(path, "cannot be written"),
@@ -118,5 +190,7 @@ def _merge(path: Path, parts: list[tuple[Path, int]], overwrite: bool) -> None:
             with laspy.open(part) as reader:
                 for points in reader.chunk_iterator(BLOCK):
                     writer.write_points(points)
+                    done += len(points)
+                    report("points", done, total)
         if header.evlrs:
             writer.write_evlrs(header.evlrs)

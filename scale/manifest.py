@@ -13,11 +13,12 @@ import json
 import os
 import sqlite3
 import uuid
-from collections.abc import Iterator
+from collections.abc import Container, Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
 from ..core.errors import FileError
+from .file_systems import is_shared
 
 try:
     import fcntl
@@ -25,7 +26,8 @@ except ImportError:  # Windows
     fcntl = None
 
 NAME, LOCKS = "plan.sqlite", "locks"
-SCHEMA = 1
+SCHEMA = 2
+TABLES = ("sources", "tiles", "joins")  # of tasks
 MOST_ATTEMPTS = 3  # deaths of workers at one task
 PATIENCE = 60.0  # [s] for another's transaction
 _REMEDIES = {  # of a manifest that is not there, or is of something else; by whether other tasks than tiles are meant
@@ -33,6 +35,7 @@ _REMEDIES = {  # of a manifest that is not there, or is of something else; by wh
     True: "Call plan_fusion, plan_sequences or plan_registration first; they go with run_job",
 }
 STATES = ("waiting", "running", "done", "empty", "failed", "aside")
+NOT_LAID = -1  # in place of a full colour: a file that is far from all tiles
 OVER = ("done", "empty", "failed", "aside")  # states that a tile leaves by `retry` alone
 
 _TABLES = """
@@ -45,16 +48,27 @@ CREATE TABLE tiles (
     state TEXT NOT NULL DEFAULT 'waiting', pass INTEGER NOT NULL DEFAULT 0, owner TEXT,
     attempts INTEGER NOT NULL DEFAULT 0, points_in INTEGER NOT NULL DEFAULT 0, points_out INTEGER NOT NULL DEFAULT 0,
     points_read INTEGER NOT NULL DEFAULT 0, halo REAL NOT NULL DEFAULT 0, seconds REAL NOT NULL DEFAULT 0, error TEXT);
+CREATE TABLE joins (
+    id INTEGER PRIMARY KEY, state TEXT NOT NULL DEFAULT 'waiting', owner TEXT, attempts INTEGER NOT NULL DEFAULT 0,
+    error TEXT);
 CREATE INDEX tiles_by_state ON tiles (state, pass, id);
+CREATE INDEX sources_by_state ON sources (state);
 CREATE TABLE numbers (
     pass INTEGER, tile INTEGER, count INTEGER NOT NULL, total TEXT NOT NULL, squares TEXT NOT NULL,
     PRIMARY KEY (pass, tile));
 """
+# Of the files of tiles, by tile. In a table of its own, which runs that began without it are given.
+CHECKSUMS = "CREATE TABLE IF NOT EXISTS checksums (tile INTEGER PRIMARY KEY, crc INTEGER NOT NULL)"
 
 
 def canonical(plan: Any) -> str:
     """A plan, or a part of one, as the one text that stands for it."""
     return json.dumps(plan, sort_keys=True, separators=(",", ":"), allow_nan=False)
+
+
+def files_of(plan: dict[str, Any]) -> list[dict[str, Any]]:
+    """What a plan says of all its files, by number: the survey's, then those of the epochs that it is compared with."""
+    return [*plan["sources"], *(source for epoch in plan["epochs"] for source in epoch["sources"])]
 
 
 def hash_of(plan: dict[str, Any]) -> str:
@@ -78,7 +92,11 @@ class Manifest:
             FileError: There is none, one that this version does not read, or one of the other kind.
         """
         self.folder, path = folder, folder / NAME
-        if not path.is_file():
+        try:
+            is_there = path.is_file()
+        except OSError as error:
+            raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+        if not is_there:
             raise FileError(path, "does not exist", remedy=_REMEDIES[is_job])
         self.base = connect(path)
         try:
@@ -96,8 +114,11 @@ class Manifest:
             self.base.close()
             if isinstance(error, FileError):
                 raise
+            code = getattr(error, "sqlite_errorcode", sqlite3.SQLITE_ERROR)
+            if isinstance(error, sqlite3.OperationalError) and code != sqlite3.SQLITE_ERROR:  # a full disk, no rights
+                raise FileError(path, f"the manifest cannot be used: {error}") from error
             raise FileError(path, f"is no manifest: {error}", remedy="Plan it anew") from error
-        self.tables = ("tasks",) if is_job else ("sources", "tiles")
+        self.tables = ("tasks",) if is_job else TABLES
 
     def __enter__(self) -> Manifest:
         return self
@@ -112,10 +133,11 @@ class Manifest:
             self.base.execute("BEGIN IMMEDIATE")
             try:
                 yield self.base
+                self.base.execute("COMMIT")
             except BaseException:
-                self.base.execute("ROLLBACK")
+                if self.base.in_transaction:  # which a full disk has ended already
+                    self.base.execute("ROLLBACK")
                 raise
-            self.base.execute("COMMIT")
 
     def rows(self, query: str, *values: Any) -> list[sqlite3.Row]:
         """What a query gives."""
@@ -123,7 +145,7 @@ class Manifest:
             return self.base.execute(query, values).fetchall()
 
     def claim(self, table: str, owner: str, where: str = "1", *values: Any) -> sqlite3.Row | None:
-        """Take the first waiting row of one of the tables for a worker; None where none waits."""
+        """Take the first waiting row of a table of tasks for a worker; None where none waits."""
         with self.change() as base:
             query = f"SELECT * FROM {table} WHERE state = 'waiting' AND {where} ORDER BY id LIMIT 1"
             row = base.execute(query, values).fetchone()
@@ -171,6 +193,11 @@ class Manifest:
         queries = [f"SELECT owner FROM {table} WHERE state = 'running'" for table in self.tables]
         return [row["owner"] for row in self.rows(" UNION ".join(queries))]
 
+    def has(self, table: str, *states: str) -> bool:
+        """Whether rows are in one of these states, at the price of a look into the index."""
+        query = f"SELECT 1 FROM {table} WHERE state IN ({', '.join('?' * len(states))}) LIMIT 1"
+        return bool(self.rows(query, *states))
+
     def counts(self, table: str = "tiles", where: str = "1", *values: Any) -> dict[str, int]:
         """How many rows are in each state."""
         found = self.rows(f"SELECT state, count(*) AS n FROM {table} WHERE {where} GROUP BY state", *values)
@@ -182,14 +209,34 @@ def connect(path: Path) -> sqlite3.Connection:
     with told_as_file_errors(path):
         base = sqlite3.connect(path, timeout=PATIENCE, isolation_level=None)
         base.row_factory = sqlite3.Row
+        if is_shared(path.parent):
+            _leave_log(base, path)
+        else:  # what is lost where power fails is done again; a process that is killed loses nothing
+            base.execute("PRAGMA synchronous = NORMAL")
         return base
+
+
+def _leave_log(base: sqlite3.Connection, path: Path) -> None:
+    """Have transactions locked by file alone: SQLite's log is for the processes of one machine."""
+    try:
+        base.execute("PRAGMA journal_mode = DELETE")
+    except sqlite3.OperationalError as error:
+        base.close()
+        reason = f"the manifest is open on the machine whose disk it is on, as one machine's alone: {error}"
+        raise FileError(
+            path, reason, remedy="End the runs there, or begin all of them where the folder is mounted"
+        ) from error
 
 
 def read_plan(folder: Path) -> dict[str, Any]:
     """The plan alone, which does not change once it is written: without a lock, and beside whoever writes the rest."""
     path = folder / NAME
     with told_as_file_errors(path):
-        if not path.is_file():
+        try:
+            is_there = path.is_file()
+        except OSError as error:
+            raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+        if not is_there:
             raise FileError(path, "does not exist", remedy="Have all workers see the folder under the same path")
         base = sqlite3.connect(f"{path.absolute().as_uri()}?immutable=1", uri=True)
         try:
@@ -199,13 +246,28 @@ def read_plan(folder: Path) -> dict[str, Any]:
     return json.loads(plan)
 
 
-def write_manifest(folder: Path, plan: dict[str, Any], version: str, tiles: list[tuple[Any, ...]]) -> None:
-    """Write a new manifest of tiles, whole or not at all; tiles are (id, ix, iy, x0, y0, x1, y1)."""
-    with a_new_manifest(folder, plan, version, _TABLES) as base:
-        has_windows = [source["kind"] == "copc" for source in plan["sources"]]
-        rows = [(k, "done" if windows else "waiting") for k, windows in enumerate(has_windows)]
-        base.executemany("INSERT INTO sources (id, state) VALUES (?, ?)", rows)
+def write_manifest(
+    folder: Path,
+    plan: dict[str, Any],
+    version: str,
+    tiles: list[tuple[Any, ...]],
+    far: Container[int] = (),
+    joins: Iterable[int] = (),
+) -> None:
+    """Write a new manifest of tiles, whole or not at all.
+
+    Tiles are (id, ix, iy, x0, y0, x1, y1); `far` has the numbers of files that none of them needs, `joins` those of the
+    passes that are followed by one.
+    """
+    with a_new_manifest(folder, plan, version, _TABLES + CHECKSUMS) as base:
+        has_windows = [source["kind"] == "copc" for source in files_of(plan)]
+        rows = [
+            (k, "done" if windows or k in far else "waiting", NOT_LAID if k in far else 0)
+            for k, windows in enumerate(has_windows)
+        ]
+        base.executemany("INSERT INTO sources (id, state, full) VALUES (?, ?, ?)", rows)
         base.executemany("INSERT INTO tiles (id, ix, iy, x0, y0, x1, y1) VALUES (?, ?, ?, ?, ?, ?, ?)", tiles)
+        base.executemany("INSERT INTO joins (id) VALUES (?)", [(number,) for number in joins])
 
 
 @contextlib.contextmanager
@@ -221,7 +283,8 @@ def a_new_manifest(folder: Path, plan: dict[str, Any], version: str, tables: str
             base.executemany("INSERT INTO meta VALUES (?, ?)", told.items())
             yield base
             base.execute("COMMIT")
-            base.execute("PRAGMA journal_mode = WAL")
+            if not is_shared(folder):
+                base.execute("PRAGMA journal_mode = WAL")
             base.close()
             os.link(part, path)  # fails where another process made it meanwhile
         except FileExistsError as error:
@@ -260,6 +323,36 @@ def a_worker(folder: Path) -> Iterator[str]:
     finally:
         path.unlink(missing_ok=True)
         os.close(descriptor)
+
+
+@contextlib.contextmanager
+def only_one(folder: Path, name: str) -> Iterator[None]:
+    """Hold that one process alone is in a block of this name.
+
+    Raises:
+        FileError: Another is.
+    """
+    path = folder / LOCKS / name
+    with told_as_file_errors(path):
+        path.parent.mkdir(exist_ok=True)
+        descriptor = os.open(path, os.O_RDWR | os.O_CREAT, 0o666)
+    try:
+        if fcntl is not None:
+            try:
+                fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except OSError as error:
+                raise FileError(folder, f"another process is at `{name}` of this job") from error
+        yield
+        path.unlink(missing_ok=True)
+    finally:
+        os.close(descriptor)
+
+
+def clear_locks(folder: Path) -> None:
+    """Remove what dead workers have locked, once no task is left: a worker that begins now is taken for none."""
+    for path in (folder / LOCKS).glob("*"):
+        if is_dead(folder, path.name):
+            path.unlink(missing_ok=True)
 
 
 def is_dead(folder: Path, owner: str) -> bool:

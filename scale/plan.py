@@ -16,7 +16,9 @@ from ..core.errors import FileError, FilePath
 from ..core.paths import path_of
 from ..kernels.search.hilbert_order import levels_for
 from .buckets import Window
-from .manifest import NAME, Manifest, canonical, hash_of, read_plan, write_manifest
+from .epochs import describe_epochs
+from .halos import far_files
+from .manifest import NAME, Manifest, canonical, files_of, hash_of, read_plan, write_manifest
 from .sources import check_alike, check_same, describe, list_files
 from .status import TileStatus, status_of
 from .steps.parse import parse_steps
@@ -37,6 +39,8 @@ class Plan:
     Attributes:
         told: As the manifest holds it, in JSON's types.
         sources: What it says of each file.
+        epochs: The epochs that steps compare with: "paths" as given, and "sources" as above.
+        files: All of these files, by number.
         steps: The steps, parsed.
         origin: Of all tiles' clouds, float64 [3].
         voxel_corner: Of the grid of voxels, float64 [3].
@@ -51,7 +55,8 @@ class Plan:
     device = "cpu"
 
     def __init__(self, told: dict[str, Any]):
-        self.told, self.sources = told, told["sources"]
+        self.told, self.sources, self.epochs = told, told["sources"], told["epochs"]
+        self.files = files_of(told)
         self.steps: list[Step] = parse_steps(told["steps"])
         for step, reach in zip(self.steps, told["guesses"], strict=True):
             step.reach = reach
@@ -59,6 +64,12 @@ class Plan:
         self.voxel_corner = told["voxel_corner"]
         self.corner, self.size, self.shape = np.array(told["corner"]), told["size"], tuple(told["shape"])
         self.slack, self.most = told["slack"], told["most"]
+
+    def numbered(self, epoch: int | None = None) -> list[tuple[int, dict[str, Any]]]:
+        """The files of the survey, or of another epoch, with their numbers."""
+        ends = np.cumsum([len(self.sources), *(len(other["sources"]) for other in self.epochs)]).tolist()
+        first, last = (0, ends[0]) if epoch is None else (ends[epoch], ends[epoch + 1])
+        return [*enumerate(self.files)][first:last]
 
     def tile_of(self, places: NDArray[np.float64]) -> NDArray[np.int64]:
         """The number of the tile that each place is in, [n, 2]; of places beyond the grid the nearest one's."""
@@ -75,20 +86,25 @@ class Plan:
         )
         return [y * self.shape[0] + x for y in range(y0, y1 + 1) for x in range(x0, x1 + 1)]
 
-    def window(self, ix: int, iy: int, halo: float) -> Window:
-        """A tile and its halo; there is no end where there is no further tile."""
+    def window(self, ix: int, iy: int, halo: float, *, ends: bool = False) -> Window:
+        """A tile and its halo; there is no end where there is no further tile, unless all `ends` are wanted."""
         (nx, ny), (x, y), size = self.shape, self.corner.tolist(), self.size
         return (
-            x + ix * size - halo if ix else -math.inf,
-            y + iy * size - halo if iy else -math.inf,
-            x + (ix + 1) * size + halo if ix + 1 < nx else math.inf,
-            y + (iy + 1) * size + halo if iy + 1 < ny else math.inf,
+            x + ix * size - halo if ix or ends else -math.inf,
+            y + iy * size - halo if iy or ends else -math.inf,
+            x + (ix + 1) * size + halo if ix + 1 < nx or ends else math.inf,
+            y + (iy + 1) * size + halo if iy + 1 < ny or ends else math.inf,
         )
 
     @property
     def passes(self) -> list[int | None]:
         """The step that each pass over the tiles measures for, None of the last one, which does all of them."""
-        return [*(k for k, step in enumerate(self.steps) if step.needs_numbers), None]
+        return [*(k for k, step in enumerate(self.steps) if step.needs_numbers or step.joins), None]
+
+    @property
+    def joined_passes(self) -> list[int]:
+        """The passes that leave something, which is joined before the next begins."""
+        return [number for number, k in enumerate(self.passes) if k is not None and self.steps[k].joins]
 
 
 def plan_tiles(
@@ -110,7 +126,8 @@ def plan_tiles(
             pass lays the points on disk by tile.
         steps: Dictionaries such as `{"step": "voxel_down_sample", "voxel_size": 0.5}`, or a TOML file of [[step]]
             tables. Steps: voxel_down_sample, remove_radius_outlier, remove_statistical_outlier, estimate_normals,
-            smooth_mls, crop, function, classify_ground, height_above_ground, rasterize.
+            smooth_mls, crop, function, classify_ground, height_above_ground, rasterize, features, thin, distance,
+            m3c2, cluster_dbscan, cluster_euclidean.
         folder: Of the job; made where it is missing.
         size: Edge of a tile [unit of the files].
         points: Points a tile, about; 2 million where no size is given either.
@@ -156,13 +173,19 @@ def plan_tiles(
     described = [describe(path) for path in list_files(sources)]
     check_alike(described)
     told = _make(described, parsed, size, points, only, output)
+    told["epochs"] = describe_epochs(parsed, described)
     folder = path_of(folder)
     if (folder / NAME).exists():
         with Manifest(folder) as manifest:
             check_same_plan(manifest, told)
             return status_of(manifest)
+    joined = [step.name for step in parsed if step.joins]
+    if only is not None and joined:
+        raise ValueError(f"only: {joined[0]} needs all tiles; put a crop step before it instead")
     make_folder(folder)
-    write_manifest(folder, told, __version__, _tiles(Plan(told)))
+    plan = Plan(told)
+    tiles = tiles_of(plan)
+    write_manifest(folder, told, __version__, tiles, far_files(plan, tiles), plan.joined_passes)
     with Manifest(folder) as manifest:
         return status_of(manifest)
 
@@ -178,7 +201,7 @@ def open_plan(folder: FilePath) -> tuple[Manifest, Plan]:
         if manifest.version != __version__:
             reason = f"was planned by pointloom {manifest.version}, this is {__version__}"
             raise FileError(manifest.folder / NAME, reason, remedy="Plan it anew in another folder")
-        for source in manifest.plan["sources"]:
+        for source in files_of(manifest.plan):
             check_same(source)
         return manifest, Plan(manifest.plan)
     except BaseException:
@@ -209,8 +232,8 @@ def check_same_plan(manifest: Manifest, told: dict[str, Any]) -> None:
             before, now = manifest.plan.get(key), told.get(key)
             if before == now:
                 continue
-            if key == "sources":
-                old, new = ({source["path"]: source for source in listed or ()} for listed in (before, now))
+            if key in ("sources", "epochs"):
+                old, new = (_by_path(key, listed) for listed in (before, now))
                 changed += [f"{path} is gone" for path in old if path not in new]
                 changed += [f"{path} is new" for path in new if path not in old]
                 changed += [f"{path} has changed" for path in new if path in old and new[path] != old[path]]
@@ -220,6 +243,12 @@ def check_same_plan(manifest: Manifest, told: dict[str, Any]) -> None:
         what = "a job" if "job" in told else "the tiles"
         reason = f"holds {what} of another plan: {'; '.join(changed)}"
         raise FileError(manifest.folder, reason, remedy="Give another folder")
+
+
+def _by_path(key: str, listed: Any) -> dict[str, Any]:
+    if key == "epochs":
+        listed = [source for epoch in listed or () for source in epoch["sources"]]
+    return {source["path"]: source for source in listed or ()}
 
 
 def _make(sources: Any, steps: list[Step], size: Any, points: Any, only: Any, output: str) -> dict[str, Any]:
@@ -267,7 +296,7 @@ def _make(sources: Any, steps: list[Step], size: Any, points: Any, only: Any, ou
     }
 
 
-def _tiles(plan: Plan) -> list[tuple[Any, ...]]:
+def tiles_of(plan: Plan) -> list[tuple[Any, ...]]:
     """All tiles row by row; those outside `only` are not in the manifest, their numbers are left out."""
     (nx, ny), (x, y), size = plan.shape, plan.corner.tolist(), plan.size
     tiles = []

@@ -116,27 +116,30 @@ def crs_of(plan: Plan) -> str | None:
     return f"EPSG:{code}" if place == 0 and 0 < code < _USER_DEFINED else None
 
 
-def write_mosaics(manifest: Manifest, plan: Plan, path: Path) -> list[Path]:
-    """Make one GeoTIFF of each raster of all tiles, window by window, beside the result.
+def mosaics_of(plan: Plan, path: Path) -> list[Path]:
+    """The files of the rasters of all tiles, beside the result of this path: `result.dtm.tif` beside `result.laz`."""
+    stem = path.name.removesuffix(path.suffix).removesuffix(".copc")
+    return [path.with_name(f"{stem}.{step.raster}.tif") for step in plan.steps if isinstance(step, Rasterize)]
+
+
+def write_mosaics(manifest: Manifest, plan: Plan, paths: list[Path], overwrite: bool) -> None:
+    """Make one GeoTIFF of each raster of all tiles, window by window.
 
     Args:
         manifest: The job's.
         plan: The Plan.
-        path: Of the result; a raster's name follows its own: `result.dtm.tif`.
+        paths: Those of `mosaics_of`.
+        overwrite: Whether existing files may be replaced.
 
     Raises:
-        FileError: A raster of a tile is missing or of another size, or the mosaic cannot be written.
+        FileError: A raster of a tile is missing or of another size, or a mosaic cannot be written.
     """
-    stem = path.name.removesuffix(path.suffix).removesuffix(".copc")
-    written = []
-    for step in plan.steps:
-        if isinstance(step, Rasterize):
-            written.append(path.with_name(f"{stem}.{step.raster}.tif"))
-            _write_mosaic(manifest, plan, step, written[-1])
-    return written
+    steps = [step for step in plan.steps if isinstance(step, Rasterize)]
+    for step, path in zip(steps, paths, strict=True):
+        _write_mosaic(manifest, plan, step, path, overwrite)
 
 
-def _write_mosaic(manifest: Manifest, plan: Plan, step: Rasterize, path: Path) -> None:
+def _write_mosaic(manifest: Manifest, plan: Plan, step: Rasterize, path: Path, overwrite: bool) -> None:
     tiles = manifest.rows("SELECT id, ix, iy FROM tiles ORDER BY id")
     held = {(row["ix"], row["iy"]): cells for row in tiles
             if (cells := tile_cells(step, plan, (row["ix"], row["iy"]))) is not None}  # fmt: skip
@@ -150,7 +153,7 @@ def _write_mosaic(manifest: Manifest, plan: Plan, step: Rasterize, path: Path) -
     places = [*held]
     with (
         _Tiles(manifest.folder, step, held) as opened,
-        geotiff(path, shape, (low[0], low[1]), step.cell, told, overwrite=True) as file,
+        geotiff(path, shape, (low[0], low[1]), step.cell, told, overwrite=overwrite, for_maps=True) as file,
     ):
         for top in range(0, shape[0], STRIP):
             for left in range(0, shape[1], STRIP):

@@ -24,10 +24,10 @@ from ..core.progress import ReportProgress, say_nothing
 from .buckets import FOLDER as BUCKETS
 from .cluster import run_on_cluster
 from .gpus import Gpu, environment_of, held_gpus
-from .manifest import OVER, Manifest, a_worker
+from .manifest import OVER, TABLES, Manifest, a_worker
 from .plan import Plan, open_plan
 from .status import TileStatus, status_of
-from .tasks import Taskbook, do_task, next_pass
+from .tasks import Taskbook, do_task, lay_again, next_pass
 from .work_tile import FOLDER as TILES
 
 LOOK = 0.2  # [s] between looks at what other workers do
@@ -115,12 +115,21 @@ def run_tiles(
             except BaseException:
                 manifest.give_back(is_death=False)
                 raise
-        bad = manifest.rows("SELECT id, error FROM sources WHERE state IN ('failed', 'aside') ORDER BY id")
-        if bad:
-            path = plan.sources[bad[0]["id"]]["path"]
-            remedy = "Mend it and call retry_tiles(folder)"
-            raise FileError(path, f"its points cannot be laid by tile: {bad[0]['error']}", remedy=remedy)
+        _check_goes_on(manifest, plan)
         return status_of(manifest)
+
+
+def _check_goes_on(manifest: Manifest, plan: Plan) -> None:
+    """Hold that nothing failed that all tiles wait for."""
+    remedy = "Mend it and call retry_tiles(folder)"
+    bad = manifest.rows("SELECT id, error FROM sources WHERE state IN ('failed', 'aside') ORDER BY id")
+    if bad:
+        path = plan.files[bad[0]["id"]]["path"]
+        raise FileError(path, f"its points cannot be laid by tile: {bad[0]['error']}", remedy=remedy)
+    bad = manifest.rows("SELECT id, error FROM joins WHERE state IN ('failed', 'aside') ORDER BY id")
+    if bad:
+        reason = f"what tiles left in pass {bad[0]['id'] + 1} cannot be joined: {bad[0]['error']}"
+        raise FileError(manifest.folder, reason, remedy=remedy)
 
 
 def retry_tiles(folder: FilePath) -> TileStatus:
@@ -128,9 +137,10 @@ def retry_tiles(folder: FilePath) -> TileStatus:
     with Manifest(path_of(folder)) as manifest:
         manifest.give_back()
         with manifest.change() as base:
-            for table in ("sources", "tiles"):
+            for table in TABLES:
                 told = "state = 'waiting', attempts = 0, error = NULL"
                 base.execute(f"UPDATE {table} SET {told} WHERE state IN ('failed', 'aside')")
+        lay_again(manifest)
         return status_of(manifest)
 
 
@@ -180,7 +190,7 @@ def _tell(manifest: Manifest, plan: Plan, report: ReportProgress) -> None:
     """Tell how many files are laid by tile, then how many tiles are over, or through the pass that is done now."""
     if report is say_nothing:
         return
-    if any(source["kind"] != "copc" for source in plan.sources):
+    if any(source["kind"] != "copc" for source in plan.files):
         files = manifest.counts("sources")
         report("files", sum(files[state] for state in OVER), sum(files.values()))
         if files["waiting"] + files["running"]:
@@ -212,9 +222,12 @@ def oversee(
     try:
         for place in range(count):
             crew[place] = start(place)
+        took = 0.0
         while crew:
-            time.sleep(LOOK)
+            time.sleep(max(LOOK, 20 * took))  # a look at very many tiles is not free, for workers neither
+            begin = time.monotonic()
             now = progress_of(manifest)
+            took = time.monotonic() - begin
             if now != before:
                 before, vain = now, 0
                 tell()
@@ -242,6 +255,7 @@ def _progress_of(manifest: Manifest) -> list[Any]:
     (row,) = manifest.rows(
         "SELECT (SELECT count(*) FROM sources WHERE state != 'waiting' AND state != 'running') AS files,"
         " (SELECT sum(pass) + sum(state NOT IN ('waiting', 'running')) FROM tiles) AS tiles,"
+        " (SELECT count(*) FROM joins WHERE state = 'done') AS joins,"
         " (SELECT sum(attempts) FROM tiles) AS deaths"
     )
     return [*row]
@@ -269,11 +283,14 @@ def start_worker(code: str, arguments: list[str], count: int, gpus: list[Gpu], p
 def main() -> None:
     """A worker process: `main FOLDER WHICH OF PARENT DEVICE`; it ends when nothing is left for it."""
     folder, which, of, parent, device = sys.argv[1:]
-    manifest, plan = open_plan(folder)
-    plan.device = device
-    with manifest, a_worker(manifest.folder) as owner:
-        book = Taskbook(manifest, plan, owner, (int(which), int(of)))
-        _work(book, plan, manifest, _say_nothing, int(parent))
+    try:
+        manifest, plan = open_plan(folder)
+        plan.device = device
+        with manifest, a_worker(manifest.folder) as owner:
+            book = Taskbook(manifest, plan, owner, (int(which), int(of)))
+            _work(book, plan, manifest, _say_nothing, int(parent))
+    except FileError as error:  # of the manifest, since those of tasks are in it
+        sys.exit(str(error))
 
 
 def _say_nothing() -> None:

@@ -24,8 +24,10 @@ from ..files.points.las_crs import crs_name, is_geographic
 from ..files.points.las_units import units_of
 from ..files.table import PointTable
 from .buckets import Window, check_size, inside, positions_of, read_buckets
+from .manifest import NOT_LAID
 
 SUFFIXES = (".las", ".laz")
+ROW_BITS = 40  # of a point's key, for its row in the file; what is above is the file's number
 
 
 def list_files(sources: Any) -> list[Path]:
@@ -37,11 +39,11 @@ def list_files(sources: Any) -> list[Path]:
     given: Iterable[Any] = [sources] if isinstance(sources, str | os.PathLike) else sources
     found: dict[Path, None] = {}
     for path in map(path_of, given):
-        if path.is_dir():
-            try:
-                names = sorted(child for child in path.iterdir() if child.suffix.lower() in SUFFIXES)
-            except OSError as error:
-                raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+        try:
+            names = sorted(c for c in path.iterdir() if c.suffix.lower() in SUFFIXES) if path.is_dir() else None
+        except OSError as error:
+            raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+        if names is not None:
             if not names:
                 raise FileError(path, "the folder holds no .las or .laz file")
             found |= dict.fromkeys(child.resolve() for child in names)
@@ -154,36 +156,56 @@ def _opened_copc(path: str, size: int, mtime_ns: int) -> tuple[CopcFile, NDArray
     return copc, firsts
 
 
-def read_window(plan: Any, folder: Path, fulls: dict[int, int], window: Window) -> PointTable:
-    """The points of all files in a window, in canonical order.
+class NotLaidError(Exception):
+    """A tile needs a file that was far from all tiles when they were planned; its number is the argument."""
+
+
+def read_window(plan: Any, folder: Path, fulls: dict[int, int], window: Window, epoch: int | None = None) -> PointTable:
+    """The points of all files in a window, in canonical order, as `read_rows`."""
+    return read_rows(plan, folder, fulls, window, epoch)[0]
+
+
+def read_rows(
+    plan: Any, folder: Path, fulls: dict[int, int], window: Window, epoch: int | None = None
+) -> tuple[PointTable, NDArray[np.int64]]:
+    """The points of all files in a window, in canonical order, and a key of each, which is ascending.
+
+    A key is the number of the file and that of the row in it.
 
     Args:
         plan: The Plan.
         folder: Where the buckets are.
         fulls: The value of a full colour of each file with buckets.
         window: Which points.
+        epoch: Of which other epoch; None for the survey itself.
 
     Raises:
         FileError: A file or a bucket is damaged, or a file has changed.
+        NotLaidError: A file's rows were not laid by tile.
     """
-    tables = []
-    for number, source in enumerate(plan.sources):
+    tables, keys, listed = [], [], plan.numbered(epoch)
+    for number, source in listed:
         if not _meets(source, window, plan.slack):
             continue
         check_same(source)
         if source["kind"] == "copc":
             copc, firsts = _opened_copc(*_state_of(source))
-            file, full, rows = copc.file, copc.full, _rows_of_copc(copc, firsts, window, plan)
+            rows, numbers = _rows_of_copc(copc, firsts, window, plan)
+            file, full = copc.file, copc.full
         else:
             file, full = file_of(source), fulls[number]
-            rows = read_buckets(plan, folder, number, file, window)
+            if full == NOT_LAID:
+                raise NotLaidError(number)
+            rows, numbers = read_buckets(plan, folder, number, file, window)
         if len(rows):
             tables.append(_decoded(file, rows, full))
+            keys.append(numbers + (np.int64(number) << ROW_BITS))
+        check_same(source)  # not written to while it was read
         check_size(plan, sum(len(table.points) for table in tables))
     if not tables:
-        file = file_of(plan.sources[0])
-        return _decoded(file, np.empty(0, file.layout.dtype()), 65535)
-    return _joined(tables)
+        file = file_of(listed[0][1])
+        return _decoded(file, np.empty(0, file.layout.dtype()), 65535), np.empty(0, np.int64)
+    return _joined(tables), np.concatenate(keys)
 
 
 def _meets(source: dict[str, Any], window: Window, slack: float) -> bool:
@@ -191,13 +213,35 @@ def _meets(source: dict[str, Any], window: Window, slack: float) -> bool:
     return all(high[k] + slack >= window[k] and low[k] - slack <= window[k + 2] for k in range(2))
 
 
-def _rows_of_copc(copc: CopcFile, firsts: NDArray[np.int64], window: Window, plan: Any) -> NDArray[Any]:
+def _rows_of_copc(
+    copc: CopcFile, firsts: NDArray[np.int64], window: Window, plan: Any
+) -> tuple[NDArray[Any], NDArray[np.int64]]:
     low, high = np.array([*window[:2], -np.inf]), np.array([*window[2:], np.inf])
     which = copc.nodes_within(low, high)
     check_size(plan, int(copc.nodes["count"][which].sum()) // 4)  # of which many may lie outside
     which = which[np.argsort(copc.nodes["begin"][which], kind="stable")]
     rows = np.frombuffer(copc.unpack(which), copc.file.layout.dtype())
-    return rows[inside(positions_of(copc.file, rows), window)]
+    _check_nodes(copc, which, rows, plan)
+    counts = copc.nodes["count"][which].astype(np.int64)
+    begins = np.repeat(firsts[which] - (np.cumsum(counts) - counts), counts)
+    keep = inside(positions_of(copc.file, rows), window)
+    return rows[keep], (begins + np.arange(len(rows)))[keep]
+
+
+def _check_nodes(copc: CopcFile, which: NDArray[np.int64], rows: NDArray[Any], plan: Any) -> None:
+    """Hold that points lie in the cubes of their nodes: elsewhere a window would miss them."""
+    nodes = copc.nodes[which]
+    widths = copc.side / 2.0 ** nodes["level"]
+    lows = copc.corner + nodes["cell"] * widths[:, None]
+    slack = plan.slack + np.array(copc.file.header.scales)
+    owners = np.repeat(np.arange(len(nodes)), nodes["count"])
+    places = positions_of(copc.file, rows, "XYZ")
+    beyond = ((places < (lows - slack)[owners]) | (places > (lows + widths[:, None] + slack)[owners])).any(axis=1)
+    if beyond.any():
+        row = int(np.flatnonzero(beyond)[0])
+        where = f"the chunk at byte {int(nodes['begin'][owners[row]])}"
+        reason = f"is damaged: the point at {places[row].tolist()} is outside the cube of its node"
+        raise FileError(copc.path, reason, where=where)
 
 
 def _decoded(file: LasFile, rows: Any, full: int) -> PointTable:

@@ -9,7 +9,8 @@ from typing import Any
 from ..core.errors import FilePath
 from ..core.paths import path_of
 from ..core.wording import to_json
-from .manifest import Manifest
+from .manifest import Manifest, files_of
+from .steps.parse import KNOWN
 
 
 @dataclass(frozen=True)
@@ -28,6 +29,8 @@ class TileStatus:
         bucket_bytes: On disk meanwhile.
         troubles: The tile, and the error with the command that repeats it alone, of tiles that failed or were set
             aside; files that cannot be laid by tile, and why.
+        which_pass, passes: The pass that tiles are in, from 1, of so many.
+        through: Tiles that are through it.
     """
 
     folder: str
@@ -44,6 +47,9 @@ class TileStatus:
     points_read: int
     bucket_bytes: int
     troubles: dict[str, str]
+    which_pass: int = 1
+    passes: int = 1
+    through: int = 0
 
     @property
     def is_finished(self) -> bool:
@@ -59,6 +65,8 @@ class TileStatus:
         told = [
             f"{self.done + self.empty} of {tiles} tiles done, {self.points_in:,} points in, {self.points_out:,} out"
         ]
+        if self.passes > 1 and not self.is_finished:
+            told.append(f"pass {self.which_pass} of {self.passes}: {self.through} of {tiles} tiles through")
         told += [
             f"{count} {name}" for name in ("waiting", "running", "failed", "aside") if (count := getattr(self, name))
         ]
@@ -89,7 +97,7 @@ def status_of(manifest: Manifest) -> TileStatus:
         for row in bad
     }
     files = manifest.rows("SELECT id, error FROM sources WHERE state IN ('failed', 'aside') ORDER BY id")
-    troubles |= {manifest.plan["sources"][row["id"]]["path"]: row["error"] or "" for row in files}
+    troubles |= {files_of(manifest.plan)[row["id"]]["path"]: row["error"] or "" for row in files}
     return TileStatus(
         folder=str(manifest.folder),
         **counts,
@@ -100,4 +108,14 @@ def status_of(manifest: Manifest) -> TileStatus:
         points_read=sums["c"] or 0,
         bucket_bytes=disk["n"] or 0,
         troubles=troubles,
+        **_pass_of(manifest),
     )
+
+
+def _pass_of(manifest: Manifest) -> dict[str, int]:
+    kinds = [KNOWN[step["step"]] for step in manifest.plan["steps"]]
+    passes = 1 + sum(kind.needs_numbers or kind.joins for kind in kinds)
+    (row,) = manifest.rows("SELECT min(pass) AS pass FROM tiles WHERE state NOT IN ('done', 'empty')")
+    number = passes - 1 if row["pass"] is None else row["pass"]
+    (row,) = manifest.rows("SELECT count(*) AS n FROM tiles WHERE pass > ? OR state IN ('done', 'empty')", number)
+    return {"which_pass": number + 1, "passes": passes, "through": row["n"]}

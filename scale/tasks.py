@@ -5,29 +5,36 @@ A task is claimed in the manifest, done by a function of the files alone, which 
 
 from __future__ import annotations
 
+import shutil
 import time
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from .buckets import Filled, fill_buckets
+from ..core.errors import FileError
+from .borders import Joined, Leavings, join_step
+from .buckets import Filled, fill_buckets, folder_of
 from .exact_sums import ExactSums
-from .manifest import Manifest
+from .manifest import CHECKSUMS, NOT_LAID, STATES, Manifest, files_of
 from .plan import Plan
+from .sources import NotLaidError, check_same
 from .work_tile import Outcome, work_tile
+
+Found = Filled | Outcome | Joined
 
 
 @dataclass(frozen=True)
 class Task:
-    """A file to be laid by tile, or one pass over a tile.
+    """A file to be laid by tile, one pass over a tile, or the join of what all tiles left in a pass.
 
     Attributes:
-        table: "sources" or "tiles".
-        number: Of the file or the tile.
+        table: "sources", "tiles" or "joins".
+        number: Of the file, the tile or the pass.
         which_pass: Over the tile.
         before: What the manifest says of its earlier passes: points_read and seconds.
         numbers: What those measured over all tiles, by the step that needs it.
         fulls: The value of a full colour of each file with buckets.
+        left: How many things each tile left for the join, of those that left any.
     """
 
     table: str
@@ -36,13 +43,26 @@ class Task:
     before: dict[str, Any] = field(default_factory=dict)
     numbers: dict[int, ExactSums] = field(default_factory=dict)
     fulls: dict[int, int] = field(default_factory=dict)
+    left: dict[int, int] = field(default_factory=dict)
 
 
-def do_task(plan: Plan, folder: Path, task: Task, owner: str) -> tuple[Filled | Outcome, float]:
+def do_task(plan: Plan, folder: Path, task: Task, owner: str) -> tuple[Found, float]:
     """Do a task; what came out, and the seconds it took."""
     begin = time.monotonic()
     if task.table == "sources":
-        return fill_buckets(plan, folder, task.number, owner), time.monotonic() - begin
+        check_same(plan.files[task.number])
+        filled = fill_buckets(plan, folder, task.number, owner)
+        try:
+            check_same(plan.files[task.number])
+        except FileError:  # it was written to meanwhile: the rows are half of each
+            shutil.rmtree(folder_of(folder, task.number), ignore_errors=True)
+            raise
+        return filled, time.monotonic() - begin
+    if task.table == "joins":
+        step = plan.passes[task.number]
+        assert step is not None
+        left = Leavings(folder, step, task.left)
+        return join_step(folder, step, plan.steps[step], left, owner), time.monotonic() - begin
     found = work_tile(plan, folder, task.number, task.which_pass, task.numbers, task.fulls)
     return found, time.monotonic() - begin
 
@@ -61,21 +81,25 @@ class Taskbook:
         self._manifest, self._plan, self.owner = manifest, plan, owner
         self._share: tuple[str, int, int] = ("id % ? = ?", part[1], part[0] - 1)
         self._numbers: dict[int, ExactSums] = {}
+        self._fulls: dict[int, int] | None = None
 
     def take(self) -> Task | bool:
         """Claim the next task; True where one may come once others are done, False where none is left."""
         manifest = self._manifest
         row = manifest.claim("sources", self.owner)
         if row is not None:
+            self._fulls = None
             return Task("sources", row["id"])
-        files = manifest.counts("sources")
-        if files["failed"] + files["aside"]:
+        if manifest.has("sources", "failed", "aside"):
             return False
-        if files["running"]:
+        if manifest.has("sources", "running"):
+            self._fulls = None
             return True
         number = next_pass(manifest)
         if number is None:
             return False
+        if number - 1 in self._plan.joined_passes and (task := self._join_task(number - 1)) is not None:
+            return task
         here = (f"pass = ? AND {self._share[0]}", number, *self._share[1:])
         row = manifest.claim("tiles", self.owner, *here)
         if row is not None:
@@ -87,19 +111,31 @@ class Taskbook:
             return True
         return bool(manifest.counts("tiles", *here)["waiting"])  # else other shares have tiles of this pass to do
 
+    def _join_task(self, number: int) -> Task | bool | None:
+        """The join that a pass is followed by; as `take`, or None where it is done."""
+        if self._manifest.claim("joins", self.owner, "id = ?", number) is not None:
+            rows = self._manifest.rows("SELECT tile, count FROM numbers WHERE pass = ? AND count > 0", number)
+            return Task("joins", number, left={row["tile"]: row["count"] for row in rows})
+        counts = self._manifest.counts("joins", "id = ?", number)
+        return None if counts["done"] else bool(counts["running"])
+
     def _tile_task(self, row: Any) -> Task:
         for earlier, step in enumerate(self._plan.passes[: row["pass"]]):
-            if step is not None and step not in self._numbers:
+            if step is not None and not self._plan.steps[step].joins and step not in self._numbers:
                 self._numbers[step] = sums_of(self._manifest, earlier)
-        fulls = {found["id"]: found["full"] for found in self._manifest.rows("SELECT id, full FROM sources")}
+        if self._fulls is None:  # all files are laid, so they stay
+            self._fulls = {found["id"]: found["full"] for found in self._manifest.rows("SELECT id, full FROM sources")}
         before = {name: row[name] for name in ("points_read", "seconds")}
-        return Task("tiles", row["id"], row["pass"], before, dict(self._numbers), fulls)
+        return Task("tiles", row["id"], row["pass"], before, dict(self._numbers), self._fulls)
 
-    def settle(self, task: Task, found: Filled | Outcome, seconds: float) -> None:
+    def settle(self, task: Task, found: Found, seconds: float) -> None:
         """Write down what came of a task."""
         if isinstance(found, Filled):
             told: dict[str, Any] = {"points": found.points, "full": found.full, "bytes": found.size}
             self._manifest.settle("sources", task.number, self.owner, state="done", error=None, **told)
+            return
+        if isinstance(found, Joined):
+            self._manifest.settle("joins", task.number, self.owner, state="done", error=None)
             return
         is_last = task.which_pass == len(self._plan.passes) - 1
         told = {"points_in": found.points_in, "halo": found.halo, "error": None}
@@ -108,21 +144,49 @@ class Taskbook:
         told |= {"state": ("done" if found.points_out else "empty") if is_last else "waiting"}
         told["pass"] = task.which_pass if is_last else task.which_pass + 1
         with self._manifest.change() as base:
-            if self._manifest.settle_in(base, "tiles", task.number, self.owner, **told) and not is_last:
+            if not self._manifest.settle_in(base, "tiles", task.number, self.owner, **told):
+                return
+            if found.checksum is not None:
+                base.execute(CHECKSUMS)
+                base.execute("INSERT OR REPLACE INTO checksums VALUES (?, ?)", (task.number, found.checksum))
+            if not is_last:
                 sums = found.sums or ExactSums()
                 values = (task.which_pass, task.number, sums.count, hex(sums.total), hex(sums.squares))
                 base.execute("INSERT OR REPLACE INTO numbers VALUES (?, ?, ?, ?, ?)", values)
 
     def fail(self, task: Task, error: BaseException, state: str = "failed") -> None:
-        """Write down that a task ended in an error, which would come again."""
+        """Write down that a task ended in an error, which would come again.
+
+        A tile that needs a file which is not laid waits for that.
+        """
+        if isinstance(error, NotLaidError):
+            self._fulls = None
+            with self._manifest.change() as base:
+                told = "UPDATE sources SET state = 'waiting' WHERE id = ? AND state = 'done' AND full = ?"
+                base.execute(told, (error.args[0], NOT_LAID))
+                self._manifest.settle_in(base, task.table, task.number, self.owner, state="waiting")
+            return
         said = " ".join(f"{type(error).__name__}: {error}".split())[:2000]
         self._manifest.settle(task.table, task.number, self.owner, state=state, error=said)
 
 
+def lay_again(manifest: Manifest) -> None:
+    """Have files wait whose rows by tile are gone, where tiles need them."""
+    counts = manifest.counts()
+    if not counts["waiting"]:
+        return
+    with manifest.change() as base:
+        for number, source in enumerate(files_of(manifest.plan)):
+            if source["kind"] != "copc" and not folder_of(manifest.folder, number).is_dir():
+                told = "UPDATE sources SET state = 'waiting' WHERE id = ? AND state = 'done' AND full != ?"
+                base.execute(told, (number, NOT_LAID))
+
+
 def next_pass(manifest: Manifest) -> int | None:
     """The pass that tiles are to be done in now: one begins where all are through the one before."""
-    (row,) = manifest.rows("SELECT min(pass) AS n FROM tiles WHERE state NOT IN ('done', 'empty')")
-    return row["n"]
+    query = "SELECT pass FROM tiles WHERE state = ? ORDER BY pass LIMIT 1"
+    found = [row["pass"] for state in STATES if state not in ("done", "empty") for row in manifest.rows(query, state)]
+    return min(found, default=None)
 
 
 def sums_of(manifest: Manifest, number: int) -> ExactSums:

@@ -17,7 +17,7 @@ Memory: 150 B a point of a cell, 256 MiB of chunks, one open node a level.
 from __future__ import annotations
 
 from collections import OrderedDict
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -26,12 +26,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.errors import FileError
-from ..core.progress import ReportProgress
+from ..core.progress import ReportProgress, say_nothing
 from ..files.points.laz_chunks import LazChunks, is_alike
 from ..kernels.lang import vec3d
 from ..kernels.memory import download, upload
 from ..kernels.sampling.detail_levels import DEPTH, LAST_CELL, LEVELS, NODE_BITS, Cube, find_levels, sort_by_cell
 from ..pcd.detail_nodes import NodeTable, cells_of, make_nodes
+from .crew import Crew
 
 # Points of a cell. Of a cell with more, its own level takes 128^3 voxels at most, so that what is deeper is more than
 # what may join the node above (pcd/detail_nodes.py): no node ends above the cells.
@@ -45,11 +46,19 @@ _AXES = ("X", "Y", "Z")
 
 
 class Node(NamedTuple):
-    """A cell of the octree with points: its level, the cell along each axis, its rows in the order of the files."""
+    """A cell of the octree with points: its level, the cell along each axis, its rows in the order of the files.
+
+    `chunk` is what `pack` made of them, where it was asked.
+    """
 
     level: int
     cell: tuple[int, int, int]
     rows: NDArray[Any]
+    chunk: bytes | None = None
+
+
+Above = dict[int, tuple[NDArray[Any], NDArray[np.int64]]]  # by level, the rows above a cell and their numbers
+Pack = Callable[[list[NDArray[Any]]], list[bytes]]
 
 
 class Leaf(NamedTuple):
@@ -78,6 +87,7 @@ class TileTree:
         paths: LAZ files in one format, scale and offset, each with points.
         counts: The points that each must have.
         report: Called with "points" and how many of twice the points are read.
+        crew: Who reads, finds levels and packs; None is this process.
 
     Attributes:
         files: The files.
@@ -91,7 +101,8 @@ class TileTree:
         FileError: A file is missing, damaged, or not the one that was counted; too many points lie in one place.
     """
 
-    def __init__(self, paths: list[Path], counts: list[int], report: ReportProgress):
+    def __init__(self, paths: list[Path], counts: list[int], report: ReportProgress, crew: Crew | None = None):
+        self._crew, self._least = crew or Crew(0, paths[0]), LEAST
         self._report, self.files = report, [LazChunks(path) for path in paths]
         first = self.files[0].header
         for file, count in zip(self.files, counts, strict=True):
@@ -104,32 +115,35 @@ class TileTree:
         self.corner = self.low
         self.side = max(float((self.high - self.corner).max()), float(self.scales.max()))
         self.count = sum(counts)
-        self._cube = Cube(self.corner, self.side)
         self._kept: OrderedDict[int, NDArray[Any]] = OrderedDict()
         depth, cells, held = self._survey()
         self.leaves = self._split(depth, cells, held)
 
     def positions(self, rows: NDArray[Any]) -> NDArray[np.float64]:
         """Coordinates of rows, float64 [n, 3]."""
-        return np.column_stack([rows[name] * self.scales[k] + self.offsets[k] for k, name in enumerate(_AXES)])
+        return _places(rows, self.scales, self.offsets)
+
+    def __getstate__(self) -> dict[str, Any]:
+        """What processes of a crew need."""
+        return self.__dict__ | {"_crew": None, "_report": say_nothing, "_kept": OrderedDict()}
 
     def _survey(self) -> tuple[int, NDArray[np.int64], NDArray[np.int64]]:
         """(halvings, codes, counts) of cells with points; the box of each chunk is kept."""
         grid, at = _Grid(), 0
         boxes: list[list[NDArray[Any]]] = []
-        for number, file in enumerate(self.files):
-            firsts = np.cumsum(file.counts) - file.counts
-            for which in _runs(file.counts, _BATCH):
-                rows, starts = file.rows(which), firsts[which] - firsts[which[0]]
-                lows, highs = (
-                    np.column_stack([extreme.reduceat(rows[name], starts) for name in _AXES])
-                    for extreme in (np.minimum, np.maximum)
-                )
-                boxes.append([np.full(len(which), number), which, at + firsts[which], lows, highs])
-                points = upload(self.positions(rows), vec3d, "cpu")
-                grid.add(download(sort_by_cell(points, self._cube)[0]))
-                self._report("points", at + int(firsts[which[-1]] + file.counts[which[-1]]), 2 * self.count)
-            at += int(file.counts.sum())
+        tasks = [(file, which) for file in self.files for which in _runs(file.counts, _BATCH)]
+        firsts = np.concatenate([np.cumsum(file.counts) - file.counts for file in self.files])
+        numbers = {id(file): number for number, file in enumerate(self.files)}
+        look = _Look(self.scales, self.offsets, self.corner, self.side)
+        begin = 0
+        for (file, which), (codes, counts, lows, highs) in zip(tasks, self._crew.map(look, tasks), strict=True):
+            chunks = slice(begin, begin + len(which))
+            begin += len(which)
+            base = at - int(firsts[chunks][0])
+            boxes.append([np.full(len(which), numbers[id(file)]), which, base + firsts[chunks], lows, highs])
+            grid.add(codes, counts)
+            at += int(file.counts[which].sum())
+            self._report("points", at, 2 * self.count)
         numbers, chunks, starts, least, most = (np.concatenate(column) for column in zip(*boxes, strict=True))
         lows, highs = self._cells_of(least), self._cells_of(most)
         outside = np.flatnonzero((lows < 0).any(axis=1) | (highs > LAST_CELL + 2).any(axis=1))
@@ -143,7 +157,7 @@ class TileTree:
     def _cells_of(self, steps: NDArray[Any]) -> NDArray[np.int64]:
         """The finest cells of coordinates in steps of the files, [n, 3]."""
         places = steps * self.scales + self.offsets
-        return np.floor((places - self.corner) * self._cube.scale).astype(np.int64)
+        return np.floor((places - self.corner) * Cube(self.corner, self.side).scale).astype(np.int64)
 
     def _split(self, depth: int, codes: NDArray[np.int64], counts: NDArray[np.int64]) -> list[Leaf]:
         ends = np.concatenate([[0], np.cumsum(counts)])
@@ -165,8 +179,12 @@ class TileTree:
             stack += [(at + 1, code * 8 + octant) for octant in range(7, -1, -1)]
         return leaves
 
-    def nodes(self) -> Iterator[Node]:
+    def nodes(self, pack: Pack | None = None, most: int = DEPTH) -> Iterator[Node]:
         """The nodes that have points, those of a cell before those around it; each once.
+
+        Args:
+            pack: What makes the chunks of nodes, from the rows of each.
+            most: The deepest level.
 
         Raises:
             FileError: A file is gone or damaged, or has changed meanwhile.
@@ -174,24 +192,34 @@ class TileTree:
         champions = self._champions()
         pending: dict[int, list[tuple[NDArray[Any], NDArray[np.int64]]]] = {}
         done = 0
-        for k, leaf in enumerate(self.leaves):
-            rows, numbers = self._gather(leaf)
-            keys, order, levels = self._levels_of(leaf, rows, numbers)
-            if leaf in champions:
-                levels[levels < leaf.depth - NODE_BITS + 1] = champions[leaf]
-            table = make_nodes(keys, order, levels, most=self.count, least=LEAST, depth=leaf.depth)
-            if leaf.depth:
-                for level in range(leaf.depth):
-                    chosen = np.sort(order[levels == level])
-                    if len(chosen):
-                        pending.setdefault(level, []).append((rows[chosen], numbers[chosen]))
-            yield from _nodes_of(table, rows)
+        tasks = ((leaf, champions.get(leaf), pack, most) for leaf in self.leaves)
+        for k, (nodes, above) in enumerate(self._crew.map(self.cell, tasks)):
+            leaf = self.leaves[k]
+            for level, chosen in above.items():
+                pending.setdefault(level, []).append(chosen)
+            yield from nodes
             done += leaf.points
             self._report("points", self.count + done, 2 * self.count)
             following = self.leaves[k + 1] if k + 1 < len(self.leaves) else None
             shared = -1 if following is None else _shared_depth(leaf, following)
             for level in sorted((level for level in pending if level > shared), reverse=True):
-                yield _joined(level, leaf.code >> 3 * (leaf.depth - level), pending.pop(level))
+                node = _joined(level, leaf.code >> 3 * (leaf.depth - level), pending.pop(level))
+                if level <= most:
+                    yield from _packed([node], pack)
+
+    def cell(self, leaf: Leaf, champion: int | None, pack: Pack | None, most: int) -> tuple[list[Node], Above]:
+        """The nodes in a cell, down to a level, and what is above it; `champion` as of `_champions`."""
+        rows, numbers = self._gather(leaf)
+        keys, order, levels = self._levels_of(leaf, rows, numbers)
+        if champion is not None:
+            levels[levels < leaf.depth - NODE_BITS + 1] = champion
+        table = make_nodes(keys, order, levels, most=self.count, least=self._least, depth=leaf.depth)
+        above: Above = {}
+        for level in range(leaf.depth):
+            chosen = np.sort(order[levels == level])
+            if len(chosen):
+                above[level] = rows[chosen], numbers[chosen]
+        return _packed([node for node in _nodes_of(table, rows) if node.level <= most], pack), above
 
     def _levels_of(self, leaf: Leaf, rows: NDArray[Any], numbers: NDArray[np.int64]) -> Any:
         points = upload(self.positions(rows), vec3d, "cpu")
@@ -259,15 +287,47 @@ class TileTree:
         return rows
 
 
+@dataclass
+class _Look:
+    """What the first pass asks of chunks of a file: points by cell, and the boxes of the chunks in steps."""
+
+    scales: NDArray[np.float64]
+    offsets: NDArray[np.float64]
+    corner: NDArray[np.float64]
+    side: float
+
+    def __call__(self, file: LazChunks, which: NDArray[np.int64]) -> tuple[NDArray[Any], ...]:
+        """(cells after GRID_DEPTH halvings, points of each, lows, highs)."""
+        rows, starts = file.rows(which), np.cumsum(file.counts[which]) - file.counts[which]
+        lows, highs = (
+            np.column_stack([extreme.reduceat(rows[name], starts) for name in _AXES])
+            for extreme in (np.minimum, np.maximum)
+        )
+        points = upload(_places(rows, self.scales, self.offsets), vec3d, "cpu")
+        keys = download(sort_by_cell(points, Cube(self.corner, self.side))[0])
+        return *_counted(keys >> 3 * (DEPTH - GRID_DEPTH), None), lows, highs
+
+
+def _places(rows: NDArray[Any], scales: Any, offsets: Any) -> NDArray[np.float64]:
+    return np.column_stack([rows[name] * scales[k] + offsets[k] for k, name in enumerate(_AXES)])
+
+
+def _packed(nodes: list[Node], pack: Pack | None) -> list[Node]:
+    if pack is None or not nodes:
+        return nodes
+    chunks = pack([node.rows for node in nodes])
+    return [node._replace(chunk=chunk) for node, chunk in zip(nodes, chunks, strict=True)]
+
+
 class _Grid:
     """Points by cell, of cells so fine that not too many have points."""
 
     def __init__(self) -> None:
         self.depth, self._parts = GRID_DEPTH, [(np.empty(0, np.int64), np.empty(0, np.int64))]
 
-    def add(self, keys: NDArray[np.int64]) -> None:
-        """Count points by their keys, which ascend."""
-        self._parts.append(_counted(keys >> 3 * (DEPTH - self.depth), None))
+    def add(self, codes: NDArray[np.int64], counts: NDArray[np.int64]) -> None:
+        """Count points by their cells after GRID_DEPTH halvings, which ascend."""
+        self._parts.append(_counted(codes >> 3 * (GRID_DEPTH - self.depth), counts))
         if sum(len(codes) for codes, _ in self._parts[1:]) > MOST_CELLS:
             self._join()
 

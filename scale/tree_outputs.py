@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -20,23 +19,23 @@ from ..files.points.geodetic import Geodesy
 from ..files.points.las import LasFile, open_las, table_of
 from ..files.points.las_writer import lay_out
 from ..files.points.vpc_writer import Statistics, dimensions_of, item_of, write_index
-from ..kernels.sampling.detail_levels import NODE_BITS
-from .tile_tree import Node, TileTree
+from ..kernels.sampling.detail_levels import DEPTH, NODE_BITS
+from .crew import Crew
+from .tile_tree import TileTree
 
 INDEX, OVERVIEW = "index.vpc", "overview.copc.laz"
 FOLDERS = {"tiles": INDEX, "3dtiles": three_d_tiles_writer.MARKER, "potree": potree_writer.MARKER}
 OVERVIEW_POINTS = 1_000_000  # of a square of points, about, where no spacing is given
-AT_ONCE = 1 << 19  # points of nodes that are compressed together
 _BLOCK = 1 << 18
 Parts = list[tuple[Path, int]]
 
 
-def tree_of(parts: Parts, report: ReportProgress) -> TileTree:
+def tree_of(parts: Parts, report: ReportProgress, crew: Crew | None = None) -> TileTree:
     """The octree over tiles, each with its number of points."""
-    return TileTree([path for path, _ in parts], [count for _, count in parts], report)
+    return TileTree([path for path, _ in parts], [count for _, count in parts], report, crew)
 
 
-def write_tree(path: Path, tree: TileTree, overwrite: bool, most: int | None = None) -> None:
+def write_tree(path: Path, tree: TileTree, overwrite: bool, most: int = DEPTH) -> None:
     """Write an octree as COPC, down to a level.
 
     Raises:
@@ -49,28 +48,20 @@ def write_tree(path: Path, tree: TileTree, overwrite: bool, most: int | None = N
         raise FileError(first.path, "is not a tile of this version", remedy="Plan it anew in another folder")
     with atomic_write(path, overwrite=overwrite) as file, foreign_errors(path, "cannot be written"), quiet():
         writer = CopcWriter(path, file, layout, tree.corner, tree.side)
-        for nodes in _batches(node for node in tree.nodes() if most is None or node.level <= most):
-            rows = [layout.laspy.PackedPointRecord(node.rows, layout.header.point_format) for node in nodes]
-            writer.add([node.level for node in nodes], [node.cell for node in nodes], rows)
+        for node in tree.nodes(writer.pack, most):
+            record = layout.laspy.PackedPointRecord(node.rows, layout.header.point_format)
+            writer.add([node.level], [node.cell], [record], [node.chunk or b""])
         writer.finish(layout.extended)
 
 
-def _batches(nodes: Iterator[Node]) -> Iterator[list[Node]]:
-    """Nodes that are compressed at a time."""
-    batch: list[Node] = []
-    held = 0
-    for node in nodes:
-        batch.append(node)
-        held += len(node.rows)
-        if held >= AT_ONCE:
-            yield batch
-            batch, held = [], 0
-    if batch:
-        yield batch
-
-
 def write_folder(
-    path: Path, parts: Parts, output: str, spacing: float | None, overwrite: bool, report: ReportProgress
+    path: Path,
+    parts: Parts,
+    output: str,
+    spacing: float | None,
+    overwrite: bool,
+    report: ReportProgress,
+    crew: Crew | None = None,
 ) -> None:
     """Write tiles as one of FOLDERS; the folder appears whole or not at all.
 
@@ -79,9 +70,9 @@ def write_folder(
     """
     with atomic_folder(path, FOLDERS[output], overwrite=overwrite) as folder:
         if output == "tiles":
-            _write_tiles(folder, parts, spacing, report)
+            _write_tiles(folder, parts, spacing, report, crew)
             return
-        tree, file = tree_of(parts, report), open_las(parts[0][0])
+        tree, file = tree_of(parts, report, crew), open_las(parts[0][0])
         writer: Any
         if output == "potree":
             system = Geodesy(file.path, file.header).system
@@ -91,23 +82,29 @@ def write_folder(
             writer = three_d_tiles_writer.ThreeDTilesWriter(folder, file, tree.side)
         try:
             for node in tree.nodes():
-                writer.add(*node)
+                writer.add(*node[:3])
             writer.finish()
         finally:
             writer.close()
 
 
-def _write_tiles(folder: Path, parts: Parts, spacing: float | None, report: ReportProgress) -> None:
-    total = tree_of(parts, report)
+def _write_tiles(folder: Path, parts: Parts, spacing: float | None, report: ReportProgress, crew: Crew | None) -> None:
+    crew = crew or Crew(0, folder)
+    total = tree_of(parts, report, crew)
     level = _level_of(total, spacing)
     write_tree(folder / OVERVIEW, total, True, level)
+    tasks = [(path, count, folder / f"{path.name.removesuffix('.laz')}.copc.laz") for path, count in parts]
     items = []
-    for path, count in parts:
-        name = f"{path.name.removesuffix('.laz')}.copc.laz"
-        write_tree(folder / name, tree_of([(path, count)], say_nothing), True)
-        file = open_las(path)
-        items.append(item_of(file, f"./{name}", _statistics_of(file), f"./{OVERVIEW}"))
+    for number, (task, statistics) in enumerate(zip(tasks, crew.map(_write_tile, tasks), strict=True)):
+        path, _, made = task
+        items.append(item_of(open_las(path), f"./{made.name}", statistics, f"./{OVERVIEW}"))
+        report("tiles", number + 1, len(tasks))
     write_index(folder / INDEX, items)
+
+
+def _write_tile(path: Path, count: int, made: Path) -> Statistics:
+    write_tree(made, tree_of([(path, count)], say_nothing), True)
+    return _statistics_of(open_las(path))
 
 
 def _level_of(tree: TileTree, spacing: float | None) -> int:

@@ -8,6 +8,7 @@ tile.
 
 from __future__ import annotations
 
+import zlib
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -24,16 +25,19 @@ from ..kernels.search.hilbert_order import HilbertCurve, levels_for
 from ..kernels.search.point_tree import PointTree
 from ..kernels.segmentation.neighbor_counts import mask_crowded
 from ..pcd.search import NearestNeighborSearch
+from .borders import read_joined, write_left
+from .buckets import inside
+from .epochs import read_epoch
 from .exact_sums import ExactSums
+from .halos import REACH_SLACK, halos_of
 from .plan import Plan
 from .rasters import write_raster
-from .sources import file_of, read_window
+from .sources import file_of, read_rows
 from .steps.raster import Rasterize
-from .steps.step import Part, Step
+from .steps.step import Part, Sight, Step
 
 FOLDER = "tiles"
 MOST_DOUBLINGS = 40
-_REACH_SLACK = 1 + 1e-5  # of a distance in float32
 _MOST_STEPS = 2**31 - 2
 
 
@@ -46,7 +50,8 @@ class Outcome:
         points_out: What the steps left, in the last pass.
         points_read: With the halo.
         halo: That was read in the end.
-        sums: Of the values that the pass measures.
+        sums: Of the values that the pass measures; of what it leaves for a join the count alone.
+        checksum: CRC-32 of the tile's file; None where there is none.
     """
 
     points_in: int
@@ -54,6 +59,7 @@ class Outcome:
     points_read: int
     halo: float
     sums: ExactSums | None
+    checksum: int | None = None
 
 
 class HaloError(Exception):
@@ -84,51 +90,41 @@ def work_tile(
     iy, ix = divmod(tile, plan.shape[0])
     target = plan.passes[number]
     steps = plan.steps if target is None else plan.steps[: target + 1]
-    reaches = [step.reach for step in steps]
+    chain = plan.steps if any(step.joins for step in steps) else steps  # whose halos each pass must have alike
+    reaches = [step.reach for step in chain]
     for _ in range(MOST_DOUBLINGS):
-        halos = halos_of(steps, reaches, plan.slack)
-        window = plan.window(ix, iy, halos[0])
-        table = read_window(plan, folder, fulls, window)
+        halos = halos_of(chain, reaches, plan.slack)
+        # Borders are rounded: somewhat more is read, and its number tells a tile's own.
+        window = plan.window(ix, iy, max(halos[0], 4 * plan.slack))
+        table, keys = read_rows(plan, folder, fulls, window)
         if not len(table.points):
             return Outcome(0, 0, 0, halos[0], ExactSums())
-        part = _first_part(plan, table)
+        part = _first_part(plan, table, keys)
         own = int((plan.tile_of(part.homes) == tile).sum())
         try:
-            if not own and _keeps_homes(steps) and not any(step.writes for step in steps):
+            if not own and _keeps_homes(chain) and not any(step.writes for step in chain):
                 return Outcome(0, 0, len(table.points), halos[0], ExactSums())
-            part, sums = _run(plan, folder, (ix, iy), part, steps, (reaches, halos), numbers, target)
+            part, sums = _run(plan, folder, (ix, iy), part, steps, (reaches, halos), numbers, fulls, target)
         except HaloError as found:
             reaches[found.step] *= 2
             continue
         if target is None:
             part = part.select(plan.tile_of(part.homes) == tile)
-            if len(part.cloud):
-                write_tile(plan, folder, tile, part)
-        return Outcome(own, len(part.cloud) if target is None else 0, len(table.points), halos[0], sums)
+        out = len(part.cloud) if target is None else 0
+        checksum = write_tile(plan, folder, tile, part) if out else None
+        return Outcome(own, out, len(table.points), halos[0], sums, checksum)
     raise FileError(folder, f"tile {ix}_{iy}: the halo doubled {MOST_DOUBLINGS} times and was still too small")
-
-
-def halos_of(steps: list[Step], reaches: list[float], slack: float) -> list[float]:
-    """The halo that each step must be given, and at the end 0, behind the last."""
-    spreads = [0.0]
-    for step in steps:
-        spreads.append(step.spread_after(spreads[-1]))
-    halos = [0.0]
-    for step, reach, spread in zip(reversed(steps), reversed(reaches), reversed(spreads[:-1]), strict=True):
-        wanted = step.halo_before(halos[0], spread, reach * _REACH_SLACK)
-        is_local = step.reach == 0 and step.neighbors is None
-        halos.insert(0, halos[0] if is_local else wanted + 4 * slack)
-    return halos
 
 
 def _keeps_homes(steps: list[Step]) -> bool:
     return all(step.spread_after(0.0) == 0.0 for step in steps)
 
 
-def _first_part(plan: Plan, table: PointTable) -> Part:
+def _first_part(plan: Plan, table: PointTable, keys: NDArray[np.int64]) -> Part:
     path = plan.sources[0]["path"]
     exact = np.asarray(table.points, np.float64)
-    return Part(cloud_of(table, path, device=plan.device, origin=plan.origin), exact, exact[:, :2])
+    cloud = cloud_of(table, path, device=plan.device, origin=plan.origin)
+    return Part(cloud, exact, exact[:, :2], keys=keys)
 
 
 def _run(
@@ -139,6 +135,7 @@ def _run(
     steps: list[Step],
     reach: tuple[list[float], list[float]],
     numbers: dict[int, ExactSums],
+    fulls: dict[int, int],
     target: int | None,
 ) -> tuple[Part, ExactSums | None]:
     reaches, halos = reach
@@ -151,11 +148,22 @@ def _run(
         wanted = _at_home(plan, part.homes, after, place)
         if step.neighbors is not None:
             _certify(plan, k, part, wanted, step.neighbors, reaches[k], plan.window(*place, halos[k]))
+        if k == target and step.joins:
+            left = step.gather(part, _sight_of(plan, place, part, (halos[k] + halos[k + 1]) / 2))
+            count = int(left["count"][0])
+            if count:
+                write_left(folder, k, place[1] * plan.shape[0] + place[0], left)
+            return part, ExactSums(count)
         if k == target:
             return part, ExactSums.of(step.measure(part)[wanted])
         if isinstance(step, Rasterize) and target is None:
             write_raster(step, part.cloud, plan, folder, place)
-        part = step.run(part, plan, numbers.get(k))
+        if step.epoch:
+            halo = halos[k + 1] + step.reach * REACH_SLACK + part.spread + 4 * plan.slack
+            around = plan.window(*place, halo, ends=True)
+            part = part.beside(read_epoch(plan, folder, fulls, step, around))
+        told: Any = read_joined(folder, k, place[1] * plan.shape[0] + place[0]) if step.joins else numbers.get(k)
+        part = step.run(part, plan, told).beside(None)
         part = part.select(_at_home(plan, part.homes, plan.window(*place, halos[k + 1]), place))
     return part, None
 
@@ -166,6 +174,14 @@ def _at_home(plan: Plan, homes: NDArray[np.float64], window: Any, place: tuple[i
         return plan.tile_of(homes) == place[1] * plan.shape[0] + place[0]
     x, y = homes[:, 0], homes[:, 1]
     return (x >= window[0]) & (y >= window[1]) & (x < window[2]) & (y < window[3])
+
+
+def _sight_of(plan: Plan, place: tuple[int, int], part: Part, halo: float) -> Sight:
+    """What a tile may rely on within a halo; others see what lies within theirs, which is as wide."""
+    owners = plan.tile_of(part.homes)
+    own = owners == place[1] * plan.shape[0] + place[0]
+    unseen = inside(part.homes, plan.window(*place, -halo - plan.slack))
+    return Sight(owners, own, own & ~unseen, _at_home(plan, part.homes, plan.window(*place, halo), place))
 
 
 def _adopt_tree(plan: Plan, part: Part) -> None:
@@ -193,20 +209,35 @@ def _certify(plan: Plan, number: int, part: Part, wanted: Any, k: int, reach: fl
     if k > len(part.cloud):
         raise HaloError(number)
     found = NearestNeighborSearch(part.cloud).knn_search(places, k)
-    farthest = np.sqrt(np.asarray(found.sqdists, np.float64)[:, -1]) * _REACH_SLACK
+    farthest = np.sqrt(np.asarray(found.sqdists, np.float64)[:, -1]) * REACH_SLACK
     if not (farthest < free).all():
         raise HaloError(number)
 
 
-def write_tile(plan: Plan, folder: Path, tile: int, part: Part) -> None:
-    """Write a tile's points: positions as in the files where no step has moved them, in the steps of the files."""
+def write_tile(plan: Plan, folder: Path, tile: int, part: Part) -> int:
+    """Write a tile's points: positions as in the files where no step has moved them, in the steps of the files.
+
+    Returns:
+        The file's CRC-32.
+    """
     told = table_of(part.cloud)
     if part.exact is not None:
         told.points = part.exact
     told = with_scan_angle(told)
     told.unit = None if plan.sources[0]["unit"] is None else told.unit
     header = file_of(plan.sources[0]).header
-    write_las(tile_path(plan, folder, tile), told, scale=header.scales, offset=offset_of(plan), like=header)
+    path = tile_path(plan, folder, tile)
+    write_las(path, told, scale=header.scales, offset=offset_of(plan), like=header)
+    return checksum_of(path)
+
+
+def checksum_of(path: Path) -> int:
+    """CRC-32 of a file."""
+    checksum = 0
+    with path.open("rb") as stream:
+        while block := stream.read(1 << 20):
+            checksum = zlib.crc32(block, checksum)
+    return checksum
 
 
 def tile_path(plan: Plan, folder: Path, tile: int) -> Path:

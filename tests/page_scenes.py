@@ -15,6 +15,8 @@ import pointloom as loom
 from pointloom.data.scenes.room import room_sequence, write_room_sequence
 
 from .files.sfm_models import ring_model
+from .files.test_bags import file_of
+from .files.test_bags import write as write_bag
 from .registration.bent_fragments import BentRoom
 
 SLOW = {
@@ -145,16 +147,24 @@ def scans_and_frames() -> dict[str, Any]:
     return two_scans()
 
 
+def robot() -> dict[str, Any]:
+    """A robot's recording of three turns of its scanner."""
+    file_of(write_bag(Path.cwd(), "mcap", count=3)).rename("run.mcap")
+    return {}
+
+
 SCENES: dict[str, Callable[[], dict[str, Any]]] = {
     "README.md": two_scans,
     "app/shell/SKILL.md": scans_and_frames,
     "docs/frames.md": walk("kitchen"),
+    "docs/fusion-at-scale.md": walk("walk"),
     "docs/large-clouds.md": survey,
     "docs/logging.md": parts_and_walk,
     "docs/meshes.md": bunny,
     "docs/models.md": colmap_project,
     "docs/odometry.md": two_frames,
     "docs/reconstruction.md": walk("kitchen"),
+    "docs/recorded_sensors.md": robot,
     "docs/recordings.md": pair_nearby,
     "docs/registration.md": source_and_target,
     "docs/slac.md": bent_fragments,

@@ -45,11 +45,11 @@ ROOMS = {
         *("poses", "icp", "volumes", "odometry", "meshes", "remeshing", "rays", "reconstruction", "images", "stereo"),
         *("drawing", "rgbd", "textures", "scenes"),
     ],
-    "files": ["pictures", "points", "meshes", "frames", "models"],
+    "files": ["pictures", "points", "meshes", "frames", "models", "bags"],
     "registration": ["icp", "globally", "lidar", "pose_graphs", "deformable", "trajectories"],
     "meshing": ["mesh", "scene", "volume", "color_map"],
     "rgbd": ["odometry", "slam", "fusion", "reconstruction"],
-    "drawing": ["render", "page", "recording", "viewer"],
+    "drawing": ["render", "change", "page", "recording", "viewer"],
     "photos": ["sfm", "mvs", "depth", "video"],
     "data": ["scenes", "made", "public"],
     "scale": ["steps", "jobs"],
@@ -60,7 +60,7 @@ ROOMS = {
 # lang.py and memory.py hand on what rooms below all others hold; check_cuda.py and cuda_cache.py look at every room.
 TOPS_THAT_KNOW_ROOMS = {
     "kernels": {"lang", "launches", "memory", "check_cuda", "cuda_cache"},
-    "scale": {"plan", "rasters", "work_tile"},
+    "scale": {"epochs", "halos", "plan", "rasters", "status", "work_tile"},
 }
 
 TAICHI_FILES = {"kernels/language/taichi_compiler.py"}

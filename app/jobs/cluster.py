@@ -18,10 +18,9 @@ from ...pcd.cloud import PointCloud
 from ...pcd.probes import distance_of_nearest, probe_points, rounded_up
 from ...pcd.search import NearestNeighborSearch
 from .job import Job, Settings
-from .rows import LABELLED, RowsReport, label_rows, read_rows, take_rows
+from .rows import COLORED, LABELLED, RowsReport, label_rows, read_rows, take_rows
 
 LABEL = "label"
-_COLORED = (*LABELLED, ".xyzrgb", ".pts", ".e57")
 _SHOWN = 10  # the largest clusters, whose sizes are reported
 
 # Those of matplotlib's "tab20", which label files have been painted with so far.
@@ -98,7 +97,7 @@ def cluster_file(
         ValueError: A limit out of range.
         DeviceError: No such device.
     """
-    formats, what = (_COLORED, "labels or colours") if paint else (LABELLED, "labels")
+    formats, what = (COLORED, "labels or colours") if paint else (LABELLED, "labels")
     if largest is not None:
         formats, what = WRITTEN, "clouds"
     job = Job("cluster", source, **settings)

@@ -23,6 +23,7 @@ from ...core.json_files import read_json_object
 from ...core.reports import Fields, Report
 from ...core.wording import format_triple
 from ...files.ascii_rows import is_number
+from ...files.bags.recording import is_recording
 from ...files.frames.datasets import is_dataset, open_frames
 from ...files.meshes import tables
 from ...files.models.colmap import is_colmap_model
@@ -51,6 +52,7 @@ from .facts import (
     Walk,
 )
 from .model_info import describe_colmap_model, describe_metashape_file
+from .recording_info import describe_recording
 
 _PICTURES = (".png", ".jpg", ".jpeg")
 _TRAJECTORIES = (".log", ".tum", ".kitti", ".txt")
@@ -143,6 +145,9 @@ def describe(path: str | os.PathLike[str], *, layout: str = "auto") -> Descripti
     path = Path(path)
     if not path.exists():
         raise FileError(path, "does not exist")
+    if is_recording(path):
+        size = None if path.is_dir() else path.stat().st_size
+        return Description(str(path), describe_recording(path), size)
     if path.is_dir():
         return Description(str(path), _describe_folder(path, layout))
     return Description(str(path), _describe_file(path), path.stat().st_size)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -14,8 +14,10 @@ from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
 from ...core.reports import Fields, values_of
 from ...core.wording import format_seconds, plain
+from ...files.bags.recording import is_recording, open_recording
 from ...files.points.point_cloud import read_point_cloud
 from ...files.points.scan_files import list_scans
+from ...pcd.cloud import PointCloud
 from ...registration.lidar.lidar_odometry import LidarOdometry
 from ...registration.lidar.lidar_steps import OdometrySummary, summarize_steps
 from ...registration.trajectories.trajectory_error import TrajectoryError
@@ -84,6 +86,7 @@ def odometry_of_folder(
     max_range: float = 100.0,
     min_range: float = 5.0,
     truth: FilePath | None = None,
+    topic: str | None = None,
     device: Any = "auto",
     overwrite: bool = False,
     progress: ReportProgress | None = None,
@@ -91,11 +94,13 @@ def odometry_of_folder(
     """Find the pose of each scan of a folder, and write them; the output and the truth are checked before the work.
 
     Args:
-        folder: The scans, in natural order of their names: .bin as KITTI has them, or clouds.
+        folder: The scans, in natural order of their names: .bin as KITTI has them, or clouds; or a recording, .bag,
+            .mcap, .db3 or a folder of those.
         output: A file of poses: .txt or .tum (TUM), .log (Open3D) or .kitti.
         format: "kitti", "tum" or "log"; None goes by the extension. TUM's times are the numbers of the scans.
         voxel_size, max_range, min_range: As of `LidarOdometry`.
         truth: A file of the scanner's true poses, one a scan.
+        topic: Of a recording; None takes the only one of clouds.
         device: Where to compute.
         overwrite: Replace the output if it exists.
         progress: Called with the number of scans done and that of all.
@@ -111,12 +116,12 @@ def odometry_of_folder(
     job = Job("odometry", folder, device=device, overwrite=overwrite, progress=progress)
     form = _check_output(job, output, format)
     odometry = LidarOdometry(voxel_size=voxel_size, max_range=max_range, min_range=min_range, device=job.device)
-    scans = list_scans(folder)
-    if len(scans) < 2:
-        raise FileError(folder, f"holds one scan, {scans[0].name}; odometry needs two", remedy="Give another folder")
+    scans = _Scans.open(folder, topic, job.device)
+    if scans.count < 2:
+        raise FileError(folder, f"holds one scan, {scans.first}; odometry needs two", remedy="Give another folder")
     true_path = None if truth is None else read_trajectory(truth)
-    if true_path is not None and len(true_path) != len(scans):
-        reason = f"has {len(true_path)} poses, and {os.fspath(folder)} has {len(scans)} scans"
+    if true_path is not None and len(true_path) != scans.count:
+        reason = f"has {len(true_path)} poses, and {os.fspath(folder)} has {scans.count} scans"
         raise FileError(truth or "", reason, remedy="Give the true pose of each scan")
     points = _register_scans(job, odometry, scans)
     found, path, errors = summarize_steps(odometry.steps), Trajectory(odometry.poses), None
@@ -131,17 +136,39 @@ def odometry_of_folder(
     return OdometryReport(done, form, str(job.device), *sizes, found, points, errors)
 
 
-def _register_scans(job: Job, odometry: LidarOdometry, scans: Sequence[Path]) -> int:
+@dataclass(frozen=True)
+class _Scans:
+    """Scans in their order: how many, what the first is called, and each read when it is asked for."""
+
+    count: int
+    first: str
+    clouds: Iterator[PointCloud]
+
+    @classmethod
+    def open(cls, place: FilePath, topic: str | None, device: Any) -> _Scans:
+        """Those of a folder, or of a topic of a recording."""
+        if is_recording(Path(place)):
+            recording = open_recording(place)
+            chosen = recording.choose_topic(topic)
+            count = sum(found.count for found in recording.topics if found.name == chosen)
+            return cls(count, chosen, recording.scans(chosen, device=device))
+        if topic is not None:
+            raise FileError(place, f"is no recording, and has no topic {topic!r}", remedy="Leave --topic out")
+        files = list_scans(place)
+        return cls(len(files), files[0].name, (read_point_cloud(file, device=device) for file in files))
+
+
+def _register_scans(job: Job, odometry: LidarOdometry, scans: _Scans) -> int:
     """Bring all scans into the map; gives how many points they have."""
     points = 0
-    job.tell("scans", 0, len(scans))
-    for number, path in enumerate(scans, 1):
+    job.tell("scans", 0, scans.count)
+    for number in range(1, scans.count + 1):
         with job.stage("read", told=False):
-            scan = read_point_cloud(path, device=job.device)
+            scan = next(scans.clouds)
         with job.stage("register", told=False):
             odometry.register(scan)
         points += len(scan)
-        job.tell("scans", number, len(scans))
+        job.tell("scans", number, scans.count)
     return points
 
 

@@ -5,7 +5,9 @@ What is written is the pose, and the source with all it has, moved.
 
 from __future__ import annotations
 
+import math
 import os
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -25,6 +27,7 @@ from ...files.table import MeshTable
 from ...pcd.cloud import PointCloud
 from ...pcd.probes import probe_points
 from ...registration.globally.pair import METHODS, PairRegistration, UnfitCloudError, register_pair
+from ...registration.icp.constraint import Prior
 from .announced_stages import AnnouncedStages
 from .job import Job, JobReport
 
@@ -69,6 +72,9 @@ def register_files(
     method: str = "point-to-plane",
     voxel_size: float | None = None,
     distance: float | None = None,
+    free: Sequence[str] | None = None,
+    prior: FilePath | None = None,
+    prior_sigma: tuple[float, float] | None = None,
     aligned: FilePath | None = None,
     picture: FilePath | None = None,
     device: Any = "auto",
@@ -82,7 +88,9 @@ def register_files(
         target: The cloud that stays.
         output: A .txt file for the pose T_target_source, four rows of four numbers with all digits.
         init: Where to begin: "global" searches, "identity" takes the clouds as they lie, else a file with such a pose.
-        method, voxel_size, distance: As of `register_pair`.
+        method, voxel_size, distance, free: As of `register_pair`.
+        prior: A file with a pose that is known beforehand.
+        prior_sigma: How well: standard deviations of its translation [m] and rotation [degrees].
         aligned: A file for the source on the target, with all its attributes.
         picture: A .png file for both clouds before (left) and after (right).
         device, overwrite, progress: As of `Settings`.
@@ -102,14 +110,14 @@ def register_files(
     job.check(aligned)
     if picture is not None:
         check_picture(picture, overwrite=overwrite)
-    where, start = job.device, _start(init)
+    where, start, known = job.device, _start(init), _known(prior, prior_sigma)
     with job.stage("read"):
         clouds = read_cloud(source, where), read_cloud(target, where)
     job.unit = common_unit("source, target", (cloud.unit for cloud in clouds))
     try:
         with AnnouncedStages(job.clock, job.tell, untold=("voxels", "rate")) as tell:
             options: dict[str, Any] = {"method": method, "voxel_size": voxel_size, "distance": distance}
-            found = register_pair(*clouds, init=start, progress=tell, **options)
+            found = register_pair(*clouds, init=start, progress=tell, free=free, prior=known, **options)
     except UnfitCloudError as error:
         path = source if error.role == "source" else target
         reason = error.reason.replace(f"method={method!r}", f"--method {method}")
@@ -140,6 +148,20 @@ def _start(init: FilePath) -> np.ndarray | None:
     if str(init) == GLOBAL:
         return None
     return np.eye(4) if str(init) == IDENTITY else read_pose(init)
+
+
+def _known(prior: FilePath | None, sigma: tuple[float, float] | None) -> Prior | None:
+    """The pose of a file with how well it is known; both or neither.
+
+    Raises:
+        FileError: The file holds no pose.
+        ValueError: One without the other, or deviations that are not positive.
+    """
+    if prior is None and sigma is None:
+        return None
+    if prior is None or sigma is None:
+        raise ValueError("prior, prior_sigma: a pose that is known, and how well, are given together")
+    return Prior(read_pose(prior), sigma_translation=sigma[0], sigma_rotation=math.radians(sigma[1]))
 
 
 def _write_results(

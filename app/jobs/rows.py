@@ -18,6 +18,7 @@ from ...pcd.cloud import PointCloud
 from .job import Job, JobReport
 
 LABELLED = (".ply", ".pcd", ".npz", ".las", ".laz")  # formats that hold an attribute of any name
+COLORED = (*LABELLED, ".xyzrgb", ".pts", ".e57")
 
 
 class Rows(NamedTuple):

@@ -7,7 +7,6 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from ...core.progress import ReportProgress
 from ...core.reports import Fields, Report
 from ...core.wording import plain
 from ...scale.buckets import FOLDER as BUCKETS
@@ -45,8 +44,10 @@ class TileReport(Report):
 
     @property
     def note(self) -> str | None:
-        """What is still to be done, after a run."""
+        """What is still to be done, after a run; that there are no points to write."""
         told = self.status
+        if self.command == "finish" and not told.points_out:
+            return "the steps left no point: there are rasters alone"
         if self.command != "run" or not told.waiting + told.running:
             return None
         if self.is_part:
@@ -59,6 +60,9 @@ class TileReport(Report):
         fields = [
             ("tiles", f"{told.done + told.empty} of {_all(told)} done" + (f", {told.empty} empty" * bool(told.empty)))
         ]
+        if told.passes > 1 and not told.is_finished:
+            through = f"{told.which_pass} of {told.passes}, {told.through} of {_all(told)} tiles through it"
+            fields.append(("pass", through))
         fields += [
             (label, f"{count:,}")
             for label, count in (
@@ -90,10 +94,10 @@ def report_of(command: str, status: TileStatus, *, is_part: bool = False) -> Til
     return TileReport(command, status, is_part)
 
 
-def finish_job(folder: Path, output: Path | None, *, overwrite: bool, progress: ReportProgress) -> TileReport:
-    """Make one file of all tiles; what is said of it."""
-    path = finish_tiles(folder, output, overwrite=overwrite, progress=progress)
-    return TileReport("finish", tile_status(folder), files=(str(path),))
+def finish_job(folder: Path, path: Path | None, **options: Any) -> TileReport:
+    """Make one file, or one folder, of all tiles, with the options of `finish_tiles`; what is said of it."""
+    made = finish_tiles(folder, path, **options)
+    return TileReport("finish", tile_status(folder), files=(str(made),))
 
 
 def _all(told: TileStatus) -> int:

@@ -15,6 +15,7 @@ import click
 
 from ... import __version__  # pyright: ignore[reportMissingImports]
 from . import (
+    change_command,
     depth_command,
     frame_commands,
     help_commands,
@@ -75,6 +76,7 @@ def cli() -> None:
     pointloom multiway SCANS -o poses.log                  all clouds of a folder
     pointloom odometry SCANS -o poses.txt                  the path of a LiDAR
     pointloom evaluate poses.txt truth.txt                 its errors
+    pointloom change 2023.laz 2024.laz --picture c.png     what has moved, and what is noise
     pointloom tile plan SURVEY --steps steps.toml -o job   files larger than the memory, tile by tile
 
     Clouds are read and written as .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57, with all their attributes;
@@ -95,6 +97,7 @@ for command in (
     *video_command.COMMANDS,
     *depth_command.COMMANDS,
     *registration_commands.COMMANDS,
+    *change_command.COMMANDS,
     *view.COMMANDS,
     *tile_command.COMMANDS,
     *help_commands.COMMANDS,
@@ -118,6 +121,7 @@ def info(files: tuple[Path, ...], read_as: str | None, as_json: bool) -> int:
     pictures      .png .jpg, depth maps as 16-bit .png or .npy
     data sets     folders of RGB-D frames
     folders       of clouds and meshes, one line each
+    recordings    .bag of ROS 1, .db3 and .mcap of ROS 2, and folders of those: their topics
 
     The origin is the point that positions are counted from in float32 (other than zero beyond 10 km).
 

@@ -25,9 +25,10 @@ from .options import (
     refuse_same,
 )
 from .pipes import from_option, open_pipes
-from .toolbox import COUNT, Number
+from .toolbox import COUNT, FACTOR, Number
 
 STARTS = ("identity", "global")
+MOTIONS = ("x", "y", "z", "roll", "pitch", "yaw")
 RANGE = Number("a distance in metres, 0 or above", lambda number: 0 <= number < float("inf"))
 
 
@@ -53,6 +54,14 @@ RANGE = Number("a distance in metres, 0 or above", lambda number: 0 <= number < 
 @click.option(
     "--distance", type=LENGTH, metavar="M", help="Correspondences lie closer than this [m]; 2 voxels if not given."
 )
+@click.option("--free", metavar="LIST", help="Move A in these ways alone: x,y,z,yaw keeps it level.")
+@click.option("--prior", type=FILE, metavar="FILE", help="A pose that is known beforehand, as -o writes it.")
+@click.option(
+    "--prior-sigma",
+    type=(LENGTH, FACTOR),
+    metavar="M DEG",
+    help="How well: standard deviations of its translation [m] and rotation [degrees].",
+)
 @click.option("--aligned", type=FILE, metavar="FILE", help="Write the cloud A where it lies on B.")
 @click.option("--picture", type=FILE, metavar="PNG", help="Draw A orange and B blue, before (left) and after (right).")
 @record_option("every step of ICP, A orange and B blue")
@@ -61,7 +70,14 @@ RANGE = Number("a distance in metres, 0 or above", lambda number: 0 <= number < 
 @json_option()
 @force_option()
 def register(
-    source: Path, target: Path, init: str, read_as: str | None, as_json: bool, force: bool, **options: Any
+    source: Path,
+    target: Path,
+    init: str,
+    free: str | None,
+    read_as: str | None,
+    as_json: bool,
+    force: bool,
+    **options: Any,
 ) -> int:
     """Find the pose that brings the cloud A onto the cloud B: B's coordinates of a point are T times A's.
 
@@ -69,7 +85,8 @@ def register(
     --voxel the edge is a 32nd of the distance from the middle within which 3 of 4 points lie, of the smaller cloud.
     From a start that was given, ICP begins with voxels 4 and 2 times as large, unless --distance is given too.
     Methods to planes estimate the normals of clouds that have none, within 3 voxels. One of A and B may be -, standard
-    input.
+    input. --free fixes all motions that it does not name, of x, y, z, roll, pitch and yaw, as --init has them; a search
+    takes x,y,z,yaw of level clouds. What the clouds do not determine is held at --prior.
 
     The exit code is 3 where the surfaces hardly lie on each other (a score below 0.5 of 1), or less than 10 % of A
     has a correspondence. Poses and pictures are written even then.
@@ -77,16 +94,33 @@ def register(
     \b
     pointloom register scan2.ply scan1.ply -o T.txt --picture both.png
     pointloom register scan2.ply scan1.ply --init T.txt --voxel 0.02 --aligned moved.ply
+    pointloom register scan.ply map.ply --free x,y,z,yaw --init T.txt --prior gnss.txt --prior-sigma 0.05 1
     """
     if init not in STARTS and not Path(init).exists():
         refuse(f"--init: expected global, identity or a file of a pose, got {init!r}, which is no file")
     refuse_same(**{name: options[name] for name in ("output", "aligned", "picture")}, record=options["record_as"])
+    if (options["prior"] is None) != (options["prior_sigma"] is None):
+        refuse("--prior, --prior-sigma: a pose that is known, and how well, are given together")
+    options["free"] = _motions(free, init)
     from ..jobs.register import register_files
     from .recording_command import recorded
 
     with open_pipes([source, target], read_as=read_as) as ends, Progress() as progress:
         report = recorded(register_files, *ends.sources, init=init, overwrite=force, progress=progress, **options)
     return answer_with(ends.rename(report), f"{source} onto {target}", as_json)
+
+
+def _motions(free: str | None, init: str) -> list[str] | None:
+    """The motions of --free."""
+    if free is None:
+        return None
+    names = [name.strip() for name in free.split(",")]
+    wrong = next((name for name in names if name not in MOTIONS or names.count(name) > 1), None)
+    if wrong is not None:
+        refuse(f"--free: expected motions among {', '.join(MOTIONS)}, each once, got {wrong!r}")
+    if init == "global" and set(names) not in ({"x", "y", "z", "yaw"}, set(MOTIONS)):
+        refuse(f"--free: a search is of all six motions or of x,y,z,yaw, got {free}; --init takes any")
+    return names
 
 
 @click.command(short_help="Bring all clouds of a folder into one frame.")
@@ -144,6 +178,7 @@ def multiway(folder: Path, output: Path, as_json: bool, force: bool, **options: 
     "--min-range", type=RANGE, default=5.0, show_default=True, metavar="M", help="Nearer points do not count [m]."
 )
 @click.option("--truth", type=FILE, metavar="FILE", help="The scanner's true poses: print the errors.")
+@click.option("--topic", metavar="NAME", help="Of a recording: which clouds; the only ones if not given.")
 @record_option("scan after scan with the map and the path")
 @device_option()
 @json_option()
@@ -156,7 +191,10 @@ def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: 
     did not overlap those before it (its pose is then that of constant velocity), where one lies beside the map of those
     before it, or where many did not come to rest: the path is then likely lost, and the summary names the scans.
 
+    DIR may be a recording too: a .bag of ROS 1, a .db3 or .mcap file, or a folder of those, with pointloom[ros].
+
     \b
+    pointloom odometry run.mcap --topic /points -o poses.tum
     pointloom odometry velodyne -o poses.txt
     pointloom odometry velodyne -o poses.kitti --truth truth.txt
     pointloom odometry velodyne -o 00.txt --format kitti

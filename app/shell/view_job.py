@@ -19,7 +19,6 @@ from ...drawing.render.geometries import Named
 from ...drawing.render.open3d_views import read_view
 from ...drawing.render.picture_files import check_picture, save_picture
 from ...drawing.viewer.coloring_choice import choices_of
-from ...drawing.viewer.detail_tree import DetailTree
 from ...drawing.viewer.items import make_item
 from ...drawing.viewer.stills import as_entry, with_colors, write_geometries
 from ...drawing.viewer.view_files import first_looks, read_scene
@@ -88,10 +87,10 @@ class ViewJob:
             if not path.exists():
                 raise FileError(path, "does not exist")
         self.named: list[Named] = []
-        self.trees: dict[str, DetailTree] = {}
+        self.trees: dict[str, Any] = {}  # DetailTree, CopcTree
 
-    def read(self, tell: ReportProgress = say_nothing) -> None:
-        """Read the files; `tell` is told of it as stderr is."""
+    def read(self, tell: ReportProgress = say_nothing, *, in_parts: bool = False) -> None:
+        """Read the files; `tell` is told of it as stderr is. `in_parts` reads of large COPC files what comes first."""
         style = {"point_size": self.point_size} if self.point_size is not None else {}
         with Progress() as progress:
 
@@ -100,6 +99,7 @@ class ViewJob:
                 tell(stage, done, total)
 
             options: dict[str, Any] = {"max_points": self.max_points, "color_by": self.color_by, "progress": report}
+            options["in_parts"] = in_parts
             named, trees = read_scene(list(self.files), style, **options)
         names = {
             name: INPUT for path, (name, _, _) in zip(self.files, named, strict=True) if str(path) in self._ends.names
@@ -154,7 +154,7 @@ class ViewJob:
                 share = min(done / total, 1.0) if total > 0 else None
                 viewer.tell_progress(f"a first look at {self.title}; {stage}", share)
 
-            self.read(tell)  # once it is known that there can be a server
+            self.read(tell, in_parts=True)  # once it is known that there can be a server
             viewer.tell_progress("")
             viewer.add_named(self.named, self.trees)
             for name, _, _ in first:
@@ -203,6 +203,8 @@ class ViewJob:
         shown = []
         for name, geometry, _ in self.named:
             count = len(geometry) if isinstance(geometry, PointCloud) else None
+            if count is not None and name in self.trees:
+                count = self.trees[name].count
             shown.append(Shown(name, type(geometry).__name__, count))
         return ViewReport(tuple(str(path) for path in self.files), tuple(shown))
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -48,6 +49,7 @@ class Coloring:
         title: What is shown, such as "height [m]".
         has_missing: Whether a value was not finite, and is grey.
         label_colors: Colours of labels in place of the usual ones.
+        paint: Colours other points of the same kind in the same way, where that can be: from a cloud to vec3 [k].
     """
 
     colors: Any
@@ -58,6 +60,7 @@ class Coloring:
     title: str = ""
     has_missing: bool = False
     label_colors: dict[int, Color] = dataclasses.field(default_factory=dict)
+    paint: Callable[[PointCloud], Any] | None = None
 
     def color_of(self, label: int) -> Color:
         """The colour of a label."""

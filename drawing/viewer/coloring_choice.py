@@ -34,11 +34,10 @@ class ColoringChoice:
         if item.painting is not None and self.by == item.painting.attribute:
             return item.painting.coloring(item.cloud.device)
         if self.by is not None and self.by in choices_of(item.cloud):
-            by_values = {"colormap": self.colormap, "limits": self.limits}
-            return color_cloud(item.cloud, self.by, **by_values)
+            return _color(item, self.by, self.colormap, self.limits)
         style = item.style
         if style.color_by is not None:
-            return color_cloud(item.cloud, style.color_by, colormap=style.colormap, limits=style.limits)
+            return _color(item, style.color_by, style.colormap, style.limits)
         return None
 
     def checked(self, by: str | None, colormap: str | None, limits: Any, items: Collection[Item]) -> ColoringChoice:
@@ -58,6 +57,16 @@ class ColoringChoice:
         for item in items:  # limits are checked where they are used
             choice.of(item)
         return choice
+
+
+def _color(item: Item, by: Any, colormap: str | None, limits: Any) -> Coloring:
+    """The colours of an item's cloud; of one that is read in parts, with how to colour the others as the first."""
+    assert item.cloud is not None
+    found = color_cloud(item.cloud, by, colormap=colormap, limits=limits)
+    if not item.is_in_parts or not isinstance(by, str):
+        return found
+    same: dict[str, Any] = {"colormap": found.colormap, "limits": found.limits}
+    return dataclasses.replace(found, paint=lambda cloud: color_cloud(cloud, by, **same).colors)
 
 
 class Choices:

@@ -12,16 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.checks import (
-    check_count,
-    check_finite,
-    check_indices,
-    check_list,
-    check_name,
-    check_numeric,
-    check_positive,
-    check_progress,
-)
+from ...core.checks import check_count, check_indices, check_list, check_name, check_progress
 from ...core.devices import resolve_device
 from ...core.progress import ReportProgress
 from ...files.growing import GrowingColumns
@@ -36,15 +27,12 @@ from ...pcd.detail_nodes import MOST, NodeTable, make_nodes
 from ...pcd.point_arrays import check_cloud
 from ..render.view import View, check_view
 from .detail_files import bytes_at, columns_of, no_attribute
+from .nodes_in_view import NodesInView, inward
 
 Points = NDArray[np.float32]
 
 _PART = 1 << 19  # points read at a time: some 50 MB while they are decoded
 _READING = 50  # hundredths of the time that reading takes
-
-# No node is taken to be nearer than this share of its half width, so that those that the camera stands in have an order
-# among others: 200 pixels a spacing are enough to come first.
-_NEAREST = 0.1
 
 _PROBES = 64  # points of a node that tell how much of it is in view
 
@@ -70,7 +58,7 @@ class Node:
     colors: NDArray[np.uint8] | None
 
 
-class DetailTree:
+class DetailTree(NodesInView):
     """Points in nodes from coarse to fine, each point in one node: what is drawn of a node and of those around it adds
     up to the cloud.
 
@@ -201,10 +189,6 @@ class DetailTree:
         say("reading", 100, 100)
         return tree
 
-    def __len__(self) -> int:
-        """Number of nodes."""
-        return len(self.counts)
-
     @property
     def positions(self) -> Points:
         """All points about `origin` [m], float32 [n, 3], by index, those that are not finite too: the tree's own."""
@@ -268,71 +252,6 @@ class DetailTree:
         first = int(self._firsts[i])
         return self._order[first : first + int(self.counts[i])]
 
-    def select(
-        self, view: View, budget: int, *, counts: NDArray[np.int64] | None = None, finest: float = 0.5
-    ) -> list[int]:
-        """The nodes that matter most for a view, coarse before fine.
-
-        Args:
-            view: Where it is taken from, in world coordinates.
-            budget: Points at most; but the first node is always taken.
-            counts: Points that count of each node, shape [m], where some are hidden; 0 up to all of them.
-            finest: A spacing [px] below which finer nodes would change nothing.
-
-        Returns:
-            Nodes within the picture, those with the widest projected spacing first; a node comes after the node that
-            its cell lies in.
-
-        Raises:
-            TypeError: No View, or not numbers.
-            ValueError: Numbers out of range, or not as many counts as nodes.
-        """
-        budget = check_count("budget", budget, minimum=0)
-        counts = self.counts if counts is None else self._check_counts(counts)
-        finest = check_positive("finest", finest, allow_zero=True)
-        gaps = self.pixels(view, self.spacings)
-        seen = np.flatnonzero(self._in_view(view) & (counts > 0))
-        # what the node above already shows finer than that is left out: its own spacing is twice as wide
-        seen = seen[(2 * gaps[seen] > finest) | (self.levels[seen] == 0)]
-        ranked = seen[np.argsort(-gaps[seen], kind="stable")]
-        taken = int(np.searchsorted(np.cumsum(counts[ranked]), budget, side="right"))
-        return ranked[: max(taken, min(1, budget))].tolist()
-
-    def pixels(self, view: View, lengths: Any) -> NDArray[np.float64]:
-        """How long lengths appear at most in a view, where each node's cell is nearest to it.
-
-        Args:
-            view: Where it is taken from, in world coordinates.
-            lengths: One a node, shape [m], or one for all [m].
-
-        Returns:
-            Shape [m] [px].
-
-        Raises:
-            TypeError: No View, or not numbers.
-            ValueError: Not as many lengths as nodes, or such as are not finite.
-        """
-        T, halves = check_view(view).T_world_camera, self._level_halves
-        lengths = check_finite("lengths", check_numeric("lengths", lengths))
-        if lengths.shape not in ((), (len(self),)):
-            raise ValueError(f"lengths: expected shape [{len(self)}], one a node, got {list(lengths.shape)}")
-        beyond = np.maximum(np.abs(self._level_middles - T[:3, 3]) - halves[:, None], 0.0)
-        distances = np.maximum(np.sqrt((beyond * beyond).sum(axis=1)), _NEAREST * halves)
-        return max(view.intrinsic.fx, view.intrinsic.fy) * lengths / distances
-
-    def are_refined(self, nodes: Sequence[int]) -> NDArray[np.bool_]:
-        """Of nodes that are drawn, within which the next level is drawn too, bool [k].
-
-        Args:
-            nodes: Those that are drawn, such as `select` gives.
-
-        Raises:
-            TypeError: Not whole numbers.
-            IndexError: There is no such node.
-        """
-        names = self._names[self._check_nodes(nodes)]
-        return np.isin(names, names >> 3)
-
     def shares_in_view(self, view: View, nodes: Sequence[int]) -> NDArray[np.float64]:
         """Which share of the points of nodes lies within a view, 0 to 1, by a few points of each, float64 [k].
 
@@ -346,30 +265,11 @@ class DetailTree:
         """
         check_view(view)
         rows = self._check_nodes(nodes)
-        inward, eye = _inward(view), view.T_world_camera[:3, 3] - self.origin
+        normals, eye = inward(view), view.T_world_camera[:3, 3] - self.origin
         steps = np.arange(_PROBES) / _PROBES
         places = self._firsts[rows, None] + (self.counts[rows, None] * steps).astype(np.int64)
-        heights = (self._positions[self._order[places]] - eye) @ inward.T
+        heights = (self._positions[self._order[places]] - eye) @ normals.T
         return (heights >= 0).all(axis=2).mean(axis=1)
-
-    def _check_nodes(self, nodes: Any) -> NDArray[Any]:
-        return check_indices("nodes", nodes, len(self), of=f"tree of {len(self)} nodes")
-
-    def _check_counts(self, counts: Any) -> NDArray[np.int64]:
-        numbers = check_numeric("counts", counts)
-        if numbers.shape != self.counts.shape:
-            raise ValueError(f"counts: expected shape [{len(self)}], one a node, got {list(numbers.shape)}")
-        if numbers.dtype.kind not in "iu" and numbers.size:
-            raise TypeError(f"counts: expected whole numbers, got {numbers.dtype}")
-        if (numbers < 0).any() or (numbers > self.counts).any():
-            raise ValueError("counts: expected 0 up to the points of each node")
-        return numbers.astype(np.int64, copy=False)
-
-    def _in_view(self, view: View) -> NDArray[np.bool_]:
-        """Which nodes' cubes reach into the pyramid that a view shows."""
-        inward = _inward(view)
-        heights = (self.middles - view.T_world_camera[:3, 3]) @ inward.T
-        return (heights + self.halves[:, None] * np.abs(inward).sum(axis=1) >= 0).all(axis=1)
 
 
 def _cube(low: NDArray[np.float32], high: NDArray[np.float32]) -> tuple[NDArray[np.float64], float]:
@@ -377,11 +277,3 @@ def _cube(low: NDArray[np.float32], high: NDArray[np.float32]) -> tuple[NDArray[
     corner = low.astype(np.float64)
     extent = max(float((high - corner).max()), _SMALLEST_SIDE)
     return corner, 2.0 ** math.ceil(math.log2(extent))
-
-
-def _inward(view: View) -> NDArray[np.float64]:
-    """Normals of the five planes about the pyramid that a view shows, shape [5, 3]; what is inside is above all."""
-    camera, R = view.intrinsic, view.T_world_camera[:3, :3]
-    right, left = (camera.width - 0.5 - camera.cx) / camera.fx, (camera.cx + 0.5) / camera.fx
-    down, up = (camera.height - 0.5 - camera.cy) / camera.fy, (camera.cy + 0.5) / camera.fy
-    return np.array([[1, 0, left], [-1, 0, right], [0, 1, up], [0, -1, down], [0, 0, 1]]) @ R.T

@@ -147,6 +147,18 @@ class Item:
             return False
         return self.tree.colors_of(np.zeros(0, np.int64)) is not None
 
+    @property
+    def is_in_parts(self) -> bool:
+        """Whether the cloud is the head of a tree that reads further points when a view wants them."""
+        return getattr(self.tree, "is_in_parts", False)
+
+    @property
+    def point_count(self) -> int:
+        """Points of the cloud, those too that are not read yet."""
+        if self.cloud is None:
+            return 0
+        return self.tree.count if self.is_in_parts else len(self.cloud)
+
     def select(self, indices: Any) -> PointCloud:
         """Some points of the cloud as a cloud, with the colours of its file."""
         assert self.cloud is not None
@@ -163,6 +175,8 @@ class Item:
         """The colours of points as they are shown, uint8 [k, 3]."""
         part = self.points
         assert part is not None
+        if self.is_in_parts:
+            return self._colors_in_parts(np.asarray(indices, np.int64), part)
         if self._shown is None:
             values = part.colors if self.coloring is None else self.coloring.colors
             if self.tree is not None and self.coloring is None and self.style.color is None and not values.size:
@@ -174,6 +188,27 @@ class Item:
             else:
                 self._shown = np.broadcast_to(to_bytes([part.plain]), (part.positions.size, 3))
         return self._shown[indices]
+
+    def _colors_in_parts(self, indices: NDArray[np.int64], part: Points) -> NDArray[np.uint8]:
+        """The colours of points of which only the first ones are in the cloud."""
+        coloring = self.coloring
+        if coloring is not None and coloring.paint is not None:
+            return self.tree.paint(indices, lambda cloud: to_bytes(download(coloring.paint(cloud)).reshape(-1, 3)))
+        own = self.tree.colors_of(indices) if self.style.color is None else None
+        shown = np.broadcast_to(to_bytes([part.plain]), (len(indices), 3)) if own is None else own
+        if coloring is not None:  # of labels that are painted onto the first ones
+            shown, known = shown.copy(), indices < len(self.cloud or ())
+            shown[known] = to_bytes(download(coloring.colors).reshape(-1, 3)[indices[known]])
+        return shown
+
+    def keeper(self, clip: Any) -> Any:
+        """What clip planes and filters leave of the cloud, by places and indices of points."""
+        part = self.points
+        assert part is not None
+        pose = self.pose_of(part)
+        if not self.is_in_parts:
+            return clip.keeper(pose, self.cloud)
+        return lambda places, indices: clip.keeper(pose, self.tree.cloud_at(indices))(places)
 
     def relabel(self, cloud: PointCloud) -> None:
         """Hold the same points with other attributes; what was given stays as it is."""

@@ -173,7 +173,7 @@ class Scene(Hooks):
         """Points of a cloud that a page may hold: its share of `max_points`."""
         if item.cloud is None or self._point_count <= self.max_points:
             return self.max_points
-        share = max(1, self.max_points * len(item.cloud) // self._point_count)
+        share = max(1, self.max_points * item.point_count // self._point_count)
         return min(share, FIRST) if item.tree is None and item.name in self._levels else share
 
     def _join(self, client: PageClient) -> None:
@@ -236,7 +236,7 @@ class Scene(Hooks):
         self.triangle_count += sign * item.triangle_count
         if item.cloud is not None and len(item.cloud):
             was_over = self._point_count > self.max_points
-            self._point_count += sign * len(item.cloud)
+            self._point_count += sign * item.point_count
             self._shares_changed |= was_over or self._point_count > self.max_points
 
     def _show(self, item: Item) -> None:

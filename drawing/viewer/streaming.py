@@ -18,10 +18,11 @@ from numpy.typing import NDArray
 
 from ...core.checks import check_count, check_positive, check_rigid, check_shape
 from ..render.view import View, check_view
-from .detail_tree import DetailTree
 from .wishes import ColorsOf, Keep, Sent, Wish
 
 if TYPE_CHECKING:
+    from .copc_tree import CopcTree
+    from .detail_tree import DetailTree
     from .link import PageClient
 
 PLAIN = (89, 128, 158)  # of clouds without colours, as in pictures
@@ -67,7 +68,7 @@ class CloudStream:
     def __init__(
         self,
         client: PageClient,
-        tree: DetailTree,
+        tree: DetailTree | CopcTree,
         *,
         origin: Any,
         budget: int,

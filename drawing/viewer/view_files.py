@@ -16,6 +16,7 @@ from ...core.paths import path_of
 from ...core.progress import ReportProgress
 from ...files.ascii_rows import is_number
 from ...files.meshes import tables
+from ...files.points.copc_nodes import says_copc
 from ...files.points.in_parts import open_in_parts
 from ...files.points.point_cloud import read_point_cloud
 from ...kernels.lang import vec3
@@ -25,6 +26,7 @@ from ...meshing.volume.tsdf import TSDFVolume
 from ...pcd.cloud import PointCloud
 from ...pcd.polygon_volume import SelectionPolygonVolume
 from ..render.geometries import Named, Style, named_geometries
+from .copc_tree import CopcTree
 from .detail_files import sample_file
 from .detail_tree import DetailTree
 
@@ -39,7 +41,8 @@ def read_scene(
     color_by: str | None = None,
     progress: ReportProgress | None = None,
     device: Any = None,
-) -> tuple[list[Named], dict[str, DetailTree]]:
+    in_parts: bool = False,
+) -> tuple[list[Named], dict[str, Any]]:
     """What files hold, each under its name, and the levels of detail of clouds that are too large to be sent whole.
 
     Args:
@@ -49,12 +52,18 @@ def read_scene(
         color_by: The attribute that such a cloud keeps.
         progress: As of `DetailTree.from_file`, while a large file is read.
         device: Where it is computed.
+        in_parts: Whether of such a cloud in a COPC file only the coarse levels are read, and a `CopcTree` is given.
 
     Raises:
         FileError: A file that is missing, damaged or of no kind that is shown.
     """
-    entries, trees = {}, {}
+    entries: dict[str, Any] = {}
+    trees: dict[str, Any] = {}
     for path, name in zip(paths, _names(paths), strict=True):
+        octree = open_octree(path, max_points) if in_parts else None
+        if octree is not None:
+            entries[name], trees[name] = octree.head, octree
+            continue
         tree = _read_large(path, max_points, color_by, progress, device)
         if tree is None:
             entries[name] = read_geometry(path, device=device)
@@ -65,6 +74,17 @@ def read_scene(
     else:
         named = [(name, geometry, Style(**style)) for name, geometry in entries.items()]
     return named, trees
+
+
+def open_octree(path: Path, max_points: int) -> CopcTree | None:
+    """The octree of a COPC file with more points, of which nodes are read when they are wanted; None of anything else.
+
+    Raises:
+        FileError: It cannot be read.
+    """
+    if path.suffix.lower() != ".laz" or not path.is_file() or not says_copc(path, more_than=max_points):
+        return None
+    return CopcTree(path)
 
 
 def first_looks(paths: list[Path], count: int, *, larger_than: int) -> list[Named]:
@@ -80,6 +100,8 @@ def first_looks(paths: list[Path], count: int, *, larger_than: int) -> list[Name
     """
     found: list[Named] = []
     for path, name in zip(paths, _names(paths), strict=True):
+        if path.suffix.lower() == ".laz" and path.is_file() and says_copc(path, more_than=larger_than):
+            continue  # whose coarse levels are there at once
         sample = sample_file(path, count) if _open_large(path, larger_than) is not None else None
         if sample is not None:
             found.append((f"{name}: a first look", sample, Style()))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Any
@@ -14,7 +15,7 @@ from ..notebook_output import live_output
 from ..render.geometries import Named, named_geometries
 from ..render.open3d_views import OPEN3D_KEYS
 from ..render.view import View
-from .detail_tree import DetailTree
+from .copc_tree import CopcTree
 from .ending import close_at_exit, farewell
 from .items import Frame, make_item
 from .logged import logged
@@ -141,8 +142,32 @@ class Viewer(Looks):
         """
         self.add_named(named_geometries(geometries))
 
+    def add_copc(self, name: str, path: str | os.PathLike[str], **style: Any) -> None:
+        """Add a COPC file (.copc.laz) of any size: what a view needs of it is read when it is looked at.
+
+        Tools (picking, filters' legends, labels) work on the coarse levels, 250,000 points, which are `items[name]`;
+        the page draws and filters the others too.
+
+        Args:
+            name: What it is called, as of `add`.
+            path: The file; it must stay as it is while the viewer is open.
+            style: As of `add`.
+
+        Raises:
+            FileError: No COPC file, or one of which no coarse node can be read. A node that is damaged is told by a
+                warning of the logger "pointloom.viewer" when it is looked at, and the others are shown.
+            TypeError: A key of style that there is none.
+
+        Notes:
+            Takes 256 MB at most for unpacked nodes, and what a page is sent.
+        """
+        tree = CopcTree(path)
+        self.add_named(
+            named_geometries([{"geometry": tree.head, "name": check_name("name", name), **style}]), {name: tree}
+        )
+
     @logged
-    def add_named(self, named: list[Named], trees: Mapping[str, DetailTree] = MappingProxyType({})) -> None:
+    def add_named(self, named: list[Named], trees: Mapping[str, Any] = MappingProxyType({})) -> None:
         """Add what `named_geometries` gives, some perhaps with levels of detail by name."""
         with self.lock, self.batch():
             self._check_open()

@@ -141,8 +141,8 @@ def open_copc(path: str | os.PathLike[str]) -> CopcFile:
     return octree_of(open_las(path))
 
 
-def octree_of(file: LasFile) -> CopcFile:
-    """The octree of an opened file, as of `open_copc`."""
+def octree_of(file: LasFile, *, strict: bool = True) -> CopcFile:
+    """The octree of an opened file, as of `open_copc`; not `strict` leaves out nodes that are no chunk of the file."""
     if not is_copc(file):
         raise FileError(file.path, "is no COPC file: it has no record that tells an octree", remedy="Read it whole")
     header, source = file.header, file.source
@@ -159,7 +159,7 @@ def octree_of(file: LasFile) -> CopcFile:
         reason = f"its octree has the middle {middle.tolist()}, half width {half} and spacing {spacing}"
         raise FileError(file.path, reason, remedy="Write it anew from its points")
     nodes = _read_pages(file.path, source, values[5], values[6])
-    _check_nodes(file, nodes)
+    nodes = _check_nodes(file, nodes, strict)
     return CopcFile(file, middle - half, 2 * half, spacing, (values[7], values[8]), nodes)
 
 
@@ -192,14 +192,17 @@ def _read_pages(path: Path, source: Source, begin: int, size: int) -> NDArray[An
     return nodes[nodes["count"] > 0]
 
 
-def _check_nodes(file: LasFile, nodes: NDArray[Any]) -> None:
-    """Hold that each chunk of the file is one node."""
+def _check_nodes(file: LasFile, nodes: NDArray[Any], strict: bool) -> NDArray[Any]:
+    """Hold that each chunk of the file is one node; the nodes that are one."""
     chunks, header = np.empty((0, 3), np.int64), file.header
     if header.point_count:
         with file.path.open("rb") as stream:
             chunks = chunks_at(file.path, stream, header.begin, header.find(*LASZIP) or b"")
     told = np.column_stack([nodes["begin"].astype(np.int64), nodes["count"], nodes["size"]])
-    told = told[np.argsort(told[:, 0])]
-    if not np.array_equal(told, chunks):
+    if np.array_equal(told[np.argsort(told[:, 0])], chunks):
+        return nodes
+    if strict:
         reason = f"its octree has {len(told)} nodes with points, which are not the {len(chunks)} chunks of the file"
         raise FileError(file.path, reason, remedy="Read it whole, or write it anew")
+    known = set(map(tuple, chunks.tolist()))
+    return nodes[np.array([tuple(row) in known for row in told.tolist()], bool)]

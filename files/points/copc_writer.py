@@ -14,9 +14,11 @@ Source: Hobu Inc. 2021, "COPC: Cloud Optimized Point Cloud specification 1.0".
 
 from __future__ import annotations
 
+import io
 import math
 import os
 from collections.abc import Iterator
+from functools import partial
 from typing import IO, Any
 
 import numpy as np
@@ -107,6 +109,7 @@ class CopcWriter:
         self._levels: list[int] = []
         self._cells: list[tuple[int, int, int]] = []
         self._counts: list[int] = []
+        self._sizes: list[int] = []
         self._times = (math.inf, -math.inf)
         self._header.partial_reset()
         self._header.set_compressed(True)
@@ -114,15 +117,27 @@ class CopcWriter:
         self._header.vlrs.insert(0, self._info(0, 0))
         self._header.vlrs.append(self._laspy.VLR(*LASZIP, "", self._laszip.record_data()))
         self._header.write_to(file)
-        self._compressor = lazrs.ParLasZipCompressor(file, self._laszip)
+        self._begin = file.tell()
+        file.write(bytes(8))  # the place of the table of chunks
+        self.pack = partial(pack_chunks, str(path), self._laszip.record_data())
 
-    def add(self, levels: Any, cells: Any, records: list[Any]) -> None:
-        """Add nodes: the level and the cell of each, and its points, at least one, as `LasLayout.pack` makes them."""
+    def add(self, levels: Any, cells: Any, records: list[Any], chunks: list[bytes] | None = None) -> None:
+        """Add nodes.
+
+        Args:
+            levels, cells: Of each.
+            records: Its points, at least one, as `LasLayout.pack` makes them.
+            chunks: What `pack` makes of the rows of each; None has them made here.
+        """
+        if chunks is None:
+            chunks = self.pack([record.array for record in records])
         for record in records:
             self._header.grow(record)
             times = record["gps_time"]
             self._times = min(self._times[0], float(times.min())), max(self._times[1], float(times.max()))
-        self._compressor.compress_chunks([np.frombuffer(record.array, np.uint8) for record in records])
+        for chunk in chunks:
+            self._file.write(chunk)
+        self._sizes += [len(chunk) for chunk in chunks]
         self._levels += np.asarray(levels).tolist()
         self._cells += np.asarray(cells).tolist()
         self._counts += [len(record) for record in records]
@@ -130,7 +145,11 @@ class CopcWriter:
     def finish(self, extended: Any) -> None:
         """Write the octree, further records that follow the points, and the header."""
         file, header = self._file, self._header
-        self._compressor.done()
+        table = file.tell()
+        lazrs = import_for(self._path, "lazrs", "las")
+        lazrs.write_chunk_table(file, list(zip(self._counts, self._sizes, strict=True)), self._laszip)
+        file.seek(self._begin)
+        file.write(table.to_bytes(8, "little"))
         file.seek(0, os.SEEK_END)
         at = file.tell()
         begin = at + _EXTENDED_HEADER
@@ -150,10 +169,8 @@ class CopcWriter:
         entries = np.zeros(len(self._counts), ENTRY)
         if len(entries):
             entries["level"], entries["cell"], entries["count"] = self._levels, self._cells, self._counts
-            self._file.flush()
-            with os.fdopen(os.dup(self._file.fileno()), "rb") as file:
-                chunks = chunks_at(self._path, file, self._header.offset_to_point_data, self._laszip.record_data())
-            entries["begin"], entries["size"] = chunks[:, 0], chunks[:, 2]
+            entries["begin"] = self._begin + 8 + np.cumsum(self._sizes) - self._sizes
+            entries["size"] = self._sizes
         told = set(zip(entries["level"].tolist(), *entries["cell"].T.tolist(), strict=True))
         bare = {above for key in told for above in _ancestors(*key)} - told
         without = np.zeros(len(bare) if told else 1, ENTRY)
@@ -167,6 +184,23 @@ class CopcWriter:
         spacing = self._side / 2**NODE_BITS
         told = INFO_FIELDS.pack(*self._middle.tolist(), self._side / 2, spacing, begin, size, *times, *[0] * 11)
         return self._laspy.VLR(*INFO, "", told)
+
+
+def pack_chunks(path: str, record: bytes, rows: list[NDArray[Any]]) -> list[bytes]:
+    """The compressed bytes of the rows of each of some nodes, which depend on nothing else.
+
+    Args:
+        path: The file's name, for errors.
+        record: Of LASzip, that says how rows are packed.
+        rows: The points of each node, at least one.
+    """
+    lazrs, stream = import_for(path, "lazrs", "las"), io.BytesIO()
+    with foreign_errors(path, "its points cannot be packed"):
+        compressor = lazrs.ParLasZipCompressor(stream, lazrs.LazVlr(record))
+        compressor.compress_chunks([np.frombuffer(part, np.uint8) for part in rows])
+        compressor.done()
+    packed = stream.getbuffer()
+    return [bytes(packed[begin : begin + size]) for begin, _, size in chunks_at(path, stream, 0, record).tolist()]
 
 
 def _octree(layout: LasLayout, device: Any) -> tuple[NDArray[np.float64], float, NodeTable]:

@@ -120,8 +120,10 @@ class LasFile:
         return columns
 
 
-def open_las(path: str | os.PathLike[str]) -> LasFile:
+def open_las(path: str | os.PathLike[str], *, layers_too: bool = True) -> LasFile:
     """Open a file and hold it to its header and, if compressed, its table of chunks; no point is read.
+
+    Without `layers_too` the chunks themselves are not looked into: see `check_laszip`.
 
     Raises:
         FileError: It cannot be read, is no LAS or LAZ file, or does not go with its header; or laspy is missing.
@@ -131,7 +133,7 @@ def open_las(path: str | os.PathLike[str]) -> LasFile:
     header = parse_las_header(path, source)
     layout = _layout(path, header)
     if header.is_compressed:
-        check_laszip(path, source, header)
+        check_laszip(path, source, header, layers_too=layers_too)
     return LasFile(path, source, header, layout)
 
 

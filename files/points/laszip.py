@@ -121,8 +121,10 @@ def _lower_chunk_size(header: LasHeader) -> bytes:
     return bytes(record)
 
 
-def check_laszip(path: Any, source: Source, header: LasHeader) -> None:
+def check_laszip(path: Any, source: Source, header: LasHeader, *, layers_too: bool = True) -> None:
     """Hold that the LASzip record, the table of chunks and the chunks' layers go with the file.
+
+    Without `layers_too`, who unpacks a chunk holds its layers with `check_chunk` before: that looks into no chunk here.
 
     Raises:
         FileError: They do not, or lazrs is missing.
@@ -135,8 +137,25 @@ def check_laszip(path: Any, source: Source, header: LasHeader) -> None:
     if header.point_count:
         with foreign_errors(path, "the table of chunks is damaged"):
             chunks = _read_chunk_table(path, source, header, record, chunk_size, lazrs)
-            if compressor == _LAYERED:
+            if compressor == _LAYERED and layers_too:
                 _check_layers(path, source, header, chunks, layers)
+
+
+def check_chunk(path: Any, header: LasHeader, chunk: bytes, what: str) -> None:
+    """Hold that the layers of one chunk fit into its bytes, once check_laszip has passed but for the layers.
+
+    Args:
+        path: The file, for errors.
+        header: Of it.
+        chunk: The bytes.
+        what: What the chunk is, for errors.
+
+    Raises:
+        FileError: They do not.
+    """
+    compressor, _, layers = _check_record(path, header.find(*RECORD) or b"", header)
+    if compressor == _LAYERED and not _fits(chunk, 0, len(chunk), header.record_length + 4, layers):
+        raise FileError(path, f"{what}, is damaged: its layers do not fit into its {len(chunk)} bytes")
 
 
 def _check_record(path: Any, record: bytes, header: LasHeader) -> tuple[int, int, int]:
@@ -195,11 +214,18 @@ def _read_chunk_table(
 
 def _check_layers(path: Any, source: Source, header: LasHeader, chunks: list[tuple[int, int]], layers: int) -> None:
     """Hold the sizes of each chunk's layers, which follow its first point and its count, against the chunk."""
-    sizes, at = struct.Struct(f"<{layers}I"), header.begin + 8
-    prefix = header.record_length + 4
+    at, prefix = header.begin + 8, header.record_length + 4
     for number, (_, length) in enumerate(chunks):
-        if length < prefix + sizes.size or prefix + sizes.size + sum(sizes.unpack_from(source, at + prefix)) > length:
+        if not _fits(source, at, length, prefix, layers):
             raise FileError(
                 path, f"the layers of chunk {number} do not fit into its {length} bytes", where=f"byte {at}"
             )
         at += length
+
+
+def _fits(source: Source, at: int, length: int, prefix: int, layers: int) -> bool:
+    """Whether the layers of a chunk, told behind its first point and its count, fit into it."""
+    sizes = struct.Struct(f"<{layers}I")
+    if length < prefix + sizes.size:
+        return False
+    return prefix + sizes.size + sum(sizes.unpack_from(source, at + prefix)) <= length

@@ -1,8 +1,54 @@
-"""Moments of points about a point: their count, sums and products, and the covariance that they give."""
+"""Moments of points about a point: their count, sums and products, and the covariance that they give.
 
-from ..lang import float64, func, mat33d, vec3, vector
+Those of whole steps are integers: the same bits in whatever order points are met, and no float64 in the loop over them.
+"""
 
+from ..lang import bits_float, float64, float_bits, floor, func, int64, mat33d, vec3, vector
+
+ROUNDER = 786432.0  # 1.5 * 2^19: what is added to it loses all bits below 2^-33
 moments = vector(10, float64)  # count; x, y, z; xx, xy, xz, yy, yz, zz
+whole_moments = vector(10, int64)  # the same of differences in whole steps
+MOST_WHOLE = 131072  # points whose whole moments 64 bits hold: products have 46
+COARSER = 2.0**-8  # steps for which they hold those of 2^33
+
+
+@func
+def steps_for(sqdist: float, count: int) -> float:
+    """Steps a metre for differences of up to the root of a square: 2^23 in the power of two above it.
+
+    They are coarser where so many points are counted that 64 bits would not hold their moments.
+    """
+    power = ((float_bits(sqdist) >> 23) - 125) >> 1  # sqdist < 4^power
+    steps = bits_float((150 - power) << 23)
+    if count > MOST_WHOLE:
+        steps = steps * COARSER
+    return steps
+
+
+@func
+def whole_steps(length: float, steps: float) -> int64:
+    """A difference [m] in whole steps: rounded as float32 rounds lengths between a half and one in its own."""
+    return int64(int(floor(length * steps + 0.5)))
+
+
+@func
+def add_whole(total: whole_moments, p: vec3, q: vec3, steps: float) -> whole_moments:
+    """Add the count, the components and the products of q - p, rounded to float32: for points close together."""
+    x = whole_steps(q[0] - p[0], steps)
+    y = whole_steps(q[1] - p[1], steps)
+    z = whole_steps(q[2] - p[2], steps)
+    return total + whole_moments(int64(1), x, y, z, x * x, x * y, x * z, y * y, y * z, z * z)
+
+
+@func
+def in_metres(m: whole_moments, steps: float) -> moments:
+    """Whole moments in metres and square metres."""
+    s = 1.0 / float64(steps)
+    t = s * s
+    return moments(
+        float64(m[0]), float64(m[1]) * s, float64(m[2]) * s, float64(m[3]) * s, float64(m[4]) * t, float64(m[5]) * t,
+        float64(m[6]) * t, float64(m[7]) * t, float64(m[8]) * t, float64(m[9]) * t,
+    )  # fmt: skip
 
 
 @func
@@ -34,3 +80,9 @@ def add_difference(total: moments, p: vec3, q: vec3) -> moments:
     y = float64(q[1]) - float64(p[1])
     z = float64(q[2]) - float64(p[2])
     return total + moments(1.0, x, y, z, x * x, x * y, x * z, y * y, y * z, z * z)
+
+
+@func
+def in_steps(x: float64) -> float64:
+    """A number up to one, rounded to a step: sums of up to 2^20 such numbers are exact, hence the same in any order."""
+    return (x + float64(ROUNDER)) - float64(ROUNDER)

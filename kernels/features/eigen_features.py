@@ -2,8 +2,9 @@
 
 Weinmann et al., "Semantic point cloud interpretation based on optimal neighborhoods, relevant features and efficient
 classifiers", ISPRS Journal 105, 2015, section 3.2.1 (equations 5 to 12) with eigenvalues divided by their sum; the
-surface variation is that of Pauly, Gross and Kobbelt, "Efficient simplification of point-sampled surfaces", 2002.
-80 B read and 48 B written a point, some 400 operations in float64.
+surface variation is that of Pauly, Gross and Kobbelt, "Efficient simplification of point-sampled surfaces", 2002. The
+density is that of Weinmann's section 3.2.2: neighbours over the volume of the ball that holds them.
+88 B read and 52 B written a point, some 400 operations in float64.
 """
 
 from typing import TYPE_CHECKING
@@ -11,15 +12,19 @@ from typing import TYPE_CHECKING
 from ..algebra.eigen import eigenvalues, smallest_eigenvector
 from ..algebra.moments import covariance_of, moments
 from ..array_types import Array2, Device, Scalars
-from ..lang import NAN, array, float32, float64, func, int32, kernel, launch, log, pow, struct, tid, vec3d
-from ..memory import full
-from ..search.neighbor_limits import Neighborhood
+from ..arrays.packed_keys import key_number
+from ..lang import NAN, array, float32, float64, func, int32, kernel, launch, log, pow, sqrt, struct, tid, vec3d
+from ..memory import empty, full
+from ..search.group_scratch import GroupScratch, LaunchPart, held_key
+from ..search.neighbor_limits import Neighborhood, members_of, neighbors_of
+from ..search.point_tree import LARGEST_SQDIST
 from ..surface.neighbor_moments import sum_neighbor_moments
 
 if TYPE_CHECKING:
     from ..search.point_tree import PointTree
 
 MIN_NEIGHBORS = 3.0  # fewer points span no plane
+BALL = 4.18879020478639  # the volume of a ball of radius 1
 FLAT = 1.0e-15  # of the largest eigenvalue: what lies below is rounding
 SHAPES = (
     "linearity",
@@ -30,6 +35,7 @@ SHAPES = (
     "eigenentropy",
     "curvature",
     "verticality",
+    "density",
 )
 
 
@@ -64,6 +70,7 @@ class Shapes:
         eigenvalues: Of the covariance [m^2], largest first, float32 [n, 3].
         linearity, planarity, sphericity, omnivariance, anisotropy, eigenentropy, curvature, verticality: Shapes made
             of them, float32 [n].
+        density: Neighbours a cubic metre of the ball that they are searched in [1 / m^3], float32 [n].
     """
 
     eigenvalues: array(dtype=float32, ndim=2)
@@ -75,6 +82,7 @@ class Shapes:
     eigenentropy: array(dtype=float32)
     curvature: array(dtype=float32)
     verticality: array(dtype=float32)
+    density: array(dtype=float32)
 
     def __init__(self, count: int, device: Device) -> None:
         self.eigenvalues = full((count, 3), NAN, float32, device)
@@ -82,8 +90,49 @@ class Shapes:
             setattr(self, name, full(count, NAN, float32, device))
 
 
+@func
+def density_of(count: float64, sqdist: float) -> float:
+    """Points a cubic metre of a ball with this squared radius [m^2]; NaN where it is nothing, or without bounds."""
+    density = float(NAN)
+    if sqdist > 0.0 and sqdist < LARGEST_SQDIST:
+        radius = sqrt(float64(sqdist))
+        density = float(count / (radius * radius * radius * float64(BALL)))
+    return density
+
+
+@kernel(most_registers=80)
+def find_ends_kernel(
+    part: LaunchPart,
+    ranks: array(dtype=int32),
+    neighborhood: Neighborhood,
+    scratch: GroupScratch,
+    most: int,
+    reach: float,
+    ends: array(dtype=float32),
+):
+    """The squared radius of the ball that the neighbours of each point fill: of the last one where they are `most`."""
+    i = tid()
+    for member, base, held in members_of(i, part, ranks, neighborhood, scratch):
+        rank = ranks[member]
+        limit = neighborhood.limits[rank]
+        count = int(0)
+        farthest = float(0.0)
+        if held < 0:
+            for j, sqdist in neighbors_of(rank, neighborhood):
+                count += 1
+                farthest = max(farthest, sqdist)
+        for j in range(held):
+            key = held_key(scratch, base, j)
+            if key <= limit:
+                count += 1
+                farthest = max(farthest, key_number(key))
+        ends[rank] = farthest if count == most else reach
+
+
 @kernel
-def measure_shapes_kernel(sums: array(dtype=moments), order: array(dtype=int32), shapes: Shapes):
+def measure_shapes_kernel(
+    sums: array(dtype=moments), ends: array(dtype=float32), order: array(dtype=int32), shapes: Shapes
+):
     """Eigenvalues, largest first, and the shapes made of them; NaN where the neighbours span nothing."""
     i = tid()
     at = order[i]
@@ -104,6 +153,7 @@ def measure_shapes_kernel(sums: array(dtype=moments), order: array(dtype=int32),
         shapes.curvature[at] = float(e[0])
         normal = smallest_eigenvector(covariance_of(m))
         shapes.verticality[at] = float(1.0 - abs(normal[2]))
+        shapes.density[at] = density_of(m[0], ends[i])
 
 
 @kernel
@@ -129,9 +179,15 @@ def measure_shapes(tree: "PointTree", radius: float, max_nn: int | None) -> dict
         Device arrays by name: `eigenvalues` float32 [n, 3], largest first, and each of SHAPES, float32 [n]. NaN where
         fewer than three neighbours are found, or all lie at one place.
     """
-    sums = sum_neighbor_moments(Neighborhood(tree, radius, max_nn))
+    around = Neighborhood(tree, radius, max_nn)
+    sums = sum_neighbor_moments(around)
     shapes = Shapes(tree.source.size, tree.device)
-    launch(measure_shapes_kernel, tree.count, [sums, tree.order, shapes])
+    if max_nn is None:
+        ends = full(tree.count, around.reach, float32, tree.device)
+    else:
+        ends = empty(tree.count, float32, tree.device)
+        around.visit(find_ends_kernel, around.places, [max_nn, around.reach, ends])
+    launch(measure_shapes_kernel, tree.count, [sums, ends, tree.order, shapes])
     return {name: getattr(shapes, name) for name in ("eigenvalues", *SHAPES)}
 
 

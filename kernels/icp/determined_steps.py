@@ -33,33 +33,12 @@ from ..lang import (
     vec3d,
     vector,
 )
+from .centered_systems import about, vector_about
 from .job_states import free_directions
 from .rows import SPREAD_AT, row_sums
 
 EXPONENT = 0x7F80_0000  # the bits of a float32 that are its power of two
 eighteen = vector(18, float64)
-
-
-@func
-def about(h: triangle, center: vec3d, size: float64) -> square:
-    """The 6x6 matrix about a place, rotations in units of length: B^T H B with B = (I/s, 0; [c]x/s, I)."""
-    a = full_matrix(h)
-    c = square(0.0)
-    for i in range(6):  # C = A B
-        for j in range(3):
-            c[i * UNKNOWNS + 3 + j] = a[i * UNKNOWNS + 3 + j]
-        v = vec3d(a[i * UNKNOWNS + 3], a[i * UNKNOWNS + 4], a[i * UNKNOWNS + 5])
-        w = cross(v, center)  # v^T [c]x
-        for j in range(3):
-            c[i * UNKNOWNS + j] = (a[i * UNKNOWNS + j] + w[j]) / size
-    out = square(0.0)
-    for j in range(6):  # B^T C
-        v = vec3d(c[3 * UNKNOWNS + j], c[4 * UNKNOWNS + j], c[5 * UNKNOWNS + j])
-        w = cross(v, center)
-        for i in range(3):
-            out[i * UNKNOWNS + j] = (c[i * UNKNOWNS + j] + w[i]) / size
-            out[(3 + i) * UNKNOWNS + j] = v[i]
-    return out
 
 
 @func
@@ -131,9 +110,7 @@ def determined_step(
     largest = float64(0.0)
     for k in range(n):
         largest = max(largest, system[36 + k])
-    v = vec3d(g[3], g[4], g[5])
-    w = cross(v, center)
-    b = vec6d((g[0] + w[0]) / size, (g[1] + w[1]) / size, (g[2] + w[2]) / size, g[3], g[4], g[5])
+    b = vector_about(g, center, size)
     # the system along the eigenvectors; a free one keeps an empty row, which the solve passes over
     a = about(h, center, size)
     along = square(0.0)

@@ -14,7 +14,9 @@ from ..algebra.rigid_solve import TRIANGLE, vec6d
 from ..array_types import AnyArray, Array1, Integers
 from ..lang import WARP, Reduction, int32, launch, loop_while, reduce_segments
 from ..memory import download, empty, full, zeros
+from .constrained_steps import step_constrained_kernel
 from .correspondences import match_groups_kernel, match_points_kernel
+from .freedom import Freedom
 from .job_states import job_states
 from .jobs import Jobs
 from .matches import Matches, PointColumns
@@ -101,9 +103,12 @@ class RegistrationLoop:
         """The velocity of each job's pose, for Doppler rows."""
         launch(measure_velocities_kernel, self.jobs.count, [self.matches.poses, period, self.velocities])
 
-    def step(self, rules: StepRules) -> None:
-        """Judge all live jobs by StepRules and move them on."""
+    def step(self, rules: StepRules, freedom: Freedom | None = None) -> None:
+        """Judge all live jobs by StepRules and move them on, as their Freedom has it where they have one."""
         threads = self.jobs.count
+        if freedom is not None:
+            launch(step_constrained_kernel, threads, [rules, self.matches, self.progress, freedom])
+            return
         if self.jobs.device.is_cuda:
             threads *= WARP
         launch(step_jobs_kernel, threads, [rules, self.matches, self.progress])

@@ -38,6 +38,8 @@ class Matches:
         nearest: The place of the target point that each element was found nearest to; -1 for none.
         lowers: A lower bound [m] of its distance to every other target point.
         pairs: What each element is paired with, a place in `targets`; NO_PAIR for none.
+        weighted: 1 where the rows of pairs are weighted by their source points.
+        weights: float32 [n, 1], at the places of the source's points; not read where they are not.
     """
 
     jobs: Jobs
@@ -50,6 +52,8 @@ class Matches:
     nearest: array(dtype=int32)
     lowers: array(dtype=float32)
     pairs: array(dtype=int32)
+    weighted: int
+    weights: array(dtype=float32, ndim=2)
 
     def __init__(self, jobs: Jobs, states: "SideBySide", max_distance: float, targets: Points) -> None:
         device, elements = jobs.device, jobs.group_count * LEAF
@@ -58,6 +62,11 @@ class Matches:
             setattr(self, name, states.arrays[name])
         self.nearest, self.pairs = (full(elements, NO_PAIR, int32, device) for _ in range(2))
         self.lowers = full(elements, -1.0, float32, device)
+        self.weighted, self.weights = 0, self.lowers.reshape((elements, 1))
+
+    def weigh(self, weights: AnyArray) -> None:
+        """Weight the rows of pairs by their source points: float32 [n, 1], at the places of the points."""
+        self.weighted, self.weights = 1, weights
 
 
 @struct
@@ -95,6 +104,15 @@ def moved_source(i: int, matches: Matches) -> vec3d:
 def paired_target(i: int, matches: Matches) -> vec3d:
     """The target point that element i is paired with."""
     return widen(matches.targets[matches.pairs[i]])
+
+
+@func
+def weight_of(i: int, matches: Matches) -> float64:
+    """What the rows of element i's pair count."""
+    weight = float64(1.0)
+    if matches.weighted != 0:
+        weight = float64(matches.weights[source_place(i, matches.jobs), 0])
+    return weight
 
 
 @func

@@ -14,17 +14,18 @@ is a pair; sums in float64 leave through the reduction: 21 of J^T J, 6 of J^T r,
 
 import numpy as np
 
-from ..algebra.rigid_solve import sums_of_pair, turn, vec6d
+from ..algebra.rigid_solve import sums_of_pair, triangle, turn, vec6d
 from ..algebra.transform import widen
 from ..lang import array, cross, dot, float64, func, int32, mat33d, segment_reduction, sqrt, struct, tid, vec3d, vector
 from ..search.point_tree import LEAF
 from .covariance_rows import inverse_factor, inverse_root, read_covariance, trace_of_square, turn_covariance
 from .jobs import source_place
-from .matches import Matches, PointColumns, pair_of, paired_target
+from .matches import Matches, PointColumns, pair_of, paired_target, weight_of
 from .robust_weights import GEOMETRY, L2, Loss, robust_weight
 
 row_sums = vector(36, float64)
 SPREAD_AT = 18  # point to point: where the sums of p p^T stand, row by row above the diagonal
+RESIDUAL_AT = 27  # where the sum of w r^2 of rows stands
 DISTANCE_AT = 28  # where, after that of r^2, the sums of |d|^2, pairs, p and q stand
 COUNT_AT = 29
 SOURCE_AT = 30
@@ -47,6 +48,15 @@ def sum_row(u: vec3d, v: vec3d, r: float64, w: float64) -> row_sums:
         a[0] * r, a[1] * r, a[2] * r, b[0] * r, b[1] * r, b[2] * r,
         w * r * r, z, z, z, z, z, z, z, z,
     )  # fmt: skip
+
+
+@func
+def row_system(sums: row_sums) -> tuple[triangle, vec6d]:
+    """The system that rows were summed into."""
+    h = triangle(0.0)
+    for j in range(21):
+        h[j] = sums[j]
+    return h, vec6d(sums[21], sums[22], sums[23], sums[24], sums[25], sums[26])
 
 
 @func
@@ -143,6 +153,7 @@ def sum_point_rows(matches: Matches, loss: Loss, pivots: array(dtype=vec3d)) -> 
         if loss.kind != L2:
             d = p - q
             w = robust_weight(loss, sqrt(dot(d, d)))
+        w = w * weight_of(i, matches)
     return count_pair(sum_pair(a, b, w), p, q, paired)
 
 
@@ -157,7 +168,7 @@ def sum_plane_rows(matches: Matches, loss: Loss, target: PointColumns) -> row_su
     if paired > 0.0:
         n = widen(target.normals[matches.pairs[i]])
         r = dot(p - q, n)
-        w = robust_weight(loss, r)
+        w = robust_weight(loss, r) * weight_of(i, matches)
     return count_pair(sum_row(cross(p, n), n, r, w), p, q, paired)
 
 
@@ -179,7 +190,7 @@ def sum_symmetric_rows(matches: Matches, loss: Loss, source: PointColumns, targe
         else:
             m = m + n
         r = dot(p - q, m)
-        w = robust_weight(loss, r)
+        w = robust_weight(loss, r) * weight_of(i, matches)
     return count_pair(sum_row(cross(p + q, m), m, r, w), p, q, paired)
 
 
@@ -216,7 +227,7 @@ def sum_generalized_rows(matches: Matches, loss: Loss, source: PointColumns, tar
                 total += sum_row(cross(p, e), e, 0.0, -floor)
                 trace += W[row, 0] * W[row, 0] + W[row, 1] * W[row, 1] + W[row, 2] * W[row, 2] - floor
             total = total * (1.0 / trace)
-        total = count_pair(total, p, q, paired)
+        total = count_pair(total * weight_of(i, matches), p, q, paired)
     return total
 
 
@@ -241,10 +252,10 @@ def sum_colored_rows(
         g = widen(target.gradients[matches.pairs[i]])
         height = dot(p - q, n)
         r = geometric * height
-        w = robust_weight(loss, r)
+        w = robust_weight(loss, r) * weight_of(i, matches)
         expected = float64(target.intensities[matches.pairs[i], 0]) + dot(g, p - height * n - q)
         s = photometric * (float64(source.intensities[at, 0]) - expected)
-        y = robust_weight(loss, s)
+        y = robust_weight(loss, s) * weight_of(i, matches)
         h = -(g - dot(g, n) * n)
     total = sum_row(geometric * cross(p, n), geometric * n, r, w)
     total += sum_row(photometric * cross(p, h), photometric * h, s, y)
@@ -284,13 +295,14 @@ def sum_doppler_rows(
             n = widen(target.normals[matches.pairs[i]])
             u = direction
             r = share * dot(p - q, n)
-            w = 1.0
+            given = weight_of(i, matches)
+            w = given
             if iterations[job] >= rule.geometric_from:
-                w = robust_weight(loss, r)
+                w = given * robust_weight(loss, r)
             s = doppler_share * error
-            y = 1.0
+            y = given
             if iterations[job] >= rule.doppler_from:
-                y = robust_weight(rule.loss, s)
+                y = given * robust_weight(rule.loss, s)
     doppler_share = doppler_share / rule.period
     total = sum_row(share * cross(p, n), share * n, r, w)
     total += sum_row(doppler_share * cross(u, rule.sensor), -doppler_share * u, s, y)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..algebra.matrices import multiply44
-from ..algebra.rigid_solve import euler_motion, fit_pose, move, pair_sums, triangle, turned_and_shifted, vec6d
+from ..algebra.rigid_solve import euler_motion, fit_pose, move, pair_sums, turned_and_shifted, vec6d
 from ..lang import (
     WARP,
     array,
@@ -37,7 +37,7 @@ from .determined_steps import constrained_step, note_free_rotations
 from .job_states import CONVERGED, NO_PAIRS, NOT_FINITE, OUT_OF_ITERATIONS, RUNNING, free_directions
 from .jobs import Jobs, first_moments
 from .matches import Matches
-from .rows import COUNT_AT, DISTANCE_AT, mean_source, mean_target, row_sums
+from .rows import COUNT_AT, DISTANCE_AT, mean_source, mean_target, row_sums, row_system
 from .symmetric_steps import center_symmetric, hold_free, symmetric_motion
 
 if TYPE_CHECKING:
@@ -245,12 +245,8 @@ def solve_job(i: int, rules: StepRules, progress: Progress) -> vec6d:
             plain = center_symmetric(plain)
             center = vec3d(0.0, 0.0, 0.0)
             size = 2.0 * size  # its rows hold p + q, its rotation half the angle
-        h = triangle(0.0)
-        geometry = triangle(0.0)
-        for j in range(21):
-            h[j] = sums[j]
-            geometry[j] = plain[j]
-        g = vec6d(sums[21], sums[22], sums[23], sums[24], sums[25], sums[26])
+        h, g = row_system(sums)
+        geometry, _ = row_system(plain)
         step = constrained_step(
             h, g, geometry, center, size, rules.least_eigenvalue, i, progress.free_counts, progress.free
         )
@@ -317,17 +313,31 @@ def length_of(motion: mat44d, p: vec3d, size: float64) -> float64:
 
 
 @func
+def note_step(i: int, length: float64, matches: Matches, progress: Progress):
+    """Count a step of a job, and tell its search how far to look after a step as long [m]."""
+    progress.iterations[i] = progress.iterations[i] + 1
+    look = float64(0.0)
+    if length * float64(LOOK_AHEAD) < float64(WIDEST_LOOK) * progress.rmse[i]:
+        look = length * float64(LOOK_AHEAD)
+    matches.margins[i] = float(look)
+
+
+@func
+def end_job(i: int, outcome: int, matches: Matches, progress: Progress):
+    """Note how a job has ended."""
+    progress.outcomes[i] = outcome
+    matches.live[i] = 0
+    atomic_add(progress.running, 0, -1)  # a count: the order does not matter
+
+
+@func
 def move_job(i: int, motion: mat44d, matches: Matches, progress: Progress) -> int:
     """Move a job on, and tell its search how far to look; whether the motion is finite."""
     outcome = int(RUNNING)
     length = length_of(motion, mean_source(progress.totals[i]), progress.sizes[i])
     if length - length == 0.0:
         matches.poses[i] = multiply44(motion, matches.poses[i])
-        progress.iterations[i] = progress.iterations[i] + 1
-        look = float64(0.0)
-        if length * float64(LOOK_AHEAD) < float64(WIDEST_LOOK) * progress.rmse[i]:
-            look = length * float64(LOOK_AHEAD)
-        matches.margins[i] = float(look)
+        note_step(i, length, matches, progress)
     else:
         outcome = NOT_FINITE
     return outcome
@@ -351,6 +361,4 @@ def step_jobs_kernel(rules: StepRules, matches: Matches, progress: Progress):
             if leads() == 1:
                 outcome = move_job(job, motion, matches, progress)
         if leads() == 1 and outcome != RUNNING:
-            progress.outcomes[job] = outcome
-            matches.live[job] = 0
-            atomic_add(progress.running, 0, -1)  # a count: the order does not matter
+            end_job(job, outcome, matches, progress)

@@ -4,10 +4,10 @@ Its rows are summed about the origin; they are brought about the means of the pa
 motion of which half turns the source and half turns back the target. All in float64, in one thread.
 """
 
-from ..algebra.rigid_solve import UNKNOWNS, full_matrix, move, place_of, rotation_about, square, triangle, vec6d
+from ..algebra.rigid_solve import UNKNOWNS, full_matrix, move, place_of, rotation_about, square, vec6d
 from ..lang import cross, float64, func, mat44d, sqrt, vec3d
 from .job_states import free_directions
-from .rows import mean_source, mean_target, row_sums
+from .rows import mean_source, mean_target, row_sums, row_system
 
 
 @func
@@ -17,9 +17,7 @@ def center_symmetric(sums: row_sums) -> row_sums:
     q = mean_target(sums)
     s = p + q
     gap = p - q
-    h = triangle(0.0)
-    for j in range(21):
-        h[j] = sums[j]
+    h, _ = row_system(sums)
     a = full_matrix(h)
     g = vec6d(0.0)
     for i in range(6):

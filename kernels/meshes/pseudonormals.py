@@ -127,7 +127,8 @@ def side_of_part(gap: vec3d, triangle: int, part: int, sides: Pseudonormals) -> 
         normal = sides.normals[t[part - 4]]
     elif part > 0:
         twin = sides.twins[3 * triangle + part - 1]
-        normal = normal + unit_normal(sides.vertices, sides.triangles[twin // 3])
+        if twin >= 0:
+            normal = normal + unit_normal(sides.vertices, sides.triangles[twin // 3])
     return dot(gap, normal) * sides.turn
 
 

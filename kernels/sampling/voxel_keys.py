@@ -54,6 +54,7 @@ class VoxelGroups:
         size: float,
         cells: Sequence[float] | np.ndarray,
         first: Sequence[int] | np.ndarray = (0, 0, 0),
+        name: str = "voxel_size",
     ) -> None:
         """Group finite points.
 
@@ -63,6 +64,7 @@ class VoxelGroups:
             size: Edge of a cell [m].
             cells: The number of cells along each axis.
             first: The lowest cell of any point along each axis.
+            name: What users call the edge.
 
         Raises:
             ValueError: The grid needs more than 62 bits.
@@ -70,7 +72,7 @@ class VoxelGroups:
         bits = [63 if c > 2.0**62 else max(1, (int(c) - 1).bit_length()) for c in cells]
         if sum(bits) > 62:
             need = " x ".join(f"{c:,.0f}" if c < 1e15 else f"{c:.3g}" for c in cells)
-            raise ValueError(f"voxel_size: {size} makes a grid of {need} cells, more than 2^62; take larger voxels")
+            raise ValueError(f"{name}: {size} makes a grid of {need} cells, more than 2^62; take larger voxels")
         keys = SortKeys(points.size, points.device)
         skipped = 1 << sum(bits)
         arguments = [points, vec3d(*corner), size, cell(*first), vec3i(*bits), skipped, keys]

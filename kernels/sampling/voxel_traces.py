@@ -1,4 +1,4 @@
-"""What fell into each voxel: its octants, the voxel of each point, the point nearest to the mean, the commonest value.
+"""What fell into each voxel: octants, each point's voxel, the points nearest to mean and middle, the commonest value.
 
 A thread a voxel, over the points of its run in their own order: no atomics, the same result in any order of threads.
 Each reads the 12 B and writes 4 to 12 B of each point once or twice.
@@ -70,6 +70,38 @@ def nearest_to_mean_kernel(
     rows[i] = row
 
 
+@func
+def square_off_middle(p: vec3, corner: vec3d, size: float64) -> float64:
+    """The squared distance of a point from the middle of its voxel, in voxels."""
+    total = float64(0.0)
+    for axis in range(3):
+        place = (float64(p[axis]) - corner[axis]) / size
+        off = place - floor(place) - 0.5
+        total += off * off
+    return total
+
+
+@kernel
+def nearest_to_middle_kernel(
+    points: array(dtype=vec3),
+    order: array(dtype=int32),
+    starts: array(dtype=int32),
+    corner: vec3d,
+    size: float64,
+    rows: array(dtype=int32),
+):
+    """The point of each run nearest to the middle of its voxel, ties to the first."""
+    i = tid()
+    best = float64(INFINITY)
+    row = order[starts[i]]
+    for j in range(starts[i], starts[i + 1]):
+        sqdist = square_off_middle(points[order[j]], corner, size)
+        if sqdist < best:
+            best = sqdist
+            row = order[j]
+    rows[i] = row
+
+
 @kernel
 def encode_colors_kernel(colors: array(dtype=vec3), keys: array(dtype=int64)):
     """A colour as one key; channels outside 0..1 count as its ends."""
@@ -132,6 +164,13 @@ def nearest_to_means(points: Points, groups: "UniqueKeys") -> Indices:
     """The row of the point nearest to the mean of each voxel, int32 [m]."""
     rows = empty(groups.count, int32, points.device)
     launch(nearest_to_mean_kernel, groups.count, [points, groups.order, groups.starts, rows])
+    return rows
+
+
+def nearest_to_middles(points: Points, groups: "UniqueKeys", corner: np.ndarray, size: float) -> Indices:
+    """The row of the point nearest to the middle of each voxel of a grid, int32 [m]."""
+    rows = empty(groups.count, int32, points.device)
+    launch(nearest_to_middle_kernel, groups.count, [points, groups.order, groups.starts, vec3d(*corner), size, rows])
     return rows
 
 

@@ -33,7 +33,7 @@ from ..lang import (
     vector,
 )
 from .bucket_walk import leaves_in_reach
-from .group_scratch import GroupScratch, LaunchPart
+from .group_scratch import GroupScratch, LaunchPart, held_key
 from .k_nearest import search_k_nearest
 from .lane_search import search_lanes
 from .neighbor_keys import BOUNDLESS, keep_nearest, sort_keys, thin_keys
@@ -181,11 +181,11 @@ def search_member(
 
 
 @func
-def farthest_key(keys: array(dtype=int64), base: int, size: int) -> float:
-    """The largest squared distance among keys."""
-    largest = keys[base]
-    for j in range(base + 1, base + size):
-        largest = max(largest, keys[j])
+def farthest_key(scratch: GroupScratch, base: int, size: int) -> float:
+    """The largest squared distance among a thread's keys; 0 of none."""
+    largest = int64(0)
+    for j in range(size):
+        largest = max(largest, held_key(scratch, base, j))
     return key_number(largest)
 
 
@@ -221,7 +221,7 @@ def nearest_of_leaves(
             before = p
             bound = float(INFINITY)
             if size == scratch.k:
-                bound = farthest_key(scratch.keys, base, size)
+                bound = farthest_key(scratch, base, size)
             widest = max(widest, bound)
 
 

@@ -42,6 +42,7 @@ from .hilbert_order import HilbertCurve, HilbertOrder, locate_on_curve
 LEAF = 8  # points a leaf
 FAN = 8  # leaves a bucket
 BUCKET = LEAF * FAN  # points a bucket
+ROUNDED_UP = 1.000001  # times a square: more than float32 rounds it up
 LARGEST_SQDIST = 3.4028234663852886e38  # [m^2] the largest float32: a walk without a radius reaches so far, not farther
 SIDES = 6 * FAN  # numbers of a node's boxes: low x, y, z, high x, y, z of all its children
 box_distances = vector(8, float32)
@@ -90,6 +91,12 @@ class PointTree:
         else:
             launch(place_leaves_kernel, sizes[0] * FAN, [points, found.codes, self])
         bound_levels(self.levels, sizes, self.boxes, known=1 if self.device.is_cuda else 0)
+
+
+def widest_square(tree: PointTree, reach: float) -> float:
+    """The squared distance [m^2] that no two points of a tree exceed, nor a squared reach."""
+    diagonal = tree.high.astype(np.float64) - tree.low if tree.count else np.zeros(3)
+    return float(np.float32(min(reach, float((diagonal**2).sum()) * ROUNDED_UP)))
 
 
 def level_sizes(count: int) -> tuple[list[int], np.ndarray]:

@@ -70,6 +70,25 @@ def label_cores_kernel(cores: Cores, firsts: array(dtype=int32), labels: array(d
     cores.lowest[leaf] = least
 
 
+@kernel
+def rename_cores_kernel(renamed: array(dtype=int32), cores: Cores, labels: array(dtype=int32)):
+    """The new label of each core of a leaf, in the cloud's order and in the tree's; one renamed to NOISE is none.
+
+    `cores.lowest` gets the lowest label of the leaf.
+    """
+    leaf = tid()
+    least = int(NO_NUMBER)
+    for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, cores.tree.count)):
+        before = cores.owners[rank]
+        if before >= 0:
+            label = renamed[before]
+            cores.owners[rank] = label
+            labels[cores.tree.order[rank]] = label
+            if label >= 0:
+                least = min(least, label)
+    cores.lowest[leaf] = least
+
+
 @func
 def lower_lanes(best: numbers, value: int) -> numbers:
     """The lower of each lane's number and a value."""
@@ -233,6 +252,17 @@ def label_cores(cores: Cores, labels: Integers) -> int:
     launch(number_rows_kernel, heads.size, [heads, labels])
     launch(label_cores_kernel, cores.leaf_count, [cores, firsts, labels])
     return heads.size
+
+
+def rename_cores(cores: Cores, renamed: Integers, labels: Integers) -> None:
+    """Give cores other labels, in whose order borders choose.
+
+    Args:
+        cores: Cores with their labels; gets the new ones.
+        renamed: int32 device array, the new label of each; NOISE where its cores are to count as none.
+        labels: int32 device array in the cloud's order, the labels of cores; gets the new ones.
+    """
+    launch(rename_cores_kernel, cores.leaf_count, [renamed, cores, labels])
 
 
 def label_borders(cores: Cores, labels: Integers) -> None:

@@ -159,6 +159,22 @@ def join_cores(tree: PointTree, eps: float, min_points: int) -> Cores:
     return cores
 
 
+def cluster_cores(tree: PointTree, eps: float, min_points: int, labels: Integers) -> tuple[Cores, int]:
+    """The labels of DBSCAN's cores, without the points at their borders.
+
+    Args:
+        tree: A PointTree with at least one finite point.
+        eps: Points closer than this are neighbours [m].
+        min_points: Neighbours that make a point a core, itself included.
+        labels: int32 device array in the cloud's order, filled with NOISE; gets the labels.
+
+    Returns:
+        (cores with their labels, number of clusters), from which `label_borders` goes on.
+    """
+    cores = join_cores(tree, eps, min_points)
+    return cores, label_cores(cores, labels)
+
+
 def cluster_points(tree: PointTree, point_count: int, eps: float, min_points: int) -> tuple[Integers, int]:
     """The labels of DBSCAN.
 
@@ -175,8 +191,7 @@ def cluster_points(tree: PointTree, point_count: int, eps: float, min_points: in
     labels = full(point_count, NOISE, int32, tree.device)
     if tree.count == 0:
         return labels, 0
-    cores = join_cores(tree, eps, min_points)
-    cluster_count = label_cores(cores, labels)
+    cores, cluster_count = cluster_cores(tree, eps, min_points, labels)
     if cluster_count and min_points > 1:
         label_borders(cores, labels)
     return labels, cluster_count

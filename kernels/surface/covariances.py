@@ -1,18 +1,18 @@
 """Covariances of the neighbours of each point, about their mean.
 
-Moments are sums of differences to the point in float64, so coordinates of any size do no harm. With a
-count the neighbours are listed a part at a time (4 B each, a part of 64 MB); without one the moments are summed as the
-points are found. 36 B written a point.
+Moments are sums of differences to the point in whole steps, so coordinates of any size do no harm, and neither does the
+order in which neighbours are met. With a count the neighbours are listed a part at a time (4 B each, a part of 64 MB);
+without one the moments are summed as the points are found. 36 B written a point.
 """
 
-from ..algebra.moments import add_rounded_difference, covariance_of, moments
+from ..algebra.moments import add_whole, covariance_of, in_metres, moments, steps_for, whole_moments
 from ..array_types import Array2, Points
 from ..lang import NAN, array, float32, float64, func, int32, isfinite, kernel, launch, tid, vec3
 from ..memory import empty
-from ..search.bucket_walk import points_in_reach
 from ..search.neighbor_lists import list_neighbors
-from ..search.point_tree import BUCKET, PointTree
+from ..search.point_tree import PointTree, square_distance, widest_square
 from ..search.tree_search import reach_of
+from .neighbor_moments import moments_within
 from .normals import MIN_NEIGHBORS
 
 LIST_ENTRIES = 2**24  # of the lists held at a time
@@ -40,22 +40,25 @@ def fit_covariances_nearest_kernel(
     """Covariances of listed neighbours."""
     i = tid()
     p = tree.points[begin + i]
-    total = moments(0.0)
+    farthest = float(0.0)
     for j in range(i * k, (i + 1) * k):
         if lists[j] >= 0:
-            total = add_rounded_difference(total, p, tree.points[lists[j]])
-    write_covariance(total, tree.order[begin + i], covariances)
+            farthest = max(farthest, square_distance(p, tree.points[lists[j]]))
+    steps = steps_for(farthest, k)
+    total = whole_moments(0)
+    for j in range(i * k, (i + 1) * k):
+        if lists[j] >= 0:
+            total = add_whole(total, p, tree.points[lists[j]], steps)
+    write_covariance(in_metres(total, steps), tree.order[begin + i], covariances)
 
 
 @kernel(most_registers=128)
-def fit_covariances_within_kernel(tree: PointTree, reach: float, covariances: array(dtype=float32, ndim=2)):
+def fit_covariances_within_kernel(
+    tree: PointTree, reach: float, widest: float, covariances: array(dtype=float32, ndim=2)
+):
     """Covariances of all points within reach."""
     i = tid()
-    p = tree.points[i]
-    total = moments(0.0)
-    for j, sqdist in points_in_reach(i // BUCKET, p, reach, tree):
-        total = add_rounded_difference(total, p, tree.points[j])
-    write_covariance(total, tree.order[i], covariances)
+    write_covariance(moments_within(i, reach, widest, tree), tree.order[i], covariances)
 
 
 @kernel
@@ -82,7 +85,8 @@ def estimate_covariances(tree: PointTree, points: Points, max_nn: int | None, ra
     """
     covariances = empty((points.size, 9), float32, points.device)
     if max_nn is None:
-        launch(fit_covariances_within_kernel, tree.count, [tree, reach_of(radius), covariances])
+        reach = reach_of(radius)
+        launch(fit_covariances_within_kernel, tree.count, [tree, reach, widest_square(tree, reach), covariances])
     else:
         k = min(max_nn, max(1, tree.count))
         for begin, lists in list_neighbors(tree, k, radius, most=LIST_ENTRIES):

@@ -3,8 +3,9 @@
 Lague, Brodu and Leroux, "Accurate 3D comparison of complex topography with terrestrial laser scanner", ISPRS Journal
 82, 2013, section 3: at a core point, the normal of the scale at which the points are flattest, then a cylinder along
 it, and of each cloud the mean and the spread of the points in it. Planarity is (l2 - l1) / l3 of ascending eigenvalues,
-as in py4dgeo. A cylinder is searched in balls around pieces of it, no longer than wide; a point counts in the piece
-that its place on the axis is in, so that none counts twice. 12 B read a point found.
+as in py4dgeo. One walk finds the leaves near a cylinder, whatever way it leans. All sums are exact, of whole steps: the
+same bits in whatever order points are met, so that a part of a cloud that holds a neighbourhood gives those of the
+whole, if that has up to a million points. 12 B read a point found.
 """
 
 import math
@@ -12,20 +13,22 @@ import math
 import numpy as np
 
 from ..algebra.eigen import eigenvalues, smallest_eigenvector
-from ..algebra.moments import add_difference, covariance_of, moments
-from ..array_types import AnyArray, Indices, Integers, Points, Scalars, Vectors
+from ..algebra.moments import covariance_of, in_steps, moments
+from ..array_types import AnyArray, Doubles, Indices, Integers, Points, Scalars, Vectors
 from ..lang import (
     NAN,
     array,
     dot,
     float32,
     float64,
-    floor,
     func,
     int32,
+    int64,
     isfinite,
     kernel,
     launch,
+    loop,
+    partial,
     sqrt,
     struct,
     tid,
@@ -34,15 +37,22 @@ from ..lang import (
     vector,
 )  # fmt: skip
 from ..memory import empty, upload
-from ..search.bucket_walk import points_in_reach
-from ..search.point_tree import PointTree
+from ..search.bucket_walk import next_step, points_in_reach, start_walk
+from ..search.point_tree import BUCKET, FAN, LEAF, SIDES, PointTree
 from ..search.tree_search import find_bucket, order_along_curve, reach_of
 
 MIN_NEIGHBORS = 3.0  # fewer points span no plane
-SLACK = 1.0e-4  # of a ball's radius: its middle is rounded to float32
+SLACK = 1.0e-5  # of a cylinder: distances of boxes are float32
+OUTWARDS = 1.0e-6  # of coordinates: what rounding to float32 takes, and more
+WHOLE = 68719476736.0  # 2^36: steps of a length along the axis, so that 2^26 points fit
+MOST_HALVINGS = 900  # of a length: what is shorter is no length of clouds
+HALF_BITS = 18
+HALF = 262143  # the lower 18 of 36 bits
 TWO_SIDED = 1.96  # standard deviations that hold 95 of 100
 
-place_sums = vector(3, float64)  # of points in a cylinder: their count, places along the axis, squares of these
+# Of points in a cylinder: their count, the sum of places along the axis, and those of the squares of places' upper
+# halves, of both halves' products, and of the squares of lower halves.
+place_sums = vector(5, int64)
 
 
 @struct
@@ -52,20 +62,15 @@ class Cylinder:
     Attributes:
         radius: Its radius [m], the boundary included.
         length: How far it reaches to either side of the core point [m].
-        pieces: How many balls it is searched in.
-        reach: The square of their radius [m^2].
+        scale: Steps a metre along the axis, a power of two.
     """
 
     radius: float64
     length: float64
-    pieces: int
-    reach: float32
+    scale: float64
 
     def __init__(self, radius: float, length: float) -> None:
-        self.radius, self.length = radius, length
-        self.pieces = max(1, math.ceil(length / radius))
-        ball = math.hypot(radius, length / self.pieces) * (1 + SLACK)
-        self.reach = reach_of(ball)
+        self.radius, self.length, self.scale = radius, length, WHOLE * scale_of(length)
 
 
 @struct
@@ -93,12 +98,29 @@ class Changes:
         self.second_counts = empty(cores.size, int32, cores.device)
 
 
+@func
+def moments_within(start: int, p: vec3, reach: float, scale: float64, tree: PointTree) -> moments:
+    """The moments of the points within a squared distance, of differences by a scale that makes them one or less."""
+    total = moments(0.0)
+    for j, sqdist in points_in_reach(start, p, reach, tree):
+        q = tree.points[j]
+        x = (float64(q[0]) - float64(p[0])) * scale
+        y = (float64(q[1]) - float64(p[1])) * scale
+        z = (float64(q[2]) - float64(p[2])) * scale
+        total = total + moments(
+            1.0, in_steps(x), in_steps(y), in_steps(z), in_steps(x * x), in_steps(x * y), in_steps(x * z),
+            in_steps(y * y), in_steps(y * z), in_steps(z * z),
+        )  # fmt: skip
+    return total
+
+
 @kernel
 def find_flattest_kernel(
     cores: array(dtype=vec3),
     order: array(dtype=int32),
     tree: PointTree,
     reaches: array(dtype=float32),
+    factors: array(dtype=float64),
     orientation: vec3,
     directions: array(dtype=vec3),
     scales: array(dtype=int32),
@@ -114,9 +136,7 @@ def find_flattest_kernel(
     if tree.count > 0 and isfinite(p):
         start = find_bucket(p, tree)
         for s in range(reaches.shape[0]):
-            total = moments(0.0)
-            for j, sqdist in points_in_reach(start, p, reaches[s], tree):
-                total = add_difference(total, p, tree.points[j])
+            total = moments_within(start, p, reaches[s], factors[s], tree)
             covariance = covariance_of(total)
             values = eigenvalues(covariance)
             planarity = float64(0.0)
@@ -134,13 +154,77 @@ def find_flattest_kernel(
 
 
 @func
-def piece_of(place: float64, cylinder: Cylinder) -> int:
-    """Which piece of the cylinder a place on its axis [m] is in; -1 beyond its ends."""
-    piece = -1
-    if abs(place) <= cylinder.length:
-        share = (place + cylinder.length) / (cylinder.length * 2.0)
-        piece = min(int(floor(share * float64(cylinder.pieces))), cylinder.pieces - 1)
-    return piece
+def children_near_axis(
+    boxes: array(dtype=float32), node: int, p: vec3, axis: vec3, radius: float, length: float
+) -> int:
+    """A byte: bit j is set where the box of child j may reach into a cylinder about a point, along a unit axis.
+
+    The cylinder is given somewhat larger than it is, for rounding to float32; of the box its ball is looked at.
+    """
+    first = node * SIDES
+    found = 0
+    for j in range(FAN):
+        hx = (boxes[first + j + 3 * FAN] - boxes[first + j]) * 0.5
+        hy = (boxes[first + j + 4 * FAN] - boxes[first + j + FAN]) * 0.5
+        hz = (boxes[first + j + 5 * FAN] - boxes[first + j + 2 * FAN]) * 0.5
+        x = boxes[first + j] + hx - p[0]
+        y = boxes[first + j + FAN] + hy - p[1]
+        z = boxes[first + j + 2 * FAN] + hz - p[2]
+        place = x * axis[0] + y * axis[1] + z * axis[2]
+        dx = x - place * axis[0]
+        dy = y - place * axis[1]
+        dz = z - place * axis[2]
+        along = hx * abs(axis[0]) + hy * abs(axis[1]) + hz * abs(axis[2])
+        wide = radius + sqrt(hx * hx + hy * hy + hz * hz)
+        if abs(place) <= length + along and dx * dx + dy * dy + dz * dz <= wide * wide:  # false of empty boxes, by NaN
+            found = found | (1 << j)
+    return found
+
+
+@func
+def nodes_near_axis(
+    levels: array(dtype=int32),
+    boxes: array(dtype=float32),
+    p: vec3,
+    axis: vec3,
+    radius: float,
+    length: float,
+    level: int,
+    node: int,
+) -> int:
+    """`children_near_axis` for a node given by its level."""
+    return children_near_axis(boxes, levels[level] + node, p, axis, radius, length)
+
+
+@func
+def widened(size: float64, p: vec3) -> float:
+    """A length with room for rounding to float32 about a point."""
+    return float(size * (1.0 + float64(SLACK))) + (abs(p[0]) + abs(p[1]) + abs(p[2])) * OUTWARDS
+
+
+@loop
+def leaves_near_axis(start: int, p: vec3, axis: vec3, radius: float, length: float, tree: PointTree) -> int:
+    """The first places of the leaves that may reach into a cylinder about a point, from a bucket on."""
+    step = start_walk(start)
+    while int(step[0]) <= tree.root:
+        bucket = int(step[2])
+        leaves = children_near_axis(tree.boxes, bucket, p, axis, radius, length)
+        for leaf in range(FAN):
+            if (leaves >> leaf) & 1 == 1:
+                first = bucket * BUCKET + leaf * LEAF
+                yield first
+        step = next_step(
+            step, tree.root, partial(nodes_near_axis, tree.levels, tree.boxes, p, axis, radius, length)
+        )  # fmt: skip
+
+
+@func
+def add_place(total: place_sums, place: float64, scale: float64) -> place_sums:
+    """Add a place along the axis and its square, in whole steps."""
+    steps = int64(place * scale)
+    high = steps >> int64(HALF_BITS)
+    low = steps & int64(HALF)
+    return total + place_sums(1, steps, high * high, high * low, low * low)
 
 
 @kernel
@@ -157,54 +241,78 @@ def sum_cylinders_kernel(
     i = order[t]
     p = cores[i]
     axis = directions[i]
-    total = place_sums(0.0)
+    total = place_sums(0)
     if tree.count > 0 and isfinite(p) and isfinite(axis):
         middle = vec3d(float64(p[0]), float64(p[1]), float64(p[2]))
         along = vec3d(float64(axis[0]), float64(axis[1]), float64(axis[2]))
         along = along / sqrt(dot(along, along))
-        for piece in range(cylinder.pieces):
-            share = float64(2 * piece + 1 - cylinder.pieces) / float64(cylinder.pieces)
-            at = middle + along * (share * cylinder.length)
-            ball = vec3(float(at[0]), float(at[1]), float(at[2]))
-            for j, sqdist in points_in_reach(find_bucket(ball, tree), ball, cylinder.reach, tree):
+        widest = cylinder.radius * cylinder.radius
+        unit = vec3(float(along[0]), float(along[1]), float(along[2]))
+        wide = widened(cylinder.radius, p) + float(cylinder.length) * OUTWARDS
+        long = widened(cylinder.length, p)
+        for first in leaves_near_axis(find_bucket(p, tree), p, unit, wide, long, tree):
+            for j in range(first, min(first + LEAF, tree.count)):
                 q = tree.points[j]
                 to = vec3d(float64(q[0]), float64(q[1]), float64(q[2])) - middle
                 place = dot(to, along)
                 beside = dot(to, to) - place * place
-                if beside <= cylinder.radius * cylinder.radius and piece_of(place, cylinder) == piece:
-                    total = total + place_sums(1.0, place, place * place)
+                if beside <= widest and abs(place) <= cylinder.length:
+                    total = add_place(total, place, cylinder.scale)
     sums[i] = total
 
 
 @func
-def variance_of(sums: place_sums) -> float64:
+def squares_of(sums: place_sums) -> float64:
+    """The sum of squared places, in squared steps."""
+    return (float64(sums[2]) * 262144.0 + float64(sums[3]) * 2.0) * 262144.0 + float64(sums[4])
+
+
+@func
+def variance_of(sums: place_sums, step: float64) -> float64:
     """The variance [m^2], divided by the count less one; NaN of fewer than two."""
     variance = float64(NAN)
-    if sums[0] >= 2.0:
-        variance = max((sums[2] - sums[1] * sums[1] / sums[0]) / (sums[0] - 1.0), 0.0)
+    count = float64(sums[0])
+    total = float64(sums[1])
+    if sums[0] >= 2:
+        variance = max((squares_of(sums) - total * total / count) / (count - 1.0), 0.0) * step * step
     return variance
+
+
+@func
+def mean_of(sums: place_sums, step: float64) -> float64:
+    """The mean place along the axis [m]."""
+    return float64(sums[1]) / float64(sums[0]) * step
 
 
 @kernel
 def compare_sums_kernel(
-    first: array(dtype=place_sums), second: array(dtype=place_sums), registration_error: float64, changes: Changes
+    first: array(dtype=place_sums),
+    second: array(dtype=place_sums),
+    step: float64,
+    registration_error: float64,
+    changes: Changes,
 ):
     """Distance, limit, spreads and counts of each core point; NaN where a cylinder is empty."""
     i = tid()
     a = first[i]
     b = second[i]
-    spread_a = variance_of(a)
-    spread_b = variance_of(b)
+    spread_a = variance_of(a, step)
+    spread_b = variance_of(b, step)
     distance = float64(NAN)
-    if a[0] > 0.0 and b[0] > 0.0:
-        distance = b[1] / b[0] - a[1] / a[0]
-    error = sqrt(spread_a / max(a[0], 1.0) + spread_b / max(b[0], 1.0))
+    if a[0] > 0 and b[0] > 0:
+        distance = mean_of(b, step) - mean_of(a, step)
+    error = sqrt(spread_a / max(float64(a[0]), 1.0) + spread_b / max(float64(b[0]), 1.0))
     changes.distances[i] = distance
     changes.limits[i] = (error + registration_error) * float64(TWO_SIDED)
     changes.first_spreads[i] = sqrt(spread_a)
     changes.second_spreads[i] = sqrt(spread_b)
     changes.first_counts[i] = int(a[0])
     changes.second_counts[i] = int(b[0])
+
+
+def scale_of(length: float) -> float:
+    """The power of two that makes a length one or less."""
+    return 2.0 ** min(-math.ceil(math.log2(length)), MOST_HALVINGS)
 
 
 def find_flattest(
@@ -222,8 +330,9 @@ def find_flattest(
         vec3 [n] and int32 [n] on the device; NaN and -1 where the points of no scale span a plane.
     """
     reaches: Scalars = upload(np.array([reach_of(radius) for radius in radii], np.float32), float32, cores.device)
+    factors: Doubles = upload(np.array([scale_of(radius) for radius in radii]), float64, cores.device)
     directions, scales = empty(cores.size, vec3, cores.device), empty(cores.size, int32, cores.device)
-    around = [cores, order_along_curve(tree, cores), tree, reaches, vec3(*orientation.tolist())]
+    around = [cores, order_along_curve(tree, cores), tree, reaches, factors, vec3(*orientation.tolist())]
     launch(find_flattest_kernel, cores.size, [*around, directions, scales])
     return directions, scales
 
@@ -244,5 +353,5 @@ def measure_changes(
         launch(sum_cylinders_kernel, cores.size, [cores, order, directions, tree, cylinder, found])
         sums.append(found)
     changes = Changes(cores)
-    launch(compare_sums_kernel, cores.size, [*sums, registration_error, changes])
+    launch(compare_sums_kernel, cores.size, [*sums, 1 / cylinder.scale, registration_error, changes])
     return changes

@@ -2,7 +2,8 @@
 
 Hoppe et al., "Surface reconstruction from unorganized points", SIGGRAPH 1992, section 3.1. The covariance is taken
 about the mean of the neighbours, from differences to the query (exact in float32 for points this near each other),
-and summed in float64: coordinates of any size do no harm. 12 B read and 12 B written a point beside the search.
+and summed in whole steps: coordinates of any size do no harm, and neither does the order in which neighbours are met.
+12 B read and 12 B written a point beside the search.
 """
 
 from collections.abc import Sequence
@@ -10,16 +11,16 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..algebra.eigen import smallest_eigenvector
-from ..algebra.moments import add_rounded_difference, covariance_of, moments
+from ..algebra.moments import add_whole, covariance_of, in_metres, moments, steps_for, whole_moments
 from ..array_types import Points, Vectors
 from ..arrays.packed_keys import key_index
 from ..lang import NAN, array, dot, float64, func, int32, isfinite, kernel, launch, sqrt, tid, vec3
 from ..memory import empty
-from ..search.bucket_walk import points_in_reach
 from ..search.group_scratch import GroupScratch, LaunchPart, held_key
-from ..search.group_search import launch_over_leaves, nearest_of_leaves
-from ..search.point_tree import BUCKET, PointTree
+from ..search.group_search import farthest_key, launch_over_leaves, nearest_of_leaves
+from ..search.point_tree import PointTree, widest_square
 from ..search.tree_search import reach_of
+from .neighbor_moments import moments_within
 
 MIN_NEIGHBORS = 3.0  # fewer points span no plane
 
@@ -47,21 +48,18 @@ def fit_normals_nearest_kernel(
     i = tid()
     for rank, base, size in nearest_of_leaves(i, part, tree, places, scratch, reach, 0):
         p = tree.points[rank]
-        total = moments(0.0)
+        steps = steps_for(farthest_key(scratch, base, size), size)
+        total = whole_moments(0)
         for j in range(size):
-            total = add_rounded_difference(total, p, tree.points[key_index(held_key(scratch, base, j))])
-        normals[tree.order[rank]] = normal_of(total)
+            total = add_whole(total, p, tree.points[key_index(held_key(scratch, base, j))], steps)
+        normals[tree.order[rank]] = normal_of(in_metres(total, steps))
 
 
 @kernel(most_registers=128)
-def fit_normals_within_kernel(tree: PointTree, reach: float, normals: array(dtype=vec3)):
+def fit_normals_within_kernel(tree: PointTree, reach: float, widest: float, normals: array(dtype=vec3)):
     """Normals from all points within reach, whose moments are summed as they are found."""
     i = tid()
-    p = tree.points[i]
-    total = moments(0.0)
-    for j, sqdist in points_in_reach(i // BUCKET, p, reach, tree):
-        total = add_rounded_difference(total, p, tree.points[j])
-    normals[tree.order[i]] = normal_of(total)
+    normals[tree.order[i]] = normal_of(moments_within(i, reach, widest, tree))
 
 
 @kernel
@@ -119,7 +117,7 @@ def estimate_normals(tree: PointTree, points: Points, max_nn: int | None, radius
     normals = empty(points.size, vec3, device)
     reach = reach_of(radius)
     if max_nn is None:
-        launch(fit_normals_within_kernel, tree.count, [tree, reach, normals])
+        launch(fit_normals_within_kernel, tree.count, [tree, reach, widest_square(tree, reach), normals])
     else:
         launch_over_leaves(fit_normals_nearest_kernel, tree, max_nn, [reach, normals])
     if tree.count < points.size:

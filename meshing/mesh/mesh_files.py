@@ -56,7 +56,18 @@ def read_triangle_mesh(
         raise FileError(path, f"meshes are read from {', '.join(MESH_READERS)}, not from {suffix or 'no extension'}")
     where = resolve_device(device)
     table = read_mesh(path, up=up, outside_files=outside_files)
-    with content_errors(path):  # vertices too far apart for float32
+    mesh = mesh_of(table, path, device=where)
+    mesh.up = up if suffix in UPRIGHT else None
+    return mesh
+
+
+def mesh_of(table: MeshTable, path: str | os.PathLike[str], *, device: Any = None) -> TriangleMesh:
+    """The mesh of a table that was read from a file.
+
+    Raises:
+        FileError: Vertices too far apart for float32.
+    """
+    with content_errors(path):
         mesh = TriangleMesh(
             table.vertices,
             table.triangles,
@@ -67,9 +78,9 @@ def read_triangle_mesh(
             textures=table.textures,
             vertex_attributes=table.attributes,
             triangle_attributes=table.triangle_attributes,
-            device=where,
+            device=device,
         )
-    mesh.unit, mesh.up = table.unit, up if suffix in UPRIGHT else None
+    mesh.unit = table.unit
     return mesh
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -18,6 +19,7 @@ from ..given_pairs import check_clouds
 from ..icp.evaluation import evaluate_registration
 from ..result import RegistrationResult
 from ..rigid import to_world
+from .level_poses import MOST_TILT, check_level, level_poses
 from .ransac import no_pose
 from .rating import Evidence, Witness, compare_under, complete, moved_samples, rate_surfaces, refine_poses, surface_of
 from .robust_global import find_poses
@@ -61,7 +63,13 @@ class Description(NamedTuple):
 
 @told_arguments
 def register_globally(
-    source: PointCloud, target: PointCloud, *, voxel_size: float, seed: int = 0, refine: bool = True
+    source: PointCloud,
+    target: PointCloud,
+    *,
+    voxel_size: float,
+    seed: int = 0,
+    refine: bool = True,
+    free: Sequence[str] | None = None,
 ) -> RegistrationResult:
     """Register two clouds from any starting pose.
 
@@ -76,6 +84,8 @@ def register_globally(
             30,000 voxels should be occupied (5 cm for rooms, 0.3 to 0.5 m for streets).
         seed: Chooses 16,384 of the correspondences where there are more; else it decides nothing.
         refine: Whether to refine poses by ICP before they are compared.
+        free: None, or ("x", "y", "z", "yaw") for clouds that are both level (`levelled`): poses that tilt by more than
+            15 degrees are no candidates, the others are levelled, and refined so.
 
     Returns:
         The pose, with a `score`: above 0.5 where the clouds do lie on each other there. `converged` says whether they
@@ -113,7 +123,8 @@ def register_globally(
     """
     check_clouds(source, target)
     size, chooser = check_positive("voxel_size", voxel_size, maximum=LARGEST_NUMBER), check_seed(seed)
-    return register_described(describe(source, size), describe(target, size), seed=chooser, refine=refine)
+    level = check_level(free)
+    return register_described(describe(source, size), describe(target, size), seed=chooser, refine=refine, free=level)
 
 
 def describe(cloud: PointCloud, voxel_size: float) -> Description:
@@ -124,7 +135,7 @@ def describe(cloud: PointCloud, voxel_size: float) -> Description:
 
 
 def register_described(
-    left: Description, right: Description, *, seed: int = 0, refine: bool = True
+    left: Description, right: Description, *, seed: int = 0, refine: bool = True, free: Sequence[str] | None = None
 ) -> RegistrationResult:
     """`register_globally` of two clouds that were described with the same voxels."""
     source, target, size = left.cloud, right.cloud, left.voxel_size
@@ -135,8 +146,15 @@ def register_described(
     found = find_poses(left.surface.points, right.surface.points, pairs, NOISE * size, seed)
     if not len(found.poses):
         return _unknown(f"no three of {pairs.shape[0]} correspondences agree", source)
-    rivals = found.poses[found.support >= RIVAL * found.support[0]][:CONTENDERS]
-    result, evidence, equals = _choose(left.witness, right.witness, rivals, NOISE * size, refine)
+    poses, support = found.poses, found.support
+    if free is not None:
+        poses, kept = level_poses(poses, moved_samples(left.surface, np.eye(4)[None])[0].mean(axis=0))
+        support = support[kept]
+        if not len(poses):
+            tilt = np.degrees(MOST_TILT)
+            return _unknown(f"all {len(found.poses)} poses that were found tilt by {tilt:.0f} degrees or more", source)
+    rivals = poses[support >= RIVAL * support[0]][:CONTENDERS]
+    result, evidence, equals = _choose(left.witness, right.witness, rivals, NOISE * size, refine, free)
     score = evidence.score
     T = to_world(result.transformation, source.origin, target.origin)
     pair = source.copy(), target.copy()  # as they are now
@@ -147,6 +165,7 @@ def register_described(
         lambda: evaluate_registration(*pair, NOISE * size, T).correspondence_set,
         iterations=result.iterations,
         degenerate_directions=result.degenerate_directions,
+        free=result.free,
         score=score / equals,
         converged=score / equals > 0.5,
         reason="converged",
@@ -160,14 +179,19 @@ def register_described(
 
 
 def _choose(
-    source: Witness, target: Witness, poses: NDArray[np.float64], distance: float, refine: bool
+    source: Witness,
+    target: Witness,
+    poses: NDArray[np.float64],
+    distance: float,
+    refine: bool,
+    free: Sequence[str] | None,
 ) -> tuple[RegistrationResult, Evidence, int]:
     """The pose with most evidence, refined; the evidence, and how many poses have about as much.
 
     All take a few steps of ICP together before they are compared; only the best goes on. That is the first that all the
     evidence speaks for, in the order of what the whole says of them; where there is none, the first of all.
     """
-    first = refine_poses(source.surface, target.surface, poses, distance, FIRST_STEPS if refine else 0)
+    first = refine_poses(source.surface, target.surface, poses, distance, FIRST_STEPS if refine else 0, free)
     poses = np.array([result.transformation for result in first])
     wholes = compare_under(source.surface, target.surface, poses, distance)
     order = _apart(source.surface, poses, np.argsort([-found.odds for found in wholes], kind="stable"), distance)
@@ -178,7 +202,7 @@ def _choose(
     best = max((k for k in order if found[k].score > 0.5), key=lambda k: found[k].rest, default=order[0])
     result = first[best]
     if refine:
-        result = refine_poses(source.surface, target.surface, poses[best : best + 1], distance, STEPS)[0]
+        result = refine_poses(source.surface, target.surface, poses[best : best + 1], distance, STEPS, free)[0]
         result.iterations += first[best].iterations
     evidence = rate_surfaces(source, target, result.transformation, distance)
     equals = [k for k in order if k != best and _is_equal(found[k], found[best])]

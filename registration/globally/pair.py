@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,6 +17,7 @@ from ...core.units import LengthUnit, symbol_of
 from ...core.wording import format_share, plain
 from ...pcd.cloud import PointCloud
 from ..given_pairs import check_clouds
+from ..icp.constraint import Prior, make_constraint
 from ..icp.estimation import (
     TransformationEstimation,
     TransformationEstimationForColoredICP,
@@ -25,12 +26,13 @@ from ..icp.estimation import (
     TransformationEstimationPointToPoint,
     TransformationEstimationSymmetric,
 )
-from ..icp.icp import ICPConvergenceCriteria, check_poses
+from ..icp.icp import ICPConvergenceCriteria, check_held, check_poses
 from ..icp.multi_scale import NORMAL_RADIUS, multi_scale_icp
 from ..result import RegistrationResult
 from ..rigid import pose_error
 from ..voxel_size import choose_for
 from .global_registration import register_globally
+from .level_poses import check_level
 from .rating import rate_registration
 
 Matrix = NDArray[np.float64]
@@ -151,6 +153,8 @@ class PairRegistration(Report):
                 "iterations": result.iterations,
                 "reason": result.reason,
                 "degenerate_directions": result.degenerate_directions,
+                "prior_directions": result.prior_directions,
+                "free": result.free,
             }
         )
 
@@ -164,13 +168,16 @@ class PairRegistration(Report):
             whose = " and ".join(self.normals_estimated)
             method += f"; normals of the {whose} estimated, radius {self.normal_radius:g} {m}"
         fit = f"fitness {format_share(result.fitness)}, rmse {result.inlier_rmse:.4g} m, score {self.score:.2f}"
-        open_motions = len(result.degenerate_directions)
+        by_prior = len(result.prior_directions)
+        open_motions = len(result.degenerate_directions) - by_prior
         return [
             ("points", "{:,} onto {:,}".format(*self.points)),
             ("thinned", "{:,} onto {:,}, one a voxel of ".format(*self.thinned) + voxels),
             ("start", self.init),
             ("method", method),
             ("result", f"{fit}; {result.iterations} iterations, {result.reason}"),
+            *([("free", ", ".join(result.free))] if result.free is not None and len(result.free) < 6 else []),
+            *([("prior", f"{by_prior} of 6 motions, which the clouds do not determine")] if by_prior else []),
             *([("open", f"{open_motions} of 6 motions, which the clouds do not determine")] if open_motions else []),
             ("motion", f"{self.rotation_deg:.3f} degrees, {self.shift_m:.4g} {m} at the middle of the source"),
             ("pose", "\n".join("".join(f"{value:17.9f}" for value in row) for row in result.transformation)),
@@ -187,6 +194,8 @@ def register_pair(
     voxel_size: float | None = None,
     distance: float | None = None,
     progress: ReportProgress | None = None,
+    free: Sequence[str] | None = None,
+    prior: Prior | None = None,
 ) -> PairRegistration:
     """Bring one cloud onto another from wherever they lie: what `pointloom register` does.
 
@@ -203,6 +212,9 @@ def register_pair(
         distance: Correspondences lie closer than this [m]; None takes two voxels, and where a start is given, eight
             and four of them before, on coarser clouds.
         progress: Called with ("voxels", 0, 0), then "search", "refine" and "rate", as each begins.
+        free: The motions that are free, as of `registration_icp`; without `init` all, or "x", "y", "z" and "yaw" for
+            clouds that are both level.
+        prior: A pose that is known beforehand, as of `registration_icp`; the search does not ask it.
 
     Returns:
         The pose with what speaks for it; look at `poor`.
@@ -228,23 +240,22 @@ def register_pair(
     estimation, tell = _check_method(method), check_progress(progress)
     check_clouds(source, target)
     start = None if init is None else check_poses("init", init, estimation)
+    level, clouds = _check_freedom(estimation, free, prior, start is None), {"source": source, "target": target}
     reach, given = _check_length("distance", distance), _check_length("voxel_size", voxel_size)
-    clouds = {"source": source, "target": target}
     tell("voxels", 0, 0)
-    if estimation.needs_colors:
-        _check_colors(clouds, method)
+    _check_colors(clouds, method, estimation.needs_colors)
     size = choose_for(clouds) if given is None else given
     thinned = _count_voxels(clouds, size)
     believed, doubt, scales = 1.0, "", COARSE_TO_FINE if reach is None else AT_ONCE
     if start is None:
         tell("search", 0, 0)
-        found = register_globally(source, target, voxel_size=size)
+        found = register_globally(source, target, voxel_size=size, free=level)
         start, believed, doubt, scales = found.transformation, found.score or 0.0, found.reason, AT_ONCE
     tell("refine", 0, 0)
-    sizes = [scale * size for scale in scales]
-    limits = [reach or DISTANCE * edge for edge in sizes]
-    rules = [ICPConvergenceCriteria()] * len(sizes)
-    result = multi_scale_icp(source, target, sizes, rules, limits, start, estimation, estimate_normals=True)
+    limits = [reach or DISTANCE * scale * size for scale in scales]
+    coarse_to_fine = [scale * size for scale in scales], [ICPConvergenceCriteria()] * len(scales), limits, start
+    held: dict[str, Any] = {"estimate_normals": True, "free": free, "prior": prior}
+    result = multi_scale_icp(source, target, *coarse_to_fine, estimation, **held)
     tell("rate", 0, 0)
     score = min(believed, rate_registration(source, target, result.transformation, RATED_WITHIN * size))
     estimated = tuple(role for role in estimation.needs_normals if not clouds[role].has_normals)
@@ -272,9 +283,17 @@ def _check_method(method: Any) -> TransformationEstimation:
     return METHODS[method]()
 
 
-def _check_colors(clouds: dict[str, PointCloud], method: str) -> None:
+def _check_freedom(
+    estimation: TransformationEstimation, free: Any, prior: Prior | None, searched: bool
+) -> tuple[str, ...] | None:
+    """What a search leaves free, once it is sure that search and ICP can."""
+    check_held(estimation, make_constraint(free, None, None, prior, None))
+    return check_level(free) if searched else None
+
+
+def _check_colors(clouds: dict[str, PointCloud], method: str, needed: bool) -> None:
     for role, cloud in clouds.items():
-        if not cloud.has_colors:
+        if needed and not cloud.has_colors:
             reason = f"has no colours, which method={method!r} needs"
             raise UnfitCloudError(role, "colors", reason, "Choose another method, such as point-to-plane")
 

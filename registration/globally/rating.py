@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import cached_property
 from typing import NamedTuple
 
@@ -323,16 +324,22 @@ def _evidence_of(both: tuple[NDArray[np.float64], NDArray[np.float64]]) -> Evide
 
 
 def refine_poses(
-    source: Surface, target: Surface, poses: NDArray[np.float64], distance: float, steps: int = 30
+    source: Surface,
+    target: Surface,
+    poses: NDArray[np.float64],
+    distance: float,
+    steps: int = 30,
+    free: Sequence[str] | None = None,
 ) -> list[RegistrationResult]:
-    """Poses about the clouds' origins, refined by point-to-plane ICP on the surfaces, all at once."""
+    """Poses about the clouds' origins, refined by point-to-plane ICP on the surfaces in free motions, all at once."""
     left, right = clouds = [
         PointCloud.from_device_arrays({"points": s.points, "normals": s.normals}, np.zeros(3)) for s in (source, target)
     ]
     for cloud, surface in zip(clouds, (source, target), strict=True):
         cloud.adopt_search_tree(surface.tree)
     rules = ICPConvergenceCriteria(1e-4, STILL * distance, steps)
-    return registration_icp_batch(left, right, distance, poses, TransformationEstimationPointToPlane(), rules)
+    plane = TransformationEstimationPointToPlane()
+    return registration_icp_batch(left, right, distance, poses, plane, rules, free=free)
 
 
 def moved_samples(surface: Surface, poses: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -42,6 +42,8 @@ class TransformationEstimation:
 
     rows: ClassVar[Any]
     method: ClassVar[int] = GAUSS_NEWTON
+    residual_count: ClassVar[int] = 1  # rows of a pair
+    constrainable: ClassVar[bool] = True  # whether some motions may be fixed, and others held by a prior
     needs_normals: ClassVar[tuple[str, ...]] = ()  # of "source" and "target"
     needs_colors: ClassVar[bool] = False  # of both
 
@@ -103,6 +105,7 @@ class TransformationEstimationPointToPoint(TransformationEstimation):
     kernel: RobustKernel = LEAST_SQUARES
     rows = sum_point_rows
     method = PAIRS
+    residual_count = 3
 
     @property
     def scales(self) -> bool:
@@ -150,6 +153,7 @@ class TransformationEstimationSymmetric(TransformationEstimation):
     kernel: RobustKernel = LEAST_SQUARES
     rows = sum_symmetric_rows
     method = SYMMETRIC
+    constrainable = False  # half of each of its turns is the target's
     needs_normals = ("source", "target")
 
     def source_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
@@ -182,6 +186,7 @@ class TransformationEstimationForGeneralizedICP(TransformationEstimation):
     kernel: RobustKernel = LEAST_SQUARES
     voxel_size: float | None = None
     rows = sum_generalized_rows
+    residual_count = 3
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -227,6 +232,7 @@ class TransformationEstimationForColoredICP(TransformationEstimation):
     lambda_geometric: float = 0.968
     kernel: RobustKernel = LEAST_SQUARES
     rows = sum_colored_rows
+    residual_count = 2
     needs_normals = ("target",)
     needs_colors = True
 
@@ -283,6 +289,7 @@ class TransformationEstimationForDopplerICP(TransformationEstimation):
     doppler_kernel: RobustKernel = LEAST_SQUARES
     transform_vehicle_to_sensor: ArrayLike | None = None
     rows = sum_doppler_rows
+    constrainable = False  # its speeds are those of the whole pose
     needs_normals = ("target",)
 
     def __post_init__(self) -> None:

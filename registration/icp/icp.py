@@ -22,26 +22,18 @@ from ...core.checks import (
     shown,
 )
 from ...core.told_arguments import told_arguments
-from ...core.units import asked_by_user, common_unit, warn_of_units
+from ...core.units import common_unit
 from ...core.watching import report, watched
 from ...pcd.cloud import PointCloud
 from ..given_pairs import check_cloud, check_clouds
 from ..result import RegistrationResult
 from ..rigid import nearest_rotation
-from .estimation import (
-    TransformationEstimation,
-    TransformationEstimationForColoredICP,
-    TransformationEstimationForGeneralizedICP,
-    TransformationEstimationPointToPoint,
-    TransformationEstimationSymmetric,
-)
+from .constraint import Constraint, Prior, make_constraint
+from .doubts import DOUBTFUL, doubt
+from .estimation import TransformationEstimation, TransformationEstimationPointToPoint
 from .iterative import DEGENERACY, IterativeRegistration
 
 MOST_STEPS = 100_000
-DOUBTFUL = 0.05  # of fitness: below it is looked at where the clouds are
-APART = 5.0  # times as far from each other as the longer one is long: no start for ICP
-SURELY_OTHER_UNIT = 500.0  # times as long, where some points do meet: millimetres and metres
-OTHER_UNIT = 20.0  # times as long: no two scans of one scene
 Watcher = Callable[[dict[str, Any]], None]
 
 
@@ -82,6 +74,12 @@ def registration_icp(
     max_normal_angle: float | None = None,
     degeneracy: float = DEGENERACY,
     callback_after_iteration: Watcher | None = None,
+    free: Sequence[str] | None = None,
+    frame: ArrayLike | None = None,
+    pivot: ArrayLike | None = None,
+    prior: Prior | None = None,
+    weights: ArrayLike | str | None = None,
+    noise: float | None = None,
 ) -> RegistrationResult:
     """Bring a source onto a target from a pose nearby.
 
@@ -107,6 +105,19 @@ def registration_icp(
             need, and lets noise move the source along the others.
         callback_after_iteration: Called with a dict of `iteration_index`, `transformation`, `fitness` and
             `inlier_rmse` after each iteration; costs a round trip to the device there.
+        free: The motions that are free, of "x", "y", "z", "roll", "pitch" and "yaw"; None: all. The others stay as
+            `init` has them, exactly: ("x", "y", "z", "yaw") keeps a levelled scan level (`levelled`), ("x",) is a rail.
+            Turns are Rz(yaw) Ry(pitch) Rx(roll), from `init` on. Not of the symmetric and the Doppler estimator.
+        frame: The axes of those motions, 3x3, its columns in target coordinates; None: the target's own.
+        pivot: The place [3] in target coordinates that turns are about, and whose image is what moves along x, y and z;
+            None: the middle of the source under `init`.
+        prior: A pose that is known beforehand, and how well. Motions that the pairs do not determine are then held by
+            it alone, and told in `prior_directions`.
+        weights: Of the source's points, [n] or the name of an attribute: 0 and more, multiplied to what a pair counts.
+            Fitness, inlier_rmse and what is kept by `overlap` count all pairs alike.
+        noise: Standard deviation of the estimator's residuals ([m]; those of generalised ICP are in units of the
+            covariances), which weighs the pairs against the prior; None: that of the pairs of each iteration, of which
+            each counts as a measurement of its own.
 
     Returns:
         The result. Without any correspondence it holds the pose it had then, fitness 0, and says so in `reason`.
@@ -115,7 +126,8 @@ def registration_icp(
 
     Raises:
         ValueError: A distance that is not positive, an init that is no rigid motion, a cloud without what the
-            estimator needs, or a target too small or too large for float32: the message says what to call.
+            estimator needs, a target too small or too large for float32, freedoms that contradict each other, or a
+            prior out of reach of the free motions: the message says what to call.
         DeviceError: Clouds on different devices.
 
     Notes:
@@ -134,19 +146,37 @@ def registration_icp(
         >>> np.abs(result.transformation[:3, 3] - [-0.01, 0.02, -0.01]).max() < 1e-6, result.reason
         (np.True_, 'converged')
     """
-    method, rules = _check_rules(estimation_method, criteria)
+    constraint = make_constraint(free, frame, pivot, prior, noise)
+    options = {"overlap": overlap, "max_normal_angle": max_normal_angle, "degeneracy": degeneracy}
+    pair = source, target, max_correspondence_distance, init
+    return run_icp(*pair, estimation_method, criteria, callback_after_iteration, constraint, weights=weights, **options)
+
+
+def run_icp(
+    source: PointCloud,
+    target: PointCloud,
+    max_correspondence_distance: float,
+    init: ArrayLike | None,
+    estimation_method: TransformationEstimation | None,
+    criteria: ICPConvergenceCriteria | None,
+    callback: Watcher | None,
+    constraint: Constraint | None,
+    **options: Any,
+) -> RegistrationResult:
+    """`registration_icp` with a constraint that is made already; `options` are those of `_make_problem`."""
+    method, rules = check_rules(estimation_method, criteria)
     check_clouds(source, target)
     poses = check_poses("init", init, method)[None]
     problem = _make_problem(
-        [source], [target], poses, max_correspondence_distance, method, overlap, max_normal_angle, degeneracy
+        [source], [target], poses, max_correspondence_distance, method, constraint=constraint, **options
     )
-    check_callback("callback_after_iteration", callback_after_iteration)
-    watch = partial(_report, problem, callback_after_iteration, source, target)
-    watch = None if callback_after_iteration is None and not watched() else watch
+    check_callback("callback_after_iteration", callback)
+    watch = partial(_report, problem, callback, source, target)
+    watch = None if callback is None and not watched() else watch
     problem.run(rules.max_iteration, rules.relative_fitness, rules.relative_rmse, watch)
     result = problem.results()[0]
     if result.fitness < DOUBTFUL:
-        _doubt(result, source, target, poses[0], max_correspondence_distance)
+        doubt(result, source, target, poses[0], max_correspondence_distance)
     report("registration", source=source, target=target, result=result)
     return result
 
@@ -162,6 +192,12 @@ def registration_icp_batch(
     overlap: float | None = 1.0,
     max_normal_angle: float | None = None,
     degeneracy: float = DEGENERACY,
+    free: Sequence[str] | None = None,
+    frame: ArrayLike | None = None,
+    pivot: ArrayLike | None = None,
+    prior: Prior | Sequence[Prior] | None = None,
+    weights: ArrayLike | str | None = None,
+    noise: float | None = None,
 ) -> list[RegistrationResult]:
     """Register many pairs of clouds, or one pair from many poses, in the same launches.
 
@@ -170,6 +206,10 @@ def registration_icp_batch(
         max_correspondence_distance: As of `registration_icp`, for all jobs.
         inits: Poses to begin from, one [4, 4] or one a job [jobs, 4, 4]; None: the identity.
         estimation_method, criteria, overlap, max_normal_angle, degeneracy: As of `registration_icp`, for all jobs.
+        free, frame, noise: Likewise.
+        pivot: As of `registration_icp`, [3], or one a job [jobs, 3].
+        prior: Likewise, one, or one a job.
+        weights: The name of an attribute that all sources have, or an array [n] where one cloud is the source of all.
 
     Returns:
         A result a job. Each has the same bits as `registration_icp` of its pair to about the last digit; a job that
@@ -192,89 +232,15 @@ def registration_icp_batch(
         >>> [bool(np.abs(result.transformation - np.eye(4)).max() < 1e-6) for result in found]
         [True, True, True]
     """
-    method, rules = _check_rules(estimation_method, criteria)
+    method, rules = check_rules(estimation_method, criteria)
     left, right, poses = _jobs_of(sources, targets, inits, method)
+    constraint = make_constraint(free, frame, pivot, prior, noise, len(poses))
+    options = {"overlap": overlap, "max_normal_angle": max_normal_angle, "degeneracy": degeneracy}
     problem = _make_problem(
-        left, right, poses, max_correspondence_distance, method, overlap, max_normal_angle, degeneracy
+        left, right, poses, max_correspondence_distance, method, constraint=constraint, weights=weights, **options
     )
     problem.run(rules.max_iteration, rules.relative_fitness, rules.relative_rmse)
     return problem.results()
-
-
-@told_arguments
-def registration_colored_icp(
-    source: PointCloud,
-    target: PointCloud,
-    max_correspondence_distance: float,
-    init: ArrayLike | None = None,
-    estimation_method: TransformationEstimationForColoredICP | None = None,
-    criteria: ICPConvergenceCriteria | None = None,
-    *,
-    overlap: float | None = 1.0,
-) -> RegistrationResult:
-    """`registration_icp` with TransformationEstimationForColoredICP: both clouds need colours, the target normals."""
-    method = TransformationEstimationForColoredICP() if estimation_method is None else estimation_method
-    return registration_icp(source, target, max_correspondence_distance, init, method, criteria, overlap=overlap)
-
-
-@told_arguments
-def registration_generalized_icp(
-    source: PointCloud,
-    target: PointCloud,
-    max_correspondence_distance: float,
-    init: ArrayLike | None = None,
-    estimation_method: TransformationEstimationForGeneralizedICP | None = None,
-    criteria: ICPConvergenceCriteria | None = None,
-    *,
-    overlap: float | None = 1.0,
-) -> RegistrationResult:
-    """`registration_icp` with TransformationEstimationForGeneralizedICP."""
-    method = TransformationEstimationForGeneralizedICP() if estimation_method is None else estimation_method
-    return registration_icp(source, target, max_correspondence_distance, init, method, criteria, overlap=overlap)
-
-
-@told_arguments
-def registration_symmetric_icp(
-    source: PointCloud,
-    target: PointCloud,
-    max_correspondence_distance: float,
-    init: ArrayLike | None = None,
-    estimation_method: TransformationEstimationSymmetric | None = None,
-    criteria: ICPConvergenceCriteria | None = None,
-    *,
-    overlap: float | None = 1.0,
-) -> RegistrationResult:
-    """`registration_icp` with TransformationEstimationSymmetric: both clouds need normals."""
-    method = TransformationEstimationSymmetric() if estimation_method is None else estimation_method
-    return registration_icp(source, target, max_correspondence_distance, init, method, criteria, overlap=overlap)
-
-
-def _doubt(result: Any, source: PointCloud, target: PointCloud, pose: NDArray[np.float64], reach: float) -> None:
-    """Say where two clouds with hardly a correspondence are: most often in another unit, or far from each other."""
-    hint, ratio, apart = _where(source, target, pose, reach)
-    if result.fitness == 0:
-        result.hint = hint
-        remedy = "; init takes a pose to begin from, register_globally finds one" if apart > APART else ""
-        if (remedy or ratio > OTHER_UNIT) and asked_by_user():
-            warn_of_units(f"no correspondences: {hint}{remedy}")
-    elif ratio > SURELY_OTHER_UNIT and asked_by_user():
-        warn_of_units(f"source, target: fitness {result.fitness:.3g}: {hint}")
-
-
-def _where(source: PointCloud, target: PointCloud, pose: NDArray[np.float64], reach: float) -> tuple[str, float, float]:
-    """Where two clouds are, how many times as long one is as the other, and how many lengths apart."""
-    said, middles, longest = [], [], []
-    for name, cloud, T in (("source", source, pose), ("target", target, np.eye(4))):
-        if not len(cloud):
-            return f"the {name} has no points", 1.0, 0.0
-        box = cloud.get_axis_aligned_bounding_box()
-        middles.append(T[:3, :3] @ box.get_center() + T[:3, 3])
-        longest.append(box.get_max_extent())
-        said.append(f"the {name} spans {' x '.join(f'{length:.3g}' for length in box.get_extent())} m")
-    away = float(np.linalg.norm(middles[0] - middles[1]))
-    unit = "; in another unit?" if max(longest) > OTHER_UNIT * min(longest) else ""
-    hint = f"{', '.join(said)}, their middles {away:.3g} m apart, within {reach:g} m{unit}"
-    return hint, max(longest) / min(longest) if min(longest) else 1.0, away / max(longest) if max(longest) else 0.0
 
 
 def check_poses(name: str, pose: ArrayLike | None, method: TransformationEstimation) -> NDArray[np.float64]:
@@ -300,7 +266,7 @@ def check_poses(name: str, pose: ArrayLike | None, method: TransformationEstimat
     return T
 
 
-def _check_rules(method: Any, criteria: Any) -> tuple[TransformationEstimation, ICPConvergenceCriteria]:
+def check_rules(method: Any, criteria: Any) -> tuple[TransformationEstimation, ICPConvergenceCriteria]:
     """The estimator and the criteria, those of Open3D where there are none."""
     method = TransformationEstimationPointToPoint() if method is None else method
     criteria = ICPConvergenceCriteria() if criteria is None else criteria
@@ -310,6 +276,19 @@ def _check_rules(method: Any, criteria: Any) -> tuple[TransformationEstimation, 
     if not isinstance(criteria, ICPConvergenceCriteria):
         raise TypeError(f"criteria: expected ICPConvergenceCriteria, got {type(criteria).__name__}")
     return method, criteria
+
+
+def check_held(method: TransformationEstimation, constraint: Constraint | None) -> None:
+    """Refuse a constraint of an estimator that moves in all ways.
+
+    Raises:
+        ValueError: The message says what to take.
+    """
+    if constraint is not None and not method.constrainable:
+        raise ValueError(
+            f"free, prior: {type(method).__name__} moves in all ways; "
+            "such as TransformationEstimationPointToPlane() can be held"
+        )
 
 
 def _report(problem: IterativeRegistration, callback: Watcher | None, source: PointCloud, target: PointCloud) -> bool:
@@ -331,9 +310,12 @@ def _make_problem(
     poses: NDArray[np.float64],
     distance: float,
     method: TransformationEstimation,
-    overlap: float | None,
-    max_normal_angle: float | None,
-    degeneracy: float,
+    *,
+    overlap: float | None = 1.0,
+    max_normal_angle: float | None = None,
+    degeneracy: float = DEGENERACY,
+    constraint: Constraint | None = None,
+    weights: ArrayLike | str | None = None,
 ) -> IterativeRegistration:
     distance = check_positive("max_correspondence_distance", distance)
     overlap = None if overlap is None else check_positive("overlap", overlap)
@@ -346,8 +328,11 @@ def _make_problem(
             raise ValueError("max_normal_angle: the voxels of a voxelised target have no normals; leave it out")
     if degeneracy >= 1:
         raise ValueError(f"degeneracy: expected a share from 0 to below 1, got {degeneracy!r}")
+    check_held(method, constraint)
     options: dict[str, Any] = {"overlap": overlap, "max_normal_angle": max_normal_angle, "degeneracy": degeneracy}
-    return IterativeRegistration(sources, targets, poses, distance, method, **options)
+    return IterativeRegistration(
+        sources, targets, poses, distance, method, constraint=constraint, weights=weights, **options
+    )
 
 
 def _jobs_of(

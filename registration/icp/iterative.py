@@ -6,12 +6,13 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ...core.array_libraries import NUMPY, hand_out
 from ...core.devices import check_same_device
 from ...kernels.arrays.concatenation import concatenate_rows
 from ...kernels.arrays.row_numbers import list_partners
+from ...kernels.icp.freedom import Freedom
 from ...kernels.icp.job_states import CONVERGED, NO_PAIRS, NOT_FINITE, OUT_OF_ITERATIONS
 from ...kernels.icp.jobs import Jobs
 from ...kernels.icp.loop import RegistrationLoop
@@ -27,8 +28,9 @@ from ...pcd.cloud import PointCloud
 from ...pcd.kept_tree import check_extent
 from ..result import Pairs, RegistrationResult
 from ..rigid import skew, symmetric_matrices, to_local, to_world
+from .constraint import Constraint, make_freedom
 from .estimation import Columns, TransformationEstimation
-from .preparation import normals_of
+from .preparation import normals_of, point_weights
 
 REASONS = {
     CONVERGED: "converged",
@@ -56,6 +58,8 @@ class IterativeRegistration:
         overlap: Share of the source's points whose nearest correspondences are kept; None finds it in each iteration.
         max_normal_angle: Correspondences whose normals enclose more than this [rad] are dropped; None keeps all.
         degeneracy: Motions with less than this share of the largest eigenvalue are left out.
+        constraint: What the jobs are free to do, and what is known of their poses; None: all, nothing.
+        weights: What the sources' points count, by an attribute's name or of the only source; None: all alike.
 
     Raises:
         ValueError: A cloud lacks what the estimator needs.
@@ -73,6 +77,8 @@ class IterativeRegistration:
         overlap: float | None = 1.0,
         max_normal_angle: float | None = None,
         degeneracy: float = DEGENERACY,
+        constraint: Constraint | None = None,
+        weights: ArrayLike | str | None = None,
     ):
         self.estimation, self.distance, self.degeneracy = estimation, distance, degeneracy
         self._sources, self.source_of = _distinct(sources)
@@ -92,9 +98,9 @@ class IterativeRegistration:
             gaussians = self._make_gaussians(target_columns["covariances"], estimation.target_voxel_size)
         jobs = Jobs(self.source_clouds, forest, self.source_of, self.target_of)
         geometry = estimation.geometry()
-        self.loop = RegistrationLoop(
-            jobs, self._local_poses(poses), distance, gaussians, judged_apart=geometry is not None
-        )
+        local = self._local_poses(poses)
+        self.loop = RegistrationLoop(jobs, local, distance, gaussians, judged_apart=geometry is not None)
+        self._constrain(constraint, weights, local)
         if gaussians is not None:
             target = PointColumns(covariances=self.loop.target_covariances)
         self._arguments = estimation.arguments(self.loop, source, target)
@@ -135,6 +141,24 @@ class IterativeRegistration:
         local = [to_local(T, self._source_origins[s], self._target_origins[t]) for s, t, T in pairs]
         return np.array(local).reshape(-1, 4, 4)
 
+    def _constrain(
+        self, constraint: Constraint | None, weights: ArrayLike | str | None, local: NDArray[np.float64]
+    ) -> None:
+        """Take the constraint and the weights to the device, where there are any; `local` are the first poses."""
+        self.constraint, self.freedom = constraint, None
+        if constraint is not None:
+            self.freedom = self._make_freedom(constraint, local)
+        if weights is not None:
+            columns = point_weights(self._sources, weights, _names("source", self.source_of))
+            self.loop.matches.weigh(self.source_clouds.gather(columns))
+
+    def _make_freedom(self, constraint: Constraint, local: NDArray[np.float64]) -> Freedom:
+        """The constraint on the device; fixed motions are held at its anchors, else at the first poses."""
+        held = local if constraint.anchors is None else self._local_poses(constraint.anchors)
+        jobs = zip(self.source_of, self.target_of, strict=True)
+        origins = [(self._source_origins[s], self._target_origins[t]) for s, t in jobs]
+        return make_freedom(constraint, self.loop, held, origins, self.estimation.residual_count)
+
     def run(
         self,
         max_iteration: int,
@@ -154,7 +178,7 @@ class IterativeRegistration:
                 self._rejection.run()
             estimation.prepare(loop)
             loop.sum_rows(estimation.rows, self._arguments, self._plain_arguments)
-            loop.step(rules)
+            loop.step(rules, self.freedom)
 
         if max_iteration == 0 and watch is None:  # one turn judges the poses, and no graph is worth making for it
             iterate()
@@ -180,6 +204,7 @@ class IterativeRegistration:
         """The results of all jobs, in their order."""
         states = self.loop.states.download()  # sync
         outcomes, free_counts = states["outcomes"], states["free_counts"]
+        told = self._told_of_freedom()
         return [
             RegistrationResult(
                 self._world(job, states["poses"][job]),
@@ -190,9 +215,19 @@ class IterativeRegistration:
                 converged=bool(outcomes[job] == CONVERGED),
                 reason=REASONS[int(outcomes[job])],
                 degenerate_directions=states["free"][job].reshape(6, 6)[: free_counts[job]].copy(),
+                **told[job],
             )
             for job in range(self.loop.jobs.count)
         ]
+
+    def _told_of_freedom(self) -> list[dict[str, Any]]:
+        """What results say of a constraint: of each job what was free, what the prior held, and its parameters."""
+        if self.constraint is None or self.freedom is None:
+            return [{}] * self.loop.jobs.count
+        found = self.freedom.kept.download("states", "held_counts")  # sync
+        pairs = zip(found["states"], found["held_counts"], strict=True)
+        free = self.constraint.free
+        return [{"free": free, "held_count": int(count), "motion": state.copy()} for state, count in pairs]
 
     def information(self) -> NDArray[np.float64]:
         """Information matrices of the pairs in world coordinates, [jobs, 6, 6]."""

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from ...core.checks import check_callback, check_list, check_number, check_positive
@@ -16,14 +17,17 @@ from ...core.watching import standing_for
 from ...pcd.cloud import PointCloud
 from ..given_pairs import check_clouds
 from ..result import RegistrationResult
-from .estimation import TransformationEstimation, TransformationEstimationPointToPoint
+from .constraint import Prior, make_constraint
+from .estimation import TransformationEstimation
 from .evaluation import evaluate_registration
-from .icp import ICPConvergenceCriteria, Watcher, registration_icp
+from .icp import ICPConvergenceCriteria, Watcher, check_poses, check_rules, run_icp
+from .preparation import point_weights
 
 NORMAL_RADIUS, NORMAL_NEIGHBORS = 3.0, 30  # [voxels], points at most, where normals are estimated
 NEAR = 2.0  # [voxels] within which points of two clouds that lie on each other meet
 LITTLE = 0.5  # of the source that meet, below which what lies beyond the other cloud's edge pulls it off
 KEPT = 0.9  # of those, that meet under the pose found with the overlap at least: else that holds on to a part of it
+WEIGHTS = "weights of multi_scale_icp"  # the attribute that down-sampling carries along
 _ROLES = ("source", "target")
 
 
@@ -40,6 +44,12 @@ def multi_scale_icp(
     estimate_normals: bool = False,
     overlap: float | None = None,
     callback_after_iteration: Watcher | None = None,
+    free: Sequence[str] | None = None,
+    frame: ArrayLike | None = None,
+    pivot: ArrayLike | None = None,
+    prior: Prior | None = None,
+    weights: ArrayLike | str | None = None,
+    noise: float | None = None,
 ) -> RegistrationResult:
     """Register from coarse to fine: each scale on down-sampled clouds, from the pose of the one before.
 
@@ -57,6 +67,8 @@ def multi_scale_icp(
             with the share that it finds: what lies beyond the other cloud's edge pulls the source off. The second pose
             is taken where nine tenths as many points lie so near there.
         callback_after_iteration: As of `registration_icp`; its dict has `scale_index` too.
+        free, frame, pivot, prior, noise: As of `registration_icp`; all scales hold what is not free as `init` has it.
+        weights: Likewise; a voxel has the mean of its points'.
 
     Returns:
         The result of the last scale, whose iterations are those of all scales together. Where `overlap` is None,
@@ -80,18 +92,25 @@ def multi_scale_icp(
     check_clouds(source, target)
     check_callback("callback_after_iteration", callback_after_iteration)
     sizes, distances = _check_scales(voxel_sizes, max_correspondence_distances, criteria_list)
-    method = TransformationEstimationPointToPoint() if estimation_method is None else estimation_method
-    wanted = getattr(method, "needs_normals", ()) if estimate_normals else ()
+    method, _ = check_rules(estimation_method, None)
+    wanted = method.needs_normals if estimate_normals else ()
+    constraint = make_constraint(free, frame, pivot, prior, noise)
+    anchor = np.eye(4) if constraint is None else check_poses("init", init, method)
+    if constraint is not None:
+        constraint = constraint.about(anchor[:3, :3] @ source.get_center() + anchor[:3, 3])
+    weighed = _with_weights(source, weights)
     pose, steps = init, 0
     result: RegistrationResult | None = None
     for scale, (size, rules, distance) in enumerate(zip(sizes, criteria_list, distances, strict=True)):
-        clouds = [c if size == 0 else c.voxel_down_sample(size) for c in (source, target)]
+        clouds = [c if size == 0 else c.voxel_down_sample(size) for c in (weighed, target)]
         left, right = (_with_normals(c, size) if n in wanted else c for n, c in zip(_ROLES, clouds, strict=True))
         watch = None if callback_after_iteration is None else partial(_at_scale, callback_after_iteration, scale)
-        told: dict[str, Any] = {"callback_after_iteration": watch}
         with standing_for(source=source, target=target, scale_index=scale, voxel_size=size):
             near = min(NEAR * size, distance) or distance
-            result = _register(left, right, distance, near, pose, method, rules, overlap, told)
+            run = partial(run_icp, left, right, distance, pose, method, rules, watch, constraint)
+            result = _register(run, left, right, distance, near, overlap, None if weights is None else WEIGHTS)
+        if constraint is not None:
+            constraint = constraint.begun(anchor, result._motion)
         pose, steps = result.transformation, steps + result.iterations
         result.iterations = steps
     assert result is not None
@@ -99,25 +118,22 @@ def multi_scale_icp(
 
 
 def _register(
+    run: Callable[..., RegistrationResult],
     source: PointCloud,
     target: PointCloud,
     distance: float,
     near: float,
-    init: Any,
-    method: TransformationEstimation,
-    rules: ICPConvergenceCriteria,
     overlap: float | None,
-    told: dict[str, Any],
+    weights: str | None,
 ) -> RegistrationResult:
     """One scale; with all pairs first, and with those of the overlap where that is None and they are few."""
-    share = 1.0 if overlap is None else overlap
-    result = registration_icp(source, target, distance, init, method, rules, overlap=share, **told)
+    result = run(overlap=1.0 if overlap is None else overlap, weights=weights)
     if overlap is not None or result.fitness == 0:
         return result
     met = evaluate_registration(source, target, near, result.transformation).fitness
     if met >= LITTLE:
         return result
-    trimmed = registration_icp(source, target, distance, init, method, rules, overlap=None, **told)
+    trimmed = run(overlap=None, weights=weights)
     if evaluate_registration(source, target, near, trimmed.transformation).fitness < KEPT * met:
         return result
     trimmed.iterations += result.iterations
@@ -131,6 +147,14 @@ def _with_normals(cloud: PointCloud, voxel_size: float) -> PointCloud:
     if cloud.has_normals:
         return cloud
     return cloud.estimate_normals(radius=NORMAL_RADIUS * voxel_size or None, max_nn=NORMAL_NEIGHBORS)
+
+
+def _with_weights(cloud: PointCloud, weights: ArrayLike | str | None) -> PointCloud:
+    """The cloud with its weights as the attribute WEIGHTS."""
+    if weights is None:
+        return cloud
+    columns = point_weights([cloud], weights, _ROLES[:1])
+    return cloud.with_arrays(cloud.device_arrays | {WEIGHTS: columns[0]}, grid=cloud.grid)
 
 
 def _at_scale(callback: Watcher, scale: int, state: dict[str, Any]) -> None:

@@ -10,13 +10,15 @@ from typing import NamedTuple
 
 import numpy as np
 import warp as wp
+from numpy.typing import ArrayLike
 
+from ...core.checks import check_numeric
 from ...core.exchange import share_vectors
 from ...kernels.algebra.transform import transform_points
 from ...kernels.icp.color_gradients import average_colors, estimate_color_gradients
 from ...kernels.icp.plane_covariances import plane_covariances, plane_covariances_from_normals
 from ...kernels.lang import float32
-from ...kernels.memory import cast
+from ...kernels.memory import cast, download, upload
 from ...kernels.surface.orientation import normalize_vectors
 from ...pcd.cloud import PointCloud
 
@@ -160,3 +162,41 @@ def _directions(cloud: PointCloud, name: str) -> wp.array:
     if cloud.origin.any():
         points = transform_points(points, np.eye(3), cloud.origin)
     return normalize_vectors(points)
+
+
+def point_weights(clouds: Sequence[PointCloud], weights: ArrayLike | str, names: Sequence[str]) -> list[wp.array]:
+    """What the points of each cloud count, float32 device arrays [n, 1].
+
+    Args:
+        clouds: The clouds.
+        weights: The name of an attribute that all of them have, or an array [n] for the only one.
+        names: What the user's arguments are called.
+
+    Raises:
+        ValueError: Weights that are negative, not finite or all zero, another shape, or a cloud without them.
+    """
+    if not isinstance(weights, str) and len(clouds) > 1:
+        raise ValueError(
+            f"weights: one array for {len(clouds)} clouds; assign cloud['weights'] each, and give its name"
+        )
+    columns = []
+    for cloud, name in zip(clouds, names, strict=True):
+        label = f"{name}[{weights!r}]" if isinstance(weights, str) else "weights"
+        if isinstance(weights, str):
+            if weights not in cloud:
+                raise ValueError(f"weights: {name} has no attribute {weights!r}; assign {label}, shape [n]")
+            values = download(cloud.device_array(weights))  # sync
+        else:
+            values = check_numeric("weights", weights)
+        if values.shape not in ((len(cloud),), (len(cloud), 1)):
+            raise ValueError(f"{label}: expected shape [{len(cloud)}], got {list(values.shape)}")
+        values = values.astype(np.float32).reshape(-1, 1)
+        if not (np.isfinite(values) & (values >= 0)).all():
+            worst = int(np.argmin(np.isfinite(values) & (values >= 0)))
+            raise ValueError(
+                f"{label}: expected finite weights of 0 and more, got {values[worst, 0]:g} of point {worst}"
+            )
+        if len(values) and not values.any():
+            raise ValueError(f"{label}: all weights are zero, so no point counts")
+        columns.append(upload(values, float32, cloud.device))
+    return columns

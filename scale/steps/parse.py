@@ -8,7 +8,10 @@ from typing import Any
 from ...core.checks import shown
 from ...core.errors import FileError
 from ...core.known_names import nearest_name
+from .clusters import ClusterDbscan, ClusterEuclidean
+from .comparison import Change, Distance
 from .crop import Crop
+from .features import Features
 from .function import Function
 from .ground import ClassifyGround, HeightAboveGround
 from .normals import EstimateNormals
@@ -16,12 +19,12 @@ from .outliers import RadiusOutlier, StatisticalOutlier
 from .raster import Rasterize
 from .smoothing import SmoothMls
 from .step import Step
+from .thinning import Thin
 from .voxels import VoxelDownSample
 
 WHOLE = {
-    "cluster_dbscan": "clusters reach across any number of tiles",
-    "segment_plane": "a plane is found among all points",
-    "detect_planar_patches": "patches reach across any number of tiles",
+    "segment_plane": "a plane is found among all points; thin them here and find it in memory",
+    "detect_planar_patches": "patches reach across any number of tiles; thin the points here and find them in memory",
     "farthest_point_down_sample": "each choice depends on all before it",
     "orient_normals_consistent_tangent_plane": "signs spread over the whole cloud",
     "random_down_sample": "the choice depends on the number of all points",
@@ -32,7 +35,9 @@ KNOWN: dict[str, type[Step]] = {
     kind.name: kind
     for kind in (VoxelDownSample, RadiusOutlier, EstimateNormals, StatisticalOutlier, Crop, SmoothMls, Function)
 }
+KNOWN |= {kind.name: kind for kind in (ClusterDbscan, ClusterEuclidean)}
 KNOWN |= {kind.name: kind for kind in (ClassifyGround, HeightAboveGround, Rasterize)}
+KNOWN |= {kind.name: kind for kind in (Features, Thin, Distance, Change)}
 
 
 def parse_steps(steps: Any) -> list[Step]:
@@ -60,7 +65,18 @@ def parse_steps(steps: Any) -> list[Step]:
     names = [step.raster for step in parsed if isinstance(step, Rasterize)]
     if len({*names}) < len(names):
         raise ValueError(f"steps: rasters of one name: {', '.join(names)}; give each a 'name' of its own")
+    _check_order(parsed)
     return parsed
+
+
+def _check_order(steps: list[Step]) -> None:
+    """Hold that no step whose halo may grow stands behind one that was joined with the halo that was planned."""
+    joined = ""
+    for step in steps:
+        if joined and step.neighbors is not None:
+            reason = f"the halo that {step.name} of the nearest wants is known too late for {joined}"
+            raise ValueError(f"steps: {reason}; put {joined} behind it, or give a radius")
+        joined = step.name if step.joins else joined
 
 
 def _read_toml(path: Path) -> list[Any]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from typing import Any, ClassVar
 
 from ...core.checks import check_positive, check_search
@@ -27,4 +28,4 @@ class SmoothMls(Step):
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
         """The step on a part."""
         cloud = part.cloud.smooth_mls(radius=self.reach, max_nn=self.params["max_nn"])
-        return Part(cloud, None, part.homes, self.spread_after(part.spread))
+        return dataclasses.replace(part, cloud=cloud, exact=None, spread=self.spread_after(part.spread))

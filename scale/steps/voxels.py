@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any, ClassVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...core.checks import check_finite, check_positive, check_shape
 from ...kernels.memory import download
@@ -42,4 +44,18 @@ class VoxelDownSample(Step):
         firsts = download(part.cloud.device_array("points"))[order[offsets[:-1]]].astype(np.float64)
         cells = np.floor((firsts - (corner - part.cloud.origin)) / self.size)
         homes = corner[:2] + (cells[:, :2] + 0.5) * self.size
-        return Part(trace.cloud, None, homes, self.spread_after(part.spread))
+        keys = self._keys(cells, corner, plan, part)
+        return Part(trace.cloud, None, homes, self.spread_after(part.spread), keys=keys)
+
+    def _keys(
+        self, cells: NDArray[np.float64], corner: NDArray[np.float64], plan: Any, part: Part
+    ) -> NDArray[np.int64] | None:
+        """Numbers of voxels, x slowest as in the cloud; None where 64 bits are too few."""
+        ends = (np.array([plan.told["low"], plan.told["high"]]) - corner) / self.size
+        beyond = 2 + np.ceil((plan.slack + part.spread) / self.size)  # voxels, for what is rounded and what has moved
+        low, high = np.floor(ends[0]) - beyond, np.floor(ends[1]) + beyond
+        shape = [int(n) for n in high - low + 1]
+        if math.prod(shape) >= 2**63:
+            return None
+        x, y, z = np.clip(cells - low, 0, high - low).astype(np.int64).T
+        return (x * shape[1] + y) * shape[2] + z

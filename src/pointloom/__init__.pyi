@@ -1,7 +1,7 @@
 """The public names of pointloom: the one list of them, for type checkers and for `public_names`."""
 
 from . import data as data
-from .pcd import change as change
+from .drawing import change as change
 from . import registration as registration
 from .photos import mvs as mvs
 from .rgbd import reconstruction as reconstruction
@@ -88,6 +88,10 @@ from .pcd.geographic import utm_epsg as utm_epsg
 from .pcd.ground import classify_ground as classify_ground
 from .pcd.terrain import height_above_ground as height_above_ground
 from .pcd.hulls import VisibleSurface as VisibleSurface
+from .pcd.shape import Shape as Shape
+from .pcd.shape_detection import DetectedShapes as DetectedShapes
+from .pcd.shape_detection import detect_shapes as detect_shapes
+from .pcd.shape import ShapeSurface as ShapeSurface
 from .cameras.images import RGBDImage as RGBDImage
 from .files.frames.azure_kinect import AzureKinectCamera as AzureKinectCamera
 from .files.models.colmap import read_colmap_model as read_colmap_model
@@ -107,6 +111,10 @@ from .files.points.point_cloud import read_las_chunks as read_las_chunks
 from .files.points.point_cloud import read_point_cloud as read_point_cloud
 from .files.points.point_cloud import write_point_cloud as write_point_cloud
 from .files.frames.realsense import RealSenseCamera as RealSenseCamera
+from .files.bags.recording import RecordedMessage as RecordedMessage
+from .files.bags.recording import Recording as Recording
+from .files.bags.recording import RecordingWarning as RecordingWarning
+from .files.bags.recording import open_recording as open_recording
 from .files.frames.recordings import FrameRecorder as FrameRecorder
 from .files.frames.recordings import record_frames as record_frames
 from .files.frames.rgbd_sources import RGBDSource as RGBDSource

@@ -27,9 +27,9 @@ from .commands import answer, names_in, run
 
 ROOT = Path(__file__).resolve().parents[2]
 COMMANDS = (
-    "clean", "clean-mesh", "cluster", "compare-meshes", "completion", "convert", "crop", "demo", "depth", "docs",
-    "doctor", "downsample", "evaluate", "fuse", "info", "mesh", "multiway", "normals", "odometry",
-    "plane", "reconstruct", "register", "sample", "sample-mesh", "simplify", "smooth-mesh", "texture", "tile", "track",
+    "change", "clean", "clean-mesh", "cluster", "compare-meshes", "completion", "convert", "crop", "demo", "depth",
+    "docs", "doctor", "downsample", "evaluate", "fuse", "info", "mesh", "multiway", "normals", "odometry", "plane",
+    "reconstruct", "register", "sample", "sample-mesh", "simplify", "smooth-mesh", "texture", "tile", "track",
     "video", "view",
 )  # fmt: skip
 
@@ -133,7 +133,7 @@ def test_an_extension_of_poses_is_one_format_in_every_command():
         ("downsmaple", "did you mean downsample?"),
         ("normal", "did you mean normals?"),
         ("INFO", "did you mean info?"),
-        ("xyzzy", "the commands are clean, clean-mesh, cluster"),
+        ("xyzzy", "the commands are change, clean, clean-mesh"),
         ("fuse", "missing argument"),
         ("fuse frames", "missing option '-o'"),
         ("fuse frames -o a.ply --voxl 1", "no option --voxl of pointloom fuse; did you mean --voxel?"),

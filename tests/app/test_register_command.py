@@ -311,3 +311,43 @@ def test_a_start_that_is_no_pose_is_an_error(near, tmp_path):
     ):
         start.write_text(text)
         assert why in refusal("register", *near, "--init", start)
+
+
+def test_what_is_not_free_stays_as_the_start_has_it(near, tmp_path):
+    np.savetxt(tmp_path / "start.txt", np.eye(4))
+    report = answer("register", *near, *VOXEL, "--init", tmp_path / "start.txt", "--free", "x,y,z,yaw")
+    T = np.array(report["transformation"])
+    assert (T[2, :3] == [0, 0, 1]).all() and set(report["free"]) == {"x", "y", "z", "yaw"}
+    np.testing.assert_allclose(T, NEAR, atol=0.06)
+    assert answer("register", *near, *VOXEL, "--init", "identity")["free"] is None
+    searched = answer("register", *near, *VOXEL, "--free", "x, y, z, yaw")
+    assert np.array(searched["transformation"])[2, 2] == 1
+
+
+def test_a_pose_that_is_known_holds_a_plane(tmp_path, rng):
+    floor = np.column_stack([rng.uniform(-2, 2, (4000, 2)), rng.normal(0, 1e-3, 4000)])
+    paths = tmp_path / "a.ply", tmp_path / "b.ply"
+    for path, shift in zip(paths, (0.1, 0.0), strict=True):
+        loom.write_point_cloud(path, loom.PointCloud(floor - [shift, 0, 0]))
+    known = np.eye(4)
+    known[0, 3] = 0.1
+    np.savetxt(tmp_path / "gnss.txt", known)
+    prior = "--prior", tmp_path / "gnss.txt", "--prior-sigma", "0.05", "1"
+    report = poor_answer("register", *paths, "--voxel", "0.1", "--init", "identity", *prior)  # planes prove nothing
+    assert len(report["prior_directions"]) == 3
+    np.testing.assert_allclose(np.array(report["transformation"])[:3, 3], [0.1, 0, 0], atol=0.01)
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        (("--free", "x,yav"), "--free: expected motions among x, y, z, roll, pitch, yaw, each once, got 'yav'"),
+        (("--free", "x,x"), "each once, got 'x'"),
+        (("--free", ""), "--free: expected motions"),
+        (("--free", "x"), "--free: a search is of all six motions or of x,y,z,yaw, got x; --init takes any"),
+        (("--prior-sigma", "0.1", "1"), "--prior, --prior-sigma: a pose that is known, and how well"),
+    ],
+)
+def test_freedoms_that_make_no_sense_are_refused(near, given, words):
+    said = run("register", *near, *given)
+    assert said.exit_code == 2 and words in " ".join(said.stderr.split())

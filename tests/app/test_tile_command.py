@@ -12,6 +12,9 @@ import pytest
 from pointloom.app.jobs import tiles as told_by
 from pointloom.app.shell import tile_command
 from pointloom.app.shell.cli import cli
+from pointloom.files.points.copc import open_copc
+from pointloom.files.points.las import open_las
+from pointloom.scale import finish, tree_outputs
 from pointloom.scale import plan as planning
 from pointloom.scale.manifest import Manifest
 from pointloom.scale.status import TileStatus
@@ -76,6 +79,46 @@ def test_planning_takes_an_area_points_and_copc(job):
     assert answer("tile", "finish", "b")["files"] == ["b/result.copc.laz"]
     assert "exists already" in refusal("tile", "finish", "b")
     assert answer("tile", "finish", "b", "--force")["is_finished"]
+
+
+def test_finish_makes_the_file_or_folder_that_is_asked_for(job, monkeypatch):
+    answer("tile", "plan", "survey", "--steps", "steps.toml", "-o", "job", "--size", "25")
+    answer("tile", "run", "job")
+    count = answer("tile", "status", "job")["points_out"]
+    assert answer("tile", "finish", "job", "--output", "las")["files"] == ["job/result.las"]
+    assert open_las(job / "job/result.las").header.point_count == count
+    assert not open_las(job / "job/result.las").header.is_compressed
+    assert answer("tile", "finish", "job", "-o", "out.copc.laz", "--output", "copc")["files"] == ["out.copc.laz"]
+    assert len(open_copc(job / "out.copc.laz").read().points) == count
+    for kind, marker in tree_outputs.FOLDERS.items():
+        report = answer("tile", "finish", "job", "--output", kind, "-o", kind)
+        assert report["files"] == [kind] and (job / kind / marker).is_file()
+        assert "exists already" in refusal("tile", "finish", "job", "--output", kind, "-o", kind)
+    given = {}
+    monkeypatch.setattr(told_by, "finish_tiles", lambda *_, **options: given.update(options))
+    answer("tile", "finish", "job", "--output", "tiles", "-o", "coarse", "--overview", "0.5")
+    assert (given["output"], given["overview"], given["overwrite"]) == ("tiles", 0.5, False)
+
+
+@pytest.mark.parametrize(
+    ("words", "code", "said"),
+    [
+        (["--output", "gltf"], 2, "'gltf' is not one of 'laz', 'las', 'copc', 'tiles', '3dtiles', 'potree'"),
+        (["--output", "potree"], 2, "missing option '-o'; --output potree makes a folder"),
+        (["--overview", "2"], 2, "--overview goes with --output tiles"),
+        (["--output", "tiles", "-o", "t", "--overview", "-2"], 2, "'--overview'"),
+        (["--output", "copc", "-o", "out.laz"], 1, "is no name of 'copc'. end it in .copc.laz"),
+        (["--output", "laz", "-o", "out.copc.laz"], 1, "is no name of 'laz'"),
+        (["-o", "out.xyz"], 1, "is no name of a LAS or LAZ file. end it in .laz or .las or .copc.laz"),
+    ],
+)
+def test_finish_refuses_what_does_not_go_together(job, words, code, said):
+    answer("tile", "plan", "survey", "--steps", "steps.toml", "-o", "job", "--size", "25")
+    answer("tile", "run", "job")
+    result = run("tile", "finish", "job", *words)
+    assert (result.exit_code, result.stdout) == (code, "")
+    assert said.lower() in " ".join(result.stderr.split()).lower()
+    assert names_in(job) == ["job", "own_steps.py", "steps.toml", "survey"]
 
 
 @pytest.mark.slow
@@ -211,6 +254,7 @@ def test_long_lists_of_names_are_cut():
 
 def test_the_options_are_those_of_the_library():
     assert planning.OUTPUTS == tile_command.OUTPUTS
+    assert (*finish.FILES,) == tile_command.FILES and (*tree_outputs.FOLDERS,) == tile_command.FOLDERS
     commands = cli.commands["tile"].commands
     assert sorted(commands) == ["finish", "plan", "retry", "run", "status"]
     for name in commands:

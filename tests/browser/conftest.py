@@ -23,7 +23,7 @@ from playwright.sync_api import Browser, ConsoleMessage, Error, Page, sync_playw
 import pointloom as loom
 
 from .live_pages import OPEN, Program
-from .pixels import PATIENCE
+from .pixels import PATIENCE, wait_until
 from .viewer_scenes import HEIGHT, WIDTH
 
 HERE = Path(__file__).parent
@@ -160,11 +160,18 @@ def program(monkeypatch: pytest.MonkeyPatch) -> Iterator[Program]:
 
 @pytest.fixture
 def visit(program: Program, open_page: Callable[..., Page]) -> Callable[..., Page]:
-    """Open the program's page and wait until it is connected: `visit(width=900, height=600, faults=True)`."""
+    """Open the program's page and wait until it has all that the program said: `visit(width=900, height=600)`."""
 
     def visit_one(*, width: int = 900, height: int = 600, faults: bool = True) -> Page:
         page = open_page(program.url, width=width, height=height, faults=faults)
         page.locator(OPEN).wait_for(state="attached")
+        signs: list[Any] = []
+        wait_until(page, program.pages.get_clients, lambda: "the program knows of no page", seconds=20)
+        clients = program.pages.get_clients()
+        client = clients[max(clients)]
+        client.on_sign(signs.append)
+        client.ask_for_sign()
+        wait_until(page, lambda: signs, lambda: "the page does not answer", seconds=20)
         return page
 
     return visit_one

@@ -21,14 +21,21 @@ MORE = {
     "Qhull's convex hull": ("get_oriented_bounding_box", "get_minimal_oriented_bounding_box"),
     "the line of the digests reads points, vertices or triangles as NumPy": (
         *("knn_search, array", "points picked", "mesh, cluster", "mesh, deform", "mesh, metrics", "mesh, remove_"),
-        *("mesh, sample_points_uniformly", "mesh, topology", "mesh, triangles that meet", "mesh, trim", "scene, "),
+        *("mesh, sample_points_uniformly", "mesh, topology", "mesh, triangles that meet", "mesh, trim"),
         *("demo, video", "run_system", "slam, DenseSLAM"),
     ),
     "samples of features, rows of matches and of what agrees, up to a number": (
         *("correspondences_from_features", "ransac, ", "fast global", "robust registration", "register_"),
     ),
     "states of jobs, 3,840 bytes for each of several calls or steps": (
-        *("icp, callback", "icp, criteria", "icp, degeneracy", "icp, point to plane, robust", "multi_scale_icp"),
+        *(
+            "icp, callback",
+            "icp, criteria",
+            "icp, degeneracy",
+            "icp, held",
+            "icp, point to plane, robust",
+            "multi_scale_icp",
+        ),
         "registration_icp_batch",
     ),
     "orders of the legs of a scan, 11,440 bytes a scan": ("odometry", "iterate_odometry"),
@@ -88,6 +95,12 @@ def test_what_goes_to_the_host_beside_the_result_does_not_grow_with_the_cloud(sc
     settings(order=Order.FORWARD, uninitialised=False)
     few, many = (measured(lambda: ON_CLOUDS[name](scenes.surfaces(n)))["beyond"] for n in SIZES)  # noqa: B023  at once
     reason = name.startswith(
-        (*MORE["Qhull's convex hull"], "knn_search, array", "detail tree", "detect_planar_patches")
+        (
+            *MORE["Qhull's convex hull"],
+            "knn_search, array",
+            "detail tree",
+            "detect_planar_patches",
+            "rasterize, triangles",
+        )
     )
     assert (many - few) / (SIZES[1] - SIZES[0]) < MOST_PER_POINT or reason

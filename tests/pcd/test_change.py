@@ -78,6 +78,24 @@ def test_what_has_not_changed_is_called_a_change_in_one_of_twenty_places(device)
     assert 0.01 < found.is_significant[inside].mean() < 0.12
 
 
+def test_the_order_in_which_points_are_met_changes_no_bit(device):
+    """Points far away give the trees another curve and other buckets; on a lattice normals hang on the last bits."""
+    first = np.indices((18, 18, 18)).reshape(3, -1).T * 0.3 - 2.55
+    first += np.random.default_rng(2).normal(size=first.shape) * 1e-7
+    second = first + np.array([0.05, 0.02, 0.11])
+    far = np.random.default_rng(3).random((777, 3)) * 20 + [1000, 300, 50]
+    cores = loom.PointCloud(first[::7], device=device)
+    options = {"core_points": cores, "normal_radii": [0.91, 1.31], "cylinder_radius": 0.7, "max_distance": 2.0}
+    alone = loom.change.m3c2(*(loom.PointCloud(p, device=device) for p in (first, second)), **options)
+    among = loom.change.m3c2(
+        *(loom.PointCloud(np.vstack([far, p])[::-1], origin=(0, 0, 0), device=device) for p in (first, second)),
+        **options,
+    )
+    for name in ("distances", "level_of_detection", "directions", "scales", "spreads", "counts"):
+        np.testing.assert_array_equal(getattr(among, name), getattr(alone, name))
+    assert np.isfinite(alone.distances).mean() > 0.9
+
+
 def test_a_pit_is_found_to_its_depth(device):
     cores = loom.PointCloud(epoch(0)[::40], device=device)
     found = compared(epoch(0), epoch(1, sunk=0.3), device, core_points=cores, max_distance=1.0)

@@ -47,6 +47,7 @@ def test_shapes_of_the_fragment_are_those_of_float64(device, search, fragment, t
     shapes = loom.compute_eigen_features(cloud, **search)
     lists, held = lists_of(cloud, **search), cloud.points
     check_shapes(shapes, lists, held, range(0, len(cloud), 40), tolerances)
+    check_density(shapes, lists, held, **search)
     np.testing.assert_array_equal(loom.estimate_curvature(cloud, **search)["curvature"], shapes["curvature"])
 
 
@@ -73,6 +74,16 @@ def check_shapes(shapes, lists, held, rows, tolerances):
             assert shapes[name][row] ** power == pytest.approx(value**power, abs=tolerances.eigen_feature), name
         checked += 1
     assert checked > 100
+
+
+def check_density(shapes, lists, held, radius=None, max_nn=30):
+    """Neighbours over the volume of the ball that the search ends at."""
+    for row in range(0, len(held), 40):
+        if len(lists[row]) >= 3:
+            is_full = max_nn is not None and len(lists[row]) == max_nn
+            farthest = np.linalg.norm(held[lists[row]] - held[row], axis=1).max()
+            volume = 4 / 3 * np.pi * (farthest if is_full else radius) ** 3
+            assert shapes["density"][row] == pytest.approx(len(lists[row]) / volume, rel=1e-5)
 
 
 def test_lines_planes_and_balls_are_told_apart(device, rng):

@@ -47,12 +47,17 @@ cloud.paint_uniform_color(color=three)
 cloud.project_to_depth_image(width=16, height=12, intrinsic=camera, extrinsic=pose, depth_scale=1000.0, depth_max=5.0)
 cloud.project_to_rgbd_image(width=16, height=12, intrinsic=camera, extrinsic=pose, depth_max=5.0)
 cloud.random_down_sample(sampling_ratio=0.5, seed=1)
+cloud.region_growing(smoothness_threshold_deg=3.0, curvature_threshold=0.05, min_cluster_size=5, max_cluster_size=50, max_nn=10)
 cloud.remove_radius_outlier(nb_points=3, radius=0.3)
 cloud.remove_statistical_outlier(nb_neighbors=5, std_ratio=1.0)
 cloud.rotate(R=turn, center=three)
 cloud.scale(scale=2.0, center=three)
 cloud.segment_plane(distance_threshold=0.01, ransac_n=3, num_iterations=10, probability=0.99, seed=0)
 cloud.segment_planes(distance_threshold=0.01, ransac_n=3, num_iterations=10, probability=0.99, min_points=10, max_planes=2, seed=0)
+cloud.segment_cone(distance_threshold=0.05, normal_threshold_deg=30.0, num_iterations=10, probability=0.99, seed=0)
+cloud.segment_cylinder(distance_threshold=0.05, normal_threshold_deg=30.0, num_iterations=10, probability=0.99, min_radius=0.0, max_radius=2.0, seed=0)
+cloud.segment_sphere(distance_threshold=0.05, normal_threshold_deg=30.0, num_iterations=10, probability=0.99, min_radius=0.0, max_radius=2.0, seed=0)
+cloud.segment_torus(distance_threshold=0.2, normal_threshold_deg=80.0, num_iterations=2000, probability=0.99, min_radius=0.0, max_radius=2.0, seed=0)
 cloud.select_by_index(indices=[0, 1])
 cloud.select_by_mask(mask=mask)
 cloud.smooth_bilateral(radius=0.5, max_nn=10, sigma_s=0.05, sigma_r=0.05)
@@ -64,12 +69,14 @@ cloud.to_unit(unit="foot")
 cloud.transform(transformation=pose)
 cloud.translate(translation=three)
 cloud.uniform_down_sample(every_k_points=2)
+cloud.thin(spacing=0.2, corner=three)
 cloud.voxel_down_sample(voxel_size=0.2, reduction="mean")
 cloud.voxel_down_sample_and_trace(voxel_size=0.2, min_bound=three, max_bound=three)
 loom.NearestNeighborSearch(cloud=cloud, device="cpu")
 search.knn_search(queries=points, k=3)
 search.hybrid_search(queries=points, radius=0.3, max_nn=3)
 search.radius_search(queries=points, radius=0.3)
+loom.detect_shapes(cloud=cloud, distance_threshold=0.05, normal_threshold_deg=30.0, kinds=("plane", "sphere"), min_support=10, cluster_epsilon=0.3, num_iterations=10, probability=0.9, min_radius=0.0, max_radius=2.0, max_shapes=2, seed=0, progress=None)
 loom.free_memory(device="cpu")
 loom.LengthUnit(name="ell", symbol="ell", metres=1.143)
 loom.AxisAlignedBoundingBox(min_bound=three, max_bound=three)
@@ -228,6 +235,9 @@ loom.create_surface(cloud=cloud, method="poisson", depth=2, density_quantile=0.1
 loom.create_depth_pyramid(depth=depth, levels=2, diff_threshold=0.1, depth_scale=1000.0, device="cpu")
 loom.create_normal_map(depth=depth, intrinsic=camera, invalid_fill=0.0, depth_scale=1000.0, device="cpu")
 loom.erode_depth_edges(depth=depth, radius=1, depth_threshold=0.1, depth_scale=1000.0, device="cpu")
+loom.change.cloud_to_mesh(cloud=cloud, mesh=mesh, radius=0.5, registration_error=0.01, max_distance=9.0)
+loom.change.m3c2(first=cloud, second=other, normal_radii=[0.5], cylinder_radius=0.3, max_distance=0.5, core_points=cloud, registration_error=0.01, orientation=[0, 0, 1])
+loom.change.paint(cloud=cloud, change=cloud.points[:, 0], limit=0.5)
 loom.estimate_curvature(cloud=cloud, radius=0.5, max_nn=10)
 loom.filter_depth_bilateral(depth=depth, kernel_size=3, value_sigma=0.03, dist_sigma=2.0, depth_scale=1000.0, device="cpu")
 loom.marching_cubes(field=field, level=0.0, spacing=three, origin=three, device="cpu")
@@ -246,6 +256,7 @@ loom.read_colmap_model(folder="nowhere")
 loom.write_colmap_model(folder="model", model=model, format="bin")
 loom.read_metashape_cameras(path="nowhere.xml")
 loom.record_frames(source=stream, folder="recording", progress=None)
+loom.open_recording(path="nowhere.mcap")
 loom.read_copc(path="nowhere.copc.laz", within=box, spacing=0.5, device="cpu")
 loom.read_las_chunks(path="nowhere.las", chunk_size=10, device="cpu")
 loom.read_point_cloud(path="nowhere.ply", device="cpu", scan=None, columns=None)
@@ -349,6 +360,7 @@ LEFT_OUT |= {  # other names of what the table has
     for name in dir(kind)
     if name.startswith("create_from_") and hasattr(kind, name.removeprefix("create_"))
 }
+LEFT_OUT |= {"Shape", "ShapeSurface", "DetectedShapes"}  # results
 LEFT_OUT |= {"record"}  # tests/drawing/recording has it
 # tests/drawing/render has them
 LEFT_OUT |= {"render", "save_picture", "View", "fit_view", "read_view", "write_view", "CameraFrustum"}
@@ -356,6 +368,8 @@ LEFT_OUT |= {"DepthModel", "DepthEstimate", "estimate_depth", "evaluate_depth"} 
 LEFT_OUT |= {"DepthReport", "DepthSettings", "depth_of_pictures"}  # and these
 LEFT_OUT |= {"fuse", "FusionResult", "track", "TrackedPath", "check_focal", "FocalCheck"}  # tests/rgbd has them
 LEFT_OUT |= {"reconstruct", "ReconstructionResult"}  # and these
+# tests/files/test_bags.py has them
+LEFT_OUT |= {"Recording", "RecordedMessage", "Recording.choose_topic", "Recording.messages", "Recording.scans"}
 LEFT_OUT |= {"read_cameras"}  # tests/files/test_camera_files.py has it
 LEFT_OUT |= {"TriangleMesh.vertices_at"}  # takes device arrays
 LEFT_OUT |= {"set_num_threads"}  # tests/kernels/language/test_cpu_pool.py has it

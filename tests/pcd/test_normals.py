@@ -283,6 +283,27 @@ def test_two_runs_give_the_same_bits(device, search, rng):
     np.testing.assert_array_equal(first.view(np.int32), second.view(np.int32))
 
 
+@pytest.mark.parametrize(
+    "search", [{"max_nn": 15}, {"radius": 0.7, "max_nn": None}, {"radius": 0.6, "max_nn": 12}], ids=str
+)
+def test_normals_of_walls_and_lines_depend_on_no_order(device, search, rng):
+    """Rounding decides how the normal of a vertical line lies, and on which side of the level that of a wall."""
+    along = rng.random((300, 12, 1)) * [1.1, 0.3, 0.7] + np.arange(300.0)[:, None, None] * [0, 2, 0]
+    wide = rng.random((4000, 1)) * 9
+    wall = np.column_stack([wide * 0.8 - 30, wide * 0.6 - 30, rng.random(4000) * 3])
+    points = np.concatenate([along.reshape(-1, 3), wall])
+    elsewhere = rng.random((7_001, 3)) * [9, 600, 1] + [40, 0, 0]
+    found = []
+    for cloud in (points, np.concatenate([elsewhere, points])):
+        fitted = loom.PointCloud(cloud, device=device, origin=np.zeros(3)).estimate_normals(**search)
+        fitted = fitted.orient_normals_to_align_with_direction([0, 0, 1])
+        found.append(fitted.normals[-len(points) :])
+        covariances = loom.PointCloud(cloud, device=device, origin=np.zeros(3)).estimate_covariances(**search)
+        found.append(covariances.covariances[-len(points) :])
+    np.testing.assert_array_equal(found[0], found[2])
+    np.testing.assert_array_equal(found[1], found[3])
+
+
 def test_normalized_normals_are_open3ds(device, rng, to_open3d, tolerances):
     normals = rng.normal(size=(500, 3)) * 10 ** rng.uniform(-18, 18, (500, 1))
     normals[3], normals[4, 1] = 0, np.nan

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import signal
+import sys
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -70,7 +73,6 @@ def test_bare_earth_is_the_inverse_distance_of_its_definition(device, rng, cell,
 def test_bare_earth_on_triangles_is_scipys(device, rng):
     interpolate = pytest.importorskip("scipy.interpolate")
     cloud = survey(rng, device)
-    cloud = cloud.select_by_mask(np.isfinite(cloud.points).all(axis=1))
     raster = loom.terrain.rasterize(cloud, 0.5, method="tin")
     ground = local(cloud, np.asarray(cloud["classification"]) == 2)
     expected = interpolate.LinearNDInterpolator(ground[:, :2], ground[:, 2])(*centres(raster)) + ORIGIN[2]
@@ -218,6 +220,25 @@ def test_a_geotiff_that_cannot_be_written_leaves_nothing(tmp_path, rng):
     with pytest.raises(loom.FileError, match=r"End it in \.tif"):
         good.write(tmp_path / "c.png")
     assert [path.name for path in tmp_path.iterdir()] == ["b.tif"]
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="a limit of the size of files stands for a full disk")
+@pytest.mark.parametrize("missing", [1, 9, 5000, 100_000])
+def test_a_disk_that_is_full_at_the_very_end_is_noticed(tmp_path, missing):
+    pytest.importorskip("rasterio")
+    import resource
+
+    raster = loom.terrain.rasterize(loom.PointCloud(np.random.default_rng(0).random((40_000, 3)) * 400), 1.0, "dsm")
+    size, path = raster.write(tmp_path / "whole.tif").stat().st_size, tmp_path / "dsm.tif"
+    before, handler = resource.getrlimit(resource.RLIMIT_FSIZE), signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    try:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (size - missing, before[1]))
+        with pytest.raises(loom.FileError, match="cannot be written"):
+            raster.write(path)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+        signal.signal(signal.SIGXFSZ, handler)
+    assert [found.name for found in tmp_path.iterdir()] == ["whole.tif"]
 
 
 GROUND = {"classification": np.full(5, 2, np.uint8)}

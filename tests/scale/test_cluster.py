@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import subprocess
 import sys
 import threading
@@ -163,3 +164,21 @@ def test_a_cluster_that_lacks_workers_or_goes_away_is_an_error_by_name(files, tm
             loom.scale.run_tiles(tmp_path / "job", scheduler=empty.scheduler_address)
         closing.join()
     assert loom.scale.tile_status(tmp_path / "job").waiting == 9
+
+
+@pytest.mark.skipif(shutil.which("openssl") is None, reason="certificates are made by openssl")
+def test_a_scheduler_with_certificates_takes_those_who_have_them(files, expected, tmp_path):
+    key, certificate = str(tmp_path / "key.pem"), str(tmp_path / "certificate.pem")
+    made = ["openssl", "req", "-x509", "-newkey", "rsa:2048", "-nodes", "-days", "2", "-subj", "/CN=localhost"]
+    subprocess.run([*made, "-keyout", key, "-out", certificate], check=True, capture_output=True)
+    roles = {f"tls_{role}_{what}": value for role in ("scheduler", "worker", "client")
+             for what, value in (("key", key), ("cert", certificate))}  # fmt: skip
+    security = distributed.Security(tls_ca_file=certificate, require_encryption=True, **roles)
+    told = {"host": "127.0.0.1", "protocol": "tls", "dashboard_address": "127.0.0.1:0", "security": security}
+    loom.scale.plan_tiles(files, STEPS, tmp_path / "job", size=20.0)
+    with distributed.LocalCluster(1, processes=False, threads_per_worker=1, **told) as cluster:
+        address = cluster.scheduler_address
+        with pytest.raises(loom.FileError, match=r"no scheduler at tls://.*TLS"):
+            loom.scale.run_tiles(tmp_path / "job", scheduler=address)
+        assert loom.scale.run_tiles(tmp_path / "job", scheduler=address, security=security).is_finished
+    np.testing.assert_array_equal(rows_of(finished(tmp_path / "job")), expected)

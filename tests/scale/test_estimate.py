@@ -183,3 +183,15 @@ def test_a_run_takes_what_was_estimated(tmp_path, steps, points):
     pairs = [(told.cpu_seconds, cpu), (told.memory, peak), (told.temporary, real.bucket_bytes), (told.output, size)]
     for figure, found in [*pairs, (told.points_out, real.points_out)]:
         assert found / 2 < figure.value < found * 2, (figure, found)
+
+
+def test_what_tiles_leave_for_a_join_is_estimated(tmp_path, in_this_process, monkeypatch):
+    steps = [{"step": "cluster_euclidean", "tolerance": 0.2}]
+    paths = uneven(tmp_path, 6000)
+    told = loom.scale.estimate_tiles(paths, steps, points=500)
+    loom.scale.plan_tiles(paths, steps, tmp_path / "job", points=500)
+    assert loom.scale.run_tiles(tmp_path / "job").is_finished
+    left = sum(path.stat().st_size for name in ("left", "joined") for path in (tmp_path / "job" / name).rglob("*.npy"))
+    assert left > 100_000
+    buckets = loom.scale.tile_status(tmp_path / "job").bucket_bytes
+    assert told.temporary.low < left + buckets < told.temporary.high

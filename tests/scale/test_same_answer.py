@@ -4,9 +4,12 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.files.points.las_writer import write_las
+from pointloom.files.table import PointTable
 from pointloom.scale import work_tile
+from pointloom.scale.manifest import NOT_LAID, Manifest
 
-from .scenes import CORNER, SIDE, finished, in_memory, plan_of, rows_of, survey, tiled, whole_cloud
+from .scenes import CORNER, SIDE, STEP, finished, in_memory, plan_of, rows_of, survey, tiled, whole_cloud
 
 MIDDLE = (CORNER + np.array([SIDE / 2, SIDE / 2, 0])).tolist()
 CHAINS = {
@@ -105,6 +108,20 @@ def test_the_result_may_be_a_copc_file(files, tmp_path):
     assert 0 < len(part) < len(found)
 
 
+@pytest.mark.parametrize("size", [134.48, 41.3, 9.7])
+def test_steps_without_reach_lose_no_point_on_borders_that_are_rounded(tmp_path, size):
+    corner, cells = np.array([636_001.76, 848_935.2]), 14
+    places = np.random.default_rng(0).integers(0, cells + 1, (3000, 2)) * size
+    points = np.column_stack([corner + places, np.arange(3000) * 0.01])
+    points[0, :2] = corner
+    path = tmp_path / "grid.laz"
+    write_las(path, PointTable(points, attributes={"gps_time": np.arange(3000.0)}), scale=1e-5, offset=points[0])
+    steps = [{"step": "crop", "min_bound": [0, 0, -1], "max_bound": [1e7, 1e7, 1e4]}]
+    found, plan = tiled([path], steps, tmp_path / "job", size=size)
+    assert np.prod(plan["shape"]) >= cells**2
+    np.testing.assert_array_equal(np.sort(found["gps_time"]), np.arange(3000.0))
+
+
 def brighter(cloud, by):
     cloud["intensity"] = np.asarray(cloud["intensity"]).astype(np.uint16) // by
     return cloud.select_by_mask(np.asarray(cloud["intensity"]) > 1000)
@@ -125,3 +142,48 @@ def test_an_area_is_done_alone(files, tmp_path):
     x, y = (expected.points - CORNER)[:, :2].T
     mask = (x > 9.999) & (x < 19.999) & (y > 9.999) & (y < 19.999)
     np.testing.assert_array_equal(rows_of(found), rows_of(expected.select_by_mask(mask)))
+
+
+def strips(folder):
+    """The survey as four files side by side, and the buckets that a job of one tile lays."""
+    cloud = whole_cloud(survey(folder), CORNER)
+    paths = []
+    for number, low in enumerate(np.arange(4) * SIDE / 4):
+        x = cloud.points[:, 0] - CORNER[0]
+        last = number == 3
+        part = cloud.select_by_mask((x >= low) & ((x < low + SIDE / 4) | last))
+        paths.append(folder / f"strip{number}.laz")
+        loom.write_point_cloud(paths[-1], part, scale=STEP)
+    return paths
+
+
+def laid(job):
+    with Manifest(job) as manifest:
+        return [row["id"] for row in manifest.rows("SELECT id FROM sources WHERE full != ?", NOT_LAID)]
+
+
+def test_files_that_are_far_from_the_area_are_not_laid(tmp_path):
+    files = strips(tmp_path)
+    low = CORNER[:2] + 2
+    steps = CHAINS["radius outliers"]
+    found, plan = tiled(files, steps, tmp_path / "job", size=10.0, only=[*low, *(low + 4)])
+    assert laid(tmp_path / "job") == [0, 1]
+    expected = in_memory(whole_cloud(files, np.array(plan["origin"])), steps, None)
+    mask = ((expected.points - CORNER)[:, :2] < 9.999).all(axis=1)
+    np.testing.assert_array_equal(rows_of(found), rows_of(expected.select_by_mask(mask)))
+
+
+@pytest.mark.parametrize("how", [{}, {"workers": 2}])
+def test_a_file_that_turns_out_to_be_needed_is_laid_then(tmp_path, monkeypatch, how):
+    files = strips(tmp_path)
+    steps = [{"step": "estimate_normals", "max_nn": 12}]
+    low = CORNER[:2] + 2
+    with monkeypatch.context() as patch:
+        patch.setattr("pointloom.scale.plan.far_files", lambda *_: {1, 2, 3})
+        loom.scale.plan_tiles(files, steps, tmp_path / "job", size=10.0, only=[*low, *(low + 4)])
+    assert laid(tmp_path / "job") == [0]
+    assert loom.scale.run_tiles(tmp_path / "job", **how).is_finished
+    assert laid(tmp_path / "job") == [0, 1]
+    expected = in_memory(whole_cloud(files, np.array(plan_of(tmp_path / "job")["origin"])), steps, None)
+    mask = ((expected.points - CORNER)[:, :2] < 9.999).all(axis=1)
+    np.testing.assert_array_equal(rows_of(finished(tmp_path / "job")), rows_of(expected.select_by_mask(mask)))

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.core.errors import FileError
 from pointloom.files.points.las import read_las
 from pointloom.files.points.las_writer import write_las
 from pointloom.files.table import PointTable
@@ -130,6 +131,67 @@ def test_the_mosaic_of_tiles_is_the_raster_of_one_machine(files, tmp_path, size)
             np.testing.assert_array_equal(file.read(1), values)
             np.testing.assert_array_equal(file.read(2) != 0, raster.filled)
             assert file.profile["tiled"] and file.nodata == -9999
+
+
+def test_an_area_has_the_cells_of_its_tiles(files, tmp_path):
+    rasterio = pytest.importorskip("rasterio")
+    steps = [{"step": "rasterize", "cell": 1.5, "kind": "lowest"}]
+    low = CORNER[:2] + 70
+    _, plan = run(files, steps, tmp_path / "job", size=30.0, only=[*low, *(low + 40)])
+    raster = loom.terrain.rasterize(whole(files, plan), 1.5, "lowest")
+    with rasterio.open(tmp_path / "job" / "result.lowest.tif") as file:
+        found, bounds = file.read(1, masked=True).filled(np.nan), file.bounds
+    assert found.shape == (40, 40)
+    row, column = round((raster.bounds[3] - bounds.top) / 1.5), round((bounds.left - raster.bounds[0]) / 1.5)
+    np.testing.assert_array_equal(found, raster.values[row : row + 40, column : column + 40])
+
+
+def test_a_job_that_leaves_no_point_has_its_rasters(files, tmp_path):
+    rasterio = pytest.importorskip("rasterio")
+    away = {"step": "crop", "min_bound": (CORNER - 50).tolist(), "max_bound": (CORNER - 40).tolist()}
+    steps = [RASTERS[5] | {"fill": None}, RASTERS[3]]
+    result, _ = run(files, steps, tmp_path / "with", size=60.0)
+    rasters, _ = run(files, [*steps, away], tmp_path / "without", size=60.0)
+    assert result.name == "result.laz" and rasters.name == "result.lowest.tif" and not result.with_name("x").exists()
+    for kind in ("lowest", "density"):
+        with (
+            rasterio.open(result.with_name(f"result.{kind}.tif")) as file,
+            rasterio.open(rasters.with_name(f"result.{kind}.tif")) as other,
+        ):
+            np.testing.assert_array_equal(file.read(), other.read())
+    with pytest.raises(FileError, match=r"result\.lowest\.tif: exists already"):
+        loom.scale.finish_tiles(tmp_path / "without", overwrite=False)
+    assert not (tmp_path / "without" / "result.laz").exists()
+    loom.scale.plan_tiles(files, [away], tmp_path / "nothing", size=60.0)
+    loom.scale.run_tiles(tmp_path / "nothing")
+    with pytest.raises(FileError, match="there is nothing to write: the steps left no point"):
+        loom.scale.finish_tiles(tmp_path / "nothing")
+
+
+def test_an_area_without_ground_has_empty_rasters(files, tmp_path):
+    rasterio = pytest.importorskip("rasterio")
+    rasters, _ = run(files, [RASTERS[0], RASTERS[2]], tmp_path / "job", size=60.0)  # nothing is of class 2
+    for kind in ("dtm", "chm"):
+        with rasterio.open(rasters.with_name(f"result.{kind}.tif")) as file:
+            assert file.shape[0] > 20 and (file.read(1) == -9999).all()
+
+
+def test_large_mosaics_have_overviews_in_the_order_of_the_cloud(files, tmp_path):
+    rasterio = pytest.importorskip("rasterio")
+    step = {"step": "rasterize", "cell": 0.1, "kind": "density"}
+    rasters, plan = run(files, [step], tmp_path / "job", size=60.0)
+    path = rasters.with_name("result.density.tif")
+    full = loom.terrain.rasterize(whole(files, plan), 0.1, "density").values
+    with rasterio.open(path) as file:
+        assert file.tags(ns="IMAGE_STRUCTURE")["LAYOUT"] == "COG"
+        assert file.overviews(1) == file.overviews(2) == [2, 4, 8]
+        assert file.descriptions == ("density", "filled")
+        np.testing.assert_array_equal(file.read(1), full)
+        total = file.read(1).mean()
+    with rasterio.open(path, overview_level=0) as file:
+        assert file.shape == tuple(edge // 2 for edge in full.shape)
+        assert file.read(1).mean() == pytest.approx(total, rel=1e-3)  # cells are means, not every other one
+    assert not [*path.parent.glob(".*.part")]
 
 
 def test_a_tile_without_points_has_the_ground_that_is_near(tmp_path):

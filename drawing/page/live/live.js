@@ -88,6 +88,10 @@ class Live {
   makeOperations() {
     const { engine, panel, commands, notices } = this;
     const parts = (operation, arrays) => splitArrays(operation, arrays);
+    const offered = (change) => (op, arrays) => {
+      change(op, arrays);
+      this.palette.refresh();
+    };
     return {
       node: (op, arrays) => engine?.add(op.id, op.parent, op.kind, ...parts(op, arrays)),
       set: (op, arrays) => engine?.set(op.id, ...parts(op, arrays)),
@@ -96,12 +100,12 @@ class Live {
       background: ({ color, own }) => this.theme.setGround(color, own === true),
       clicks: ({ on }) => this.setClicks(on),
       bounds: ({ low, high }) => engine?.setBounds(low, high),
-      control: (op, arrays) => panel.add(op, arrays),
-      setcontrol: (op, arrays) => panel.set(op, arrays),
-      dropcontrol: ({ id }) => panel.drop(id),
+      control: offered((op, arrays) => panel.add(op, arrays)),
+      setcontrol: offered((op, arrays) => panel.set(op, arrays)),
+      dropcontrol: offered(({ id }) => panel.drop(id)),
       rows: (op) => panel.rows(op),
-      command: (op) => commands.add(op),
-      dropcommand: ({ id }) => commands.drop(id),
+      command: offered((op) => commands.add(op)),
+      dropcommand: offered(({ id }) => commands.drop(id)),
       notify: ({ title, text, seconds, kind }) => notices.notify(title, text, seconds, kind),
       progress: ({ text, share }) => notices.setProgress(text ?? "", share ?? null),
       hint: ({ text }) => notices.setHint(text ?? ""),

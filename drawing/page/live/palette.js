@@ -21,16 +21,24 @@ class Palette {
 
   open() {
     if (this.dialog.open) return this.dialog.close();
-    this.all = this.commands.list({ withPanel: true });
     this.input.value = "";
     this.filter();
     this.dialog.showModal();
     this.input.focus();
   }
 
+  /** What the program added or took away while somebody looks. */
+  refresh() {
+    if (!this.dialog.open) return;
+    const chosen = this.found[this.active]?.command.label;
+    this.filter();
+    this.activate(Math.max(0, this.found.findIndex(({ command }) => command.label === chosen)));
+  }
+
   filter() {
     const words = this.input.value.toLowerCase().split(/\s+/).filter(Boolean);
-    this.found = this.all.map((command) => ({ command, rank: rankOf(command, words) })).filter(({ rank }) => rank > 0);
+    const all = this.commands.list({ withPanel: true });
+    this.found = all.map((command) => ({ command, rank: rankOf(command, words) })).filter(({ rank }) => rank > 0);
     if (words.length > 0) this.found.sort((a, b) => b.rank - a.rank);
     this.list.replaceChildren(...this.found.map(({ command }, index) => this.makeRow(command, index)));
     this.list.hidden = this.found.length === 0;

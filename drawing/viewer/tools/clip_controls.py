@@ -131,7 +131,7 @@ class ClipControls:
                 continue
             told = stream, clip, item.pose, item.cloud
             if not _same(known, told):
-                stream.set_keep(clip.keeper(item.pose_of(item.points), item.cloud) if clip.cuts else None)
+                stream.set_keep(item.keeper(clip) if clip.cuts else None)
                 self._applied[name] = told
         if not clip.cuts:
             self._applied.clear()

@@ -87,7 +87,7 @@ class FullDisk(io.FileIO):
 def test_a_full_disk_is_said_and_the_run_goes_on_from_there(tmp_path, monkeypatch, whole, room):
     FullDisk.room = room
     with monkeypatch.context() as patch:
-        patch.setattr(atomic.os, "fdopen", lambda handle, mode: FullDisk(handle, "wb"))
+        patch.setattr(atomic.io, "FileIO", FullDisk)
         with pytest.raises(FileError, match="No space left"):
             run_system(the_walk(), SETTINGS, tmp_path)
     assert not list(tmp_path.rglob("*.part"))

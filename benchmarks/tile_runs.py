@@ -1,0 +1,143 @@
+"""A job of tiles, measured: time and CPU time of each part, memory of a worker, disk.
+
+    python benchmarks/made_survey.py SURVEY --points 1e8
+    python benchmarks/tile_runs.py SURVEY JOB --workers 2 --idle
+
+Ground, a DTM of 1 m, voxels of 1 m and normals of these, in one chain, and one COPC file of the result. The record goes
+to `benchmarks/results/tiles-cpu.json`, in place of one of as many points. Say `--idle` where nothing else ran: times of
+others are not held against a model (`scale_out.py --check`).
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import resource
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+import psutil
+
+import pointloom as loom
+from pointloom.core.atomic import atomic_write
+from pointloom.scale.buckets import FOLDER as BUCKETS
+from pointloom.scale.manifest import Manifest
+
+RESULTS = Path(__file__).parent / "results" / "tiles-cpu.json"
+STEPS = [
+    {"step": "classify_ground"},
+    {"step": "rasterize", "cell": 1.0, "kind": "dtm"},
+    {"step": "voxel_down_sample", "voxel_size": 1.0},
+    {"step": "estimate_normals", "radius": 3.0, "max_nn": 20},
+]
+TRANSACTIONS = 200
+
+
+def size_of(folder: Path) -> int:
+    """Bytes in a folder."""
+    return sum(path.stat().st_size for path in folder.rglob("*") if path.is_file())
+
+
+class Watch:
+    """When the first tile begins, what workers have used until then, and the disk that files take laid by tile."""
+
+    def __init__(self, job: Path):
+        self.job, self.begin = job, time.monotonic()
+        self.laid_s = self.laid_cpu_s = 0.0
+        self.laid_bytes = 0
+
+    def __call__(self, phase: str, done: int, total: int) -> None:
+        """What `run_tiles` reports."""
+        print(f"\r{phase}: {done} of {total}   ", end="", file=sys.stderr, flush=True)
+        if phase != "files" and not self.laid_bytes:
+            self.laid_s = time.monotonic() - self.begin
+            self.laid_cpu_s = sum(sum(child.cpu_times()[:2]) for child in psutil.Process().children(recursive=True))
+            self.laid_bytes = size_of(self.job / BUCKETS)
+
+
+def transaction_seconds(job: Path) -> float:
+    """One claim or one note in the manifest, in the mean."""
+    with Manifest(job) as manifest:
+        begin = time.perf_counter()
+        for _ in range(TRANSACTIONS):
+            with manifest.change() as base:
+                base.execute("UPDATE tiles SET halo = halo WHERE id = 0")
+        return (time.perf_counter() - begin) / TRANSACTIONS
+
+
+def start_seconds() -> float:
+    """Of a worker's process until it has imported the library."""
+    begin = time.perf_counter()
+    subprocess.run([sys.executable, "-c", "import pointloom.scale.runners"], check=True)
+    return time.perf_counter() - begin
+
+
+def measured(survey: Path, job: Path, workers: int) -> dict[str, Any]:
+    """Plan, run and finish a job."""
+    os.environ.setdefault("POINTLOOM_CPU_THREADS", "1")
+    loom.scale.plan_tiles(survey, STEPS, job)
+    watch = Watch(job)
+    status = loom.scale.run_tiles(job, workers=workers, progress=watch)
+    run_s = time.monotonic() - watch.begin
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    if not status.is_finished:
+        raise SystemExit(f"{status}")
+    with Manifest(job) as manifest:
+        query = "SELECT sum(points_read) AS points_read, max(halo) AS halo, count(*) AS tiles FROM tiles"
+        (row,) = manifest.rows(query)
+    tile_bytes = size_of(job / "tiles")
+    begin, cpu = time.monotonic(), time.process_time()
+    result = loom.scale.finish_tiles(job, job / "result.copc.laz", workers=workers, overwrite=True)
+    return {
+        "points": status.points,
+        "files": len(list(survey.glob("*.laz"))),
+        "tiles": row["tiles"],
+        "workers": workers,
+        "points_read": row["points_read"],
+        "points_out": status.points_out,
+        "halo_m": round(row["halo"], 1),
+        "run_s": round(run_s, 1),
+        "lay_s": round(watch.laid_s, 1),
+        "lay_cpu_s": round(watch.laid_cpu_s, 1),
+        "tile_cpu_s": round(used.ru_utime + used.ru_stime - watch.laid_cpu_s, 1),
+        "finish_s": round(time.monotonic() - begin, 1),
+        "finish_cpu_s": round(time.process_time() - cpu, 1),
+        "worker_bytes": used.ru_maxrss * 1024,
+        "file_bytes": size_of(survey),
+        "laid_bytes": watch.laid_bytes,
+        "tile_bytes": tile_bytes,
+        "result_bytes": result.stat().st_size,
+        "transaction_s": round(transaction_seconds(job), 6),
+        "start_s": round(start_seconds(), 2),
+    }
+
+
+def keep(record: dict[str, Any]) -> None:
+    """Put a record into the file of results, in place of one of as many points."""
+    runs = json.loads(RESULTS.read_text())["runs"] if RESULTS.exists() else []
+    runs = [run for run in runs if run["points"] != record["points"]] + [record]
+    told = {"steps": STEPS, "runs": sorted(runs, key=lambda run: run["points"])}
+    with atomic_write(RESULTS) as file:
+        file.write(json.dumps(told, indent=1).encode() + b"\n")
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("survey", type=Path)
+    parser.add_argument("job", type=Path, help="a folder that is made, and removed in the end")
+    parser.add_argument("--workers", type=int, default=2)
+    parser.add_argument("--idle", action="store_true", help="nothing else ran on the machine")
+    told = parser.parse_args()
+    record = measured(told.survey, told.job, told.workers) | {"idle": told.idle}
+    keep(record)
+    print(json.dumps(record, indent=1))
+    shutil.rmtree(told.job)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,270 @@
+"""What a robot recorded, by topics: `open_recording`."""
+
+from __future__ import annotations
+
+import os
+import struct
+import warnings
+from collections import OrderedDict
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from ...core.errors import FileError
+from ...core.paths import path_of
+from ...pcd.cloud import PointCloud
+from ..foreign import foreign_errors, import_for
+from ..points.point_cloud import cloud_of
+from ..points.scan_files import natural_key
+from .bag1 import read_bag1
+from .clouds import table_of_message
+from .db3 import read_db3
+from .mcap import read_mcap
+from .pieces import Contents
+
+CLOUD = "sensor_msgs/msg/PointCloud2"
+_READERS = {".bag": read_bag1, ".mcap": read_mcap, ".db3": read_db3}
+_KEPT = 4  # unpacked chunks: those of a recording overlap little in time
+
+
+class RecordingWarning(UserWarning):
+    """A recording that is cut off or damaged, and read up to there.
+
+    Example:
+        >>> import warnings, pointloom as loom
+        >>> with warnings.catch_warnings():
+        ...     warnings.simplefilter("error", loom.RecordingWarning)  # make it an error
+    """
+
+
+@dataclass(frozen=True)
+class Topic:
+    """A topic of a recording.
+
+    Attributes:
+        name, type: Its name, and the type of its messages.
+        count: How many messages.
+        first, last: Times of the first and the last [s]; None without messages.
+        frame_id: The frame of the first message, where its type has a header.
+    """
+
+    name: str
+    type: str
+    count: int
+    first: float | None
+    last: float | None
+    frame_id: str | None
+
+
+@dataclass(frozen=True, eq=False)
+class RecordedMessage:
+    """A message as it was recorded: its topic, its time [s], and what it holds as an object of `rosbags`.
+
+    Example:
+        >>> import pointloom as loom
+        >>> loom.RecordedMessage("/points", 12.5, None).time
+        12.5
+    """
+
+    topic: str
+    time: float
+    content: Any
+
+
+class Recording:
+    """A recording that `open_recording` opened.
+
+    Attributes:
+        path: The file or folder.
+        damage: What is missing of it, in a sentence, or None.
+
+    Example:
+        >>> import pointloom as loom
+        >>> def spans(recording: loom.Recording) -> dict[str, float]:
+        ...     return {topic.name: topic.last - topic.first for topic in recording.topics if topic.count}
+    """
+
+    def __init__(self, path: Path, parts: list[Contents]):
+        self.path, self._parts = path, parts
+        self.damage = "; ".join(f"{part.path.name} {part.damage}" for part in parts if part.damage) or None
+        rows = [(time, n, c, p, at) for n, part in enumerate(parts) for time, c, p, at in part.entries
+                if c in part.channels]  # fmt: skip
+        self._rows = sorted(rows, key=lambda row: row[0])
+        self._chunks: OrderedDict[tuple[int, int], bytes] = OrderedDict()
+        self._stores: dict[str, Any] = {}
+
+    def __len__(self) -> int:
+        return len(self._rows)
+
+    def __repr__(self) -> str:
+        return f"Recording({self.path.name}, {len(self.topics)} topics, {len(self)} messages)"
+
+    @cached_property
+    def topics(self) -> list[Topic]:
+        """All topics, by name."""
+        kinds = {channel.topic: channel.type for part in self._parts for channel in part.channels.values()}
+        seen: dict[str, list[tuple[int, int, int, int, int]]] = {name: [] for name in kinds}
+        for row in self._rows:
+            seen[self._parts[row[1]].channels[row[2]].topic].append(row)
+        return [self._topic(name, kinds[name], seen[name]) for name in sorted(kinds)]
+
+    def messages(self, topic: str) -> Iterator[RecordedMessage]:
+        """The messages of a topic in the order of their times, each read when its turn comes.
+
+        Raises:
+            ValueError: No such topic.
+            FileError: A message that is damaged, with how many were read before it; a type that is not known.
+        """
+        names = [found.name for found in self.topics]
+        if topic not in names:
+            raise ValueError(f"topic: {self.path} has no {topic!r}; there are {', '.join(names) or 'none'}")
+        return self._messages(topic)
+
+    def choose_topic(self, topic: str | None, kind: str = CLOUD) -> str:
+        """The topic that was asked for, or the only one of a type.
+
+        Raises:
+            FileError: There is none, of another type, or more than one and none was asked for.
+        """
+        fitting = [found.name for found in self.topics if found.type == kind and found.count]
+        if topic is None and len(fitting) == 1:
+            return fitting[0]
+        if topic in fitting:
+            return str(topic)
+        every = ", ".join(f"{found.name} ({found.type}, {found.count})" for found in self.topics) or "none"
+        if topic is not None:
+            raise FileError(self.path, f"has no topic {topic!r} of {kind}", remedy=f"There are {every}")
+        what = f"{len(fitting)} topics of {kind}: {', '.join(fitting)}" if fitting else f"no topic of {kind}"
+        raise FileError(self.path, f"has {what}", remedy="Name one of them" if fitting else f"There are {every}")
+
+    def scans(self, topic: str | None = None, *, device: Any = None) -> Iterator[PointCloud]:
+        """The clouds of a topic of PointCloud2 in the order of their times, with the times of their points.
+
+        Args:
+            topic: Which; None takes the only one.
+            device: Where they go.
+
+        Raises:
+            FileError: As `choose_topic`; while iterating, a message that is damaged or no cloud.
+
+        Notes:
+            Points that are not finite are kept. Times per point are the attribute `time` [s] since the first one, which
+            odometry straightens by.
+        """
+        chosen = self.choose_topic(topic)
+        return (
+            cloud_of(table_of_message(self.path, message.content), self.path, device=device)
+            for message in self._messages(chosen)
+        )
+
+    def _messages(self, topic: str) -> Iterator[RecordedMessage]:
+        done = 0
+        for row in self._rows:
+            channel = self._parts[row[1]].channels[row[2]]
+            if channel.topic != topic:
+                continue
+            try:
+                content = self._decode(channel.type, channel.encoding, self._payload(row))
+            except FileError as error:
+                reason = f"{topic}: message {done} cannot be read after {done} that could: {error.reason}"
+                raise FileError(error.path, reason, where=error.where, remedy=error.remedy) from error
+            yield RecordedMessage(topic, row[0] * 1e-9, content)
+            done += 1
+
+    def _payload(self, row: tuple[int, int, int, int, int]) -> bytes:
+        _, number, _, piece, place = row
+        part = self._parts[number]
+        if (number, piece) not in self._chunks:
+            with foreign_errors(part.path, "damaged"):
+                self._chunks[number, piece] = part.pieces[piece]()
+            while len(self._chunks) > _KEPT:
+                self._chunks.popitem(last=False)
+        self._chunks.move_to_end((number, piece))
+        with foreign_errors(part.path, "damaged"):
+            return part.payload(self._chunks[number, piece], place)
+
+    def _decode(self, kind: str, encoding: str, data: bytes) -> Any:
+        if encoding not in ("ros1", "cdr"):
+            raise FileError(self.path, f"its messages are encoded as {encoding!r}", remedy="Known are ros1 and cdr")
+        if encoding not in self._stores:
+            typesys = import_for(self.path, "rosbags.typesys", "ros")
+            chosen = typesys.Stores.ROS1_NOETIC if encoding == "ros1" else typesys.Stores.ROS2_HUMBLE
+            self._stores[encoding] = typesys.get_typestore(chosen)
+        store = self._stores[encoding]
+        if kind not in store.fielddefs:
+            raise FileError(self.path, f"messages of {kind} are not known", remedy="Known are those of ROS itself")
+        with foreign_errors(self.path, f"a message is no {kind}"):
+            return store.deserialize_ros1(data, kind) if encoding == "ros1" else store.deserialize_cdr(data, kind)
+
+    def _topic(self, name: str, kind: str, rows: list[tuple[int, int, int, int, int]]) -> Topic:
+        if not rows:
+            return Topic(name, kind, 0, None, None, None)
+        frame = None
+        if kind.startswith("sensor_msgs/"):
+            try:
+                encoding = self._parts[rows[0][1]].channels[rows[0][2]].encoding
+                frame = _frame_id(self._payload(rows[0]), encoding)
+            except (FileError, struct.error, UnicodeDecodeError):
+                frame = None
+        return Topic(name, kind, len(rows), rows[0][0] * 1e-9, rows[-1][0] * 1e-9, frame)
+
+
+def open_recording(path: str | os.PathLike[str]) -> Recording:
+    """Open what a robot recorded: a bag of ROS 1 or 2 or an MCAP file, without ROS.
+
+    What is cut off or has no index is read up to the damage. Messages are read when their turn comes; decoding them
+    takes the extra `pointloom[ros]`.
+
+    Args:
+        path: A .bag, .mcap or .db3 file, or the folder of a bag of ROS 2, whose files are taken together.
+
+    Raises:
+        FileError: Nothing that is a recording, or one without any message.
+
+    Warns:
+        RecordingWarning: It is cut off or damaged; says where, and how many messages were found.
+
+    Notes:
+        Memory goes with the number of messages (some 100 B each), not with their size.
+
+    Example:
+        >>> import pointloom as loom
+        >>> loom.open_recording("run.mcap")
+        Traceback (most recent call last):
+        ...
+        pointloom.core.errors.FileError: run.mcap: does not exist
+    """
+    place = path_of(path)
+    files = [place]
+    if place.is_dir():
+        files = sorted((file for file in place.iterdir() if file.suffix in (".db3", ".mcap")), key=natural_key)
+        if not files:
+            packed = [file.name for file in place.iterdir() if file.name.endswith((".db3.zstd", ".mcap.zstd"))]
+            remedy = f"Unpack {packed[0]} with zstd -d" if packed else "Bags of ROS 2 are .db3 or .mcap files"
+            raise FileError(place, "holds no recording", remedy=remedy)
+    elif not place.exists():
+        raise FileError(place, "does not exist")
+    elif place.suffix.lower() not in _READERS:
+        raise FileError(place, f"is no recording: {place.suffix!r}", remedy=f"Known are {' '.join(_READERS)}")
+    recording = Recording(place, [_READERS[file.suffix.lower()](file) for file in files])
+    if not len(recording):
+        raise FileError(place, f"holds no message{'; ' + recording.damage if recording.damage else ''}")
+    if recording.damage:
+        warnings.warn(f"{place}: {recording.damage}; {len(recording)} messages are left", RecordingWarning, 2)
+    return recording
+
+
+def is_recording(path: Path) -> bool:
+    """Whether this is a file or folder that `open_recording` takes."""
+    if path.is_dir():
+        return any(file.suffix in (".db3", ".mcap") for file in path.iterdir())
+    return path.suffix.lower() in _READERS
+
+
+def _frame_id(data: bytes, encoding: str) -> str:
+    """The frame of a message that begins with a header: a counter in ROS 1, four bytes of encoding in ROS 2."""
+    order = ">" if encoding == "cdr" and data[1] == 0 else "<"
+    size = struct.unpack_from(order + "I", data, 12)[0]
+    return bytes(data[16 : 16 + size]).rstrip(b"\0").decode()

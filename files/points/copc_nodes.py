@@ -1,0 +1,154 @@
+"""The points of a COPC file node by node, as a viewer wants them: `CopcNodes`; a damaged node spoils no other."""
+
+from __future__ import annotations
+
+import collections
+import os
+import threading
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.checks import check_count
+from ...core.errors import FileError
+from ...core.units import LengthUnit
+from ..foreign import foreign_errors, import_for
+from ..source import netted, open_source
+from ..table import PointTable
+from .copc import INFO, CopcFile, octree_of
+from .las import COLORS, open_las, table_of
+from .las_header import parse_las_header
+from .las_units import units_of
+from .laszip import RECORD, check_chunk
+
+MEMORY = 1 << 28  # bytes of unpacked points that are kept
+MOST_POINTS = 1 << 22  # of one node: writers make some 100,000, and a few bytes may claim any number
+
+
+class CopcNodes:
+    """A COPC file that is open only while a node is read.
+
+    Args:
+        path: The file.
+        memory: Unpacked bytes that are kept, those that were asked for longest ago go first; a node that is larger
+            takes its own.
+
+    Attributes:
+        path: The file.
+        octree: Its octree; nodes that are no chunk of the file are left out.
+        unit: Of the coordinates, where the file tells it.
+        nodes_read, bytes_read: Nodes that were unpacked, each time that they were, and their compressed bytes.
+
+    Raises:
+        FileError: As of `open_copc`, but for damages within chunks: those show when a node is read.
+
+    Notes:
+        Safe from several threads. Of a file, opening reads the header, the table of chunks and the octree.
+    """
+
+    def __init__(self, path: str | os.PathLike[str], *, memory: int = MEMORY):
+        self._memory = check_count("memory", memory, minimum=0)
+        self.octree = _open(Path(path))
+        self.path, self._header = self.octree.path, self.octree.file.header
+        self.unit: LengthUnit | None = units_of(self._header).plane
+        self.row: np.dtype[Any] = self.octree.file.layout.dtype()
+        self.nodes_read = self.bytes_read = self._held = 0
+        self._rows: collections.OrderedDict[int, NDArray[Any]] = collections.OrderedDict()
+        self._lock = threading.Lock()
+        self._stamp = _stamp_of(self.path)
+
+    @property
+    def held(self) -> int:
+        """Bytes of unpacked points that are kept now."""
+        return self._held
+
+    def table(self, k: int, full: int) -> PointTable:
+        """The points of a node.
+
+        Args:
+            k: Its place in `octree.nodes`.
+            full: The value of a full colour; brighter ones are cut.
+
+        Raises:
+            FileError: The node is damaged, or the file is another one than was opened.
+        """
+        columns = self.octree.file.decode(self.rows(k))
+        if "colors" in columns:
+            columns["colors"] = np.minimum(columns["colors"] / np.float32(full), np.float32(1))
+        return table_of(self.octree.file, columns)
+
+    def rows(self, k: int) -> NDArray[Any]:
+        """The points of a node as they lie in an uncompressed file; see `table`."""
+        with self._lock:
+            rows = self._rows.get(k)
+            if rows is not None:
+                self._rows.move_to_end(k)
+                return rows
+        rows = self._read(k)
+        with self._lock:
+            if k not in self._rows:
+                self._held += rows.nbytes
+            self._rows[k] = rows
+            self._rows.move_to_end(k)
+            while self._held > self._memory and len(self._rows) > 1:
+                self._held -= self._rows.popitem(last=False)[1].nbytes
+        return rows
+
+    def name_of(self, k: int) -> str:
+        """What errors call a node: its level and cell, and where it lies in the file."""
+        node = self.octree.nodes[k]
+        cell = "-".join(map(str, node["cell"].tolist()))
+        return f"node {int(node['level'])}-{cell} of the octree, at byte {int(node['begin'])}"
+
+    def full_of(self, which: NDArray[np.int64]) -> int:
+        """The value of a full colour: 255 where none of some nodes exceeds that, else 65535."""
+        if COLORS[0] not in (self.row.names or ()):
+            return 65535
+        brightest = max((int(self.rows(k)[name].max(initial=0)) for k in which.tolist() for name in COLORS), default=0)
+        return 255 if 0 < brightest <= 255 else 65535
+
+    def _read(self, k: int) -> NDArray[Any]:
+        node, what = self.octree.nodes[k], self.name_of(k)
+        begin, size, count = int(node["begin"]), int(node["size"]), int(node["count"])
+        if count > MOST_POINTS:
+            raise FileError(self.path, f"{what}, claims {count} points; at most {MOST_POINTS} are shown")
+        lazrs = import_for(self.path, "lazrs", "las")
+        rows = np.empty(count, self.row)
+        with foreign_errors(self.path, f"{what}, cannot be read"):
+            if _stamp_of(self.path) != self._stamp:
+                raise FileError(self.path, "has changed since it was opened", remedy="Open it anew")
+            with self.path.open("rb") as stream:
+                stream.seek(begin)
+                chunk = stream.read(size)
+            if len(chunk) < size:
+                raise FileError(self.path, f"{what}, has {len(chunk)} of {size} bytes")
+            check_chunk(self.path, self._header, chunk, what)
+            record = self._header.find(*RECORD) or b""
+            lazrs.decompress_points_with_chunk_table(chunk, record, rows.view(np.uint8), [(count, size)])
+        with self._lock:
+            self.nodes_read, self.bytes_read = self.nodes_read + 1, self.bytes_read + size
+        rows.flags.writeable = False
+        return rows
+
+
+@netted
+def _open(path: Path) -> CopcFile:
+    return octree_of(open_las(path, layers_too=False), strict=False)
+
+
+def says_copc(path: str | os.PathLike[str], *, more_than: int = 0) -> bool:
+    """Whether a LAZ file says that it is a COPC file, and has more than so many points; only its header is read.
+
+    Raises:
+        FileError: It has no header that goes with it.
+    """
+    path = Path(path)
+    header = parse_las_header(path, open_source(path))
+    return header.is_compressed and header.find(*INFO) is not None and header.point_count > more_than
+
+
+def _stamp_of(path: Path) -> tuple[int, int]:
+    status = path.stat()
+    return status.st_size, status.st_mtime_ns

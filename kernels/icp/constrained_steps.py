@@ -1,0 +1,354 @@
+"""Steps of jobs that may move in some ways only, or that a prior pose holds.
+
+The sums of an iteration are brought about the middle of the pairs, rotations as lengths, and reduced to an orthonormal
+basis Q of the free motions there. Of the reduced system, what the pairs do not determine is left out (Zhang, Kaess and
+Singh 2016), then a prior is added: the objective is sum w r^2 + noise^2 xi^T Lambda xi, xi = (log(R R_p^T),
+displacement of the pivot's image). A scale is eliminated from the system beforehand. One thread a job, all in float64:
+some 15,000 operations, 50,000 where motions are not determined. Only jobs with a constraint come here.
+"""
+
+from ..algebra.matrices import multiply33
+from ..algebra.rigid_solve import UNKNOWNS, diagonalize, rotation_about, square, vec6d
+from ..lang import array, cross, dot, float64, func, int32, kernel, mat44d, sqrt, tid, vec3d, vector
+from .centered_systems import about, vector_about
+from .determined_steps import trace_of_inverse
+from .freedom import (
+    SCALE_AT,
+    SHIFT_AT,
+    Freedom,
+    change_of_logarithm,
+    logarithm,
+    motion_state,
+    pose_of_state,
+    shift_of_state,
+    turn_of_state,
+    turning_axes,
+)
+from .job_states import NOT_FINITE, RUNNING, free_directions
+from .matches import Matches
+from .reduced_systems import (
+    along_columns,
+    between,
+    free_basis,
+    pair_system,
+    parameters_of,
+    solve_scaled,
+    times,
+    variance_of,
+)
+from .rows import mean_source, row_sums, row_system
+from .step import PAIRS, Progress, StepRules, end_job, judge_job, length_of, note_step
+
+HELD = 1.0e-12  # of the trace of the prior's information: what is less holds nothing
+SMALLEST_FACTOR = 0.5  # of the scale in one step
+FIXED = 0  # a motion: not free, determined by the pairs, held by the prior alone, by nothing
+PAIRED = 1
+BY_PRIOR = 2
+LOOSE = 3
+scale_row = vector(8, float64)  # what a scale has with the six motions, then with itself, and its right side
+
+
+@func
+def scale_system(sums: row_sums, arm: vec3d, center: vec3d, size: float64) -> scale_row:
+    """The row of a scale about the pivot's image, of pairs of points whose sums were taken about a place.
+
+    `arm` is the pivot's image and `center` the middle, both seen from that place.
+    """
+    a = vec3d(sums[1], sums[2], sums[3])
+    b = vec3d(sums[4], sums[5], sums[6])
+    turn = cross(arm, a)
+    shift = a - arm * sums[0]
+    h = vector_about(vec6d(turn[0], turn[1], turn[2], shift[0], shift[1], shift[2]), center, size)
+    own = sums[16] - 2.0 * dot(arm, a) + sums[0] * dot(arm, arm)
+    right = sums[16] - (sums[7] + sums[11] + sums[15]) - dot(arm, a - b)
+    return scale_row(h[0], h[1], h[2], h[3], h[4], h[5], own, right)
+
+
+@func
+def prior_columns(q: square, moved: vec3d, arm: vec3d, size: float64) -> square:
+    """How xi changes along a basis; `moved` is its rotation so far, `arm` leads from the pivot to the middle."""
+    out = square(0.0)
+    n = int(UNKNOWNS)
+    for k in range(n):
+        w = vec3d(q[k], q[UNKNOWNS + k], q[2 * UNKNOWNS + k]) / size
+        shift = cross(w, arm)
+        change = change_of_logarithm(moved, w)
+        for i in range(3):
+            out[i * UNKNOWNS + k] = change[i]
+            out[(3 + i) * UNKNOWNS + k] = q[(3 + i) * UNKNOWNS + k] - shift[i]
+    return out
+
+
+@func
+def undetermined(geometry: square, reduced: square, least: float64, free: array(dtype=int32)) -> tuple[square, vec6d]:
+    """The eigenvectors of a reduced system (columns), and what each of them is: PAIRED, LOOSE or FIXED.
+
+    The least eigenvalue is a share of the largest one of all six motions.
+    """
+    n = int(UNKNOWNS)
+    whole = diagonalize(geometry, UNKNOWNS)
+    own = diagonalize(reduced, UNKNOWNS)
+    largest = float64(0.0)
+    for k in range(n):
+        largest = max(largest, whole[36 + k])
+    basis = square(0.0)
+    kinds = vec6d(0.0)
+    for i in range(n * n):
+        basis[i] = own[i]
+    for k in range(n):
+        if free[k] != 0:  # a fixed one has an empty row, so eigenvector k is its own axis
+            kinds[k] = float64(PAIRED)
+            if not (own[36 + k] > least * largest):
+                kinds[k] = float64(LOOSE)
+    return basis, kinds
+
+
+@func
+def turn_to_prior(basis: square, kinds: vec6d, information: square) -> tuple[square, vec6d]:
+    """The loose directions, turned to the axes of the prior's information among them; what it holds is BY_PRIOR."""
+    n = int(UNKNOWNS)
+    loose = square(0.0)
+    trace = float64(0.0)
+    for k in range(n):
+        trace += information[k * UNKNOWNS + k]
+        if kinds[k] == float64(LOOSE):
+            for i in range(n):
+                loose[i * UNKNOWNS + k] = basis[i * UNKNOWNS + k]
+    system = diagonalize(between(loose, information, loose), UNKNOWNS)
+    turned = basis
+    found = kinds
+    for k in range(n):
+        if kinds[k] == float64(LOOSE):
+            if system[36 + k] > float64(HELD) * trace:
+                found[k] = float64(BY_PRIOR)
+            for i in range(n):
+                total = float64(0.0)
+                for j in range(n):
+                    total += loose[i * UNKNOWNS + j] * system[j * UNKNOWNS + k]
+                turned[i * UNKNOWNS + k] = total
+    return turned, found
+
+
+@func
+def note_directions(q: square, basis: square, kinds: vec6d, job: int, freedom: Freedom, progress: Progress):
+    """Note the motions that the pairs do not determine, those first that the prior holds."""
+    n = int(UNKNOWNS)
+    directions = free_directions(0.0)
+    count = 0
+    turns = int(2)
+    for turn in range(turns):
+        wanted = float64(BY_PRIOR)
+        if turn == 1:
+            wanted = float64(LOOSE)
+            freedom.held_counts[job] = count
+        for k in range(n):
+            if kinds[k] == wanted:
+                v = vec6d(0.0)
+                for i in range(n):
+                    v[i] = basis[i * UNKNOWNS + k]
+                u = times(q, v)
+                for i in range(n):
+                    directions[count * UNKNOWNS + i] = u[i]
+                count += 1
+    progress.free_counts[job] = count
+    progress.free[job] = directions
+
+
+@func
+def solve_partly(h: square, g: vec6d, information: square, pull: vec6d, basis: square, kinds: vec6d) -> vec6d:
+    """The step by the pairs where they determine it and by the prior wherever it holds; none elsewhere."""
+    n = int(UNKNOWNS)
+    kept = square(0.0)
+    paired = square(0.0)
+    for k in range(n):
+        for i in range(n):
+            if kinds[k] == float64(PAIRED) or kinds[k] == float64(BY_PRIOR):
+                kept[i * UNKNOWNS + k] = basis[i * UNKNOWNS + k]
+            if kinds[k] == float64(PAIRED):
+                paired[i * UNKNOWNS + k] = basis[i * UNKNOWNS + k]
+    system = between(paired, h, paired) + between(kept, information, kept)
+    right = -(along_columns(paired, g) + along_columns(kept, pull))
+    return times(kept, solve_scaled(system, right))
+
+
+@func
+def reduced_step(
+    h: square,
+    g: vec6d,
+    geometry: square,
+    q: square,
+    information: square,
+    pull: vec6d,
+    least: float64,
+    job: int,
+    freedom: Freedom,
+    progress: Progress,
+) -> vec6d:
+    """The step in a basis of the free motions, by a reduced system and the prior's; what is not determined is noted."""
+    n = int(UNKNOWNS)
+    own = between(q, geometry, q)
+    padded = own
+    trace = float64(0.0)
+    for k in range(n):
+        trace += geometry[k * UNKNOWNS + k]
+    for k in range(n):
+        if freedom.free[k] == 0:
+            padded[k * UNKNOWNS + k] = trace
+    basis = square(0.0)
+    kinds = vec6d(0.0)
+    for k in range(n):
+        basis[k * UNKNOWNS + k] = 1.0
+        if freedom.free[k] != 0:
+            kinds[k] = float64(PAIRED)
+    # the smallest eigenvalue is at least 1 / trace(A^-1), the largest at most trace(A): most jobs need no more
+    if not (trace_of_inverse(padded) * trace * least < 1.0):
+        found, loose = undetermined(geometry, own, least, freedom.free)
+        basis, kinds = turn_to_prior(found, loose, information)
+    note_directions(q, basis, kinds, job, freedom, progress)
+    return solve_partly(h, g, information, pull, basis, kinds)
+
+
+@func
+def variance_for_prior(sums: row_sums, method: int, size: float64, freedom: Freedom) -> float64:
+    """The variance of a residual that the prior is weighed by."""
+    variance = freedom.noise * freedom.noise
+    if variance == 0.0:
+        variance = variance_of(sums, method, freedom.residual_count, size)
+    return variance
+
+
+@func
+def prior_system(
+    i: int, state: motion_state, q: square, arm: vec3d, size: float64, variance: float64, freedom: Freedom
+) -> tuple[square, vec6d]:
+    """The Gauss-Newton system of a job's prior along a basis of its free motions, times the variance of a residual."""
+    frame = freedom.frames[0]
+    moved = logarithm(multiply33(turn_of_state(state, frame, freedom.turns), freedom.turned[i]))
+    away = freedom.shifted[i] + shift_of_state(state, frame)
+    columns = prior_columns(q, moved, arm, size)
+    held = freedom.information[i] * variance
+    xi = vec6d(moved[0], moved[1], moved[2], away[0], away[1], away[2])
+    return between(columns, held, columns), along_columns(columns, times(held, xi))
+
+
+@func
+def without_scale(system: square, right: vec6d, shares: vec6d, scale: scale_row) -> tuple[square, vec6d]:
+    """A reduced system once the scale is eliminated, whose row holds `shares` with the basis."""
+    matrix = system
+    b = right
+    n = int(UNKNOWNS)
+    if scale[6] > 0.0:
+        for k in range(n):
+            b[k] = b[k] - shares[k] * scale[7] / scale[6]
+            for j in range(n):
+                at = j * UNKNOWNS + k
+                matrix[at] = matrix[at] - shares[j] * shares[k] / scale[6]
+    return matrix, b
+
+
+@func
+def solve_constrained(i: int, rules: StepRules, progress: Progress, freedom: Freedom) -> scale_row:
+    """The step of a job: changes of roll, pitch, yaw, x, y, z, nothing, and of the logarithm of its scale."""
+    sums = progress.totals[i]
+    size = progress.sizes[i]
+    state = freedom.states[i]
+    frame = freedom.frames[0]
+    image = freedom.pivots[i] + shift_of_state(state, frame)
+    h, g = row_system(sums)
+    geometry, _ = row_system(progress.plain_totals[i])
+    place = vec3d(0.0)  # what the sums were taken about
+    if rules.method == PAIRS:
+        place = progress.pivots[i]
+        h, g = pair_system(sums)
+        geometry, _ = pair_system(sums)
+    middle = mean_source(sums)
+    center = middle - place
+    q, r = free_basis(turning_axes(state, frame, freedom.turns), frame, middle - image, size, freedom.free)
+    system = between(q, about(h, center, size), q)
+    right = along_columns(q, vector_about(g, center, size))
+    scale = scale_row(0.0)
+    shares = vec6d(0.0)
+    if rules.scaling == 1:
+        scale = scale_system(sums, image - place, center, size)
+        shares = along_columns(q, vec6d(scale[0], scale[1], scale[2], scale[3], scale[4], scale[5]))
+        system, right = without_scale(system, right, shares, scale)
+    information = square(0.0)
+    pull = vec6d(0.0)
+    if freedom.informed == 1:
+        variance = variance_for_prior(sums, rules.method, size, freedom)
+        information, pull = prior_system(i, state, q, middle - image, size, variance, freedom)
+    whole = about(geometry, center, size)
+    y = reduced_step(system, right, whole, q, information, pull, rules.least_eigenvalue, i, freedom, progress)
+    x = parameters_of(r, y)
+    grown = float64(0.0)
+    if scale[6] > 0.0:
+        grown = -(scale[7] + dot(shares, y)) / scale[6]
+    return scale_row(x[0], x[1], x[2], x[3], x[4], x[5], 0.0, grown)
+
+
+@func
+def state_after(state: motion_state, x: scale_row, turns: int) -> motion_state:
+    """The parameters after a step."""
+    after = state
+    if turns == 1:
+        # the quaternion of the turn, to the third order, times that of the rotation
+        a = vec3d(x[0], x[1], x[2]) * 0.5
+        b = vec3d(state[0], state[1], state[2])
+        v = b + a * state[3] + cross(a, b)
+        w = state[3] - dot(a, b)
+        length = sqrt(dot(v, v) + w * w)
+        after[3] = w / length
+        for axis in range(3):
+            after[axis] = v[axis] / length
+    else:
+        for axis in range(3):
+            after[axis] = state[axis] + x[axis]
+    for axis in range(3):
+        after[SHIFT_AT + axis] = state[SHIFT_AT + axis] + x[3 + axis]
+    after[SCALE_AT] = state[SCALE_AT] * max(1.0 + x[7], float64(SMALLEST_FACTOR))
+    return after
+
+
+@func
+def motion_between(before: mat44d, after: mat44d) -> mat44d:
+    """The motion that takes a pose to another: after before^-1, of poses that may scale."""
+    square_scale = before[0, 0] * before[0, 0] + before[1, 0] * before[1, 0] + before[2, 0] * before[2, 0]
+    motion = rotation_about(0.0, 0.0, 0.0, 1.0)
+    for i in range(3):
+        rest = after[i, 3]
+        for j in range(3):
+            entry = after[i, 0] * before[j, 0] + after[i, 1] * before[j, 1] + after[i, 2] * before[j, 2]
+            motion[i, j] = entry / square_scale
+            rest -= motion[i, j] * before[j, 3]
+        motion[i, 3] = rest
+    return motion
+
+
+@func
+def move_constrained(i: int, x: scale_row, matches: Matches, progress: Progress, freedom: Freedom) -> int:
+    """Move a job on by its parameters, and tell its search how far to look; whether the motion is finite."""
+    outcome = int(RUNNING)
+    state = state_after(freedom.states[i], x, freedom.turns)
+    pose = pose_of_state(freedom.firsts[i], freedom.pivots[i], freedom.frames[0], state, freedom.turns)
+    length = length_of(motion_between(matches.poses[i], pose), mean_source(progress.totals[i]), progress.sizes[i])
+    if length - length == 0.0:
+        freedom.states[i] = state
+        matches.poses[i] = pose
+        note_step(i, length, matches, progress)
+    else:
+        outcome = NOT_FINITE
+    return outcome
+
+
+@kernel
+def step_constrained_kernel(rules: StepRules, matches: Matches, progress: Progress, freedom: Freedom):
+    """Judge the pose of a live job by its sums, and take the next step that it is free to take, or stop."""
+    i = tid()
+    if matches.live[i] != 0:
+        outcome = judge_job(i, rules, matches, progress)
+        matches.earlier[i] = matches.poses[i]
+        if outcome == RUNNING:
+            x = solve_constrained(i, rules, progress, freedom)
+            outcome = move_constrained(i, x, matches, progress, freedom)
+        if outcome != RUNNING:
+            end_job(i, outcome, matches, progress)

@@ -1,0 +1,216 @@
+"""What jobs of registration may do since their first poses, and the poses that their parameters stand for.
+
+A pose is held by parameters of the motion D since the first pose T0, about a pivot c and along the axes F (columns):
+T = D T0 with D(p) = c + F t + s F R F^T (p - c). What is not free has the parameter 0 for ever, so nothing drifts. R is
+Rz(yaw) Ry(pitch) Rx(roll), or a quaternion where all three rotations are free: no gimbal lock. In one thread a job, in
+float64.
+"""
+
+from typing import Any
+
+import numpy as np
+
+from ..algebra.matrices import multiply33
+from ..algebra.rigid_solve import euler_motion, rotation_about, square, vec6d
+from ..arrays.side_by_side import SideBySide
+from ..lang import (
+    array,
+    atan2,
+    cos,
+    cross,
+    dot,
+    float64,
+    func,
+    int32,
+    mat33d,
+    mat44d,
+    sin,
+    sqrt,
+    struct,
+    vec3d,
+    vec4d,
+    vector,
+)
+
+motion_state = vector(8, float64)  # roll, pitch, yaw [rad] and nothing, or a quaternion xyzw; translation [m]; scale
+SHIFT_AT = 4
+SCALE_AT = 7
+STILL = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
+STILL_TURNING = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
+SMALL_ANGLE = 1.0e-4  # [rad] below it the series of the logarithm's derivative is exact to rounding
+
+
+@struct
+class Freedom:
+    """What jobs may do, and what they have done since their first poses.
+
+    Args:
+        arrays: By name, with types: firsts, pivots, states, turned, shifted and information of each job, held_counts.
+        frame: The axes as columns, float64 [3, 3].
+        free: Whether roll, pitch, yaw, x, y, z are free.
+        noise: Standard deviation of a residual; 0 where that of the pairs is taken.
+        informed: Whether there is a prior.
+        residual_count: Rows of a pair.
+
+    Attributes:
+        firsts: The first poses T0 between coordinates about the clouds' origins.
+        pivots: What rotations turn about [m], under the first pose.
+        states: `motion_state` of each job.
+        turned: R0 R_p^T of the first pose and the prior.
+        shifted: The way of the pivot from where the prior has it to where the first pose has it [m].
+        information: Of each job's prior, rotation first.
+        held_counts: How many motions the prior alone holds; they come first among those that are noted as free.
+    """
+
+    firsts: array(dtype=mat44d)
+    pivots: array(dtype=vec3d)
+    states: array(dtype=motion_state)
+    turned: array(dtype=mat33d)
+    shifted: array(dtype=vec3d)
+    information: array(dtype=square)
+    held_counts: array(dtype=int32)
+    free: array(dtype=int32)
+    frames: array(dtype=mat33d)
+    turns: int
+    informed: int
+    noise: float64
+    residual_count: int
+
+    def __init__(
+        self,
+        values: dict[str, tuple[np.ndarray, Any]],
+        frame: np.ndarray,
+        free: np.ndarray,
+        *,
+        noise: float,
+        informed: bool,
+        residual_count: int,
+        device: Any,
+    ) -> None:
+        shared = {"free": (free.astype(np.int32), int32), "frames": (frame[None], mat33d)}
+        self.kept = SideBySide(values | shared, device)
+        vars(self).update(self.kept.arrays)
+        self.turns, self.informed, self.noise = int(free[:3].all()), int(informed), noise
+        self.residual_count = residual_count
+
+
+@func
+def columns_of(axes: mat33d, column: int) -> vec3d:
+    """A column of a 3x3 matrix."""
+    return vec3d(axes[0, column], axes[1, column], axes[2, column])
+
+
+@func
+def rotation_of_state(state: motion_state, turns: int) -> mat44d:
+    """The rotation of a state in the frame, as a pose."""
+    pose = rotation_about(0.0, 0.0, 0.0, 1.0)
+    if turns == 1:
+        pose = rotation_about(state[0], state[1], state[2], state[3])
+    else:
+        pose = euler_motion(vec6d(state[0], state[1], state[2], 0.0, 0.0, 0.0))
+    return pose
+
+
+@func
+def turn_of_state(state: motion_state, frame: mat33d, turns: int) -> mat33d:
+    """The rotation of a state in the target's coordinates, F R F^T; exactly none where nothing turns."""
+    one = float64(1.0)
+    zero = float64(0.0)
+    turned = mat33d(one, zero, zero, zero, one, zero, zero, zero, one)
+    if turns == 1 or state[0] != 0.0 or state[1] != 0.0 or state[2] != 0.0:
+        pose = rotation_of_state(state, turns)
+        inner = mat33d(0.0)
+        back = mat33d(0.0)
+        for i in range(3):
+            for j in range(3):
+                inner[i, j] = pose[i, j]
+                back[i, j] = frame[j, i]
+        turned = multiply33(multiply33(frame, inner), back)
+    return turned
+
+
+@func
+def shift_of_state(state: motion_state, frame: mat33d) -> vec3d:
+    """The way of the pivot's image in the target's coordinates."""
+    return frame @ vec3d(state[SHIFT_AT], state[SHIFT_AT + 1], state[SHIFT_AT + 2])
+
+
+@func
+def pose_of_state(first: mat44d, pivot: vec3d, frame: mat33d, state: motion_state, turns: int) -> mat44d:
+    """The pose that parameters stand for: what has none is that of the first pose, bit for bit."""
+    turned = turn_of_state(state, frame, turns) * state[SCALE_AT]
+    shift = shift_of_state(state, frame)
+    start = vec3d(first[0, 3], first[1, 3], first[2, 3])
+    arm = start - pivot
+    rotation = mat33d(0.0)
+    for i in range(3):
+        for j in range(3):
+            rotation[i, j] = first[i, j]
+    whole = multiply33(turned, rotation)
+    pose = first * 1.0
+    for i in range(3):
+        moved = float64(0.0)
+        for j in range(3):
+            pose[i, j] = whole[i, j]
+            entry = turned[i, j]
+            if i == j:
+                entry = entry - 1.0
+            moved += entry * arm[j]
+        pose[i, 3] = start[i] + shift[i] + moved
+    return pose
+
+
+@func
+def turning_axes(state: motion_state, frame: mat33d, turns: int) -> mat33d:
+    """The axes that small changes of roll, pitch and yaw turn about, as columns: F (Rz Ry e_x, Rz e_y, e_z)."""
+    axes = frame * 1.0
+    if turns == 0:
+        one = float64(1.0)
+        zero = float64(0.0)
+        cy = cos(state[1])
+        sy = sin(state[1])
+        cz = cos(state[2])
+        sz = sin(state[2])
+        axes = multiply33(frame, mat33d(cz * cy, -sz, zero, sz * cy, cz, zero, -sy, zero, one))
+    return axes
+
+
+@func
+def quaternion_of(R: mat33d) -> vec4d:
+    """The unit quaternion (x, y, z, w), w >= 0, of a rotation (Shepperd 1978)."""
+    trace = R[0, 0] + R[1, 1] + R[2, 2]
+    q = vec4d(R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1], 1.0 + trace)
+    if R[0, 0] > trace and R[0, 0] >= R[1, 1] and R[0, 0] >= R[2, 2]:
+        q = vec4d(1.0 + 2.0 * R[0, 0] - trace, R[1, 0] + R[0, 1], R[0, 2] + R[2, 0], R[2, 1] - R[1, 2])
+    elif R[1, 1] > trace and R[1, 1] >= R[2, 2]:
+        q = vec4d(R[1, 0] + R[0, 1], 1.0 + 2.0 * R[1, 1] - trace, R[2, 1] + R[1, 2], R[0, 2] - R[2, 0])
+    elif R[2, 2] > trace:
+        q = vec4d(R[0, 2] + R[2, 0], R[2, 1] + R[1, 2], 1.0 + 2.0 * R[2, 2] - trace, R[1, 0] - R[0, 1])
+    length = sqrt(dot(q, q))
+    if q[3] < 0.0:
+        length = -length
+    return q / length
+
+
+@func
+def logarithm(R: mat33d) -> vec3d:
+    """The rotation vector of a rotation, 0 to pi [rad] long."""
+    q = quaternion_of(R)
+    v = vec3d(q[0], q[1], q[2])
+    sine = sqrt(dot(v, v))
+    share = float64(2.0)
+    if sine > 0.0:
+        share = 2.0 * atan2(sine, q[3]) / sine
+    return v * share
+
+
+@func
+def change_of_logarithm(v: vec3d, w: vec3d) -> vec3d:
+    """How the rotation vector v changes where the rotation is turned by a small w: the inverse left Jacobian."""
+    angle = sqrt(dot(v, v))
+    share = float64(1.0 / 12.0) + angle * angle * float64(1.0 / 720.0)
+    if angle > float64(SMALL_ANGLE):
+        half = 0.5 * angle
+        share = (1.0 - half * cos(half) / sin(half)) / (angle * angle)
+    turned = cross(v, w)
+    return w - 0.5 * turned + share * cross(v, turned)

@@ -1,0 +1,56 @@
+"""Rows of a cloud in the order of its tree, in which runs are compact, and back. 5 B a point."""
+
+from ..array_types import Indices, Points, Vectors
+from ..arrays.select import gather_rows, positions_of
+from ..lang import array, int32, isfinite, kernel, launch, tid, uint8, vec3
+from ..memory import empty, zeros
+from ..search.point_tree import PointTree
+
+
+@kernel
+def mask_ordered_kernel(
+    points: array(dtype=vec3), normals: array(dtype=vec3), order: array(dtype=int32), mask: array(dtype=uint8)
+):
+    """1 where the point at a place of an order, and its normal, are finite."""
+    i = tid()
+    p = points[order[i]]
+    n = normals[order[i]]
+    usable = 0
+    if isfinite(p) and isfinite(n):
+        usable = 1
+    mask[i] = uint8(usable)
+
+
+@kernel
+def take_every_kernel(rows: array(dtype=int32), step: int, taken: array(dtype=int32)):
+    """Every step-th of some rows."""
+    i = tid()
+    taken[i] = rows[i * step]
+
+
+@kernel
+def mark_rows_kernel(rows: array(dtype=int32), mask: array(dtype=uint8)):
+    """1 at some rows."""
+    i = tid()
+    mask[rows[i]] = uint8(1)
+
+
+def usable_in_order(tree: PointTree, points: Points, normals: Vectors) -> Indices:
+    """The rows of points that are finite and have a finite normal, in the order of their tree; one sync."""
+    mask = zeros(tree.order.size, uint8, points.device)
+    launch(mask_ordered_kernel, tree.count, [points, normals, tree.order, mask])
+    return gather_rows(tree.order, positions_of(mask))
+
+
+def ascending(rows: Indices, count: int) -> Indices:
+    """Rows of a cloud of so many points, each once, in the order of the cloud."""
+    mask = zeros(count, uint8, rows.device)
+    launch(mark_rows_kernel, rows.size, [rows, mask])
+    return positions_of(mask, rows.size)
+
+
+def every_of(rows: Indices, step: int) -> Indices:
+    """Every step-th of some rows."""
+    taken = empty(rows.size // step, int32, rows.device)
+    launch(take_every_kernel, taken.size, [rows, step, taken])
+    return taken

@@ -1,0 +1,333 @@
+"""The shape of a kind with the most points on it: samples are scored, the best refined, where the points are.
+
+After Schnabel, Wahl and Klein 2007. Samples come in batches; each is scored on a part of the points, every n-th along
+the Hilbert curve, and those that promise the most there on all of them; the best few of all batches are fitted to their
+points again and again while these grow in number. Points must be in the order of the tree, in which runs are compact.
+24 B of memory a point, and 68 B a sample.
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..array_types import Indices, Mask, Points, Vectors
+from ..arrays.bounds import bound_points
+from ..arrays.select import gather_rows, positions_of
+from ..lang import array, atomic_max, dot, float32, float64, int32, kernel, launch, sqrt, tid, uint8, vec3, vec3d
+from ..memory import download, empty, upload, zeros
+from .plane_samples import sampled_point
+from .shape_fit import ShapeFit, ShapeFitter, frame_of
+from .shape_models import CONE, CYLINDER, NUMBERS, PLANE, SPHERE, TORUS, ShapePoints, measure, split_points_kernel
+from .shape_rows import every_of
+from .shape_samples import LEAST_WINDOW, draw_shapes_kernel
+from .shape_scores import score_shapes
+
+SAMPLE_POINTS = {PLANE: 3, SPHERE: 2, CYLINDER: 2, CONE: 3, TORUS: 4}
+PART = 2048  # points that all samples are scored on
+FIRST_BATCH, BATCH_GROWTH, MOST_BATCH = 256, 2, 8192
+PROMISING = 16  # samples of a batch that are scored on all points
+REFINED = 6  # samples that are fitted to their points
+FITTED_PART = 4096  # points that the best few samples are fitted to first, where there are twice as many
+MOST_FITS = 6  # of one sample, each to the points of the one before
+SECTORS, BANDS = 36, 18  # cells around a shape, along it: what share of them has points is its coverage
+STREAM = 7919  # kinds draw from seeds that lie so far apart
+
+
+@dataclass(frozen=True)
+class ShapeLimits:
+    """What makes a point one of a shape, and what sizes shapes have.
+
+    Attributes:
+        distance: From the surface [m], excluded.
+        cosine: Least between the point's normal and the surface's, whichever way they face.
+        smallest, largest: Radius [m] of a sphere, a cylinder, a torus (its tube's, its ring's).
+    """
+
+    distance: float
+    cosine: float
+    smallest: float
+    largest: float
+
+    def allow(self, kind: int, shape: NDArray[np.float64]) -> bool:
+        """Whether a shape has such a size."""
+        if kind in (PLANE, CONE):
+            return True
+        return bool(shape[7 if kind == TORUS else 6] >= self.smallest and shape[6] <= self.largest)
+
+
+@dataclass(frozen=True)
+class Found:
+    """A shape, its points and how it fits them.
+
+    Attributes:
+        kind: Of `shape_models`.
+        fit: The fit to the points, relative to the middle of the search.
+        rows: int32 device array, the points within the limits of the fitted shape, in the order of the search.
+    """
+
+    kind: int
+    fit: ShapeFit
+    rows: Indices
+
+
+@kernel
+def mask_on_shape_kernel(
+    points: array(dtype=vec3),
+    normals: array(dtype=vec3),
+    rows: array(dtype=int32),
+    center: vec3d,
+    kind: int,
+    p: vec3d,
+    a: vec3d,
+    sizes: vec3d,
+    threshold: float64,
+    least_cosine: float64,
+    mask: array(dtype=uint8),
+):
+    """1 where a point is one of a shape, in float64."""
+    i = tid()
+    m = measure(kind, p, a, sizes[0], sizes[1], sampled_point(points, rows[i], center))
+    n = normals[rows[i]]
+    size = sqrt(float64(dot(n, n)))
+    facing = abs(m[1] * float64(n[0]) + m[2] * float64(n[1]) + m[3] * float64(n[2]))
+    inside = 0
+    if abs(m[0]) < threshold and facing >= least_cosine * size:
+        inside = 1
+    mask[i] = uint8(inside)
+
+
+@kernel
+def turn_points_kernel(
+    points: array(dtype=vec3),
+    rows: array(dtype=int32),
+    center: vec3d,
+    p: vec3d,
+    u: vec3d,
+    v: vec3d,
+    a: vec3d,
+    turned: array(dtype=vec3),
+):
+    """Points in the frame of a shape."""
+    i = tid()
+    y = sampled_point(points, rows[i], center) - p
+    turned[i] = vec3(float32(dot(y, u)), float32(dot(y, v)), float32(dot(y, a)))
+
+
+@kernel
+def mark_cells_kernel(
+    turned: array(dtype=vec3),
+    kind: int,
+    r: float,
+    low: float,
+    high: float,
+    directions: array(dtype=float32),
+    cells: array(dtype=int32),
+):
+    """Mark the cell of each point: its sector about the axis, and its band along the shape."""
+    i = tid()
+    p = turned[i]
+    sector = 0
+    best = -float(1.0e30)
+    for k in range(SECTORS):
+        along = directions[2 * k] * p[0] + directions[2 * k + 1] * p[1]
+        if along > best:
+            best = along
+            sector = k
+    band = 0
+    if kind == TORUS:
+        q = sqrt(p[0] * p[0] + p[1] * p[1]) - r
+        best = -float(1.0e30)
+        for k in range(BANDS):  # every other direction
+            along = directions[4 * k] * q + directions[4 * k + 1] * p[2]
+            if along > best:
+                best = along
+                band = k
+    elif high > low:
+        band = int(float(BANDS) * (p[2] - low) / (high - low))
+        band = max(0, min(BANDS - 1, band))
+    atomic_max(cells, sector * BANDS + band, 1)  # all write the same
+
+
+class ShapeSearch:
+    """The search for shapes among some points with normals.
+
+    Attributes:
+        rows: int32 device array, the points searched.
+        center: Middle of their box, float64 [3]; shapes are relative to it.
+        size: How far they reach from it along an axis [m].
+    """
+
+    def __init__(
+        self, points: Points, normals: Vectors, rows: Indices, center: NDArray[np.float64] | None = None
+    ) -> None:
+        """Prepare a search among `points[rows]`, all finite and in the tree's order; one sync without a middle."""
+        self.points, self.normals, self.rows, self.device = points, normals, rows, points.device
+        low, high = bound_points(gather_rows(points, rows))[:2] if rows.size else (np.zeros(3), np.zeros(3))  # sync
+        low, high = low.astype(np.float64), high.astype(np.float64)
+        middle = (0.5 * (low + high)).astype(np.float32) if center is None else center.astype(np.float32)
+        self.center = middle.astype(np.float64)
+        self.size = float(max((high - self.center).max(), (self.center - low).max()))
+        step = max(1, rows.size // PART)
+        self.share = step
+        self.cloud = self._split(vec3(*middle), 1, 0, rows.size)
+        self.part = self._split(vec3(*middle), step, step // 2, min(rows.size, max(1, rows.size // step)))
+        self.levels = max(1, int(math.log2(max(1, rows.size / LEAST_WINDOW))))
+        self.fitter = ShapeFitter(points, self.center, max(self.size, 1e-30))
+
+    def draw(self, kind: int, count: int, seed: int, first: int, limits: ShapeLimits) -> tuple[NDArray, NDArray]:
+        """The shapes of samples `first` .. `first + count` that promise the most, and how many points are on each.
+
+        Returns:
+            (shapes, counts): float64 [m, 8] and int64 [m], m up to PROMISING, the most points first. Two syncs.
+        """
+        shapes, kinds = empty((count, NUMBERS), float64, self.device), empty(count, int32, self.device)
+        arguments = [
+            self.cloud,
+            kind,
+            (seed + STREAM * kind) % 2**31,
+            first,
+            self.levels,
+            limits.distance,
+            limits.cosine,
+        ]
+        launch(draw_shapes_kernel, count, [*arguments, limits.smallest, limits.largest, shapes, kinds])
+        scores = download(score_shapes(self.part, shapes, kinds, limits.distance, limits.cosine))  # sync
+        chosen = np.argsort(-scores.astype(np.int64), kind="stable")[:PROMISING]
+        chosen = chosen[scores[chosen] > 0]
+        best = download(shapes)[chosen].copy()
+        counts = self.score(best, np.full(len(best), kind), limits)
+        order = np.argsort(-counts, kind="stable")
+        return best[order], counts[order]
+
+    def score(self, shapes: NDArray[np.float64], kinds: NDArray, limits: ShapeLimits) -> NDArray[np.int64]:
+        """How many points are on each of some shapes; one sync."""
+        if not len(shapes):
+            return np.zeros(0, np.int64)
+        there, of = upload(shapes, float64, self.device), upload(kinds.astype(np.int32), int32, self.device)
+        return download(score_shapes(self.cloud, there, of, limits.distance, limits.cosine)).astype(np.int64)
+
+    def find(self, kind: int, limits: ShapeLimits, most: int, probability: float, seed: int) -> Found | None:
+        """The shape with the most points on it; None where no sample spans one."""
+        pool, counts, done, batch, needed = np.zeros((0, NUMBERS)), np.zeros(0, np.int64), 0, FIRST_BATCH, float(most)
+        while done < min(most, needed):
+            size = int(min(batch, most - done))
+            drawn, scores = self.draw(kind, size, seed, done, limits)
+            pool, counts = np.concatenate([pool, drawn]), np.concatenate([counts, scores])
+            best = np.argsort(-counts, kind="stable")[:REFINED]
+            pool, counts = pool[best], counts[best]
+            done += size
+            share = counts[0] / self.rows.size if len(counts) else 0.0
+            needed = samples_needed(share, kind, self.levels, probability, most)
+            batch = min(BATCH_GROWTH * batch, MOST_BATCH)
+        part = self._part_search()
+        if part is not None and len(pool):
+            refined = [part.refine(kind, shape, limits) for shape in pool]
+            pool = np.concatenate([pool, *(one.fit.shape[None] for one in refined if one is not None)])
+            counts = self.score(pool, np.full(len(pool), kind), limits)
+            pool = pool[np.argsort(-counts, kind="stable")[:1]]
+        found = [self.refine(kind, shape, limits) for shape in pool]
+        found = [one for one in found if one is not None]
+        return max(found, key=lambda one: (one.rows.size, -one.fit.rms), default=None)
+
+    def _part_search(self) -> "ShapeSearch | None":
+        """The search among every n-th of the points; None where there are few."""
+        step = self.rows.size // FITTED_PART
+        if step < 2:
+            return None
+        return ShapeSearch(self.points, self.normals, every_of(self.rows, step), self.center)
+
+    def refine(self, kind: int, shape: NDArray[np.float64], limits: ShapeLimits) -> Found | None:
+        """A shape fitted to its points while they grow in number; None where it has none."""
+        rows, best = self.on(kind, shape, limits), None
+        for _ in range(MOST_FITS):
+            if rows.size == 0:
+                break
+            fit = self.fitter.fit(kind, self.centred(kind, shape, rows), rows)
+            shape = fit.shape
+            if not limits.allow(kind, shape):
+                break
+            grown = self.on(kind, shape, limits)
+            if best is not None and grown.size <= best.rows.size:
+                break
+            best, rows = Found(kind, fit, grown), grown
+        return best
+
+    def centred(self, kind: int, shape: NDArray[np.float64], rows: Indices) -> NDArray[np.float64]:
+        """A plane or a cylinder whose place is moved along itself to the middle of its points."""
+        if kind not in (PLANE, CYLINDER) or not rows.size:
+            return shape
+        frame, low, high = self.turned(shape, rows)[1:]
+        middle = 0.5 * (low + high)
+        moved = middle[2] * frame[2] if kind == CYLINDER else middle[:2] @ frame[:2]
+        return np.concatenate([shape[:3] + moved, shape[3:]])
+
+    def on(self, kind: int, shape: NDArray[np.float64], limits: ShapeLimits) -> Indices:
+        """The rows of the points of a shape; one sync."""
+        return gather_rows(self.rows, positions_of(self.mask(kind, shape, limits)))
+
+    def mask(self, kind: int, shape: NDArray[np.float64], limits: ShapeLimits) -> Mask:
+        """1 for each point of a shape."""
+        mask = empty(self.rows.size, uint8, self.device)
+        arguments = [self.points, self.normals, self.rows, vec3d(*self.center), kind, *_taken_apart(shape)]
+        launch(mask_on_shape_kernel, mask.size, [*arguments, limits.distance, limits.cosine, mask])
+        return mask
+
+    def turned(self, shape: NDArray[np.float64], rows: Indices) -> tuple[Points, NDArray, NDArray, NDArray]:
+        """Points in the frame of a shape, the frame, and their box in it; one sync."""
+        frame, out = frame_of(shape[3:6]), empty(rows.size, vec3, self.device)
+        arguments = [self.points, rows, vec3d(*self.center), vec3d(*shape[:3]), *(vec3d(*axis) for axis in frame), out]
+        launch(turn_points_kernel, rows.size, arguments)
+        low, high = (bound.astype(np.float64) for bound in bound_points(out)[:2])  # sync
+        return out, frame, low, high
+
+    def spread(self, found: Found) -> tuple[NDArray[np.float64], float]:
+        """The box of a shape's points in its frame (low, high), and the share of its surface's cells that have some."""
+        shape = found.fit.shape
+        turned, _, low, high = self.turned(shape, found.rows)
+        bounds = np.array([low, high])
+        if found.kind == PLANE:
+            return bounds, 1.0
+        angles = 2 * np.pi * np.arange(SECTORS) / SECTORS
+        directions = upload(
+            np.stack([np.cos(angles), np.sin(angles)], 1).astype(np.float32).ravel(), float32, self.device
+        )
+        ends = (-shape[6], shape[6]) if found.kind == SPHERE else (low[2], high[2])
+        cells = zeros(SECTORS * BANDS, int32, self.device)
+        arguments = [turned, found.kind, float(shape[6]), float(ends[0]), float(ends[1]), directions, cells]
+        launch(mark_cells_kernel, turned.size, arguments)
+        marks = download(cells).reshape(SECTORS, BANDS)  # sync
+        if found.kind in (CYLINDER, CONE):
+            return bounds, float(marks.any(axis=1).mean())
+        return bounds, float(marks.mean())
+
+    def _split(self, middle: vec3, step: int, first: int, count: int) -> ShapePoints:
+        cloud = ShapePoints()
+        cloud.count = count
+        for name in ("xs", "ys", "zs", "us", "vs", "ws"):
+            setattr(cloud, name, empty(count, float32, self.device))
+        arguments = [self.points, self.normals, self.rows, middle, step, first, cloud]
+        launch(split_points_kernel, count, arguments)
+        return cloud
+
+
+def _taken_apart(shape: NDArray[np.float64]) -> list:
+    return [vec3d(*shape[:3]), vec3d(*shape[3:6]), vec3d(shape[6], shape[7], 0.0)]
+
+
+def chance_of(share: float, kind: int, levels: int) -> float:
+    """The chance that a sample is of one shape alone (Schnabel, Wahl and Klein 2007, section 4.4).
+
+    Either all of the cloud is drawn from, or, at the best of the lengths of a run, half of the run is the shape's.
+    """
+    points = SAMPLE_POINTS[kind]
+    return max(share**points, share / 2 ** (points - 1)) / levels
+
+
+def samples_needed(share: float, kind: int, levels: int, probability: float, most: int) -> float:
+    """Samples after which one of the shape alone was drawn with the wanted probability."""
+    hit = chance_of(share, kind, levels)
+    if hit <= 0.0 or probability >= 1.0:
+        return float(most)
+    return min(float(most), math.log1p(-probability) / math.log1p(-min(hit, 1 - 1e-12)))

@@ -1,0 +1,99 @@
+"""What is found on the device as a Shape in world coordinates, and what speaks against it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..kernels.segmentation.plane_fit import PlaneSearch
+from ..kernels.segmentation.shape_fit import ShapeFit
+from ..kernels.segmentation.shape_models import CONE, CYLINDER, PLANE, SPHERE, TORUS
+from ..kernels.segmentation.shape_search import Found, ShapeLimits, ShapeSearch
+from .shape import KINDS, Shape
+
+ROUNDING = 2e-6  # of the size of the cloud: what float32 positions leave of exact ones
+AS_FLAT = 1.15  # a plane whose rms is as many times the shape's explains the points as well
+UNKNOWN = 0.1  # of a radius: a larger standard deviation leaves it open
+CERTAIN = 3.0  # standard deviations that a cone's half angle is from that of a cylinder
+BESIDE = 1.0  # points on a surface for each that lies beside it, up to three times as far: chance gives a half
+FAR_LIMIT = 3.0
+
+# What a turn by half about u makes of the unknowns: shifts along v and the axis change sign, and so does the tilt
+# towards u, while that towards v keeps its own, since v has turned too.
+TURNED = {PLANE: [-1, -1, 1], CYLINDER: [1, -1, -1, 1, 1], TORUS: [1, -1, -1, -1, 1, 1, 1]}
+
+
+def shape_of(search: ShapeSearch, found: Found, limits: ShapeLimits, origin: NDArray[np.float64]) -> Shape:
+    """A found shape in world coordinates, with what speaks against it."""
+    kind, fit = found.kind, found.fit
+    bounds, coverage = search.spread(found)
+    place, frame, axis, covariance = fit.shape[:3], fit.frame, fit.shape[3:6], fit.covariance
+    if kind == SPHERE:
+        axis = np.array([0.0, 0.0, 1.0])
+    elif kind != CONE and axis[np.argmax(np.abs(axis))] < 0:
+        axis, frame = -axis, frame * [[1], [-1], [-1]]
+        covariance = covariance * np.outer(TURNED[kind], TURNED[kind])
+        bounds = np.array([[bounds[0, 0], -bounds[1, 1], -bounds[1, 2]], [bounds[1, 0], -bounds[0, 1], -bounds[0, 2]]])
+    if kind == SPHERE:
+        bounds = np.array([[-1.0] * 3, [1.0] * 3]) * fit.shape[6]
+    nan = float("nan")
+    radius = float(fit.shape[6]) if kind in (SPHERE, CYLINDER, TORUS) else nan
+    shape = Shape(
+        kind=KINDS[kind],
+        center=place + search.center + origin,
+        axis=axis + 0.0,
+        radius=radius,
+        minor_radius=float(fit.shape[7]) if kind == TORUS else nan,
+        half_angle=float(np.arctan2(fit.shape[7], fit.shape[6])) if kind == CONE else nan,
+        extent=bounds,
+        support=int(found.rows.size),
+        rms=fit.rms,
+        coverage=coverage,
+        covariance=covariance,
+        frame=frame,
+        reasons=(),
+    )
+    return replace(shape, reasons=tuple(_reasons(search, found, limits, shape)))
+
+
+def _reasons(search: ShapeSearch, found: Found, limits: ShapeLimits, shape: Shape) -> list[str]:
+    """What speaks against a shape."""
+    said, kind, fit, sigma = [], found.kind, found.fit, shape.sigma
+    if fit.reason:
+        return [f"{fit.reason}: the {shape.kind} is one of many that fit"]
+    if kind != PLANE and is_flat(search, found, plane := plane_of(search, found)):
+        said.append(f"flat: a plane fits the points as well (rms {plane.rms:.3g} m)")
+    for name in ("radius", "minor_radius"):
+        if name in sigma and sigma[name] > UNKNOWN * getattr(shape, name):
+            part = f"points cover {100 * shape.coverage:.0f} % of it"
+            said.append(f"{name} open: {getattr(shape, name):.4g} ± {sigma[name]:.2g} m, as the {part}")
+    if kind == CONE and is_open(found, shape.extent[1, 2] - shape.extent[0, 2]):
+        said.append(f"half_angle open: {shape.half_angle:.3g} ± {sigma['half_angle']:.2g} rad; a cylinder fits as well")
+    near, far = (
+        search.score(fit.shape[None], np.array([kind]), ShapeLimits(reach * limits.distance, 0.0, 0.0, np.inf))[0]
+        for reach in (1.0, FAR_LIMIT)
+    )
+    if near < BESIDE * (far - near):
+        said.append(f"chance: {near:,} points lie on the surface, and {far - near:,} beside it")
+    return said
+
+
+def is_flat(search: ShapeSearch, found: Found, plane: ShapeFit) -> bool:
+    """Whether a plane fits the points of a shape as well."""
+    return plane.rms <= AS_FLAT * found.fit.rms + ROUNDING * search.size
+
+
+def is_open(found: Found, length: float) -> bool:
+    """Whether a cone may as well be a cylinder: by its half angle's error, or as it tapers by less than the noise."""
+    angle = float(np.arctan2(found.fit.shape[7], found.fit.shape[6]))
+    return bool(CERTAIN * np.sqrt(found.fit.covariance[-1, -1]) > angle or np.tan(angle) * length < found.fit.rms)
+
+
+def plane_of(search: ShapeSearch, found: Found) -> ShapeFit:
+    """The plane of least squares through the points of a shape."""
+    planes = PlaneSearch(search.points, found.rows)
+    start = planes.refit(np.array([0.0, 0.0, 1.0, 0.0]), found.rows)
+    place = planes.center - search.center - start[3] * start[:3]
+    return search.fitter.fit(PLANE, np.concatenate([place, start[:3], [1.0, 1.0]]), found.rows)

@@ -1,0 +1,327 @@
+"""In which ways ICP may move a cloud, and what is known of its pose beforehand."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...core.checks import check_finite, check_list, check_numeric, check_positive, check_rigid, check_shape, shown
+from ...core.known_names import nearest_name
+from ...kernels.algebra.rigid_solve import square
+from ...kernels.icp.freedom import STILL, STILL_TURNING, Freedom, motion_state
+from ...kernels.icp.loop import RegistrationLoop
+from ...kernels.lang import int32, mat33d, mat44d, vec3d
+from ...kernels.memory import download
+from ..rigid import nearest_rotation, rotation_vector, to_local
+
+MOTIONS = ("roll", "pitch", "yaw", "x", "y", "z")  # in the order of the unknowns
+ORTHONORMAL = 1e-6  # of F^T F - I: a frame is given, not measured
+SYMMETRIC = 1e-9  # of an information's largest entry
+INDEFINITE = 1e-9  # of its largest eigenvalue: what is below zero by more is no information
+LEAST_SIGMA, MOST_SIGMA = 1e-12, 1e12  # [m], [rad]: beyond these a prior is a constraint, or none
+MOST_SIGMAS = 5.0  # that a prior may be away from all poses that the free motions reach
+ROUNDS = 20  # of Gauss-Newton where that is measured
+Matrix = NDArray[np.float64]
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Prior:
+    """A pose that is known beforehand, and how well: odometry, GNSS, an earlier survey.
+
+    What is known of a pose T is xi = (rotation vector of R R_p^T [rad], displacement of the pivot's image from where
+    the prior has it [m]), along the target's axes; ICP minimises sum w r^2 / noise^2 + xi^T information xi.
+
+    Args:
+        transformation: The pose T_target_source, 4x4.
+        information: The inverse of the covariance of xi, 6x6, rotation first; about the pivot of the registration.
+            Positive semidefinite: directions without information are not held.
+        sigma_translation: In its place, the standard deviation of the translation [m], one or [3]; None: not known.
+        sigma_rotation: The same of the rotation [rad], about x, y, z.
+
+    Raises:
+        ValueError: No rigid motion, an information that is not symmetric, not finite or indefinite, deviations that
+            are not positive, or nothing or twice that says how well.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> prior = loom.registration.Prior(np.eye(4), sigma_translation=[0.1, 0.1, 0.5])
+        >>> np.diag(prior.information).round(3).tolist()
+        [0.0, 0.0, 0.0, 100.0, 100.0, 4.0]
+    """
+
+    transformation: ArrayLike
+    information: ArrayLike | None = None
+    sigma_translation: ArrayLike | None = None
+    sigma_rotation: ArrayLike | None = None
+
+    def __post_init__(self) -> None:
+        T = np.array(check_rigid("transformation", self.transformation))
+        T[:3, :3] = nearest_rotation(T[:3, :3])
+        sigmas = {"sigma_rotation": self.sigma_rotation, "sigma_translation": self.sigma_translation}
+        given = [name for name, value in sigmas.items() if value is not None]
+        if self.information is not None and given:
+            raise ValueError(f"information, {given[0]}: both say how well the pose is known; leave one out")
+        if self.information is None and not given:
+            raise ValueError("information: a prior says how well its pose is known: give it, or sigma_translation=")
+        if self.information is None:
+            parts = [_weights_of(name, value) for name, value in sigmas.items()]
+            information = np.diag(np.concatenate(parts))
+        else:
+            information = check_information("information", self.information)
+        object.__setattr__(self, "transformation", T)
+        object.__setattr__(self, "information", information)
+
+
+def check_information(name: str, matrix: Any) -> Matrix:
+    """A symmetric, positive semidefinite 6x6 matrix in float64.
+
+    Raises:
+        ValueError: It is not; the message says in what.
+    """
+    M = check_finite(name, check_shape(name, matrix, (6, 6)))
+    largest = float(np.abs(M).max())
+    if np.abs(M - M.T).max() > SYMMETRIC * largest:
+        raise ValueError(f"{name}: expected a symmetric matrix, got entries that differ by {np.abs(M - M.T).max():.3g}")
+    values = np.linalg.eigvalsh((M + M.T) / 2)
+    if values[0] < -INDEFINITE * max(values[-1], -values[0]):
+        raise ValueError(
+            f"{name}: expected no negative eigenvalue, got {values[0]:.3g}; a covariance is inverted first"
+        )
+    return (M + M.T) / 2
+
+
+def _weights_of(name: str, sigma: Any) -> NDArray[np.float64]:
+    """1 / sigma^2 of three axes; zeros where nothing is known."""
+    if sigma is None:
+        return np.zeros(3)
+    values = check_finite(name, check_numeric(name, sigma))
+    if values.ndim == 0:
+        values = np.array(check_positive(name, sigma))
+    if values.shape not in ((), (3,)):
+        raise ValueError(f"{name}: expected one standard deviation or [3], got shape {list(values.shape)}")
+    if not ((values >= LEAST_SIGMA) & (values <= MOST_SIGMA)).all():
+        limits = f"from {LEAST_SIGMA:g} to {MOST_SIGMA:g}"
+        raise ValueError(f"{name}: expected standard deviations {limits}, got {shown(values.tolist())}")
+    return np.broadcast_to(1 / values.astype(np.float64) ** 2, (3,))
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Constraint:
+    """What `free`, `frame`, `pivot`, `prior` and `noise` come to.
+
+    Attributes:
+        free: The free motions, in the order of MOTIONS.
+        frame: The axes as columns, in target coordinates.
+        pivots: What rotations turn about, in the target's world [1 or jobs, 3]; None: the middle of the source.
+        priors: None, one, or one a job.
+        noise: Standard deviation of a residual; 0 for that of the pairs.
+        anchors: The pose that fixed motions are held at, where it is not the pose to begin from, [jobs, 4, 4] in world
+            coordinates, with the `motion_state` that leads from it to there, [jobs, 8].
+        states: Those.
+    """
+
+    free: tuple[str, ...]
+    frame: Matrix
+    pivots: Matrix | None
+    priors: tuple[Prior, ...]
+    noise: float
+    anchors: Matrix | None = None
+    states: Matrix | None = None
+
+    def about(self, place: NDArray[np.float64]) -> Constraint:
+        """The same with this pivot where it has none."""
+        return dataclasses.replace(self, pivots=place[None]) if self.pivots is None else self
+
+    def begun(self, anchor: Matrix, state: Matrix | None) -> Constraint:
+        """The same, held at an earlier pose of one job, and gone on from what was reached since."""
+        if state is None:
+            return self
+        return dataclasses.replace(self, anchors=anchor[None], states=state[None])
+
+
+def make_constraint(free: Any, frame: Any, pivot: Any, prior: Any, noise: Any, count: int = 1) -> Constraint | None:
+    """The constraint of `count` jobs; None where there is none.
+
+    Raises:
+        TypeError, ValueError: An argument makes no sense, or has none without another.
+    """
+    names = MOTIONS if free is None else check_free(free)
+    priors = _check_priors(prior, count)
+    if not priors and noise is not None:
+        raise ValueError("noise: it weighs the pairs against a prior, and there is none; give prior=, or leave it out")
+    bound = len(names) < len(MOTIONS) or bool(priors)
+    if frame is not None and free is None:
+        raise ValueError("frame: it has the axes of the free motions, and all are free; give free=, or leave it out")
+    if pivot is not None and free is None and not priors:
+        raise ValueError("pivot: it is for free= and prior=, and there is neither; leave it out")
+    axes = np.eye(3) if frame is None else _check_frame(frame)
+    pivots = None if pivot is None else _check_pivots(pivot, count)
+    level = 0.0 if noise is None else check_positive("noise", noise)
+    return Constraint(names, axes, pivots, priors, level) if bound else None
+
+
+def check_free(free: Any) -> tuple[str, ...]:
+    """Names of motions, in the order of MOTIONS.
+
+    Raises:
+        TypeError, ValueError: None, unknown ones, or one twice.
+    """
+    names = check_list("free", free, f"motions among {', '.join(MOTIONS)}")
+    if not names:
+        raise ValueError(
+            f"free: expected at least one of {', '.join(MOTIONS)}; to judge a pose, evaluate_registration()"
+        )
+    for name in names:
+        if not isinstance(name, str):
+            raise TypeError(f"free: expected names such as 'x', got {shown(name)}")
+        if name not in MOTIONS:
+            hint = nearest_name(name.lower(), MOTIONS)
+            raise ValueError(f"free: expected names among {', '.join(MOTIONS)}, got {shown(name)}{hint}")
+        if names.count(name) > 1:
+            raise ValueError(f"free: {name!r} stands there twice")
+    return tuple(name for name in MOTIONS if name in names)
+
+
+def _check_frame(frame: Any) -> Matrix:
+    F = check_finite("frame", check_shape("frame", frame, (3, 3)))
+    error = float(np.abs(F.T @ F - np.eye(3)).max())
+    if error > ORTHONORMAL:
+        raise ValueError(f"frame: expected orthonormal columns, the axes, got F^T F - I up to {error:.3g}")
+    if np.linalg.det(F) < 0:
+        raise ValueError("frame: expected right-handed axes, got left-handed ones; turn one of the columns around")
+    return F if error == 0 else nearest_rotation(F)
+
+
+def _check_pivots(pivot: Any, count: int) -> Matrix:
+    values = check_finite("pivot", check_numeric("pivot", pivot).astype(np.float64))
+    if values.shape not in ((3,), (count, 3)):
+        other = "" if count == 1 else f" or [{count}, 3]"
+        raise ValueError(f"pivot: expected shape [3]{other}, got {list(values.shape)}")
+    return values.reshape(-1, 3)
+
+
+def _check_priors(prior: Any, count: int) -> tuple[Prior, ...]:
+    if prior is None:
+        return ()
+    priors = [prior] if isinstance(prior, Prior) else check_list("prior", prior, "Prior, one a job")
+    for one in priors:
+        if not isinstance(one, Prior):
+            raise TypeError(f"prior: expected Prior(transformation, sigma_translation=...), got {shown(one)}")
+    if len(priors) not in (1, count):
+        raise ValueError(f"prior: expected 1 or {count} for {count} jobs, got {len(priors)}")
+    return tuple(priors)
+
+
+def make_freedom(
+    constraint: Constraint,
+    loop: RegistrationLoop,
+    poses: Matrix,
+    origins: Sequence[tuple[NDArray[np.float64], NDArray[np.float64]]],
+    residual_count: int,
+) -> Freedom:
+    """What a constraint is on the device.
+
+    Args:
+        constraint: It.
+        loop: The jobs.
+        poses: The poses that fixed motions are held at, between coordinates about the clouds' origins.
+        origins: Of each job's source and target.
+        residual_count: Rows of a pair.
+
+    Raises:
+        ValueError: A prior that is out of reach of the free motions.
+    """
+    count, priors, pivots = len(poses), constraint.priors, constraint.pivots
+    free = np.array([name in constraint.free for name in MOTIONS])
+    if pivots is not None:
+        pivots = pivots - np.array([target for _, target in origins]).reshape(-1, 3)
+    elif priors:
+        pivots = download(loop.progress.pivots).copy()  # sync
+    turned, shifted = np.tile(np.eye(3), (count, 1, 1)), np.zeros((count, 3))
+    information = np.zeros((count, 36))
+    for job in range(count if priors else 0):
+        assert pivots is not None
+        prior = priors[job % len(priors)]
+        turned[job], shifted[job] = _from_prior(
+            poses[job], to_local(np.array(prior.transformation), *origins[job]), pivots[job]
+        )
+        if not free.all():
+            _check_reach(prior, turned[job], shifted[job], constraint, free)
+        information[job] = np.asarray(prior.information).reshape(36)
+    still = STILL_TURNING if free[:3].all() else STILL
+    values: dict[str, tuple[np.ndarray, Any]] = {
+        "firsts": (poses, mat44d),
+        "pivots": (np.zeros((count, 3)) if pivots is None else pivots, vec3d),
+        "states": (np.tile(still, (count, 1)) if constraint.states is None else constraint.states, motion_state),
+        "turned": (turned, mat33d),
+        "shifted": (shifted, vec3d),
+        "information": (information, square),
+        "held_counts": (np.zeros(count), int32),
+    }
+    freedom = Freedom(
+        values,
+        constraint.frame,
+        free,
+        noise=constraint.noise,
+        informed=bool(priors),
+        residual_count=residual_count,
+        device=loop.jobs.device,
+    )
+    if pivots is None:
+        freedom.pivots = loop.progress.pivots
+    return freedom
+
+
+def _from_prior(T: Matrix, T_prior: Matrix, pivot: NDArray[np.float64]) -> tuple[Matrix, NDArray[np.float64]]:
+    """R R_p^T, and the way of the pivot's image from where a prior has it to where a pose has it, the pivot itself."""
+    scale = np.cbrt(np.linalg.det(T[:3, :3]))
+    R = T[:3, :3] / scale
+    place = R.T @ (pivot - T[:3, 3]) / scale
+    turned = nearest_rotation(R @ T_prior[:3, :3].T)
+    return turned, pivot - (T_prior[:3, :3] @ place + T_prior[:3, 3])
+
+
+def _check_reach(
+    prior: Prior, turned: Matrix, shifted: NDArray[np.float64], constraint: Constraint, free: NDArray[np.bool_]
+) -> None:
+    """Refuse a prior that no pose comes near which the free motions reach.
+
+    Raises:
+        ValueError: The message says by how much.
+    """
+    values, vectors = np.linalg.eigh(np.asarray(prior.information))
+    root = np.sqrt(np.maximum(values, 0))[:, None] * vectors.T
+    x = np.zeros(6)
+
+    def away(x: NDArray[np.float64]) -> NDArray[np.float64]:
+        D = constraint.frame @ euler_rotation(x[:3]) @ constraint.frame.T
+        return np.concatenate([rotation_vector(D @ turned), shifted + constraint.frame @ x[3:]])
+
+    steps = 1e-6 * np.eye(6)[free]
+    for _ in range(ROUNDS):
+        J = np.stack([(away(x + s) - away(x - s)) / 2e-6 for s in steps], axis=1)
+        x[free] -= np.linalg.lstsq(root @ J, root @ away(x), rcond=1e-9)[0]
+    xi = away(x)
+    sigmas = float(np.linalg.norm(root @ xi))
+    if sigmas > MOST_SIGMAS:
+        fixed = ", ".join(name for name in MOTIONS if name not in constraint.free)
+        raise ValueError(
+            f"prior: {np.linalg.norm(xi[:3]):.3g} rad and {np.linalg.norm(xi[3:]):.3g} m from all poses that init and "
+            f"free reach, {sigmas:.3g} standard deviations; begin at the prior (init), free {fixed}, or trust it less"
+        )
+
+
+def euler_rotation(angles: NDArray[np.float64]) -> Matrix:
+    """Rz(yaw) Ry(pitch) Rx(roll) of (roll, pitch, yaw)."""
+    (ca, cb, cc), (sa, sb, sc) = np.cos(angles), np.sin(angles)
+    return np.array(
+        [
+            [cc * cb, cc * sb * sa - sc * ca, cc * sb * ca + sc * sa],
+            [sc * cb, sc * sb * sa + cc * ca, sc * sb * ca - cc * sa],
+            [-sb, cb * sa, cb * ca],
+        ]
+    )

@@ -1,0 +1,155 @@
+"""What tiles leave for a step whose answer reaches through any number of them, and the join of all of it.
+
+A tile's file appears whole or not at all, and again with the same content where a worker died before it said so. The
+join reads all of them, mapped into memory and not loaded, and leaves a folder that appears under its name when all that
+tiles get is in it.
+"""
+
+from __future__ import annotations
+
+import json
+import shutil
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+from typing import Any, BinaryIO
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..core.atomic import atomic_write
+from ..core.errors import FileError
+
+LEFT, JOINED = "left", "joined"
+WHOLE = "whole.json"
+
+
+@dataclass(frozen=True)
+class Joined:
+    """What a join found: how many things there are in the whole."""
+
+    count: int
+
+
+def write_left(folder: Path, step: int, tile: int, arrays: dict[str, NDArray[Any]]) -> None:
+    """Write what a tile leaves for the join of a step.
+
+    Raises:
+        FileError: The file cannot be written.
+    """
+    path = folder / LEFT / str(step) / f"{tile}.npy"
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise FileError(path.parent, f"cannot be made: {error.strerror or error}") from error
+    with atomic_write(path) as file:
+        np.lib.format.write_array(file, np.array([*arrays], dtype="U32"))
+        for values in arrays.values():
+            np.lib.format.write_array(file, np.ascontiguousarray(values))
+
+
+class Leavings:
+    """What all tiles left for the join of a step, by the tile's number.
+
+    Args:
+        folder: Of the job.
+        step: The step's number.
+        counts: How many things each tile's file is about; tiles that left nothing are not there.
+        is_whole: Whether all tiles are there, as in every job but one that is measured by a few of its tiles.
+
+    Attributes:
+        path: The folder of what they left.
+        tiles: The numbers of the tiles, ascending.
+        is_whole: As given.
+    """
+
+    def __init__(self, folder: Path, step: int, counts: dict[int, int], *, is_whole: bool = True):
+        self.path, self._counts, self.is_whole = folder / LEFT / str(step), counts, is_whole
+        self.tiles = sorted(counts)
+        self._open = lru_cache(maxsize=64)(self._read)
+
+    def __contains__(self, tile: int) -> bool:
+        return tile in self._counts
+
+    def __getitem__(self, tile: int) -> dict[str, NDArray[Any]]:
+        """A tile's arrays.
+
+        Raises:
+            FileError: The file is missing, damaged, or not the one that the manifest counts.
+        """
+        return self._open(tile)
+
+    def __iter__(self) -> Iterator[tuple[int, dict[str, NDArray[Any]]]]:
+        for tile in self.tiles:
+            yield tile, self._open(tile)
+
+    def _read(self, tile: int) -> dict[str, NDArray[Any]]:
+        path = self.path / f"{tile}.npy"
+        remedy = "Plan it anew in another folder"
+        try:
+            with path.open("rb") as file:
+                names = np.lib.format.read_array(file).tolist()
+                whole = np.memmap(path, np.uint8, "r")
+                arrays = {name: _mapped(whole, file) for name in names}
+        except OSError as error:
+            raise FileError(path, f"cannot be read: {error.strerror or error}", remedy=remedy) from error
+        except ValueError as error:
+            raise FileError(path, f"is damaged: {error}", remedy=remedy) from error
+        if arrays["count"].tolist() != [self._counts[tile]]:
+            raise FileError(path, f"is not what tile {tile} left for the join", remedy=remedy)
+        return arrays
+
+
+def _mapped(whole: NDArray[np.uint8], file: BinaryIO) -> NDArray[Any]:
+    """The array that begins where a file stands, which then stands behind it."""
+    version = np.lib.format.read_magic(file)
+    if version != (1, 0):
+        raise ValueError(f"an array of version {version}")
+    shape, _, kind = np.lib.format.read_array_header_1_0(file)
+    begin, size = file.tell(), int(np.prod(shape)) * kind.itemsize
+    if len(whole) < begin + size:
+        raise ValueError("it ends too early")
+    file.seek(begin + size)
+    return np.asarray(whole[begin : begin + size]).view(kind).reshape(shape)
+
+
+def join_step(folder: Path, number: int, step: Any, left: Leavings, owner: str) -> Joined:
+    """Join what tiles left for a Step; what an earlier join left unfinished is removed.
+
+    Raises:
+        FileError: What tiles left is missing or damaged; the disk is full.
+    """
+    done = folder / JOINED / str(number)
+    part = done.with_name(f"{done.name}.{owner}.part")
+    for old in (done, *done.parent.glob(f"{done.name}.*.part")):
+        shutil.rmtree(old, ignore_errors=True)
+    try:
+        part.mkdir(parents=True)
+        count = step.join(left, part)
+        (part / WHOLE).write_text(json.dumps({"count": count}))
+        part.rename(done)
+    except OSError as error:
+        shutil.rmtree(part, ignore_errors=True)
+        if isinstance(error, FileError):
+            raise
+        raise FileError(part, f"cannot be written: {error.strerror or error}") from error
+    except BaseException:
+        shutil.rmtree(part, ignore_errors=True)
+        raise
+    return Joined(count)
+
+
+def read_joined(folder: Path, number: int, tile: int) -> tuple[int, NDArray[Any] | None]:
+    """How many things a join found, and what it gives a tile; None where the tile left nothing.
+
+    Raises:
+        FileError: It cannot be read.
+    """
+    place = folder / JOINED / str(number)
+    try:
+        count = int(json.loads((place / WHOLE).read_text())["count"])
+        path = place / f"{tile}.npy"
+        return count, np.load(path) if path.exists() else None
+    except (OSError, ValueError, KeyError) as error:
+        raise FileError(place, f"cannot be read: {error}", remedy="Plan it anew in another folder") from error

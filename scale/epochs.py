@@ -1,0 +1,74 @@
+"""Other epochs that steps compare a survey with: files of their own, read by windows as those of the first are.
+
+Each epoch has its files in the plan, with sizes, times and bounds. They are numbered after the first survey's, so that
+buckets are laid for them in the same pass.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..core.errors import FileError
+from ..files.points.point_cloud import cloud_of
+from ..pcd.cloud import PointCloud
+from .buckets import Window
+from .sources import check_alike, describe, list_files, read_window
+from .steps.step import Step
+
+
+def describe_epochs(steps: list[Step], sources: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """What the plan writes down of the epochs that steps compare with, each once, in the order of the steps.
+
+    Args:
+        steps: The steps, parsed.
+        sources: Of the first survey, described.
+
+    Raises:
+        FileError: A file cannot be read, goes ill with its epoch's others, or has another coordinate system or unit
+            than the first survey; an epoch holds no points, or lies elsewhere.
+    """
+    epochs: list[dict[str, Any]] = []
+    for step in steps:
+        if not step.epoch or any(epoch["paths"] == step.epoch for epoch in epochs):
+            continue
+        described = [describe(path) for path in list_files(step.epoch)]
+        check_alike(described)
+        _check_beside(described, sources, step)
+        epochs.append({"paths": step.epoch, "sources": described})
+    return epochs
+
+
+def _check_beside(epoch: list[dict[str, Any]], sources: list[dict[str, Any]], step: Step) -> None:
+    first, other = sources[0], epoch[0]
+    for key, what in (("crs", "coordinate system"), ("unit", "unit")):
+        if other[key] != first[key]:
+            said = [source[key] or "unknown" for source in (other, first)]
+            reason = f"its {what} is {said[0]}, that of {first['path']} {said[1]}: they cannot be compared"
+            raise FileError(other["path"], reason, remedy="Bring both epochs to one first, nothing is converted here")
+    filled = [[source for source in side if source["points"]] for side in (epoch, sources)]
+    if not filled[0]:
+        raise FileError(other["path"], f"the epoch that {step.name} compares with holds no points")
+    if not filled[1]:
+        return  # which is said elsewhere
+    (low, high), (first_low, first_high) = (
+        (np.min([source["low"] for source in side], axis=0), np.max([source["high"] for source in side], axis=0))
+        for side in filled
+    )
+    if ((low - step.reach > first_high) | (high + step.reach < first_low)).any():
+        reason = f"the epoch that {step.name} compares with lies elsewhere: {[*low]}..{[*high]}, the first survey"
+        raise FileError(other["path"], f"{reason} {[*first_low]}..{[*first_high]}")
+
+
+def read_epoch(plan: Any, folder: Path, fulls: dict[int, int], step: Step, window: Window) -> PointCloud:
+    """The points of the epoch of a step in a window, in the order of its files, about the plan's origin.
+
+    Raises:
+        FileError: A file or a bucket is damaged, or a file has changed.
+    """
+    number = [epoch["paths"] for epoch in plan.epochs].index(step.epoch)
+    table = read_window(plan, folder, fulls, window, epoch=number)
+    table.attributes, table.normals, table.colors = {}, None, None
+    return cloud_of(table, plan.epochs[number]["sources"][0]["path"], device="cpu", origin=plan.origin)

@@ -1,0 +1,202 @@
+"""Clusters of tiles become clusters of the whole: the same point under two names says that both are one.
+
+Each tile has clusters of its own, of all that it sees. A cluster that no other tile sees is whole. The others' points
+in the halo are listed with the tile that they are at home in, which lists them, too: each pair of a tile's cluster and
+a neighbour's with a point in common is a link. Only these clusters are held in memory, 40 B each and 30 B a link, and
+the lists of a tile and its neighbours are mapped.
+
+Clusters are numbered in the order of (major, minor) keys, their sizes and their first points. However many there are,
+they are ranked a stretch of that order at a time.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..core.errors import FileError
+from .borders import Leavings
+
+MOST_RANKED = 1 << 22  # clusters, about, that are sorted at a time
+MOST_INT32 = 2**31 - 1  # clusters that labels of 32 bits can name
+NEVER = np.iinfo(np.int64).max  # the first point of a cluster that has none at home
+_Keys = tuple[NDArray[np.int64], NDArray[np.int64]]  # (major, minor), in their order
+
+
+def leave(
+    labels: NDArray[np.int32], count: int, part: Any, sight: Any, bounds: tuple[int, int], by_size: bool
+) -> dict[str, NDArray[Any]]:
+    """What a tile leaves of its clusters.
+
+    Args:
+        labels: Of the cores of a part, by the tile's own numbers; below zero for other points.
+        count: Clusters.
+        part, sight: The Part and the tile's Sight of it.
+        bounds: The fewest and the most points of clusters that are kept.
+        by_size: Whether the largest come first.
+    """
+    is_core = labels >= 0
+    own = sight.own & is_core
+    firsts, sizes = np.full(count, NEVER), np.bincount(labels[own], minlength=count)
+    np.minimum.at(firsts, labels[own], part.keys[own])
+    lent, borrowed = own & sight.shared, sight.seen & is_core & ~sight.own
+    on_edge = np.zeros(count, bool)
+    on_edge[labels[lent | borrowed]] = True
+    edge = np.flatnonzero(on_edge)
+    closed = np.flatnonzero(~on_edge & (sizes >= max(bounds[0], 1)) & (sizes <= bounds[1]))
+    majors = -sizes[closed] if by_size else np.zeros(len(closed), np.int64)
+    order = np.lexsort((firsts[closed], majors))
+    lent, borrowed = np.flatnonzero(lent), np.flatnonzero(borrowed)
+    lent = lent[np.argsort(part.keys[lent])]
+    borrowed = borrowed[np.lexsort((part.keys[borrowed], sight.owners[borrowed]))]
+    places = np.zeros(count, np.int32)
+    places[edge] = np.arange(len(edge))
+    return {
+        "count": np.array([count]),
+        "closed": closed[order].astype(np.int32),
+        "majors": majors[order],
+        "minors": firsts[closed][order],
+        "edge": edge.astype(np.int32),
+        "edge_firsts": firsts[edge],
+        "edge_sizes": sizes[edge].astype(np.int64),
+        "lent_keys": part.keys[lent],
+        "lent": places[labels[lent]],
+        "borrowed_tiles": sight.owners[borrowed],
+        "borrowed_keys": part.keys[borrowed],
+        "borrowed": places[labels[borrowed]],
+    }
+
+
+def join_labels(left: Leavings, folder: Path, bounds: tuple[int, int], by_size: bool) -> int:
+    """Number the clusters of the whole; each tile gets the label of each of its clusters, -1 for those left out.
+
+    Args:
+        left: What tiles left.
+        folder: Gets an array of each tile.
+        bounds: The fewest and the most points of clusters that are kept.
+        by_size: Whether the largest come first.
+
+    Returns:
+        The number of clusters.
+
+    Raises:
+        FileError: A tile's point is not in the tile that it is at home in.
+    """
+    ends = np.cumsum([0, *(len(arrays["edge"]) for _, arrays in left)])
+    begins = dict(zip(left.tiles, ends[:-1].tolist(), strict=True))
+    sets = _united(int(ends[-1]), _links(left, begins))
+    group_count = int(sets.max(initial=-1)) + 1
+    firsts, sizes = np.full(group_count, NEVER), np.zeros(group_count, np.int64)
+    for tile, arrays in left:
+        mine = sets[begins[tile] : begins[tile] + len(arrays["edge"])]
+        np.minimum.at(firsts, mine, arrays["edge_firsts"])
+        np.add.at(sizes, mine, arrays["edge_sizes"])
+    kept = np.flatnonzero((firsts != NEVER) & (sizes >= bounds[0]) & (sizes <= bounds[1]))
+    majors = -sizes[kept] if by_size else np.zeros(len(kept), np.int64)
+    order = np.lexsort((firsts[kept], majors))
+    kept, groups = kept[order], (majors[order], firsts[kept][order])
+    total = len(kept) + sum(len(arrays["closed"]) for _, arrays in left)
+    kind = np.int32 if total <= MOST_INT32 else np.int64
+    names = np.full(group_count, -1, kind)
+    for tile, arrays in left:
+        if arrays["count"][0]:
+            made = np.lib.format.open_memmap(folder / f"{tile}.npy", "w+", kind, (int(arrays["count"][0]),))
+            made[:] = -1
+    begin = 0
+    for stretch in _stretches(left, groups, total):
+        begin = _rank_stretch(left, folder, groups, (kept, names), stretch, begin)
+    for tile, arrays in left:
+        if len(arrays["edge"]):
+            made = np.load(folder / f"{tile}.npy", mmap_mode="r+")
+            made[arrays["edge"]] = names[sets[begins[tile] : begins[tile] + len(arrays["edge"])]]
+    return total
+
+
+def _links(left: Leavings, begins: dict[int, int]) -> NDArray[np.int64]:
+    """Pairs of clusters on edges that have a point in common, [2, n]."""
+    found = [np.empty((2, 0), np.int64)]
+    for tile, arrays in left:
+        owners = np.asarray(arrays["borrowed_tiles"])
+        homes, cuts = np.unique(owners, return_index=True)
+        for home, begin, end in zip(homes.tolist(), cuts.tolist(), [*cuts[1:].tolist(), len(owners)], strict=False):
+            if home not in left:
+                if not left.is_whole:
+                    continue
+                raise _disagreement(left, tile, home)
+            other, keys = left[home], arrays["borrowed_keys"][begin:end]
+            at = np.searchsorted(other["lent_keys"], keys)
+            there = at < len(other["lent_keys"])
+            if not (there.all() and np.array_equal(other["lent_keys"][at], keys)):
+                raise _disagreement(left, tile, home)
+            pairs = np.stack([arrays["borrowed"][begin:end] + begins[tile], other["lent"][at] + begins[home]])
+            found.append(np.unique(pairs, axis=1))
+    return np.concatenate(found, axis=1)
+
+
+def _disagreement(left: Leavings, tile: int, home: int) -> FileError:
+    reason = f"tiles {tile} and {home} see a point that both have differently: files or steps gave two answers"
+    return FileError(left.path, reason, remedy="Plan it anew in another folder")
+
+
+def _united(count: int, links: NDArray[np.int64]) -> NDArray[np.int32]:
+    """The number of the set of each of some things, where linked ones are in one."""
+    from scipy.sparse import coo_array  # loads for longer than a job without a join needs
+    from scipy.sparse.csgraph import connected_components
+
+    if not count:
+        return np.empty(0, np.int32)
+    graph = coo_array((np.ones(links.shape[1], np.int8), (links[0], links[1])), shape=(count, count))
+    return connected_components(graph, directed=False)[1]
+
+
+def _stretches(left: Leavings, groups: _Keys, total: int) -> list[tuple[Any, Any]]:
+    """Ends of stretches of the order of all keys that hold few enough: (low, high), None where there is none."""
+    if total <= MOST_RANKED:
+        return [(None, None)]
+    step = max(1, MOST_RANKED // (len(left.tiles) + 1))
+    samples = [np.stack(groups)[:, ::step]]
+    samples += [np.stack([arrays["majors"][::step], arrays["minors"][::step]]) for _, arrays in left]
+    joined = np.concatenate(samples, axis=1)
+    joined = joined[:, np.lexsort((joined[1], joined[0]))]
+    cuts = [*map(tuple, joined.T[MOST_RANKED // step :: max(1, MOST_RANKED // step)].tolist())]
+    return [*zip([None, *cuts], [*cuts, None], strict=True)]
+
+
+def _place(keys: tuple[Any, Any], cut: tuple[int, int] | None, otherwise: int) -> int:
+    """How many keys come before a cut."""
+    if cut is None:
+        return otherwise
+    low, high = (int(np.searchsorted(keys[0], cut[0], side)) for side in ("left", "right"))
+    return low + int(np.searchsorted(keys[1][low:high], cut[1]))
+
+
+def _rank_stretch(
+    left: Leavings, folder: Path, groups: _Keys, named: tuple[Any, Any], stretch: tuple[Any, Any], begin: int
+) -> int:
+    """Number the clusters of a stretch from `begin` on; where the next one begins."""
+    kept, names = named
+    owners, lows, pieces = [], [], []
+    for tile, keys in [(None, groups), *((tile, (arrays["majors"], arrays["minors"])) for tile, arrays in left)]:
+        low, high = _place(keys, stretch[0], 0), _place(keys, stretch[1], len(keys[0]))
+        if low < high:
+            owners.append(tile)
+            lows.append(low)
+            pieces.append(np.stack([keys[0][low:high], keys[1][low:high]]))
+    if not pieces:
+        return begin
+    joined = np.concatenate(pieces, axis=1)
+    ranks = np.empty(joined.shape[1], np.int64)
+    ranks[np.lexsort((joined[1], joined[0]))] = np.arange(begin, begin + len(ranks))
+    at = 0
+    for tile, low, piece in zip(owners, lows, pieces, strict=True):
+        mine = slice(low, low + piece.shape[1])
+        labels, at = ranks[at : at + piece.shape[1]], at + piece.shape[1]
+        if tile is None:
+            names[kept[mine]] = labels
+        else:
+            made = np.load(folder / f"{tile}.npy", mmap_mode="r+")
+            made[left[tile]["closed"][mine]] = labels
+    return begin + len(ranks)

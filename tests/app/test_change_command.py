@@ -1,0 +1,115 @@
+"""change: the library's M3C2 and distances from a mesh, what is written, and when it is not to be believed."""
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+
+from .commands import answer, poor_answer, refusal, run
+
+UTM = np.array([447_000.0, 5_411_000.0, 300.0])
+
+
+def survey(lift=0.0, pit=0.0, seed=0, count=6000):
+    """A slope of 20 x 20 m with 1 cm of noise, of which a corner of 6 x 6 m has sunk."""
+    rng = np.random.default_rng(seed)
+    x, y = rng.random((2, count)) * 20
+    z = 0.2 * x + 0.01 * rng.normal(size=count) + lift - np.where((x < 6) & (y < 6), pit, 0)
+    return loom.PointCloud(np.column_stack([x, y, z]) + UTM, intensity=np.arange(count, dtype=np.uint16))
+
+
+@pytest.fixture
+def files(tmp_path):
+    for name, cloud in {
+        "before": survey(),
+        "after": survey(pit=0.3, seed=1),
+        "lifted": survey(lift=0.5, seed=2),
+    }.items():
+        loom.write_point_cloud(tmp_path / f"{name}.npz", cloud)
+    return tmp_path
+
+
+def test_two_clouds_have_the_distances_of_m3c2(files, device):
+    words = ["--normals", "1,2", "--cylinder", "0.8", "--max-distance", "2", "--registration-error", "0.005"]
+    told = answer(
+        "change", files / "before.npz", files / "after.npz", "-o", files / "out.npz", *words, "--device", device
+    )
+    before, after = (loom.read_point_cloud(files / f"{name}.npz") for name in ("before", "after"))
+    expected = loom.change.m3c2(
+        before, after, normal_radii=[1, 2], cylinder_radius=0.8, max_distance=2, registration_error=0.005
+    )
+    found = loom.read_point_cloud(files / "out.npz")
+    np.testing.assert_array_equal(found["distance"], expected.distances.astype(np.float32))
+    np.testing.assert_array_equal(found["significant"] != 0, expected.is_significant)
+    np.testing.assert_array_equal(found["intensity"], before["intensity"])
+    np.testing.assert_array_equal(found["points_after"], expected.counts[:, 1])
+    assert (told["method"], told["cores"], told["known"]) == ("m3c2", 6000, int(np.isfinite(expected.distances).sum()))
+    assert told["significant"] == expected.is_significant.sum() and told["poor"] is None
+    assert -0.31 < told["median"] < -0.2
+    sunk = (found.points[:, 0] - UTM[0] < 5) & (found.points[:, 1] - UTM[1] < 5)
+    assert (found["significant"] != 0)[sunk].all() and (found["significant"] != 0)[~sunk].mean() < 0.2
+
+
+def test_lengths_that_are_not_given_follow_from_the_points(files):
+    told = answer("change", files / "before.npz", files / "after.npz", "--cores", "1", "--painted", files / "p.ply")
+    radius = told["lengths"]["cylinder_radius"]
+    within = survey().compute_nearest_neighbor_distance()
+    assert 2 * np.median(within) < radius < 1
+    assert told["lengths"]["normal_radii"] == pytest.approx([radius, 2 * radius, 4 * radius])
+    painted = loom.read_point_cloud(files / "p.ply")
+    assert len(painted) == told["cores"] and 400 <= len(painted) < 500
+    colors = painted.colors.astype(float)
+    grey = np.ptp(colors, axis=1) < 0.05
+    assert 0.7 < grey.mean() < 0.95 and (colors[~grey, 2] > colors[~grey, 0]).mean() > 0.8  # blue: below
+
+
+def test_a_picture_is_drawn(files):
+    answer("change", files / "before.npz", files / "after.npz", "--cores", "0.5", "--picture", files / "c.png")
+    assert loom.read_color(files / "c.png").shape == (960, 1280, 3)
+
+
+def test_a_cloud_is_held_against_a_mesh(files):
+    corners = np.array([[0, 0, 0], [20, 0, 4], [20, 20, 4], [0, 20, 0.0]]) + UTM
+    loom.write_triangle_mesh(files / "design.ply", loom.TriangleMesh(corners, [[0, 1, 2], [0, 2, 3]]))
+    words = ["--cylinder", "0.8", "-o", files / "out.npz"]
+    told = answer("change", files / "design.ply", files / "after.npz", *words)
+    assert told["method"] == "cloud to mesh" and told["lengths"] == {"radius": 0.8}
+    found = loom.read_point_cloud(files / "out.npz")
+    sunk = (found.points[:, 0] - UTM[0] < 5) & (found.points[:, 1] - UTM[1] < 5)
+    np.testing.assert_allclose(found["distance"][sunk], -0.3 / np.sqrt(1.04), atol=0.01)
+    assert (found["significant"] != 0)[sunk].mean() > 0.95
+    assert "Give the mesh first" in refusal("change", files / "after.npz", files / "design.ply")
+
+
+def test_epochs_that_are_not_registered_or_do_not_overlap_are_poor(files):
+    told = poor_answer("change", files / "before.npz", files / "lifted.npz")
+    assert "moved up, by 0.49" in told["poor"] and "register the epochs first" in told["poor"]
+    assert answer("change", files / "before.npz", files / "lifted.npz", "--registration-error", "0.4")["poor"] is None
+    loom.write_point_cloud(files / "far.npz", survey().translate([0, 0, 50.0]))
+    told = poor_answer("change", files / "before.npz", files / "far.npz", "-o", files / "out.npz")
+    assert told["known"] == 0 and "hardly overlap" in told["poor"] and told["median"] is None
+    assert np.isnan(loom.read_point_cloud(files / "out.npz")["distance"]).all()
+
+
+def test_what_cannot_be_compared_is_named(files, tmp_path):
+    loom.write_point_cloud(files / "one.npz", loom.PointCloud(np.tile(UTM, (30, 1))))
+    assert "Say --cylinder" in refusal("change", files / "one.npz", files / "after.npz")
+    loom.write_point_cloud(files / "none.npz", loom.PointCloud(np.full((3, 3), np.nan)))
+    assert "no finite point" in refusal("change", files / "before.npz", files / "none.npz")
+    assert "out.xyz" in refusal("change", files / "before.npz", files / "after.npz", "-o", files / "out.xyz")
+    result = run("change", files / "before.npz", files / "after.npz", "--cylinder", "0")
+    assert result.exit_code == 2 and "--cylinder" in result.stderr
+    result = run("change", files / "before.npz", files / "after.npz", "--towards", 0, 0, 0)
+    assert result.exit_code == 2 and "expected a direction" in result.stderr
+
+
+def test_files_of_two_coordinate_systems_are_refused(tmp_path):
+    laspy, pyproj = pytest.importorskip("laspy"), pytest.importorskip("pyproj")
+    paths = []
+    for number, code in enumerate((25832, 25833)):
+        paths.append(tmp_path / f"{number}.laz")
+        loom.write_point_cloud(paths[-1], survey(count=500))
+        content = laspy.read(paths[-1])
+        content.header.add_crs(pyproj.CRS.from_epsg(code))
+        content.write(paths[-1])
+    assert "zone 33N, that of" in refusal("change", *paths)

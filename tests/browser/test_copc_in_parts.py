@@ -1,0 +1,40 @@
+"""A COPC file in Chromium: the coarse levels come first, and finer nodes are read where one looks closer."""
+
+from __future__ import annotations
+
+import numpy as np
+
+import pointloom as loom
+
+from .pixels import count_pixels, wait_until, wait_until_still
+from .viewer_scenes import RED
+
+UTM = np.array([448_500.0, 5_412_200.0, 300.0])
+COUNT, BUDGET = 300_000, 70_000
+AT = UTM + np.array([190.0, 190.0, 0.0])
+
+
+def test_coarse_points_come_first_and_finer_nodes_after_zooming(open_page, tmp_path):
+    rng = np.random.default_rng(3)
+    points = np.column_stack([rng.random((COUNT, 2)) * 500, rng.random(COUNT)]) + UTM
+    colors = np.tile(np.array(RED, np.uint8), (COUNT, 1))
+    path = tmp_path / "city.copc.laz"
+    loom.write_point_cloud(path, loom.PointCloud(points, colors=colors))
+    with loom.Viewer(port=0, max_points=BUDGET, point_size=1.0) as viewer:
+        viewer.set_view(front=(0, 0, 1), up=(0, 1, 0), lookat=AT, zoom=0.7)
+        viewer.add_copc("city", path)
+        tree = viewer.shown["city"].tree
+        coarse = tree.nodes.nodes_read
+        page = open_page(viewer.url, width=900, height=700)
+        wait_until(page, lambda: viewer.sessions, lambda: "no page has come")
+        (session,) = viewer.sessions.values()
+        stream = session.streams["city"]
+        wait_until(page, lambda: stream.drawn > 0, lambda: "nothing is drawn")
+        assert count_pixels(wait_until_still(page), RED) > 0
+        assert 0 < stream.drawn <= BUDGET < COUNT
+        assert coarse <= tree.nodes.nodes_read < len(tree) / 2
+        read = tree.nodes.nodes_read
+        viewer.set_view(front=(0, 0, 1), up=(0, 1, 0), lookat=AT, zoom=0.08)
+        wait_until(page, lambda: tree.nodes.nodes_read > read, lambda: f"{tree.nodes.nodes_read} nodes were read")
+        assert count_pixels(wait_until_still(page), RED) > 0
+        assert tree.nodes.nodes_read < len(tree) and stream.drawn <= BUDGET

@@ -1,0 +1,123 @@
+"""The signed distance of clouds from meshes, open and closed, and what of it is noise."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy.spatial import cKDTree
+
+import pointloom as loom
+
+UTM = np.array([5e5, 5.4e6, 100.0])
+
+
+def ground(count=30):
+    """A hilly sheet of triangles that face up."""
+    x, y = np.meshgrid(np.arange(count + 1.0), np.arange(count + 1.0))
+    corners = np.column_stack([x.ravel(), y.ravel(), np.sin(x.ravel()) + np.cos(y.ravel() / 2)])
+    rows = (np.arange(count)[:, None] * (count + 1) + np.arange(count)).ravel()
+    up, far = rows + 1, rows + count + 1
+    return corners, np.concatenate([np.column_stack([rows, up, far + 1]), np.column_stack([rows, far + 1, far])])
+
+
+def nearest_on(corners, triangles, points):
+    """Distance to the nearest of all triangles, by NumPy in float64: over faces, edges and corners."""
+    a, b, c = (corners[triangles[:, k]] for k in range(3))
+    normal = np.cross(b - a, c - a)
+    normal /= np.linalg.norm(normal, axis=1, keepdims=True)
+    found = []
+    for p in points:
+        height = ((p - a) * normal).sum(axis=1)
+        foot = p - height[:, None] * normal
+        inside = np.ones(len(a), bool)
+        gaps = []
+        for u, v in ((a, b), (b, c), (c, a)):
+            inside &= (np.cross(v - u, foot - u) * normal).sum(axis=1) >= 0
+            t = (((p - u) * (v - u)).sum(axis=1) / ((v - u) ** 2).sum(axis=1)).clip(0, 1)
+            gaps.append(np.linalg.norm(p - u - t[:, None] * (v - u), axis=1))
+        found.append(np.where(inside, np.abs(height), np.min(gaps, axis=0)).min())
+    return np.array(found)
+
+
+@pytest.mark.parametrize("at", [np.zeros(3), UTM], ids=["here", "in UTM"])
+def test_distances_are_those_of_brute_force_and_signs_those_of_above_and_below(device, rng, at):
+    corners, triangles = ground()
+    places = rng.random((300, 2)) * 24 + 3
+    height = np.sin(places[:, 0]) + np.cos(places[:, 1] / 2)
+    lift = rng.choice([-1, 1], 300) * (0.4 + rng.random(300))
+    points = np.column_stack([places, height + lift])
+    mesh = loom.TriangleMesh(corners + at, triangles, device=device)
+    found = loom.change.cloud_to_mesh(loom.PointCloud(points + at, device=device), mesh)
+    np.testing.assert_allclose(np.abs(found.distances), nearest_on(corners, triangles, points), rtol=0, atol=2e-6)
+    np.testing.assert_array_equal(found.distances > 0, lift > 0)
+    assert not found.beside.any() and found.is_significant.all() and (found.counts == 1).all()
+
+
+def test_a_closed_mesh_has_the_signs_of_its_scene(device, rng):
+    ball = loom.TriangleMesh.create_sphere(2.0, resolution=12, device=device)
+    points = rng.normal(size=(2000, 3)) * 1.5
+    scene = loom.RaycastingScene(device=device)
+    scene.add_triangles(ball)
+    found = loom.change.cloud_to_mesh(loom.PointCloud(points, device=device), ball)
+    np.testing.assert_array_equal(found.distances.astype(np.float32), scene.compute_signed_distance(points))
+    assert (found.distances < 0).any() and (found.distances > 0).any() and not found.beside.any()
+
+
+def test_a_point_over_a_sharp_edge_is_above_though_one_triangle_faces_away(device):
+    roof = [[0, 0, 0], [4, 0, 0], [4, 1, 3], [0, 1, 3], [4, 1.5, 0], [0, 1.5, 0]]
+    mesh = loom.TriangleMesh(roof, [[0, 1, 2], [0, 2, 3], [3, 2, 4], [3, 4, 5]], device=device)
+    over, under = [2, 1.0, 3.5], [2, 0.9, 2]
+    found = loom.change.cloud_to_mesh(loom.PointCloud([over, under], device=device), mesh)
+    assert found.distances[0] == pytest.approx(0.5) and found.distances[1] < 0
+
+
+def test_points_beside_an_open_mesh_are_told(device):
+    mesh = loom.TriangleMesh(*ground(), device=device)
+    points = [[-2, 5, 1], [-1, -1, 0], [31, 31, 1], [15.2, 15.3, 3]]
+    found = loom.change.cloud_to_mesh(loom.PointCloud(points, device=device), mesh)
+    assert found.beside.tolist() == [True, True, True, False]
+    assert found.is_significant.tolist() == [False, False, False, True]
+
+
+def test_neighbours_say_what_is_noise(device, rng):
+    corners, triangles = ground()
+    mesh = loom.TriangleMesh(corners * (1, 1, 0), triangles, device=device)
+    points = np.column_stack([rng.random((8000, 2)) * 30, 0.05 * rng.normal(size=8000)])
+    raised = points[:, 0] > 20
+    points[raised, 2] += 0.05
+    found = loom.change.cloud_to_mesh(
+        loom.PointCloud(points, device=device), mesh, radius=1.0, registration_error=0.001
+    )
+    tree, held = cKDTree(points), points[:, 2]
+    for row in range(0, 8000, 97):
+        near = held[tree.query_ball_point(points[row], 1.0 - 1e-6)]
+        assert found.counts[row] == len(near)
+        assert found.distances[row] == pytest.approx(near.mean(), abs=1e-7)
+        assert found.spreads[row] == pytest.approx(near.std(ddof=1), abs=1e-7)
+        limit = 1.96 * (near.std(ddof=1) / np.sqrt(len(near)) + 0.001)
+        assert found.level_of_detection[row] == pytest.approx(limit, abs=1e-7)
+    inner = np.abs(points[:, 0] - 20) > 1.2
+    significant = found.is_significant & inner
+    assert significant[raised & inner].mean() > 0.95 and significant[~raised & inner].mean() < 0.12
+
+
+def test_what_has_no_distance_is_nan(device):
+    mesh = loom.TriangleMesh(*ground(), device=device)
+    points = [[15, 15, 50], [np.nan, 0, 0], [15, 15, 1.2]]
+    found = loom.change.cloud_to_mesh(loom.PointCloud(points, device=device), mesh, max_distance=10)
+    assert np.isnan(found.distances).tolist() == [True, True, False]
+    assert found.is_significant.tolist()[:2] == [False, False]
+    empty = loom.TriangleMesh(np.zeros((0, 3)), np.zeros((0, 3), np.int32), device=device)
+    assert np.isnan(loom.change.cloud_to_mesh(loom.PointCloud(points, device=device), empty).distances).all()
+    none = loom.change.cloud_to_mesh(loom.PointCloud(np.zeros((0, 3)), device=device), mesh, radius=1.0)
+    assert repr(none) == "CloudToMeshResult(0 points, 0 with a distance, 0 significant)"
+
+
+def test_bad_arguments_are_named():
+    mesh, cloud = loom.TriangleMesh(*ground()), loom.PointCloud([[0, 0, 0]])
+    with pytest.raises(TypeError, match="mesh"):
+        loom.change.cloud_to_mesh(cloud, cloud)
+    with pytest.raises(ValueError, match="radius"):
+        loom.change.cloud_to_mesh(cloud, mesh, radius=-1)
+    with pytest.raises(ValueError, match="max_distance"):
+        loom.change.cloud_to_mesh(cloud, mesh, max_distance=0)

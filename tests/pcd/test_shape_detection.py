@@ -1,0 +1,88 @@
+"""All shapes of a made hall: each part once, its points, its sizes; what is no shape is none; planes are not round."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+
+from .made_shapes import factory, made_shape
+
+UTM = np.array([500_000.0, 5_400_000.0, 0.0])
+SIZES = ("radius", "minor_radius", "half_angle")
+
+
+def detect(points, device, noise, **options):
+    cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=30)
+    return loom.detect_shapes(cloud, max(0.004, 2.5 * noise), 25, min_support=500, **options)
+
+
+@pytest.mark.parametrize(("noise", "clutter"), [(0.0, 0.2), (0.005, 0.5), (0.01, 0.2)])
+def test_each_part_of_a_hall_is_found_once_with_its_points_and_sizes(device, noise, clutter):
+    points, labels, parts = factory(np.random.default_rng(1), noise, clutter)
+    found = detect(points + UTM, device, noise)
+    seen = []
+    for k, shape in enumerate(found.shapes):
+        mine = found.labels == k
+        part = int(np.bincount(labels[mine] + 1).argmax()) - 1
+        seen.append(part)
+        assert shape.kind == parts[part][0] and shape.is_sure, shape
+        hits = (labels[mine] == part).sum()
+        assert hits / mine.sum() > 0.93 and hits / (labels == part).sum() > 0.92, (shape, hits)
+        told = [getattr(shape, name) for name in SIZES if np.isfinite(getattr(shape, name))]
+        # noise across the axis, too, makes a radius r look larger by noise^2 / 2r, the most at a cone's narrow end
+        np.testing.assert_allclose(told, parts[part][1], atol=0.0005 + 0.3 * noise)
+        assert shape.support == mine.sum()
+        gaps = np.abs(shape.compute_distances(points[mine] + UTM))
+        np.testing.assert_allclose(np.abs(found.distances[mine]), gaps, atol=1e-6)
+    assert sorted(seen) == list(range(len(parts)))
+    assert np.isnan(found.distances[found.labels < 0]).all()
+
+
+def test_the_same_seed_gives_the_same_shapes_and_progress_is_told(device):
+    points, _, parts = factory(np.random.default_rng(2), 0.005)
+    told = []
+    first = detect(points, device, 0.005, seed=3, progress=lambda *said: told.append(said))
+    second = detect(points, device, 0.005, seed=3)
+    np.testing.assert_array_equal(first.labels, second.labels)
+    np.testing.assert_array_equal(first.distances, second.distances)
+    assert str(first) == str(second) and first.to_json() == second.to_json()
+    assert told[0] == ("shapes", 0, len(points)) and told[-1][1] == (first.labels >= 0).sum()
+    assert len(told) == len(parts) + 1
+
+
+def test_a_hall_of_planes_has_no_round_shape_that_is_sure(device, rng):
+    floor, wall = (made_shape("plane", 3000, rng, 0.004, motion=False)[0] for _ in range(2))
+    cloud = loom.PointCloud(np.vstack([floor, wall[:, [2, 0, 1]]]), device=device).estimate_normals()
+    assert [shape.kind for shape in loom.detect_shapes(cloud, 0.01).shapes] == ["plane", "plane"]
+    round_ones = loom.detect_shapes(cloud, 0.01, kinds=("sphere", "cylinder"), num_iterations=500, max_radius=3.0)
+    assert not any(shape.is_sure for shape in round_ones.shapes), round_ones
+
+
+def test_what_lies_apart_is_two_shapes(device, rng):
+    half = np.column_stack([rng.random((2000, 2)), 0.001 * rng.normal(size=2000)])
+    cloud = loom.PointCloud(np.vstack([half, half + np.array([3, 0, 0])]), device=device).estimate_normals()
+    found = loom.detect_shapes(cloud, 0.01, kinds="plane")
+    assert [shape.support for shape in found.shapes] == [2000, 2000]
+    assert set(found.labels[:2000]) != set(found.labels[2000:])
+    joined = loom.detect_shapes(cloud, 0.01, kinds="plane", cluster_epsilon=3.0)
+    assert len(joined.shapes) == 1
+    assert len(loom.detect_shapes(cloud, 0.01, kinds="plane", max_shapes=1).shapes) == 1
+
+
+def test_clutter_alone_has_no_shape(device, rng):
+    cloud = loom.PointCloud(rng.random((4000, 3)), device=device).estimate_normals()
+    found = loom.detect_shapes(cloud, 0.01, num_iterations=5000)
+    assert found.shapes == [] and (found.labels == -1).all()
+
+
+def test_clouds_without_enough_points_have_no_shape(device):
+    for points in (np.zeros((0, 3)), np.full((500, 3), np.nan), np.ones((500, 3)), np.eye(3)):
+        normals = np.tile([0.0, 0.0, 1.0], (len(points), 1))
+        found = loom.detect_shapes(loom.PointCloud(points, normals=normals, device=device), 0.01)
+        assert found.shapes == [] and found.labels.tolist() == [-1] * len(points)
+    with pytest.raises(ValueError, match="no normals"):
+        loom.detect_shapes(loom.PointCloud(np.eye(3), device=device))
+    with pytest.raises(ValueError, match="kinds: expected some of plane, sphere"):
+        loom.detect_shapes(loom.PointCloud(np.eye(3), normals=np.eye(3), device=device), kinds=("cube",))

@@ -1,0 +1,232 @@
+"""Round shapes: found among clutter, exact far from the origin, sizes with the error that is said, doubts told."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy.optimize import least_squares
+
+import pointloom as loom
+
+from .made_shapes import SIZES, made_shape
+
+ROUND = ["sphere", "cylinder", "cone", "torus"]
+UTM = np.array([500_000.0, 5_400_000.0, 300.0])
+
+
+def segment(cloud, kind, *arguments, **options):
+    return getattr(cloud, f"segment_{kind}")(*arguments, **options)
+
+
+def sizes_of(shape):
+    of = {"cone": ("half_angle",), "torus": ("radius", "minor_radius")}.get(shape.kind, ("radius",))
+    return np.array([getattr(shape, name) for name in of])
+
+
+def sigma_of(shape):
+    return np.array([shape.sigma[n] for n in ("radius", "minor_radius", "half_angle") if n in shape.sigma])
+
+
+def scene(kind, rng, count=3000, clutter=1500, noise=0.0, **options):
+    """Points of a shape, then clutter in a box of two metres about it."""
+    points, center, axis = made_shape(kind, count, rng, noise, **options)
+    return np.vstack([points, center + 2 * rng.random((clutter, 3)) - 1]), center, axis
+
+
+@pytest.mark.parametrize("kind", ROUND)
+@pytest.mark.parametrize("noise", [0.0, 0.005, 0.02])
+def test_a_shape_among_clutter_is_found_with_its_sizes(device, rng, kind, noise):
+    points, _, axis = scene(kind, rng, noise=noise)
+    cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=30)
+    shape, inliers = segment(cloud, kind, max(0.004, 2.5 * noise), 25)
+    assert shape.is_sure, shape.reasons
+    assert (inliers < 3000).mean() > 0.95
+    assert (inliers < 3000).sum() > (0.97 if noise < 0.02 else 0.7) * 3000
+    np.testing.assert_allclose(sizes_of(shape), SIZES[kind], atol=0.002 + 0.3 * noise)
+    if kind != "sphere":
+        assert abs(shape.axis @ axis) > 1 - 1e-4 - noise * noise
+    assert shape.support == len(inliers) and (np.diff(inliers) > 0).all()
+    assert shape.coverage > 0.9
+
+
+@pytest.mark.parametrize("kind", ROUND)
+def test_a_fit_is_that_of_a_dense_minimiser_and_so_is_its_covariance(device, rng, kind):
+    points, _, _ = made_shape(kind, 800, rng, 0.01)
+    cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=30)
+    shape, inliers = segment(cloud, kind, 0.2, 90)
+    assert len(inliers) == 800
+    chosen = cloud.points[inliers]
+    frame, size = shape.frame, sizes_of(shape)
+
+    def residuals(x):
+        y = chosen - shape.center - x[:3] @ frame
+        a = shape.axis + x[3:5] @ frame[:2]
+        a /= np.linalg.norm(a)
+        h = y @ a
+        q = np.linalg.norm(y - h[:, None] * a, axis=1)
+        if kind == "sphere":
+            return np.linalg.norm(y, axis=1) - size[0] - x[5]
+        if kind == "cylinder":
+            return q - size[0] - x[5]
+        if kind == "cone":
+            return q * np.cos(size[0] + x[5]) - h * np.sin(size[0] + x[5])
+        return np.hypot(q - size[0] - x[5], h) - size[1] - x[6]
+
+    free = {"sphere": [0, 1, 2, 5], "cylinder": [0, 1, 3, 4, 5], "cone": range(6), "torus": range(7)}[kind]
+
+    def of_free(values):
+        x = np.zeros(7)
+        x[list(free)] = values
+        return residuals(x)
+
+    best = least_squares(of_free, np.zeros(len(free)), jac="3-point", xtol=1e-14, ftol=1e-14, gtol=1e-14)
+    np.testing.assert_allclose(best.x, 0, atol=2e-7)
+    expected = np.linalg.inv(best.jac.T @ best.jac) * 2 * best.cost / (800 - len(free))
+    np.testing.assert_allclose(shape.covariance, expected, rtol=1e-4, atol=1e-4 * np.abs(expected).max())
+    assert shape.rms == pytest.approx(np.sqrt(2 * best.cost / 800), rel=1e-6)
+
+
+@pytest.mark.parametrize("kind", ROUND)
+def test_stated_errors_are_those_that_are_made(device, kind):
+    """Thirty made shapes: the errors of the sizes over their standard deviations are of size one."""
+    ratios = []
+    for seed in range(30):
+        rng = np.random.default_rng(seed)
+        points, _, _ = made_shape(kind, 400, rng, 0.004)
+        cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=20)
+        shape, _ = segment(cloud, kind, 0.05, 60, probability=0.99)
+        ratios.extend((sizes_of(shape) - SIZES[kind]) / sigma_of(shape))
+    assert 0.6 < np.sqrt(np.mean(np.square(ratios))) < 1.5
+
+
+@pytest.mark.parametrize("kind", ROUND)
+def test_a_shape_at_utm_coordinates_is_that_at_the_origin(device, rng, kind):
+    points = np.round(scene(kind, rng, 1000, 400, 0.002)[0] * 2**20) / 2**20  # the sums with UTM are exact
+    far = loom.PointCloud(points + UTM, device=device, origin=UTM).estimate_normals()
+    near = loom.PointCloud(points, device=device, origin=np.zeros(3)).estimate_normals()
+    (there, theirs), (here, ours) = (segment(cloud, kind, 0.01) for cloud in (far, near))
+    np.testing.assert_array_equal(theirs, ours)
+    np.testing.assert_array_equal(sizes_of(there), sizes_of(here))
+    np.testing.assert_allclose(there.center - UTM, here.center, atol=2e-9)
+
+
+@pytest.mark.parametrize("kind", ROUND)
+def test_the_same_seed_gives_the_same_bits_and_inliers_are_those_of_the_shape(device, rng, kind):
+    points = scene(kind, rng, 1500, 1037, 0.01)[0]
+    cloud = loom.PointCloud(points, device=device).estimate_normals()
+    (a, first), (b, second) = (segment(cloud, kind, 0.02, 30, seed=7) for _ in range(2))
+    np.testing.assert_array_equal(first, second)
+    np.testing.assert_array_equal(a.covariance, b.covariance)
+    near = np.abs(a.compute_distances(cloud.points)) < 0.02
+    assert near[first].mean() > 0.999
+    with_any = segment(cloud, kind, 0.02, 90, seed=7)
+    np.testing.assert_allclose(np.abs(with_any[0].compute_distances(cloud.points[with_any[1]])).max(), 0.02, atol=1e-3)
+
+
+@pytest.mark.parametrize("kind", ROUND)
+def test_of_many_points_a_part_is_fitted_first_and_all_of_them_last(device, rng, kind):
+    points, _, _ = scene(kind, rng, 6400, 2600, 0.003)
+    cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=30)
+    shape, inliers = segment(cloud, kind, 0.01, 25)
+    assert ((inliers < 6400).sum() > 0.97 * 6400) and shape.is_sure and shape.support > 6200
+    assert (np.abs(sizes_of(shape) - SIZES[kind]) < 4 * sigma_of(shape) + 2e-4).all()
+
+
+def test_a_fit_keeps_to_the_radii_that_were_asked_for(device, rng):
+    points, _, _ = made_shape("plane", 2000, rng, 0.003)
+    cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=15)
+    try:
+        shape, _ = cloud.segment_cylinder(0.01, 30, 3000, max_radius=0.8)
+    except ValueError as error:
+        assert "no cylinder found" in str(error)
+    else:
+        assert shape.radius <= 0.8
+
+
+# ------------------------------------------------------------------------------------------------ doubts
+
+
+@pytest.mark.parametrize("kind", ROUND)
+@pytest.mark.parametrize("noise", [0.0, 0.005])
+def test_a_plane_is_no_round_shape_and_is_said_to_be_flat(device, rng, kind, noise):
+    points, _, _ = made_shape("plane", 3000, rng, noise)
+    cloud = loom.PointCloud(points, device=device).estimate_normals()
+    try:
+        shape, _ = segment(cloud, kind, 0.015, 25, 2000)
+    except ValueError as error:
+        assert f"no {kind} found" in str(error)
+    else:
+        assert not shape.is_sure
+
+
+@pytest.mark.parametrize("kind", ROUND)
+def test_clutter_alone_is_chance(device, rng, kind):
+    cloud = loom.PointCloud(rng.random((3000, 3)), device=device).estimate_normals()
+    shape, _ = segment(cloud, kind, 0.01, 20, 2000)
+    assert any("chance" in reason or "do not say" in reason for reason in shape.reasons), shape
+
+
+def test_a_small_arc_of_a_cylinder_leaves_its_radius_open(device, rng):
+    points, _, _ = made_shape("cylinder", 400, rng, 0.004, arc=0.07)
+    cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=40)
+    shape, _ = cloud.segment_cylinder(0.02, 40, max_radius=1.5)
+    assert any("radius open" in reason or "flat" in reason for reason in shape.reasons), shape
+    assert shape.coverage < 0.2
+
+
+def test_a_cylinder_asked_as_a_cone_leaves_its_half_angle_open(device, rng):
+    points, _, _ = made_shape("cylinder", 2000, rng, 0.01)
+    cloud = loom.PointCloud(points, device=device).estimate_normals()
+    try:
+        shape, _ = cloud.segment_cone(0.03, 40, 3000)
+    except ValueError as error:
+        assert "no cone found" in str(error)
+    else:
+        assert any("half_angle open" in reason for reason in shape.reasons), shape
+
+
+@pytest.mark.parametrize("kind", ROUND)
+def test_bad_clouds_are_refused_by_name(device, kind):
+    ones = np.ones((20, 3))
+    for points, said in [
+        (np.zeros((0, 3)), "0 finite points"),
+        (np.full((20, 3), np.nan), "0 finite points"),
+        (ones[:3], "3 finite points"),
+        (ones, "are equal"),
+    ]:
+        normals = np.tile([0.0, 0.0, 1.0], (len(points), 1))
+        with pytest.raises(ValueError, match=said):
+            segment(loom.PointCloud(points, normals=normals, device=device), kind)
+    normals = np.tile([2.0, -1.0, 0.0], (50, 1))  # all alike: what is estimated of points on a line is rounding
+    line = loom.PointCloud(np.linspace(0, 1, 50)[:, None] * [1, 2, 3], normals=normals, device=device)
+    with pytest.raises(ValueError, match=f"no {kind} found"):
+        segment(line, kind, 0.01, num_iterations=500)
+    with pytest.raises(ValueError, match="no normals"):
+        segment(loom.PointCloud(ones, device=device), kind)
+
+
+# ------------------------------------------------------------------------------------------------ meshes, words
+
+
+@pytest.mark.parametrize("kind", ROUND)
+def test_a_mesh_of_a_shape_lies_on_it_and_faces_outward(device, rng, kind):
+    points, _, _ = made_shape(kind, 1500, rng)
+    shape, _ = segment(loom.PointCloud(points, device=device).estimate_normals(), kind, 0.005)
+    vertices, triangles = shape.to_mesh(32)
+    assert np.abs(shape.compute_distances(vertices)).max() < 1e-9
+    corners = vertices[triangles]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    middles, sizes = corners.mean(axis=1), np.linalg.norm(normals, axis=1)
+    full = sizes > 1e-9
+    outward = shape.compute_distances(middles + 0.001 * normals / np.maximum(sizes, 1e-30)[:, None])
+    assert (outward[full] > shape.compute_distances(middles)[full]).all()
+    tree = loom.NearestNeighborSearch(loom.PointCloud(points))
+    assert np.sqrt(tree.knn_search(vertices, 1)[1]).max() < 0.15
+
+
+def test_a_shape_says_itself(device, rng):
+    points, _, _ = made_shape("torus", 3000, rng)
+    shape, _ = loom.PointCloud(points, device=device).estimate_normals().segment_torus(0.005)
+    assert str(shape).startswith("torus: radius 0.5") and "minor_radius 0.1" in str(shape)
+    told = shape.to_json()
+    assert told["kind"] == "torus" and told["half_angle"] is None and told["support"] == shape.support

@@ -1,0 +1,64 @@
+"""Thinning by a fixed grid: one point a cell, the nearest to its middle, whatever else is in the cloud."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import pointloom as loom
+
+UTM = np.array([5e5, 5.4e6, 100.0])
+
+
+def brute(cloud, spacing, corner):
+    """The rows kept, by a dictionary in float64."""
+    places = (cloud.points - cloud.origin).astype(np.float32).astype(np.float64) - (np.array(corner) - cloud.origin)
+    best = {}
+    for row, place in enumerate(places):
+        if not np.isfinite(place).all():
+            continue
+        cell = np.floor(place / spacing)
+        off = (((place / spacing - cell) - 0.5) ** 2).sum()
+        if off < best.get(tuple(cell), (np.inf, 0))[0]:
+            best[tuple(cell)] = (off, row)
+    return sorted(row for _, row in best.values())
+
+
+@pytest.mark.parametrize("corner", [(0, 0, 0), (0.3, -7.1, 2e3)])
+@pytest.mark.parametrize("at", [np.zeros(3), UTM], ids=["here", "in UTM"])
+def test_one_point_a_cell_is_kept_as_it_was(device, rng, at, corner):
+    points = np.round(rng.random((3000, 3)) * (10, 10, 2), 1) + at
+    points[::100] = np.nan
+    cloud = loom.PointCloud(points, device=device, row=np.arange(len(points)))
+    kept = cloud.thin(0.7, corner)
+    assert kept["row"].tolist() == brute(cloud, 0.7, corner)
+    np.testing.assert_array_equal(kept.points, cloud.points[kept["row"]])
+    assert kept.thin(0.7, corner)["row"].tolist() == kept["row"].tolist()
+
+
+def test_parts_that_are_cut_between_cells_thin_as_the_whole(device, rng):
+    points = rng.random((4000, 3)) * (8, 8, 1) + UTM
+    whole = loom.PointCloud(points, origin=UTM, device=device, row=np.arange(len(points)))
+    left = whole.points[:, 0] < UTM[0] + 4.0
+    parts = [whole.select_by_mask(mask).thin(0.5) for mask in (left, ~left)]
+    rows = np.sort(np.concatenate([np.asarray(part["row"]) for part in parts]))
+    assert rows.tolist() == whole.thin(0.5)["row"].tolist()
+
+
+@settings(max_examples=30, deadline=None)
+@given(st.lists(st.tuples(*[st.integers(-6, 6)] * 3), max_size=30), st.sampled_from([0.5, 1.0, 3.0]))
+def test_any_small_cloud_is_thinned_as_a_dictionary_thins_it(places, spacing):
+    cloud = loom.PointCloud(np.array(places, np.float64).reshape(-1, 3) / 2, row=np.arange(len(places)))
+    assert cloud.thin(spacing)["row"].tolist() == brute(cloud, spacing, (0, 0, 0))
+
+
+def test_a_spacing_that_is_none_is_named():
+    cloud = loom.PointCloud([[0, 0, 0], [1e9, 1e9, 1e9]])
+    with pytest.raises(ValueError, match="spacing: expected"):
+        cloud.thin(0)
+    with pytest.raises(ValueError, match="spacing: 1e-09"):
+        cloud.thin(1e-9)
+    with pytest.raises(ValueError, match="corner"):
+        cloud.thin(1, (0, np.nan, 0))

@@ -1,0 +1,249 @@
+"""ICP that may move in some ways only: against dense least squares, and what is fixed stays where `init` has it."""
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+import pointloom as loom
+
+from .dense_icp import MOTIONS, DenseICP
+from .icp_clouds import KINDS, PLANE, back, on, wavy
+from .poses import as_pose
+
+reg = loom.registration
+LONG = reg.ICPConvergenceCriteria(0, 0, 40)
+FRAME = Rotation.from_rotvec([0.3, -0.2, 0.5]).as_matrix()
+INIT = as_pose([0.01, 0.0, 0.02], [0.01, 0.0, 0.0])
+UTM = np.array([691_000.0, 5_334_000.0, 500.0])
+
+
+@pytest.fixture(scope="module")
+def pair():
+    """A wavy surface with normals, and points of it with noise, moved by a little in all six ways."""
+    rng = np.random.default_rng(1)
+    target = loom.PointCloud(wavy(rng, 1500)).estimate_normals(max_nn=20)
+    points = target.points[rng.permutation(1500)[:700]] + 0.003 * rng.normal(size=(700, 3))
+    return loom.PointCloud(back(points, as_pose([0.02, 0.03, -0.04], [0.02, -0.01, 0.03]))), target
+
+
+def dense(source, target, result, kind="plane", **options):
+    """The pose that is best for the pairs of a result."""
+    if kind == "plane":
+        options["normals"] = target.normals
+    problem = DenseICP(source.points, target.points, INIT, scaling=kind == "scaled", **options)
+    pairs = tuple(np.asarray(result.correspondence_set).T)
+    return problem.pose(problem.minimum(pairs, np.zeros(len(problem.free))))
+
+
+def parameters(T, init, pivot, frame):
+    """Roll, pitch, yaw [rad] and the way of the pivot's image [m] since a first pose, along a frame."""
+    D = frame.T @ T[:3, :3] @ init[:3, :3].T @ frame
+    yaw, pitch, roll = Rotation.from_matrix(D).as_euler("ZYX")
+    place = init[:3, :3].T @ (pivot - init[:3, 3])
+    return np.array([roll, pitch, yaw, *(frame.T @ (T[:3, :3] @ place + T[:3, 3] - pivot))])
+
+
+@pytest.mark.parametrize("kind", ["plane", "point", "scaled"])
+@pytest.mark.parametrize(
+    ("free", "frame", "pivot"),
+    [
+        (("x", "y", "z", "yaw"), None, None),
+        (("x",), FRAME, None),
+        (("yaw", "pitch", "x"), FRAME, (0.1, 0.2, 0.3)),
+        (("roll", "pitch", "yaw"), None, (0.5, 0.0, -0.5)),
+        (("roll", "y", "z", "pitch", "yaw"), FRAME, None),
+    ],
+)
+def test_the_pose_is_that_of_dense_least_squares(device, pair, kind, free, frame, pivot):
+    source, target = on(device, *pair)
+    given = {"free": free, "frame": frame, "pivot": pivot}
+    result = reg.registration_icp(source, target, 0.3, INIT, KINDS[kind], LONG, degeneracy=0, **given)
+    wanted = dense(source, target, result, kind, **given)
+    np.testing.assert_allclose(result.transformation, wanted, atol=1e-6)
+    assert np.abs(result.transformation - INIT).max() > 1e-3  # it did move
+    assert result.free == tuple(name for name in MOTIONS if name in free)
+
+
+def test_pairs_found_anew_lead_to_the_pose_of_dense_icp(device, pair):
+    source, target = on(device, *pair)
+    free = ("x", "y", "z", "yaw")
+    result = reg.registration_icp(source, target, 0.3, INIT, PLANE, LONG, free=free)
+    wanted = DenseICP(source.points, target.points, INIT, free=free, normals=target.normals).solve(0.3)
+    np.testing.assert_allclose(result.transformation, wanted, atol=1e-6)
+
+
+@pytest.mark.parametrize("kind", ["point", "scaled", "plane", "robust", "generalised", "voxelised", "coloured"])
+def test_a_prior_that_knows_nothing_leaves_the_pose_of_all_freedoms(device, full_pair, kind):
+    """Two ways to one pose: the step of all jobs, and that of jobs with a constraint."""
+    source, target = on(device, *full_pair[:2])
+    prior = reg.Prior(np.eye(4), sigma_translation=1e6, sigma_rotation=1e6)
+    poses = [
+        reg.registration_icp(source, target, 0.2, None, KINDS[kind], LONG, prior=p).transformation
+        for p in (None, prior)
+    ]
+    np.testing.assert_allclose(*poses, atol=1e-6)
+
+
+@pytest.mark.parametrize("kind", ["point", "plane", "generalised", "coloured"])
+@pytest.mark.parametrize("shift", [np.zeros(3), UTM], ids=["near", "utm"])
+@pytest.mark.parametrize("free", [("x", "y", "z", "yaw"), ("x",), ("roll", "yaw")])
+def test_what_is_not_free_stays_as_init_has_it(device, full_pair, kind, shift, free):
+    clouds = []
+    for cloud in on(device, *full_pair[:2]):
+        names = {"normals": cloud.normals, "colors": cloud.colors}
+        clouds.append(loom.PointCloud(cloud.points + shift, device=device, **names))
+    init = as_pose([0.02, -0.01, 0.01])
+    init[:3, 3] = shift - init[:3, :3] @ shift
+    pivot = shift + np.array([0.1, 0.2, 0.0])
+    for frame in (np.eye(3), FRAME):
+        result = reg.registration_icp(*clouds, 0.2, init, KINDS[kind], LONG, free=free, frame=frame, pivot=pivot)
+        found = parameters(result.transformation, init, pivot, frame)
+        fixed = [name not in free for name in MOTIONS]
+        assert np.abs(found[fixed]).max() < 1e-12 * max(1.0, np.abs(shift).max())
+        assert np.abs(found).max() > 1e-3
+    held = np.ones(3, bool) if "yaw" not in free else np.array([False, False, True])
+    if "roll" not in free:  # level is level to the last bit of what is computed
+        level = reg.registration_icp(*clouds, 0.2, init, KINDS[kind], LONG, free=free).transformation
+        np.testing.assert_allclose(level[:3, :3][held], init[:3, :3][held], atol=1e-15)
+
+
+def test_a_rail_along_any_axis_keeps_the_rotation_of_init_bit_for_bit(device, pair):
+    source, target = on(device, *pair)
+    init = as_pose([0.02, -0.01, 0.01])
+    still = reg.ICPConvergenceCriteria(max_iteration=0)
+    start = reg.registration_icp(source, target, 0.3, init, PLANE, still).transformation
+    rail = reg.registration_icp(source, target, 0.3, init, PLANE, LONG, free=("x",), frame=FRAME).transformation
+    assert (rail[:3, :3] == start[:3, :3]).all() and (rail[:3, 3] != start[:3, 3]).all()
+
+
+def test_turns_about_two_axes_stay_so_from_scale_to_scale(device, rng):
+    """Roll and pitch after roll and pitch are not roll and pitch: all scales count from the first pose."""
+    T = as_pose(Rotation.from_euler("ZYX", [0, 0.3, 0.25]).as_rotvec())
+    target = loom.PointCloud(wavy(rng, 3000), device=device).estimate_normals(max_nn=20)
+    source = loom.PointCloud(back(target.points, T), device=device)
+    rules = [reg.ICPConvergenceCriteria(1e-9, 1e-9, n) for n in (3, 3, 40)]
+    scales = [0.2, 0.1, -1], rules, [1.0, 0.5, 0.3]
+    result = reg.multi_scale_icp(source, target, *scales, None, PLANE, free=("roll", "pitch"), pivot=(0, 0, 0))
+    np.testing.assert_allclose(result.transformation, T, atol=1e-5)
+    found = parameters(result.transformation, np.eye(4), np.zeros(3), np.eye(3))
+    assert np.abs(found[2:]).max() < 1e-14
+
+
+def test_a_batch_has_a_pivot_and_a_prior_for_each_job(device, pair):
+    source, target = on(device, *pair)
+    priors = [
+        reg.Prior(as_pose([0, 0, a], [a, 0, 0]), sigma_translation=0.01, sigma_rotation=0.02) for a in (0.0, 0.05)
+    ]
+    pivots = np.array([[0.0, 0.0, 0.0], [1.0, 0.5, 0.0]])
+    shared = {"free": ("x", "y", "z", "yaw"), "noise": 0.05, "weights": np.linspace(0, 1, len(source))}
+    inits = np.stack([np.eye(4), np.eye(4)])
+    found = reg.registration_icp_batch(source, target, 0.3, inits, PLANE, LONG, pivot=pivots, prior=priors, **shared)
+    for job, result in enumerate(found):
+        one = reg.registration_icp(
+            source, target, 0.3, None, PLANE, LONG, pivot=pivots[job], prior=priors[job], **shared
+        )
+        np.testing.assert_allclose(result.transformation, one.transformation, atol=1e-12)
+    assert np.abs(found[0].transformation - found[1].transformation).max() > 1e-3
+
+
+def test_all_freedoms_by_name_are_the_registration_without(device, pair):
+    source, target = on(device, *pair)
+    free, bound = (reg.registration_icp(source, target, 0.3, INIT, PLANE, free=f) for f in (None, MOTIONS))
+    assert (free.transformation == bound.transformation).all() and bound.free is None
+
+
+def test_weights_count_as_points_that_stand_there_twice(device, full_pair, rng):
+    """Whole weights against a source whose points are repeated, by every estimator's rows."""
+    source, target = on(device, *full_pair[:2])
+    weights = rng.integers(0, 3, len(source))
+    rows = np.repeat(np.arange(len(source)), weights)
+    names = {"normals": source.normals, "colors": source.colors, "dopplers": source["dopplers"]}
+    repeated = loom.PointCloud(source.points[rows], device=device, **{n: v[rows] for n, v in names.items()})
+    source["share"] = weights.astype(np.float32)
+    for kind, method in KINDS.items():
+        weighted = reg.registration_icp(source, target, 0.2, None, method, LONG, weights="share", degeneracy=0)
+        wanted = reg.registration_icp(repeated, target, 0.2, None, method, LONG, degeneracy=0)
+        np.testing.assert_allclose(weighted.transformation, wanted.transformation, atol=1e-7, err_msg=kind)
+        plain = reg.registration_icp(source, target, 0.2, None, method, LONG, degeneracy=0)
+        assert np.abs(weighted.transformation - plain.transformation).max() > 1e-6, kind
+
+
+def test_a_source_without_pairs_stays(device):
+    source, target = (loom.PointCloud(np.zeros((n, 3)) + n, device=device) for n in (3, 5))
+    result = reg.registration_icp(source, target, 0.1, INIT, free=("x",))
+    assert result.reason == "no correspondences" and result.free == ("x",)
+    np.testing.assert_allclose(result.transformation, INIT, atol=1e-14)
+
+
+def test_empty_clouds_and_single_points_move_as_they_may(device):
+    for points in (np.zeros((0, 3)), np.zeros((1, 3)), np.zeros((2, 3))):
+        source = loom.PointCloud(points, device=device)
+        target = loom.PointCloud(points + np.array([0.05, 0.02, 0.0]), device=device)
+        for free in (("x",), ("yaw",), ("roll", "pitch", "yaw")):
+            result = reg.registration_icp(source, target, 0.1, None, None, LONG, free=free)
+            wanted = [0.05 * (free == ("x",) and len(points) > 0), 0, 0]
+            np.testing.assert_allclose(result.transformation[:3, 3], wanted, atol=1e-7)
+
+
+def test_a_rail_tells_that_it_is_not_held(device, rng):
+    """A flat floor, and a cloud that may slide along it alone: the only freedom is degenerate."""
+    floor = np.column_stack([rng.uniform(-2, 2, (2000, 2)), rng.normal(0, 1e-3, 2000)])  # noise holds it by a little
+    target = loom.PointCloud(floor, device=device).estimate_normals(max_nn=10)
+    source = loom.PointCloud(floor + np.array([0.05, 0, 0.02]), device=device)
+    result = reg.registration_icp(source, target, 0.3, None, PLANE, free=("x",))
+    np.testing.assert_allclose(np.abs(result.degenerate_directions), [[0, 0, 0, 1, 0, 0]], atol=1e-9)
+    assert (result.transformation == np.eye(4)).all()
+    both = reg.registration_icp(source, target, 0.3, None, PLANE, free=("x", "z"))
+    assert len(both.degenerate_directions) == 1 and len(both.prior_directions) == 0
+    np.testing.assert_allclose(both.transformation[:3, 3], [0, 0, -0.02], atol=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("given", "error", "words"),
+    [
+        ({"free": ()}, ValueError, "free: expected at least one of"),
+        ({"free": "x"}, TypeError, "free: expected a list of motions among"),
+        ({"free": ("x", "yav")}, ValueError, "got 'yav'; did you mean 'yaw'"),
+        ({"free": ("X",)}, ValueError, "got 'X'; did you mean 'x'"),
+        ({"free": ("x", 3)}, TypeError, "free: expected names"),
+        ({"free": ("x", "y", "x")}, ValueError, "free: 'x' stands there twice"),
+        ({"frame": np.eye(3)}, ValueError, "frame: .*give free="),
+        ({"pivot": (0, 0, 0)}, ValueError, "pivot: .*there is neither"),
+        ({"noise": 0.1}, ValueError, "noise: .*there is none"),
+        ({"free": ("x",), "frame": np.eye(3) * 1.1}, ValueError, "frame: expected orthonormal columns"),
+        ({"free": ("x",), "frame": np.diag([1, 1, -1])}, ValueError, "frame: expected right-handed axes"),
+        ({"free": ("x",), "frame": np.eye(4)}, ValueError, r"frame: expected shape \[3, 3\]"),
+        ({"free": ("x",), "pivot": (0, np.nan, 0)}, ValueError, "pivot: expected finite"),
+        ({"free": ("x",), "pivot": np.zeros((2, 3))}, ValueError, r"pivot: expected shape \[3\]"),
+        ({"prior": np.eye(4)}, TypeError, r"prior: expected Prior\("),
+        ({"weights": np.ones(3)}, ValueError, r"weights: expected shape \[700\]"),
+        ({"weights": -np.ones(700)}, ValueError, "weights: expected finite weights of 0 and more, got -1 of point 0"),
+        ({"weights": np.full(700, np.inf)}, ValueError, "weights: expected finite"),
+        ({"weights": np.zeros(700)}, ValueError, "weights: all weights are zero"),
+        ({"weights": "share"}, ValueError, "weights: source has no attribute 'share'"),
+    ],
+)
+def test_freedoms_that_make_no_sense_are_told(pair, given, error, words):
+    with pytest.raises(error, match=words):
+        reg.registration_icp(*pair, 0.3, **given)
+
+
+@pytest.mark.parametrize("kind", ["symmetric", "doppler"])
+def test_estimators_that_move_in_all_ways_refuse_a_constraint(full_pair, kind):
+    with pytest.raises(ValueError, match=r"^free, prior: .* moves in all ways"):
+        reg.registration_icp(*full_pair[:2], 0.2, None, KINDS[kind], free=("x",))
+
+
+def test_a_levelled_pose_has_the_sources_up_as_the_targets(rng):
+    for _ in range(20):
+        init, up = as_pose(rng.normal(size=3), rng.normal(size=3)), rng.normal(size=3)
+        T = reg.levelled(init, up, (0, 0, 2))
+        np.testing.assert_allclose(T[:3, :3] @ up, [0, 0, np.linalg.norm(up)], atol=1e-12)
+        np.testing.assert_allclose(T[:3, 3], init[:3, 3], atol=0)
+        least = np.arccos(np.clip((init[:3, :3] @ up)[2] / np.linalg.norm(up), -1, 1))
+        assert abs(Rotation.from_matrix(T[:3, :3] @ init[:3, :3].T).magnitude() - least) < 1e-9
+    np.testing.assert_allclose(reg.levelled(None, (0, 0, 9.81)), np.eye(4), atol=0)
+    with pytest.raises(ValueError, match="upside down"):
+        reg.levelled(None, (0, 0, -9.81))
+    with pytest.raises(ValueError, match="up_in_source: expected a direction"):
+        reg.levelled(None, (0, 0, 0))

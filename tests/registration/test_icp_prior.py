@@ -1,0 +1,185 @@
+"""ICP with a pose that is known beforehand: against dense least squares, in corridors, and where it cannot be."""
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+
+from .dense_icp import MOTIONS, DenseICP, motion
+from .icp_clouds import KINDS, PLANE, back, on, wavy
+from .poses import as_pose
+from .test_icp_degenerate import degenerate
+
+reg = loom.registration
+LONG = reg.ICPConvergenceCriteria(0, 0, 300)
+INIT = as_pose([0.01, 0.0, 0.02], [0.01, 0.0, 0.0])
+UTM = np.array([691_000.0, 5_334_000.0, 500.0])
+
+
+@pytest.fixture(scope="module")
+def pair():
+    """A wavy surface with normals, and points of it with noise, moved by a little in all six ways."""
+    rng = np.random.default_rng(2)
+    target = loom.PointCloud(wavy(rng, 1500)).estimate_normals(max_nn=20)
+    points = target.points[rng.permutation(1500)[:700]] + 0.003 * rng.normal(size=(700, 3))
+    return loom.PointCloud(back(points, as_pose([0.02, 0.03, -0.04], [0.02, -0.01, 0.03]))), target
+
+
+def some_information(rng, rank=6):
+    """An information about the pivot whose axes are any."""
+    A = rng.normal(size=(6, rank)) * 300
+    return A @ A.T
+
+
+@pytest.mark.parametrize("noise", [0.05, None])
+@pytest.mark.parametrize("kind", ["plane", "point", "scaled"])
+@pytest.mark.parametrize("free", [None, ("x", "y", "z", "yaw"), ("roll", "pitch", "yaw", "x")])
+@pytest.mark.parametrize("rank", [6, 2])
+def test_the_pose_is_that_of_dense_least_squares(device, pair, free, kind, noise, rank, rng):
+    """The prior lies beside the truth, so that both pull."""
+    source, target = on(device, *pair)
+    offset = np.where([name in (free or MOTIONS) for name in MOTIONS], [0.02, -0.01, 0.03, 0.01, 0.01, -0.02], 0)
+    apart = motion([*offset, 0], np.array([0.3, 0.2, 0.1]), np.eye(3)) @ INIT
+    prior, weights = reg.Prior(apart, some_information(rng, rank)), rng.random(len(source)).astype(np.float32)
+    given = {"pivot": (0.3, 0.2, 0.1), "noise": noise, "weights": weights}
+    method = KINDS[kind]
+    result = reg.registration_icp(
+        source, target, 0.3, INIT, method, LONG, degeneracy=0, free=free, prior=prior, **given
+    )
+    if free is not None:
+        given["free"] = free
+    given |= {
+        "weights": weights.astype(float),
+        "prior": (np.asarray(prior.transformation), np.asarray(prior.information)),
+    }
+    normals = target.normals if kind == "plane" else None
+    problem = DenseICP(source.points, target.points, INIT, normals=normals, scaling=kind == "scaled", **given)
+    pairs = tuple(np.asarray(result.correspondence_set).T)
+    wanted = problem.pose(problem.minimum(pairs, np.zeros(len(problem.free))))
+    np.testing.assert_allclose(result.transformation, wanted, atol=1e-6)
+    alone = reg.registration_icp(source, target, 0.3, INIT, method, LONG, degeneracy=0, free=free, weights=weights)
+    assert np.abs(result.transformation - alone.transformation).max() > 3e-5  # it did pull
+
+
+def test_half_a_turn_from_the_prior_is_measured_right(device, pair):
+    """The logarithm and its derivative far from no rotation: about x by 3 rad, held by as much as the pairs say."""
+    source, target = on(device, *pair)
+    information = np.diag([1.0, 2.0, 3.0, 0, 0, 0]) * 1e4
+    for angle in ([3.0, 0.2, -0.1], [0.1, -3.0, 0.2], [0.1, 0.2, 3.05], [0.5, 0, 0]):
+        prior = reg.Prior(as_pose(angle), information)
+        result = reg.registration_icp(source, target, 0.3, INIT, PLANE, LONG, prior=prior, noise=0.01, pivot=(0, 0, 0))
+        given = {"prior": (as_pose(angle), information), "noise": 0.01, "pivot": (0, 0, 0), "normals": target.normals}
+        problem = DenseICP(source.points, target.points, INIT, **given)
+        pairs = tuple(np.asarray(result.correspondence_set).T)
+        near = np.zeros(6)
+        np.testing.assert_allclose(result.transformation, problem.pose(problem.minimum(pairs, near)), atol=1e-6)
+
+
+def corridor(rng, shift=0, device="cpu"):
+    """Two scans of a corridor along y whose walls and floor look the same everywhere; the second is 0.3 m on."""
+    clouds = []
+    for way in (0.3, 0.0):
+        points, normals = degenerate("corridor", rng, 3000)
+        moved = points + 2e-3 * rng.normal(size=points.shape) + [0.02 * (way > 0), way * 0, 0] + shift
+        clouds.append(loom.PointCloud(moved, normals=normals, device=device))
+    return clouds
+
+
+@pytest.mark.parametrize("kind", ["plane", "generalised", "robust"])
+@pytest.mark.parametrize("shift", [0.0, UTM], ids=["near", "utm"])
+def test_a_corridor_is_held_at_the_odometry_along_its_axis(device, kind, shift, rng):
+    """Without a prior it is not moved there and told; with one it goes where the odometry has it, and that is told."""
+    source, target = corridor(rng, shift, device)
+    alone = reg.registration_icp(source, target, 0.3, None, KINDS[kind])
+    np.testing.assert_allclose(np.abs(alone.degenerate_directions), [[0, 0, 0, 0, 1, 0]], atol=0.02)
+    assert len(alone.prior_directions) == 0
+    odometry = reg.Prior(as_pose([0, 0, 0], [0.1, 0.3, 0.05]), sigma_translation=0.2, sigma_rotation=0.05)
+    held = reg.registration_icp(source, target, 0.3, None, KINDS[kind], LONG, prior=odometry)
+    middle = source.get_center()
+    way = held.transformation[:3, :3] @ middle + held.transformation[:3, 3] - middle
+    np.testing.assert_allclose(way, [-0.02, 0.3, 0], atol=3e-3)  # along it the prior, across it the walls
+    np.testing.assert_allclose(held.prior_directions, held.degenerate_directions, atol=0)
+    np.testing.assert_allclose(np.abs(held.prior_directions), [[0, 0, 0, 0, 1, 0]], atol=0.02)
+
+
+def test_a_prior_that_knows_nothing_of_the_axis_leaves_it_loose(device, rng):
+    """A singular information holds what it holds; of a plane's three loose motions one is held, and comes first."""
+    source, target = corridor(rng, 0.0, device)
+    level = reg.Prior(as_pose([0, 0, 0], [0, 0.3, 0]), sigma_rotation=0.01)
+    result = reg.registration_icp(source, target, 0.3, None, PLANE, prior=level)
+    assert len(result.degenerate_directions) == 1 and len(result.prior_directions) == 0
+    assert abs(result.transformation[1, 3]) < 1e-3
+    floor = np.column_stack([rng.uniform(-2, 2, (2000, 2)), np.zeros(2000)])
+    target = loom.PointCloud(floor, normals=np.tile([0.0, 0, 1], (2000, 1)), device=device)
+    source = loom.PointCloud(floor + np.array([0, 0, 0.02]), device=device)
+    slope = np.zeros((6, 6))
+    slope[3:5, 3:5] = 1e4 * np.outer([0.6, 0.8], [0.6, 0.8])
+    known = reg.Prior(as_pose([0, 0, 0], [0.1, 0.1, 0.5]), slope)
+    result = reg.registration_icp(source, target, 0.3, None, PLANE, LONG, prior=known)
+    assert len(result.degenerate_directions) == 3
+    np.testing.assert_allclose(np.abs(result.prior_directions), [[0, 0, 0, 0.6, 0.8, 0]], atol=1e-6)
+    np.testing.assert_allclose(result.transformation[:3, 3], [0.6 * 0.14, 0.8 * 0.14, -0.02], atol=1e-5)
+    np.testing.assert_allclose(result.transformation[:3, :3], np.eye(3), atol=1e-6)
+
+
+def test_pairs_outvote_a_wrong_prior_where_they_determine_the_pose(device, pair):
+    """A prior 5 cm off that says 2 cm: 700 pairs of 3 mm have the word, and a prior that says 10 um has it all."""
+    source, target = on(device, *pair)
+    free = reg.registration_icp(source, target, 0.3, INIT, PLANE, LONG).transformation
+    poses = []
+    for sigma in (0.02, 1e-5):
+        prior = reg.Prior(as_pose([0, 0, 0], [0.05, 0, 0]) @ free, sigma_translation=sigma)
+        poses.append(
+            reg.registration_icp(source, target, 0.3, INIT, PLANE, LONG, prior=prior, pivot=(0, 0, 0)).transformation
+        )
+    assert np.abs(poses[0] - free)[:3, 3].max() < 2e-3
+    np.testing.assert_allclose(poses[1][:3, 3] - free[:3, 3], [0.05, 0, 0], atol=5e-3)
+
+
+def test_perfect_pairs_do_not_silence_a_prior(device, rng):
+    """Residuals of exactly zero: noise has a floor, so the axis of a corridor is still held."""
+    points, normals = degenerate("corridor", rng, 2000)
+    cloud = loom.PointCloud(points, normals=normals, device=device)
+    prior = reg.Prior(as_pose([0, 0, 0], [0, 0.1, 0]), sigma_translation=0.1)
+    result = reg.registration_icp(cloud, cloud, 0.05, None, PLANE, LONG, prior=prior)
+    np.testing.assert_allclose(result.transformation[:3, 3], [0, 0.1, 0], atol=1e-3)
+
+
+def test_a_prior_out_of_reach_of_the_free_motions_is_told(pair):
+    beside = as_pose([0, 0, 0], [0, 0.5, 0])
+    with pytest.raises(
+        ValueError, match=r"^prior: 0 rad and 0\.5 m from all poses that init and free reach, 50 standard"
+    ):
+        reg.registration_icp(*pair, 0.3, None, PLANE, free=("x",), prior=reg.Prior(beside, sigma_translation=0.01))
+    for prior in (reg.Prior(beside, sigma_translation=0.2), reg.Prior(beside, sigma_rotation=0.01)):
+        reg.registration_icp(*pair, 0.3, None, PLANE, free=("x",), prior=prior)
+    turned = reg.Prior(as_pose([0, 0, 2.0]), sigma_rotation=0.01)  # a yaw that is free, far away
+    reg.registration_icp(*pair, 0.3, None, PLANE, free=("x", "y", "z", "yaw"), prior=turned)
+    with pytest.raises(ValueError, match="free roll, pitch, or trust"):
+        tilted = reg.Prior(as_pose([0.5, 0, 0]), sigma_rotation=0.01)
+        reg.registration_icp(*pair, 0.3, None, PLANE, free=("x", "y", "z", "yaw"), prior=tilted)
+
+
+INDEFINITE = np.diag([1.0, 1, 1, 1, 1, -1])
+SKEWED = np.eye(6) + np.eye(6, k=1)
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ({}, "information: a prior says how well"),
+        ({"information": np.eye(6), "sigma_rotation": 0.1}, "information, sigma_rotation: both say"),
+        ({"information": INDEFINITE}, "information: expected no negative eigenvalue, got -1; a covariance is inverted"),
+        ({"information": SKEWED}, "information: expected a symmetric matrix"),
+        ({"information": np.eye(3)}, r"information: expected shape \[6, 6\]"),
+        ({"information": np.full((6, 6), np.nan)}, "information: expected finite"),
+        ({"sigma_translation": 0.0}, "sigma_translation: expected"),
+        ({"sigma_translation": [1, 2]}, r"sigma_translation: expected one standard deviation or \[3\]"),
+        ({"sigma_rotation": np.inf}, "sigma_rotation: expected"),
+    ],
+)
+def test_priors_that_make_no_sense_are_told(given, words):
+    with pytest.raises(ValueError, match=words):
+        reg.Prior(np.eye(4), **given)
+    with pytest.raises(ValueError, match="transformation: expected a rigid motion"):
+        reg.Prior(np.diag([1, 1, -1, 1]), sigma_translation=1)
