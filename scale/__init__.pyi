@@ -7,6 +7,8 @@ from .finish import finish_tiles as finish_tiles
 from .jobs.fused_mesh import finish_fusion as finish_fusion
 from .jobs.fusion import plan_fusion as plan_fusion
 from .jobs.job import JobStatus as JobStatus
+from .jobs.placed_scans import PlacedScans as PlacedScans
+from .jobs.placed_scans import TriedPair as TriedPair
 from .jobs.placed_scans import finish_registration as finish_registration
 from .jobs.run_jobs import job_status as job_status
 from .jobs.run_jobs import retry_job as retry_job

@@ -7,6 +7,7 @@ may do them in processes, a pair at a time, and give the same bits.
 from __future__ import annotations
 
 import itertools
+from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
@@ -116,21 +117,19 @@ def with_pairs(
 def refine_pairs(
     clouds: Clouds, pairs: Sequence[FragmentPair], size: float
 ) -> tuple[list[FragmentPair], list[Matrices]]:
-    """The pairs refined, all in the same launches, and their information matrices."""
-    if not pairs:
-        return [], []
-    poses = np.array([pair.transformation for pair in pairs])
-    left, right = [clouds[p.source] for p in pairs], [clouds[p.target] for p in pairs]
-    problem = IterativeRegistration(left, right, poses, REACH * size, GENERALIZED)
-    problem.run(FINE.max_iteration, FINE.relative_fitness, FINE.relative_rmse)
-    results = problem.results()
-    refined = [
-        pair._replace(transformation=r.transformation, fitness=r.fitness)
-        for pair, r in zip(pairs, results, strict=True)
-    ]
-    # the edge's matrix weighs a misfit in the source's coordinates, the problem's one in the target's
-    information = []
-    for matrix, result in zip(problem.information(), results, strict=True):
+    """The pairs refined, and their information matrices.
+
+    Each by itself: side by side, points are summed in an order that depends on all clouds, and the bits of a pair would
+    be others than those that a process finds which holds this pair alone.
+    """
+    refined, information = [], []
+    for pair in pairs:
+        start = np.asarray(pair.transformation, np.float64)[None]
+        problem = IterativeRegistration([clouds[pair.source]], [clouds[pair.target]], start, REACH * size, GENERALIZED)
+        problem.run(FINE.max_iteration, FINE.relative_fitness, FINE.relative_rmse)
+        (result,), (matrix,) = problem.results(), problem.information()
+        refined.append(pair._replace(transformation=result.transformation, fitness=result.fitness))
+        # the edge's matrix weighs a misfit in the source's coordinates, the problem's one in the target's
         A = adjoint_of(result.transformation)
         information.append(A.T @ matrix @ A)
     return refined, information
@@ -138,20 +137,21 @@ def refine_pairs(
 
 def _agreement(extents: Sequence[Extent], pairs: Sequence[FragmentPair], tolerance: float) -> NDArray[np.float64]:
     """How well each pair is supported: its score, times one more than the ways round three clouds that it closes."""
-    known = {}
+    known, beside = {}, defaultdict[int, set[int]](set)
     for pair in pairs:
         known[pair.source, pair.target] = pair.transformation
         known[pair.target, pair.source] = invert_pose(pair.transformation)
+        beside[pair.source].add(pair.target)
+        beside[pair.target].add(pair.source)
     support = np.array([pair.score for pair in pairs])
     for k, pair in enumerate(pairs):
         a, b = pair.source, pair.target
-        for c in range(len(extents)):
-            if (a, c) in known and (c, b) in known:
-                round_trip = invert_pose(pair.transformation) @ known[c, b] @ known[a, c]
-                angle = float(np.linalg.norm(rotation_vector(round_trip[:3, :3])))
-                middle = extents[a].origin
-                shift = float(np.linalg.norm(round_trip[:3, :3] @ middle + round_trip[:3, 3] - middle))
-                support[k] += pair.score * (shift + angle * extents[a].radius < tolerance)
+        for c in sorted(beside[a] & beside[b]):
+            round_trip = invert_pose(pair.transformation) @ known[c, b] @ known[a, c]
+            angle = float(np.linalg.norm(rotation_vector(round_trip[:3, :3])))
+            middle = extents[a].origin
+            shift = float(np.linalg.norm(round_trip[:3, :3] @ middle + round_trip[:3, 3] - middle))
+            support[k] += pair.score * (shift + angle * extents[a].radius < tolerance)
     return support
 
 

@@ -148,9 +148,9 @@ def register_fragments(
 ) -> FragmentsResult:
     """Bring many clouds of one scene into one frame, from no starting poses.
 
-    Pairs are registered from no guess; those that are believed are refined all at once, a tree of the pairs that most
+    Pairs are registered from no guess; those that are believed are refined, a tree of the pairs that most
     others agree with gives first poses, and the rest are loop closures of a pose graph, which drops the wrong ones.
-    Then pairs that turn out to overlap are registered too, all at once, and the graph is optimised again.
+    Then pairs that turn out to overlap are registered too, and the graph is optimised again.
 
     Args:
         clouds: At least one, all on one device; in the order they were taken if there is one.
@@ -188,8 +188,8 @@ def register_fragments(
     described = [describe(cloud, size) for cloud in clouds]
     for done, (i, j) in enumerate(tried):
         tell("pairs", done, len(tried))
-        pair = believed_pair(j, i, described[j], described[i], chooser)
-        believed += [] if pair is None else [pair]
+        pair, _ = try_pair(j, i, described[j], described[i], chooser)
+        believed += [pair] if pair.score > SURE else []
     tell("pairs", len(tried), len(tried))
     surfaces = [d.thinned for d in described]
     believed, information = refine_pairs(surfaces, believed, size)
@@ -205,12 +205,10 @@ def register_fragments(
     return result
 
 
-def believed_pair(source: int, target: int, left: Description, right: Description, seed: int) -> FragmentPair | None:
-    """Two clouds registered from no guess; None where that is not believed."""
+def try_pair(source: int, target: int, left: Description, right: Description, seed: int) -> tuple[FragmentPair, str]:
+    """Two clouds registered from no guess, and what speaks against it where its score is not above SURE."""
     found = register_described(left, right, seed=seed)
-    if found.score is None or found.score <= SURE:
-        return None
-    return FragmentPair(source, target, found.transformation, found.fitness, found.score)
+    return FragmentPair(source, target, found.transformation, found.fitness, found.score or 0.0), found.reason
 
 
 def fragments_result(found: FragmentGraph, pairs: list[FragmentPair]) -> FragmentsResult:

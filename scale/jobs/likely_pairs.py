@@ -50,6 +50,17 @@ def meeting_boxes(boxes: Sequence[Box | None]) -> list[tuple[int, int]]:
     return found
 
 
+def nearest_of(pairs: Sequence[tuple[int, int]], boxes: Sequence[Box | None], count: int) -> list[tuple[int, int]]:
+    """Those pairs, ascending, that are among the nearest of either of their boxes, by the boxes' middles."""
+    middles = {k: (box[0] + box[1]) / 2 for k, box in enumerate(boxes) if box is not None}
+    beside: dict[int, list[tuple[float, tuple[int, int]]]] = {k: [] for k in middles}
+    for i, j in pairs:
+        distance = float(np.linalg.norm(middles[i] - middles[j]))
+        for k in (i, j):
+            beside[k].append((distance, (i, j)))
+    return sorted({ends for found in beside.values() for _, ends in sorted(found)[:count]})
+
+
 def groups_of(count: int, pairs: Iterable[tuple[int, int]]) -> NDArray[np.int64]:
     """Which scans hang together by pairs: the lowest number of each one's group."""
     groups = np.arange(count)

@@ -1,9 +1,9 @@
 """Hundreds of scans of one scene in one frame: pairs as tasks, then the pose graph of `register_fragments`.
 
-Stages. "scans": each is read, thinned and described once; what is kept on disk is its thinned surface. "pairs": those
-that are likely to overlap, by known places or by their order. "pairs alike": scans that no pair joins to the largest
-group, with those that look most like them. "graph": the pairs' poses tell which others lie on each other. "loops":
-these. A pair's task is `register_described` and the refinement by ICP, so a worker that dies loses one pair.
+Stages. "scans": each is read and thinned once; its surface is kept on disk, and nothing else is read afterwards.
+"pairs": those that are likely to overlap, by known places or by their order. "pairs alike": scans that no pair joins to
+the largest group, with those that look most like them. "graph": the pairs' poses tell which others lie on each other.
+"loops": these. A pair's task is that of `register_fragments`, so it has the same bits, and a worker that dies loses it.
 """
 
 from __future__ import annotations
@@ -24,8 +24,9 @@ from ...core.paths import path_of
 from ...files.points.point_cloud import read_point_cloud
 from ...kernels.lang import vec3
 from ...kernels.memory import download, upload
+from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
-from ...registration.globally.global_registration import Description, describe
+from ...registration.globally.global_registration import Description, describe, describe_surface
 from ...registration.pose_graphs.fragment_graph import (
     Extent,
     FragmentGraph,
@@ -37,18 +38,14 @@ from ...registration.pose_graphs.fragment_graph import (
     those_that_overlap,
     with_pairs,
 )
-from ...registration.pose_graphs.multiway import (
-    FragmentsResult,
-    believed_pair,
-    check_known,
-    fragments_result,
-    pairs_to_try,
-)
+from ...registration.pose_graphs.multiway import SURE, check_known, pairs_to_try, try_pair
 from .job import Done, Job, JobStatus, Task, make_job, stamp_of
-from .likely_pairs import groups_of, look_of, meeting_boxes, most_alike, place_box
+from .likely_pairs import groups_of, look_of, meeting_boxes, most_alike, nearest_of, place_box
 
 SURFACES = "surfaces"  # the folder of thinned scans
-KEPT = 16  # scans that a process keeps described: a pair after the other shares one of them
+KEPT = 2  # scans that a process keeps described: one pair; the next one mostly shares one of them
+NEAR = 12  # scans that one is tried with by its place
+STAGE_WORDS = {1: "order", 2: "look", 4: "loop"}  # why the pairs of a stage are tried
 ALIKE = 8  # scans that one is tried with by its look
 
 
@@ -62,7 +59,6 @@ class RegistrationJob(Job):
         super().__init__(plan, folder)
         self.size: float = plan["voxel_size"]
         self._described = lru_cache(KEPT)(self._describe)
-        self._surface = lru_cache(KEPT)(self._read_surface)
 
     def check(self, done: Callable[[int], Iterator[Done]]) -> None:
         """As Job has it: the files of scans that were read."""
@@ -79,13 +75,13 @@ class RegistrationJob(Job):
             return self._graph(told)
         pair = pair_of(told)
         if stage == 4:
-            clouds = {k: self._surface(k) for k in (pair.source, pair.target)}
-            return self._refined(those_that_overlap(clouds, [pair], self.size))
+            overlaps = those_that_overlap(self._surfaces(pair), [pair], self.size)
+            return self._refined(pair) if overlaps else _doubted(pair, "its surfaces hardly lie on each other")
         if told["is_known"]:
-            return self._refined([pair])
+            return self._refined(pair)
         left, right = self._described(pair.source), self._described(pair.target)
-        found = believed_pair(pair.source, pair.target, left, right, self.plan["seed"])
-        return self._refined([found] if found else [])
+        pair, doubt = try_pair(pair.source, pair.target, left, right, self.plan["seed"])
+        return self._refined(pair) if pair.score > SURE else _doubted(pair, doubt)
 
     def follow(self, stage: int, done: Callable[[int], Iterator[Done]]) -> Sequence[Task]:
         """As Job has it; see the stages above."""
@@ -122,7 +118,7 @@ class RegistrationJob(Job):
             )
             for place, task in zip(plan["places"], scans, strict=True)
         ]  # fmt: skip
-        return meeting_boxes(boxes)
+        return nearest_of(meeting_boxes(boxes), boxes, NEAR if plan["neighbors"] is None else plan["neighbors"])
 
     def _alike(self, scans: Sequence[Done], tried: Sequence[Done]) -> list[tuple[int, int]]:
         """Pairs of scans that are not of the largest group yet, with those that look most like them."""
@@ -141,12 +137,18 @@ class RegistrationJob(Job):
         return sorted(found)
 
     def _describe(self, scan: int) -> Description:
-        return describe(read_point_cloud(self.plan["scans"][scan], device=self.device), self.size)
+        surface = self._surface(scan)
+        arrays = (surface.device_array(name) for name in ("points", "normals"))
+        return describe_surface(surface, Surface.of_known(*arrays), self.size)
+
+    def _surfaces(self, pair: FragmentPair) -> dict[int, PointCloud]:
+        return {k: self._described(k).cloud for k in (pair.source, pair.target)}
 
     def _look(self, scan: int) -> dict[str, Any]:
         """Describe a scan, and keep its surface on disk."""
         stamp = stamp_of([Path(self.plan["scans"][scan])])
-        described = self._described(scan)
+        cloud = read_point_cloud(self.plan["scans"][scan], device=self.device)
+        described = describe(cloud, self.size)
         surface, path = described.thinned, self._surface_path(scan)
         arrays = {name: download(surface.device_array(name)).reshape(-1, 3) for name in ("points", "normals")}
         path.parent.mkdir(exist_ok=True)
@@ -154,23 +156,22 @@ class RegistrationJob(Job):
             np.savez(file, **arrays, origin=surface.origin)
         extent, points = Extent.of(surface), surface.points
         ends = [points.min(axis=0).tolist(), points.max(axis=0).tolist()] if len(points) else [[0.0] * 3] * 2
-        unit = described.cloud.unit
         return {
             "stamp": stamp,
-            "points": len(described.cloud),
+            "points": len(cloud),
             "voxels": len(surface),
             "low": ends[0],
             "high": ends[1],
             "origin": extent.origin.tolist(),
             "radius": extent.radius,
             "look": look_of(download(described.features)).tolist(),
-            "unit": None if unit is None else str(unit),
+            "unit": None if cloud.unit is None else str(cloud.unit),
         }
 
     def _surface_path(self, scan: int) -> Path:
         return self.folder / SURFACES / f"{scan}.npz"
 
-    def _read_surface(self, scan: int) -> PointCloud:
+    def _surface(self, scan: int) -> PointCloud:
         """A scan's thinned surface, as `describe` gave it."""
         path, where = self._surface_path(scan), resolve_device(self.device)
         try:
@@ -180,17 +181,14 @@ class RegistrationJob(Job):
         except (OSError, ValueError, KeyError) as error:
             raise FileError(path, f"a scan's surface cannot be read: {error}", remedy="Plan the scans anew") from error
 
-    def _refined(self, pairs: Sequence[FragmentPair]) -> dict[str, Any]:
-        """A pair refined by ICP; None where there is none."""
-        if not pairs:
-            return {"pair": None}
-        clouds = {k: self._surface(k) for k in (pairs[0].source, pairs[0].target)}
-        (pair,), (information,) = refine_pairs(clouds, pairs, self.size)
+    def _refined(self, pair: FragmentPair) -> dict[str, Any]:
+        """What is told of a pair that is believed, refined by ICP."""
+        (pair,), (information,) = refine_pairs(self._surfaces(pair), [pair], self.size)
         return {"pair": _told(pair), "information": information.tolist()}
 
     def _graph(self, told: dict[str, Any]) -> dict[str, Any]:
         """The pairs that lie on each other where the poses are right, and were not found yet."""
-        found, pairs, _ = place_told(told, self.size)
+        found, pairs, _ = _place_told(told, self.size)
         boxes = [box_under(self._surface(k), found.poses[k]) for k in found.members.tolist()]
         return {"candidates": [_told(pair) for pair in candidates_to_close(boxes, found.poses, found.members, pairs)]}
 
@@ -220,7 +218,7 @@ def plan_registration(
             known of its turn, or None. Then the pairs are tried whose boxes meet; poses are found from no guess.
         place_error: How far they may be off [m].
         neighbors: How many of the scans that follow it each is tried with; None tries every pair of up to 40 scans, and
-            the next 5 of more.
+            the next 5 of more. With places how many of those whose boxes meet its own, the nearest; None tries 12.
         pairs: The pairs to try, by indices, in place of either.
         known: As of `register_fragments`.
         alike: How many scans that look most like it one is tried with that these pairs do not join to the largest
@@ -232,12 +230,13 @@ def plan_registration(
 
     Raises:
         FileError: A scan that is not there, or the job's folder holds something else.
-        ValueError: As of `register_fragments`; places that are not as many as scans; two of places, neighbors, pairs.
+        ValueError: As of `register_fragments`; places that are not as many as scans; pairs beside places or neighbors.
 
     Notes:
-        `finish_registration` gives what `register_fragments` gives of the same pairs: the same are believed, and poses
-        and information are the same within a part in 10^9, as ICP sums the rows of one pair alone in another order.
-        Memory of a process: some 16 scans and what describes them, however many there are. Disk: the thinned scans.
+        `finish_registration` gives what `register_fragments` gives of the same pairs, bit for bit. Of n scans with
+        places at most 12 n pairs are tried by them, and then `alike` for each scan that hangs with few. Memory of a
+        process: one scan as its file has it while it is thinned, then two thinned ones and what describes them,
+        however many there are. Disk: 24 bytes a voxel of each scan.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -259,8 +258,8 @@ def plan_registration(
     for path in paths:
         if not Path(path).is_file():
             raise FileError(path, "does not exist")
-    if places is not None and (neighbors is not None or pairs is not None):
-        raise ValueError("places, neighbors, pairs: expected one of them, got several")
+    if places is not None and pairs is not None:
+        raise ValueError("places, pairs: expected one of them, got both")
     tried = None if pairs is None else pairs_to_try(len(paths), neighbors, pairs)
     told = {
         "scans": paths,
@@ -276,7 +275,19 @@ def plan_registration(
     return make_job(RegistrationJob, folder, told, [Task(path, {"scan": k}) for k, path in enumerate(paths)])
 
 
-def place_told(
+def placed(done: Callable[[int], Iterator[Done]], size: float) -> tuple[FragmentGraph, list[FragmentPair]]:
+    """The graph over all that the tasks of a job that is done have found, and the pairs that are believed."""
+    (graph,) = done(3)
+    found, pairs, information = _place_told(graph.told, size)
+    closing = [task.found for task in done(4) if task.found["pair"]]
+    if closing:
+        pairs += [pair_of(row["pair"]) for row in closing]
+        information += [np.array(row["information"]) for row in closing]
+        found = with_pairs(found, pairs, information, size)
+    return found, pairs
+
+
+def _place_told(
     told: dict[str, Any], size: float
 ) -> tuple[FragmentGraph, list[FragmentPair], list[NDArray[np.float64]]]:
     """The graph over the pairs that a task was told of, these pairs, and their information."""
@@ -284,18 +295,6 @@ def place_told(
     pairs = [pair_of(row["pair"]) for row in told["pairs"]]
     information = [np.array(row["information"]) for row in told["pairs"]]
     return place_by_pairs(extents, pairs, information, size), pairs, information
-
-
-def finished_result(done: Callable[[int], Iterator[Done]], size: float) -> FragmentsResult:
-    """What the tasks of a job that is done have found together."""
-    (graph,) = done(3)
-    found, pairs, information = place_told(graph.told, size)
-    closing = [task.found for task in done(4) if task.found["pair"]]
-    if closing:
-        pairs += [pair_of(row["pair"]) for row in closing]
-        information += [np.array(row["information"]) for row in closing]
-        found = with_pairs(found, pairs, information, size)
-    return fragments_result(found, pairs)
 
 
 def pair_of(told: dict[str, Any]) -> FragmentPair:
@@ -309,6 +308,11 @@ def _told(pair: FragmentPair) -> dict[str, Any]:
     score = None if np.isnan(pair.score) else float(pair.score)
     told = {"source": int(pair.source), "target": int(pair.target), "fitness": float(pair.fitness), "score": score}
     return told | {"transformation": np.asarray(pair.transformation, np.float64).ravel().tolist()}
+
+
+def _doubted(pair: FragmentPair, doubt: str) -> dict[str, Any]:
+    """What is told of a pair that is not believed."""
+    return {"pair": None, "score": _told(pair)["score"], "doubt": doubt}
 
 
 def _task(pair: FragmentPair, *, is_known: bool) -> Task:
