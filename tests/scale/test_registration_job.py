@@ -1,8 +1,14 @@
 """Scans placed by a job are those placed in memory by the same pairs; what goes wrong is named and mended."""
 
+import contextlib
 import errno
 import json
+import os
+import random
+import subprocess
+import sys
 from collections import Counter
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -11,7 +17,7 @@ from scipy.spatial.transform import Rotation
 import pointloom as loom
 from pointloom.core.errors import FileError
 from pointloom.scale.jobs import scans as scans_job
-from pointloom.scale.jobs.likely_pairs import groups_of, meeting_boxes, most_alike, place_box
+from pointloom.scale.jobs.likely_pairs import groups_of, meeting_boxes, most_alike, nearest_of, place_box
 from pointloom.scale.manifest import Manifest
 
 SIZE = 0.08
@@ -129,6 +135,9 @@ def test_boxes_meet_where_places_say_so():
     np.testing.assert_array_equal(second, ([2, -1, 0], [5, 1, 1]))
     assert meeting_boxes([first, None, second]) == []
     assert meeting_boxes([place_box(low, high, np.eye(4), 0.5), None, place_box(low, high, turned, 0.5)]) == [(0, 2)]
+    row = [place_box(low, high, np.array([x, 0.0, 0.0]), 0.0) for x in (0, 1, 3, 3.5)]
+    assert meeting_boxes(row) == [(i, j) for i in range(4) for j in range(i + 1, 4)]
+    assert nearest_of(meeting_boxes(row), row, 1) == [(0, 1), (2, 3)]
     ball = place_box(low, high, np.array([0.0, 0, 10]), 0.25)
     np.testing.assert_allclose(ball[1] - ball[0], 2 * (np.sqrt(1 + 4 + 1) + 0.25))
     np.testing.assert_array_equal(groups_of(5, [(3, 1), (4, 3)]), [0, 1, 2, 1, 1])
@@ -190,6 +199,43 @@ def test_an_interrupted_run_does_no_pair_again(surveyed, expected, tmp_path, mon
     )
     assert loom.scale.run_job(job).is_finished
     assert set(tried.values()) == {1} and len(tried) == 6
+    assert_same(loom.scale.finish_registration(job), expected)
+
+
+def test_every_pair_that_was_tried_has_a_verdict(surveyed, tmp_path):
+    found = by_tasks(surveyed[0], tmp_path / "job")
+    told = {pair[:2]: pair for pair in found.tried}  # of a pair that is found at last as a loop, that
+    assert set(told) == {(j, i) for i in range(4) for j in range(i + 1, 4)}
+    assert [pair.by for pair in found.tried[:6]] == ["order"] * 6 and {p.by for p in found.tried[6:]} == {"loop"}
+    for pair in found.pairs:
+        assert told[pair[:2]].verdict == "kept"
+        np.testing.assert_array_equal(told[pair[:2]].score, pair.score)
+    for pair in found.tried:
+        if STRAY in pair[:2]:
+            assert pair.verdict not in ("kept", "dropped", "apart", "") and pair.score <= 0.5
+    assert found.not_placed == [str(surveyed[0][STRAY])]
+    assert found.to_json()["tried"][0]["source"] == str(surveyed[0][1])
+
+
+@pytest.mark.slow
+def test_runners_that_are_killed_at_any_moment_are_gone_on_with_to_the_same_bits(surveyed, expected, tmp_path):
+    job, chance, kills = tmp_path / "job", random.Random(7), 0
+    loom.scale.plan_registration(surveyed[0], job, voxel_size=SIZE)
+    program = "import sys, pointloom as loom; print('here', flush=True); loom.scale.run_job(sys.argv[1])"
+    environment = os.environ | {"PYTHONPATH": str(Path(loom.__file__).parents[1])}
+    while not loom.scale.job_status(job).is_finished and kills < 8:
+        words = [sys.executable, "-c", program, str(job)]
+        runner = subprocess.Popen(words, env=environment, stdout=subprocess.PIPE, text=True)
+        runner.stdout.readline()
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            runner.wait(timeout=0.9 * chance.random())
+        kills += runner.poll() is None
+        runner.kill()
+        runner.wait()
+        runner.stdout.close()
+        loom.scale.retry_job(job)  # a task at which three died is set aside
+    assert kills
+    assert loom.scale.run_job(job).is_finished
     assert_same(loom.scale.finish_registration(job), expected)
 
 
