@@ -8,6 +8,7 @@ the largest group, with those that look most like them. "graph": the pairs' pose
 
 from __future__ import annotations
 
+import zipfile
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import lru_cache
 from pathlib import Path
@@ -150,10 +151,10 @@ class RegistrationJob(Job):
         cloud = read_point_cloud(self.plan["scans"][scan], device=self.device)
         described = describe(cloud, self.size)
         surface, path = described.thinned, self._surface_path(scan)
-        arrays = {name: download(surface.device_array(name)).reshape(-1, 3) for name in ("points", "normals")}
+        points, normals = (download(surface.device_array(name)).reshape(-1, 3) for name in ("points", "normals"))
         path.parent.mkdir(exist_ok=True)
         with atomic_write(path) as file:
-            np.savez(file, **arrays, origin=surface.origin)
+            np.savez(file, points=points, normals=normals, origin=surface.origin)
         extent, points = Extent.of(surface), surface.points
         ends = [points.min(axis=0).tolist(), points.max(axis=0).tolist()] if len(points) else [[0.0] * 3] * 2
         return {
@@ -178,8 +179,9 @@ class RegistrationJob(Job):
             with path.open("rb") as file, np.load(file) as found:
                 arrays = {name: upload(found[name], vec3, where) for name in ("points", "normals")}
                 return PointCloud.from_device_arrays(arrays, found["origin"])
-        except (OSError, ValueError, KeyError) as error:
-            raise FileError(path, f"a scan's surface cannot be read: {error}", remedy="Plan the scans anew") from error
+        except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile) as error:
+            remedy = "Plan the scans anew in another folder"
+            raise FileError(path, f"a scan's surface cannot be read: {error}", remedy=remedy) from error
 
     def _refined(self, pair: FragmentPair) -> dict[str, Any]:
         """What is told of a pair that is believed, refined by ICP."""

@@ -165,6 +165,19 @@ def test_a_scan_that_cannot_be_read_is_named_and_mended(surveyed, expected, tmp_
         loom.scale.run_job(job)
 
 
+def test_a_damaged_surface_fails_its_pairs_by_name(surveyed, tmp_path):
+    job = tmp_path / "job"
+    loom.scale.plan_registration(surveyed[0][:2], job, voxel_size=SIZE)
+    loom.scale.run_job(job, part=(2, 3))  # a scan each; the pair is of the first share
+    loom.scale.run_job(job, part=(3, 3))
+    surface = job / "surfaces" / "1.npz"
+    data = bytearray(surface.read_bytes())
+    data[len(data) // 2] ^= 1
+    surface.write_bytes(data)
+    status = loom.scale.run_job(job)
+    assert status.failed == 1 and "1.npz: a scan's surface cannot be read" in status.troubles["pair 0 1"]
+
+
 def test_a_full_disk_fails_the_scan_and_leaves_nothing_half(surveyed, tmp_path, monkeypatch):
     def full(file, **arrays):
         file.write(b"half")
