@@ -92,7 +92,10 @@ def place_scans(
     with job.stage("register", told=False):
         plan_registration(paths, job_folder, voxel_size=voxel_size, **how)
         retry_job(job_folder)
-        remarks = run_job(job_folder, workers=workers, device=where, progress=job.tell).remarks
+        status = run_job(job_folder, workers=workers, device=where, progress=job.tell)
+        if not status.is_finished:
+            remedy = "Mend what failed, or let other runs end, and give the same command again"
+            raise FileError(job_folder, f"is not finished: {status}", remedy=remedy)
         found = finish_registration(job_folder)
     is_written = int(found.placed.sum()) > 1
     with job.stage("write", told=is_written):
@@ -100,7 +103,7 @@ def place_scans(
             write_poses_and_graph(job, found, output, graph)
     names = tuple(path.name for path in paths)
     done = job.done(why_poor([Path(path).name for path in found.not_placed], len(names), is_written))
-    return PlacedReport(done, where, voxel_size, True, names, found.points, found, remarks)
+    return PlacedReport(done, where, voxel_size, True, names, found.points, found, status.remarks)
 
 
 def places_of(path: FilePath, count: int) -> list[NDArray[np.float64] | None]:

@@ -136,10 +136,10 @@ def _motions(free: str | None, init: str) -> list[str] | None:
 )
 @click.option("--merged", type=FILE, metavar="FILE", help="Write all clouds that could be placed as one.")
 @click.option("--graph", type=FILE, metavar="JSON", help="Write the pose graph, as Open3D's .json.")
-@click.option("--job", type=FILE, metavar="JOB", help="Work by a folder that the same command goes on with. See below.")
+@click.option("--job", type=FILE, metavar="JOB", help="Work by a folder that the same command goes on with. See above.")
 @click.option("--workers", type=COUNT, metavar="N", help="With --job: N processes; this one if not given.")
 @click.option(
-    "--places", type=FILE, metavar="FILE", help="With --job: rough poses, which say what pairs are tried. See below."
+    "--places", type=FILE, metavar="FILE", help="With --job: rough poses, which say what pairs are tried. See above."
 )
 @click.option("--place-error", type=LENGTH, metavar="M", help="How far positions of --places may be off [m].")
 @record_option("the pairs that are tried, and where the clouds end up")

@@ -113,6 +113,16 @@ def test_a_job_gives_the_poses_of_one_process_and_a_verdict_of_each_pair(views, 
     assert "voxel_size 0.2" in said
 
 
+def test_a_scan_that_cannot_be_read_ends_a_job_by_name_and_the_same_command_goes_on(views, tmp_path):
+    words = ["multiway", views, *VOXEL, "-o", tmp_path / "poses.log", "--job", tmp_path / "job", "--device", "cpu"]
+    whole = (views / "view9.ply").read_bytes()
+    (views / "view9.ply").write_bytes(whole[:5000])
+    said = refusal(*words)
+    assert "2 of 3 tasks done" in said and "view9.ply" in said and "give the same command again" in said
+    (views / "view9.ply").write_bytes(whole)
+    assert answer(*words)["not_placed"] == []
+
+
 def test_places_of_other_scans_are_refused(views, tmp_path):
     words = ["multiway", views, *VOXEL, "-o", tmp_path / "poses.log", "--job", tmp_path / "job", "--places"]
     for name, numbers in (("high.log", [0, 3]), ("twice.log", [1, 1])):
