@@ -153,11 +153,19 @@ def robot() -> dict[str, Any]:
     return {}
 
 
+def walk_and_scans() -> dict[str, Any]:
+    walk("walk")()
+    Path("scans").mkdir()
+    for number, T in enumerate((np.eye(4), turned(), np.linalg.inv(turned()))):
+        loom.write_point_cloud(f"scans/scan{number}.ply", room(seed=number).transform(T))
+    return {}
+
+
 SCENES: dict[str, Callable[[], dict[str, Any]]] = {
     "README.md": two_scans,
     "app/shell/SKILL.md": scans_and_frames,
     "docs/frames.md": walk("kitchen"),
-    "docs/fusion-at-scale.md": walk("walk"),
+    "docs/fusion-at-scale.md": walk_and_scans,
     "docs/large-clouds.md": survey,
     "docs/logging.md": parts_and_walk,
     "docs/meshes.md": bunny,

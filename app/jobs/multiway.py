@@ -103,8 +103,8 @@ def register_folder(
         DeviceError: No such device.
     """
     job = Job("multiway", folder, device=device, overwrite=overwrite, progress=progress)
-    _check_outputs(job, output, merged, graph)
-    where, paths, clouds = job.device, _list_clouds(folder), []
+    check_outputs(job, output, merged, graph)
+    where, paths, clouds = job.device, list_clouds(folder), []
     with job.stage("read", told=False):
         for done, path in enumerate(paths):
             job.tell("read", done, len(paths))
@@ -121,12 +121,13 @@ def register_folder(
             _write_results(job, found, clouds, output, merged, graph)
     names = tuple(path.name for path in paths)
     lost = [name for name, is_placed in zip(names, found.placed, strict=True) if not is_placed]
-    done = job.done(_why_poor(lost, len(names), is_written))
+    done = job.done(why_poor(lost, len(names), is_written))
     points = sum(len(cloud) for cloud in clouds)
     return MultiwayReport(done, str(where), size, voxel_size is not None, names, points, found)
 
 
-def _check_outputs(job: Job, output: FilePath, merged: FilePath | None, graph: FilePath | None) -> None:
+def check_outputs(job: Job, output: FilePath, merged: FilePath | None, graph: FilePath | None) -> None:
+    """Hold that the outputs can be written, before any work."""
     job.check(output, tuple(FORMATS), what="poses")
     job.check(merged)
     if merged is not None and Path(merged).resolve().parent == Path(job.source).resolve():
@@ -135,7 +136,8 @@ def _check_outputs(job: Job, output: FilePath, merged: FilePath | None, graph: F
     job.check(graph, (".json",), what="pose graphs")
 
 
-def _list_clouds(folder: FilePath) -> list[Path]:
+def list_clouds(folder: FilePath) -> list[Path]:
+    """The clouds of a folder, two at least."""
     paths = list_scans(folder)
     if len(paths) < 2:
         raise FileError(folder, f"holds one cloud, {paths[0].name}; two are needed", remedy="Give another folder")
@@ -151,11 +153,7 @@ def _write_results(
     graph: FilePath | None,
 ) -> None:
     """Write what is asked for; left out is what the merged cloud cannot hold, or not all clouds have."""
-    write_poses(output, found.trajectory, overwrite=job.form["overwrite"])
-    job.wrote(output)
-    if graph is not None:
-        write_pose_graph(graph, found.pose_graph, overwrite=job.form["overwrite"])
-        job.wrote(graph)
+    write_poses_and_graph(job, found, output, graph)
     if merged is not None:
         whole = found.merge(clouds)
         named = dict.fromkeys(name for i in np.flatnonzero(found.placed) for name in _names_of(clouds[i]))
@@ -163,12 +161,22 @@ def _write_results(
         job.wrote(merged, [*lost, *tables.write_cloud_table(merged, table_of(whole), **job.form)])
 
 
+def write_poses_and_graph(job: Job, found: FragmentsResult, output: FilePath, graph: FilePath | None) -> None:
+    """Write where clouds were placed, and the pose graph where it is asked for."""
+    write_poses(output, found.trajectory, overwrite=job.form["overwrite"])
+    job.wrote(output)
+    if graph is not None:
+        write_pose_graph(graph, found.pose_graph, overwrite=job.form["overwrite"])
+        job.wrote(graph)
+
+
 def _names_of(cloud: PointCloud) -> list[str]:
     vectors = {"normals": cloud.has_normals, "colors": cloud.has_colors}
     return [*(name for name, is_there in vectors.items() if is_there), *cloud.attributes]
 
 
-def _why_poor(lost: list[str], count: int, is_written: bool) -> str | None:
+def why_poor(lost: list[str], count: int, is_written: bool) -> str | None:
+    """What is told where clouds could not be placed; None where all were."""
     if not lost:
         return None
     if not is_written:

@@ -136,6 +136,12 @@ def _motions(free: str | None, init: str) -> list[str] | None:
 )
 @click.option("--merged", type=FILE, metavar="FILE", help="Write all clouds that could be placed as one.")
 @click.option("--graph", type=FILE, metavar="JSON", help="Write the pose graph, as Open3D's .json.")
+@click.option("--job", type=FILE, metavar="JOB", help="Work by a folder that the same command goes on with. See above.")
+@click.option("--workers", type=COUNT, metavar="N", help="With --job: N processes; this one if not given.")
+@click.option(
+    "--places", type=FILE, metavar="FILE", help="With --job: rough poses, which say what pairs are tried. See above."
+)
+@click.option("--place-error", type=LENGTH, metavar="M", help="How far positions of --places may be off [m].")
 @record_option("the pairs that are tried, and where the clouds end up")
 @device_option()
 @json_option()
@@ -148,9 +154,34 @@ def multiway(folder: Path, output: Path, as_json: bool, force: bool, **options: 
     the median of those that register would choose. POSES names each cloud by its number, from 0 (TUM's time), and
     leaves out those that could not be placed; there are such where the exit code is 3.
 
+    --job is for hundreds of scans: a pair is a task, no process holds more than one scan or two thinned ones, and what
+    is done stays in JOB when anything ends. --voxel is needed then. --places is a file of poses as -o writes it, or
+    .kitti and .json with one for each scan in order: each scan is tried with the 12 (--loops) nearest whose boxes meet
+    its own, and scans that hang with few by what they look like. --json tells of each pair why it was believed or not.
+
     \b
     pointloom multiway scans -o poses.log --merged all.ply
+    pointloom multiway scans -o poses.log --voxel 0.1 --job job --workers 8 --places gnss.tum --place-error 5
     """
+    job, places = options.pop("job"), options.pop("places")
+    workers, place_error = options.pop("workers"), options.pop("place_error")
+    if job is not None:
+        for name, value in (("--merged", options.pop("merged")), ("--record", options.pop("record_as"))):
+            if value is not None:
+                refuse(f"{name} holds all clouds in memory, which --job does not")
+        if options["voxel_size"] is None:
+            refuse("missing option '--voxel'; --job does not choose it, as it would read all scans before")
+        if place_error is not None and places is None:
+            refuse("--place-error goes with --places")
+        refuse_same(graph=options["graph"], output=output)
+        from ..jobs.multiway_job import place_scans
+
+        options |= {"places": places, "place_error": place_error or 0.0, "workers": workers or 0}
+        with Progress() as progress:
+            report = place_scans(folder, output, job, overwrite=force, progress=progress, **options)
+        return answer_with(report, str(folder), as_json)
+    if not all(value is None for value in (workers, places, place_error)):
+        refuse("--workers, --places and --place-error go with --job")
     refuse_same(**{name: options[name] for name in ("merged", "graph")}, output=output, record=options["record_as"])
     from ..jobs.multiway import register_folder
     from .recording_command import recorded

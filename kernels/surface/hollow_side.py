@@ -79,8 +79,18 @@ class Surface:
         """Take the points of a device array of vec3; radii [m] as of `find_sides`."""
         normals = find_sides(PointTree(points), narrow, wide)
         rows = positions_of(mask_finite(normals, 1, 1))
-        self.points, self.normals = gather_rows(points, rows), gather_rows(normals, rows)
-        self.tree, self.device = PointTree(self.points), points.device
+        self._keep(gather_rows(points, rows), gather_rows(normals, rows))
+
+    @classmethod
+    def of_known(cls, points: Points, normals: Vectors) -> "Surface":
+        """One whose points and normals were found before: the same bits."""
+        surface = cls.__new__(cls)
+        surface._keep(points, normals)
+        return surface
+
+    def _keep(self, points: Points, normals: Vectors) -> None:
+        self.points, self.normals = points, normals
+        self.tree, self.device = PointTree(points), points.device
 
     def __len__(self) -> int:
         return self.points.size

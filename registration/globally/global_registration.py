@@ -129,7 +129,11 @@ def register_globally(
 
 def describe(cloud: PointCloud, voxel_size: float) -> Description:
     """What `register_described` needs of a cloud; once for all the clouds that it is registered with."""
-    surface = surface_of(cloud, voxel_size)
+    return describe_surface(cloud, surface_of(cloud, voxel_size), voxel_size)
+
+
+def describe_surface(cloud: PointCloud, surface: Surface, voxel_size: float) -> Description:
+    """As `describe`, of a cloud whose surface is known; of the cloud only the origin counts."""
     features = compute_features(surface.tree, surface.normals, FEATURE_RADIUS * voxel_size, None)
     return Description(cloud, voxel_size, Witness(surface, voxel_size), features)
 

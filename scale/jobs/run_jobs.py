@@ -20,9 +20,10 @@ from ..manifest import Manifest, a_worker
 from ..runners import LOOK, check_part, oversee, start_worker
 from .fusion import FusionJob
 from .job import Job, JobStatus, advance, done_in, open_manifest, progress_of, stage_of, status_of
+from .scans import RegistrationJob
 from .sequences import SequencesJob
 
-KINDS: dict[str, type[Job]] = {kind.KIND: kind for kind in (FusionJob, SequencesJob)}
+KINDS: dict[str, type[Job]] = {kind.KIND: kind for kind in (FusionJob, SequencesJob, RegistrationJob)}
 _WORKER = "from pointloom.scale.jobs.run_jobs import main; main()"
 
 

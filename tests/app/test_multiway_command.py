@@ -89,3 +89,46 @@ def test_multiway_refuses_what_cannot_be_done_before_the_work(views, tmp_path):
         path.unlink()
     assert "holds one cloud, view2.ply; two are needed" in refusal("multiway", views, "-o", output)
     assert names_in(tmp_path) == ["views"]
+
+
+def test_a_job_gives_the_poses_of_one_process_and_a_verdict_of_each_pair(views, tmp_path, rng):
+    loom.write_point_cloud(views / "view20.ply", loom.PointCloud(rng.random((4000, 3))))
+    places = loom.Trajectory(np.array(PLACES), ids=np.array([[k, k, 3] for k in range(3)]))
+    loom.write_trajectory(tmp_path / "places.log", places, format="log")
+    how = ["multiway", views, *VOXEL, "--force", "-o"]
+    poor_answer(*how, tmp_path / "memory.log")
+    by_job = [*how, tmp_path / "job.log", "--job", tmp_path / "job", "--device", "cpu"]
+    report = poor_answer(*by_job, "--places", tmp_path / "places.log", "--place-error", 0.1)
+    assert (tmp_path / "job.log").read_bytes() == (tmp_path / "memory.log").read_bytes()
+    assert report["not_placed"] == ["view20.ply"] and "could not be placed: view20.ply" in report["poor"]
+    verdicts = {(pair["target"], pair["source"]): (pair["by"], pair["verdict"]) for pair in report["tried"]}
+    assert len(verdicts) == 6
+    assert verdicts["view2.ply", "view9.ply"] == ("place", "kept")
+    by, doubt = verdicts["view2.ply", "view20.ply"]
+    assert by == "look" and doubt not in ("kept", "dropped", "apart", "")
+    written = (tmp_path / "job.log").stat().st_mtime_ns
+    assert poor_answer(*by_job, "--places", tmp_path / "places.log", "--place-error", 0.1)["tried"] == report["tried"]
+    assert (tmp_path / "job.log").stat().st_mtime_ns > written
+    said = refusal(*how, tmp_path / "other.log", "--job", tmp_path / "job", "--voxel", 0.2)
+    assert "voxel_size 0.2" in said
+
+
+def test_a_scan_that_cannot_be_read_ends_a_job_by_name_and_the_same_command_goes_on(views, tmp_path):
+    words = ["multiway", views, *VOXEL, "-o", tmp_path / "poses.log", "--job", tmp_path / "job", "--device", "cpu"]
+    whole = (views / "view9.ply").read_bytes()
+    (views / "view9.ply").write_bytes(whole[:5000])
+    said = refusal(*words)
+    assert "2 of 3 tasks done" in said and "view9.ply" in said and "give the same command again" in said
+    (views / "view9.ply").write_bytes(whole)
+    assert answer(*words)["not_placed"] == []
+
+
+def test_places_of_other_scans_are_refused(views, tmp_path):
+    words = ["multiway", views, *VOXEL, "-o", tmp_path / "poses.log", "--job", tmp_path / "job", "--places"]
+    for name, numbers in (("high.log", [0, 3]), ("twice.log", [1, 1])):
+        found = loom.Trajectory(np.array(PLACES[:2]), ids=np.array([[k, k, 3] for k in numbers]))
+        loom.write_trajectory(tmp_path / name, found, format="log")
+        assert f"{name}: holds 2 poses whose numbers are not those of 3 scans" in refusal(*words, tmp_path / name)
+    loom.write_trajectory(tmp_path / "few.kitti", loom.Trajectory(np.array(PLACES[:2])), format="kitti")
+    assert "few.kitti: holds 2 poses" in refusal(*words, tmp_path / "few.kitti")
+    assert not (tmp_path / "job").exists()

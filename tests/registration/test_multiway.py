@@ -156,14 +156,14 @@ def test_the_information_of_a_pair_is_about_the_sources_own_coordinates(device, 
     from scipy.spatial import cKDTree
     from scipy.spatial.transform import Rotation
 
-    from pointloom.registration.pose_graphs.multiway import REACH, FragmentPair, _refine
+    from pointloom.registration.pose_graphs.fragment_graph import REACH, FragmentPair, refine_pairs
 
     size, T = 0.06, np.eye(4)
     T[:3, :3], T[:3, 3] = Rotation.from_rotvec([1.2, -0.7, 2.0]).as_matrix(), [50, -20, 30]
     source = fragments.clouds[0][::4]
     target = source[rng.permutation(len(source))[:1500]] @ T[:3, :3].T + T[:3, 3]
     clouds = [loom.PointCloud(p, device=device).estimate_normals(max_nn=20) for p in (source, target)]
-    (pair,), (information,) = _refine(clouds, [FragmentPair(0, 1, T, 1.0, 1.0)], size)
+    (pair,), (information,) = refine_pairs(clouds, [FragmentPair(0, 1, T, 1.0, 1.0)], size)
     source, target = (c.points for c in clouds)
     moved = source @ pair.transformation[:3, :3].T + pair.transformation[:3, 3]
     distances, rows = cKDTree(target).query(moved)
@@ -176,9 +176,9 @@ def test_the_information_of_a_pair_is_about_the_sources_own_coordinates(device, 
 
 
 def test_pairs_support_each_other_where_they_close_a_way_round_and_only_there(fragments):
-    from pointloom.registration.pose_graphs.multiway import FragmentPair, _agreement
+    from pointloom.registration.pose_graphs.fragment_graph import Extent, FragmentPair, _agreement
 
-    clouds = [loom.PointCloud(p[::20]) for p in fragments.clouds[:3]]
+    clouds = [Extent.of(loom.PointCloud(p[::20])) for p in fragments.clouds[:3]]
     between = {(s, t): np.linalg.inv(fragments.poses[t]) @ fragments.poses[s] for s, t in ((0, 1), (1, 2), (0, 2))}
     scores = np.array([0.9, 0.8, 0.6])
     pairs = [FragmentPair(*ends, T, 1.0, score) for (ends, T), score in zip(between.items(), scores, strict=True)]

@@ -1,0 +1,244 @@
+"""The pose graph over fragments of one scene: refined pairs, a tree of those that agree, loops that poses close.
+
+`register_fragments` (multiway.py) does it in memory at once; each step is a function of what it is given, so that a job
+may do them in processes, a pair at a time, and give the same bits.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections import defaultdict
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...pcd.cloud import PointCloud
+from ..icp.estimation import TransformationEstimationForGeneralizedICP
+from ..icp.icp import ICPConvergenceCriteria
+from ..icp.iterative import IterativeRegistration
+from ..rigid import adjoint_of, invert_pose, rotation_vector
+from .pose_graph import PoseGraph, PoseGraphEdge, PoseGraphNode
+from .pose_graph_optimization import GlobalOptimizationOption, global_optimization
+
+Matrices = NDArray[np.float64]
+Clouds = Sequence[PointCloud] | Mapping[int, PointCloud]
+Box = tuple[NDArray[np.float64], NDArray[np.float64]]
+
+REACH = 1.5  # [voxels] of a correspondence
+CONSISTENT = 4.0  # [voxels] that a way round three clouds may miss by
+OVERLAP = 0.3  # share of the smaller cloud that has to lie on the other where a loop is closed
+PRUNE = 0.25  # confidence of a loop closure at which it is dropped
+FINE = ICPConvergenceCriteria(max_iteration=50)  # its limits hold at any scale
+GENERALIZED = TransformationEstimationForGeneralizedICP()
+
+
+class FragmentPair(NamedTuple):
+    """What was found of two clouds.
+
+    Attributes:
+        source, target: Their indices.
+        transformation: T_target_source, float64 [4, 4].
+        fitness: Share of the source's voxels that lie on the target.
+        score: How far the registration from no guess was believed, 0..1; NaN for loops closed from a known pose.
+    """
+
+    source: int
+    target: int
+    transformation: Matrices
+    fitness: float
+    score: float
+
+
+class Extent(NamedTuple):
+    """How far a thinned cloud reaches.
+
+    Attributes:
+        origin: Its, float64 [3].
+        radius: Of its points about that [m].
+    """
+
+    origin: NDArray[np.float64]
+    radius: float
+
+    @classmethod
+    def of(cls, cloud: PointCloud) -> Extent:
+        """Of a cloud."""
+        points = cloud.points - cloud.origin
+        return cls(cloud.origin, float(np.linalg.norm(points, axis=1).max(initial=0.0)))
+
+
+class FragmentGraph(NamedTuple):
+    """Where clouds lie by their pairs.
+
+    Attributes:
+        poses: T_reference_cloud, float64 [n, 4, 4]; of those that are no members anything.
+        groups: Which clouds hang together, int [n].
+        members: The largest group, ascending; the first is the reference.
+        tree: The pairs that are believed without doubt, by their places in the list.
+        graph: The optimised graph over the members.
+    """
+
+    poses: Matrices
+    groups: NDArray[np.int64]
+    members: NDArray[np.int64]
+    tree: list[int]
+    graph: PoseGraph
+
+
+def place_by_pairs(
+    extents: Sequence[Extent], pairs: Sequence[FragmentPair], information: Sequence[Matrices], size: float
+) -> FragmentGraph:
+    """The optimised graph over the largest group of clouds that hang together by refined pairs.
+
+    A tree of the pairs that most others agree with gives first poses, and the rest are loop closures.
+    """
+    count = len(extents)
+    support = _agreement(extents, pairs, CONSISTENT * size)
+    tree, groups = _spanning_tree(count, pairs, support)
+    largest = int(np.bincount(groups).argmax())
+    members = np.flatnonzero(groups == largest)
+    poses = _chain(count, int(members[0]), pairs, tree)
+    found = FragmentGraph(poses, groups, members, tree, PoseGraph())
+    return with_pairs(found, pairs, information, size)
+
+
+def with_pairs(
+    found: FragmentGraph, pairs: Sequence[FragmentPair], information: Sequence[Matrices], size: float
+) -> FragmentGraph:
+    """The graph optimised again, from its poses, with pairs beside those of its tree, which come first in the list."""
+    poses = found.poses.copy()
+    graph = _optimize(poses, found.members, pairs, information, found.tree, size)
+    poses[found.members] = [node.pose for node in graph.nodes]
+    return found._replace(poses=poses, graph=graph)
+
+
+def refine_pairs(
+    clouds: Clouds, pairs: Sequence[FragmentPair], size: float
+) -> tuple[list[FragmentPair], list[Matrices]]:
+    """The pairs refined, and their information matrices.
+
+    Each by itself: side by side, points are summed in an order that depends on all clouds, and the bits of a pair would
+    be others than those that a process finds which holds this pair alone.
+    """
+    refined, information = [], []
+    for pair in pairs:
+        start = np.asarray(pair.transformation, np.float64)[None]
+        problem = IterativeRegistration([clouds[pair.source]], [clouds[pair.target]], start, REACH * size, GENERALIZED)
+        problem.run(FINE.max_iteration, FINE.relative_fitness, FINE.relative_rmse)
+        (result,), (matrix,) = problem.results(), problem.information()
+        refined.append(pair._replace(transformation=result.transformation, fitness=result.fitness))
+        # the edge's matrix weighs a misfit in the source's coordinates, the problem's one in the target's
+        A = adjoint_of(result.transformation)
+        information.append(A.T @ matrix @ A)
+    return refined, information
+
+
+def _agreement(extents: Sequence[Extent], pairs: Sequence[FragmentPair], tolerance: float) -> NDArray[np.float64]:
+    """How well each pair is supported: its score, times one more than the ways round three clouds that it closes."""
+    known, beside = {}, defaultdict[int, set[int]](set)
+    for pair in pairs:
+        known[pair.source, pair.target] = pair.transformation
+        known[pair.target, pair.source] = invert_pose(pair.transformation)
+        beside[pair.source].add(pair.target)
+        beside[pair.target].add(pair.source)
+    support = np.array([pair.score for pair in pairs])
+    for k, pair in enumerate(pairs):
+        a, b = pair.source, pair.target
+        for c in sorted(beside[a] & beside[b]):
+            round_trip = invert_pose(pair.transformation) @ known[c, b] @ known[a, c]
+            angle = float(np.linalg.norm(rotation_vector(round_trip[:3, :3])))
+            middle = extents[a].origin
+            shift = float(np.linalg.norm(round_trip[:3, :3] @ middle + round_trip[:3, 3] - middle))
+            support[k] += pair.score * (shift + angle * extents[a].radius < tolerance)
+    return support
+
+
+def _spanning_tree(
+    count: int, pairs: Sequence[FragmentPair], support: NDArray[np.float64]
+) -> tuple[list[int], NDArray[np.int64]]:
+    """The pairs of the tree of most support, and the group of each cloud (Kruskal 1956)."""
+    groups = np.arange(count)
+    tree = []
+    for k in np.argsort(-support, kind="stable").tolist():
+        a, b = groups[pairs[k].source], groups[pairs[k].target]
+        if a != b:
+            groups[groups == max(a, b)] = min(a, b)
+            tree.append(k)
+    return tree, groups.astype(np.int64)
+
+
+def _chain(count: int, root: int, pairs: Sequence[FragmentPair], tree: Sequence[int]) -> Matrices:
+    """Poses T_root_cloud along the tree; the identity where it does not lead."""
+    poses, reached = np.tile(np.eye(4), (count, 1, 1)), {root}
+    waiting = list(tree)
+    while waiting:
+        rest = []
+        for k in waiting:
+            pair = pairs[k]
+            if pair.target in reached:
+                poses[pair.source] = poses[pair.target] @ pair.transformation
+                reached.add(pair.source)
+            elif pair.source in reached:
+                poses[pair.target] = poses[pair.source] @ invert_pose(pair.transformation)
+                reached.add(pair.target)
+            else:
+                rest.append(k)
+        if len(rest) == len(waiting):
+            break  # the pairs that are left belong to other groups
+        waiting = rest
+    return poses
+
+
+def _optimize(
+    poses: Matrices,
+    members: NDArray[np.int64],
+    pairs: Sequence[FragmentPair],
+    information: Sequence[Matrices],
+    tree: Sequence[int],
+    size: float,
+) -> PoseGraph:
+    """The optimised pose graph over the members; pairs beside the tree may be dropped."""
+    number, certain = {int(m): i for i, m in enumerate(members)}, set(tree)
+    edges = [
+        PoseGraphEdge(number[p.source], number[p.target], p.transformation, matrix, uncertain=k not in certain)
+        for k, (p, matrix) in enumerate(zip(pairs, information, strict=True))
+        if p.source in number and p.target in number
+    ]
+    graph = PoseGraph([PoseGraphNode(poses[m]) for m in members], edges)
+    option = GlobalOptimizationOption(
+        max_correspondence_distance=REACH * size, edge_prune_threshold=PRUNE, reference_node=0
+    )
+    return global_optimization(graph, option=option)
+
+
+def candidates_to_close(
+    boxes: Sequence[Box], poses: Matrices, members: NDArray[np.int64], pairs: Sequence[FragmentPair]
+) -> list[FragmentPair]:
+    """Pairs of members that are not known, whose boxes (of each member, under its pose) meet; not rated yet."""
+    known = {frozenset((p.source, p.target)) for p in pairs}
+    found = []
+    for (i, a), (j, b) in itertools.combinations(enumerate(members.tolist()), 2):
+        low, high = np.maximum(boxes[i][0], boxes[j][0]), np.minimum(boxes[i][1], boxes[j][1])
+        if frozenset((a, b)) not in known and (low < high).all():
+            found.append(FragmentPair(b, a, invert_pose(poses[a]) @ poses[b], 0.0, np.nan))
+    return found
+
+
+def those_that_overlap(clouds: Clouds, candidates: Sequence[FragmentPair], size: float) -> list[FragmentPair]:
+    """Those of some pairs that lie on each other under their poses."""
+    if not candidates:
+        return []
+    left, right = [clouds[p.source] for p in candidates], [clouds[p.target] for p in candidates]
+    start = np.array([p.transformation for p in candidates])
+    problem = IterativeRegistration(left, right, start, REACH * size, GENERALIZED)
+    problem.run(0, 0.0, 0.0)
+    overlaps = [r.fitness for r in problem.results()]
+    return [p for p, share in zip(candidates, overlaps, strict=True) if share >= OVERLAP]
+
+
+def box_under(cloud: PointCloud, pose: Matrices) -> Box:
+    """The box of a cloud under a pose."""
+    box = cloud.transform(pose).get_axis_aligned_bounding_box()
+    return np.asarray(box.min_bound), np.asarray(box.max_bound)

@@ -1,0 +1,107 @@
+"""What a job of registration found: the pose graph over all its pairs, and what became of each pair."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import partial
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ...core.errors import FilePath
+from ...core.wording import plain
+from ...registration.pose_graphs.multiway import FragmentsResult, fragments_result
+from .job import Done, done_in
+from .run_jobs import finished_job
+from .scans import STAGE_WORDS, RegistrationJob, placed
+
+
+class TriedPair(NamedTuple):
+    """What became of two scans that were tried.
+
+    Attributes:
+        source, target: Their indices.
+        by: Why they were: "known", "order", "place", "look", or "loop" where the poses told.
+        score: As of `FragmentPair`; NaN for loops.
+        verdict: "kept" in the pose graph; "dropped" where the rest contradicts it; "apart" where it joins scans of
+            another group than the largest; else why it is not believed.
+    """
+
+    source: int
+    target: int
+    by: str
+    score: float
+    verdict: str
+
+
+@dataclass(frozen=True, eq=False)
+class PlacedScans(FragmentsResult):
+    """Where the scans of a job lie: a `FragmentsResult` that tells of each pair.
+
+    Attributes:
+        scans: The files.
+        points: How many points they have.
+        tried: What became of each pair that was tried, in the order of the tasks.
+    """
+
+    scans: list[str]
+    points: int
+    tried: list[TriedPair]
+
+    @property
+    def not_placed(self) -> list[str]:
+        """The files of the scans that hang with none of the largest group."""
+        return [path for path, is_placed in zip(self.scans, self.placed, strict=True) if not is_placed]
+
+    def to_json(self, names: Any = None) -> dict[str, Any]:
+        """As of FragmentsResult, with the pairs that were tried; scans are called by their files unless named."""
+        called = self.scans if names is None else names
+        tried = [pair._asdict() | {"source": called[pair.source], "target": called[pair.target]} for pair in self.tried]
+        return super().to_json(called) | {"tried": plain(tried)}
+
+
+def finish_registration(folder: FilePath) -> PlacedScans:
+    """Where the scans of a job lie in the frame of one of them.
+
+    Args:
+        folder: Of `plan_registration`, all tasks done.
+
+    Returns:
+        As of `register_fragments`, the same bits of the same pairs; scans are numbered as they were planned.
+        `found.not_placed` names those that float free, `found.tried` tells of each pair; `found.trajectory` can be
+        written.
+
+    Raises:
+        FileError: Tasks wait, failed or were set aside.
+
+    Notes:
+        The same bits each time, however many processes did the tasks. Nothing is read but the manifest.
+    """
+    manifest, job = finished_job(folder, RegistrationJob)
+    with manifest:
+        done = partial(done_in, manifest)
+        graph, pairs = placed(done, job.size)
+        found = fragments_result(graph, pairs)
+        points = sum(task.found["points"] for task in done(0))
+        return PlacedScans(**vars(found), scans=job.plan["scans"], points=points, tried=_tried(job, found, done))
+
+
+def _tried(job: RegistrationJob, found: FragmentsResult, done: Callable[[int], Iterator[Done]]) -> list[TriedPair]:
+    members = np.flatnonzero(found.placed).tolist()
+    kept = {(members[edge.source_node_id], members[edge.target_node_id]) for edge in found.pose_graph.edges}
+    tried = []
+    for stage in (1, 2, 4):
+        for task in done(stage):
+            source, target, pair = task.told["source"], task.told["target"], task.found["pair"]
+            score = (task.found if pair is None else pair)["score"]
+            if pair is None:
+                verdict = task.found["doubt"]
+            elif not found.placed[source]:
+                verdict = "apart"
+            else:
+                verdict = "kept" if (source, target) in kept else "dropped"
+            by = "known" if task.told["is_known"] else STAGE_WORDS[stage]
+            by = "place" if by == "order" and job.plan["places"] is not None else by
+            tried.append(TriedPair(source, target, by, np.nan if score is None else score, verdict))
+    return tried
