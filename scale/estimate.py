@@ -106,6 +106,7 @@ def estimate_tiles(
     size: float | None = None,
     points: int | None = None,
     only: Any = None,
+    only_crs: str | None = None,
     output: str = "laz",
     workers: int = 1,
     progress: ReportProgress = say_nothing,
@@ -118,7 +119,7 @@ def estimate_tiles(
     sample of rows; of COPC files the octree tells it.
 
     Args:
-        sources, steps, size, points, only, output: As of `plan_tiles`.
+        sources, steps, size, points, only, only_crs, output: As of `plan_tiles`.
         workers: Processes, on one machine.
         progress: Called with "calibration", how many tasks are done, and how many there are.
 
@@ -148,7 +149,8 @@ def estimate_tiles(
     threads = int(os.environ.get("POINTLOOM_CPU_THREADS") or max(1, cores // workers))
     with tempfile.TemporaryDirectory(prefix="pointloom-estimate-") as place:
         folder = Path(place)
-        plan_tiles(sources, steps, folder / "plan", size=size, points=points, only=only, output=output, progress=report)
+        options: Any = {"size": size, "points": points, "only": only, "only_crs": only_crs, "output": output}
+        plan_tiles(sources, steps, folder / "plan", progress=report, **options)
         manifest, plan = open_plan(folder / "plan")
         with manifest:
             ids = np.array([row["id"] for row in manifest.rows("SELECT id FROM tiles ORDER BY id")])

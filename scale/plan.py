@@ -21,6 +21,7 @@ from .epochs import describe_epochs
 from .halos import far_files
 from .loose_files import FOLDER as MADE
 from .manifest import NAME, Manifest, canonical, files_of, hash_of, read_plan, write_manifest
+from .polygons import boxes_that_meet, in_survey, parse_area, to_json
 from .sources import check_alike, check_same, describe_all, list_files
 from .status import TileStatus, status_of
 from .steps.parse import parse_steps
@@ -117,6 +118,7 @@ def plan_tiles(
     size: float | None = None,
     points: int | None = None,
     only: Any = None,
+    only_crs: str | None = None,
     output: str = "laz",
     progress: ReportProgress = say_nothing,
 ) -> TileStatus:
@@ -136,7 +138,9 @@ def plan_tiles(
         folder: Of the job; made where it is missing.
         size: Edge of a tile [unit of the files].
         points: Points a tile, about; 2 million where no size is given either.
-        only: (x0, y0, x1, y1): only the tiles that this area touches; numbers of the whole are then theirs.
+        only: (x0, y0, x1, y1), or polygons: a .geojson, .json or .wkt file, POLYGON((...)), GeoJSON as a dictionary, or
+            corners [n, 2]. Only the tiles that this area touches; numbers of the whole are then theirs.
+        only_crs: The coordinate system of these polygons, such as "EPSG:4326"; None for that of the files.
         output: "laz" or "copc", what `finish_tiles` makes.
         progress: Called with what is done, how much, and of how much, while files are written over.
 
@@ -181,7 +185,9 @@ def plan_tiles(
         check_folder(folder)
     described = describe_all(paths, folder, check_progress(progress))
     check_alike(described)
-    told = _make(described, parsed, size, points, only, output)
+    for step in parsed:
+        step.settle(described)
+    told = _make(described, parsed, size, points, _area_of(only, only_crs, described), output)
     told["epochs"] = describe_epochs(parsed, described)
     if (folder / NAME).exists():
         with Manifest(folder) as manifest:
@@ -280,8 +286,6 @@ def _make(sources: Any, steps: list[Step], size: Any, points: Any, only: Any, ou
     shape = [int(n) for n in np.floor((high - low)[:2] / size) + 1]
     if math.prod(shape) > MOST_TILES:
         raise ValueError(f"size: {size} makes {shape[0]:,} x {shape[1]:,} tiles, more than {MOST_TILES:,}; take larger")
-    if only is not None:
-        only = check_finite("only", check_shape("only", only, (4,))).tolist()
     reach = float(max(np.abs(low - origin).max(), np.abs(high - origin).max()))
     spacing = math.sqrt(area / total)
     guesses = [step.reach if step.neighbors is None else 2 * spacing * math.sqrt(step.neighbors) for step in steps]
@@ -304,15 +308,36 @@ def _make(sources: Any, steps: list[Step], size: Any, points: Any, only: Any, ou
     }
 
 
+def _area_of(only: Any, crs: str | None, sources: list[dict[str, Any]]) -> list[Any] | None:
+    """Where tiles are made, in JSON's types: x0, y0, x1, y1, or polygons."""
+    is_box = isinstance(only, list | tuple | np.ndarray) and np.shape(only[0] if len(only) else 0) == ()
+    if crs is not None and (only is None or is_box):
+        raise ValueError("only_crs: it is that of polygons, and only= has none")
+    if only is None:
+        return None
+    if is_box:
+        return check_finite("only", check_shape("only", only, (4,))).tolist()
+    return to_json(in_survey("only", parse_area("only", only), crs, sources))
+
+
 def tiles_of(plan: Plan) -> list[tuple[Any, ...]]:
     """All tiles row by row; those outside `only` are not in the manifest, their numbers are left out."""
     (nx, ny), (x, y), size = plan.shape, plan.corner.tolist(), plan.size
-    tiles = []
+    area, tiles = plan.told["only"], []
+    is_wanted = np.ones(nx * ny, np.bool_)
+    if area is not None and isinstance(area[0], list):
+        cells = np.stack(np.divmod(np.arange(nx * ny), nx)[::-1], axis=1)
+        is_wanted = boxes_that_meet(
+            parse_area("only", area), plan.corner + cells * size, plan.corner + (cells + 1) * size
+        )
     for iy in range(ny):
         for ix in range(nx):
             box = (x + ix * size, y + iy * size, x + (ix + 1) * size, y + (iy + 1) * size)
-            area = plan.told["only"]
-            if area is None or (box[0] <= area[2] and box[2] > area[0] and box[1] <= area[3] and box[3] > area[1]):
+            if area is not None and not isinstance(area[0], list):
+                is_wanted[iy * nx + ix] = (
+                    box[0] <= area[2] and box[2] > area[0] and box[1] <= area[3] and box[3] > area[1]
+                )
+            if is_wanted[iy * nx + ix]:
                 tiles.append((iy * nx + ix, ix, iy, *box))
     if not tiles:
         raise ValueError(f"only: {plan.told['only']} touches none of the tiles")

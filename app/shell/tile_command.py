@@ -16,6 +16,7 @@ from .options import FILE, LENGTH, DeviceName, force_option, json_option, refuse
 
 # The names of scale/plan.py, which would load NumPy; a test holds the two together.
 OUTPUTS = ("laz", "copc")
+AREAS = (".geojson", ".json", ".wkt")  # of scale/polygons.py
 FILES, FOLDERS = ("laz", "las", "copc"), ("tiles", "3dtiles", "potree")  # of scale/finish.py, likewise
 _EPILOG = """\b
 What earlier runs have done stays: the same plan and run again go on where they ended, after Ctrl-C too. Another plan,
@@ -24,19 +25,22 @@ files that have changed and another version are refused, and what differs is sai
 
 
 class Area(click.ParamType):
-    """X0,Y0,X1,Y1, in the coordinates of the files."""
+    """X0,Y0,X1,Y1, in the coordinates of the files, or the name of a file of polygons."""
 
     name = "area"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        """The four numbers, or a usage error."""
+        """The four numbers or the file, or a usage error."""
+        if value.lower().endswith(AREAS):
+            return Path(value)
         try:
             numbers = tuple(float(part) for part in value.split(","))
         except ValueError:
             numbers = ()
         ordered = len(numbers) == 4 and numbers[0] <= numbers[2] and numbers[1] <= numbers[3]
         if not ordered or not all(map(math.isfinite, numbers)):
-            self.fail(f"expected X0,Y0,X1,Y1 with the low corner first, got {value!r}", param, ctx)
+            wanted = f"X0,Y0,X1,Y1 with the low corner first, or a {', '.join(AREAS)} file"
+            self.fail(f"expected {wanted}, got {value!r}", param, ctx)
         return numbers
 
 
@@ -104,7 +108,10 @@ def tile() -> None:
 @click.option("-o", "--folder", "folder", type=FILE, metavar="DIR", help="Folder of the job; made where it is missing.")
 @click.option("--size", type=LENGTH, metavar="M", help="Edge of a tile [m].")
 @click.option("--points", type=COUNT, metavar="N", help="Points a tile, about; 2 million if neither is given.")
-@click.option("--only", type=Area(), metavar="X0,Y0,X1,Y1", help="Only the tiles that this area touches.")
+@click.option("--only", type=Area(), metavar="AREA", help="Only tiles that X0,Y0,X1,Y1 or a .geojson, .wkt file touch.")
+@click.option(
+    "--only-crs", metavar="CRS", help="Of the polygons of --only, such as EPSG:4326; that of the files if none."
+)
 @click.option(
     "--output", type=click.Choice(OUTPUTS), default=OUTPUTS[0], show_default=True, help="What `tile finish` makes."
 )

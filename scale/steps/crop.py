@@ -1,29 +1,68 @@
-"""Points in a box."""
+"""Points in a box or in polygons."""
 
 from __future__ import annotations
 
 from typing import Any, ClassVar
 
+import numpy as np
+from numpy.typing import NDArray
+
 from ...core.checks import check_finite, check_shape
 from ...kernels.memory import download
 from ...pcd.boxes import AxisAlignedBoundingBox
+from ...pcd.polygon_volume import SelectionPolygonVolume, mask_volume
 from ..exact_sums import ExactSums
+from ..polygons import in_survey, parse_area, to_json
 from .step import Part, Step
+
+_HIGHEST = 1e100  # [unit of the files] up and down, where a polygon has no ends
 
 
 class Crop(Step):
-    """Points in a box stay, its faces included; or with `invert` all others."""
+    """Points in a box or in polygons stay, a box's faces included; or with `invert` all others."""
 
-    name, required = "crop", ("min_bound", "max_bound")
-    defaults: ClassVar[dict[str, Any]] = {"invert": False}
+    name = "crop"
+    defaults: ClassVar[dict[str, Any]] = {
+        "min_bound": None, "max_bound": None, "polygon": None, "polygon_crs": None, "invert": False,
+    }  # fmt: skip
 
     def check(self) -> None:
-        """Set reach and neighbours by the parameters."""
-        for name in self.required:
+        """Set the box or the polygons by the parameters."""
+        ends = ("min_bound", "max_bound")
+        given = [name for name in (*ends, "polygon") if self.params[name] is not None]
+        if given not in ([*ends], ["polygon"]):
+            raise ValueError(f"steps: crop needs min_bound and max_bound, or polygon, got {', '.join(given) or 'none'}")
+        if "polygon" not in given and self.params["polygon_crs"] is not None:
+            raise ValueError("steps: crop: polygon_crs goes with polygon")
+        if given == ["polygon"]:
+            self.area = parse_area("steps: crop: polygon", self.params["polygon"])
+            self.params["polygon"] = to_json(self.area)
+            return
+        for name in ends:
             self.params[name] = check_finite(name, check_shape(name, self.params[name], (3,))).tolist()
         self.box = AxisAlignedBoundingBox(self.params["min_bound"], self.params["max_bound"])
 
+    def settle(self, sources: list[dict[str, Any]]) -> None:
+        """Bring polygons to the survey's coordinates."""
+        if self.params["polygon"] is not None:
+            self.area = in_survey("steps: crop: polygon", self.area, self.params["polygon_crs"], sources)
+            self.params |= {"polygon": to_json(self.area), "polygon_crs": None}
+
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
         """The step on a part."""
-        mask = self.box.mask_points(part.cloud.device_array("points"), part.cloud.origin)
-        return part.select((download(mask) != 0) != self.params["invert"])
+        points, origin = part.cloud.device_array("points"), part.cloud.origin
+        if self.params["polygon"] is None:
+            keep = download(self.box.mask_points(points, origin)) != 0
+        else:
+            keep = self._in_area(points, origin)
+        return part.select(keep != self.params["invert"])
+
+    def _in_area(self, points: Any, origin: NDArray[np.float64]) -> NDArray[np.bool_]:
+        kept = np.zeros(points.size, np.bool_)
+        for polygon in self.area:
+            inside = np.zeros(points.size, np.bool_)
+            for ring in polygon:
+                volume = SelectionPolygonVolume(np.pad(ring, ((0, 0), (0, 1))), "Z", -_HIGHEST, _HIGHEST)
+                inside ^= download(mask_volume(volume, points, origin)) != 0
+            kept |= inside
+        return kept

@@ -119,6 +119,9 @@ class Step:
     def check(self) -> None:
         """Check the parameters and set what follows from them."""
 
+    def settle(self, sources: list[dict[str, Any]]) -> None:
+        """Bring parameters to the survey that is planned for, whose files are described."""
+
     def spread_after(self, spread: float) -> float:
         """How far points may lie from their homes after the step."""
         return spread

@@ -1,0 +1,219 @@
+"""Areas as polygons: what users give as GeoJSON, well-known text or corners, and what of a plane they hold.
+
+An area is a list of polygons, a polygon a list of rings, a ring its corners [n, 2]. A place is in a polygon by the
+even-odd rule over all of its rings, so that holes are outside, and in an area where it is in any of its polygons.
+Places on an edge: as `SelectionPolygonVolume` has them.
+
+Source: RFC 7946 (GeoJSON); OGC 06-103r4 (well-known text).
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..core.checks import check_finite, check_numeric, shown
+from ..core.errors import FileError
+from ..files.foreign import foreign_errors, import_for
+from ..files.points.geodetic import Geodesy
+from ..files.points.las import open_las
+from ..pcd.polygon_volume import MIN_CORNERS
+
+Ring = NDArray[np.float64]
+Area = list[list[Ring]]
+SUFFIXES = (".geojson", ".json", ".wkt")
+MOST_CORNERS = 1_000_000
+_WKT = re.compile(r"\s*(?:SRID=\d+;)?\s*(MULTI)?POLYGON\s*(?:ZM|Z|M)?\s*(\(.*\))\s*", re.IGNORECASE | re.DOTALL)
+
+
+def parse_area(name: str, value: Any) -> Area:
+    """The area of a .geojson, .json or .wkt file, of such text, of GeoJSON as a dictionary, or of corners [n, 2].
+
+    Rings of rings as `to_json` makes them are taken, too.
+
+    Raises:
+        FileError: The file cannot be read, or is no area.
+        ValueError: What is given is none; what is wrong with it.
+    """
+    if isinstance(value, Path) or (isinstance(value, str) and value.lower().endswith(SUFFIXES)):
+        path = Path(value)
+        try:
+            text = path.read_text("utf-8")
+        except (OSError, UnicodeDecodeError) as error:
+            raise FileError(path, f"cannot be read: {getattr(error, 'strerror', None) or error}") from error
+        try:
+            return parse_area(name, _from_text(name, text))
+        except ValueError as error:
+            if isinstance(error, FileError):
+                raise
+            raise FileError(path, str(error)) from error
+    if isinstance(value, str):
+        value = _from_text(name, value)
+    if isinstance(value, dict):
+        area = [[*map(_open, polygon)] for polygon in _polygons_of(name, value)]
+    elif _depth(value) == 4:
+        area = [[*map(_open, polygon)] for polygon in value]
+    else:
+        area = [[_open(value)]]
+    checked = [[_check_ring(name, ring) for ring in polygon] for polygon in area]
+    if not any(checked):
+        raise ValueError(f"{name}: expected at least one polygon, got none")
+    if sum(len(ring) for polygon in checked for ring in polygon) > MOST_CORNERS:
+        raise ValueError(f"{name}: more than {MOST_CORNERS:,} corners; simplify the polygons first")
+    return checked
+
+
+def to_json(area: Area) -> list[Any]:
+    """An area in JSON's types."""
+    return [[ring.tolist() for ring in polygon] for polygon in area]
+
+
+def _depth(value: Any) -> int:
+    depth = 0
+    while isinstance(value, list | tuple) and len(value):
+        value, depth = value[0], depth + 1
+    return depth
+
+
+def _from_text(name: str, text: str) -> Any:
+    """GeoJSON as a dictionary, or well-known text as polygons of rings."""
+    found = _WKT.fullmatch(text)
+    if found is None:
+        try:
+            told = json.loads(text)
+        except (ValueError, RecursionError) as error:
+            kinds = "GeoJSON, POLYGON((...)) or MULTIPOLYGON(((...)))"
+            raise ValueError(f"{name}: expected {kinds}, got {shown(text)}: {error}") from error
+        if not isinstance(told, dict):
+            raise ValueError(f"{name}: expected an object of GeoJSON, got {shown(told)}")
+        return told
+    body = re.sub(r"[^(),]+", lambda part: f"[{','.join(part[0].split())}]" if part[0].strip() else "", found[2])
+    try:
+        rings = json.loads(body.replace("(", "[").replace(")", "]"))
+    except ValueError as error:
+        raise ValueError(f"{name}: not well-known text: {error}") from error
+    return rings if found[1] else [rings]
+
+
+def _polygons_of(name: str, told: dict[str, Any]) -> Iterator[Any]:
+    """The polygons of an object of GeoJSON."""
+    kind = told.get("type")
+    try:
+        if kind == "FeatureCollection":
+            for feature in told["features"]:
+                yield from _polygons_of(name, feature)
+        elif kind == "Feature":
+            yield from _polygons_of(name, told["geometry"])
+        elif kind == "GeometryCollection":
+            for geometry in told["geometries"]:
+                yield from _polygons_of(name, geometry)
+        elif kind == "Polygon":
+            yield told["coordinates"]
+        elif kind == "MultiPolygon":
+            yield from told["coordinates"]
+        else:
+            raise ValueError(f"{name}: expected polygons, got a {shown(kind)}")
+    except (KeyError, TypeError, AttributeError) as error:
+        raise ValueError(f"{name}: no GeoJSON: a {kind} without {error}") from error
+
+
+def _open(ring: Any) -> Any:
+    """Corners without the last one where it is the first again."""
+    return ring[:-1] if len(ring) > 1 and np.array_equal(ring[0], ring[-1]) else ring
+
+
+def _check_ring(name: str, ring: Any) -> Ring:
+    corners = check_finite(name, check_numeric(name, ring).astype(np.float64))
+    if corners.ndim != 2 or corners.shape[1] not in (2, 3):
+        raise ValueError(f"{name}: expected corners of shape [n, 2], got {list(corners.shape)}")
+    if len(corners) < MIN_CORNERS:
+        raise ValueError(f"{name}: expected at least three corners, got {len(corners)}")
+    return np.ascontiguousarray(corners[:, :2])
+
+
+def bounds_of(area: Area) -> tuple[Ring, Ring]:
+    """The lowest and the highest corner."""
+    corners = np.concatenate([ring for polygon in area for ring in polygon])
+    return corners.min(axis=0), corners.max(axis=0)
+
+
+def in_survey(name: str, area: Area, crs: str | None, sources: list[dict[str, Any]]) -> Area:
+    """An area in the coordinates of a survey; edges are straight there.
+
+    Args:
+        name: Of the argument, for errors.
+        area: It.
+        crs: The system that it is in, as pyproj reads it; None for that of the survey.
+        sources: The files of the survey, described.
+
+    Raises:
+        ValueError: It lies elsewhere, in degrees it seems, or the system cannot be read.
+        FileError: The survey's system cannot be read or is not told, or pyproj is missing.
+    """
+    filled = [source for source in sources if source["points"]]
+    if crs is not None:
+        area = _transformed(name, area, crs, Path(sources[0]["path"]))
+    low, high = bounds_of(area)
+    survey_low = np.min([source["low"][:2] for source in filled], axis=0)
+    survey_high = np.max([source["high"][:2] for source in filled], axis=0)
+    if (low > survey_high).any() or (high < survey_low).any():
+        reason = f"{name}: the area {low.tolist()}..{high.tolist()} lies beside the survey"
+        degrees = crs is None and (np.abs([low, high]) <= (180, 90)).all()
+        hint = "; is it in degrees? Say so by its coordinate system, 'EPSG:4326'" if degrees else ""
+        raise ValueError(f"{reason}, {survey_low.tolist()}..{survey_high.tolist()}{hint}")
+    return area
+
+
+def _transformed(name: str, area: Area, crs: str, path: Path) -> Area:
+    pyproj: Any = import_for(path, "pyproj", "geo")
+    file = open_las(path)
+    system = Geodesy(path, file.header).system
+    if system is None:
+        remedy = "Give the area in the coordinates of the survey, without a system"
+        raise FileError(path, "tells no coordinate system that an area could be brought to", remedy=remedy)
+    try:
+        told = pyproj.CRS.from_user_input(crs)
+    except pyproj.exceptions.CRSError as error:
+        raise ValueError(f"{name}: no coordinate system: {shown(crs)}") from error
+    with foreign_errors(path, "an area cannot be brought to its coordinate system"):
+        transformer = pyproj.Transformer.from_crs(told, system.to_2d(), always_xy=True)
+        moved = [[np.column_stack(transformer.transform(*ring.T)) for ring in polygon] for polygon in area]
+    if not all(np.isfinite(ring).all() for polygon in moved for ring in polygon):
+        raise ValueError(f"{name}: corners in {crs} have no place in the survey's coordinate system")
+    return moved
+
+
+def boxes_that_meet(area: Area, lows: Ring, highs: Ring) -> NDArray[np.bool_]:
+    """Which boxes [n, 2] an area has a place in common with."""
+    meets = np.zeros(len(lows), np.bool_)
+    for polygon in area:
+        inside = np.zeros(len(lows), np.bool_)
+        for ring in polygon:
+            for a, b in zip(np.roll(ring, 1, axis=0), ring, strict=True):
+                meets |= _edge_meets(a, b, lows, highs)
+                rises = ((a[1] < lows[:, 1]) & (b[1] >= lows[:, 1])) | ((b[1] < lows[:, 1]) & (a[1] >= lows[:, 1]))
+                with np.errstate(all="ignore"):
+                    at = a[0] + (lows[:, 1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0])
+                inside ^= rises & (at < lows[:, 0])
+        meets |= inside
+    return meets
+
+
+def _edge_meets(a: Ring, b: Ring, lows: Ring, highs: Ring) -> NDArray[np.bool_]:
+    """Which boxes an edge passes through or touches (slabs)."""
+    enter, leave = np.zeros(len(lows)), np.ones(len(lows))
+    for axis in range(2):
+        way = b[axis] - a[axis]
+        if way == 0:
+            outside = (a[axis] < lows[:, axis]) | (a[axis] > highs[:, axis])
+            leave = np.where(outside, -1.0, leave)
+            continue
+        ends = np.stack([(lows[:, axis] - a[axis]) / way, (highs[:, axis] - a[axis]) / way])
+        enter, leave = np.maximum(enter, ends.min(axis=0)), np.minimum(leave, ends.max(axis=0))
+    return enter <= leave
