@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from ..kernels.segmentation.plane_fit import PlaneSearch
 from ..kernels.segmentation.shape_fit import ShapeFit
 from ..kernels.segmentation.shape_models import CONE, CYLINDER, PLANE, SPHERE, TORUS
-from ..kernels.segmentation.shape_search import Found, ShapeLimits, ShapeSearch
+from ..kernels.segmentation.shape_search import BANDS, SECTORS, Found, ShapeLimits, ShapeSearch
 from .shape import KINDS, Shape
 
 ROUNDING = 2e-6  # of the size of the cloud: what float32 positions leave of exact ones
@@ -19,6 +19,7 @@ UNKNOWN = 0.1  # of a radius: a larger standard deviation leaves it open
 CERTAIN = 3.0  # standard deviations that a cone's half angle is from that of a cylinder
 BESIDE = 1.0  # points on a surface for each that lies beside it, up to three times as far: chance gives a half
 FAR_LIMIT = 3.0
+COVERED = 0.15  # of a round surface: any that is a little bent has a smaller part in common with some
 
 # What a turn by half about u makes of the unknowns: shifts along v and the axis change sign, and so does the tilt
 # towards u, while that towards v keeps its own, since v has turned too.
@@ -77,7 +78,19 @@ def _reasons(search: ShapeSearch, found: Found, limits: ShapeLimits, shape: Shap
     )
     if near < BESIDE * (far - near):
         said.append(f"chance: {near:,} points lie on the surface, and {far - near:,} beside it")
+    if is_small_part(kind, shape):
+        sizes = [name for name in ("radius", "minor_radius", "half_angle") if name in sigma]
+        known = ", ".join(f"{name} {getattr(shape, name):.4g} ± {sigma[name]:.2g}" for name in sizes)
+        said.append(f"small part: points cover {100 * shape.coverage:.0f} % of it ({known} if it is a {shape.kind})")
     return said
+
+
+def is_small_part(kind: int, shape: Shape) -> bool:
+    """Whether points are near too little of a round surface to tell its kind, by what as many would cover of all."""
+    if kind == PLANE:
+        return False
+    cells = SECTORS if kind in (CYLINDER, CONE) else SECTORS * BANDS
+    return bool(shape.coverage < COVERED * -np.expm1(-shape.support / cells))
 
 
 def is_flat(search: ShapeSearch, found: Found, plane: ShapeFit) -> bool:

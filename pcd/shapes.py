@@ -50,7 +50,8 @@ class Shapes(Planes):
         Returns:
             (shape, inliers): the shape of least squared distances with its covariance, and the indices of the points
             within the limits of it, int32, ascending. `shape.reasons` says what speaks against it: points that lie as
-            well on a plane, too small a part to determine the radius, no more points on the surface than beside it.
+            well on a plane, too small a part to determine the radius or the kind, no more points on the surface than
+            beside it.
 
         Raises:
             ValueError: The cloud has no normals, fewer finite points than the shape has unknowns, no sample spans a

@@ -230,3 +230,17 @@ def test_a_shape_says_itself(device, rng):
     assert str(shape).startswith("torus: radius 0.5") and "minor_radius 0.1" in str(shape)
     told = shape.to_json()
     assert told["kind"] == "torus" and told["half_angle"] is None and told["support"] == shape.support
+
+
+def test_a_bent_patch_is_too_small_a_part_of_a_round_shape_but_few_points_all_over_are_not(device):
+    rng = np.random.default_rng(10)
+    x, y = rng.random((2, 3000)) - 0.5
+    saddle = np.column_stack([x, y, 0.4 * (x * x - y * y)]) + 0.003 * rng.normal(size=(3000, 3))
+    cloud = loom.PointCloud(saddle, device=device).estimate_normals(max_nn=30)
+    for shape, _ in (cloud.segment_sphere(0.012, 25, 4000), cloud.segment_cylinder(0.012, 25, 4000)):
+        assert shape.sigma["radius"] < 0.02 * shape.radius
+        assert [reason.split(":")[0] for reason in shape.reasons] == ["small part"], shape
+    few, center, _ = made_shape("sphere", 60, rng)
+    ball = loom.PointCloud(few, normals=(few - center) / 0.5, device=device)
+    shape, _ = ball.segment_sphere(0.012)
+    assert shape.coverage < 0.15 and shape.is_sure, shape
