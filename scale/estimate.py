@@ -144,8 +144,7 @@ def estimate_tiles(
         >>> told.tiles, told.points, told.memory.low <= told.memory.value <= told.memory.high
         (4, 20000, True)
     """
-    workers, report = check_count("workers", workers), check_progress(progress)
-    cores = os.cpu_count() or 1
+    workers, report, cores = check_count("workers", workers), check_progress(progress), os.cpu_count() or 1
     threads = int(os.environ.get("POINTLOOM_CPU_THREADS") or max(1, cores // workers))
     with tempfile.TemporaryDirectory(prefix="pointloom-estimate-") as place:
         folder = Path(place)
