@@ -55,6 +55,11 @@ from .matching import correspondences_from_features as correspondences_from_feat
 from .pose_graphs.multiway import FragmentPair as FragmentPair
 from .pose_graphs.multiway import FragmentsResult as FragmentsResult
 from .pose_graphs.multiway import register_fragments as register_fragments
+from .stations.observations import ControlPoint as ControlPoint
+from .stations.observations import StationPair as StationPair
+from .stations.observations import TargetObservation as TargetObservation
+from .stations.result import StationsResult as StationsResult
+from .stations.stations import register_stations as register_stations
 from .pose_graphs.pose_graph import PoseGraph as PoseGraph
 from .pose_graphs.pose_graph import PoseGraphEdge as PoseGraphEdge
 from .pose_graphs.pose_graph import PoseGraphNode as PoseGraphNode

@@ -1,0 +1,370 @@
+"""Many terrestrial scans brought into one frame: `register_stations`."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.special import chdtri
+
+from ...core.checks import (
+    LARGEST_NUMBER,
+    check_count,
+    check_finite,
+    check_list,
+    check_positive,
+    check_progress,
+    check_rigid,
+    check_seed,
+    check_shape,
+    check_share,
+)
+from ...core.devices import check_same_device
+from ...core.progress import ReportProgress
+from ...core.units import common_unit
+from ...pcd.cloud import PointCloud
+from ...pcd.point_arrays import check_cloud
+from ..rigid import invert_pose, make_pose, nearest_rotation, rotation_vector
+from ..voxel_size import choose_voxel_size
+from .adjustment import Adjusted, Observed
+from .first_poses import chain, links_of, onto_control, parts_by
+from .observations import Array, ControlPoint, StationPair, TargetObservation, check_control, check_targets
+from .pairs import PairFinder, prepare
+from .result import Loop, StationsResult
+from .snooping import snoop
+
+AGREES = 4.0  # [voxels] that a way round three stations may miss by
+BAND = 0.01  # of surveys whose sigma0 lies outside of its limits
+ENOUGH = 10  # redundancy from which on sigma0 is known well enough to scale by
+ROUGH = 2.0  # [m]
+
+
+def register_stations(
+    stations: Sequence[PointCloud],
+    *,
+    poses: ArrayLike | None = None,
+    positions: ArrayLike | None = None,
+    position_sigma: float | None = None,
+    rough: float = ROUGH,
+    level: bool = True,
+    level_sigma: float | None = None,
+    targets: Sequence[TargetObservation] | None = None,
+    control: Sequence[ControlPoint] | None = None,
+    names: Sequence[str] | None = None,
+    voxel_size: float | None = None,
+    overlap: float = 0.15,
+    reference: int = 0,
+    seed: int = 0,
+    progress: ReportProgress | None = None,
+) -> StationsResult:
+    """Bring many terrestrial scans into one frame, and say how well each station is known.
+
+    Pairs of scans that overlap are registered, from points to planes; then all poses are adjusted together, each pair
+    with the covariance that its residuals show, beside targets, control points, levels and positions. Observations
+    that contradict the rest are taken out, the worst first, and named.
+
+    Args:
+        stations: The clouds, each in its scanner's own coordinates, on one device.
+        poses: Rough poses T_survey_station, [n, 4, 4]; None: nothing is known of where scanners turned to.
+        positions: Rough positions of the scanners [m], [n, 3]; NaN where one is not known. Those of `poses` where these
+            are given.
+        position_sigma: Standard deviation of the positions [m]: they are observations then, as those of GNSS; None:
+            they say what may overlap, and where a pair cannot be, and the frame alone.
+        rough: By how much two stations may be apart otherwise than poses or positions say [m].
+        level: Whether z is up in the scans, or in `poses`: four degrees of freedom each, and tilts are kept exactly.
+            Else all six.
+        level_sigma: Standard deviation of the direction of up [rad] where it is known, but not exactly: six degrees of
+            freedom, with up as an observation.
+        targets: What stations saw of targets.
+        control: Where some targets are in the survey's coordinates, in which poses then are.
+        names: The stations', for the report; None numbers them.
+        voxel_size: Edge of the voxels that clouds are thinned to [m]; None: half of what `choose_voxel_size` says.
+        overlap: Share of the smaller cloud that lies on the other in a pair.
+        reference: The station that keeps its pose where neither control nor positions hold the frame.
+        seed: Of the search for pairs.
+        progress: Called with ("prepare", stations done, in all), ("pairs", pairs done, in all) and ("adjust", 0, 0).
+
+    Returns:
+        Poses, their standard deviations, residuals and tests; look at `poor`, and print `report()`.
+
+    Raises:
+        TypeError: Not clouds, targets or control points.
+        ValueError: No station, poses that are not rigid, level ones that no level scan has, names that are not one a
+            station, or observations that make no sense.
+        DeviceError: Clouds on different devices.
+
+    Notes:
+        A station's standard deviations are the roots of the inverse normal matrix' diagonal, times sigma0 where the
+        redundancy is at least 10; of stations beside the reference, relative to it. O(points) memory, dense in
+        stations and targets. The same bits from run to run. Baarda 1968; Theiler and Schindler 2012.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> x, y = np.random.default_rng(0).uniform(-2, 2, (2, 9000))
+        >>> ground = np.column_stack([x, y, 0.3 * np.sin(3 * x) * np.cos(2 * y) + 0.2 * np.sin(4 * y + x)])
+        >>> scans = [loom.PointCloud(ground[k::3] - [0.2 * k, 0.1, 0]) for k in range(3)]
+        >>> rough = np.tile(np.eye(4), (3, 1, 1))
+        >>> found = loom.registration.register_stations(scans, poses=rough, voxel_size=0.1)
+        >>> bool(np.abs(found.poses[:, :3, 3] - [[0, 0, 0], [0.2, 0, 0], [0.4, 0, 0]]).max() < 0.01)
+        True
+    """
+    survey = _Survey(stations, names, poses, positions, level, level_sigma)
+    seen = check_targets(targets, survey.count)
+    known = check_control(control, seen)
+    size = survey.voxel_size(voxel_size)
+    share, start = check_share("overlap", overlap), check_seed(seed)
+    check_count("reference", reference, minimum=0, maximum=survey.count - 1, because=f"there are {survey.count}")
+    tell, away = check_progress(progress), check_positive("rough", rough)
+    gnss = None if position_sigma is None else check_positive("position_sigma", position_sigma)
+    if gnss is not None and survey.positions is None:
+        raise ValueError("position_sigma: it is of positions, and there are none; give positions=, or leave it out")
+    scans = []
+    for done, cloud in enumerate(survey.clouds):
+        tell("prepare", done, survey.count)
+        scans.append(prepare(cloud.transform(survey.frames[done]), size))
+    finder = PairFinder(scans, size, survey.level, share, start)
+    first = None if survey.poses is None else survey.inner(survey.poses)
+    pairs = finder.find(finder.candidates(first, survey.positions, away), first, tell)
+    pairs = [_placed_rightly(pair, survey.positions, away) for pair in pairs]
+    tell("adjust", 0, 0)
+    observed = Observed(
+        [pair for pair in pairs if not pair.reason],
+        [_in_frame(one, survey.frames[one.station]) for one in seen],
+        known,
+        survey.tilt_sigma,
+        None if gnss is None else (survey.positions, gnss),  # type: ignore[arg-type]
+    )
+    return adjust_stations(survey, observed, [pair for pair in pairs if pair.reason], reference, AGREES * size)
+
+
+def adjust_stations(
+    survey: _Survey, observed: Observed, rejected: list[StationPair], reference: int, tolerance: float
+) -> StationsResult:
+    """The joint adjustment of what is observed in the stations' level frames, and what it says."""
+    links = links_of(observed.pairs, observed.targets, survey.level, tolerance)
+    parts = parts_by(links, survey.count)
+    first = np.tile(np.eye(4), (survey.count, 1, 1)) if survey.poses is None else survey.inner(survey.poses)
+    if survey.poses is None and survey.positions is not None:
+        first[:, :3, 3] = np.nan_to_num(survey.positions)
+    began = first
+    placed, fixed = onto_control(
+        chain(links, first), parts, observed.targets, observed.control, survey.positions, survey.level
+    )
+    first = _held_at(placed, began, parts, fixed, reference)
+    anchored = bool(observed.control) or observed.positions is not None
+    main = _main_part(parts, fixed, reference, anchored)
+    held = reference if parts[reference] == main else int(np.flatnonzero(parts == main)[0])
+    found, left, outliers = snoop(first, observed, level=survey.level, reference=held)
+    there = ~found.loose & ((parts == main) | (fixed[parts] & anchored))
+    sigma0, limits = _sigma0(found)
+    scale = sigma0 if found.redundancy >= ENOUGH else 1.0
+    sigmas, covariances = _sigmas(found, survey, scale)
+    sigmas[~there] = np.nan
+    poses = found.poses @ survey.frames
+    if survey.poses is None:
+        poses[~there] = np.eye(4)
+    else:
+        poses[~there] = survey.poses[~there]
+    return StationsResult(
+        survey.names,
+        poses,
+        there,
+        sigmas,
+        covariances,
+        list(left.pairs),
+        rejected,
+        found.targets,
+        {name: np.sqrt(np.diag(C)) * scale for name, C in found.target_covariances.items()},
+        found.groups,
+        outliers,
+        _loops(left.pairs, survey.count),
+        sigma0,
+        limits,
+        found.redundancy,
+        scale != 1.0,
+        left.pair_factor,
+        held if found.datum else None,
+        survey.level,
+        found.converged,
+        survey.unit,
+    )
+
+
+class _Survey:
+    """The stations, and the frames in which they are adjusted: level where up is known, about a place near the points.
+
+    Attributes:
+        frames: From the stations' own coordinates to these, [n, 4, 4].
+        poses: Rough ones as given, or None.
+        positions: Rough ones of the frames' zeros, or None.
+    """
+
+    def __init__(self, stations: Any, names: Any, poses: Any, positions: Any, level: Any, level_sigma: Any):
+        self.clouds = check_list("stations", stations, "point clouds")
+        if not self.clouds:
+            raise ValueError("stations: expected at least one, got none")
+        for i, cloud in enumerate(self.clouds):
+            check_cloud(f"stations[{i}]", cloud)
+            check_same_device(f"stations[{i}]", self.clouds[0].device, cloud.device)
+        self.count, self.unit = len(self.clouds), common_unit("stations", (cloud.unit for cloud in self.clouds))
+        self.names = _check_names(names, self.count)
+        if not isinstance(level, bool | np.bool_):
+            raise TypeError(f"level: expected True or False, got {level!r}")
+        self.tilt_sigma = 0.0 if level_sigma is None else check_positive("level_sigma", level_sigma)
+        if self.tilt_sigma and not level:
+            raise ValueError("level_sigma: it says how level stations are, and level=False that they are not")
+        self.level = bool(level) and not self.tilt_sigma
+        self.poses = None if poses is None else _check_poses(poses, self.count)
+        self.positions = None if positions is None else _check_positions(positions, self.count)
+        self.frames = np.array([self._frame(i, bool(level)) for i in range(self.count)])
+        if self.positions is None and self.poses is not None:
+            self.positions = self.inner(self.poses)[:, :3, 3]
+
+    def inner(self, poses: Array) -> Array:
+        """Poses of the frames, of poses of the stations."""
+        found = poses @ np.array([invert_pose(F) for F in self.frames])
+        if self.level:
+            yaws = np.arctan2(found[:, 1, 0], found[:, 0, 0])
+            found[:, :3, :3] = 0.0
+            found[:, 0, 0] = found[:, 1, 1] = np.cos(yaws)
+            found[:, 1, 0], found[:, 0, 1] = np.sin(yaws), -np.sin(yaws)
+            found[:, 2, 2] = 1.0
+        return found
+
+    def voxel_size(self, given: float | None) -> float:
+        """The edge of the voxels."""
+        if given is not None:
+            return check_positive("voxel_size", given, maximum=LARGEST_NUMBER)
+        return choose_voxel_size(*self.clouds) / 2
+
+    def _frame(self, i: int, level: bool) -> Array:
+        """A station's tilt, about its zero; about the middle of its points where these are far from that."""
+        tilt, middle = np.eye(3), np.zeros(3)
+        if level and self.poses is not None:
+            R = self.poses[i, :3, :3]
+            yaw = np.arctan2(R[1, 0], R[0, 0])
+            turn = np.array([[np.cos(yaw), -np.sin(yaw), 0.0], [np.sin(yaw), np.cos(yaw), 0.0], [0.0, 0.0, 1.0]])
+            tilt = np.eye(3) if np.array_equal(R[2], [0.0, 0.0, 1.0]) else turn.T @ R
+        low, high = np.asarray(self.clouds[i].get_min_bound()), np.asarray(self.clouds[i].get_max_bound())
+        if len(self.clouds[i]) and ((low > 0) | (high < 0)).any() and np.abs(low + high).max() > 4 * (high - low).max():
+            middle = (low + high) / 2
+        return make_pose(tilt, -tilt @ middle)
+
+
+def _check_names(names: Any, count: int) -> tuple[str, ...]:
+    if names is None:
+        return tuple(str(i) for i in range(count))
+    found = check_list("names", names, "text")
+    for name in found:
+        if not isinstance(name, str):
+            raise TypeError(f"names: expected text, got {name!r}")
+    if len(found) != count or len(set(found)) != count:
+        raise ValueError(f"names: expected {count} different ones, one a station, got {len(set(found))}")
+    return tuple(found)
+
+
+def _check_poses(poses: Any, count: int) -> Array:
+    values = check_finite("poses", check_shape("poses", poses, (count, 4, 4)))
+    found = np.array([check_rigid(f"poses[{i}]", T) for i, T in enumerate(values)])
+    found[:, :3, :3] = [nearest_rotation(R) for R in found[:, :3, :3]]
+    return found
+
+
+def _check_positions(positions: Any, count: int) -> Array:
+    values = check_shape("positions", positions, (count, 3)).astype(np.float64)
+    if np.isinf(values).any():
+        raise ValueError("positions: expected numbers, or NaN where one is not known, got infinite ones")
+    return values
+
+
+def _in_frame(one: TargetObservation, F: Array) -> TargetObservation:
+    return dataclasses.replace(one, position=F[:3, :3] @ np.asarray(one.position) + F[:3, 3])
+
+
+def _placed_rightly(pair: StationPair, positions: Array | None, rough: float) -> StationPair:
+    """The pair, with a reason not to use it where its stations are not as far apart as their positions."""
+    if positions is None or pair.reason:
+        return pair
+    said = float(np.linalg.norm(positions[pair.source] - positions[pair.target]))
+    found = float(np.linalg.norm(pair.transformation[:3, 3]))
+    if not abs(found - said) > rough:
+        return pair
+    reason = f"it puts the stations {found:.2f} m apart, their positions {said:.2f} m"
+    return dataclasses.replace(pair, reason=reason)
+
+
+def _held_at(poses: Array, began: Array, parts: NDArray[np.int32], fixed: NDArray[np.bool_], reference: int) -> Array:
+    """The poses with the reference's part where the reference began, unless something else fixes that part."""
+    part = parts[reference]
+    if fixed[part]:
+        return poses
+    moved, members = poses.copy(), parts == part
+    moved[members] = began[reference] @ invert_pose(poses[reference]) @ poses[members]
+    moved[reference] = began[reference]
+    return moved
+
+
+def _main_part(parts: NDArray[np.int32], fixed: NDArray[np.bool_], reference: int, anchored: bool) -> int:
+    """The part that the survey is: of those that control fixes, else of all, the largest; the reference's of equals."""
+    sizes = np.bincount(parts).astype(np.float64)
+    sizes[parts[reference]] += 0.5
+    if anchored and fixed.any():
+        sizes[~fixed] = 0
+    return int(np.argmax(sizes))
+
+
+def _sigma0(found: Adjusted) -> tuple[float, tuple[float, float]]:
+    r = found.redundancy
+    if r <= 0:
+        return 1.0, (0.0, np.inf)
+    limits = (np.sqrt(chdtri(r, 1 - BAND / 2) / r), np.sqrt(chdtri(r, BAND / 2) / r))
+    return float(np.sqrt(found.squares / r)), (float(limits[0]), float(limits[1]))
+
+
+def _sigmas(found: Adjusted, survey: _Survey, scale: float) -> tuple[Array, Array]:
+    """Standard deviations of positions and turns [n, 6], and covariances, scaled."""
+    covariances = found.covariances * scale**2
+    spread = np.sqrt(np.maximum(np.diagonal(covariances, axis1=1, axis2=2), 0.0))
+    sigmas = np.zeros((survey.count, 6))
+    sigmas[:, :3] = spread[:, -3:]
+    sigmas[:, 5 if survey.level else 3 :] = spread[:, :-3]
+    return sigmas, covariances
+
+
+def _loops(pairs: Sequence[StationPair], count: int) -> list[Loop]:
+    """The loop that each pair beside a tree of all closes, over the fewest stations."""
+    near: dict[int, dict[int, Array]] = {i: {} for i in range(count)}
+    loops = []
+    for pair in pairs:
+        a, b = pair.source, pair.target
+        way = _way(near, a, b)
+        if way:
+            T = np.eye(4)
+            for i, j in zip(way, way[1:], strict=False):
+                T = near[i][j] @ T
+            E = invert_pose(pair.transformation) @ T
+            turn = float(np.linalg.norm(rotation_vector(E[:3, :3])))
+            loops.append(Loop(tuple(way), turn, float(np.linalg.norm(E[:3, 3]))))
+        near[a][b], near[b][a] = pair.transformation, invert_pose(pair.transformation)
+    return loops
+
+
+def _way(near: dict[int, dict[int, Array]], a: int, b: int) -> list[int]:
+    """The stations from one to another over the fewest pairs; none where there is no way."""
+    before, front = {a: a}, [a]
+    while front and b not in before:
+        reached = [(j, i) for i in front for j in near[i]]
+        front = []
+        for j, i in reached:
+            if j not in before:
+                before[j] = i
+                front.append(j)
+    if b not in before:
+        return []
+    way = [b]
+    while way[-1] != a:
+        way.append(before[way[-1]])
+    return way[::-1]
