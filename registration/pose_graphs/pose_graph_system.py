@@ -108,9 +108,7 @@ class NormalEquations:
         The ordering is found on the graph of nodes, a sixth of the unknowns. All sums run in a fixed order.
     """
 
-    def __init__(
-        self, edges: EdgeMeasurements, anchored: NDArray[np.bool_], motions: NDArray[np.bool_] | None = None
-    ):
+    def __init__(self, edges: EdgeMeasurements, anchored: NDArray[np.bool_], motions: NDArray[np.bool_] | None = None):
         self.edges = edges
         self.free = np.flatnonzero(~anchored)
         count = len(self.free)

@@ -329,7 +329,7 @@ def _held(A: sp.csr_matrix, network: _Network, reference: int) -> sp.csc_matrix:
 
 
 def _cofactors(A: sp.csr_matrix, network: _Network, reference: int) -> tuple[Array, int, int, NDArray[np.bool_]]:
-    """Cofactors of the unknowns under the conditions of the datum, their number, that of all, and which stations are loose."""
+    """Cofactors of the unknowns under the datum, its conditions, those of all, and which stations are loose."""
     H, left, Z, stiff = _conditions(A, network, reference)
     N = (A.T @ A).tocsc()
     solver = splu((N + _held(A, network, reference)).tocsc())
@@ -357,4 +357,3 @@ def _tested(group: Group, A: sp.csr_matrix, Q: Array, right: Array) -> Group:
     statistic = float((along * along / values[seen]).sum()) if seen.any() else np.nan
     share = float(np.clip(np.trace(R) / max(len(R), 1), 0, 1))
     return dataclasses.replace(group, statistic=statistic, freedom=int(seen.sum()), redundancy=share)
-

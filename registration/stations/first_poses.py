@@ -1,4 +1,4 @@
-"""First poses of stations: a tree of the pairs that others bear out, then all of it onto what is known of the survey."""
+"""First poses of stations: a tree of the pairs that others bear out, then all of it onto what the survey knows."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class Link(NamedTuple):
 def links_of(
     pairs: Sequence[StationPair], targets: Sequence[TargetObservation], level: bool, tolerance: float
 ) -> list[Link]:
-    """All links between stations: pairs, the more believed the more ways round three stations they close, and targets."""
+    """Links between stations: pairs, the more believed the more ways round three stations they close, and targets."""
     known = {(p.source, p.target): p.transformation for p in pairs}
     known |= {(b, a): invert_pose(T) for (a, b), T in known.items()}
     links = []

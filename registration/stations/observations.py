@@ -126,7 +126,9 @@ def check_targets(targets: Sequence[TargetObservation] | None, count: int) -> li
         if one.station >= count:
             raise ValueError(f"targets[{k}]: expected a station from 0 to {count - 1}, got {one.station}")
         if (one.station, one.name) in seen:
-            raise ValueError(f"targets[{k}]: station {one.station} has {one.name!r} twice; take the mean, or rename one")
+            raise ValueError(
+                f"targets[{k}]: station {one.station} has {one.name!r} twice; take the mean, or rename one"
+            )
         seen.add((one.station, one.name))
     return found
 

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...pcd.cloud import PointCloud
 from ..globally.global_registration import Description, describe, register_described
@@ -25,12 +26,17 @@ from ..icp.icp import ICPConvergenceCriteria, registration_icp_batch
 from ..icp.multi_scale import multi_scale_icp
 from ..result import RegistrationResult
 from ..rigid import invert_pose
+from ..robust_kernels import TukeyLoss
 from .observations import Array, StationPair
 
 FINER = 3.0  # points to a voxel's edge, of which normals are fitted
 NORMAL_RADIUS, NORMAL_NEIGHBORS = 1.5, 60  # [voxels]
 COARSE_TO_FINE = (8.0, 4.0, 2.0)  # [voxels] of ICP from a rough pose
 REACH = 2.0  # [voxels] of a correspondence
+TUKEY = 4.685  # standard deviations: as good as least squares to 95 % where errors are normal
+TO_DEVIATION = 1.4826  # times the median of absolute values, for normal errors
+LEAST_LIMIT = 0.01  # [voxels]
+WIDE = 4.0  # times the limit of a match that counts, before it
 MOST_BENT = np.radians(30.0)  # between the normals of a correspondence
 RATED_WITHIN = 1.5  # [voxels]
 SURE = 0.5  # score above which a pair is believed
@@ -74,6 +80,7 @@ class PairFinder:
         self.scans, self.size, self.least, self.seed = scans, size, least, seed
         self.free = LEVEL if level else None
         self.descriptions: dict[int, Description] = {}
+        self.limit = LEAST_LIMIT * size  # the residual from which on a match counts nothing
 
     def candidates(self, poses: Array | None, positions: Array | None, rough: float) -> list[tuple[int, int]]:
         """Which pairs may overlap: (source, target)."""
@@ -135,20 +142,44 @@ class PairFinder:
         return rate_registration(self.scans[a].cloud, self.scans[b].cloud, T, distance)
 
     def _refined(
-        self, pairs: Sequence[tuple[int, int]], starts: Sequence[Array], believed: Sequence[float]
+        self,
+        pairs: Sequence[tuple[int, int]],
+        starts: Sequence[Array],
+        believed: Sequence[float],
+        limit: float | None = None,
     ) -> list[StationPair]:
-        """All pairs refined in the same launches, from points to planes."""
+        """All pairs refined in the same launches, from points to planes; from right poses where there is a limit."""
         if not pairs:
             return []
         sources, targets = ([self.scans[ends[k]].cloud for ends in pairs] for k in (0, 1))
         options: dict[str, Any] = {"free": self.free, "max_normal_angle": MOST_BENT}
-        rules, poses = ICPConvergenceCriteria(max_iteration=60), np.array(starts)
-        for reach in (2 * REACH, REACH):
-            results = registration_icp_batch(sources, targets, reach * self.size, poses, PLANE, rules, **options)
+        rules, poses, results = ICPConvergenceCriteria(max_iteration=60), np.array(starts), []
+        if limit is None:
+            for reach in (2 * REACH, REACH):
+                results = registration_icp_batch(sources, targets, reach * self.size, poses, PLANE, rules, **options)
+                poses = np.array([result.transformation for result in results])
+            self.limit = self._limit(pairs, results)
+        for wide in (WIDE, 1.0) if limit is None else (1.0,):
+            method = TransformationEstimationPointToPlane(TukeyLoss(wide * self.limit))
+            results = registration_icp_batch(sources, targets, REACH * self.size, poses, method, rules, **options)
             poses = np.array([result.transformation for result in results])
-        return [self._judged(*each) for each in zip(pairs, results, believed, strict=True)]
+        return [self._judged(*each, self.limit) for each in zip(pairs, results, believed, strict=True)]
 
-    def _judged(self, pair: tuple[int, int], result: RegistrationResult, believed: float) -> StationPair:
+    def again(self, pairs: Sequence[StationPair], poses: Array, placed: NDArray[np.bool_]) -> list[StationPair]:
+        """The pairs registered from where an adjustment has put their stations, past minima that held them."""
+        kept = [k for k, pair in enumerate(pairs) if placed[pair.source] and placed[pair.target] and pair.score > 0]
+        ends = [(pairs[k].source, pairs[k].target) for k in kept]
+        found = self._refined(ends, [invert_pose(poses[b]) @ poses[a] for a, b in ends], [1.0] * len(kept), self.limit)
+        renewed = dict(zip(kept, found, strict=True))
+        return [renewed.get(k, pair) for k, pair in enumerate(pairs)]
+
+    def _limit(self, pairs: Sequence[tuple[int, int]], results: Sequence[RegistrationResult]) -> float:
+        """The residual [m] from which on a match counts nothing: edges, and what stood elsewhere."""
+        sizes = [float(np.median(np.abs(self._rows(*each)[1]))) for each in zip(pairs, results, strict=True)
+                 if len(each[1].correspondence_set)]  # fmt: skip
+        return max(TUKEY * TO_DEVIATION * float(np.median(sizes)) if sizes else np.inf, LEAST_LIMIT * self.size)
+
+    def _judged(self, pair: tuple[int, int], result: RegistrationResult, believed: float, limit: float) -> StationPair:
         a, b = pair
         X = result.transformation
         backwards = evaluate_registration(
@@ -157,15 +188,28 @@ class PairFinder:
         overlap = max(result.fitness, backwards)
         if overlap < self.least:
             return StationPair(a, b, X, np.zeros((6, 6)), overlap, 0.0, 0.0, "no overlap")
-        information, rms = self._information(pair, result)
+        information, rms = self._information(pair, result, limit)
         score = min(believed, self._rate(a, b, X, RATED_WITHIN * self.size))
         reason = "" if score > SURE else "the surfaces hardly lie on each other, or elsewhere as well"
         if not reason and not information.any():
             reason = "too few places match to tell how well"
         return StationPair(a, b, X, information, overlap, rms, score, reason)
 
-    def _information(self, pair: tuple[int, int], result: RegistrationResult) -> tuple[Array, float]:
-        """Of the misfit in the source's frame, and the root mean square of the residuals."""
+    def _information(self, pair: tuple[int, int], result: RegistrationResult, limit: float) -> tuple[Array, float]:
+        """Of the misfit in the source's frame, and the root mean square of the residuals that count."""
+        J, r, p = self._rows(pair, result)
+        inside = np.abs(r) < limit
+        J, r, p = J[inside], r[inside], p[inside]
+        share = 1 - (r / limit) ** 2
+        motions = [2, 3, 4, 5] if self.free else list(range(6))
+        information = np.zeros((6, 6))
+        information[np.ix_(motions, motions)] = _clustered(
+            J[:, motions], share**2 * r, share * (5 * share - 4), p, BLOCK * self.size
+        )
+        return information, float(np.sqrt((r * r).mean())) if len(r) else 0.0
+
+    def _rows(self, pair: tuple[int, int], result: RegistrationResult) -> tuple[Array, Array, Array]:
+        """Derivatives of the matches' distances from planes, these distances, and where they are in the source."""
         a, b = pair
         source, target = self.scans[a].cloud, self.scans[b].cloud
         found = result.correspondence_set
@@ -174,15 +218,14 @@ class PairFinder:
         n = np.asarray(target.normals, np.float64)[found[:, 1]]
         r = (n * (np.einsum("ij,nj->ni", R, p) + t - q)).sum(axis=1)
         n = np.einsum("ji,nj->ni", R, n)
-        J = np.concatenate([np.cross(p, n), n], axis=1)
-        motions = [2, 3, 4, 5] if self.free else list(range(6))
-        information = np.zeros((6, 6))
-        information[np.ix_(motions, motions)] = _clustered(J[:, motions], r, p, BLOCK * self.size)
-        return information, float(np.sqrt((r * r).mean())) if len(r) else 0.0
+        return np.concatenate([np.cross(p, n), n], axis=1), r, p
 
 
-def _clustered(J: Array, r: Array, places: Array, edge: float) -> Array:
-    """The information of the unknowns of rows whose errors are alike within blocks of space; zeros for too few."""
+def _clustered(J: Array, pull: Array, stiffness: Array, places: Array, edge: float) -> Array:
+    """The information of the unknowns of rows whose errors are alike within blocks of space; zeros for too few.
+
+    Rows have Tukey's influence `pull`, and its derivative by the residual, `stiffness`.
+    """
     size = J.shape[1]
     keys = np.floor(places / edge).astype(np.int64)
     _, block = np.unique(keys, axis=0, return_inverse=True)
@@ -194,8 +237,8 @@ def _clustered(J: Array, r: Array, places: Array, edge: float) -> Array:
     radius = max(float(np.sqrt((places * places).sum(axis=1).mean())), 1e-9)
     unit = np.concatenate([np.full(turns, radius), np.ones(3)])
     J = J / unit
-    N = np.einsum("ni,nj->ij", J, J)
-    pulls = np.stack([np.bincount(block, J[:, k] * r, count) for k in range(size)], axis=1)
+    N = np.einsum("ni,n,nj->ij", J, stiffness, J)
+    pulls = np.stack([np.bincount(block, J[:, k] * pull, count) for k in range(size)], axis=1)
     values, vectors = np.linalg.eigh(N)
     known = values > OPEN * values[-1]
     V = vectors[:, known] / values[known]
@@ -203,4 +246,3 @@ def _clustered(J: Array, r: Array, places: Array, edge: float) -> Array:
     covariance = np.einsum("bi,bj->ij", errors, errors) * count / (count - size)
     information = vectors[:, known] @ np.linalg.inv(covariance) @ vectors[:, known].T
     return information * unit[:, None] * unit[None]
-

@@ -59,7 +59,7 @@ class StationsResult(Report):
         sigma0: Root of the squares' sum over the redundancy; 1 where the standard deviations said are right.
         limits: Between which sigma0 lies in 99 of 100 surveys.
         redundancy: How many observations more than needed.
-        scaled: Whether standard deviations were multiplied by sigma0.
+        scaled: Whether standard deviations were multiplied by sigma0, which is above 1 then.
         pair_factor: What the standard deviations of pairs were multiplied by besides.
         reference: The station that holds the frame; None where control or positions do.
         level: Whether stations had four degrees of freedom.

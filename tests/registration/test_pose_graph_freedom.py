@@ -13,7 +13,7 @@ OPTION = reg.GlobalOptimizationOption(max_correspondence_distance=0.1, reference
 
 
 def ring(seed, count=8):
-    """Levelled stations on a ring at UTM coordinates, edges with noise in all six motions, starts off in the free ones."""
+    """Levelled stations on a ring at UTM coordinates, edges with noise in all six motions, starts off in four."""
     rng = np.random.default_rng(seed)
     tilts = [rotation_of(rng.normal(0, 0.05, 3) * [1, 1, 0]) for _ in range(count)]
     angles = 2 * np.pi * np.arange(count) / count
@@ -22,9 +22,13 @@ def ring(seed, count=8):
     edges = []
     for a, b in [*((i, (i + 1) % count) for i in range(count)), (0, 4), (2, 6)]:
         error = make_pose(rotation_of(rng.normal(0, 2e-3, 3)), rng.normal(0, 0.02, 3))
-        edges.append(reg.PoseGraphEdge(a, b, error @ invert_pose(truth[b]) @ truth[a], np.diag([400.0] * 3 + [100.0] * 3)))
+        edges.append(
+            reg.PoseGraphEdge(a, b, error @ invert_pose(truth[b]) @ truth[a], np.diag([400.0] * 3 + [100.0] * 3))
+        )
     turns = [make_pose(rotation_of(np.array([0, 0, y])), np.zeros(3)) for y in rng.normal(0, 0.05, count)]
-    first = [make_pose(t[:3, :3] @ T[:3, :3], T[:3, 3] + rng.normal(0, 0.3, 3)) for t, T in zip(turns, truth, strict=True)]
+    first = [
+        make_pose(t[:3, :3] @ T[:3, :3], T[:3, 3] + rng.normal(0, 0.3, 3)) for t, T in zip(turns, truth, strict=True)
+    ]
     first[0] = truth[0]
     return np.array(first), edges
 
@@ -83,7 +87,10 @@ def test_the_mean_of_all_level_poses_is_kept():
 
 @pytest.mark.parametrize(
     ("free", "said"),
-    [(["yaw", "roll", "x", "y", "z"], "third axis"), (["yaw", "x"], "reference_node"), ([], "at least one"), (["up"], "names among")],
+    [
+        (["yaw", "roll", "x", "y", "z"], "third axis"), (["yaw", "x"], "reference_node"),
+        ([], "at least one"), (["up"], "names among"),
+    ],
 )  # fmt: skip
 def test_freedoms_that_make_no_sense_are_refused(free, said):
     with pytest.raises(ValueError, match=said):

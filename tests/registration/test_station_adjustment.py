@@ -44,15 +44,17 @@ def survey(seed, *, level, control=True):
 def errors_of(found, truth, level):
     """How far stations are off, as the steps that lead from the truth: turn and shift."""
     turns = found[:, :3, :3] @ truth[:, :3, :3].transpose(0, 2, 1)
-    small = np.stack([turns[:, 2, 1] - turns[:, 1, 2], turns[:, 0, 2] - turns[:, 2, 0], turns[:, 1, 0] - turns[:, 0, 1]])
+    small = np.stack(
+        [turns[:, 2, 1] - turns[:, 1, 2], turns[:, 0, 2] - turns[:, 2, 0], turns[:, 1, 0] - turns[:, 0, 1]]
+    )
     errors = np.concatenate([small.T / 2, found[:, :3, 3] - truth[:, :3, 3]], axis=1)
     return errors[:, [2, 3, 4, 5]] if level else errors
 
 
 @pytest.mark.parametrize("control", [True, False], ids=["control", "free"])
-@pytest.mark.parametrize("level", [True, False], ids=["level", "six degrees"])
+@pytest.mark.parametrize("level", [True, pytest.param(False, marks=pytest.mark.slow)], ids=["level", "six degrees"])
 def test_errors_are_as_large_as_the_standard_deviations_say(level, control):
-    seeds, squares, redundancy, sums, size = 25, 0.0, 0, 0.0, 4 if level else 6
+    seeds, squares, redundancy, sums, size = 12, 0.0, 0, 0.0, 4 if level else 6
     for seed in range(seeds):
         truth, observed, first = survey(seed, level=level, control=control)
         found = adjust(first, observed, level=level)
@@ -77,10 +79,10 @@ def test_levelled_stations_stay_level():
 
 def test_right_surveys_raise_no_alarm():
     alarms = 0
-    for seed in range(30):
+    for seed in range(10):
         _, observed, first = survey(seed, level=True)
         alarms += bool(snoop(first, observed, level=True, reference=0)[2])
-    assert alarms <= 2
+    assert alarms <= 1
 
 
 def test_exchanged_names_are_named():
@@ -123,7 +125,7 @@ def test_stations_that_nothing_holds_are_told():
 
 
 def test_up_that_is_known_to_a_degree_is_an_observation():
-    truth, observed, first = survey(4, level=True, control=False)
+    _, observed, first = survey(4, level=True, control=False)
     tilted = Observed(observed.pairs, [], [], tilt_sigma=1e-4)
     found = adjust(first, tilted, level=False)
     assert found.datum == 4  # gravity holds two of six
