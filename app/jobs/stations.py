@@ -15,7 +15,7 @@ from ...core.errors import FileError, FilePath
 from ...core.reports import Fields
 from ...drawing.render.picture_files import save_picture
 from ...drawing.render.station_plan import station_plan
-from ...files.points.e57_stations import read_stations, write_stations
+from ...files.points.e57_stations import Stations, read_stations, write_stations
 from ...registration.stations.result import StationsResult
 from ...registration.stations.stations import register_stations
 from .job import Job, JobReport, Settings
@@ -94,14 +94,13 @@ def register_scans(
             source, "is no .e57 file", remedy="Convert the scans, or call loom.registration.register_stations"
         )
     with job.stage("read"):
-        scans = read_stations(source, device=job.device)
+        scans = _filled(read_stations(source, device=job.device), source)
     seen = None if targets is None else read_targets(targets, scans.names)
     known = None if control is None else read_control(control)
     job.unit = scans.clouds[0].unit
-    empty = [name for name, cloud in zip(scans.names, scans.clouds, strict=True) if not len(cloud)]
-    if empty:
-        raise FileError(source, f"scan {empty[0]!r} holds no point", remedy="Leave it out")
-    given = {name: value for name, value in (("rough", rough), ("overlap", overlap)) if value is not None}
+    given: dict[str, Any] = {
+        name: value for name, value in (("rough", rough), ("overlap", overlap)) if value is not None
+    }
     posed = use_poses and _tell_apart(scans.poses)
     with job.stage("register", told=False):
         found = register_stations(
@@ -122,6 +121,13 @@ def register_scans(
         _write_report(job, places, found)
     points, began = sum(len(cloud) for cloud in scans.clouds), "poses of the file" if posed else "no poses"
     return StationsReport(job.done(found.poor), str(job.device), points, began, found)
+
+
+def _filled(scans: Stations, source: FilePath) -> Stations:
+    empty = [name for name, cloud in zip(scans.names, scans.clouds, strict=True) if not len(cloud)]
+    if empty:
+        raise FileError(source, f"scan {empty[0]!r} holds no point", remedy="Leave it out")
+    return scans
 
 
 def _check_report(folder: FilePath | None, *, overwrite: bool) -> dict[str, Path]:

@@ -74,7 +74,7 @@ def station_plan(
     area = draw_head(canvas, Area(0, 0, canvas.width, canvas.height), title, note, entries, letters)
     pairs = [g for g in result.groups if g.kind == "pair"]
     misses = np.array([float(np.linalg.norm(g.residual[-3:])) * MM for g in pairs])
-    bar = 0
+    bar, ticks = 0, choose_ticks(0.0, 1.0, 2)
     if len(pairs):
         apart = END_ROOM * letters / max(area.height - 6 * letters, letters)
         ticks = with_ends(

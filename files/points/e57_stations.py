@@ -36,6 +36,12 @@ class Stations:
         clouds: Each in its scanner's coordinates.
         poses: T_world_scanner of each, float64 [n, 4, 4]; the identity where the file has none.
         posed: Whether the file has a pose of each, bool [n].
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> loom.write_stations("one.e57", [loom.PointCloud(np.zeros((1, 3)))], [np.eye(4)])
+        >>> loom.read_stations("one.e57").posed
+        array([ True])
     """
 
     names: tuple[str, ...]
@@ -103,6 +109,13 @@ def write_stations(
     Raises:
         FileError: The file cannot be made, or E57 cannot hold an attribute.
         ValueError: Not as many poses and names as clouds, or a pose that is not rigid.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> clouds = [loom.PointCloud(np.eye(3)), loom.PointCloud(np.eye(3))]
+        >>> loom.write_stations("two.e57", clouds, [np.eye(4), np.eye(4)], names=["hall", "stairs"])
+        >>> loom.read_stations("two.e57").names
+        ('hall', 'stairs')
     """
     found = check_list("clouds", clouds, "point clouds")
     for i, cloud in enumerate(found):

@@ -119,7 +119,7 @@ class _Rows:
     """Whitened rows as they are collected."""
 
     def __init__(self) -> None:
-        self.entries: list[tuple[Array, Array, Array]] = []  # rows, columns, values
+        self.entries: list[tuple[NDArray[Any], NDArray[Any], Array]] = []  # rows, columns, values
         self.right: list[Array] = []
         self.groups: list[Group] = []
         self.count = 0

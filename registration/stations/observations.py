@@ -14,6 +14,7 @@ from ...core.checks import check_count, check_finite, check_list, check_numeric,
 Array = NDArray[np.float64]
 TARGET_SIGMA = 0.002  # [m] of a coordinate of a target that a scanner measured
 CONTROL_SIGMA = 0.002  # [m] of a coordinate of a control point
+LEAST_SIGMA, MOST_SIGMA = 1e-9, 1e9  # [m], [rad]: what is known better is no observation, what worse none
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,7 +45,7 @@ class TargetObservation:
     def __post_init__(self) -> None:
         object.__setattr__(self, "station", check_count("station", self.station, minimum=0))
         _check_point(self)
-        object.__setattr__(self, "sigma", check_positive("sigma", self.sigma))
+        object.__setattr__(self, "sigma", check_sigma("sigma", self.sigma))
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,9 +74,22 @@ class ControlPoint:
     def __post_init__(self) -> None:
         _check_point(self)
         values = check_finite("sigma", check_numeric("sigma", self.sigma)).astype(np.float64)
-        if values.shape not in ((), (3,)) or not (values > 0).all():
-            raise ValueError(f"sigma: expected one number above 0 or [3], got {shown(self.sigma)}")
+        if values.shape not in ((), (3,)):
+            raise ValueError(f"sigma: expected one number or [3], got {shown(self.sigma)}")
+        values = np.array([check_sigma("sigma", v) for v in (values.tolist() if values.ndim else [self.sigma])])
         object.__setattr__(self, "sigma", np.broadcast_to(values, (3,)).copy())
+
+
+def check_sigma(name: str, sigma: Any) -> float:
+    """A standard deviation that a least squares adjustment can weigh by.
+
+    Raises:
+        TypeError, ValueError: No number, or out of range.
+    """
+    value = check_positive(name, sigma)
+    if not LEAST_SIGMA <= value <= MOST_SIGMA:
+        raise ValueError(f"{name}: expected a standard deviation from {LEAST_SIGMA:g} to {MOST_SIGMA:g}, got {value:g}")
+    return value
 
 
 def _check_point(point: Any) -> None:

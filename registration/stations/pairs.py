@@ -218,7 +218,7 @@ class PairFinder:
         n = np.asarray(target.normals, np.float64)[found[:, 1]]
         r = (n * (np.einsum("ij,nj->ni", R, p) + t - q)).sum(axis=1)
         n = np.einsum("ji,nj->ni", R, n)
-        return np.concatenate([np.cross(p, n), n], axis=1), r, p
+        return np.concatenate([np.asarray(np.cross(p, n), np.float64), n], axis=1), r, p
 
 
 def _clustered(J: Array, pull: Array, stiffness: Array, places: Array, edge: float) -> Array:

@@ -16,26 +16,12 @@ from ...core.wording import plain
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
 from .adjustment import Group
+from .loops import Loop
 from .observations import Array, ControlPoint, StationPair, TargetObservation
 from .snooping import Outlier
 
 MM = 1000.0
 SHOWN = 6  # names in a line
-
-
-@dataclass(frozen=True, eq=False)
-class Loop:
-    """A way round along pairs.
-
-    Attributes:
-        stations: Their numbers, in order.
-        rotation: How far it misses closing [rad].
-        translation: The same at the first station [m].
-    """
-
-    stations: tuple[int, ...]
-    rotation: float
-    translation: float
 
 
 @dataclass(frozen=True, eq=False)

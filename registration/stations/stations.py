@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import itertools
 from collections.abc import Sequence
 from typing import Any
 
@@ -28,19 +27,21 @@ from ...core.progress import ReportProgress
 from ...core.units import common_unit
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
-from ..rigid import invert_pose, make_pose, nearest_rotation, rotation_vector
+from ..rigid import invert_pose, make_pose, nearest_rotation
 from ..voxel_size import choose_voxel_size
 from .adjustment import Adjusted, Observed
 from .first_poses import chain, links_of, onto_control, parts_by
-from .observations import Array, ControlPoint, StationPair, TargetObservation, check_control, check_targets
+from .loops import loops_of
+from .observations import Array, ControlPoint, StationPair, TargetObservation, check_control, check_sigma, check_targets
 from .pairs import PairFinder, prepare
-from .result import Loop, StationsResult
+from .result import StationsResult
 from .snooping import snoop
 
 AGREES = 4.0  # [voxels] that a way round three stations may miss by
 BAND = 0.01  # of surveys whose sigma0 lies outside of its limits
 ENOUGH = 10  # redundancy from which on sigma0 is known well enough to scale by
 ROUGH = 2.0  # [m]
+MOST_VOXELS = 1e6  # along a cloud
 # What errors of pairs are, in parts of what their residuals show: all pairs of a station have its noise in common,
 # which closes their loops. Measured over 16 made courtyards of five stations each, tests/registration/test_stations.py.
 SHARED = 1.25
@@ -102,8 +103,8 @@ def register_stations(
 
     Notes:
         A station's standard deviations are the roots of the inverse normal matrix' diagonal, times sigma0 where that
-        is above 1 and the redundancy at least 10; relative to the reference where that holds the frame. O(points) memory,
-        dense in stations and targets. The same bits from run to run. Baarda 1968; Theiler and Schindler 2012.
+        is above 1 and the redundancy at least 10; relative to the reference where that holds the frame. O(points)
+        memory, dense in stations and targets. The same bits from run to run. Baarda 1968; Theiler and Schindler 2012.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -122,7 +123,7 @@ def register_stations(
     share, start = check_share("overlap", overlap), check_seed(seed)
     check_count("reference", reference, minimum=0, maximum=survey.count - 1, because=f"there are {survey.count}")
     tell, away = check_progress(progress), check_positive("rough", rough)
-    gnss = None if position_sigma is None else check_positive("position_sigma", position_sigma)
+    gnss = None if position_sigma is None else check_sigma("position_sigma", position_sigma)
     if gnss is not None and survey.positions is None:
         raise ValueError("position_sigma: it is of positions, and there are none; give positions=, or leave it out")
     scans = []
@@ -208,7 +209,7 @@ def adjust_stations(
         {name: np.sqrt(np.diag(C)) * scale for name, C in found.target_covariances.items()},
         found.groups,
         outliers,
-        _loops(left.pairs, survey.count),
+        loops_of(left.pairs, survey.count),
         sigma0,
         limits,
         found.redundancy,
@@ -242,7 +243,7 @@ class _Survey:
         self.names = _check_names(names, self.count)
         if not isinstance(level, bool | np.bool_):
             raise TypeError(f"level: expected True or False, got {level!r}")
-        self.tilt_sigma = 0.0 if level_sigma is None else check_positive("level_sigma", level_sigma)
+        self.tilt_sigma = 0.0 if level_sigma is None else check_sigma("level_sigma", level_sigma)
         if self.tilt_sigma and not level:
             raise ValueError("level_sigma: it says how level stations are, and level=False that they are not")
         self.level = bool(level) and not self.tilt_sigma
@@ -267,7 +268,13 @@ class _Survey:
     def voxel_size(self, given: float | None) -> float:
         """The edge of the voxels."""
         if given is not None:
-            return check_positive("voxel_size", given, maximum=LARGEST_NUMBER)
+            size = check_positive("voxel_size", given, maximum=LARGEST_NUMBER)
+            extent = max(float((c.get_max_bound() - c.get_min_bound()).max()) for c in self.clouds)
+            if extent / MOST_VOXELS > size:
+                raise ValueError(
+                    f"voxel_size: {size:g} makes more than {MOST_VOXELS:g} voxels of {extent:g} m in a row"
+                )
+            return size
         return choose_voxel_size(*self.clouds) / 2
 
     def _frame(self, i: int, level: bool) -> Array:
@@ -362,39 +369,3 @@ def _sigmas(found: Adjusted, survey: _Survey, scale: float) -> tuple[Array, Arra
     sigmas[:, :3] = spread[:, -3:]
     sigmas[:, 5 if survey.level else 3 :] = spread[:, :-3]
     return sigmas, covariances
-
-
-def _loops(pairs: Sequence[StationPair], count: int) -> list[Loop]:
-    """The loop that each pair beside a tree of all closes, over the fewest stations."""
-    near: dict[int, dict[int, Array]] = {i: {} for i in range(count)}
-    loops = []
-    for pair in pairs:
-        a, b = pair.source, pair.target
-        way = _way(near, a, b)
-        if way:
-            T = np.eye(4)
-            for i, j in itertools.pairwise(way):
-                T = near[i][j] @ T
-            E = invert_pose(pair.transformation) @ T
-            turn = float(np.linalg.norm(rotation_vector(E[:3, :3])))
-            loops.append(Loop(tuple(way), turn, float(np.linalg.norm(E[:3, 3]))))
-        near[a][b], near[b][a] = pair.transformation, invert_pose(pair.transformation)
-    return loops
-
-
-def _way(near: dict[int, dict[int, Array]], a: int, b: int) -> list[int]:
-    """The stations from one to another over the fewest pairs; none where there is no way."""
-    before, front = {a: a}, [a]
-    while front and b not in before:
-        reached = [(j, i) for i in front for j in near[i]]
-        front = []
-        for j, i in reached:
-            if j not in before:
-                before[j] = i
-                front.append(j)
-    if b not in before:
-        return []
-    way = [b]
-    while way[-1] != a:
-        way.append(before[way[-1]])
-    return way[::-1]
