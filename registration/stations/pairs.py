@@ -36,7 +36,7 @@ REACH = 2.0  # [voxels] of a correspondence
 TUKEY = 4.685  # standard deviations: as good as least squares to 95 % where errors are normal
 TO_DEVIATION = 1.4826  # times the median of absolute values, for normal errors
 LEAST_LIMIT = 0.01  # [voxels]
-WIDE = 4.0  # times the limit of a match that counts, before it
+GRADED = (12.0, 6.0, 3.0, 1.5, 1.0)  # times the limit of a match that counts, one after another
 MOST_BENT = np.radians(30.0)  # between the normals of a correspondence
 RATED_WITHIN = 1.5  # [voxels]
 SURE = 0.5  # score above which a pair is believed
@@ -159,7 +159,7 @@ class PairFinder:
                 results = registration_icp_batch(sources, targets, reach * self.size, poses, PLANE, rules, **options)
                 poses = np.array([result.transformation for result in results])
             self.limit = self._limit(pairs, results)
-        for wide in (WIDE, 1.0) if limit is None else (1.0,):
+        for wide in GRADED if limit is None else (1.0,):
             method = TransformationEstimationPointToPlane(TukeyLoss(wide * self.limit))
             results = registration_icp_batch(sources, targets, REACH * self.size, poses, method, rules, **options)
             poses = np.array([result.transformation for result in results])

@@ -6,6 +6,7 @@ from scipy.special import chdtri
 
 import pointloom as loom
 from pointloom.drawing.render.station_plan import station_plan
+from pointloom.registration.rigid import make_pose, rotation_of
 
 from .station_scenes import BOXES, COURT, pose_at, scan_all
 from .test_station_adjustment import errors_of
@@ -110,7 +111,7 @@ def test_a_corridor_that_repeats_is_told_and_targets_put_it_right():
 
 @pytest.mark.slow
 def test_stations_of_which_nothing_is_known_are_searched_for():
-    clouds, truth = scan_all(BOXES, COURT[:3], 4, columns=360, rows=120)
+    clouds, truth = scan_all(BOXES, COURT[:3], 4)
     found = register_stations(clouds, voxel_size=SIZE)
     there = truth[0] @ np.linalg.inv(found.poses[0]) @ found.poses
     assert found.placed.all()
@@ -133,3 +134,17 @@ def test_the_same_bits_twice(found, court):
     again = register_stations(court[0], poses=rough_of(court[1], 0), voxel_size=SIZE)
     assert again.poses.tobytes() == found.poses.tobytes()
     assert again.sigmas.tobytes() == found.sigmas.tobytes()
+
+
+@pytest.mark.slow
+def test_scanners_that_lean_are_put_upright_in_six_degrees_of_freedom():
+    clouds, truth = scan_all(BOXES, COURT[:4], 2, columns=360, rows=120)
+    rng = np.random.default_rng(0)
+    leans = [make_pose(rotation_of(rng.normal(0, 0.05, 3) * [1, 1, 0]), np.zeros(3)) for _ in truth]
+    leaning = [cloud.transform(np.linalg.inv(T)) for cloud, T in zip(clouds, leans, strict=True)]
+    truth = truth @ np.array(leans)
+    found = register_stations(leaning, poses=rough_of(truth, 0), voxel_size=SIZE, level=False)
+    assert np.abs(found.poses - truth)[:, :3, 3].max() < 1e-3
+    assert found.poor is None
+    held = register_stations(leaning, poses=truth, voxel_size=SIZE)  # four of freedom: tilts stay as they were
+    assert np.abs(held.poses - truth)[:, 2, :3].max() < 1e-12
