@@ -82,6 +82,11 @@ from .robust_kernels import L1Loss as L1Loss
 from .robust_kernels import L2Loss as L2Loss
 from .robust_kernels import RobustKernel as RobustKernel
 from .robust_kernels import TukeyLoss as TukeyLoss
+from .stations.observations import ControlPoint as ControlPoint
+from .stations.observations import StationPair as StationPair
+from .stations.observations import TargetObservation as TargetObservation
+from .stations.result import StationsResult as StationsResult
+from .stations.stations import register_stations as register_stations
 from .trajectories.similarity import SimilarityFit as SimilarityFit
 from .trajectories.similarity import fit_to_positions as fit_to_positions
 from .trajectories.similarity import read_positions as read_positions

@@ -46,7 +46,7 @@ ROOMS = {
         *("drawing", "rgbd", "textures", "scenes"),
     ],
     "files": ["pictures", "points", "meshes", "frames", "models", "bags"],
-    "registration": ["icp", "globally", "lidar", "pose_graphs", "deformable", "trajectories"],
+    "registration": ["icp", "globally", "lidar", "pose_graphs", "stations", "deformable", "trajectories"],
     "meshing": ["mesh", "scene", "volume", "color_map"],
     "rgbd": ["odometry", "slam", "fusion", "reconstruction"],
     "drawing": ["render", "change", "page", "recording", "viewer"],

@@ -61,12 +61,12 @@ def read_e57(path: str | os.PathLike[str], *, scan: int | None = None) -> PointT
     Notes:
         Memory: the result and twice the largest scan.
     """
-    with _open(path) as (image, scans):
+    with open_e57(path) as (image, scans):
         if scan is not None and not 0 <= scan < len(scans):
             raise IndexError(f"scan: expected 0..{len(scans) - 1}, got {scan}")
         if scan is not None:
-            return _read_scan(path, image, scans[scan])
-        tables = [_read_scan(path, image, node) for node in scans]
+            return read_scan(path, image, scans[scan])
+        tables = [read_scan(path, image, node) for node in scans]
     merged = _merge(tables)
     counts = [len(table.points) for table in tables]
     merged.attributes[SCAN_INDEX] = np.repeat(np.arange(len(tables), dtype=np.int32), counts)
@@ -79,20 +79,20 @@ def describe_e57(path: str | os.PathLike[str]) -> list[dict[str, Any]]:
     Raises:
         FileError: As `read_e57`.
     """
-    with _open(path) as (_, scans), foreign_errors(path, "a scan is damaged"):
+    with open_e57(path) as (_, scans), foreign_errors(path, "a scan is damaged"):
         return [
             {
                 "name": node["name"].value() if node.isDefined("name") else "",
                 "points": node["points"].childCount(),
                 "fields": [*_fields(node)],
-                "position": _pose(path, node)[1].tolist(),
+                "position": read_pose(path, node)[1].tolist(),
             }
             for node in scans
         ]
 
 
 @contextlib.contextmanager
-def _open(path: str | os.PathLike[str]) -> Iterator[tuple[Any, list[Any]]]:
+def open_e57(path: str | os.PathLike[str]) -> Iterator[tuple[Any, list[Any]]]:
     """The file as libE57 sees it, and its scans."""
     source = open_source(path)
     if source[:8] != b"ASTM-E57":
@@ -130,10 +130,11 @@ def _fields(scan: Any) -> dict[str, Any]:
 
 
 @quiet()
-def _read_scan(path: Any, image: Any, scan: Any) -> PointTable:
+def read_scan(path: Any, image: Any, scan: Any, *, placed: bool = True) -> PointTable:
+    """The points of a scan, moved by its pose, or in its own coordinates."""
     with foreign_errors(path, "a scan is damaged"):
         fields = _fields(scan)
-        R, translation = _pose(path, scan)
+        R, translation = read_pose(path, scan) if placed else (np.eye(3), np.zeros(3))
         place = next((names for names in (CARTESIAN, _SPHERICAL) if all(name in fields for name in names)), None)
         if place is None:
             raise FileError(path, f"a scan has no coordinates; its fields are {', '.join(fields)}")
@@ -196,7 +197,7 @@ def _to_cartesian(
     return np.stack([x, y, z], axis=1)
 
 
-def _pose(path: Any, scan: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def read_pose(path: Any, scan: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Rotation [3, 3] and translation [3] of T_world_scan; the identity where the scan has no pose."""
     quaternion, translation = np.array([0, 0, 0, 1.0]), np.zeros(3)
     if scan.isDefined("pose/rotation"):

@@ -1,6 +1,7 @@
 """Writing E57 files; reading is e57.py's matter.
 
-Positions are float or double as the table has them, in metres, without a pose; one scan for each value of `scan_index`,
+Positions are float or double as the table has them, in metres, without a pose but where one is given (e57_stations.py);
+one scan for each value of `scan_index`,
 or one. Colours take 8 bits, normals are the extension "nor". Attributes other than those that e57.py reads cannot be
 stored.
 
@@ -13,6 +14,7 @@ import os
 import shutil
 import tempfile
 import uuid
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +24,7 @@ from numpy.typing import NDArray
 from ...core.atomic import atomic_write, check_writable
 from ...core.coordinates import quiet
 from ...core.errors import FileError
+from ...core.quaternions import rotations_to_quaternions
 from ..columns import colors_to_bytes
 from ..foreign import foreign_errors, import_for
 from ..table import PointTable
@@ -30,6 +33,7 @@ from .header_units import in_metres
 
 _NORMALS_URI = "http://www.libe57.org/E57_NOR_surface_normals.txt"
 _FLOATS = ("f4", "f8")
+Scan = tuple[str, dict[str, NDArray[Any]], NDArray[np.float64] | None]  # a name, columns by E57's names, a pose or None
 
 
 @quiet()
@@ -47,7 +51,29 @@ def write_e57(path: str | os.PathLike[str], table: PointTable, *, overwrite: boo
         ValueError: An array of the table has the wrong shape.
     """
     path = check_writable(path, overwrite=overwrite)
-    table, libe57 = in_metres(path, table.checked(), "E57"), import_for(path, "pye57.libe57", "e57")
+    table, libe57 = check_e57(path, table), import_for(path, "pye57.libe57", "e57")
+    columns = columns_of(path, table)
+    scan_index = table.attributes.get(SCAN_INDEX, np.zeros(len(table.points), np.int32))
+    indices = np.unique(scan_index)
+    scans: list[Scan] = []
+    for number, index in enumerate(indices if len(indices) else [0]):
+        chosen = slice(None) if len(indices) <= 1 else scan_index == index
+        scans.append((f"Scan {number}", {n: v[chosen] for n, v in columns.items()}, None))
+    with tempfile.TemporaryDirectory(prefix=".pointloom-", dir=path.parent) as folder:  # libE57 opens files by name
+        part = Path(folder, "part.e57")
+        with foreign_errors(path, "cannot be written"):
+            write_scans(libe57, part, scans)
+        with atomic_write(path, overwrite=overwrite) as file, part.open("rb") as source:
+            shutil.copyfileobj(source, file, 1 << 20)
+
+
+def check_e57(path: Any, table: PointTable) -> PointTable:
+    """The table in metres, once E57 is known to hold it.
+
+    Raises:
+        FileError: A coordinate is not finite, an attribute cannot be stored, or the table's unit is degrees.
+    """
+    table = in_metres(path, table.checked(), "E57")
     lost = unstorable_in_e57(table)
     if lost:
         known = ", ".join([*ATTRIBUTES.values(), SCAN_INDEX])
@@ -56,14 +82,7 @@ def write_e57(path: str | os.PathLike[str], table: PointTable, *, overwrite: boo
     if not np.isfinite(table.points).all():
         row = int(np.flatnonzero(~np.isfinite(table.points).all(axis=1))[0])
         raise FileError(path, f"point {row} is not finite", remedy="Call remove_non_finite_points() first")
-    columns = _columns(path, table)
-    scan_index = table.attributes.get(SCAN_INDEX, np.zeros(len(table.points), np.int32))
-    with tempfile.TemporaryDirectory(prefix=".pointloom-", dir=path.parent) as folder:  # libE57 opens files by name
-        part = Path(folder, "part.e57")
-        with foreign_errors(path, "cannot be written"):
-            _write_scans(libe57, part, columns, scan_index)
-        with atomic_write(path, overwrite=overwrite) as file, part.open("rb") as source:
-            shutil.copyfileobj(source, file, 1 << 20)
+    return table
 
 
 def unstorable_in_e57(table: PointTable) -> list[str]:
@@ -82,7 +101,7 @@ def _is_storable(name: str, values: NDArray[Any]) -> bool:
     return high < 2**63 and high - low < 2**63
 
 
-def _columns(path: Any, table: PointTable) -> dict[str, NDArray[Any]]:
+def columns_of(path: Any, table: PointTable) -> dict[str, NDArray[Any]]:
     """What goes into the file, by E57's names."""
     columns: dict[str, NDArray[Any]] = dict(zip(CARTESIAN, table.points.T, strict=True))
     if table.normals is not None:
@@ -96,32 +115,47 @@ def _columns(path: Any, table: PointTable) -> dict[str, NDArray[Any]]:
     return columns
 
 
-def _write_scans(libe57: Any, path: Path, columns: dict[str, NDArray[Any]], scan_index: NDArray[Any]) -> None:
+def write_scans(libe57: Any, path: Path, scans: Sequence[Scan]) -> None:
+    """Write scans, each of a name, columns by E57's names and a pose or None."""
     image = libe57.ImageFile(str(path), "w")
     try:
         image.extensionsAdd("", libe57.E57_V1_0_URI)
-        if NORMALS[0] in columns:
+        if any(NORMALS[0] in columns for _, columns, _ in scans):
             image.extensionsAdd("nor", _NORMALS_URI)
         root = image.root()
         root.set("formatName", libe57.StringNode(image, "ASTM E57 3D Imaging Data File"))
         root.set("guid", libe57.StringNode(image, f"{{{uuid.uuid4()}}}"))
         root.set("versionMajor", libe57.IntegerNode(image, libe57.E57_FORMAT_MAJOR))
         root.set("versionMinor", libe57.IntegerNode(image, libe57.E57_FORMAT_MINOR))
-        scans = libe57.VectorNode(image, True)
-        root.set("data3D", scans)
+        data = libe57.VectorNode(image, True)
+        root.set("data3D", data)
         root.set("images2D", libe57.VectorNode(image, True))
-        indices = np.unique(scan_index)
-        for number, index in enumerate(indices if len(indices) else [0]):
-            chosen = slice(None) if len(indices) <= 1 else scan_index == index
-            _write_scan(libe57, image, scans, f"Scan {number}", {n: v[chosen] for n, v in columns.items()})
+        for name, columns, pose in scans:
+            _write_scan(libe57, image, data, name, columns, pose)
     finally:
         image.close()
 
 
-def _write_scan(libe57: Any, image: Any, scans: Any, name: str, columns: dict[str, NDArray[Any]]) -> None:
+def _pose_node(libe57: Any, image: Any, pose: NDArray[np.float64]) -> Any:
+    """A pose as E57 has it: a unit quaternion and a translation [m]."""
+    node = libe57.StructureNode(image)
+    quaternion = rotations_to_quaternions(np.asarray(pose, np.float64)[None, :3, :3])[0]
+    for field, names, values in (("rotation", "xyzw", quaternion), ("translation", "xyz", pose[:3, 3])):
+        part = libe57.StructureNode(image)
+        for name, value in zip(names, values, strict=True):
+            part.set(name, libe57.FloatNode(image, float(value)))
+        node.set(field, part)
+    return node
+
+
+def _write_scan(
+    libe57: Any, image: Any, scans: Any, name: str, columns: dict[str, NDArray[Any]], pose: NDArray[np.float64] | None
+) -> None:
     node, prototype = libe57.StructureNode(image), libe57.StructureNode(image)
     node.set("guid", libe57.StringNode(image, f"{{{uuid.uuid4()}}}"))
     node.set("name", libe57.StringNode(image, name))
+    if pose is not None:
+        node.set("pose", _pose_node(libe57, image, pose))
     if COLORS[0] in columns:
         limits = libe57.StructureNode(image)
         for channel in COLORS:

@@ -65,9 +65,13 @@ def minimise(
     criteria: GlobalOptimizationConvergenceCriteria,
     *,
     damped: bool,
+    motions: NDArray[np.bool_] | None = None,
 ) -> Pass:
-    """Descend from these poses; the reference stays, and where it is not joined to all, one node of each other part."""
-    descent = _Descent(graph, poses, anchors_of(graph, reference), weight, criteria, damped)
+    """Descend from these poses; the reference stays, and where it is not joined to all, one node of each other part.
+
+    Where there are `motions`, bool [6], nodes move along those of the world's axes alone.
+    """
+    descent = _Descent(graph, poses, anchors_of(graph, reference), weight, criteria, damped, motions)
     initial = descent.residual
     reason = descent.run()
     return Pass(descent.poses, descent.confidences, descent.iterations, initial, descent.residual, weight, reason)
@@ -99,11 +103,12 @@ class _Descent:
         weight: float,
         criteria: GlobalOptimizationConvergenceCriteria,
         damped: bool,
+        motions: NDArray[np.bool_] | None,
     ):
         self.uncertain, self.criteria, self.damped = graph.uncertain, criteria, damped
         self.weight = max(weight, np.finfo(np.float64).tiny)
         self.edges = EdgeMeasurements(graph)
-        self.system = NormalEquations(self.edges, anchored)
+        self.system = NormalEquations(self.edges, anchored, motions)
         self.poses = poses
         self.misfit, self.confidences, self.residual = self._evaluate(poses)
         self.damping, self.growth, self.iterations = INITIAL_DAMPING if damped else LEAST_DAMPING, GROWTH, 0

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from ...core.checks import check_count, check_positive, check_share, shown
 from ...core.dropped_results import returns_new
 from ...core.quaternions import nearest_rotations
+from ..icp.constraint import MOTIONS, check_free
 from ..rigid import nearest_rotation
 from .pose_graph import GraphArrays, PoseGraph, PoseGraphNode, check_pose_graph
 from .pose_graph_descent import Pass, minimise, parts_of
@@ -129,6 +130,8 @@ def global_optimization(
     method: GlobalOptimizationMethod = DAMPED,
     criteria: GlobalOptimizationConvergenceCriteria = USUAL_CRITERIA,
     option: GlobalOptimizationOption = USUAL_OPTION,
+    *,
+    free: Sequence[str] | None = None,
 ) -> PoseGraph:
     """The poses that fit the edges best, without the loop closures that contradict the rest.
 
@@ -142,6 +145,9 @@ def global_optimization(
         method: GlobalOptimizationLevenbergMarquardt() or GlobalOptimizationGaussNewton().
         criteria: When to stop.
         option: What to optimise.
+        free: The motions of nodes that are free, of "x", "y", "z", "roll", "pitch" and "yaw" along and about the axes
+            of the world; None: all. What is fixed stays as the given poses have it: ("x", "y", "z", "yaw") keeps
+            levelled scans level. Of turns none, one, or all three.
 
     Returns:
         A new graph with the optimised poses, the edges that are left, their confidences, and a `report`. (Open3D
@@ -150,7 +156,9 @@ def global_optimization(
     Raises:
         TypeError: Operands of other kinds.
         ValueError: A node or edge that is not sound, a certain edge whose confidence is not 1, uncertain edges without
-            any correspondence, a reference node out of range, or nodes that no edge joins to the rest; names them.
+            any correspondence, a reference node out of range, or nodes that no edge joins to the rest; names them. Two
+            of three turns, which add up to one about the third axis; or, with turns free, no reference node where
+            positions are not, since the mean of all is then not to be had.
 
     Notes:
         Differs from Open3D in this: the rotation's residual is 2 sin(a/2), not sin(a), which is 0 for a loop closure
@@ -182,6 +190,7 @@ def global_optimization(
     ):
         if not isinstance(value, kind):
             raise TypeError(f"{name}: expected a {kind.__name__}, got {shown(value)}")
+    motions = _check_motions(free, option)
     graph = check_pose_graph(pose_graph)
     reference = _check_optimisable(graph, option)
     if not len(graph.poses):
@@ -191,7 +200,8 @@ def global_optimization(
     kept, confidences, passes = np.arange(len(graph.source)), graph.confidences, []
     for _ in range(2):
         part = graph.edges_at(kept)
-        found = minimise(part, poses, reference, _line_process_weight(part, option), criteria, damped=damped)
+        weight = _line_process_weight(part, option)
+        found = minimise(part, poses, reference, weight, criteria, damped=damped, motions=motions)
         believed = ~part.uncertain | (found.confidences > option.edge_prune_threshold)
         kept, confidences, poses = kept[believed], found.confidences[believed], found.poses
         passes.append(found)
@@ -206,6 +216,22 @@ def global_optimization(
         for i, confidence in zip(kept.tolist(), confidences.tolist(), strict=True)
     ]
     return _with_report(PoseGraph([PoseGraphNode(T) for T in placed], edges), graph, passes, reference, kept)
+
+
+def _check_motions(free: Any, option: GlobalOptimizationOption) -> NDArray[np.bool_] | None:
+    """Which of the six motions are free, in the order of MOTIONS; None: all."""
+    if free is None:
+        return None
+    names = check_free(free)
+    motions = np.array([name in names for name in MOTIONS])
+    if motions[:3].sum() == 2:
+        turns = " and ".join(name for name in names if name in MOTIONS[:3])
+        raise ValueError(f"free: {turns} add up to turns about the third axis; free one turn, all three, or none")
+    if motions[:3].any() and not motions[3:].all() and option.reference_node < 0:
+        raise ValueError(
+            "free: turns without x, y and z leave no mean pose of all to keep; give option= with a reference_node"
+        )
+    return None if motions.all() else motions
 
 
 def _check_optimisable(graph: GraphArrays, option: GlobalOptimizationOption) -> int:

@@ -101,12 +101,14 @@ class NormalEquations:
     Args:
         edges: The edges.
         anchored: bool [n], nodes that stay where they are.
+        motions: bool [6], the rotations and translations along the world's axes that the others are free to do; None:
+            all.
 
     Notes:
         The ordering is found on the graph of nodes, a sixth of the unknowns. All sums run in a fixed order.
     """
 
-    def __init__(self, edges: EdgeMeasurements, anchored: NDArray[np.bool_]):
+    def __init__(self, edges: EdgeMeasurements, anchored: NDArray[np.bool_], motions: NDArray[np.bool_] | None = None):
         self.edges = edges
         self.free = np.flatnonzero(~anchored)
         count = len(self.free)
@@ -124,6 +126,7 @@ class NormalEquations:
         ends = np.concatenate([source, target])
         self.sum_nodes = _sums(ends[ends >= 0], np.flatnonzero(ends >= 0), (count, len(ends)))
         self._lay_out(count)
+        self.moving = None if motions is None else np.tile(motions, count)
 
     def _lay_out(self, count: int) -> None:
         """Where blocks go: the diagonal ones, the pairs', and their transposes, sorted by row and column."""
@@ -157,6 +160,15 @@ class NormalEquations:
         self.right = -(self.sum_nodes @ pulls).ravel()
         self.matrix = self._matrix(np.concatenate([nodes, pairs, pairs.transpose(0, 2, 1)]))
         self.scale = _stiffness(nodes)
+        if self.moving is not None:
+            self._hold(self.moving)
+
+    def _hold(self, moving: NDArray[np.bool_]) -> None:
+        """Take the unknowns that do not move out of the system: their steps are 0."""
+        columns = np.repeat(np.arange(len(moving)), np.diff(self.matrix.indptr))
+        self.matrix.data *= moving[columns] & moving[self.matrix.indices]
+        self.matrix.data[self.diagonal[~moving]] = self.scale[~moving]
+        self.right[~moving] = 0
 
     def solve(self, damping: float) -> Array:
         """The step [6 f] of the system with `damping` times the scale on its diagonal.

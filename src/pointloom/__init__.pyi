@@ -107,6 +107,9 @@ from .files.points.las_crs import GeographicWarning as GeographicWarning
 from .files.frames.latest_frames import LatestFrames as LatestFrames
 from .files.models.metashape import read_metashape_cameras as read_metashape_cameras
 from .files.points.point_cloud import read_copc as read_copc
+from .files.points.e57_stations import Stations as Stations
+from .files.points.e57_stations import read_stations as read_stations
+from .files.points.e57_stations import write_stations as write_stations
 from .files.points.point_cloud import read_las_chunks as read_las_chunks
 from .files.points.point_cloud import read_point_cloud as read_point_cloud
 from .files.points.point_cloud import write_point_cloud as write_point_cloud

@@ -29,8 +29,8 @@ ROOT = Path(__file__).resolve().parents[2]
 COMMANDS = (
     "change", "clean", "clean-mesh", "cluster", "compare-meshes", "completion", "convert", "crop", "demo", "depth",
     "docs", "doctor", "downsample", "evaluate", "fuse", "info", "mesh", "multiway", "normals", "odometry", "plane",
-    "reconstruct", "register", "sample", "sample-mesh", "simplify", "smooth-mesh", "texture", "tile", "track",
-    "video", "view",
+    "reconstruct", "register", "sample", "sample-mesh", "simplify", "smooth-mesh", "stations", "texture", "tile",
+    "track", "video", "view",
 )  # fmt: skip
 
 

@@ -260,6 +260,8 @@ loom.open_recording(path="nowhere.mcap")
 loom.read_copc(path="nowhere.copc.laz", within=box, spacing=0.5, device="cpu")
 loom.read_las_chunks(path="nowhere.las", chunk_size=10, device="cpu")
 loom.read_point_cloud(path="nowhere.ply", device="cpu", scan=None, columns=None)
+loom.read_stations(path="nowhere.e57", device="cpu")
+loom.write_stations(path="stations.e57", clouds=[cloud.select_by_index([0])], poses=[pose], names=["A"])
 loom.read_triangle_mesh(path="mesh.ply", device="cpu", up="y")
 loom.write_pinhole_camera_intrinsic(path="camera.json", intrinsic=camera)
 loom.write_point_cloud(path="cloud.las", cloud=cloud, scale=0.001, like=None)
@@ -360,7 +362,7 @@ LEFT_OUT |= {  # other names of what the table has
     for name in dir(kind)
     if name.startswith("create_from_") and hasattr(kind, name.removeprefix("create_"))
 }
-LEFT_OUT |= {"Shape", "ShapeSurface", "DetectedShapes"}  # results
+LEFT_OUT |= {"Shape", "ShapeSurface", "DetectedShapes", "Stations"}  # results
 LEFT_OUT |= {"record"}  # tests/drawing/recording has it
 # tests/drawing/render has them
 LEFT_OUT |= {"render", "save_picture", "View", "fit_view", "read_view", "write_view", "CameraFrustum"}

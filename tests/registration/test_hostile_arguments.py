@@ -66,7 +66,7 @@ reg.evaluate_registration(source=source, target=target, max_correspondence_dista
 reg.evaluate_trajectory(estimate=trajectory, truth=trajectory, align="first", delta=1, lengths=[1.0], max_time_difference=0.1)
 reg.fit_to_positions(model=model, positions=positions, max_error=0.1, seed=0)
 reg.get_information_matrix_from_point_clouds(source=source, target=target, max_correspondence_distance=0.2, transformation=pose)
-reg.global_optimization(pose_graph=graph, method=levenberg, criteria=criteria, option=option)
+reg.global_optimization(pose_graph=graph, method=levenberg, criteria=criteria, option=option, free=["yaw", "x", "y", "z"])
 reg.iterate_odometry(scans=[source, source], device="cpu")
 reg.list_scans(folder="nowhere")
 reg.localisability(source=source, target=target, transformation=pose, max_correspondence_distance=0.2)
@@ -91,6 +91,9 @@ reg.registration_symmetric_icp(source=source, target=target, max_correspondence_
 reg.run_odometry(scans=[source, source], timestamps=None, progress=None, device="cpu")
 reg.scale_from_known(model=model, a="a", b=three, distance=1.0)
 reg.summarize_steps(steps=[])
+reg.TargetObservation(station=0, name="A", position=three, sigma=0.1)
+reg.ControlPoint(name="A", position=three, sigma=0.1)
+reg.register_stations(stations=[source], poses=[pose], positions=[three], position_sigma=0.1, rough=1.0, level_sigma=0.1, targets=[seen], control=[held], names=["A"], voxel_size=0.1, overlap=0.2, reference=0, seed=0, progress=None)
 reg.write_pose_graph(path="graph.json", pose_graph=graph)
 """  # noqa: E501
 HOMES = {
@@ -101,7 +104,8 @@ HOMES = {
 }  # fmt: skip
 RESULTS = {
     "ErrorStatistics", "FragmentPair", "FragmentsResult", "GlobalOptimizationReport", "OdometryStep", "OdometrySummary",
-    "PairRegistration", "RegistrationResult", "SegmentError", "SimilarityFit", "TrajectoryError",
+    "PairRegistration", "RegistrationResult", "SegmentError", "SimilarityFit", "StationPair", "StationsResult",
+    "TrajectoryError",
 }  # fmt: skip
 # Base classes are not made, and their methods stand in the table with the classes that have them; what an estimator
 # does inside a registration no user calls.
@@ -146,6 +150,7 @@ def things() -> dict[str, Any]:
         by_rotation=reg.CorrespondenceCheckerBasedOnSourceRotation([1.0, 1.0, 1.0]),
         model=loom.SfmModel(["a", "b", "c", "d"], [lens] * 4, poses), gps=str(gps),
         positions={"a": (1, 0, 0), "b": (3, 0, 0), "c": (1, 2, 0), "d": (1, 0, 2)},
+        seen=reg.TargetObservation(0, "A", [1.0, 0.5, 0.2]), held=reg.ControlPoint("A", [1.0, 0.5, 0.2]),
         odometry=lambda: reg.LidarOdometry(max_range=10.0, min_range=0.01),
     )  # fmt: skip
 

@@ -1,0 +1,164 @@
+"""The scans of an E57 file, or of many files, brought into one frame: `register_scans`."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Unpack
+
+import numpy as np
+
+from ...core.atomic import atomic_write
+from ...core.errors import FileError, FilePath
+from ...core.reports import Fields
+from ...drawing.render.picture_files import save_picture
+from ...drawing.render.station_plan import station_plan
+from ...files.points.e57_stations import Stations, read_stations, write_stations
+from ...registration.stations.result import StationsResult
+from ...registration.stations.stations import register_stations
+from .job import Job, JobReport, Settings
+from .survey_tables import read_control, read_targets
+
+REPORT = {"text": "report.txt", "json": "report.json", "plan": "plan.png"}
+E57 = (".e57",)
+
+
+@dataclass(frozen=True)
+class StationsReport(JobReport):
+    """What `register_scans` did.
+
+    Attributes:
+        device: Where it was computed.
+        points: How many points the scans have.
+        began: "poses of the file" or "no poses".
+        found: Where the stations are.
+    """
+
+    device: str
+    points: int
+    began: str
+    found: StationsResult
+
+    def to_json(self) -> dict[str, Any]:
+        """All of it on one level."""
+        report = super().to_json()
+        del report["found"]
+        return self.found.to_json() | report
+
+    def fields(self) -> Fields:
+        """How many stations were placed, by what and how well."""
+        return [*self.found.fields(), ("began", f"{self.began}; {self.points:,} points"), *self.closing(self.device)]
+
+
+def register_scans(
+    source: FilePath,
+    output: FilePath,
+    *,
+    targets: FilePath | None = None,
+    control: FilePath | None = None,
+    report: FilePath | None = None,
+    free: Sequence[str] | None = None,
+    use_poses: bool = True,
+    rough: float | None = None,
+    voxel_size: float | None = None,
+    overlap: float | None = None,
+    **settings: Unpack[Settings],
+) -> StationsReport:
+    """Register the scans of an E57 file and write them back with their poses.
+
+    Args:
+        source: The file.
+        output: The E57 file to write: the scans as they were, with the poses that were found.
+        targets, control: Tables as survey_tables.py reads them.
+        report: A folder for report.txt, report.json and plan.png.
+        free: The motions of stations: "x", "y", "z" and "yaw", or all six; None: the four.
+        use_poses: Whether the file's poses are rough ones to begin from; else nothing is known.
+        rough, voxel_size, overlap: As of `register_stations`; None: its defaults.
+        settings: As of `Settings`.
+
+    Returns:
+        What was done; poor where the result is.
+
+    Raises:
+        FileError: A file that cannot be read or written, or a table that does not fit.
+        ValueError: As `register_stations`.
+        DeviceError: No such device.
+    """
+    job = Job("stations", source, **settings)
+    job.check(output, E57, what="stations")
+    places = _check_report(report, overwrite=job.form["overwrite"])
+    if Path(source).suffix.lower() not in E57:
+        raise FileError(
+            source, "is no .e57 file", remedy="Convert the scans, or call loom.registration.register_stations"
+        )
+    with job.stage("read"):
+        scans = _filled(read_stations(source, device=job.device), source)
+    seen = None if targets is None else read_targets(targets, scans.names)
+    known = None if control is None else read_control(control)
+    job.unit = scans.clouds[0].unit
+    given: dict[str, Any] = {
+        name: value for name, value in (("rough", rough), ("overlap", overlap)) if value is not None
+    }
+    posed = use_poses and _tell_apart(scans.poses)
+    with job.stage("register", told=False):
+        found = register_stations(
+            scans.clouds,
+            poses=scans.poses if posed else None,
+            level=free is None or len(free) < 6,
+            targets=seen,
+            control=known,
+            names=scans.names,
+            voxel_size=voxel_size,
+            progress=job.tell,
+            **given,
+        )
+    with job.stage("write"):
+        write_stations(output, scans.clouds, found.poses, names=scans.names, overwrite=job.form["overwrite"])
+    job.wrote(output)
+    if places:
+        _write_report(job, places, found)
+    points, began = sum(len(cloud) for cloud in scans.clouds), "poses of the file" if posed else "no poses"
+    return StationsReport(job.done(found.poor), str(job.device), points, began, found)
+
+
+def _filled(scans: Stations, source: FilePath) -> Stations:
+    empty = [name for name, cloud in zip(scans.names, scans.clouds, strict=True) if not len(cloud)]
+    if empty:
+        raise FileError(source, f"scan {empty[0]!r} holds no point", remedy="Leave it out")
+    return scans
+
+
+def _check_report(folder: FilePath | None, *, overwrite: bool) -> dict[str, Path]:
+    """Where the parts of the report go, once it is sure that they may."""
+    if folder is None:
+        return {}
+    place = Path(folder)
+    if place.exists() and not place.is_dir():
+        raise FileError(place, "is no folder", remedy="Name a folder for the report")
+    places = {kind: place / name for kind, name in REPORT.items()}
+    there = [path for path in places.values() if path.exists()]
+    if there and not overwrite:
+        raise FileError(there[0], "exists", remedy="Pass overwrite=True to replace it")
+    if not place.exists() and not place.absolute().parent.is_dir():
+        raise FileError(place, "its folder does not exist")
+    return places
+
+
+def _tell_apart(poses: Any) -> bool:
+    """Whether poses say anything: a file without them has the identity everywhere."""
+    return bool(np.abs(poses - poses[0]).max() > 0)
+
+
+def _write_report(job: Job, places: dict[str, Path], found: StationsResult) -> None:
+    places["text"].parent.mkdir(exist_ok=True)
+    overwrite = job.form["overwrite"]
+    with job.stage("report"):
+        texts = {"text": found.report(), "json": json.dumps(found.to_json(), indent=1, allow_nan=False) + "\n"}
+        for kind, text in texts.items():
+            with atomic_write(places[kind], overwrite=overwrite) as file:
+                file.write(text.encode())
+        save_picture(places["plan"], station_plan(found).to_numpy(), overwrite=overwrite)
+    for path in places.values():
+        job.wrote(path)

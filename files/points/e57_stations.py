@@ -1,0 +1,140 @@
+"""E57 files as stations: each scan in its scanner's own coordinates, with its pose; and written back so.
+
+What a scan holds is what e57.py reads of it and e57_writer.py writes.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import tempfile
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...core.atomic import atomic_write, check_writable
+from ...core.checks import check_list, check_rigid
+from ...core.errors import FileError
+from ...pcd.cloud import PointCloud
+from ...pcd.point_arrays import check_cloud
+from ..foreign import foreign_errors, import_for
+from .e57 import SCAN_INDEX, open_e57, read_pose, read_scan
+from .e57_writer import check_e57, columns_of, write_scans
+from .point_cloud import cloud_of, table_of
+
+
+@dataclass(frozen=True, eq=False)
+class Stations:
+    """The scans of a file.
+
+    Attributes:
+        names: Theirs; numbered where the file has none, or two that are the same.
+        clouds: Each in its scanner's coordinates.
+        poses: T_world_scanner of each, float64 [n, 4, 4]; the identity where the file has none.
+        posed: Whether the file has a pose of each, bool [n].
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> loom.write_stations("one.e57", [loom.PointCloud(np.zeros((1, 3)))], [np.eye(4)])
+        >>> loom.read_stations("one.e57").posed
+        array([ True])
+    """
+
+    names: tuple[str, ...]
+    clouds: list[PointCloud]
+    poses: NDArray[np.float64]
+    posed: NDArray[np.bool_]
+
+
+def read_stations(path: str | os.PathLike[str], *, device: Any = "auto") -> Stations:
+    """Read the scans of an E57 file, each in its own coordinates, and their poses.
+
+    Args:
+        path: The file.
+        device: Where the clouds lie.
+
+    Returns:
+        Names, clouds and poses, as `registration.register_stations` takes them.
+
+    Raises:
+        FileError: As `read_point_cloud`.
+
+    Notes:
+        Memory: all scans. `read_point_cloud` reads them as one cloud in the world's coordinates.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> cloud = loom.PointCloud(np.random.default_rng(0).random((100, 3)))
+        >>> pose = np.array([[0, -1, 0, 5], [1, 0, 0, 6], [0, 0, 1, 7], [0, 0, 0, 1.0]])
+        >>> loom.write_stations("hall.e57", [cloud], [pose], names=["A"])
+        >>> found = loom.read_stations("hall.e57")
+        >>> found.names, found.poses[0, :3, 3].tolist(), bool(np.allclose(found.clouds[0].points, cloud.points))
+        (('A',), [5.0, 6.0, 7.0], True)
+    """
+    with open_e57(path) as (image, scans):
+        tables = [read_scan(path, image, node, placed=False) for node in scans]
+        with foreign_errors(path, "its list of scans is damaged"):
+            names = [node["name"].value() if node.isDefined("name") else "" for node in scans]
+            posed = np.array([node.isDefined("pose") for node in scans], bool)
+            poses = np.tile(np.eye(4), (len(scans), 1, 1))
+            for T, node in zip(poses, scans, strict=True):
+                T[:3, :3], T[:3, 3] = read_pose(path, node)
+    clouds = [cloud_of(table, path, device=device) for table in tables]
+    if not all(names) or len(set(names)) < len(names):
+        names = [f"{i} {name}".strip() for i, name in enumerate(names)]
+    return Stations(tuple(names), clouds, poses, posed)
+
+
+def write_stations(
+    path: str | os.PathLike[str],
+    clouds: Sequence[PointCloud],
+    poses: ArrayLike,
+    *,
+    names: Sequence[str] | None = None,
+    overwrite: bool = True,
+) -> None:
+    """Write clouds as the scans of an E57 file, each in its own coordinates with its pose.
+
+    Args:
+        path: The file; it appears whole or not at all.
+        clouds: One a station.
+        poses: T_world_scanner of each, [n, 4, 4].
+        names: Of the scans; None numbers them.
+        overwrite: Whether an existing file may be replaced.
+
+    Raises:
+        FileError: The file cannot be made, or E57 cannot hold an attribute.
+        ValueError: Not as many poses and names as clouds, or a pose that is not rigid.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> clouds = [loom.PointCloud(np.eye(3)), loom.PointCloud(np.eye(3))]
+        >>> loom.write_stations("two.e57", clouds, [np.eye(4), np.eye(4)], names=["hall", "stairs"])
+        >>> loom.read_stations("two.e57").names
+        ('hall', 'stairs')
+    """
+    found = check_list("clouds", clouds, "point clouds")
+    for i, cloud in enumerate(found):
+        check_cloud(f"clouds[{i}]", cloud)
+    matrices = [check_rigid(f"poses[{i}]", T) for i, T in enumerate(check_list("poses", poses, "poses"))]
+    called = [f"Scan {i}" for i in range(len(found))] if names is None else check_list("names", names, "text")
+    if len(matrices) != len(found) or len(called) != len(found):
+        raise ValueError(f"poses, names: expected {len(found)}, one a cloud, got {len(matrices)} and {len(called)}")
+    path = check_writable(path, overwrite=overwrite)
+    if not found:
+        raise FileError(path, "would hold no scan", remedy="Give at least one cloud")
+    tables = [check_e57(path, table_of(cloud)) for cloud in found]
+    for table in tables:
+        table.attributes.pop(SCAN_INDEX, None)
+    scans = [(str(name), columns_of(path, table), T) for name, table, T in zip(called, tables, matrices, strict=True)]
+    libe57 = import_for(path, "pye57.libe57", "e57")
+    with tempfile.TemporaryDirectory(prefix=".pointloom-", dir=path.parent) as folder:  # libE57 opens files by name
+        part = Path(folder, "part.e57")
+        with foreign_errors(path, "cannot be written"):
+            write_scans(libe57, part, scans)
+        with atomic_write(path, overwrite=overwrite) as file, part.open("rb") as source:
+            shutil.copyfileobj(source, file, 1 << 20)

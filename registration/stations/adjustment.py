@@ -1,0 +1,359 @@
+"""Least squares over stations: poses of 4 or 6 degrees of freedom from pairs, targets, control, levels and positions.
+
+Unknowns are a step of each station, its turn about its own zero and its shift, and the places of targets. Each group of
+rows is whitened by its own information, so that residuals of right observations have the variance 1. Gauss and Newton,
+halved where a step does not lower the sum; what nothing determines of all stations together (the datum) is held at the
+reference by as many conditions as are missing.
+
+With A the whitened rows and Q the cofactors of the unknowns, residuals have the cofactors R = I - A Q A^T; a group's
+test is v_g^T R_gg^-1 v_g, chi-squared with as many degrees of freedom as it has rows (Baarda 1968, A testing procedure
+for use in geodetic networks; of one row the square of his w).
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import scipy.sparse as sp
+from numpy.typing import NDArray
+from scipy.sparse.linalg import splu
+
+from ..pose_graphs.pose_graph import GraphArrays
+from ..pose_graphs.pose_graph_system import EdgeMeasurements, NodePoses
+from ..rigid import rotations_of, skew
+from .observations import Array, ControlPoint, StationPair, TargetObservation
+
+LEVEL_ROWS = [2, 3, 4, 5]  # yaw, x, y, z of the six of a pose
+NOTHING = 1e-12  # of the largest eigenvalue: what is determined by no more is not determined
+UNTESTABLE = 1e-6  # of a row's redundancy: an observation that nothing checks
+MOST_STEPS, MOST_HALVINGS = 60, 12
+SETTLED = 1e-7  # standard deviations that a step moves all unknowns by, together
+ROUNDING = 1e-12  # of the sum of squares
+
+
+@dataclass(frozen=True, eq=False)
+class Observed:
+    """What is to be adjusted, in the stations' level frames.
+
+    Attributes:
+        pairs, targets, control: As of `register_stations`.
+        tilt_sigma: Standard deviation of the direction of up [rad] where stations are level but may tilt; 0: none.
+        positions: Where stations are known to be [n, 3], and how well [m]; None: not.
+        pair_factor: What the standard deviations of the pairs are multiplied by.
+    """
+
+    pairs: Sequence[StationPair] = ()
+    targets: Sequence[TargetObservation] = ()
+    control: Sequence[ControlPoint] = ()
+    tilt_sigma: float = 0.0
+    positions: tuple[Array, float] | None = None
+    pair_factor: float = 1.0
+
+    def without(self, group: Group) -> Observed:
+        """The same without what a group stands for."""
+        names = {"pair": "pairs", "target": "targets", "control": "control"}
+        field = names[group.kind]
+        kept = [one for one in getattr(self, field) if one is not group.observation]
+        return dataclasses.replace(self, **{field: kept})
+
+
+@dataclass(frozen=True, eq=False)
+class Group:
+    """Rows that belong together: one pair, one target that a station saw, one control point, one level, one position.
+
+    Attributes:
+        kind: "pair", "target", "control", "level" or "position".
+        observation: What it stands for; of levels and positions the station.
+        rows: Where its rows are.
+        residual: As it was measured: of a pair rotation [rad] and translation [m] in the source's axes, of a target [m]
+            in the station's; of control and positions [m], of levels [rad].
+        statistic: Of its test; NaN where nothing checks it.
+        freedom: Degrees of freedom of the test.
+        redundancy: Share of it that the others check, 0..1.
+    """
+
+    kind: str
+    observation: Any
+    rows: slice
+    residual: Array
+    statistic: float = np.nan
+    freedom: int = 0
+    redundancy: float = 0.0
+
+
+@dataclass(frozen=True, eq=False)
+class Adjusted:
+    """What an adjustment found.
+
+    Attributes:
+        poses: Of the stations, [n, 4, 4].
+        targets: Where targets are, by name.
+        covariances: Of the stations' steps, [n, d, d] with d = 4 (yaw, x, y, z) or 6 (rotation, translation), with
+            a priori variances.
+        target_covariances: Of the targets, by name [3, 3].
+        groups: What was observed.
+        squares: Sum of the squared whitened residuals.
+        redundancy: Rows less what they determine.
+        loose: bool [n], stations that nothing determines.
+        datum: How many conditions hold all of it at the reference.
+        converged: Whether it came to rest.
+    """
+
+    poses: Array
+    targets: dict[str, Array]
+    covariances: Array
+    target_covariances: dict[str, Array]
+    groups: list[Group]
+    squares: float
+    redundancy: int
+    loose: NDArray[np.bool_]
+    datum: int
+    converged: bool
+
+
+class _Rows:
+    """Whitened rows as they are collected."""
+
+    def __init__(self) -> None:
+        self.entries: list[tuple[NDArray[Any], NDArray[Any], Array]] = []  # rows, columns, values
+        self.right: list[Array] = []
+        self.groups: list[Group] = []
+        self.count = 0
+
+    def add(self, kind: str, observation: Any, residual: Array, root: Array, blocks: list[tuple[int, Array]]) -> None:
+        """A group: its residual, what whitens it, and its derivatives by the unknowns from each column on."""
+        k = len(root)
+        for first, J in blocks:
+            rows, columns = np.indices((k, J.shape[1]))
+            self.entries.append(((rows + self.count).ravel(), (columns + first).ravel(), (root @ J).ravel()))
+        self.right.append(root @ residual)
+        self.groups.append(Group(kind, observation, slice(self.count, self.count + k), residual))
+        self.count += k
+
+
+class _Network:
+    """The unknowns, and the rows at given values of them."""
+
+    def __init__(self, observed: Observed, count: int, level: bool, pivot: Array):
+        self.observed, self.count, self.level, self.pivot = observed, count, level, pivot
+        self.size = 4 if level else 6
+        self.motions = LEVEL_ROWS if level else list(range(6))
+        known = {point.name for point in observed.control}
+        times: dict[str, int] = {}
+        for one in observed.targets:
+            times[one.name] = times.get(one.name, 0) + 1
+        self.names = [name for name, n in times.items() if n + (name in known) > 1]
+        self.column = {name: self.size * count + 3 * k for k, name in enumerate(self.names)}
+        self.unknowns = self.size * count + 3 * len(self.names)
+        pairs = observed.pairs
+        self.information = np.array([pair.information for pair in pairs]).reshape(-1, 6, 6)
+        self.edges = EdgeMeasurements(
+            GraphArrays(
+                np.empty((0, 4, 4)),
+                np.array([pair.source for pair in pairs], np.int64),
+                np.array([pair.target for pair in pairs], np.int64),
+                np.array([pair.transformation for pair in pairs]).reshape(-1, 4, 4),
+                self.information,
+                np.zeros(len(pairs), bool),
+                np.ones(len(pairs)),
+            )
+        )
+        self.roots = [root_of(M[np.ix_(self.motions, self.motions)]) / observed.pair_factor for M in self.information]
+
+    def rows(self, poses: NodePoses, places: dict[str, Array]) -> _Rows:
+        """All rows at these poses and places."""
+        rows, observed = _Rows(), self.observed
+        self._add_pairs(rows, poses)
+        for one in observed.targets:
+            if one.name in self.column:
+                # in the station's axes: a turn of all together changes no residual
+                Rt, apart = poses.rotations[one.station].T, poses.positions[one.station] - places[one.name]
+                J = np.hstack([Rt @ skew(apart), Rt])[:, self.motions]
+                blocks = [(self.size * one.station, J), (self.column[one.name], -Rt)]
+                rows.add("target", one, np.asarray(one.position) + Rt @ apart, np.eye(3) / one.sigma, blocks)
+        for point in observed.control:
+            if point.name in self.column:
+                root = np.diag(1 / np.asarray(point.sigma))
+                residual = places[point.name] - (np.asarray(point.position) - self.pivot)
+                rows.add("control", point, residual, root, [(self.column[point.name], np.eye(3))])
+        if observed.tilt_sigma and not self.level:
+            upright = skew(np.array([0.0, 0.0, 1.0]))
+            for i, R in enumerate(poses.rotations):  # where up is in the station's axes
+                J = np.hstack([R.T @ upright, np.zeros((3, 3))])[:2]
+                rows.add("level", i, R[2, :2].copy(), np.eye(2) / observed.tilt_sigma, [(6 * i, J)])
+        if observed.positions is not None:
+            shift = np.hstack([np.zeros((3, 3)), np.eye(3)])[:, self.motions]
+            for i, place in enumerate(observed.positions[0]):
+                if np.isfinite(place).all():
+                    residual = poses.positions[i] - (place - self.pivot)
+                    rows.add("position", i, residual, np.eye(3) / observed.positions[1], [(self.size * i, shift)])
+        return rows
+
+    def _add_pairs(self, rows: _Rows, poses: NodePoses) -> None:
+        if not len(self.observed.pairs):
+            return
+        misfit = self.edges.misfit(poses)
+        by_source, by_target = self.edges.jacobians(poses, misfit)
+        chosen = np.ix_(self.motions, self.motions)
+        for k, pair in enumerate(self.observed.pairs):
+            blocks = [(self.size * pair.source, by_source[k][chosen]), (self.size * pair.target, by_target[k][chosen])]
+            rows.add("pair", pair, misfit.residuals[k][self.motions], self.roots[k], blocks)
+
+    def matrix(self, rows: _Rows) -> sp.csr_matrix:
+        """The derivatives of the whitened rows."""
+        parts = [np.concatenate(part) for part in zip(*rows.entries, strict=True)] or [np.empty(0)] * 3
+        return sp.csr_matrix((parts[2], (parts[0], parts[1])), shape=(rows.count, self.unknowns))
+
+    def moved(self, poses: NodePoses, places: dict[str, Array], step: Array) -> tuple[NodePoses, dict[str, Array]]:
+        """Poses and places after a step."""
+        steps = np.zeros((self.count, 6))
+        steps[:, self.motions] = step[: self.size * self.count].reshape(self.count, self.size)
+        moved = {name: places[name] + step[first : first + 3] for name, first in self.column.items()}
+        return NodePoses(rotations_of(steps[:, :3]) @ poses.rotations, poses.positions + steps[:, 3:]), moved
+
+
+def adjust(first: Array, observed: Observed, *, level: bool, reference: int = 0) -> Adjusted:
+    """The poses that meet all observations best.
+
+    Args:
+        first: Poses to begin from, [n, 4, 4]; level ones where `level`.
+        observed: What is observed.
+        level: Four degrees of freedom of each station, yaw, x, y and z; else six.
+        reference: The station that holds what nothing determines of all.
+    """
+    pivot = first[:, :3, 3].mean(axis=0)
+    network, count = _Network(observed, len(first), level, pivot), len(first)
+    poses, places = NodePoses(first[:, :3, :3].copy(), first[:, :3, 3] - pivot), {}
+    for one in observed.targets:
+        if one.name in network.column and one.name not in places:
+            at = poses.rotations[one.station] @ np.asarray(one.position)
+            places[one.name] = at + poses.positions[one.station]
+    poses, places, converged = _descend(network, poses, places, reference)
+    rows = network.rows(poses, places)
+    A = network.matrix(rows)
+    Q, datum, nullity, loose = _cofactors(A, network, reference)
+    right = np.concatenate([*rows.right, np.empty(0)])
+    groups = [_tested(group, A, Q, right) for group in rows.groups]
+    size, turned = network.size, poses.rotations
+    if level:
+        yaws = np.arctan2(turned[:, 1, 0], turned[:, 0, 0])
+        turned = rotations_of(np.stack([0 * yaws, 0 * yaws, yaws], axis=1))
+    found = np.tile(np.eye(4), (count, 1, 1))
+    found[:, :3, :3], found[:, :3, 3] = turned, poses.positions + pivot
+    blocks = [slice(size * i, size * (i + 1)) for i in range(count)]
+    spots = {name: slice(column, column + 3) for name, column in network.column.items()}
+    return Adjusted(
+        found,
+        {name: place + pivot for name, place in places.items()},
+        np.array([Q[part, part] for part in blocks]),
+        {name: Q[part, part] for name, part in spots.items()},
+        groups,
+        float((right * right).sum()),
+        rows.count - network.unknowns + nullity,
+        loose,
+        datum,
+        converged,
+    )
+
+
+def root_of(information: Array) -> Array:
+    """W with W^T W the information, a row for each direction that there is information of."""
+    values, vectors = np.linalg.eigh((information + information.T) / 2)
+    kept = values > NOTHING * max(values[-1], 0.0)
+    return np.sqrt(values[kept])[:, None] * vectors[:, kept].T
+
+
+def _descend(
+    network: _Network, poses: NodePoses, places: dict[str, Array], reference: int
+) -> tuple[NodePoses, dict[str, Array], bool]:
+    """Steps until none moves anything by a share of its standard deviation."""
+    rows = network.rows(poses, places)
+    for _ in range(MOST_STEPS):
+        A, right = network.matrix(rows), np.concatenate([*rows.right, np.empty(0)])
+        held = _held(A, network, reference)
+        N = (A.T @ A).tocsc()
+        solver = splu((N + held).tocsc())
+        step = -solver.solve(A.T @ right)
+        if float(np.sqrt(max((step * (N @ step)).sum(), 0.0))) < SETTLED:
+            return poses, places, True
+        squares = float((right * right).sum())
+        for _ in range(MOST_HALVINGS):
+            moved = network.moved(poses, places, step)
+            rows = network.rows(*moved)
+            if float(sum((part * part).sum() for part in rows.right)) <= squares * (1 + ROUNDING):
+                break
+            step = step / 2
+        else:
+            return poses, places, False
+        poses, places = moved
+    return poses, places, False
+
+
+def _null_space(A: sp.csr_matrix) -> tuple[Array, Array]:
+    """What the rows do not determine, as columns, with unknowns in units of their stiffness; and that stiffness."""
+    N = np.asarray((A.T @ A).todense())
+    stiff = np.sqrt(np.maximum(np.diag(N), 1e-300))
+    stiff = np.where(np.diag(N) > 0, stiff, 1.0)
+    values, vectors = np.linalg.eigh(N / stiff[:, None] / stiff[None])
+    return vectors[:, values < NOTHING * max(values[-1], 1.0)], stiff
+
+
+def _conditions(A: sp.csr_matrix, network: _Network, reference: int) -> tuple[Array, Array, Array, Array]:
+    """Rows that hold what the rows leave open: those of the datum, of loose stations, null space, stiffness."""
+    Z, stiff = _null_space(A)
+    part = slice(network.size * reference, network.size * (reference + 1))
+    H = np.zeros((0, network.unknowns))
+    if Z.shape[1]:
+        U, s, _ = np.linalg.svd(Z[part], full_matrices=False)
+        H = np.zeros((int((s > 1e-6).sum()), network.unknowns))
+        H[:, part] = (U[:, s > 1e-6] * 1.0).T
+    # what is left open once the datum is held is loose
+    left = Z @ _kernel(H @ Z) if Z.shape[1] else Z
+    return H, left, Z, stiff
+
+
+def _kernel(M: Array) -> Array:
+    _, s, Vt = np.linalg.svd(M, full_matrices=True)
+    rank = int((s > 1e-6).sum())
+    return Vt[rank:].T
+
+
+def _held(A: sp.csr_matrix, network: _Network, reference: int) -> sp.csc_matrix:
+    H, left, _, stiff = _conditions(A, network, reference)
+    full = H.T @ H + left @ left.T
+    return sp.csc_matrix(full * stiff[:, None] * stiff[None])
+
+
+def _cofactors(A: sp.csr_matrix, network: _Network, reference: int) -> tuple[Array, int, int, NDArray[np.bool_]]:
+    """Cofactors of the unknowns under the datum, its conditions, those of all, and which stations are loose."""
+    H, left, Z, stiff = _conditions(A, network, reference)
+    N = (A.T @ A).tocsc()
+    solver = splu((N + _held(A, network, reference)).tocsc())
+    Q = solver.solve(np.eye(network.unknowns))
+    Q = (Q + Q.T) / 2 * stiff[:, None] * stiff[None]
+    if Z.shape[1]:  # the conditions are exact: what they add is taken off again
+        C = np.vstack([H, left.T])
+        G = Z @ np.linalg.inv(C @ Z)
+        Q = Q - G @ G.T
+    Q = Q / stiff[:, None] / stiff[None]
+    moves = (left.reshape(network.unknowns, -1) ** 2).sum(axis=1)[: network.size * network.count]
+    loose = moves.reshape(network.count, network.size).sum(axis=1) > 1e-6
+    return Q, len(H), Z.shape[1], loose
+
+
+def _tested(group: Group, A: sp.csr_matrix, Q: Array, right: Array) -> Group:
+    """The group with its test."""
+    part = A[group.rows]
+    columns = np.unique(part.indices)
+    dense = np.asarray(part[:, columns].todense())
+    R = np.eye(len(dense)) - dense @ Q[np.ix_(columns, columns)] @ dense.T
+    values, vectors = np.linalg.eigh((R + R.T) / 2)
+    seen = values > UNTESTABLE
+    along = vectors[:, seen].T @ right[group.rows]
+    statistic = float((along * along / values[seen]).sum()) if seen.any() else np.nan
+    share = float(np.clip(np.trace(R) / max(len(R), 1), 0, 1))
+    return dataclasses.replace(group, statistic=statistic, freedom=int(seen.sum()), redundancy=share)

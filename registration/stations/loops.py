@@ -1,0 +1,63 @@
+"""How pairs of stations close around."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..rigid import invert_pose, rotation_vector
+from .observations import Array, StationPair
+
+
+@dataclass(frozen=True, eq=False)
+class Loop:
+    """A way round along pairs.
+
+    Attributes:
+        stations: Their numbers, in order.
+        rotation: How far it misses closing [rad].
+        translation: The same at the first station [m].
+    """
+
+    stations: tuple[int, ...]
+    rotation: float
+    translation: float
+
+
+def loops_of(pairs: Sequence[StationPair], count: int) -> list[Loop]:
+    """The loop that each pair beside a tree of all closes, over the fewest stations."""
+    near: dict[int, dict[int, Array]] = {i: {} for i in range(count)}
+    loops = []
+    for pair in pairs:
+        a, b = pair.source, pair.target
+        way = _way(near, a, b)
+        if way:
+            T = np.eye(4)
+            for i, j in itertools.pairwise(way):
+                T = near[i][j] @ T
+            E = invert_pose(pair.transformation) @ T
+            turn = float(np.linalg.norm(rotation_vector(E[:3, :3])))
+            loops.append(Loop(tuple(way), turn, float(np.linalg.norm(E[:3, 3]))))
+        near[a][b], near[b][a] = pair.transformation, invert_pose(pair.transformation)
+    return loops
+
+
+def _way(near: dict[int, dict[int, Array]], a: int, b: int) -> list[int]:
+    """The stations from one to another over the fewest pairs; none where there is no way."""
+    before, front = {a: a}, [a]
+    while front and b not in before:
+        reached = [(j, i) for i in front for j in near[i]]
+        front = []
+        for j, i in reached:
+            if j not in before:
+                before[j] = i
+                front.append(j)
+    if b not in before:
+        return []
+    way = [b]
+    while way[-1] != a:
+        way.append(before[way[-1]])
+    return way[::-1]

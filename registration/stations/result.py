@@ -1,0 +1,268 @@
+"""What an adjustment of stations found, for surveyors and for programs: `StationsResult`."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.checks import check_list
+from ...core.reports import Fields, Report
+from ...core.units import LengthUnit
+from ...core.wording import plain
+from ...pcd.cloud import PointCloud
+from ...pcd.point_arrays import check_cloud
+from .adjustment import Group
+from .loops import Loop
+from .observations import Array, ControlPoint, StationPair, TargetObservation
+from .snooping import Outlier
+
+MM = 1000.0
+SHOWN = 6  # names in a line
+
+
+@dataclass(frozen=True, eq=False)
+class StationsResult(Report):
+    """Where stations stand, how well that is known, and what contradicts it; `print` shows it in short.
+
+    Attributes:
+        names: The stations'.
+        poses: T_survey_station of each, float64 [n, 4, 4]; as given where a station could not be placed.
+        placed: Whether each was placed, bool [n].
+        sigmas: Standard deviations of position [m] and of the turns about x, y, z [rad] of each, [n, 6]; zeros of what
+            is held, NaN of stations that were not placed.
+        covariances: Of yaw, x, y, z where level (d = 4), else rotation and translation (d = 6), [n, d, d].
+        pairs: The pairs of clouds that were used.
+        rejected: Those that were not, with the reason.
+        targets: Where the targets are [m], by name.
+        target_sigmas: Their standard deviations [m], [3] each.
+        groups: Everything that was observed, with residuals and tests.
+        outliers: What was taken out.
+        loops: How pairs close around.
+        sigma0: Root of the squares' sum over the redundancy; 1 where the standard deviations said are right.
+        limits: Between which sigma0 lies in 99 of 100 surveys.
+        redundancy: How many observations more than needed.
+        scaled: Whether standard deviations were multiplied by sigma0, which is above 1 then.
+        pair_factor: What the standard deviations of pairs were multiplied by besides.
+        reference: The station that holds the frame; None where control or positions do.
+        level: Whether stations had four degrees of freedom.
+        converged: Whether the adjustment came to rest.
+        unit: The clouds', None where it is not known.
+    """
+
+    names: tuple[str, ...]
+    poses: Array
+    placed: NDArray[np.bool_]
+    sigmas: Array
+    covariances: Array
+    pairs: list[StationPair]
+    rejected: list[StationPair]
+    targets: dict[str, Array]
+    target_sigmas: dict[str, Array]
+    groups: list[Group]
+    outliers: list[Outlier]
+    loops: list[Loop]
+    sigma0: float
+    limits: tuple[float, float]
+    redundancy: int
+    scaled: bool
+    pair_factor: float
+    reference: int | None
+    level: bool
+    converged: bool
+    unit: LengthUnit | None = None
+
+    @property
+    def poor(self) -> str | None:
+        """Why the poses are not to be believed as they are, or None."""
+        reasons = []
+        lost = [name for name, there in zip(self.names, self.placed, strict=True) if not there]
+        if lost:
+            verb = "floats" if len(lost) == 1 else "float"
+            reasons.append(f"{_listed(lost)} {verb} free: no pair, target or control ties it to the rest")
+        if self.outliers:
+            told = [self._outlier_in_words(one) for one in self.outliers[:SHOWN]]
+            reasons.append(f"{len(self.outliers)} observations contradict the rest: {'; '.join(told)}")
+        if self.redundancy and self.sigma0 > self.limits[1]:
+            reasons.append(f"sigma0 is {self.sigma0:.2f}, above {self.limits[1]:.2f}: observations are worse than said")
+        if not self.converged:
+            reasons.append("the adjustment did not come to rest")
+        if not self.redundancy and len(self.names) > 1:
+            reasons.append("nothing is checked: there are no more observations than are needed")
+        return "; ".join(reasons) or None
+
+    def merge(self, stations: Sequence[PointCloud]) -> PointCloud:
+        """The clouds of the stations that were placed as one, in the survey's frame, with what all of them have.
+
+        Args:
+            stations: Those that were registered, or others in their frames, in the same order.
+
+        Raises:
+            TypeError: Not point clouds.
+            ValueError: Not as many as were registered, or none was placed.
+        """
+        clouds = check_list("stations", stations, "point clouds")
+        for i, cloud in enumerate(clouds):
+            check_cloud(f"stations[{i}]", cloud)
+        if len(clouds) != len(self.placed):
+            raise ValueError(f"stations: expected {len(self.placed)}, as many as were registered, got {len(clouds)}")
+        if not self.placed.any():
+            raise ValueError("stations: none was placed, so there is nothing to merge")
+        return PointCloud.concatenate([clouds[i].transform(self.poses[i]) for i in np.flatnonzero(self.placed)])
+
+    def fields(self) -> Fields:
+        """How many stations were placed by what, and how well."""
+        placed = self.placed & np.isfinite(self.sigmas[:, 0])
+        worst = float(self.sigmas[placed, :3].max(initial=0.0)) * MM
+        seen = sum(group.kind == "target" for group in self.groups)
+        held = sum(group.kind == "control" for group in self.groups)
+        frame = "control" if self.reference is None else f"station {self.names[self.reference]}"
+        freedom = "4 degrees of freedom each, level" if self.level else "6 degrees of freedom each"
+        return [
+            ("stations", f"{int(self.placed.sum())} of {len(self.names)} placed; {freedom}; frame of {frame}"),
+            ("observed", f"{len(self.pairs)} pairs, {seen} targets, {held} control points"),
+            ("sigma0", f"{self.sigma0:.2f} (99 %: {self.limits[0]:.2f} to {self.limits[1]:.2f}), "
+                       f"redundancy {self.redundancy}"),
+            ("positions", f"to {worst:.1f} mm (one standard deviation, the worst axis)"),
+        ]  # fmt: skip
+
+    def report(self) -> str:
+        """All of it as a surveyor reads it: stations, pairs, targets, control, loops, and what was taken out.
+
+        Lengths are metres, residuals and standard deviations of positions millimetres, of turns seconds of arc.
+        """
+        parts = [str(self), self._stations(), self._pairs(), self._points(), self._loops(), self._taken_out()]
+        verdict = f"poor: {self.poor}" if self.poor else "nothing speaks against it"
+        return "\n\n".join([part for part in parts if part] + [verdict]) + "\n"
+
+    def to_json(self) -> dict[str, Any]:
+        """All of it in JSON's types; stations by their names."""
+        names = self.names
+        return plain(
+            {
+                "stations": [
+                    {"name": names[i], "placed": bool(self.placed[i]), "pose": self.poses[i],
+                     "sigma_position": self.sigmas[i, :3], "sigma_rotation": self.sigmas[i, 3:]}
+                    for i in range(len(names))
+                ],
+                "pairs": [self._pair_as_json(g) for g in self.groups if g.kind == "pair"],
+                "rejected": [
+                    {"source": names[p.source], "target": names[p.target], "reason": p.reason} for p in self.rejected
+                ],
+                "targets": {
+                    name: {"position": place, "sigma": self.target_sigmas[name]} for name, place in self.targets.items()
+                },
+                "residuals": [
+                    {"kind": g.kind, "name": self._name_of(g), "residual": g.residual, "statistic": g.statistic,
+                     "redundancy": g.redundancy}
+                    for g in self.groups if g.kind != "pair"
+                ],
+                "outliers": [
+                    {"kind": one.group.kind, "name": self._name_of(one.group), "residual": one.group.residual,
+                     "statistic": one.group.statistic, "critical": one.critical, "exchanged": one.exchanged or None}
+                    for one in self.outliers
+                ],
+                "loops": [
+                    {"stations": [names[i] for i in loop.stations], "rotation": loop.rotation,
+                     "translation": loop.translation}
+                    for loop in self.loops
+                ],
+                "sigma0": self.sigma0, "limits": self.limits, "redundancy": self.redundancy, "scaled": self.scaled,
+                "pair_factor": self.pair_factor, "level": self.level, "converged": self.converged,
+                "reference": None if self.reference is None else names[self.reference], "poor": self.poor,
+            }
+        )  # fmt: skip
+
+    def _pair_as_json(self, group: Group) -> dict[str, Any]:
+        pair = group.observation
+        return {
+            "source": self.names[pair.source], "target": self.names[pair.target], "overlap": pair.fitness,
+            "rms": pair.rms, "score": pair.score, "residual": group.residual, "statistic": group.statistic,
+            "redundancy": group.redundancy,
+        }  # fmt: skip
+
+    def _name_of(self, group: Group) -> str:
+        one = group.observation
+        if isinstance(one, StationPair):
+            return f"{self.names[one.source]} - {self.names[one.target]}"
+        if isinstance(one, TargetObservation):
+            return f"{one.name} from {self.names[one.station]}"
+        return one.name if isinstance(one, ControlPoint) else self.names[one]
+
+    def _outlier_in_words(self, one: Outlier) -> str:
+        size = float(np.linalg.norm(one.group.residual[-3:])) * MM
+        told = f"{one.group.kind} {self._name_of(one.group)}, {size:.0f} mm off"
+        if one.exchanged:
+            return f"{told} (its name and {one.exchanged} look exchanged)"
+        rivals = ", ".join(self._name_of(rival) for rival in one.rivals[:3])
+        return f"{told} (or {rivals})" if rivals else told
+
+    def _stations(self) -> str:
+        rows = [["station", "x [m]", "y [m]", "z [m]", "yaw [deg]", "sx [mm]", "sy [mm]", "sz [mm]", 'syaw ["]']]
+        for name, T, sigma, there in zip(self.names, self.poses, self.sigmas, self.placed, strict=True):
+            yaw = np.degrees(np.arctan2(T[1, 0], T[0, 0]))
+            place = [f"{v:.4f}" for v in T[:3, 3]] + [f"{yaw:.5f}"]
+            spread = [f"{v * MM:.2f}" for v in sigma[:3]] + [f"{np.degrees(sigma[5]) * 3600:.1f}"]
+            rows.append([name, *(place + spread if there else ["not placed"] + [""] * 7)])
+        return "STATIONS\n" + _table(rows)
+
+    def _pairs(self) -> str:
+        groups = [g for g in self.groups if g.kind == "pair"]
+        rows = [["pair", "overlap", "rms [mm]", "off [mm]", 'turn ["]', "test", "redundancy"]]
+        for g in groups:
+            turn = float(np.linalg.norm(g.residual[:-3]))
+            rows.append(
+                [self._name_of(g), f"{g.observation.fitness:.0%}", f"{g.observation.rms * MM:.1f}",
+                 f"{np.linalg.norm(g.residual[-3:]) * MM:.2f}", f"{np.degrees(turn) * 3600:.1f}",
+                 _test(g), f"{g.redundancy:.2f}"]
+            )  # fmt: skip
+        told = "PAIRS\n" + _table(rows) if groups else ""
+        others = [p for p in self.rejected if p.reason != "no overlap"]
+        lines = [f"  {self.names[p.source]} - {self.names[p.target]}: {p.reason}" for p in others]
+        return "\n".join([told, *(["  not used:", *lines] if lines else [])]).strip("\n")
+
+    def _points(self) -> str:
+        groups = [g for g in self.groups if g.kind in ("target", "control", "position", "level")]
+        rows = [["residual of", "", "dx [mm]", "dy [mm]", "dz [mm]", "test", "redundancy"]]
+        for g in groups:
+            if g.kind == "level":
+                turns = [f'{np.degrees(v) * 3600:.1f}"' for v in g.residual]
+                rows.append([g.kind, self._name_of(g), *turns, "", _test(g), f"{g.redundancy:.2f}"])
+            else:
+                off = [f"{v * MM:.2f}" for v in g.residual]
+                rows.append([g.kind, self._name_of(g), *off, _test(g), f"{g.redundancy:.2f}"])
+        return "TARGETS AND CONTROL\n" + _table(rows) if groups else ""
+
+    def _loops(self) -> str:
+        rows = [["loop", "misses by [mm]", 'turns by ["]']]
+        for loop in self.loops:
+            way = " - ".join(self.names[i] for i in (*loop.stations, loop.stations[0]))
+            rows.append([way, f"{loop.translation * MM:.2f}", f"{np.degrees(loop.rotation) * 3600:.1f}"])
+        return "LOOPS OF PAIRS\n" + _table(rows) if self.loops else ""
+
+    def _taken_out(self) -> str:
+        lines = [f"  {self._outlier_in_words(one)}: test {one.group.statistic:.1f}, limit {one.critical:.1f}"
+                 for one in self.outliers]  # fmt: skip
+        return "\n".join(["TAKEN OUT", *lines]) if lines else ""
+
+
+def _test(group: Group) -> str:
+    return "unchecked" if not group.freedom else f"{group.statistic:.1f}/{group.freedom}"
+
+
+def _listed(names: Sequence[str]) -> str:
+    return ", ".join(names[:SHOWN]) + (f" and {len(names) - SHOWN} more" if len(names) > SHOWN else "")
+
+
+def _table(rows: Sequence[Sequence[str]]) -> str:
+    """Rows under a head: the first two columns to the left where they are words, numbers to the right."""
+    widths = [max(len(row[k]) for row in rows) for k in range(len(rows[0]))]
+    words = [k == 0 or rows[0][k] == "" for k in range(len(widths))]
+    lines = [
+        "  " + "  ".join(c.ljust(w) if left else c.rjust(w) for c, w, left in zip(row, widths, words, strict=True))
+        for row in rows
+    ]
+    return "\n".join(line.rstrip() for line in lines)

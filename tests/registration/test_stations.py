@@ -1,0 +1,150 @@
+"""Stations brought into one frame: from rough poses and none, with errors as said; what cannot be believed is told."""
+
+import numpy as np
+import pytest
+from scipy.special import chdtri
+
+import pointloom as loom
+from pointloom.drawing.render.station_plan import station_plan
+from pointloom.registration.rigid import make_pose, rotation_of
+
+from .station_scenes import BOXES, COURT, pose_at, scan_all
+from .test_station_adjustment import errors_of
+
+register_stations = loom.registration.register_stations
+SIZE = 0.3
+CORRIDOR = [
+    ((-20, -1.5, -1.7), (60, 3, 0.1), 0.0),
+    ((-20, -1.6, -1.6), (60, 0.1, 2.8), 0.0),
+    ((-20, 1.5, -1.6), (60, 0.1, 2.8), 0.0),
+    *[((4.0 * k - 20, 1.2, -1.6), (0.6, 0.3, 2.4), 0.0) for k in range(15)],
+]
+
+
+def rough_of(truth, seed, shift=0.3):
+    rng = np.random.default_rng(seed)
+    rough = truth.copy()
+    for T in rough[1:]:
+        T[:3, :3] = pose_at((0, 0, 0), rng.normal(0, 0.05))[:3, :3] @ T[:3, :3]
+        T[:3, 3] += rng.normal(0, shift, 3)
+    return rough
+
+
+@pytest.fixture(scope="module")
+def court():
+    return scan_all(BOXES, COURT, 0)
+
+
+@pytest.fixture(scope="module")
+def found(court):
+    clouds, truth = court
+    return register_stations(clouds, poses=rough_of(truth, 0), voxel_size=SIZE)
+
+
+@pytest.mark.slow
+def test_a_courtyard_is_put_together_to_a_third_of_a_millimetre(court, found):
+    errors = errors_of(found.poses, court[1], True)
+    assert np.abs(errors[:, 1:]).max() < 4e-4
+    assert np.abs(errors[:, 0]).max() < np.radians(0.002)
+    assert np.array_equal(found.poses[:, 2, :3], np.tile([0.0, 0.0, 1.0], (5, 1)))
+    assert found.poor is None
+    assert found.reference == 0
+    assert np.array_equal(found.poses[0], court[1][0])
+
+
+@pytest.mark.slow
+def test_errors_are_as_large_as_said_over_many_courtyards():
+    squares, seeds = [], 12
+    for seed in range(100, 100 + seeds):
+        clouds, truth = scan_all(BOXES, COURT, seed)
+        found = register_stations(clouds, poses=rough_of(truth, seed), voxel_size=SIZE)
+        errors = errors_of(found.poses, truth, True)[1:]
+        squares += [e @ np.linalg.solve(C, e) for e, C in zip(errors, found.covariances[1:], strict=True)]
+    # the four stations of a scene depend on each other through the one that is held: seeds times four is sure
+    assert chdtri(4 * seeds, 0.995) / (4 * seeds) < np.mean(squares) / 4 < chdtri(4 * seeds, 0.005) / (4 * seeds)
+
+
+@pytest.mark.slow
+def test_the_report_and_the_plan_say_it_all(found, tmp_path):
+    text = found.report()
+    for word in ("STATIONS", "PAIRS", "LOOPS OF PAIRS", "sigma0", "nothing speaks against it"):
+        assert word in text
+    told = found.to_json()
+    assert [s["name"] for s in told["stations"]] == list("01234")
+    assert len(told["pairs"]) == len(found.pairs)
+    plan = station_plan(found, size=(640, 480)).to_numpy()
+    assert plan.shape == (480, 640, 3)
+    assert len(np.unique(plan.reshape(-1, 3), axis=0)) > 50
+    with pytest.raises(ValueError, match="confidence"):
+        station_plan(found, confidence=1.0)
+
+
+def test_a_station_elsewhere_is_named_and_the_others_stay():
+    clouds, truth = scan_all(BOXES, COURT[:3], 0, columns=300, rows=100)
+    alone, _ = scan_all([((-3, -3, -1.7), (6, 6, 0.1), 0.0), ((1, 0, -1.6), (1, 2, 3), 0.4)], [(0, 0, 0)], 7)
+    rough = np.concatenate([rough_of(truth, 0), [pose_at((200, 0, 0), 0)]])
+    found = register_stations([*clouds, *alone], poses=rough, voxel_size=SIZE, names=["N", "E", "S", "far"])
+    assert found.placed.tolist() == [True, True, True, False]
+    assert "far floats free" in found.poor
+    assert np.isnan(found.sigmas[3]).all()
+    assert np.array_equal(found.poses[3], rough[3])
+    assert "not placed" in found.report()
+
+
+def test_a_corridor_that_repeats_is_told_and_targets_put_it_right():
+    clouds, truth = scan_all(CORRIDOR, [(0, 0, 0), (6, 0.2, 0), (12, -0.2, 0)], 3, columns=360, rows=120)
+    slipped = truth.copy()
+    slipped[1][0, 3] += 4.0  # a door further
+    found = register_stations(clouds, poses=slipped, voxel_size=0.2)
+    assert "free" in found.poor
+    assert "apart, their positions" in found.report()
+    places = {"A": [1, 1.4, 0], "B": [9, -1.4, 0.4], "C": [5, -1.4, 0.2]}
+    seen = [
+        loom.registration.TargetObservation(i, name, T[:3, :3].T @ (np.array(place) - T[:3, 3]))
+        for i, T in enumerate(truth)
+        for name, place in places.items()
+    ]
+    found = register_stations(clouds, poses=slipped, voxel_size=0.2, targets=seen)
+    assert np.abs(found.poses - truth)[:, :3, 3].max() < 2e-3
+    assert found.poor is None
+
+
+@pytest.mark.slow
+def test_stations_of_which_nothing_is_known_are_searched_for():
+    clouds, truth = scan_all(BOXES, COURT[:3], 4)
+    found = register_stations(clouds, voxel_size=SIZE)
+    there = truth[0] @ np.linalg.inv(found.poses[0]) @ found.poses
+    assert found.placed.all()
+    assert np.abs(there - truth)[:, :3, 3].max() < 1e-2
+
+
+@pytest.mark.slow
+def test_clouds_in_the_coordinates_of_a_survey_keep_all_digits():
+    clouds, truth = scan_all(BOXES, COURT[:3], 5, columns=360, rows=120)
+    far = np.array([456_789.0, 5_400_123.0, 321.0])
+    moved = [cloud.transform(T @ np.eye(4)).translate(far) for cloud, T in zip(clouds, truth, strict=True)]
+    found = register_stations(moved, poses=np.tile(np.eye(4), (3, 1, 1)), voxel_size=SIZE)
+    for cloud, T in zip(moved, found.poses, strict=True):
+        middle = cloud.get_center()
+        assert np.abs(T[:3, :3] @ middle + T[:3, 3] - middle).max() < 1e-3
+
+
+@pytest.mark.slow
+def test_the_same_bits_twice(found, court):
+    again = register_stations(court[0], poses=rough_of(court[1], 0), voxel_size=SIZE)
+    assert again.poses.tobytes() == found.poses.tobytes()
+    assert again.sigmas.tobytes() == found.sigmas.tobytes()
+
+
+@pytest.mark.slow
+def test_scanners_that_lean_are_put_upright_in_six_degrees_of_freedom():
+    clouds, truth = scan_all(BOXES, COURT[:4], 2, columns=360, rows=120)
+    rng = np.random.default_rng(0)
+    leans = [make_pose(rotation_of(rng.normal(0, 0.05, 3) * [1, 1, 0]), np.zeros(3)) for _ in truth]
+    leaning = [cloud.transform(np.linalg.inv(T)) for cloud, T in zip(clouds, leans, strict=True)]
+    truth = truth @ np.array(leans)
+    found = register_stations(leaning, poses=rough_of(truth, 0), voxel_size=SIZE, level=False)
+    assert np.abs(found.poses - truth)[:, :3, 3].max() < 1e-3
+    assert found.poor is None
+    held = register_stations(leaning, poses=truth, voxel_size=SIZE)  # four of freedom: tilts stay as they were
+    assert np.abs(held.poses - truth)[:, 2, :3].max() < 1e-12
