@@ -161,8 +161,8 @@ def localisability(
         poses = np.array([pose, *(_moved_about(hold.middle, pose, step) for step in steps)])
         scales = FIRST_SCALE * size * size, LEAST_SCALE * size * size
         rises = compare_pair(left, right, JUDGING_POINTS, poses, REACH_VOXELS * size, COSINE, scales)
-        is_held = rises_clearly(rises[1:]).reshape(-1, 2).all(axis=1)
-        kinds[: len(suspects)] = ["partial" if held else "none" for held in is_held]
+        is_held: NDArray[np.bool_] = np.logical_and(*rises_clearly(rises[1:]).reshape(-1, 2).T)
+        kinds[: len(suspects)] = ["partial" if held else "none" for held in is_held.tolist()]
     middle = hold.middle + target.origin
     return Localisability(T, middle, hold.lever, vectors.T.copy(), np.maximum(shares, 0.0), tuple(kinds))
 
