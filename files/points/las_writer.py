@@ -32,6 +32,7 @@ from .las import COLORS, NORMALS
 from .las_crs import NO_NAME, WKT
 from .las_header import PROJECTION, LasHeader, LasRecord
 from .las_units import units_of
+from .las_wkt import text_of_keys
 
 # Where no scale is given: a millimetre where the unit is metres, below what scanners measure; finer for an axis along
 # which the points lie within 1000 units, so that objects and degrees keep a millionth of their extent.
@@ -51,6 +52,7 @@ _TAKEN = {"X", "Y", "Z", *COLORS, *NORMALS, "ExtraBytes", "bit_fields", "raw_cla
 
 _NEW_FORMAT_ONLY = {"scan_angle", "overlap", "scanner_channel", "nir"}
 _GPS_TIME_BIT, _WKT_BIT = 1, 16
+FIRST_OF_1_4 = 6  # point format
 _LIBLAS_WKT = ("liblas", 2112)  # where libLAS put the text before LAS 1.4 had a place for it
 
 
@@ -152,7 +154,7 @@ def lay_out(path: Any, table: PointTable, scale: Any, offset: Any, like: LasHead
     extra = _extra_columns(table, {*header.point_format.dimension_names})
     header.add_extra_dims([laspy.ExtraBytesParams(name, values.dtype) for name, values in extra.items()])
     header.scales, header.offsets = scales, offsets
-    extended = _take_over(laspy, header, like) if like is not None else []
+    extended = _take_over(laspy, path, header, like) if like is not None else []
     if told:
         header.global_encoding.value |= _WKT_BIT
         header.vlrs.append(told)
@@ -188,11 +190,18 @@ def _unit_record(laspy: Any, path: Any, unit: LengthUnit | None, like: LasHeader
     return laspy.VLR(PROJECTION, WKT, "", text.encode("ascii") + b"\0")
 
 
-def _take_over(laspy: Any, header: Any, like: LasHeader) -> Any:
-    """Give a header another's coordinate system and kind of GPS time; returns the records that follow the points."""
+def _take_over(laspy: Any, path: Any, header: Any, like: LasHeader) -> Any:
+    """Give a header another's coordinate system and kind of GPS time; returns the records that follow the points.
+
+    Keys become text where the points are in a format of LAS 1.4, which has no place for keys.
+    """
     header.global_encoding.value = like.encoding & (_GPS_TIME_BIT | _WKT_BIT)
-    extended = laspy.vlrs.vlrlist.VLRList()
-    for record in _carried(like):
+    extended, carried = laspy.vlrs.vlrlist.VLRList(), _carried(like)
+    text = text_of_keys(path, like) if header.point_format.id >= FIRST_OF_1_4 else None
+    if text is not None:
+        header.global_encoding.value |= _WKT_BIT
+        carried = [LasRecord(PROJECTION, WKT, text)]
+    for record in carried:
         place = header.vlrs if len(record.data) <= _MAX_RECORD_BYTES else extended
         place.append(laspy.VLR(record.user_id, record.record_id, "", record.data))
     return extended

@@ -104,6 +104,7 @@ from .files.pictures.image_files import read_depth as read_depth
 from .core.units import LengthUnit as LengthUnit
 from .core.units import UnitWarning as UnitWarning
 from .files.points.las_crs import GeographicWarning as GeographicWarning
+from .files.points.las_wkt import LostSystemWarning as LostSystemWarning
 from .files.frames.latest_frames import LatestFrames as LatestFrames
 from .files.models.metashape import read_metashape_cameras as read_metashape_cameras
 from .files.points.point_cloud import read_copc as read_copc

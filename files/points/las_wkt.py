@@ -1,0 +1,83 @@
+"""The coordinate system of GeoTIFF keys as well-known text, which the point formats 6 and up of LAS 1.4 ask for.
+
+Only what the EPSG register names is put into words, by pyproj. Systems that keys describe part by part (user-defined
+ones), and keys whose unit is not that of the register's system, are not.
+
+Source: ASPRS, LAS Specification 1.4-R15, section 2.4 (bit 4 of the global encoding); GeoTIFF 1.0, section 2.7.
+"""
+
+from __future__ import annotations
+
+import warnings
+from typing import Any
+
+from ...core.errors import FileError
+from ..foreign import import_for
+from .las_crs import crs_name, find_keys, find_text
+from .las_header import LasHeader
+from .las_units import units_of
+
+_PROJECTED, _GEOGRAPHIC, _VERTICAL = 3072, 2048, 4096
+_USER_DEFINED, _WKT_BIT = 32767, 16
+SAME = 1e-9  # of a unit's length
+
+
+class LostSystemWarning(UserWarning):
+    """The coordinate system of a file could not be written in the form that the new file's format has.
+
+    Example:
+        >>> import warnings, pointloom as loom
+        >>> with warnings.catch_warnings():
+        ...     warnings.simplefilter("error", loom.LostSystemWarning)  # refuse that
+    """
+
+
+def text_of_keys(path: Any, header: LasHeader) -> bytes | None:
+    """What a file's keys say, as well-known text (version 1, as readers of LAS know it); None without keys.
+
+    Warns:
+        LostSystemWarning: There are keys, and no text says the same.
+    """
+    keys = find_keys(header)
+    if find_text(header) or header.encoding & _WKT_BIT or not keys:  # with the bit the keys do not count
+        return None
+    codes = [_code(keys, key) for key in (_PROJECTED, _GEOGRAPHIC)]
+    code = next((code for code in codes if code), 0)
+    if not code or _is_user_defined(keys, _PROJECTED):
+        return _lost(header, "its keys describe a system that the EPSG register does not name")
+    try:
+        pyproj: Any = import_for(path, "pyproj", "geo")
+    except FileError as error:
+        return _lost(header, str(error))
+    try:
+        system = pyproj.CRS.from_epsg(code)
+        height = _code(keys, _VERTICAL)
+        if height:
+            heights = pyproj.CRS.from_epsg(height)
+            system = pyproj.crs.CompoundCRS(f"{system.name} + {heights.name}", [system, heights])
+        text = system.to_wkt("WKT1_GDAL")
+    except pyproj.exceptions.CRSError as error:
+        return _lost(header, f"pyproj does not know EPSG:{code}: {error}")
+    told, unit = units_of(header).plane, system.axis_info[0].unit_conversion_factor
+    if system.is_projected and told is not None and told.metres and abs(told.metres / unit - 1) > SAME:
+        return _lost(header, f"its keys say {told}, EPSG:{code} counts in {system.axis_info[0].unit_name}")
+    return text.encode("utf-8") + b"\0"
+
+
+def _code(keys: dict[int, tuple[int, ...]], key: int) -> int:
+    place, _, code = keys.get(key, (1, 0, 0))
+    return code if place == 0 and 0 < code < _USER_DEFINED else 0
+
+
+def _is_user_defined(keys: dict[int, tuple[int, ...]], key: int) -> bool:
+    return keys.get(key, (1, 0, 0))[::2] == (0, _USER_DEFINED)
+
+
+def _lost(header: LasHeader, reason: str) -> None:
+    name = crs_name(header) or "of its keys"
+    warnings.warn(
+        f"the coordinate system {name} is written as GeoTIFF keys alone, which many readers pass over in point formats "
+        f"of LAS 1.4: {reason}",
+        LostSystemWarning,
+        stacklevel=2,
+    )
