@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.errors import FileError
+from ..files.points.las_wkt import with_system
 from ..files.points.las_writer import with_scan_angle, write_las
 from ..files.points.point_cloud import cloud_of, table_of
 from ..files.table import PointTable
@@ -34,6 +35,7 @@ from .plan import Plan
 from .rasters import write_raster
 from .sources import file_of, read_rows
 from .steps.raster import Rasterize
+from .steps.reprojection import Reproject
 from .steps.step import Part, Sight, Step
 
 FOLDER = "tiles"
@@ -226,8 +228,12 @@ def write_tile(plan: Plan, folder: Path, tile: int, part: Part) -> int:
     told = with_scan_angle(told)
     told.unit = None if plan.sources[0]["unit"] is None else told.unit
     header = file_of(plan.sources[0]).header
+    scales, offsets = header.scales, offset_of(plan)
+    if isinstance(plan.steps[-1] if plan.steps else None, Reproject):
+        params, told.unit = plan.steps[-1].params, None
+        scales, offsets, header = params["scales"], params["offsets"], with_system(header, params["wkt"])
     path = tile_path(plan, folder, tile)
-    write_las(path, told, scale=header.scales, offset=offset_of(plan), like=header)
+    write_las(path, told, scale=scales, offset=offsets, like=header)
     return checksum_of(path)
 
 

@@ -112,6 +112,8 @@ def tile() -> None:
 @click.option(
     "--only-crs", metavar="CRS", help="Of the polygons of --only, such as EPSG:4326; that of the files if none."
 )
+@click.option("--to-crs", metavar="CRS", help="Write points in this projected system, such as EPSG:25832.")
+@click.option("--from-crs", metavar="CRS", help="With --to-crs: the files' system; what they tell if none.")
 @click.option(
     "--output", type=click.Choice(OUTPUTS), default=OUTPUTS[0], show_default=True, help="What `tile finish` makes."
 )
@@ -125,6 +127,8 @@ def plan(
     workers: int | None,
     as_json: bool,
     steps: Path,
+    to_crs: str | None,
+    from_crs: str | None,
     **options: Any,
 ) -> int:
     """Plan the tiles of SOURCES in the folder DIR: .las and .laz files, folders of them, a .vpc that lists them.
@@ -144,11 +148,18 @@ def plan(
         refuse("--size and --points both choose the tiles; give one")
     if workers is not None and not estimates:
         refuse("--workers goes with --estimate here; `pointloom tile run DIR --workers N` works the tiles off")
+    if from_crs is not None and to_crs is None:
+        refuse("--from-crs goes with --to-crs")
+    chain: Any = steps
+    if to_crs is not None:
+        from ...scale.steps.parse import read_toml
+
+        chain = [*read_toml(steps), {"step": "reproject", "to_crs": to_crs, "from_crs": from_crs}]
     if estimates:
         from ...scale.estimate import estimate_tiles
 
         with Progress() as progress:
-            report = estimate_tiles(sources, steps, workers=workers or 1, progress=progress, **options)
+            report = estimate_tiles(sources, chain, workers=workers or 1, progress=progress, **options)
         return answer_with(report, "estimate", as_json)
     if folder is None:
         refuse("missing option '-o'; give the folder of the job")
@@ -156,7 +167,7 @@ def plan(
     from ..jobs.tiles import report_of
 
     with Progress() as progress:
-        status = plan_tiles(sources, steps, folder, progress=progress, **options)
+        status = plan_tiles(sources, chain, folder, progress=progress, **options)
     return answer_with(report_of("plan", status), str(folder), as_json)
 
 

@@ -9,12 +9,13 @@ Source: ASPRS, LAS Specification 1.4-R15, section 2.4 (bit 4 of the global encod
 from __future__ import annotations
 
 import warnings
+from dataclasses import replace
 from typing import Any
 
 from ...core.errors import FileError
 from ..foreign import import_for
-from .las_crs import crs_name, find_keys, find_text
-from .las_header import LasHeader
+from .las_crs import WKT, crs_name, find_keys, find_text
+from .las_header import PROJECTION, LasHeader, LasRecord
 from .las_units import units_of
 
 _PROJECTED, _GEOGRAPHIC, _VERTICAL = 3072, 2048, 4096
@@ -62,6 +63,13 @@ def text_of_keys(path: Any, header: LasHeader) -> bytes | None:
     if system.is_projected and told is not None and told.metres and abs(told.metres / unit - 1) > SAME:
         return _lost(header, f"its keys say {told}, EPSG:{code} counts in {system.axis_info[0].unit_name}")
     return text.encode("utf-8") + b"\0"
+
+
+def with_system(header: LasHeader, text: str) -> LasHeader:
+    """A header with another coordinate system, as well-known text, in place of what its records say."""
+    kept = tuple(record for record in header.records if record.user_id != PROJECTION)
+    record = LasRecord(PROJECTION, WKT, text.encode("utf-8") + b"\0")
+    return replace(header, records=(*kept, record), encoding=header.encoding | _WKT_BIT)
 
 
 def _code(keys: dict[int, tuple[int, ...]], key: int) -> int:

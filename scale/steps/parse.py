@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +18,7 @@ from .ground import ClassifyGround, HeightAboveGround
 from .normals import EstimateNormals
 from .outliers import RadiusOutlier, StatisticalOutlier
 from .raster import Rasterize
+from .reprojection import Reproject
 from .smoothing import SmoothMls
 from .step import Step
 from .thinning import Thin
@@ -37,7 +39,7 @@ KNOWN: dict[str, type[Step]] = {
 }
 KNOWN |= {kind.name: kind for kind in (ClusterDbscan, ClusterEuclidean)}
 KNOWN |= {kind.name: kind for kind in (ClassifyGround, HeightAboveGround, Rasterize)}
-KNOWN |= {kind.name: kind for kind in (Features, Thin, Distance, Change)}
+KNOWN |= {kind.name: kind for kind in (Features, Thin, Distance, Change, Reproject)}
 
 
 def parse_steps(steps: Any) -> list[Step]:
@@ -48,7 +50,7 @@ def parse_steps(steps: Any) -> list[Step]:
         ValueError: No such step, one that needs the whole cloud, or a parameter that it does not have or take.
     """
     if isinstance(steps, str | Path):
-        steps = _read_toml(Path(steps))
+        steps = read_toml(Path(steps))
     if isinstance(steps, dict) or not hasattr(steps, "__iter__"):
         raise TypeError(f"steps: expected a list of dictionaries or a .toml file, got {shown(steps)}")
     parsed = []
@@ -71,6 +73,10 @@ def parse_steps(steps: Any) -> list[Step]:
 
 def _check_order(steps: list[Step]) -> None:
     """Hold that no step whose halo may grow stands behind one that was joined with the halo that was planned."""
+    for before, step in pairwise(steps):
+        if isinstance(before, Reproject):
+            reason = "reproject is the last step: tiles and halos are lengths of the files' own system"
+            raise ValueError(f"steps: {step.name} behind reproject: {reason}")
     joined = ""
     for step in steps:
         if joined and step.neighbors is not None:
@@ -79,7 +85,8 @@ def _check_order(steps: list[Step]) -> None:
         joined = step.name if step.joins else joined
 
 
-def _read_toml(path: Path) -> list[Any]:
+def read_toml(path: Path) -> list[Any]:
+    """The [[step]] tables of a file."""
     import tomllib
 
     try:

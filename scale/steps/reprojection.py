@@ -1,0 +1,101 @@
+"""Points in another coordinate system, as the last step."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from pathlib import Path
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.checks import shown
+from ...core.errors import FileError
+from ...files.foreign import import_for
+from ...files.points.geodetic import Geodesy
+from ...files.points.las import open_las
+from ..exact_sums import ExactSums
+from .step import Part, Step
+
+
+class Reproject(Step):
+    """Points in another projected coordinate system, by pyproj; heights stay unless both systems tell of them.
+
+    PROJ works on the CPU, whatever the device. It is the last step of a chain: tiles and halos are lengths of the
+    source's system.
+    """
+
+    name, required, searches = "reproject", ("to_crs",), False
+    defaults: ClassVar[dict[str, Any]] = {"from_crs": None, "scales": None, "offsets": None, "wkt": None}
+
+    def check(self) -> None:
+        """Check that systems are named."""
+        for name in ("to_crs", "from_crs"):
+            value = self.params[name]
+            if not (isinstance(value, str) and value) and not (name == "from_crs" and value is None):
+                raise ValueError(
+                    f"steps: reproject: {name}: expected a system such as 'EPSG:25832', got {shown(value)}"
+                )
+        self._way: Any = None
+
+    def settle(self, sources: list[dict[str, Any]]) -> None:
+        """Find the source's system, and the steps in which the target's coordinates are stored."""
+        path = Path(sources[0]["path"])
+        pyproj: Any = import_for(path, "pyproj", "geo")
+        target = self._system(pyproj, "to_crs", self.params["to_crs"])
+        if self.params["from_crs"] is None:
+            source = Geodesy(path, open_las(path).header).system
+            if source is None:
+                remedy = "Say which one it is: from_crs='EPSG:25832' of the step, or --from-crs"
+                raise FileError(path, "tells no coordinate system to reproject from", remedy=remedy)
+        else:
+            source = self._system(pyproj, "from_crs", self.params["from_crs"])
+        for name, system in (("to_crs", target), ("from_crs", source)):
+            plane = system.sub_crs_list[0] if system.is_compound else system
+            if not plane.is_projected:
+                reason = f"{system.name} does not count in lengths, and tiles and trees are made of lengths"
+                raise ValueError(f"steps: reproject: {name}: {reason}; take a projected system")
+        units = [one.axis_info[0].unit_conversion_factor for one in (source, target)]
+        step = 10.0 ** math.floor(math.log10(sources[0]["scales"][0] * units[0] / units[1]) + 1e-9)
+        self.params |= {
+            "from_crs": source.to_wkt(),
+            "wkt": target.to_wkt("WKT1_GDAL"),
+            "scales": [step, step, sources[0]["scales"][2]],
+        }
+        filled = [one for one in sources if one["points"]]
+        middle = (np.min([s["low"] for s in filled], axis=0) + np.max([s["high"] for s in filled], axis=0)) / 2
+        self.params["offsets"] = np.round(self._moved(middle[None])[0]).tolist()
+
+    def _system(self, pyproj: Any, name: str, value: Any) -> Any:
+        try:
+            return pyproj.CRS.from_user_input(value)
+        except pyproj.exceptions.CRSError as error:
+            raise ValueError(f"steps: reproject: {name}: no coordinate system: {shown(value)}") from error
+
+    def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+        """The step on a part; points keep their homes in the source's coordinates."""
+        exact = part.cloud.points if part.exact is None else part.exact
+        return dataclasses.replace(part, exact=self._moved(np.asarray(exact, np.float64)))
+
+    def _moved(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Points in the target's coordinates.
+
+        Raises:
+            ValueError: Some have no place there.
+        """
+        if self._way is None:
+            pyproj: Any = import_for("steps", "pyproj", "geo")
+            systems = [pyproj.CRS.from_user_input(self.params[name]) for name in ("from_crs", "to_crs")]
+            self._has_heights = all(system.is_compound or len(system.axis_info) == 3 for system in systems)
+            self._way = pyproj.Transformer.from_crs(*systems, always_xy=True)
+        x, y, z = points.T
+        if self._has_heights:
+            moved = np.column_stack(self._way.transform(x, y, z))
+        else:
+            moved = np.column_stack([*self._way.transform(x, y), z])
+        lost = int((~np.isfinite(moved).all(axis=1)).sum())
+        if lost:
+            reason = f"{lost:,} of {len(points):,} points have no place in {self.params['to_crs']}"
+            raise ValueError(f"steps: reproject: {reason}; crop to the area of that system first")
+        return moved

@@ -1,0 +1,82 @@
+"""Points of tiles in another coordinate system: by PROJ, the same rows whatever the tiles' size."""
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.files.points.las import open_las
+from pointloom.files.points.las_crs import find_text
+
+laspy = pytest.importorskip("laspy")
+pyproj = pytest.importorskip("pyproj")
+CORNER = np.array([455_000.0, 5_420_000.0, 100.0])
+STEP = {"step": "reproject", "to_crs": "EPSG:25833"}
+
+
+@pytest.fixture
+def survey(tmp_path):
+    header = laspy.LasHeader(point_format=6, version="1.4")
+    header.scales, header.offsets = [1e-3] * 3, CORNER
+    header.add_crs(pyproj.CRS("EPSG:25832"))
+    las = laspy.LasData(header)
+    las.x, las.y, las.z = (np.random.default_rng(0).random((3000, 3)) * (40, 40, 3) + CORNER).T
+    las.intensity = np.arange(3000).astype(np.uint16)
+    las.write(tmp_path / "a.laz")
+    return tmp_path / "a.laz"
+
+
+def made(survey, steps, folder, name="out.laz", **how):
+    loom.scale.plan_tiles(survey, steps, folder, **how)
+    status = loom.scale.run_tiles(folder)
+    assert status.is_finished, status
+    return loom.scale.finish_tiles(folder, folder.parent / name, output=how.get("output"))
+
+
+@pytest.mark.parametrize("name", ["out.laz", "out.copc.laz"])
+def test_points_are_those_of_proj_whatever_the_tiles_size(survey, tmp_path, name):
+    found = []
+    for size in (7.0, 100.0):
+        path = made(survey, [STEP], tmp_path / f"job{size:g}", name, size=size)
+        cloud = loom.read_point_cloud(path)
+        order = np.argsort(np.asarray(cloud["intensity"]), kind="stable")
+        found.append(cloud.points[order])
+        header = open_las(path).header
+        assert pyproj.CRS.from_wkt(find_text(header)).equals(pyproj.CRS("EPSG:25833"), ignore_axis_order=True)
+    np.testing.assert_array_equal(*found)
+    points = loom.read_point_cloud(survey).points
+    way = pyproj.Transformer.from_crs("EPSG:25832", "EPSG:25833", always_xy=True)
+    expected = np.column_stack([*way.transform(*points[:, :2].T), points[:, 2]])
+    assert np.abs(found[0] - expected).max() < 0.00051
+
+
+def test_feet_come_out_in_finer_steps_and_steps_before_count_in_the_source(survey, tmp_path):
+    steps = [{"step": "thin", "spacing": 2.0}, STEP | {"to_crs": "EPSG:2994"}]
+    thinned = loom.read_point_cloud(made(survey, steps[:1], tmp_path / "b", "b.laz", size=9.0))
+    path = made(survey, [steps[0], STEP | {"to_crs": "EPSG:2056"}], tmp_path / "c", "c.laz", size=9.0)
+    assert len(loom.read_point_cloud(path)) == len(thinned) < 1500
+    assert open_las(path).header.scales == (0.001, 0.001, 0.001)
+
+
+@pytest.mark.parametrize(
+    ("step", "message"),
+    [
+        ({"to_crs": "EPSG:4326"}, "to_crs: WGS 84 does not count in lengths"),
+        ({"to_crs": "EPSG:0"}, "to_crs: no coordinate system: 'EPSG:0'"),
+        ({"to_crs": 3}, "to_crs: expected a system such as"),
+    ],
+)
+def test_systems_that_cannot_be_are_refused(survey, tmp_path, step, message):
+    with pytest.raises(ValueError, match=message):
+        loom.scale.plan_tiles(survey, [{"step": "reproject"} | step], tmp_path / "job")
+
+
+def test_what_goes_wrong_is_named(survey, tmp_path):
+    with pytest.raises(ValueError, match=r"thin behind reproject: reproject is the last step"):
+        loom.scale.plan_tiles(survey, [STEP, {"step": "thin", "spacing": 1.0}], tmp_path / "job")
+    plain = tmp_path / "plain.laz"
+    loom.write_point_cloud(plain, loom.PointCloud(np.random.default_rng(0).random((100, 3))))
+    with pytest.raises(loom.FileError, match=r"tells no coordinate system to reproject from.*from_crs"):
+        loom.scale.plan_tiles(plain, [STEP], tmp_path / "job")
+    loom.write_point_cloud(plain, loom.PointCloud(np.random.default_rng(0).random((100, 3)) + [1e9, 1e9, 0]))
+    loom.scale.plan_tiles(survey, [STEP], tmp_path / "again")
+    assert loom.scale.plan_tiles(survey, [STEP], tmp_path / "again").waiting > 0  # the same plan
