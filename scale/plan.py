@@ -134,7 +134,7 @@ def plan_tiles(
         steps: Dictionaries such as `{"step": "voxel_down_sample", "voxel_size": 0.5}`, or a TOML file of [[step]]
             tables. Steps: voxel_down_sample, remove_radius_outlier, remove_statistical_outlier, estimate_normals,
             smooth_mls, crop, function, classify_ground, height_above_ground, rasterize, features, thin, distance,
-            m3c2, cluster_dbscan, cluster_euclidean.
+            m3c2, cluster_dbscan, cluster_euclidean, reproject.
         folder: Of the job; made where it is missing.
         size: Edge of a tile [unit of the files].
         points: Points a tile, about; 2 million where no size is given either.

@@ -77,6 +77,9 @@ def test_what_goes_wrong_is_named(survey, tmp_path):
     loom.write_point_cloud(plain, loom.PointCloud(np.random.default_rng(0).random((100, 3))))
     with pytest.raises(loom.FileError, match=r"tells no coordinate system to reproject from.*from_crs"):
         loom.scale.plan_tiles(plain, [STEP], tmp_path / "job")
-    loom.write_point_cloud(plain, loom.PointCloud(np.random.default_rng(0).random((100, 3)) + [1e9, 1e9, 0]))
+    far = np.random.default_rng(0).random((100, 3)) + np.array([1e9, 1e9, 0])
+    loom.write_point_cloud(plain, loom.PointCloud(far))
+    with pytest.raises(ValueError, match="of 1 points have no place in EPSG:25833"):
+        loom.scale.plan_tiles(plain, [STEP | {"from_crs": "EPSG:25832"}], tmp_path / "job")
     loom.scale.plan_tiles(survey, [STEP], tmp_path / "again")
     assert loom.scale.plan_tiles(survey, [STEP], tmp_path / "again").waiting > 0  # the same plan
