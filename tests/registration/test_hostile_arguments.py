@@ -74,7 +74,7 @@ reg.multi_scale_icp(source=source, target=target, voxel_sizes=[0.3, 0.1], criter
 reg.rate_registration(source=source, target=target, transformation=pose, max_correspondence_distance=0.2)
 reg.read_pose_graph(path="nowhere.json")
 reg.read_positions(path=gps, names=["a", "b", "c", "d"])
-reg.register_fragments(clouds=[source, target], voxel_size=0.2, neighbors=1, seed=0, known=[], pairs=[(1, 0)], progress=None)
+reg.register_fragments(clouds=[source, target], voxel_size=0.2, neighbors=1, seed=0, known=[], pairs=None, progress=None)
 reg.register_globally(source=source, target=target, voxel_size=0.2, seed=0, free=["x", "y", "z", "yaw"])
 reg.register_pair(source=source, target=target, init=pose, method="point-to-plane", voxel_size=0.2, distance=0.4, progress=None, free=["x", "yaw"], prior=known)
 reg.registration_colored_icp(source=source, target=target, max_correspondence_distance=0.2, init=pose, estimation_method=None, criteria=rules, overlap=0.9, free=["x", "yaw"], frame=axes, pivot=three, prior=known, weights=times, noise=0.01)
