@@ -24,6 +24,7 @@ def short_walk(monkeypatch, walk):
     monkeypatch.setattr(demo_reconstruct, "room_loop_sequence", lambda *_, **__: walk)
 
 
+@pytest.mark.slow
 def test_the_demo_leaves_a_mesh_a_picture_both_paths_and_a_report(tmp_path, device):
     report = run_trial(tmp_path / "demo", ReconstructTrial(voxel_size=0.05), device=device).to_json()
     assert names_in(tmp_path / "demo") == sorted(OUTPUTS)

@@ -49,6 +49,7 @@ def test_odometry_writes_the_path_and_its_errors(drive, tmp_path, device):
     assert report["files"] == [str(poses)]
 
 
+@pytest.mark.slow
 def test_odometry_writes_tum_too_and_sums_up(drive, tmp_path):
     poses = tmp_path / "poses.txt"
     shown = run("odometry", drive, "-o", poses, *INDOORS)

@@ -46,6 +46,7 @@ def test_frames_become_a_mesh_a_path_and_a_picture(walked, tmp_path, device):
     assert names_in(tmp_path) == ["mesh.ply", "mesh.png", "poses.log", "walk"]
 
 
+@pytest.mark.slow
 def test_poses_beside_the_frames_are_not_used(walked, tmp_path):
     told = answer("reconstruct", walked, "-o", tmp_path / "told.ply", *COARSE)
     for path in walked.glob("*.pose.txt"):
@@ -102,6 +103,7 @@ def made_up(monkeypatch):
     return lambda loops: monkeypatch.setattr(Closure, "loops", loops)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("colored", [True, False], ids=["with colour", "without"])
 def test_loops_move_all_frames_between(walked, tmp_path, made_up, colored):
     for path in [] if colored else walked.glob("*.color.png"):
@@ -121,6 +123,7 @@ def test_loops_move_all_frames_between(walked, tmp_path, made_up, colored):
     assert all(len(mesh) > 1000 for mesh in meshes)
 
 
+@pytest.mark.slow
 def test_without_loops_the_surface_is_the_tracked_one(walked, tmp_path, made_up):
     """Not the one that is made anew from the submaps, in which frames that two of them share count twice."""
     plain = answer("reconstruct", walked, "-o", tmp_path / "plain.ply", *COARSE)
@@ -181,6 +184,7 @@ def test_slac_takes_up_the_stages_and_bends_the_frames(walked, tmp_path, small_f
     assert (tmp_path / "again.ply").read_bytes() == (tmp_path / "bent.ply").read_bytes()
 
 
+@pytest.mark.slow
 def test_slac_of_a_single_fragment_says_that_it_had_nothing_to_do(walked, tmp_path):
     words = ["--method", "fragments", *COARSE, "--every", 2, "--slac"]
     shown = run("reconstruct", walked, "-o", tmp_path / "mesh.ply", *words)

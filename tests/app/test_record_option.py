@@ -76,6 +76,7 @@ def test_odometry_records_scan_by_scan(drive, tmp_path):
     assert frame_count(file) == 4  # and the map of all
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("command", ["fuse", "track", "reconstruct"])
 def test_commands_of_frames_record_the_camera_and_the_surface(frames, tmp_path, command):
     file, output = tmp_path / "r.html", tmp_path / ("poses.txt" if command == "track" else "mesh.ply")

@@ -61,6 +61,7 @@ def test_scans_go_in_and_come_out_with_their_poses_and_a_report(files):
     )
 
 
+@pytest.mark.slow
 def test_exchanged_names_end_in_exit_code_3(files):
     words = ("--targets", files / "wrong.csv", "--control", files / "control.csv", "--voxel", 0.3, "--force")
     told = poor_answer("stations", files / "scans.e57", "-o", files / "wrong.e57", *words)

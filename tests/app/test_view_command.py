@@ -57,6 +57,7 @@ def red_pixels(path):
 # -- pictures and pages -----------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_what_is_up_is_told_or_that_of_the_file(tmp_path):
     cone = loom.TriangleMesh.create_cone(0.5, 3.0)
     loom.write_triangle_mesh(tmp_path / "cone.glb", cone, up="z")

@@ -81,6 +81,7 @@ def both(folder, monkeypatch):
     return compare
 
 
+@pytest.mark.slow
 def test_customized_windows_look_from_where_open3d_does(both):
     theirs, ours = both("customized_visualization")
     depths = [np.array(found.pop("depths")) for found in (theirs, ours)]

@@ -102,6 +102,7 @@ def test_a_closed_stderr_is_nobody_to_tell(monkeypatch, capsys):
     assert capsys.readouterr().out == ""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("given", "level"), [("error", "Error"), ("DEBUG", "Debug"), ("loud", "Info"), ("", "Info")])
 def test_the_environment_says_how_much_is_said(given, level):
     program = "import pointloom as loom; loom.PointCloud([[0, 0, 0]]); print(loom.get_verbosity_level().name)"

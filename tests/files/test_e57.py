@@ -238,6 +238,7 @@ def small(tmp_path, rng):
     return path
 
 
+@pytest.mark.slow
 def test_a_flipped_bit_anywhere_is_an_error(small):
     content, chance = small.read_bytes(), np.random.default_rng(1)
     for at in chance.integers(0, len(content), 150):

@@ -252,6 +252,7 @@ FUZZ = """
 """
 
 
+@pytest.mark.slow
 def test_damaged_bytes_give_a_table_or_a_file_error_within_little_memory(tmp_path, rng, data):
     paths = [tmp_path / "a.las", tmp_path / "b.laz", tmp_path / "c.laz"]
     paths[0].write_bytes((data / "lidar-pdal" / "autzen" / "autzen-utm.las").read_bytes())

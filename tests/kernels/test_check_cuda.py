@@ -52,6 +52,7 @@ def test_what_only_the_cpu_runs_is_not_compiled_for_cuda_nor_the_other_way_round
     assert {name for name in wp.get_module("compiled").kernels} == {"copy_kernel", "mix_kernel"}
 
 
+@pytest.mark.slow
 def test_registers_and_local_memory_are_read(compiled):
     usage = {name.partition("_kernel_")[0]: u for name, u in compiled.usage[90].items()}
     assert 4 <= usage["copy"].registers <= 64 and usage["copy"].local_bytes == 0

@@ -62,6 +62,7 @@ def test_touching_is_decided_exactly(points):
     assert pairs_of(vertices, triangles) == meeting_pairs(vertices, triangles)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("scale", [2.0**-20, 1.0, 2.0**20])
 def test_touching_is_decided_exactly_in_slanted_planes_at_all_scales(device, scale):
     rng = np.random.default_rng(1)

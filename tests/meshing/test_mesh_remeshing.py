@@ -59,6 +59,7 @@ def test_corners_and_edges_of_a_box_stay(device, is_far):
         assert np.abs(made.vertices - corner).sum(axis=1).min() == 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("is_rough", [False, True])
 def test_every_device_makes_the_same_mesh_however_often_vertices_are_taken_back(device, monkeypatch, rng, is_rough):
     mesh, length = (TriangleMesh.create_sphere(resolution=12) if is_rough else TriangleMesh.create_cone()), 0.3

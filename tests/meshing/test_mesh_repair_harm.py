@@ -183,6 +183,7 @@ SHAPES = st.sampled_from([sphere(), DIAGONAL, shells(3), ring(), joined(sphere()
 CHANGES = st.sampled_from([turned, two_sided, loose, partly_turned, welded, lambda m: with_more(m, m.triangles[3:9])])
 
 
+@pytest.mark.slow
 @settings(deadline=None, max_examples=40)
 @given(SHAPES, st.lists(CHANGES, max_size=3), st.floats(-1e6, 1e6))
 def test_whatever_was_done_to_a_closed_mesh_its_repair_is_closed(shape, changes, shift):

@@ -40,6 +40,7 @@ def test_each_part_of_a_hall_is_found_once_with_its_points_and_sizes(device, noi
     assert np.isnan(found.distances[found.labels < 0]).all()
 
 
+@pytest.mark.slow
 def test_the_same_seed_gives_the_same_shapes_and_progress_is_told(device):
     points, _, parts = factory(np.random.default_rng(2), 0.005)
     told = []

@@ -86,6 +86,7 @@ def test_a_fit_is_that_of_a_dense_minimiser_and_so_is_its_covariance(device, rng
     assert shape.rms == pytest.approx(np.sqrt(2 * best.cost / 800), rel=1e-6)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ROUND)
 def test_stated_errors_are_those_that_are_made(device, kind):
     """Thirty made shapes: the errors of the sizes over their standard deviations are of size one."""

@@ -296,6 +296,7 @@ def test_a_raster_that_exceeds_the_memory_is_refused_with_numbers(monkeypatch, r
         loom.terrain.rasterize(loom.PointCloud(rng.random((5, 3)) * 50, **GROUND), 1.0)
 
 
+@pytest.mark.slow
 @pytest.mark.both_compilers
 @pytest.mark.taichi
 def test_both_compilers_give_the_same_bits(rng):

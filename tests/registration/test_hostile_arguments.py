@@ -104,8 +104,8 @@ HOMES = {
 }  # fmt: skip
 RESULTS = {
     "ErrorStatistics", "FragmentPair", "FragmentsResult", "GlobalOptimizationReport", "Localisability", "OdometryStep",
-    "OdometrySummary", "PairRegistration", "RegistrationResult", "SegmentError", "SimilarityFit", "StationPair", "StationsResult",
-    "TrajectoryError",
+    "OdometrySummary", "PairRegistration", "RegistrationResult", "SegmentError", "SimilarityFit", "StationPair",
+    "StationsResult", "TrajectoryError",
 }  # fmt: skip
 # Base classes are not made, and their methods stand in the table with the classes that have them; what an estimator
 # does inside a registration no user calls.

@@ -152,6 +152,7 @@ def test_the_tutorials_matches_are_open3ds_to_the_last(device, scenes, oracles):
     assert np.array_equal(found[:, 0], np.flatnonzero(near[:, 0] < 0.9 * near[:, 1]))
 
 
+@pytest.mark.slow
 @settings(max_examples=50, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(seed=st.integers(0, 2**32), d=st.integers(1, 40), rows=st.tuples(st.integers(0, 70), st.integers(0, 70)),
        levels=st.integers(1, 4), holes=st.sampled_from([0, 0.1, 1.0]))  # fmt: skip

@@ -111,6 +111,7 @@ def test_results_do_not_depend_on_the_origin_of_the_world(method):
     assert np.abs(poses_of(theirs) - there.poses).max() < 1e-6 < np.abs(poses_of(near) - scene.poses).max() / 1e3
 
 
+@pytest.mark.slow
 def test_a_walk_that_drifts_beyond_a_right_angle_closes():
     """300 nodes whose first poses have turned by 2.4 rad at the end. Open3D's residual sin(a) falls again there: it
     settles 45 m off."""

@@ -138,6 +138,7 @@ def test_what_stands_in_a_room_tells_it_from_others(device, rng):
     assert rate(source, target, np.eye(4), 0.09) > 0.95
 
 
+@pytest.mark.slow
 def test_what_stands_where_the_other_cloud_saw_through_speaks_against_a_pose(device, rng):
     room, other = hall(rng), hall(rng)
     screen = np.column_stack([np.full(8000, 2.0), rng.uniform(0.6, 2.4, 8000), rng.uniform(0.5, 1.9, 8000)])

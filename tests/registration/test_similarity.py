@@ -121,6 +121,7 @@ def test_the_answer_is_the_same_twice():
     assert np.array_equal(a.residuals, b.residuals)
 
 
+@pytest.mark.slow
 def test_the_uncertainty_of_the_rotation_is_that_of_many_trials():
     """About the axis of an almost straight walk it is large, and the figure says how large."""
     model = walk(30)

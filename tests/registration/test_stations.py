@@ -79,6 +79,7 @@ def test_the_report_and_the_plan_say_it_all(found, tmp_path):
         station_plan(found, confidence=1.0)
 
 
+@pytest.mark.slow
 def test_a_station_elsewhere_is_named_and_the_others_stay():
     clouds, truth = scan_all(BOXES, COURT[:3], 0, columns=300, rows=100)
     alone, _ = scan_all([((-3, -3, -1.7), (6, 6, 0.1), 0.0), ((1, 0, -1.6), (1, 2, 3), 0.4)], [(0, 0, 0)], 7)
@@ -91,6 +92,7 @@ def test_a_station_elsewhere_is_named_and_the_others_stay():
     assert "not placed" in found.report()
 
 
+@pytest.mark.slow
 def test_a_corridor_that_repeats_is_told_and_targets_put_it_right():
     clouds, truth = scan_all(CORRIDOR, [(0, 0, 0), (6, 0.2, 0), (12, -0.2, 0)], 3, columns=360, rows=120)
     slipped = truth.copy()

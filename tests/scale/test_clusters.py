@@ -147,6 +147,7 @@ def test_sizes_bound_connected_parts(files, tmp_path):
     assert np.bincount(labels[labels >= 0]).max() <= 40
 
 
+@pytest.mark.slow
 def test_parts_of_an_array_job_join_what_all_of_them_left(files, tmp_path):
     """A part ends where it needs the others' tiles; whoever comes when all are through a pass joins it, once."""
     loom.scale.plan_tiles(files, [DBSCAN], tmp_path / "job", size=11.0)

@@ -185,6 +185,7 @@ def test_a_run_takes_what_was_estimated(tmp_path, steps, points):
         assert found / 2 < figure.value < found * 2, (figure, found)
 
 
+@pytest.mark.slow
 def test_what_tiles_leave_for_a_join_is_estimated(tmp_path, in_this_process, monkeypatch):
     steps = [{"step": "cluster_euclidean", "tolerance": 0.2}]
     paths = uneven(tmp_path, 6000)

@@ -89,6 +89,7 @@ def test_cubes_of_any_size_have_the_triangles_of_one_volume(device, walk, whole,
     np.testing.assert_array_equal(triangles_of(found), whole)
 
 
+@pytest.mark.slow
 def test_the_joined_mesh_has_as_many_vertices_and_borders_as_that_of_one_volume(walk, tmp_path):
     one = fused(walk)
     found = by_cubes(walk, tmp_path / "job", size=2.0)
@@ -102,6 +103,7 @@ def test_the_joined_mesh_has_as_many_vertices_and_borders_as_that_of_one_volume(
     assert uses[0].max() == 2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("shift", [(20_000.0, -3_000.0, 100.0), (-2.56, 0.0, 0.0)])
 def test_scenes_far_away_and_on_borders_are_those_of_one_volume(own_walk, tmp_path, shift):
     moved(own_walk, shift)
@@ -127,6 +129,7 @@ def test_a_wall_exactly_on_the_sides_of_cubes_is_neither_lost_nor_doubled(tmp_pa
     assert len(found.vertices) == len(one.vertices)
 
 
+@pytest.mark.slow
 def test_parts_fit_each_other_to_the_bit(walk, whole, tmp_path):
     job = tmp_path / "job"
     by_cubes(walk, job, size=2.0)

@@ -49,6 +49,7 @@ def test_points_are_those_of_proj_whatever_the_tiles_size(survey, tmp_path, name
     assert np.abs(found[0] - expected).max() < 0.00051
 
 
+@pytest.mark.slow
 def test_feet_come_out_in_finer_steps_and_steps_before_count_in_the_source(survey, tmp_path):
     steps = [{"step": "thin", "spacing": 2.0}, STEP | {"to_crs": "EPSG:2994"}]
     thinned = loom.read_point_cloud(made(survey, steps[:1], tmp_path / "b", "b.laz", size=9.0))

@@ -174,6 +174,7 @@ def test_a_view_is_filled_up_to_the_budget(client, stream):
     assert stream.total == len(POINTS)
 
 
+@pytest.mark.slow
 def test_points_are_sent_where_they_lie(client, stream, tree):
     """Within a quarter of a pixel, near and far, half a million metres from zero."""
     precisions = []

@@ -234,6 +234,7 @@ def test_a_mesh_comes_with_the_message_that_takes_the_one_before_away(shown, pag
     assert changes == {"drop": first.id, "node": second.id}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("change", ["add", "update", "set_pose", "set_visible", "remove"])
 def test_a_change_costs_the_same_among_ten_objects_and_among_two_thousand(change):
     """Calls of functions and operations sent, of a change and all that follows from it within a frame."""

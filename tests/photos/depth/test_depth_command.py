@@ -106,6 +106,7 @@ def test_a_map_of_which_hardly_anything_is_left_is_a_poor_result(folder):
     assert "of the pixels became points" in report["poor"]
 
 
+@pytest.mark.slow
 def test_a_folder_keeps_names_and_takes_references_by_name(folder):
     pictures, sensors = folder / "pictures", folder / "sensors"
     for place in (pictures, sensors):
@@ -212,6 +213,7 @@ def test_a_full_disk_leaves_no_half_cloud(folder, monkeypatch):
     assert names_in(folder) == before
 
 
+@pytest.mark.slow
 def test_the_same_files_twice(folder):
     extras = ["--align", folder / "z.npy", "--picture", folder / "out.png", "--tiles", "2", "--force"]
     linear(folder / "net.onnx", size=(252, 252))

@@ -157,6 +157,7 @@ def asked(tmp_path_factory) -> dict:
     return json.loads(done.stdout.splitlines()[-1])
 
 
+@pytest.mark.slow
 def test_pictures_from_the_side_fix_the_focal_length_and_straight_ahead_none(asked):
     assert asked["around"]["rise"] > 0.1 and asked["around"]["found"] == pytest.approx(FOCAL, rel=0.01)
     assert asked["ahead"]["rise"] < 0.002

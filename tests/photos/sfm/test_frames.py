@@ -119,6 +119,7 @@ def test_tiny_and_thin_frames_are_looked_at(shape):
 # ---------------------------------------------------------------------------------------------------- videos
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("reader", ["ffmpeg", "opencv"])
 def test_frames_of_a_video_are_those_of_the_numbers_in_their_names(make_video, panned, tmp_path, reader):
     video, steps = make_video("Küche 1.mp4", panned), []

@@ -61,6 +61,7 @@ class Posed:
         return dataclasses.replace(self.frames.read(index), T_world_camera=self.poses[index])
 
 
+@pytest.mark.slow
 def test_poses_that_contradict_each_other_are_told_and_right_ones_are_not(walk):
     right = np.array([walk.read(k).T_world_camera for k in range(12)])
     shaken = right.copy()

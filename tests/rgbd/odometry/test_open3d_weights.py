@@ -97,6 +97,7 @@ def test_the_tensor_odometry_of_made_pictures(device, method, steps, tolerances)
     check_tensor(*made_pictures(), device, method, steps, tolerances)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("with_depth", [True, False])
 def test_the_legacy_odometry_of_real_pictures(data, with_depth, tolerances):
     check_legacy(*real_pictures(data, 100, 103), "cpu", with_depth, (20, 10, 5), tolerances)

@@ -57,6 +57,7 @@ def test_frames_without_poses_become_the_room(room):
     assert len(errors) == report.mesh["vertices"] > 3000
 
 
+@pytest.mark.slow
 def test_the_report_is_json_and_names_files_that_are_there(room):
     _, _, report = room
     assert json.loads(to_json(report))["used"] == 9
