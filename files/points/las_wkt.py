@@ -13,6 +13,7 @@ from dataclasses import replace
 from typing import Any
 
 from ...core.errors import FileError
+from ...core.units import LengthUnit
 from ..foreign import import_for
 from .las_crs import WKT, crs_name, find_keys, find_text
 from .las_header import PROJECTION, LasHeader, LasRecord
@@ -51,18 +52,36 @@ def text_of_keys(path: Any, header: LasHeader) -> bytes | None:
     except FileError as error:
         return _lost(header, str(error))
     try:
-        system = pyproj.CRS.from_epsg(code)
+        system = _registered(pyproj, code)
         height = _code(keys, _VERTICAL)
-        if height:
-            heights = pyproj.CRS.from_epsg(height)
-            system = pyproj.crs.CompoundCRS(f"{system.name} + {heights.name}", [system, heights])
-        text = system.to_wkt("WKT1_GDAL")
+        heights = _registered(pyproj, height) if height else None
+    except ValueError as error:
+        return _lost(header, str(error))
+    told, is_2d = units_of(header), heights is None
+    if _is_user_defined(keys, _VERTICAL):
+        return _lost(header, "its keys describe heights that the EPSG register does not name")
+    if system.is_projected and not _counts_in(system, told.plane):
+        return _lost(header, f"its keys say {told.plane}, EPSG:{code} counts in {system.axis_info[0].unit_name}")
+    if not (is_2d or _counts_in(heights, told.height)):
+        return _lost(header, f"its keys say heights in {told.height}, EPSG:{height} {heights.axis_info[0].unit_name}")
+    if is_2d and told.height not in (None, told.plane):
+        return _lost(header, f"its keys say heights in {told.height} and name no system of theirs")
+    if not is_2d:
+        system = pyproj.crs.CompoundCRS(f"{system.name} + {heights.name}", [system, heights])
+    return system.to_wkt("WKT1_GDAL").encode("utf-8") + b"\0"
+
+
+def _registered(pyproj: Any, code: int) -> Any:
+    try:
+        return pyproj.CRS.from_epsg(code)
     except pyproj.exceptions.CRSError as error:
-        return _lost(header, f"pyproj does not know EPSG:{code}: {error}")
-    told, unit = units_of(header).plane, system.axis_info[0].unit_conversion_factor
-    if system.is_projected and told is not None and told.metres and abs(told.metres / unit - 1) > SAME:
-        return _lost(header, f"its keys say {told}, EPSG:{code} counts in {system.axis_info[0].unit_name}")
-    return text.encode("utf-8") + b"\0"
+        raise ValueError(f"pyproj does not know EPSG:{code}: {error}") from error
+
+
+def _counts_in(system: Any, unit: LengthUnit | None) -> bool:
+    """Whether a system's first axis has a unit, where one is told."""
+    factor = system.axis_info[0].unit_conversion_factor
+    return unit is None or not unit.metres or abs(unit.metres / factor - 1) <= SAME
 
 
 def with_system(header: LasHeader, text: str) -> LasHeader:

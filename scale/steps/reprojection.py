@@ -18,6 +18,8 @@ from ...files.points.las import open_las
 from ..exact_sums import ExactSums
 from .step import Part, Step
 
+SAME = 1e-9  # of a unit's length
+
 
 class Reproject(Step):
     """Points in another projected coordinate system, by pyproj; heights stay unless both systems tell of them.
@@ -56,14 +58,25 @@ class Reproject(Step):
             if not plane.is_projected:
                 reason = f"{system.name} does not count in lengths, and tiles and trees are made of lengths"
                 raise ValueError(f"steps: reproject: {name}: {reason}; take a projected system")
+        filled = [one for one in sources if one["points"]]
+        if not filled:
+            return  # which is said elsewhere
         units = [one.axis_info[0].unit_conversion_factor for one in (source, target)]
+        if source.is_compound and not target.is_compound:  # heights stay as they are, and so does what they count from
+            heights = source.sub_crs_list[1]
+            told = pyproj.crs.CompoundCRS(f"{target.name} + {heights.name}", [target, heights])
+        else:
+            told = target
+        if not (source.is_compound and target.is_compound) and abs(units[0] / units[1] - 1) > SAME:
+            names = [one.axis_info[0].unit_name for one in (source, target)]
+            reason = f"x and y would be in {names[1]}, and heights stay in {names[0]}"
+            raise ValueError(f"steps: reproject: {reason}; name systems with heights, such as 'EPSG:2994+6360'")
         step = 10.0 ** math.floor(math.log10(sources[0]["scales"][0] * units[0] / units[1]) + 1e-9)
         self.params |= {
             "from_crs": source.to_wkt(),
-            "wkt": target.to_wkt("WKT1_GDAL"),
+            "wkt": told.to_wkt("WKT1_GDAL"),
             "scales": [step, step, sources[0]["scales"][2]],
         }
-        filled = [one for one in sources if one["points"]]
         middle = (np.min([s["low"] for s in filled], axis=0) + np.max([s["high"] for s in filled], axis=0)) / 2
         self.params["offsets"] = np.round(self._moved(middle[None])[0]).tolist()
 
@@ -87,7 +100,9 @@ class Reproject(Step):
         if self._way is None:
             pyproj: Any = import_for("steps", "pyproj", "geo")
             systems = [pyproj.CRS.from_user_input(self.params[name]) for name in ("from_crs", "to_crs")]
-            self._has_heights = all(system.is_compound or len(system.axis_info) == 3 for system in systems)
+            self._has_heights = all(system.is_compound for system in systems)
+            if not self._has_heights:
+                systems = [system.sub_crs_list[0] if system.is_compound else system for system in systems]
             self._way = pyproj.Transformer.from_crs(*systems, always_xy=True)
         x, y, z = points.T
         if self._has_heights:

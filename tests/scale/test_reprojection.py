@@ -6,6 +6,8 @@ import pytest
 import pointloom as loom
 from pointloom.files.points.las import open_las
 from pointloom.files.points.las_crs import find_text
+from pointloom.scale.sources import describe
+from pointloom.scale.steps.parse import parse_steps
 
 laspy = pytest.importorskip("laspy")
 pyproj = pytest.importorskip("pyproj")
@@ -49,13 +51,28 @@ def test_points_are_those_of_proj_whatever_the_tiles_size(survey, tmp_path, name
     assert np.abs(found[0] - expected).max() < 0.00051
 
 
-@pytest.mark.slow
-def test_feet_come_out_in_finer_steps_and_steps_before_count_in_the_source(survey, tmp_path):
-    steps = [{"step": "thin", "spacing": 2.0}, STEP | {"to_crs": "EPSG:2994"}]
-    thinned = loom.read_point_cloud(made(survey, steps[:1], tmp_path / "b", "b.laz", size=9.0))
-    path = made(survey, [steps[0], STEP | {"to_crs": "EPSG:2056"}], tmp_path / "c", "c.laz", size=9.0)
+def test_steps_before_count_in_the_source(survey, tmp_path):
+    thin = {"step": "thin", "spacing": 2.0}
+    thinned = loom.read_point_cloud(made(survey, [thin], tmp_path / "b", "b.laz", size=9.0))
+    path = made(survey, [thin, STEP | {"to_crs": "EPSG:2056"}], tmp_path / "c", "c.laz", size=9.0)
     assert len(loom.read_point_cloud(path)) == len(thinned) < 1500
-    assert open_las(path).header.scales == (0.001, 0.001, 0.001)
+
+
+def test_heights_keep_their_system_or_are_refused(survey, tmp_path):
+    """25832 with heights to 25833 without: the heights' system is still told. Feet beside metres are refused."""
+    how = {"from_crs": "EPSG:25832+5783"}
+    header = open_las(made(survey, [STEP | how], tmp_path / "a", "b.laz", size=50.0)).header
+    parts = pyproj.CRS.from_wkt(find_text(header)).sub_crs_list
+    assert [part.to_epsg() for part in parts][1] == 5783
+    with pytest.raises(ValueError, match="x and y would be in foot, and heights stay in metre"):
+        loom.scale.plan_tiles(survey, [STEP | {"to_crs": "EPSG:2994"}], tmp_path / "job")
+
+
+def test_points_without_a_place_are_counted(survey):
+    (step,) = parse_steps([STEP])
+    step.settle([describe(survey)])
+    with pytest.raises(ValueError, match="1 of 2 points have no place in EPSG:25833"):
+        step._moved(np.array([CORNER, [1e9, 1e9, 0]]))
 
 
 @pytest.mark.parametrize(
