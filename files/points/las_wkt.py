@@ -54,7 +54,7 @@ def text_of_keys(path: Any, header: LasHeader) -> bytes | None:
     try:
         system = _registered(pyproj, code)
         height = _code(keys, _VERTICAL)
-        heights = _registered(pyproj, height) if height else None
+        heights: Any = _registered(pyproj, height) if height else None
     except ValueError as error:
         return _lost(header, str(error))
     told, is_2d = units_of(header), heights is None
