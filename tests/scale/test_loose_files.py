@@ -152,6 +152,8 @@ def test_an_index_stands_for_its_files(tmp_path):
     index = tmp_path / "made" / "index.vpc"
     told = loom.scale.plan_tiles(index, STEPS, tmp_path / "again")
     assert told.points == len(whole_cloud([*plan_files(tmp_path / "again")], np.zeros(3)))
+    for number, sources in enumerate((index.parent, [index, index.parent])):  # its overview has the same points again
+        assert loom.scale.plan_tiles(sources, STEPS, tmp_path / f"folder{number}").points == told.points
     items = json.loads(index.read_text())
     for change, message in [
         (lambda one: one["assets"]["data"].update(href="./gone.laz"), "lists ./gone.laz, which is not there"),
