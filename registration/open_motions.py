@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from .rigid import make_pose, nearest_rotation, pose_of
+from .rigid import make_pose, nearest_rotation, rotation_of
 
 Matrix = NDArray[np.float64]
 
@@ -29,10 +29,11 @@ def rises_clearly(rises: Matrix) -> NDArray[np.bool_]:
     return is_much & (total >= LEAST_DEVIATIONS * np.sqrt(np.maximum(square, 1)))
 
 
-def moved(pose: Matrix, motion: Matrix) -> Matrix:
-    """A pose turned about the sensor's own place and then shifted: (turn [rad], translation [m]), the map's axes."""
-    turn = pose_of(np.concatenate([motion[:3], np.zeros(3)]))
-    return make_pose(nearest_rotation(turn[:3, :3] @ pose[:3, :3]), pose[:3, 3] + motion[3:])
+def moved(pose: Matrix, motion: Matrix, about: Matrix | None = None) -> Matrix:
+    """A pose turned about a place, that of the sensor if none, and then shifted: (turn [rad], translation [m])."""
+    turn, place = rotation_of(motion[:3]), pose[:3, 3]
+    middle = place if about is None else about
+    return make_pose(nearest_rotation(turn @ pose[:3, :3]), turn @ (place - middle) + middle + motion[3:])
 
 
 def spanned(rows: Matrix) -> tuple[tuple[float, float, float], ...]:

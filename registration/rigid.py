@@ -28,6 +28,11 @@ def rotation_of(vector: NDArray[np.float64]) -> Matrix:
     return rotations_of(vector[None])[0]
 
 
+def about_up(yaw: float) -> Matrix:
+    """The rotation about z by an angle [rad]; z itself stays to the bit."""
+    return np.array([[np.cos(yaw), -np.sin(yaw), 0.0], [np.sin(yaw), np.cos(yaw), 0.0], [0.0, 0.0, 1.0]])
+
+
 def rotation_vector(R: Matrix) -> NDArray[np.float64]:
     """The logarithm of a rotation, length 0..pi [rad]; exact near 0 and near pi, where an arc cosine is not."""
     axis = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]) / 2  # sine times axis

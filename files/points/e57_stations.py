@@ -6,22 +6,19 @@ What a scan holds is what e57.py reads of it and e57_writer.py writes.
 from __future__ import annotations
 
 import os
-import shutil
-import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.atomic import atomic_write, check_writable
+from ...core.atomic import check_writable
 from ...core.checks import check_list, check_rigid
 from ...core.errors import FileError
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
-from ..foreign import foreign_errors, import_for
+from ..foreign import foreign_errors
 from .e57 import SCAN_INDEX, open_e57, read_pose, read_scan
 from .e57_writer import check_e57, columns_of, write_scans
 from .point_cloud import cloud_of, table_of
@@ -131,10 +128,4 @@ def write_stations(
     for table in tables:
         table.attributes.pop(SCAN_INDEX, None)
     scans = [(str(name), columns_of(path, table), T) for name, table, T in zip(called, tables, matrices, strict=True)]
-    libe57 = import_for(path, "pye57.libe57", "e57")
-    with tempfile.TemporaryDirectory(prefix=".pointloom-", dir=path.parent) as folder:  # libE57 opens files by name
-        part = Path(folder, "part.e57")
-        with foreign_errors(path, "cannot be written"):
-            write_scans(libe57, part, scans)
-        with atomic_write(path, overwrite=overwrite) as file, part.open("rb") as source:
-            shutil.copyfileobj(source, file, 1 << 20)
+    write_scans(path, scans, overwrite=overwrite)

@@ -51,7 +51,7 @@ def write_e57(path: str | os.PathLike[str], table: PointTable, *, overwrite: boo
         ValueError: An array of the table has the wrong shape.
     """
     path = check_writable(path, overwrite=overwrite)
-    table, libe57 = check_e57(path, table), import_for(path, "pye57.libe57", "e57")
+    table = check_e57(path, table)
     columns = columns_of(path, table)
     scan_index = table.attributes.get(SCAN_INDEX, np.zeros(len(table.points), np.int32))
     indices = np.unique(scan_index)
@@ -59,10 +59,16 @@ def write_e57(path: str | os.PathLike[str], table: PointTable, *, overwrite: boo
     for number, index in enumerate(indices if len(indices) else [0]):
         chosen = slice(None) if len(indices) <= 1 else scan_index == index
         scans.append((f"Scan {number}", {n: v[chosen] for n, v in columns.items()}, None))
+    write_scans(path, scans, overwrite=overwrite)
+
+
+def write_scans(path: Path, scans: Sequence[Scan], *, overwrite: bool) -> None:
+    """Write scans, each of a name, columns by E57's names and a pose or None; the file appears whole or not at all."""
+    libe57 = import_for(path, "pye57.libe57", "e57")
     with tempfile.TemporaryDirectory(prefix=".pointloom-", dir=path.parent) as folder:  # libE57 opens files by name
         part = Path(folder, "part.e57")
         with foreign_errors(path, "cannot be written"):
-            write_scans(libe57, part, scans)
+            _write_image(libe57, part, scans)
         with atomic_write(path, overwrite=overwrite) as file, part.open("rb") as source:
             shutil.copyfileobj(source, file, 1 << 20)
 
@@ -115,8 +121,8 @@ def columns_of(path: Any, table: PointTable) -> dict[str, NDArray[Any]]:
     return columns
 
 
-def write_scans(libe57: Any, path: Path, scans: Sequence[Scan]) -> None:
-    """Write scans, each of a name, columns by E57's names and a pose or None."""
+def _write_image(libe57: Any, path: Path, scans: Sequence[Scan]) -> None:
+    """Write scans with libE57."""
     image = libe57.ImageFile(str(path), "w")
     try:
         image.extensionsAdd("", libe57.E57_V1_0_URI)

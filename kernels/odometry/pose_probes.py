@@ -21,9 +21,6 @@ from .map_icp import plane_of
 from .voxel_map import VoxelMap
 from .voxel_map_search import find_nearest_in_map, moments_in_map
 
-FIRST_SCALE = 0.1  # squared edges of a voxel: that of the last ICP
-LEAST_SCALE = 2.0e-4  # likewise: a made-up scan without noise has no spread
-
 
 @func
 def plane_square(x: vec3d, limit: float, reach: float, voxel_map: VoxelMap) -> float:
@@ -77,7 +74,7 @@ def compare_poses(points: Points, most: int, voxel_map: VoxelMap, poses: np.ndar
         pose, the sum of their squares, how many points have a plane at both, and the sum of what is cheaper there.
         One sync.
     """
-    device, size = points.device, voxel_map.voxel_size
+    device = points.device
     step = max(1, points.size // max(most, 1))
     squares = empty((len(poses), -(-points.size // step)), float32, device)
     run = run_length(squares)
@@ -85,4 +82,4 @@ def compare_poses(points: Points, most: int, voxel_map: VoxelMap, poses: np.ndar
     limit = np.float32(2 * reach) ** 2
     runs = -(-squares.shape[1] // run)
     launch(find_squares_kernel, len(poses) * runs, [points, step, placed, run, limit, reach, voxel_map, squares])
-    return compare_costs(squares, FIRST_SCALE * size * size, LEAST_SCALE * size * size)
+    return compare_costs(squares, voxel_map.voxel_size)

@@ -17,6 +17,8 @@ CPU_RUN = 64  # points a thread
 CUDA_RUN = 4
 ROUNDS = 3
 SCALES = 9.0  # squared: costs reach a half at three spreads
+FIRST_SCALE = 0.1  # squared edges of a voxel: that of the last ICP of LiDAR odometry
+LEAST_SCALE = 2.0e-4  # likewise: a made-up scan without noise has no spread
 COLUMNS = 4
 
 
@@ -100,13 +102,12 @@ def run_length(squares: Array2[float32]) -> int:
     return CUDA_RUN if squares.device.is_cuda else CPU_RUN
 
 
-def compare_costs(squares: Array2[float32], first_scale: float, least_scale: float) -> np.ndarray:
+def compare_costs(squares: Array2[float32], voxel_size: float) -> np.ndarray:
     """What changes from the first pose to others.
 
     Args:
         squares: float32 [k, points], a row a pose: squared distances from planes [m^2], -1 without a plane.
-        first_scale: Of the costs [m^2], the largest.
-        least_scale: The smallest [m^2]: a made-up scan without noise has no spread.
+        voxel_size: Edge of a voxel [m], in which scales are counted.
 
     Returns:
         float64 [k, 4], a row a pose: the sum of the differences of the costs (each 0..1) from those of the first
@@ -115,10 +116,11 @@ def compare_costs(squares: Array2[float32], first_scale: float, least_scale: flo
     """
     device, (k, count), run = squares.device, squares.shape, run_length(squares)
     runs = -(-count // run)
-    scales, weights = full(1, first_scale, float64, device), empty((runs, 2), float64, device)
+    first, least = (scale * voxel_size * voxel_size for scale in (FIRST_SCALE, LEAST_SCALE))
+    scales, weights = full(1, first, float64, device), empty((runs, 2), float64, device)
     for _ in range(ROUNDS):
         launch(weigh_squares_kernel, runs, [squares, run, scales, weights])
-        launch(scale_costs_kernel, 1, [weights, least_scale, scales])
+        launch(scale_costs_kernel, 1, [weights, least, scales])
     rows, sums = empty((k, runs, COLUMNS), float64, device), empty((k, COLUMNS), float64, device)
     launch(compare_squares_kernel, k * runs, [squares, run, scales, rows])
     launch(add_runs_kernel, k * COLUMNS, [rows, sums])

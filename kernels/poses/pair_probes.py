@@ -91,13 +91,7 @@ def measure_offsets_kernel(
 
 
 def compare_pair(
-    source: Surface,
-    target: Surface,
-    most: int,
-    poses: np.ndarray,
-    reach: float,
-    cosine: float,
-    scales: tuple[float, float],
+    source: Surface, target: Surface, most: int, poses: np.ndarray, reach: float, cosine: float, voxel_size: float
 ) -> np.ndarray:
     """What changes where one surface moves from its pose to others.
 
@@ -107,7 +101,7 @@ def compare_pair(
         poses: float64 [k, 4, 4], T_target_source about the clouds' origins; the first is the source's own.
         reach: Points this far [m] from the nearest one have no plane,
         cosine: nor have those whose normals enclose more than this, as at the edge of another surface.
-        scales: Of the costs [m^2], the first and the least, as of `compare_costs`.
+        voxel_size: As of `compare_costs` [m].
 
     Returns:
         float64 [k, 4], a row a pose, as `compare_costs` gives them. One sync.
@@ -121,4 +115,4 @@ def compare_pair(
     nearest = find_nearest(target.tree, moved, radius=reach)
     compared = [source.normals, step, placed, target.points, target.normals, cosine, squares]
     launch(measure_offsets_kernel, moved.size, [moved, nearest, *compared])
-    return compare_costs(squares, *scales)
+    return compare_costs(squares, voxel_size)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..icp.constraint import MOTIONS, check_free
-from ..rigid import make_pose
+from ..rigid import about_up, make_pose
 
 LEVEL = ("x", "y", "z", "yaw")
 MOST_TILT = np.radians(15.0)  # of a pose that features found: normals of thinned clouds turn it by a few degrees
@@ -47,6 +47,6 @@ def level_poses(
     level = []
     for T in poses[kept]:
         yaw = np.arctan2(T[1, 0] - T[0, 1], T[0, 0] + T[1, 1])  # that of the largest trace of R^T Rz
-        turn = np.array([[np.cos(yaw), -np.sin(yaw), 0.0], [np.sin(yaw), np.cos(yaw), 0.0], [0.0, 0.0, 1.0]])
+        turn = about_up(float(yaw))
         level.append(make_pose(turn, T[:3, :3] @ middle + T[:3, 3] - turn @ middle))
     return np.array(level).reshape(-1, 4, 4), kept

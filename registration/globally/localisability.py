@@ -12,14 +12,13 @@ from ...kernels.poses.pair_probes import compare_pair, find_hold
 from ...pcd.cloud import PointCloud
 from ..given_pairs import check_clouds
 from ..icp.constraint import Prior
-from ..open_motions import JUDGING_POINTS, STEP_VOXELS, SUSPECT_SHARE, rises_clearly, spanned
-from ..rigid import make_pose, nearest_rotation, rotation_of, symmetric_matrices, to_local
+from ..open_motions import JUDGING_POINTS, STEP_VOXELS, SUSPECT_SHARE, moved, rises_clearly, spanned
+from ..rigid import nearest_rotation, symmetric_matrices, to_local
 from .rating import COSINE, ENOUGH, NEAR, VOXELS, surface_of
 
 Matrix = NDArray[np.float64]
 FINER = 0.8  # voxels of the source, in those of the target: two grids that nowhere agree for long
 REACH_VOXELS = 2.0  # within which a plane is looked for
-FIRST_SCALE, LEAST_SCALE = 0.1, 2.0e-4  # squared voxels: of the costs, as LiDAR odometry has them
 
 
 @dataclass(frozen=True, eq=False)
@@ -158,19 +157,12 @@ def localisability(
     kinds = ["full"] * 6
     if len(suspects):
         steps = [sign * STEP_VOXELS * size * motion / scale for motion in suspects for sign in (-1, 1)]
-        poses = np.array([pose, *(_moved_about(hold.middle, pose, step) for step in steps)])
-        scales = FIRST_SCALE * size * size, LEAST_SCALE * size * size
-        rises = compare_pair(left, right, JUDGING_POINTS, poses, REACH_VOXELS * size, COSINE, scales)
+        poses = np.array([pose, *(moved(pose, step, about=hold.middle) for step in steps)])
+        rises = compare_pair(left, right, JUDGING_POINTS, poses, REACH_VOXELS * size, COSINE, size)
         is_held: NDArray[np.bool_] = np.logical_and(*rises_clearly(rises[1:]).reshape(-1, 2).T)
         kinds[: len(suspects)] = ["partial" if held else "none" for held in is_held.tolist()]
     middle = hold.middle + target.origin
     return Localisability(T, middle, hold.lever, vectors.T.copy(), np.maximum(shares, 0.0), tuple(kinds))
-
-
-def _moved_about(middle: NDArray[np.float64], pose: Matrix, motion: Matrix) -> Matrix:
-    """A pose turned about a place and then shifted: (turn [rad], translation [m])."""
-    R = rotation_of(motion[:3])
-    return make_pose(R @ pose[:3, :3], R @ (pose[:3, 3] - middle) + middle + motion[3:])
 
 
 def _told(direction: tuple[float, float, float]) -> str:

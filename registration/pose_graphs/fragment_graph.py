@@ -21,6 +21,7 @@ from ..icp.iterative import IterativeRegistration
 from ..rigid import adjoint_of, invert_pose, rotation_vector
 from .pose_graph import PoseGraph, PoseGraphEdge, PoseGraphNode
 from .pose_graph_optimization import GlobalOptimizationOption, global_optimization
+from .spanning_tree import chain, spanning_tree
 
 Matrices = NDArray[np.float64]
 Clouds = Sequence[PointCloud] | Mapping[int, PointCloud]
@@ -96,10 +97,10 @@ def place_by_pairs(
     """
     count = len(extents)
     support = _agreement(extents, pairs, CONSISTENT * size)
-    tree, groups = _spanning_tree(count, pairs, support)
+    tree, groups = spanning_tree(pairs, support, count)
     largest = int(np.bincount(groups).argmax())
     members = np.flatnonzero(groups == largest)
-    poses = _chain(count, int(members[0]), pairs, tree)
+    poses = chain(np.tile(np.eye(4), (count, 1, 1)), members[:1].tolist(), pairs, tree)
     found = FragmentGraph(poses, groups, members, tree, PoseGraph())
     return with_pairs(found, pairs, information, size)
 
@@ -153,42 +154,6 @@ def _agreement(extents: Sequence[Extent], pairs: Sequence[FragmentPair], toleran
             shift = float(np.linalg.norm(round_trip[:3, :3] @ middle + round_trip[:3, 3] - middle))
             support[k] += pair.score * (shift + angle * extents[a].radius < tolerance)
     return support
-
-
-def _spanning_tree(
-    count: int, pairs: Sequence[FragmentPair], support: NDArray[np.float64]
-) -> tuple[list[int], NDArray[np.int64]]:
-    """The pairs of the tree of most support, and the group of each cloud (Kruskal 1956)."""
-    groups = np.arange(count)
-    tree = []
-    for k in np.argsort(-support, kind="stable").tolist():
-        a, b = groups[pairs[k].source], groups[pairs[k].target]
-        if a != b:
-            groups[groups == max(a, b)] = min(a, b)
-            tree.append(k)
-    return tree, groups.astype(np.int64)
-
-
-def _chain(count: int, root: int, pairs: Sequence[FragmentPair], tree: Sequence[int]) -> Matrices:
-    """Poses T_root_cloud along the tree; the identity where it does not lead."""
-    poses, reached = np.tile(np.eye(4), (count, 1, 1)), {root}
-    waiting = list(tree)
-    while waiting:
-        rest = []
-        for k in waiting:
-            pair = pairs[k]
-            if pair.target in reached:
-                poses[pair.source] = poses[pair.target] @ pair.transformation
-                reached.add(pair.source)
-            elif pair.source in reached:
-                poses[pair.target] = poses[pair.source] @ invert_pose(pair.transformation)
-                reached.add(pair.target)
-            else:
-                rest.append(k)
-        if len(rest) == len(waiting):
-            break  # the pairs that are left belong to other groups
-        waiting = rest
-    return poses
 
 
 def _optimize(

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..pose_graphs.connected_parts import connected_parts
-from ..rigid import fit_pose, invert_pose, make_pose, rotation_vector
+from ..pose_graphs.spanning_tree import chain, spanning_tree
+from ..rigid import about_up, fit_pose, invert_pose, make_pose, rotation_vector
 from .observations import Array, ControlPoint, StationPair, TargetObservation
 
 BY_TARGETS = 0.25  # the support of a link by targets alone: below that of a pair of clouds that is believed
@@ -71,7 +72,7 @@ def fit(source: Array, target: Array, level: bool) -> Array:
         return fit_pose(source, target)
     a, b = source - source.mean(axis=0), target - target.mean(axis=0)
     yaw = np.arctan2((a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]).sum(), (a[:, :2] * b[:, :2]).sum())
-    R = np.array([[np.cos(yaw), -np.sin(yaw), 0.0], [np.sin(yaw), np.cos(yaw), 0.0], [0.0, 0.0, 1.0]])
+    R = about_up(float(yaw))
     return make_pose(R, target.mean(axis=0) - R @ source.mean(axis=0))
 
 
@@ -81,26 +82,10 @@ def parts_by(links: Sequence[Link], count: int) -> NDArray[np.int32]:
     return connected_parts(ends[:, 0], ends[:, 1], count)
 
 
-def chain(links: Sequence[Link], first: Array) -> Array:
+def chain_links(links: Sequence[Link], first: Array) -> Array:
     """Poses along the tree of most support, from the first station of each part, which stays where it is."""
-    poses, placed = first.copy(), np.zeros(len(first), bool)
-    ordered = sorted(range(len(links)), key=lambda k: (-links[k].support, k))
-    groups, tree = np.arange(len(first)), []
-    for k in ordered:  # Kruskal 1956
-        a, b = groups[links[k].source], groups[links[k].target]
-        if a != b:
-            groups[groups == max(a, b)] = min(a, b)
-            tree.append(links[k])
-    placed[np.unique(groups)] = True
-    while tree:
-        for link in [link for link in tree if placed[link.source] or placed[link.target]]:
-            if placed[link.target]:
-                poses[link.source] = poses[link.target] @ link.transformation
-            else:
-                poses[link.target] = poses[link.source] @ invert_pose(link.transformation)
-            placed[[link.source, link.target]] = True
-            tree.remove(link)
-    return poses
+    tree, groups = spanning_tree(links, [link.support for link in links], len(first))
+    return chain(first, np.unique(groups).tolist(), links, tree)
 
 
 def onto_control(

@@ -27,10 +27,10 @@ from ...core.progress import ReportProgress
 from ...core.units import common_unit
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
-from ..rigid import invert_pose, make_pose, nearest_rotation
+from ..rigid import about_up, invert_pose, make_pose, nearest_rotation
 from ..voxel_size import choose_voxel_size
 from .adjustment import Adjusted, Observed
-from .first_poses import chain, links_of, onto_control, parts_by
+from .first_poses import chain_links, links_of, onto_control, parts_by
 from .loops import loops_of
 from .observations import Array, ControlPoint, StationPair, TargetObservation, check_control, check_sigma, check_targets
 from .pairs import PairFinder, prepare
@@ -180,7 +180,7 @@ def adjust_stations(
         first[:, :3, 3] = np.nan_to_num(survey.positions)
     began = first
     placed, fixed = onto_control(
-        chain(links, first), parts, observed.targets, observed.control, survey.given, survey.level
+        chain_links(links, first), parts, observed.targets, observed.control, survey.given, survey.level
     )
     first = _held_at(placed, began, parts, fixed, reference)
     anchored = bool(observed.control) or observed.positions is not None
@@ -283,8 +283,7 @@ class _Survey:
         if level and self.poses is not None:
             R = self.poses[i, :3, :3]
             yaw = np.arctan2(R[1, 0], R[0, 0])
-            turn = np.array([[np.cos(yaw), -np.sin(yaw), 0.0], [np.sin(yaw), np.cos(yaw), 0.0], [0.0, 0.0, 1.0]])
-            tilt = np.eye(3) if np.array_equal(R[2], [0.0, 0.0, 1.0]) else turn.T @ R
+            tilt = np.eye(3) if np.array_equal(R[2], [0.0, 0.0, 1.0]) else about_up(float(yaw)).T @ R
         low, high = np.asarray(self.clouds[i].get_min_bound()), np.asarray(self.clouds[i].get_max_bound())
         if len(self.clouds[i]) and ((low > 0) | (high < 0)).any() and np.abs(low + high).max() > 4 * (high - low).max():
             middle = (low + high) / 2

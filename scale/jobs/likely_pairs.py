@@ -8,6 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...registration.pose_graphs.connected_parts import connected_parts
+
 Box = tuple[NDArray[np.float64], NDArray[np.float64]]
 
 
@@ -61,10 +63,7 @@ def nearest_of(pairs: Sequence[tuple[int, int]], boxes: Sequence[Box | None], co
     return sorted({ends for found in beside.values() for _, ends in sorted(found)[:count]})
 
 
-def groups_of(count: int, pairs: Iterable[tuple[int, int]]) -> NDArray[np.int64]:
-    """Which scans hang together by pairs: the lowest number of each one's group."""
-    groups = np.arange(count)
-    for a, b in pairs:
-        low, high = sorted((groups[a], groups[b]))
-        groups[groups == high] = low
-    return groups
+def groups_of(count: int, pairs: Iterable[tuple[int, int]]) -> NDArray[np.int32]:
+    """Which scans hang together by pairs: the group of each, numbered in the order of the groups' first scans."""
+    ends = np.array([*pairs], np.int64).reshape(-1, 2)
+    return connected_parts(ends[:, 0], ends[:, 1], count)
