@@ -23,6 +23,11 @@ CHUNK_ROWS = 1 << 16
 _NUMBER = re.compile(rb"[+-]?(?:\d+\.?\d*(?:e[+-]?\d+)?|\.\d+(?:e[+-]?\d+)?|inf(?:inity)?|nan(?:\(\w*\))?)", re.I)
 
 
+def unix_lines(body: bytes) -> bytes:
+    """A text whose lines end in LF, of one with LF, CRLF or CR."""
+    return body.replace(b"\r\n", b"\n").replace(b"\r", b"\n") if b"\r" in body else body
+
+
 def is_number(word: bytes) -> bool:
     """Whether a word is a number as these rows have them."""
     return _NUMBER.fullmatch(word) is not None
@@ -38,8 +43,7 @@ class AsciiRows:
     """
 
     def __init__(self, path: Any, body: bytes, first_line: int):
-        if b"\r" in body:
-            body = body.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+        body = unix_lines(body)
         self._path, self._body, self._first_line = path, body, first_line
         text = np.frombuffer(body, np.uint8)
         visible = text > 32

@@ -9,9 +9,10 @@ from __future__ import annotations
 
 import math
 import shutil
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -35,6 +36,7 @@ FOLDER, MAKING = "sources", "sources.part"
 ROWS = 1 << 18  # at a time
 COARSEST = 1e-4  # step of the coordinates [their unit]; finer where the points lie within 100 units
 _STEPS = 2.0**30  # across all points
+Parts = Callable[[], Iterator[PointTable]]
 RENAMED = "_value"  # behind the name of a value that LAS has in another range
 
 
@@ -136,11 +138,11 @@ def taken_over(paths: list[Path], folder: Path, report: ReportProgress) -> Itera
         shutil.rmtree(old, ignore_errors=True)
     try:
         making.mkdir(parents=True)
-        found = look_at(paths, report)
+        found, files = look_at(paths, report)
         made = {}
-        for number, path in enumerate(paths):
+        for number, (path, parts) in enumerate(zip(paths, files, strict=True)):
             made[path] = making / f"{number:06d}.laz"
-            _write(path, made[path], found, found.counts[number])
+            _write(path, parts, made[path], found, found.counts[number])
             report("taking over", number + 1, len(paths))
         yield made
         making.rename(folder / FOLDER)
@@ -149,11 +151,12 @@ def taken_over(paths: list[Path], folder: Path, report: ReportProgress) -> Itera
         raise
 
 
-def look_at(paths: list[Path], report: ReportProgress) -> Found:
-    """The first pass."""
-    found = Found()
+def look_at(paths: list[Path], report: ReportProgress) -> tuple[Found, list[Parts]]:
+    """The first pass, and the files as they were opened for it."""
+    found, files = Found(), []
     for number, path in enumerate(paths):
-        for k, table in enumerate(parts_of(path)):
+        files.append(opened(path))
+        for k, table in enumerate(files[-1]()):
             found.add(path, table, is_first=not k)
         report("counting", number + 1, len(paths))
         if not found.counts[number]:
@@ -162,35 +165,35 @@ def look_at(paths: list[Path], report: ReportProgress) -> Found:
     if extent / COARSEST > 2**31:
         reason = f"the points lie {extent:g} units apart, beyond 2^31 steps of {COARSEST:g}"
         raise FileError(paths[0], reason, remedy="Take stray points away, or write .laz with a larger scale")
-    return found
+    return found, files
 
 
-def parts_of(path: Path) -> Iterator[PointTable]:
-    """The points of a file, some at a time; at least one part, perhaps of none."""
+def opened(path: Path) -> Parts:
+    """What gives the points of a file, some at a time and each time anew; at least one part, perhaps of none."""
     suffix = path.suffix.lower()
-    if suffix == ".e57":
-        scans = describe_e57(path)
-        for number in range(len(scans)):
-            table = read_e57(path, scan=number)
-            table.attributes[SCAN_INDEX] = np.full(len(table.points), number, np.int32)
-            yield table
-        return
-    if suffix in (".ply", ".pcd"):
-        file = open_in_parts(path)
-        yield from [READERS[suffix](path)] if file is None else file.parts(ROWS)
-        return
-    text = TextInParts(path)
-    yield from text.parts(ROWS)
-    if not text.count:
-        yield PointTable(np.empty((0, 3)))
+    if suffix in (".e57", ".ply", ".pcd"):
+        return partial(_scans_of if suffix == ".e57" else _rows_of, path)
+    return partial(TextInParts(path).parts, ROWS)
 
 
-def _write(path: Path, target: Path, found: Found, count: int) -> None:
+def _scans_of(path: Path) -> Iterator[PointTable]:
+    for number in range(len(describe_e57(path))):
+        table = read_e57(path, scan=number)
+        table.attributes[SCAN_INDEX] = np.full(len(table.points), number, np.int32)
+        yield table
+
+
+def _rows_of(path: Path) -> Iterator[PointTable]:
+    file = open_in_parts(path)
+    yield from [READERS[path.suffix.lower()](path)] if file is None else file.parts(ROWS)
+
+
+def _write(path: Path, parts: Parts, target: Path, found: Found, count: int) -> None:
     """The second pass over a file."""
     written, writer, layout = 0, None, None
     with atomic_write(target) as stream, foreign_errors(target, "cannot be written"):
         try:
-            for table in parts_of(path):
+            for table in parts():
                 if not len(table.points):
                     continue
                 layout = lay_out(target, found.shaped(table), found.scale, found.offset, None)

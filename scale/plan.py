@@ -323,25 +323,23 @@ def _area_of(only: Any, crs: str | None, sources: list[dict[str, Any]]) -> list[
 def tiles_of(plan: Plan) -> list[tuple[Any, ...]]:
     """All tiles row by row; those outside `only` are not in the manifest, their numbers are left out."""
     (nx, ny), (x, y), size = plan.shape, plan.corner.tolist(), plan.size
-    area, tiles = plan.told["only"], []
-    is_wanted = np.ones(nx * ny, np.bool_)
-    if area is not None and isinstance(area[0], list):
-        cells = np.stack(np.divmod(np.arange(nx * ny), nx)[::-1], axis=1)
-        is_wanted = boxes_that_meet(
-            parse_area("only", area), plan.corner + cells * size, plan.corner + (cells + 1) * size
-        )
-    for iy in range(ny):
-        for ix in range(nx):
-            box = (x + ix * size, y + iy * size, x + (ix + 1) * size, y + (iy + 1) * size)
-            if area is not None and not isinstance(area[0], list):
-                is_wanted[iy * nx + ix] = (
-                    box[0] <= area[2] and box[2] > area[0] and box[1] <= area[3] and box[3] > area[1]
-                )
-            if is_wanted[iy * nx + ix]:
-                tiles.append((iy * nx + ix, ix, iy, *box))
-    if not tiles:
+    cells = np.stack(np.divmod(np.arange(nx * ny), nx)[::-1], axis=1)
+    wanted = _touched(plan.told["only"], plan.corner + cells * size, plan.corner + (cells + 1) * size)
+    if not wanted.any():
         raise ValueError(f"only: {plan.told['only']} touches none of the tiles")
-    return tiles
+    return [
+        (iy * nx + ix, ix, iy, x + ix * size, y + iy * size, x + (ix + 1) * size, y + (iy + 1) * size)
+        for ix, iy in cells[wanted].tolist()
+    ]
+
+
+def _touched(area: list[Any] | None, lows: NDArray[np.float64], highs: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Which boxes [n, 2] are wanted: all, or those that the area of a plan touches."""
+    if area is None:
+        return np.ones(len(lows), np.bool_)
+    if isinstance(area[0], list):
+        return boxes_that_meet(parse_area("only", area), lows, highs)
+    return np.logical_and(*((lows <= area[2:]) & (highs > area[:2])).T)
 
 
 def make_folder(folder: Path) -> None:

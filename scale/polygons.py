@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from ..core.checks import check_finite, check_numeric, shown
 from ..core.errors import FileError
 from ..files.foreign import foreign_errors, import_for
-from ..files.points.geodetic import Geodesy
+from ..files.points.geodetic import Geodesy, system_named
 from ..files.points.las import open_las
 from ..pcd.polygon_volume import MIN_CORNERS
 
@@ -172,15 +172,11 @@ def in_survey(name: str, area: Area, crs: str | None, sources: list[dict[str, An
 
 def _transformed(name: str, area: Area, crs: str, path: Path) -> Area:
     pyproj: Any = import_for(path, "pyproj", "geo")
-    file = open_las(path)
-    system = Geodesy(path, file.header).system
+    system = Geodesy(path, open_las(path).header).system
     if system is None:
         remedy = "Give the area in the coordinates of the survey, without a system"
         raise FileError(path, "tells no coordinate system that an area could be brought to", remedy=remedy)
-    try:
-        told = pyproj.CRS.from_user_input(crs)
-    except pyproj.exceptions.CRSError as error:
-        raise ValueError(f"{name}: no coordinate system: {shown(crs)}") from error
+    told = system_named(name, crs)
     with foreign_errors(path, "an area cannot be brought to its coordinate system"):
         transformer = pyproj.Transformer.from_crs(told, system.to_2d(), always_xy=True)
         moved = [[np.column_stack(transformer.transform(*ring.T)) for ring in polygon] for polygon in area]

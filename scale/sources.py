@@ -86,7 +86,7 @@ def describe_all(paths: list[Path], folder: Path, report: ReportProgress) -> lis
     loose = [path for path in paths if path.suffix.lower() in LOOSE]
     if not loose:
         return [describe(path) for path in paths]
-    states = {path: _original(path) for path in loose}
+    states = {path: _state_on_disk(path) for path in loose}
     if (folder / NAME).exists():
         known = {source["original"]["path"]: source for source in read_plan(folder)["sources"] if "original" in source}
         changed = [path for path in loose if known.get(str(path), {}).get("original") != states[path]]
@@ -101,7 +101,8 @@ def describe_all(paths: list[Path], folder: Path, report: ReportProgress) -> lis
     return [described[path] if path in states else describe(path) for path in paths]
 
 
-def _original(path: Path) -> dict[str, Any]:
+def _state_on_disk(path: Path) -> dict[str, Any]:
+    """A file's name, and what tells whether it is still the same."""
     try:
         told = path.stat()
     except OSError as error:
@@ -147,7 +148,7 @@ def describe(path: Path) -> dict[str, Any]:
         FileError: It cannot be read, does not go with its header, or holds degrees.
     """
     file = open_las(path)
-    header, told = file.header, path.stat()
+    header = file.header
     if is_geographic(header):
         remedy = "Project it first, project_to_utm(cloud) gives metres"
         raise FileError(path, "x and y are degrees of longitude and latitude, not lengths", remedy=remedy)
@@ -157,9 +158,7 @@ def describe(path: Path) -> dict[str, Any]:
     units = units_of(header)
     low, high = header.bounds
     return {
-        "path": str(path),
-        "size": told.st_size,
-        "mtime_ns": told.st_mtime_ns,
+        **_state_on_disk(path),
         "kind": kind,
         "points": header.point_count,
         "low": [*map(float, low)],

@@ -35,7 +35,7 @@ from ...core.atomic import check_writable
 from ...core.coordinates import quiet
 from ...core.errors import FileError
 from ...core.paths import path_of
-from ..ascii_rows import AsciiRows, row_format, write_rows
+from ..ascii_rows import AsciiRows, row_format, unix_lines, write_rows
 from ..columns import check_reach, colors_or_loss, stack_normals, warn_left_out, warn_of_loss
 from ..fans import split_faces
 from ..pictures.texture_files import derived_name, find_beside, write_with
@@ -154,9 +154,7 @@ def _text_of(path: Path) -> bytes:
             body = body.decode("utf-16").encode("utf-8", "surrogatepass")
         except UnicodeDecodeError as error:
             raise FileError(path, "is damaged UTF-16", where=f"byte {error.start}") from error
-    body = body.removeprefix(b"\xef\xbb\xbf")
-    if b"\r" in body:
-        body = body.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+    body = unix_lines(body.removeprefix(b"\xef\xbb\xbf"))
     return body.replace(b"\t", b" ") if b"\t" in body else body
 
 

@@ -26,7 +26,7 @@ from numpy.typing import NDArray
 from ...core.atomic import atomic_write, check_writable
 from ...core.coordinates import quiet
 from ...core.errors import FileError
-from ..ascii_rows import AsciiRows, row_format, write_rows
+from ..ascii_rows import AsciiRows, row_format, unix_lines, write_rows
 from ..columns import (
     check_reach,
     colors_or_loss,
@@ -59,7 +59,7 @@ def read_off(path: str | os.PathLike[str]) -> MeshTable:
         UserWarning: Colours that are not whole are left behind; faces cross themselves.
     """
     path = Path(path)
-    body = bytes(open_source(path)[:]).replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+    body = unix_lines(bytes(open_source(path)[:]))
     body = _COMMENT.sub(b"", body)
     head = _HEAD.match(body)
     if head is None:

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write, check_writable
 from ...core.errors import FileError
-from ..ascii_rows import CHUNK_ROWS, AsciiRows
+from ..ascii_rows import CHUNK_ROWS, AsciiRows, unix_lines
 from ..columns import check_reach, warn_left_out
 from ..source import Source, open_source
 from ..table import MeshTable
@@ -81,7 +81,7 @@ def _wrong_size(path: Path, source: Source, count: int) -> FileError:
 def _read_text_corners(path: Path, source: Source) -> NDArray[np.float64]:
     """The corners of the text form, shape [3 t, 3], every line held against what the form has there."""
     body = bytes(source[:])
-    lines = body.replace(b"\r\n", b"\n").replace(b"\r", b"\n").split(b"\n")
+    lines = unix_lines(body).split(b"\n")
     numbers, place, is_open = [b""] * len(lines), 0, False
     for k, line in enumerate(lines):
         words = line.split()

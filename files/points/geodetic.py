@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...core.checks import shown
 from ..foreign import foreign_errors, import_for
 from .las_crs import find_keys, find_text
 from .las_header import LasHeader
@@ -67,6 +68,20 @@ class Geodesy:
             x, y, z = points.T
             found = self._ways[name].transform(x, y, z * self._height_scale, errcheck=True)
         return np.column_stack(found)
+
+
+def system_named(name: str, value: Any) -> Any:
+    """pyproj's CRS of what a user calls it, such as "EPSG:25832".
+
+    Raises:
+        ValueError: There is none; `name` is the argument's.
+        FileError: pyproj is missing.
+    """
+    pyproj: Any = import_for(name, "pyproj", "geo")
+    try:
+        return pyproj.CRS.from_user_input(value)
+    except pyproj.exceptions.CRSError as error:
+        raise ValueError(f"{name}: no coordinate system: {shown(value)}") from error
 
 
 def _told(header: LasHeader) -> Any:

@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write, check_writable
 from ...core.errors import FileError
-from ..ascii_rows import AsciiRows, write_rows
+from ..ascii_rows import AsciiRows, unix_lines, write_rows
 from ..columns import colors_to_bytes, stack_colors, stack_normals
 from ..source import open_source, parse_whole
 from ..table import PointTable
@@ -50,9 +50,7 @@ def read_text(path: str | os.PathLike[str]) -> PointTable:
     kind = _kind(path)
     if kind == ".xyz":
         return read_text_table(path)
-    body = bytes(open_source(path)[:])
-    if b"\r" in body:
-        body = body.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+    body = unix_lines(bytes(open_source(path)[:]))
     if kind == ".pts":
         return _read_pts(path, body)
     if b"#" in body:

@@ -14,11 +14,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.errors import FileError
-from ..ascii_rows import AsciiRows
-from ..columns import stack_colors, stack_normals
+from ..ascii_rows import AsciiRows, unix_lines
 from ..source import Source, open_source, parse_whole
 from ..table import PointTable
-from .text_table import COLOR, NORMAL, POSITION, check_fields, color_range, names_of, read_head, without_comments
+from .text_table import (
+    COLOR,
+    NORMAL,
+    POSITION,
+    check_fields,
+    color_range,
+    names_of,
+    read_head,
+    table_of,
+    without_comments,
+)
 
 BLOCK = 1 << 23  # bytes of lines at a time
 _HEAD = 1 << 16  # bytes in which the head has to end
@@ -41,10 +50,9 @@ class TextInParts:
 
     def __init__(self, path: str | os.PathLike[str]):
         self.path = Path(path)
-        self._source: Source = open_source(path)
-        self._kind = self.path.suffix.lower()
-        begin = 3 if self._source[:3] == b"\xef\xbb\xbf" else 0
-        first = bytes(self._source[begin : begin + _HEAD]).replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+        self._kind, source = self.path.suffix.lower(), open_source(path)
+        begin = 3 if source[:3] == b"\xef\xbb\xbf" else 0
+        first = unix_lines(bytes(source[begin : begin + _HEAD]))
         self._declared, self._delimiter, self._lines = -1, None, 0
         if self._kind == ".pts":
             self._declared = parse_whole(
@@ -82,26 +90,18 @@ class TextInParts:
         return count
 
     def parts(self, size: int) -> Iterator[PointTable]:
-        """The points, at most `size` at a time."""
+        """The points, at most `size` at a time; of a file without points one part of none."""
+        if not self.count:
+            yield PointTable(np.empty((0, 3)))
         for names, rows in self._rows():
             for begin in range(0, len(rows), size):
-                yield self._table(names, rows[begin : begin + size])
-
-    def _table(self, names: tuple[str, ...], rows: NDArray[np.float64]) -> PointTable:
-        columns = dict(zip(names, rows.T, strict=True))
-        points = np.stack([columns.pop(name) for name in POSITION], axis=1)
-        normals = colors = None
-        if NORMAL[0] in columns:
-            normals = stack_normals(self.path, [columns.pop(name) for name in NORMAL])
-        if COLOR[0] in columns:
-            kind = np.uint8 if self._full == 255 else np.float32
-            colors = stack_colors(self.path, [columns.pop(name).astype(kind) for name in COLOR])
-        return PointTable(points, normals, colors, {name: values.copy() for name, values in columns.items()})
+                columns = rows[begin : begin + size].T
+                yield table_of(self.path, dict(zip(names, columns, strict=True)), self._full)
 
     def _rows(self) -> Iterator[tuple[tuple[str, ...], NDArray[np.float64]]]:
         """The names of the columns, and the rows of one block of lines after the other."""
         line, names = 1, self._names
-        for body in _blocks(self._source, self._begin):
+        for body in _blocks(open_source(self.path), self._begin):
             lines, skip = body.count(b"\n") + (not body.endswith(b"\n")), max(0, self._lines - (line - 1))
             for _ in range(min(skip, lines)):
                 body = body.partition(b"\n")[2]
@@ -130,7 +130,7 @@ def _blocks(source: Source, begin: int) -> Iterator[bytes]:
             block, kept = block[:-1], b"\r"
         else:
             kept = b""
-        block = block.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+        block = unix_lines(block)
         end = len(block) if is_last else block.rfind(b"\n") + 1
         left = block[end:] + kept
         if end:

@@ -25,7 +25,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.errors import FileError
-from ..ascii_rows import AsciiRows, is_number
+from ..ascii_rows import AsciiRows, is_number, unix_lines
 from ..columns import stack_colors, stack_normals
 from ..source import open_source
 from ..table import PointTable
@@ -77,16 +77,14 @@ def read_text_table(path: str | os.PathLike[str], columns: Sequence[str] | None 
     """
     given = None if columns is None else _check_given(columns)
     path = Path(path)
-    body = bytes(open_source(path)[:]).removeprefix(b"\xef\xbb\xbf")
-    if b"\r" in body:
-        body = body.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+    body = unix_lines(bytes(open_source(path)[:]).removeprefix(b"\xef\xbb\xbf"))
     head = read_head(path, body)
     rows, text = _rows_of(path, body, head)
     width = len(given) if given else head.width
     check_fields(path, rows, text, head.delimiter, head.lines + 1, width)
     names = given or names_of(path, head, width)
     values = rows.numbers().reshape(-1, width)
-    return _table_of(path, dict(zip(names, values.T, strict=True)))
+    return table_of(path, dict(zip(names, values.T, strict=True)))
 
 
 def _check_given(columns: Sequence[str]) -> list[str]:
@@ -245,7 +243,13 @@ def check_fields(path: Path, rows: AsciiRows, text: bytes, delimiter: bytes | No
     raise FileError(path, f"expected {width} values in each line", remedy=_PARTED)
 
 
-def _table_of(path: Path, columns: dict[str, NDArray[np.float64]]) -> PointTable:
+def table_of(path: Path, columns: dict[str, NDArray[np.float64]], full: float | None = None) -> PointTable:
+    """The table of columns by their names; `full` is what a full colour is, 1 or 255, where that is known.
+
+    Raises:
+        FileError: Nothing tells what the colours are, or normals that are none.
+    """
+
     def taken(names: tuple[str, ...]) -> list[NDArray[np.float64]]:
         return [columns.pop(name) for name in names if name in columns]
 
@@ -254,20 +258,22 @@ def _table_of(path: Path, columns: dict[str, NDArray[np.float64]]) -> PointTable
     return PointTable(
         points,
         stack_normals(path, normals) if normals else None,
-        _colors_of(path, colors) if colors else None,
+        _colors_of(path, colors, full) if colors else None,
         {name: values.copy() for name, values in columns.items()},
     )
 
 
-def _colors_of(path: Path, channels: list[NDArray[np.float64]]) -> NDArray[np.float32]:
-    """Colours by the range of their values, float32 [n, 3].
+def _colors_of(path: Path, channels: list[NDArray[np.float64]], full: float | None) -> NDArray[np.float32]:
+    """Colours, float32 [n, 3]; where nothing says what a full one is, by the range of their values.
 
     Raises:
         FileError: Out of both ranges, or in both.
     """
-    whole = all(bool((np.floor(channel) == channel).all()) for channel in channels)
-    low, high = min(float(channel.min()) for channel in channels), max(float(channel.max()) for channel in channels)
-    kind = np.uint8 if color_range(path, low, high, whole=whole) == 255 else np.float32
+    if full is None:
+        whole = all(bool((np.floor(channel) == channel).all()) for channel in channels)
+        low, high = min(float(channel.min()) for channel in channels), max(float(channel.max()) for channel in channels)
+        full = color_range(path, low, high, whole=whole)
+    kind = np.uint8 if full == 255 else np.float32
     return stack_colors(path, [channel.astype(kind) for channel in channels])
 
 

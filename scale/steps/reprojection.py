@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from ...core.checks import shown
 from ...core.errors import FileError
 from ...files.foreign import import_for
-from ...files.points.geodetic import Geodesy
+from ...files.points.geodetic import Geodesy, system_named
 from ...files.points.las import open_las
 from ..exact_sums import ExactSums
 from .step import Part, Step
@@ -45,17 +45,16 @@ class Reproject(Step):
         """Find the source's system, and the steps in which the target's coordinates are stored."""
         path = Path(sources[0]["path"])
         pyproj: Any = import_for(path, "pyproj", "geo")
-        target = self._system(pyproj, "to_crs", self.params["to_crs"])
+        target = system_named("steps: reproject: to_crs", self.params["to_crs"])
         if self.params["from_crs"] is None:
             source = Geodesy(path, open_las(path).header).system
             if source is None:
                 remedy = "Say which one it is: from_crs='EPSG:25832' of the step, or --from-crs"
                 raise FileError(path, "tells no coordinate system to reproject from", remedy=remedy)
         else:
-            source = self._system(pyproj, "from_crs", self.params["from_crs"])
+            source = system_named("steps: reproject: from_crs", self.params["from_crs"])
         for name, system in (("to_crs", target), ("from_crs", source)):
-            plane = system.sub_crs_list[0] if system.is_compound else system
-            if not plane.is_projected:
+            if not _plane_of(system).is_projected:
                 reason = f"{system.name} does not count in lengths, and tiles and trees are made of lengths"
                 raise ValueError(f"steps: reproject: {name}: {reason}; take a projected system")
         filled = [one for one in sources if one["points"]]
@@ -80,12 +79,6 @@ class Reproject(Step):
         middle = (np.min([s["low"] for s in filled], axis=0) + np.max([s["high"] for s in filled], axis=0)) / 2
         self.params["offsets"] = np.round(self._moved(middle[None])[0]).tolist()
 
-    def _system(self, pyproj: Any, name: str, value: Any) -> Any:
-        try:
-            return pyproj.CRS.from_user_input(value)
-        except pyproj.exceptions.CRSError as error:
-            raise ValueError(f"steps: reproject: {name}: no coordinate system: {shown(value)}") from error
-
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
         """The step on a part; points keep their homes in the source's coordinates."""
         exact = part.cloud.points if part.exact is None else part.exact
@@ -102,7 +95,7 @@ class Reproject(Step):
             systems = [pyproj.CRS.from_user_input(self.params[name]) for name in ("from_crs", "to_crs")]
             self._has_heights = all(system.is_compound for system in systems)
             if not self._has_heights:
-                systems = [system.sub_crs_list[0] if system.is_compound else system for system in systems]
+                systems = [_plane_of(system) for system in systems]
             self._way = pyproj.Transformer.from_crs(*systems, always_xy=True)
         x, y, z = points.T
         if self._has_heights:
@@ -114,3 +107,8 @@ class Reproject(Step):
             reason = f"{lost:,} of {len(points):,} points have no place in {self.params['to_crs']}"
             raise ValueError(f"steps: reproject: {reason}; crop to the area of that system first")
         return moved
+
+
+def _plane_of(system: Any) -> Any:
+    """A coordinate system without that of its heights."""
+    return system.sub_crs_list[0] if system.is_compound else system
