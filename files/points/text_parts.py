@@ -116,7 +116,10 @@ class TextInParts:
             if rows.row_count:
                 assert names is not None
                 check_fields(self.path, rows, text, self._delimiter, line + min(skip, lines), len(names))
-                yield names, rows.numbers().reshape(-1, len(names))
+                values = rows.numbers().reshape(-1, len(names))
+                for name in COLOR if self._kind == ".pts" and COLOR[0] in names else ():  # else names the line
+                    rows.cast(values[:, names.index(name)], np.dtype(np.uint8), "colour", 0)
+                yield names, values
             line += lines
 
 

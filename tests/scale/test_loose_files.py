@@ -100,6 +100,7 @@ def test_text_in_parts_is_text_read_whole(tmp_path, monkeypatch):
         ("a.xyz", "1 2 3\n" * 30 + "4 5\n" + "1 2 3\n" * 30, "line 31.*expected 3 values, found 2"),
         ("a.csv", "x,y,z\n" + "1,2,3\n" * 30 + "1,,3\n", "line 32|column 2"),
         ("a.pts", "9\n1 2 3\n", "1 points where its first line declares 9"),
+        ("a.pts", "2\n1 2 3 0 0 255\n1 2 3 0 0 300\n", "line 3"),
         ("a.xyz", "1 2 3\nnan 2 3\n", "not finite"),
         ("a.xyz", "1 2 3 4 5\n", "nothing says what they are"),
         ("a.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 9\nproperty float x\nproperty float y\n"
