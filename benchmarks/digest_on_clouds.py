@@ -35,6 +35,14 @@ def detail_tree(p: Place) -> Any:
     return [tree.counts, tree.levels, tree.middles, *(tree.indices_of(i) for i in range(len(tree)))]
 
 
+def moved_splats(p: Place) -> Any:
+    cloud = p.cloud.remove_non_finite_points()
+    rng, count = np.random.default_rng(0), len(cloud)
+    shape = [np.exp(rng.normal(-3, 1, (count, 3))), rng.normal(size=(count, 4)), rng.uniform(0.01, 0.99, count)]
+    splats = loom().GaussianSplats(cloud.points, *shape, rng.normal(size=(count, 9, 3)), device=cloud.device)
+    return splats.clean(min_opacity=0.1, max_scale=0.2).transform(p.pose).cloud
+
+
 def search(p: Place) -> Any:
     return loom().NearestNeighborSearch(p.cloud)
 
@@ -97,6 +105,7 @@ ON_CLOUDS: dict[str, Callable[[Place], Any]] = {
     "paint_uniform_color": lambda p: p.cloud.paint_uniform_color([0.1, 0.5, 1]),
     "+": lambda p: p.cloud + p.other,
     "concatenate": lambda p: loom().PointCloud.concatenate([p.facing, p.other, p.cloud]),
+    "splats, cleaned and moved": lambda p: moved_splats(p),
     "transform": lambda p: p.facing.estimate_covariances(max_nn=8).transform(p.pose),
     "estimate_normals, knn": lambda p: p.cloud.estimate_normals(max_nn=15),
     "estimate_normals, radius": lambda p: p.cloud.estimate_normals(radius=3 * p.spacing, max_nn=None),

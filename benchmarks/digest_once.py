@@ -12,7 +12,9 @@ import scenes
 from bench_pose_graph import DISTANCE
 from digest_depth_maps import estimated_depth_maps, plain_depth_maps
 from digest_drawing import DRAWN
+from digest_fields import FIELDS
 from digest_mvs import filtered_depth_maps, fused_depth_maps
+from digest_occupancy import OCCUPANCY
 from digest_on_clouds import SIZE, cloud_file, depth_lens, icp, there_and_back
 from digest_scenes import TURNED, UTM, Place, Scenes, about, loom, pose_of, reg
 from numpy.typing import NDArray
@@ -150,6 +152,18 @@ def volume_file(d: Scenes) -> list[Any]:
         d.volume.save(path)
         again = loom().TSDFVolume.load(path, device=d.device)
     return [again.block_count, again.frame_count, again.extract_triangle_mesh(0), again.extract_point_cloud(1)]
+
+
+def scanned_volume(d: Scenes) -> list[Any]:
+    """A wall behind a post, far out, and the wall alone from elsewhere: the post is carved."""
+    rng = np.random.default_rng(5)
+    wall = np.column_stack([np.full(900, 4.0), rng.uniform(-1, 1, (900, 2))])
+    volume = loom().TSDFVolume(voxel_size=0.08, device=d.device)
+    touched = []
+    for k, points in enumerate((np.vstack([wall, wall[::3] * 0.5]), wall, wall)):
+        cloud = loom().PointCloud(points + UTM, colors=rng.random((len(points), 3)), device=d.device)
+        touched.append(volume.integrate_points(cloud, np.add(UTM, [0.01 * k, 0.02, 0.03])))
+    return [touched, volume.extract_triangle_mesh(0), volume.extract_point_cloud(1)]
 
 
 def crowded_ball(d: Scenes) -> Any:
@@ -430,6 +444,25 @@ def graph_file(d: Scenes) -> Any:
         return reg().read_pose_graph(path)
 
 
+def bent(d: Scenes) -> list[Any]:
+    """A thinned room bent onto the other one, and what the bend makes of points and volumes."""
+    found = reg().register_nonrigid(
+        *d.thinned, node_spacing=0.6, init=np.eye(4), stiffness=[10.0, 1.0], max_iteration=3
+    )
+    T, points = found.deformation, d.thinned[0].points[:50]
+    return [found.warped, found.correspondences, found.residuals, T.transform(points), T.volumes(points)]
+
+
+def drifted(d: Scenes) -> list[Any]:
+    """A part of a room brought onto the other one without pairs, in each way."""
+    source, target = (cloud.select_by_index(np.arange(0, len(cloud), len(cloud) // 80)) for cloud in d.thinned)
+    found = [
+        reg().coherent_point_drift(source, target, kind=kind, max_iteration=8)
+        for kind in ("rigid", "affine", "deformable")
+    ]
+    return [[one.warped, one.transformation, one.deviation, one.matched] for one in found]
+
+
 def reconstructed(d: Scenes) -> list[Any]:
     """The path and the model of five small frames, in two fragments; as they are, and bent straight by SLAC."""
     from bench_reconstruction import Decoded, walk
@@ -528,6 +561,7 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "demo, video": filmed_room,
     "mvs, filter_depth_maps": filtered_depth_maps,
     "mvs, fuse": fused_depth_maps,
+    "tsdf, integrate_points": scanned_volume,
     "tsdf, fuse_volumes": lambda d: (
         loom().fuse_volumes([d.volume] * 2, [np.eye(4), d.extrinsics()[1]]).extract_triangle_mesh(0)
     ),
@@ -661,6 +695,8 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "register_fragments": lambda d: reg().register_fragments(d.fragments, voxel_size=0.1),
     "run_system": reconstructed,
     "SLAC": aligned_fragments,
+    "register_nonrigid": bent,
+    "coherent_point_drift": drifted,
     "global_optimization": lambda d: optimized(d, "LevenbergMarquardt", reference_node=0),
     "global_optimization, Gauss-Newton": lambda d: optimized(d, "GaussNewton", edge_prune_threshold=0.1),
     "pose graph, write and read": graph_file,
@@ -674,3 +710,5 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     ],
     "evaluate_trajectory, scale": lambda d: reg().evaluate_trajectory(d.path, d.true_path, with_scale=True, delta=2),
 } | DRAWN
+ONCE |= FIELDS
+ONCE |= OCCUPANCY

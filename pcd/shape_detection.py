@@ -148,7 +148,7 @@ def detect_shapes(
         tell("shapes", 0, len(cloud))
         while len(shapes) < largest and (found := rounds.next_shape()) is not None:
             write_distances(rounds.search, found, distances)
-            shapes.append(shape_of(rounds.search, found, rounds.limits, cloud.origin))
+            shapes.append(shape_of(rounds.search, found, rounds.limits, cloud.origin, search))
             rounds.remove(found, len(shapes) - 1)
             tell("shapes", len(cloud) - rounds.search.rows.size, len(cloud))
     return DetectedShapes(cloud.handed_out(labels), shapes, cloud.handed_out(distances))
@@ -172,7 +172,9 @@ class _Rounds:
         self.search, self.limits, self.labels = search, limits, labels
         self._kinds, self._fewest, self._reach, self._seed = kinds, fewest, reach, seed
         self._most, self._probability, self._batch = most, probability, FIRST_BATCH
-        self._drawn = dict.fromkeys(kinds, 0)
+        self._drawn = dict.fromkeys(kinds, 0)  # samples of a kind
+        self._tried = dict.fromkeys(kinds, 0)  # those since it was last asked whether all were drawn for nothing
+        self._has_found = False  # a shape since then, of which most of the candidates kept may have been
         self._shapes, self._of, self._counts = np.zeros((0, NUMBERS)), np.zeros(0, np.int64), np.zeros(0, np.int64)
 
     def next_shape(self) -> Found | None:
@@ -183,12 +185,16 @@ class _Rounds:
                 if found is not None:
                     return found
             if not self._open():
-                return None
+                if not self._has_found:
+                    return None
+                self._tried, self._has_found = dict.fromkeys(self._kinds, 0), False
+                continue
             self._draw()
         return None
 
     def remove(self, found: Found, number: int) -> None:
         """Take the points of a shape away, and count again what the candidates have of the rest."""
+        self._has_found = True
         label_rows(found.rows, number, self.labels)
         rows, center = rows_labelled(self.labels, self.search.rows, -1), self.search.center
         if rows.size < self._fewest:
@@ -208,7 +214,7 @@ class _Rounds:
     def _is_safe(self, count: int, kind: int) -> bool:
         """Whether a shape of so many points has been found by now with the wanted probability."""
         hit = chance_of(count / self.search.rows.size, kind, self.search.levels)
-        return 1 - (1 - hit) ** self._drawn[kind] >= self._probability
+        return 1 - (1 - hit) ** self._tried[kind] >= self._probability
 
     def _draw(self) -> None:
         """A batch of samples of each kind that is open."""
@@ -216,6 +222,7 @@ class _Rounds:
             size = min(self._batch, self._most - self._drawn[kind])
             shapes, counts = self.search.draw(kind, size, self._seed, self._drawn[kind], self.limits)
             self._drawn[kind] += size
+            self._tried[kind] += size
             self._keep(
                 np.concatenate([self._shapes, shapes]),
                 np.concatenate([self._of, np.full(len(counts), kind)]),

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from ..kernels.segmentation.plane_fit import PlaneSearch
 from ..kernels.segmentation.shape_fit import ShapeFit
 from ..kernels.segmentation.shape_models import CONE, CYLINDER, PLANE, SPHERE, TORUS
+from ..kernels.segmentation.shape_rivals import count_band, find_rivals
 from ..kernels.segmentation.shape_search import BANDS, SECTORS, Found, ShapeLimits, ShapeSearch
 from .shape import KINDS, Shape
 
@@ -18,7 +19,17 @@ AS_FLAT = 1.15  # a plane whose rms is as many times the shape's explains the po
 UNKNOWN = 0.1  # of a radius: a larger standard deviation leaves it open
 CERTAIN = 3.0  # standard deviations that a cone's half angle is from that of a cylinder
 BESIDE = 1.0  # points on a surface for each that lies beside it, up to three times as far: chance gives a half
-FAR_LIMIT = 3.0
+RUNS_ON = 0.15  # of them that lie beside it and face alike: a strip of contact has 0.2 to 0.7, noise of half of d 0.05
+WIDER = 1.6  # times the limit of normals: what parts from a surface turns away from it
+BETTER = 0.85  # of the deviations: a rival kind whose own are so much smaller is meant; chance left 0.95 and more
+AS_WELL = 1.1  # a simpler kind whose deviations are no larger explains the points
+RULED_OUT = {  # kinds that are simpler than another, or as simple and no case of it
+    SPHERE: (PLANE,),
+    CYLINDER: (PLANE, SPHERE),
+    CONE: (PLANE, SPHERE, CYLINDER),
+    TORUS: (PLANE, SPHERE, CYLINDER, CONE),
+    PLANE: (),
+}
 COVERED = 0.15  # of a round surface: any that is a little bent has a smaller part in common with some
 
 # What a turn by half about u makes of the unknowns: shifts along v and the axis change sign, and so does the tilt
@@ -26,10 +37,42 @@ COVERED = 0.15  # of a round surface: any that is a little bent has a smaller pa
 TURNED = {PLANE: [-1, -1, 1], CYLINDER: [1, -1, -1, 1, 1], TORUS: [1, -1, -1, -1, 1, 1, 1]}
 
 
-def shape_of(search: ShapeSearch, found: Found, limits: ShapeLimits, origin: NDArray[np.float64]) -> Shape:
-    """A found shape in world coordinates, with what speaks against it."""
+def shape_of(
+    search: ShapeSearch,
+    found: Found,
+    limits: ShapeLimits,
+    origin: NDArray[np.float64],
+    every: ShapeSearch | None = None,
+) -> Shape:
+    """A shape found among other points, with what speaks against it; `every` searches all points of the cloud."""
+    shape, box = _shape_in_world(search, found, origin)
+    if found.fit.reason:
+        return replace(shape, reasons=(_undetermined(shape, found.fit),))
+    every = every or search
+    said = _from_fit(search, found, shape) + _beside(every, found, limits, box) + _rivals(search, found, limits, every)
+    return replace(shape, reasons=tuple(said))
+
+
+def fitted_shape(search: ShapeSearch, found: Found, limits: ShapeLimits, origin: NDArray[np.float64]) -> Shape:
+    """A shape that was fitted to all points, with what speaks against it."""
+    shape, _ = _shape_in_world(search, found, origin)
+    if found.fit.reason:
+        return replace(shape, reasons=(_undetermined(shape, found.fit),))
+    said = _from_fit(search, found, shape) + _rivals(search, found, limits, search)
+    return replace(shape, reasons=tuple(said))
+
+
+def _undetermined(shape: Shape, fit: ShapeFit) -> str:
+    return f"{fit.reason}: the {shape.kind} is one of many that fit"
+
+
+def _shape_in_world(
+    search: ShapeSearch, found: Found, origin: NDArray[np.float64]
+) -> tuple[Shape, NDArray[np.float64]]:
+    """A found shape in world coordinates without a verdict, and the box of its points in its own frame."""
     kind, fit = found.kind, found.fit
     bounds, coverage = search.spread(found)
+    box = bounds
     place, frame, axis, covariance = fit.shape[:3], fit.frame, fit.shape[3:6], fit.covariance
     if kind == SPHERE:
         axis = np.array([0.0, 0.0, 1.0])
@@ -56,14 +99,12 @@ def shape_of(search: ShapeSearch, found: Found, limits: ShapeLimits, origin: NDA
         frame=frame,
         reasons=(),
     )
-    return replace(shape, reasons=tuple(_reasons(search, found, limits, shape)))
+    return shape, box
 
 
-def _reasons(search: ShapeSearch, found: Found, limits: ShapeLimits, shape: Shape) -> list[str]:
-    """What speaks against a shape."""
-    said, kind, fit, sigma = [], found.kind, found.fit, shape.sigma
-    if fit.reason:
-        return [f"{fit.reason}: the {shape.kind} is one of many that fit"]
+def _from_fit(search: ShapeSearch, found: Found, shape: Shape) -> list[str]:
+    """What its own points say against a shape."""
+    said, kind, sigma = [], found.kind, shape.sigma
     if kind != PLANE and is_flat(search, found, plane := plane_of(search, found)):
         said.append(f"flat: a plane fits the points as well (rms {plane.rms:.3g} m)")
     for name in ("radius", "minor_radius"):
@@ -72,17 +113,36 @@ def _reasons(search: ShapeSearch, found: Found, limits: ShapeLimits, shape: Shap
             said.append(f"{name} open: {getattr(shape, name):.4g} ± {sigma[name]:.2g} m, as the {part}")
     if kind == CONE and is_open(found, shape.extent[1, 2] - shape.extent[0, 2]):
         said.append(f"half_angle open: {shape.half_angle:.3g} ± {sigma['half_angle']:.2g} rad; a cylinder fits as well")
-    near, far = (
-        search.score(fit.shape[None], np.array([kind]), ShapeLimits(reach * limits.distance, 0.0, 0.0, np.inf))[0]
-        for reach in (1.0, FAR_LIMIT)
-    )
-    if near < BESIDE * (far - near):
-        said.append(f"chance: {near:,} points lie on the surface, and {far - near:,} beside it")
     if is_small_part(kind, shape):
         sizes = [name for name in ("radius", "minor_radius", "half_angle") if name in sigma]
         known = ", ".join(f"{name} {getattr(shape, name):.4g} ± {sigma[name]:.2g}" for name in sizes)
         said.append(f"small part: points cover {100 * shape.coverage:.0f} % of it ({known} if it is a {shape.kind})")
     return said
+
+
+def _beside(every: ShapeSearch, found: Found, limits: ShapeLimits, box: NDArray[np.float64]) -> list[str]:
+    """What the points next to a shape say against it."""
+    wider = np.cos(min(WIDER * np.arccos(min(limits.cosine, 1.0)), np.pi / 2))
+    band = count_band(every, found, box, limits.distance, max(float(wider), 0.0))
+    if band.on < BESIDE * band.beside:
+        return [f"chance: {band.on:,} points lie on the surface, and {band.beside:,} beside it"]
+    if band.beside_facing > RUNS_ON * band.on_facing:
+        said = f"{band.beside_facing:,} points beside the surface face as it does, {band.on_facing:,} lie on it"
+        return [f"runs on: {said}: it may touch another along a strip, or distance_threshold is below the noise"]
+    return []
+
+
+def _rivals(search: ShapeSearch, found: Found, limits: ShapeLimits, every: ShapeSearch) -> list[str]:
+    """The kind that fits the points of a shape better, or as well and is simpler."""
+    rivals = find_rivals(search, found, limits, every)
+    better = min(rivals, key=lambda rival: rival.ratio, default=None)
+    if better is not None and better.ratio < BETTER:
+        fits = f"fits better (rms {better.fit.rms:.3g} m), with {better.support:,} points in all"
+        return [f"other kind: a {KINDS[better.kind]} {fits}"]
+    for rival in rivals:
+        if rival.kind in RULED_OUT[found.kind] and rival.ratio < AS_WELL:
+            return [f"other kind: a {KINDS[rival.kind]} fits as well (rms {rival.fit.rms:.3g} m) and is simpler"]
+    return []
 
 
 def is_small_part(kind: int, shape: Shape) -> bool:

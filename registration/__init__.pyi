@@ -1,6 +1,11 @@
 """The public names of pointloom.registration: the one list of them, for type checkers and for `public_names`."""
 
 from ..files.points.scan_files import list_scans as list_scans
+from .deformable.coherent_drift import DriftResult as DriftResult
+from .deformable.coherent_drift import coherent_point_drift as coherent_point_drift
+from .deformable.deformation import Deformation as Deformation
+from .deformable.nonrigid import register_nonrigid as register_nonrigid
+from .deformable.nonrigid_result import NonRigidResult as NonRigidResult
 from .globally.checkers import CorrespondenceChecker as CorrespondenceChecker
 from .globally.checkers import CorrespondenceCheckerBasedOnDistance as CorrespondenceCheckerBasedOnDistance
 from .globally.checkers import CorrespondenceCheckerBasedOnEdgeLength as CorrespondenceCheckerBasedOnEdgeLength

@@ -135,8 +135,19 @@ def fit_pose(
     w = np.full(len(source), 1 / len(source)) if weights is None else weights / weights.sum()
     source_mean, target_mean = w @ source, w @ target
     s, t = source - source_mean, target - target_mean
-    U, D, Vt = np.linalg.svd((t * w[:, None]).T @ s)
+    A = fit_moments((t * w[:, None]).T @ s, float(w @ (s * s).sum(axis=1)), with_scaling=with_scaling)
+    return make_pose(A, target_mean - A @ source_mean)
+
+
+def fit_moments(cross: Matrix, spread: float, *, with_scaling: bool = False) -> Matrix:
+    """The rotation, or the rotation times a scale, of least squares [3, 3].
+
+    Args:
+        cross: Weighted sum of t s^T, with s and t the points of both about their means.
+        spread: Weighted sum of |s|^2.
+        with_scaling: Whether there is a scale.
+    """
+    U, D, Vt = np.linalg.svd(cross)
     signs = np.array([1.0, 1.0, np.sign(np.linalg.det(U) * np.linalg.det(Vt))])
     R = (U * signs) @ Vt
-    scale = float((D * signs).sum() / (w @ (s * s).sum(axis=1))) if with_scaling else 1.0
-    return make_pose(scale * R, target_mean - scale * R @ source_mean)
+    return float((D * signs).sum() / spread) * R if with_scaling else R

@@ -12,19 +12,24 @@ from typing import Any
 import numpy as np
 
 from ..core.errors import FileError
+from ..core.progress import ReportProgress
 from ..files.points.point_cloud import cloud_of
 from ..pcd.cloud import PointCloud
 from .buckets import Window
-from .sources import check_alike, describe, list_files, read_window
+from .sources import check_alike, describe_all, given_as, list_files, read_window
 from .steps.step import Step
 
 
-def describe_epochs(steps: list[Step], sources: list[dict[str, Any]]) -> list[dict[str, Any]]:
+def describe_epochs(
+    steps: list[Step], sources: list[dict[str, Any]], folder: Path, report: ReportProgress
+) -> list[dict[str, Any]]:
     """What the plan writes down of the epochs that steps compare with, each once, in the order of the steps.
 
     Args:
         steps: The steps, parsed.
         sources: Of the first survey, described.
+        folder: Of the job, in which files that are no LAS are written over as LAZ.
+        report: Told what is done of that.
 
     Raises:
         FileError: A file cannot be read, goes ill with its epoch's others, or has another coordinate system or unit
@@ -34,7 +39,7 @@ def describe_epochs(steps: list[Step], sources: list[dict[str, Any]]) -> list[di
     for step in steps:
         if not step.epoch or any(epoch["paths"] == step.epoch for epoch in epochs):
             continue
-        described = [describe(path) for path in list_files(step.epoch)]
+        described = describe_all(list_files(step.epoch), folder, report, len(epochs))
         check_alike(described)
         _check_beside(described, sources, step)
         epochs.append({"paths": step.epoch, "sources": described})
@@ -46,11 +51,11 @@ def _check_beside(epoch: list[dict[str, Any]], sources: list[dict[str, Any]], st
     for key, what in (("crs", "coordinate system"), ("unit", "unit")):
         if other[key] != first[key]:
             said = [source[key] or "unknown" for source in (other, first)]
-            reason = f"its {what} is {said[0]}, that of {first['path']} {said[1]}: they cannot be compared"
-            raise FileError(other["path"], reason, remedy="Bring both epochs to one first, nothing is converted here")
+            reason = f"its {what} is {said[0]}, that of {given_as(first)} {said[1]}: they cannot be compared"
+            raise FileError(given_as(other), reason, remedy="Bring both epochs to one first, nothing is converted here")
     filled = [[source for source in side if source["points"]] for side in (epoch, sources)]
     if not filled[0]:
-        raise FileError(other["path"], f"the epoch that {step.name} compares with holds no points")
+        raise FileError(given_as(other), f"the epoch that {step.name} compares with holds no points")
     if not filled[1]:
         return  # which is said elsewhere
     (low, high), (first_low, first_high) = (
@@ -58,8 +63,9 @@ def _check_beside(epoch: list[dict[str, Any]], sources: list[dict[str, Any]], st
         for side in filled
     )
     if ((low - step.reach > first_high) | (high + step.reach < first_low)).any():
-        reason = f"the epoch that {step.name} compares with lies elsewhere: {[*low]}..{[*high]}, the first survey"
-        raise FileError(other["path"], f"{reason} {[*first_low]}..{[*first_high]}")
+        there, here = (f"{low.tolist()}..{high.tolist()}" for low, high in ((low, high), (first_low, first_high)))
+        reason = f"the epoch that {step.name} compares with lies elsewhere: {there}, the first survey {here}"
+        raise FileError(given_as(other), reason)
 
 
 def read_epoch(plan: Any, folder: Path, fulls: dict[int, int], step: Step, window: Window) -> PointCloud:

@@ -88,7 +88,7 @@ class Found:
         self.normals &= table.normals is not None
         self.colors &= table.colors is not None
         types = {name: (values.dtype, values.shape[1:]) for name, values in table.attributes.items()}
-        self.renamed |= {*unstorable_in_las(path, with_scan_angle(table))} & types.keys()
+        self.renamed |= self._to_rename(path, table)
         if self.types is None:
             self.types = types
         self.types = {
@@ -96,6 +96,25 @@ class Found:
             for name, kept in self.types.items()
             if name in types and types[name][1] == kept[1]
         }
+
+    def _to_rename(self, path: Path, table: PointTable) -> set[str]:
+        """The attributes whose values LAS can hold under another name alone.
+
+        Raises:
+            FileError: LAS cannot hold one under that name either, or another attribute has it.
+        """
+        lost = unstorable_in_las(path, with_scan_angle(table))
+        lost = {name: reason for name, reason in lost.items() if name in table.attributes}
+        again = PointTable(table.points, attributes={name + RENAMED: table.attributes[name] for name in lost})
+        still = {name.removesuffix(RENAMED): reason for name, reason in unstorable_in_las(path, again).items()}
+        still |= {
+            name: f"{lost[name]}, and there is a {name + RENAMED!r}"
+            for name in lost
+            if name + RENAMED in table.attributes
+        }
+        for name, reason in still.items():
+            raise FileError(path, f"attribute {name!r} {reason}", remedy="Rename or drop it, or write the file as .laz")
+        return {*lost}
 
     def shaped(self, table: PointTable) -> PointTable:
         """A part with what all points have, in the types that hold all values, under names that LAS can have."""
@@ -123,9 +142,22 @@ def _metres(unit: LengthUnit | None) -> float | None:
     return None if unit is None else unit.metres
 
 
+def is_made(path: Path) -> bool:
+    """Whether a path in the folder of a job has the name of one that files are written over into."""
+    return path.name.split("-")[0] == FOLDER
+
+
 @contextmanager
-def taken_over(paths: list[Path], folder: Path, report: ReportProgress) -> Iterator[dict[Path, Path]]:
+def taken_over(
+    paths: list[Path], folder: Path, report: ReportProgress, name: str = FOLDER
+) -> Iterator[dict[Path, Path]]:
     """Write files over as LAZ in a folder's part; they get their name when the block ends well, else they go.
+
+    Args:
+        paths: The files.
+        folder: Of the job.
+        report: Told what is done.
+        name: Of the folder in it that they are put in.
 
     Yields:
         Where each of them is now.
@@ -134,7 +166,7 @@ def taken_over(paths: list[Path], folder: Path, report: ReportProgress) -> Itera
         FileError: One is damaged, holds no points or one that is not finite; units differ; the disk is full.
     """
     making = folder / MAKING
-    for old in (making, folder / FOLDER):  # of a plan that was interrupted
+    for old in (making, folder / name):  # of a plan that was interrupted
         shutil.rmtree(old, ignore_errors=True)
     try:
         making.mkdir(parents=True)
@@ -145,7 +177,7 @@ def taken_over(paths: list[Path], folder: Path, report: ReportProgress) -> Itera
             _write(path, parts, made[path], found, found.counts[number])
             report("taking over", number + 1, len(paths))
         yield made
-        making.rename(folder / FOLDER)
+        making.rename(folder / name)
     except BaseException:
         shutil.rmtree(making, ignore_errors=True)
         raise

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import math
+import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -19,10 +22,10 @@ from ..kernels.search.hilbert_order import levels_for
 from .buckets import Window
 from .epochs import describe_epochs
 from .halos import far_files
-from .loose_files import FOLDER as MADE
+from .loose_files import is_made
 from .manifest import NAME, Manifest, canonical, files_of, hash_of, read_plan, write_manifest
 from .polygons import boxes_that_meet, in_survey, parse_area, to_json
-from .sources import check_alike, check_same, describe_all, list_files
+from .sources import check_alike, check_same, describe_all, given_as, list_files
 from .status import TileStatus, status_of
 from .steps.parse import parse_steps
 from .steps.step import Step
@@ -183,25 +186,41 @@ def plan_tiles(
     paths, folder = list_files(sources), path_of(folder)
     if not (folder / NAME).exists():
         check_folder(folder)
-    described = describe_all(paths, folder, check_progress(progress))
-    check_alike(described)
-    for step in parsed:
-        step.settle(described)
-    told = _make(described, parsed, size, points, _area_of(only, only_crs, described), output)
-    told["epochs"] = describe_epochs(parsed, described)
-    if (folder / NAME).exists():
-        with Manifest(folder) as manifest:
-            check_same_plan(manifest, told)
-            return status_of(manifest)
-    joined = [step.name for step in parsed if step.joins]
-    if only is not None and joined:
-        raise ValueError(f"only: {joined[0]} needs all tiles; put a crop step before it instead")
-    make_folder(folder)
-    plan = Plan(told)
-    tiles = tiles_of(plan)
-    write_manifest(folder, told, __version__, tiles, far_files(plan, tiles), plan.joined_passes)
+    with _nothing_left(folder):
+        described = describe_all(paths, folder, check_progress(progress))
+        check_alike(described)
+        for step in parsed:
+            step.settle(described)
+        told = _make(described, parsed, size, points, _area_of(only, only_crs, described), output)
+        told["epochs"] = describe_epochs(parsed, described, folder, progress)
+        if (folder / NAME).exists():
+            with Manifest(folder) as manifest:
+                check_same_plan(manifest, told)
+                return status_of(manifest)
+        joined = [step.name for step in parsed if step.joins]
+        if only is not None and joined:
+            raise ValueError(f"only: {joined[0]} needs all tiles; put a crop step before it instead")
+        make_folder(folder)
+        plan = Plan(told)
+        tiles = tiles_of(plan)
+        write_manifest(folder, told, __version__, tiles, far_files(plan, tiles), plan.joined_passes)
     with Manifest(folder) as manifest:
         return status_of(manifest)
+
+
+@contextmanager
+def _nothing_left(folder: Path) -> Iterator[None]:
+    """Take away what was written over in the folder of a job, and a new folder, where no plan comes of it."""
+    is_new = not folder.exists()
+    try:
+        yield
+    except BaseException:
+        if folder.is_dir() and not (folder / NAME).exists():
+            for made in filter(is_made, folder.iterdir()):
+                shutil.rmtree(made, ignore_errors=True)
+            if is_new and not any(folder.iterdir()):
+                folder.rmdir()
+        raise
 
 
 def open_plan(folder: FilePath) -> tuple[Manifest, Plan]:
@@ -268,7 +287,7 @@ def _by_path(key: str, listed: Any) -> dict[str, Any]:
 def _make(sources: Any, steps: list[Step], size: Any, points: Any, only: Any, output: str) -> dict[str, Any]:
     filled = [source for source in sources if source["points"]]
     if not filled:
-        raise FileError(sources[0]["path"], "the files hold no points")
+        raise FileError(given_as(sources[0]), "the files hold no points")
     low = np.min([source["low"] for source in filled], axis=0)
     high = np.max([source["high"] for source in filled], axis=0)
     total = sum(source["points"] for source in filled)
@@ -365,7 +384,7 @@ def check_folder(folder: Path) -> None:
         raise FileError(folder, "is not a folder", remedy="Give the name of a folder")
     try:
         inside = folder.iterdir() if folder.exists() else ()
-        other = [path for path in inside if path.suffix != ".part" and path.name != MADE]
+        other = [path for path in inside if path.suffix != ".part" and not is_made(path)]
     except OSError as error:
         raise FileError(folder, f"cannot be made: {error.strerror or error}") from error
     if other:

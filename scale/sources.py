@@ -7,7 +7,6 @@ file is made first (loose_files.py).
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Iterable
 from functools import lru_cache
@@ -27,14 +26,13 @@ from ..files.points.las_crs import crs_name, is_geographic
 from ..files.points.las_units import units_of
 from ..files.table import PointTable
 from .buckets import Window, check_size, inside, positions_of, read_buckets
+from .indexes import INDEX, SUFFIXES, files_of_index
 from .loose_files import FOLDER as MADE
 from .loose_files import SUFFIXES as LOOSE
 from .loose_files import taken_over
 from .manifest import NAME, NOT_LAID, read_plan
 
-SUFFIXES = (".las", ".laz")
 IN_FOLDERS = tuple(suffix for suffix in LOOSE if suffix not in (".csv", ".txt"))  # which are notes as often as points
-INDEX = ".vpc"
 ROW_BITS = 40  # of a point's key, for its row in the file; what is above is the file's number
 
 
@@ -75,29 +73,43 @@ def list_files(sources: Any) -> list[Path]:
     return [*found]
 
 
-def describe_all(paths: list[Path], folder: Path, report: ReportProgress) -> list[dict[str, Any]]:
+def describe_all(
+    paths: list[Path], folder: Path, report: ReportProgress, epoch: int | None = None
+) -> list[dict[str, Any]]:
     """What the plan writes down of files; of those that are no LAS it has LAZ files made in the folder of the job.
 
     What a plan in the folder says of files that are as they were is taken from there.
 
+    Args:
+        paths: The files of a survey.
+        folder: Of the job.
+        report: Told what is done.
+        epoch: The number of the epoch that these are; None for the survey that the job is of.
+
     Raises:
-        FileError: As of `describe` and of `taken_over`.
+        FileError: As of `describe` and of `taken_over`; a file that was made of one is gone.
     """
     loose = [path for path in paths if path.suffix.lower() in LOOSE]
     if not loose:
         return [describe(path) for path in paths]
     states = {path: _state_on_disk(path) for path in loose}
     if (folder / NAME).exists():
-        known = {source["original"]["path"]: source for source in read_plan(folder)["sources"] if "original" in source}
+        plan = read_plan(folder)
+        described = [{"sources": plan["sources"]}] if epoch is None else plan["epochs"][epoch : epoch + 1]
+        listed = [source for survey in described for source in survey["sources"]]
+        known = {source["original"]["path"]: source for source in listed if "original" in source}
         changed = [path for path in loose if known.get(str(path), {}).get("original") != states[path]]
         if changed:
             reason = f"holds the tiles of another plan: {changed[0]} is new or has changed"
             raise FileError(folder, reason, remedy="Give another folder")
+        for path in loose:
+            check_same(known[str(path)])
         return [known[str(path)] if path in states else describe(path) for path in paths]
-    with taken_over(loose, folder, report) as made:
+    name = MADE if epoch is None else f"{MADE}-{epoch + 1}"
+    with taken_over(loose, folder, report, name) as made:
         described = {path: describe(place) for path, place in made.items()}
     for path, source in described.items():
-        source |= {"path": str((folder / MADE / Path(source["path"]).name).resolve()), "original": states[path]}
+        source |= {"path": str((folder / name / Path(source["path"]).name).resolve()), "original": states[path]}
     return [described[path] if path in states else describe(path) for path in paths]
 
 
@@ -108,37 +120,6 @@ def _state_on_disk(path: Path) -> dict[str, Any]:
     except OSError as error:
         raise FileError(path, f"cannot be read: {error.strerror or error}") from error
     return {"path": str(path), "size": told.st_size, "mtime_ns": told.st_mtime_ns}
-
-
-def files_of_index(path: Path) -> list[Path]:
-    """The files that a virtual point cloud (.vpc: STAC items) lists, in its order.
-
-    Raises:
-        FileError: It cannot be read, is none, or lists what is not there or no LAS file.
-    """
-    try:
-        items = json.loads(path.read_bytes())["features"]
-        hrefs = [item["assets"]["data"]["href"] for item in items]
-    except OSError as error:
-        raise FileError(path, f"cannot be read: {error.strerror or error}") from error
-    except (ValueError, KeyError, TypeError) as error:
-        reason = f"is no virtual point cloud: {type(error).__name__}: {error}"
-        raise FileError(path, reason, remedy="A .vpc has features, each with assets.data.href") from error
-    files = []
-    for number, href in enumerate(hrefs):
-        where = f"item {number}"
-        if not isinstance(href, str) or "://" in href:
-            remedy = "Download it, and make the index anew"
-            raise FileError(path, f"lists {href!r}, which is no file on this machine", where=where, remedy=remedy)
-        file = (path.parent / href).resolve()
-        if file.suffix.lower() not in SUFFIXES:
-            raise FileError(path, f"lists {href}, which is neither .las nor .laz", where=where)
-        if not file.is_file():
-            raise FileError(path, f"lists {href}, which is not there", where=where, remedy=f"It should be at {file}")
-        files.append(file)
-    if not files:
-        raise FileError(path, "lists no file")
-    return files
 
 
 def describe(path: Path) -> dict[str, Any]:
@@ -187,8 +168,13 @@ def check_alike(sources: list[dict[str, Any]]) -> None:
             ("attributes", "attributes"),
         ):
             if other[key] != first[key]:
-                said = f"its {what} is {_said(other[key])}, that of {first['path']} {_said(first[key])}"
-                raise FileError(other["path"], said, remedy="Bring the files to one first, nothing is converted here")
+                said = f"its {what} is {_said(other[key])}, that of {given_as(first)} {_said(first[key])}"
+                raise FileError(given_as(other), said, remedy="Bring the files to one first, nothing is converted here")
+
+
+def given_as(source: dict[str, Any]) -> str:
+    """The path of a file as the user knows it: not that of the LAZ that was made of it."""
+    return source.get("original", source)["path"]
 
 
 def _said(value: Any) -> str:
@@ -209,7 +195,9 @@ def check_same(source: dict[str, Any]) -> None:
     try:
         told = path.stat()
     except OSError as error:
-        raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+        made = f", that was made of {given_as(source)}" if "original" in source else ""
+        remedy = "Plan the tiles anew in another folder" if made else ""
+        raise FileError(path, f"cannot be read: {error.strerror or error}{made}", remedy=remedy) from error
     if (told.st_size, told.st_mtime_ns) != (source["size"], source["mtime_ns"]):
         what = f"{source['size']} bytes" + ("" if told.st_size == source["size"] else f", now {told.st_size}")
         remedy = "Plan the tiles anew in another folder"

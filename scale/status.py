@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import shlex
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from typing import Any
 
-from ..core.errors import FilePath
+from ..core.errors import FileError, FilePath
 from ..core.paths import path_of
 from ..core.wording import to_json
 from .manifest import Manifest, files_of
+from .sources import check_same, given_as
 from .steps.parse import KNOWN
 
 
@@ -80,7 +81,22 @@ def tile_status(folder: FilePath) -> TileStatus:
         FileError: The folder holds no manifest.
     """
     with Manifest(path_of(folder)) as manifest:
-        return status_of(manifest)
+        told = status_of(manifest)
+        if told.is_finished:
+            return told
+        return replace(told, troubles=told.troubles | _lost_of(manifest))
+
+
+def _lost_of(manifest: Manifest) -> dict[str, str]:
+    """What files that were written over as LAZ for a job are no longer so, and why."""
+    lost = {}
+    for source in files_of(manifest.plan):
+        if "original" in source:
+            try:
+                check_same(source)
+            except FileError as error:
+                lost[given_as(source)] = str(error)
+    return lost
 
 
 def status_of(manifest: Manifest) -> TileStatus:

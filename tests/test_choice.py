@@ -92,10 +92,19 @@ NOT_COMPARED = {
         *("device_array", "device_bounds", "from_device_arrays", "from_device_depth", "handed_out", "points_about"),
         *("required_array", "search_tree", "select_rows", "with_arrays", "triangles_at", "edge_topology"),
         "vertices_at",
-        *("integrate_device_frame", "render_maps", "render_colors", "adopt_search_tree"),
+        "from_device_voxels",
+        *("integrate_device_frame", "render_maps", "render_colors", "adopt_search_tree", "device_voxels"),
     ),
     "on scenes that hold such shapes, by tests/pcd/test_shapes.py": (
-        *("detect_shapes", "segment_cone", "segment_cylinder", "segment_sphere", "segment_torus"),
+        *(
+            "detect_shapes",
+            "find_boxes",
+            "fit_shape",
+            "segment_cone",
+            "segment_cylinder",
+            "segment_sphere",
+            "segment_torus",
+        ),
     ),
 }
 
@@ -139,7 +148,7 @@ def test_make_and_the_mutants_choose_alike_and_ci_runs_all():
 
 @pytest.mark.parametrize(
     "owner",
-    [loom.PointCloud, loom.TriangleMesh, loom.TSDFVolume, loom.RaycastingScene],
+    [loom.PointCloud, loom.TriangleMesh, loom.TSDFVolume, loom.OccupancyGrid, loom.RaycastingScene, loom.DistanceField],
     ids=lambda owner: owner.__name__,
 )
 def test_the_compilers_are_compared_on_every_operation(owner):

@@ -42,10 +42,10 @@ ROOMS = {
     "kernels": [
         *("language", "algebra", "arrays", "search", "extent", "surface", "features", "sampling", "segmentation"),
         "terrain",
-        *("poses", "icp", "volumes", "odometry", "meshes", "remeshing", "rays", "reconstruction", "images", "stereo"),
-        *("drawing", "rgbd", "textures", "scenes"),
+        *("poses", "icp", "volumes", "odometry", "meshes", "bending", "remeshing", "rays", "reconstruction", "images"),
+        *("stereo", "drawing", "rgbd", "textures", "splats", "scenes"),
     ],
-    "files": ["pictures", "points", "meshes", "frames", "models", "bags"],
+    "files": ["pictures", "points", "splats", "meshes", "frames", "models", "bags"],
     "registration": ["icp", "globally", "lidar", "pose_graphs", "stations", "deformable", "trajectories"],
     "meshing": ["mesh", "scene", "volume", "color_map"],
     "rgbd": ["odometry", "slam", "fusion", "reconstruction"],

@@ -9,9 +9,11 @@ from typing import Any
 
 from ...cameras.camera import read_pinhole_camera_intrinsic
 from ...core.errors import DatasetError, FileError, FilePath, PointloomError
+from ...core.paths import path_of
 from ...core.reports import Fields, all_of
 from ...core.timing import Clock, peak_bytes
 from ...core.wording import format_bytes, format_seconds
+from ...files.bags.recording import is_recording, open_recording
 from ...files.frames.datasets import RGBDDataset, open_dataset, open_frames
 from ...files.frames.frames import (
     camera_line,
@@ -62,6 +64,8 @@ class FrameFolder:
         Raises:
             FileError: As `open_folder`.
         """
+        if is_recording(path_of(path)):
+            return cls(path, _frames_of_recording(path, options), options.intrinsic)
         return cls(path, open_folder(path, **dataclasses.asdict(options)), options.intrinsic)
 
     @classmethod
@@ -139,6 +143,17 @@ def with_camera(fields: Fields, camera: str, left_out: Sequence[str], *, before:
         told += [("camera", camera)] if label == before else []
         told.append((label, f"{value}\n{len(lost)} left out, the first {lost[0]}" if lost else value))
     return told
+
+
+def _frames_of_recording(path: FilePath, options: FolderOptions) -> Any:
+    """The RGB-D frames of a recording, whose depth is in millimetres or metres whatever is said."""
+    for name, value, usual in (("layout", options.layout, "auto"), ("depth_scale", options.depth_scale, None)):
+        if value != usual:
+            raise FileError(
+                path, f"is a recording, which has no {name}", remedy=f"Leave out --{name.replace('_', '-')}"
+            )
+    camera = None if options.intrinsic is None else read_pinhole_camera_intrinsic(options.intrinsic)
+    return open_recording(path).frames(intrinsic=camera, every=options.every)
 
 
 def _has_no_poses(path: FilePath, given: dict[str, Any]) -> bool:

@@ -18,6 +18,7 @@ from ...files.meshes import tables
 from ...files.points.point_cloud import table_of
 from ...files.points.scan_files import list_scans
 from ...pcd.cloud import PointCloud
+from ...registration.globally.level_poses import LEVEL
 from ...registration.pose_graphs.multiway import FragmentsResult, register_fragments
 from ...registration.pose_graphs.pose_graph_files import write_pose_graph
 from ...registration.voxel_size import choose_voxel_size
@@ -73,6 +74,7 @@ def register_folder(
     *,
     voxel_size: float | None = None,
     neighbors: int | None = None,
+    level: bool = False,
     merged: FilePath | None = None,
     graph: FilePath | None = None,
     device: Any = "auto",
@@ -87,6 +89,7 @@ def register_folder(
             number in .log, are the number of the cloud, from 0.
         voxel_size: Edge of the voxels that the clouds are thinned to [m]; None chooses it from them.
         neighbors: As of `register_fragments`.
+        level: Whether all clouds are level, so that none is tilted.
         merged: A cloud of all that could be placed, with the attributes that all of them have.
         graph: A .json file for the pose graph.
         device: Where to compute.
@@ -114,7 +117,8 @@ def register_folder(
     with job.stage("voxels", told=False):
         size = choose_voxel_size(*clouds) if voxel_size is None else voxel_size
     with job.stage("register", told=False):
-        found = register_fragments(clouds, voxel_size=size, neighbors=neighbors, progress=job.tell)
+        how: dict[str, Any] = {"neighbors": neighbors, "free": LEVEL if level else None}
+        found = register_fragments(clouds, voxel_size=size, progress=job.tell, **how)
     is_written = int(found.placed.sum()) > 1
     with job.stage("write", told=is_written):
         if is_written:

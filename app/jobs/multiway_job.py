@@ -14,6 +14,7 @@ from ...core.devices import resolve_device
 from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
 from ...core.wording import plain
+from ...registration.globally.level_poses import LEVEL
 from ...scale.jobs.placed_scans import finish_registration
 from ...scale.jobs.run_jobs import retry_job, run_job
 from ...scale.jobs.scans import plan_registration
@@ -48,6 +49,7 @@ def place_scans(
     *,
     voxel_size: float,
     neighbors: int | None = None,
+    level: bool = False,
     places: FilePath | None = None,
     place_error: float = 0.0,
     workers: int = 0,
@@ -64,6 +66,7 @@ def place_scans(
         job_folder: Of the job; made where it is missing.
         voxel_size: As of `plan_registration`, like the next one.
         neighbors: Likewise.
+        level: As of `register_folder`.
         places: Where they were taken, roughly: a file as `read_trajectory` takes it. Its poses go with the scans by
             their numbers from 0 in .log files and where times are such numbers, else one by one. Scans that it does
             not name have no place.
@@ -88,7 +91,12 @@ def place_scans(
     paths = list_clouds(folder)
     given = None if places is None else places_of(places, len(paths))
     where = ("cuda" if resolve_device("auto").is_cuda else "cpu") if device == "auto" else device
-    how: dict[str, Any] = {"neighbors": neighbors, "places": given, "place_error": place_error}
+    how: dict[str, Any] = {
+        "free": LEVEL if level else None,
+        "neighbors": neighbors,
+        "places": given,
+        "place_error": place_error,
+    }
     with job.stage("register", told=False):
         plan_registration(paths, job_folder, voxel_size=voxel_size, **how)
         retry_job(job_folder)

@@ -44,11 +44,11 @@ def read_bag1(path: Path) -> Contents:
             place = begin + length
     except (FileError, struct.error, KeyError, ValueError) as error:
         found.damage = f"is cut off or damaged at byte {place} of {len(source)}: {error}"
-    try:
-        _scan_if_open(path, found, chunk)
-        _find_connections(path, found)
-    except (FileError, struct.error, KeyError, ValueError) as error:
-        found.damage = found.damage or f"has a damaged chunk: {error}"
+    for look in (lambda: _scan_if_open(path, found, chunk), lambda: _find_connections(path, found)):
+        try:  # each by itself: a last chunk that is damaged leaves those before it with their topics
+            look()
+        except (FileError, struct.error, KeyError, ValueError) as error:
+            found.damage = found.damage or f"has a damaged chunk: {error}"
     return found
 
 

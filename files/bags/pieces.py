@@ -98,6 +98,11 @@ def slice_of(path: Path, data: bytes, begin: int, length: int) -> bytes:
     return bytes(data[begin : begin + length])
 
 
+def byte_order(data: bytes, encoding: str) -> str:
+    """Of the numbers of a message: CDR tells it in its second byte, ROS 1 has the least first."""
+    return ">" if encoding == "cdr" and data[1:2] == b"\0" else "<"
+
+
 def number(form: str, data: bytes, begin: int) -> int:
     """A number at a place; struct.error where the bytes end before."""
     return struct.unpack_from("<" + form, data, begin)[0]

@@ -6,23 +6,30 @@ import os
 import struct
 import warnings
 from collections import OrderedDict
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 from typing import Any
 
+from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.trajectory import Trajectory
+from ...core.checks import check_count, check_positive
 from ...core.errors import FileError
 from ...core.paths import path_of
 from ...pcd.cloud import PointCloud
 from ..foreign import foreign_errors, import_for
 from ..points.point_cloud import cloud_of
 from ..points.scan_files import natural_key
+from ..table import PointTable
 from .bag1 import read_bag1
 from .clouds import table_of_message
 from .db3 import read_db3
+from .livox import LIVOX, table_of_livox
 from .mcap import read_mcap
-from .pieces import Contents
+from .motions import IMU, POSES, ImuReadings, imu_of_messages, trajectory_of_messages
+from .pieces import Contents, byte_order
+from .recorded_frames import RecordedFrames, choose_pictures
 
 CLOUD = "sensor_msgs/msg/PointCloud2"
 _READERS = {".bag": read_bag1, ".mcap": read_mcap, ".db3": read_db3}
@@ -122,13 +129,15 @@ class Recording:
             raise ValueError(f"topic: {self.path} has no {topic!r}; there are {', '.join(names) or 'none'}")
         return self._messages(topic)
 
-    def choose_topic(self, topic: str | None, kind: str = CLOUD) -> str:
-        """The topic that was asked for, or the only one of a type.
+    def choose_topic(self, topic: str | None, *kinds: str) -> str:
+        """The topic that was asked for, or the only one of some types; of clouds where none is named.
 
         Raises:
             FileError: There is none, of another type, or more than one and none was asked for.
         """
-        fitting = [found.name for found in self.topics if found.type == kind and found.count]
+        types = kinds or (CLOUD, *LIVOX)
+        kind = types[0]
+        fitting = [name for name, found in self.topic_types().items() if found in types]
         if topic is None and len(fitting) == 1:
             return fitting[0]
         if topic in fitting:
@@ -140,7 +149,7 @@ class Recording:
         raise FileError(self.path, f"has {what}", remedy="Name one of them" if fitting else f"There are {every}")
 
     def scans(self, topic: str | None = None, *, device: Any = None) -> Iterator[PointCloud]:
-        """The clouds of a topic of PointCloud2 in the order of their times, with the times of their points.
+        """The clouds of a topic of PointCloud2, or of Livox's CustomMsg, in the order of their times.
 
         Args:
             topic: Which; None takes the only one.
@@ -154,24 +163,106 @@ class Recording:
             odometry straightens by.
         """
         chosen = self.choose_topic(topic)
+        if self.topic_types()[chosen] in LIVOX:
+            return self._livox_scans(chosen, device)
         return (
             cloud_of(table_of_message(self.path, message.content), self.path, device=device)
             for message in self._messages(chosen)
         )
 
+    def _livox_scans(self, topic: str, device: Any) -> Iterator[PointCloud]:
+        def table_at(row: tuple[int, int, int, int, int]) -> PointTable:
+            encoding, data = self.bytes_at(row)
+            return table_of_livox(self.path, data, encoding)
+
+        return (cloud_of(table, self.path, device=device) for _, table in self._each(topic, table_at))
+
+    def frames(
+        self,
+        depth: str | None = None,
+        color: str | None = None,
+        *,
+        intrinsic: PinholeCameraIntrinsic | None = None,
+        tolerance: float = 0.02,
+        every: int = 1,
+    ) -> RecordedFrames:
+        """The RGB-D frames of a recording: pictures of depth and colour with the same time in their headers.
+
+        Args:
+            depth: The topic of depth, of Image or CompressedImage; None takes the only one.
+            color: The topic of colour, registered to depth; None takes the only one, or none where there is none.
+            intrinsic: The camera; None takes what the `camera_info` beside the topic of depth says.
+            tolerance: Pictures belong together that were taken less than this apart [s].
+            every: Take every k-th frame, beginning with the first.
+
+        Returns:
+            A source of frames, as `track` and `fuse` take them; `left_out` lists pictures without a partner.
+
+        Raises:
+            FileError: No such topics, more than one and none named, no camera, or pictures that never go together.
+            ValueError: A tolerance that is not above 0, or a count below 1.
+        """
+        apart, step = check_positive("tolerance", tolerance), check_count("every", every)
+        if intrinsic is not None and not isinstance(intrinsic, PinholeCameraIntrinsic):
+            raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
+        found = RecordedFrames(self, *choose_pictures(self, depth, color), intrinsic, apart, step)
+        if not len(found):
+            reason = f"no pictures of {found.depth} and {found.color} were taken within {apart:g} s"
+            raise FileError(self.path, reason, remedy="Give a larger tolerance, or other topics")
+        return found
+
+    def imu(self, topic: str | None = None) -> ImuReadings:
+        """The readings of an inertial unit: times of the headers, turns, accelerations, and orientations where given.
+
+        Raises:
+            FileError: As `choose_topic`, or a message that is damaged.
+        """
+        chosen = self.choose_topic(topic, IMU)
+        return imu_of_messages(message.content for message in self._messages(chosen))
+
+    def trajectory(self, topic: str | None = None) -> Trajectory:
+        """The poses of a topic of Odometry, PoseStamped, PoseWithCovarianceStamped or TransformStamped, as recorded.
+
+        Raises:
+            FileError: As `choose_topic`; a message that is damaged, or a pose that is none.
+        """
+        chosen = self.choose_topic(topic, *POSES)
+        messages = (message.content for message in self._messages(chosen))
+        return trajectory_of_messages(self.path, chosen, self.topic_types()[chosen], messages)
+
+    def topic_types(self) -> dict[str, str]:
+        """The types of topics that have messages, by name."""
+        return {topic.name: topic.type for topic in self.topics if topic.count}
+
+    def rows_of(self, topic: str) -> list[tuple[int, int, int, int, int]]:
+        """Where the messages of a topic stand, in the order of their times, for `content_at`."""
+        return [row for row in self._rows if self._parts[row[1]].channels[row[2]].topic == topic]
+
+    def bytes_at(self, row: tuple[int, int, int, int, int]) -> tuple[str, bytes]:
+        """The encoding of a message, and its bytes."""
+        return self._parts[row[1]].channels[row[2]].encoding, self._payload(row)
+
+    def content_at(self, row: tuple[int, int, int, int, int]) -> Any:
+        """A message, decoded.
+
+        Raises:
+            FileError: It is damaged, or of a type that is not known.
+        """
+        channel = self._parts[row[1]].channels[row[2]]
+        return self._decode(channel.type, channel.encoding, self._payload(row))
+
     def _messages(self, topic: str) -> Iterator[RecordedMessage]:
-        done = 0
-        for row in self._rows:
-            channel = self._parts[row[1]].channels[row[2]]
-            if channel.topic != topic:
-                continue
+        return (RecordedMessage(topic, row[0] * 1e-9, content) for row, content in self._each(topic, self.content_at))
+
+    def _each(self, topic: str, read: Callable[[tuple[int, int, int, int, int]], Any]) -> Iterator[tuple[Any, Any]]:
+        """Where each message of a topic stands, and what is read there; errors tell how many came before it."""
+        for done, row in enumerate(self.rows_of(topic)):
             try:
-                content = self._decode(channel.type, channel.encoding, self._payload(row))
+                content = read(row)
             except FileError as error:
                 reason = f"{topic}: message {done} cannot be read after {done} that could: {error.reason}"
                 raise FileError(error.path, reason, where=error.where, remedy=error.remedy) from error
-            yield RecordedMessage(topic, row[0] * 1e-9, content)
-            done += 1
+            yield row, content
 
     def _payload(self, row: tuple[int, int, int, int, int]) -> bytes:
         _, number, _, piece, place = row
@@ -265,6 +356,5 @@ def is_recording(path: Path) -> bool:
 
 def _frame_id(data: bytes, encoding: str) -> str:
     """The frame of a message that begins with a header: a counter in ROS 1, four bytes of encoding in ROS 2."""
-    order = ">" if encoding == "cdr" and data[1] == 0 else "<"
-    size = struct.unpack_from(order + "I", data, 12)[0]
+    size = struct.unpack_from(byte_order(data, encoding) + "I", data, 12)[0]
     return bytes(data[16 : 16 + size]).rstrip(b"\0").decode()

@@ -63,8 +63,15 @@ def read_depth(path: str | os.PathLike[str]) -> NDArray[np.uint16] | NDArray[np.
         (48, 64)
     """
     data = _read_bytes(path)
-    if data.startswith(_NPY_MAGIC):
-        return _decode_npy(path, data)
+    return _decode_npy(path, data) if data.startswith(_NPY_MAGIC) else decode_depth(path, data)
+
+
+def decode_depth(path: str | os.PathLike[str], data: bytes) -> NDArray[np.uint16]:
+    """The bytes of a 16-bit grey PNG as a depth map, shape [h, w]; `path` is for errors.
+
+    Raises:
+        FileError: Damaged, too large, or no such picture.
+    """
     header = _parse_header(path, io.BytesIO(data))
     check_depth_header(path, header)
     return _decode(path, data, header, "I;16")

@@ -5,7 +5,6 @@ Those of whole steps are integers: the same bits in whatever order points are me
 
 from ..lang import bits_float, float64, float_bits, floor, func, int64, mat33d, vec3, vector
 
-ROUNDER = 786432.0  # 1.5 * 2^19: what is added to it loses all bits below 2^-33
 moments = vector(10, float64)  # count; x, y, z; xx, xy, xz, yy, yz, zz
 whole_moments = vector(10, int64)  # the same of differences in whole steps
 MOST_WHOLE = 131072  # points whose whole moments 64 bits hold: products have 46
@@ -80,9 +79,3 @@ def add_difference(total: moments, p: vec3, q: vec3) -> moments:
     y = float64(q[1]) - float64(p[1])
     z = float64(q[2]) - float64(p[2])
     return total + moments(1.0, x, y, z, x * x, x * y, x * z, y * y, y * z, z * z)
-
-
-@func
-def in_steps(x: float64) -> float64:
-    """A number up to one, rounded to a step: sums of up to 2^20 such numbers are exact, hence the same in any order."""
-    return (x + float64(ROUNDER)) - float64(ROUNDER)

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..array_types import Indices, Points
+from ..array_types import Doubles, Indices, Points
 from ..lang import array, dot, float64, func, int32, reduce, reduction, sqrt, tid, vec3, vec3d, vector
 from ..memory import download
 from .plane_samples import sampled_point
@@ -60,6 +60,18 @@ def slopes(kind: int, p: vec3d, a: vec3d, u: vec3d, v: vec3d, r: float64, s: flo
     return eight(-dot(g, u), -dot(g, v), -dot(g, a), lever * dot(e, u), lever * dot(e, v), first, second, m[0])
 
 
+@func
+def row_products(j: eight, weight: float64) -> row_sums:
+    """The products of a row's entries on and above the diagonal, times its weight."""
+    sums = row_sums(0.0)
+    at = 0
+    for k in range(8):
+        for m in range(k, 8):
+            sums[at] = j[k] * j[m] * weight
+            at += 1
+    return sums
+
+
 @reduction
 def add_rows(
     points: array(dtype=vec3),
@@ -76,13 +88,27 @@ def add_rows(
     """The products of a row's entries on and above the diagonal."""
     i = tid()
     j = slopes(kind, p, a, u, v, r, s, sampled_point(points, rows[i], center))
-    sums = row_sums(0.0)
-    at = 0
-    for k in range(8):
-        for m in range(k, 8):
-            sums[at] = j[k] * j[m]
-            at += 1
-    return sums
+    return row_products(j, float64(1.0))
+
+
+@reduction
+def add_weighted_rows(
+    points: array(dtype=vec3),
+    weights: array(dtype=float64),
+    rows: array(dtype=int32),
+    center: vec3d,
+    kind: int,
+    p: vec3d,
+    a: vec3d,
+    u: vec3d,
+    v: vec3d,
+    r: float64,
+    s: float64,
+) -> row_sums:
+    """The same, each row's products times the weight of its point."""
+    i = tid()
+    j = slopes(kind, p, a, u, v, r, s, sampled_point(points, rows[i], center))
+    return row_products(j, weights[rows[i]])
 
 
 @dataclass(frozen=True)
@@ -138,9 +164,11 @@ def is_proper(kind: int, shape: NDArray[np.float64]) -> bool:
 class ShapeFitter:
     """Fits of one kind to some of the points of a cloud."""
 
-    def __init__(self, points: Points, center: NDArray[np.float64], size: float) -> None:
-        """Of points whose middle is `center`; `size` [m] is how far they reach."""
-        self.points, self.center, self.size = points, center, size
+    def __init__(
+        self, points: Points, center: NDArray[np.float64], size: float, weights: Doubles | None = None
+    ) -> None:
+        """Of points whose middle is `center`; `size` [m] is how far they reach; weights have a mean of one."""
+        self.points, self.center, self.size, self.weights = points, center, size, weights
 
     def fit(self, kind: int, shape: NDArray[np.float64], rows: Indices) -> ShapeFit:
         """The shape of least squared distances to `points[rows]` that is reached from another; a wait a step."""
@@ -193,8 +221,12 @@ class ShapeFitter:
         """The products of the rows as an 8x8 matrix, and the frame that they are about."""
         frame = np.eye(3) if kind == SPHERE else frame_of(shape[3:6])
         p, a, u, v = (vec3d(*vector) for vector in (shape[:3], frame[2], frame[0], frame[1]))
-        arguments = [self.points, rows, vec3d(*self.center), kind, p, a, u, v, float(shape[6]), float(shape[7])]
-        upper = download(reduce(add_rows, rows.size, arguments))[0]  # sync
+        arguments = [rows, vec3d(*self.center), kind, p, a, u, v, float(shape[6]), float(shape[7])]
+        if self.weights is None:
+            totals = reduce(add_rows, rows.size, [self.points, *arguments])
+        else:
+            totals = reduce(add_weighted_rows, rows.size, [self.points, self.weights, *arguments])
+        upper = download(totals)[0]  # sync
         full = np.zeros((8, 8))
         full[np.triu_indices(8)] = upper
         return full + np.triu(full, 1).T, frame

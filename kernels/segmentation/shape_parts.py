@@ -5,16 +5,24 @@ parameters. Here points hang together by steps in space, shorter than a reach: a
 its own. A tree over the points, 20 B of memory each, and the disjoint sets of DBSCAN.
 """
 
+import numpy as np
+from numpy.typing import NDArray
+
 from ..array_types import Indices, Integers, Points, Scalars
+from ..arrays.bounds import bound_points
+from ..arrays.quantiles import quantiles_of
 from ..arrays.select import gather_rows, positions_of
-from ..lang import array, float32, int32, kernel, launch, tid, uint8, vec3, vec3d
-from ..memory import empty
+from ..lang import array, atomic_max, atomic_min, dot, float32, float64, int32, kernel, launch, tid, uint8, vec3, vec3d
+from ..memory import download, empty, full, upload
 from ..search.point_tree import PointTree
 from .cluster_labels import rank_by_size
 from .dbscan import cluster_points
 from .plane_samples import sampled_point
 from .shape_models import measure
-from .shape_search import Found, ShapeSearch
+from .shape_search import Found, ShapeSearch, turn_points_kernel
+
+TAIL = 0.01  # of a face's points at either end that may be those of what it touches
+MOST_STEPS = 2_000_000_000  # of a height, which is whole for the atomics
 
 
 @kernel
@@ -46,6 +54,67 @@ def write_distances_kernel(
     i = tid()
     m = measure(kind, p, a, sizes[0], sizes[1], sampled_point(points, rows[i], center))
     distances[rows[i]] = float32(m[0])
+
+
+@kernel
+def stretch_reach_kernel(
+    points: array(dtype=vec3),
+    labels: array(dtype=int32),
+    places: array(dtype=vec3d),
+    normals: array(dtype=vec3d),
+    step: float64,
+    low: array(dtype=int32, ndim=2),
+    high: array(dtype=int32, ndim=2),
+):
+    """Stretch how far a plane's points reach across each plane, in steps, to one of them."""
+    i = tid()
+    k = labels[i]
+    if k >= 0:
+        for j in range(places.shape[0]):
+            height = dot(sampled_point(points, i, places[j]), normals[j]) / step
+            height = max(float64(-2.0e9), min(float64(2.0e9), height))  # MOST_STEPS
+            atomic_min(low, k, j, int(height))  # the least, in any order
+            atomic_max(high, k, j, int(height))  # the most, in any order
+
+
+def reach_across(
+    points: Points, labels: NDArray[np.int32], places: NDArray[np.float64], normals: NDArray[np.float64], step: float
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Least and most height [m] of the points of each plane, a row, above each plane, to a step; one wait.
+
+    `labels` are the planes of points, -1 of none; 8 B a pair of planes, 4 operations a point and plane.
+    """
+    count, device = len(places), points.device
+    low, high = full((count, count), MOST_STEPS, int32, device), full((count, count), -MOST_STEPS, int32, device)
+    there = [upload(labels, int32, device), upload(places, vec3d, device), upload(normals, vec3d, device)]
+    launch(stretch_reach_kernel, points.size, [points, *there, step, low, high])
+    return download(low) * step, download(high) * step  # sync
+
+
+@kernel
+def lift_heights_kernel(turned: array(dtype=vec3), low: vec3d, heights: array(dtype=float64, ndim=2)):
+    """How far points are above the low corner of their box, along each axis."""
+    i = tid()
+    for k in range(3):
+        heights[k, i] = float64(turned[i][k]) - low[k]
+
+
+def bounds_in_frame(
+    points: Points, rows: Indices, place: NDArray[np.float64], frame: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """How far evenly spread points reach about a place along the rows of a frame, whatever a few of them do; 4 syncs.
+
+    From the quantiles at TAIL and 1 - TAIL, as far again as even spread says, and no farther than the points.
+    """
+    turned = empty(rows.size, vec3, rows.device)
+    axes = [vec3d(*axis) for axis in frame]
+    launch(turn_points_kernel, rows.size, [points, rows, vec3d(0.0, 0.0, 0.0), vec3d(*place), *axes, turned])
+    low, high = (bound.astype(np.float64) for bound in bound_points(turned)[:2])  # sync
+    heights = empty((3, rows.size), float64, rows.device)
+    launch(lift_heights_kernel, rows.size, [turned, vec3d(*low), heights])
+    tails = np.array([quantiles_of(heights[k], [TAIL, 1 - TAIL]) for k in range(3)])  # sync, three
+    more = TAIL / (1 - 2 * TAIL) * (tails[:, 1] - tails[:, 0])
+    return low + np.maximum(tails[:, 0] - more, 0), np.minimum(low + tails[:, 1] + more, high)
 
 
 def largest_part(points: Points, rows: Indices, reach: float) -> Indices:

@@ -1,8 +1,8 @@
 """Rows of a cloud in the order of its tree, in which runs are compact, and back. 5 B a point."""
 
-from ..array_types import Indices, Points, Vectors
+from ..array_types import Doubles, Indices, Points, Vectors
 from ..arrays.select import gather_rows, positions_of
-from ..lang import array, int32, isfinite, kernel, launch, tid, uint8, vec3
+from ..lang import array, float64, int32, isfinite, kernel, launch, tid, uint8, vec3
 from ..memory import empty, zeros
 from ..search.point_tree import PointTree
 
@@ -54,3 +54,17 @@ def every_of(rows: Indices, step: int) -> Indices:
     taken = empty(rows.size // step, int32, rows.device)
     launch(take_every_kernel, taken.size, [rows, step, taken])
     return taken
+
+
+@kernel
+def mask_weight_kernel(weights: array(dtype=float64), rows: array(dtype=int32), mask: array(dtype=uint8)):
+    """1 where the point of a row has a weight above zero."""
+    i = tid()
+    mask[i] = uint8(1 if weights[rows[i]] > 0.0 else 0)
+
+
+def rows_of_weight(weights: Doubles, rows: Indices) -> Indices:
+    """Those of some rows whose points have a weight above zero, in their order; one sync."""
+    mask = empty(rows.size, uint8, rows.device)
+    launch(mask_weight_kernel, rows.size, [weights, rows, mask])
+    return gather_rows(rows, positions_of(mask))

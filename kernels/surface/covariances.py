@@ -10,7 +10,7 @@ from ..array_types import Array2, Points
 from ..lang import NAN, array, float32, float64, func, int32, isfinite, kernel, launch, tid, vec3
 from ..memory import empty
 from ..search.neighbor_lists import list_neighbors
-from ..search.point_tree import PointTree, square_distance, widest_square
+from ..search.point_tree import BUCKET, PointTree, square_distance, widest_square
 from ..search.tree_search import reach_of
 from .neighbor_moments import moments_within
 from .normals import MIN_NEIGHBORS
@@ -58,7 +58,7 @@ def fit_covariances_within_kernel(
 ):
     """Covariances of all points within reach."""
     i = tid()
-    write_covariance(moments_within(i, reach, widest, tree), tree.order[i], covariances)
+    write_covariance(moments_within(i // BUCKET, tree.points[i], reach, widest, tree), tree.order[i], covariances)
 
 
 @kernel

@@ -11,26 +11,25 @@ from typing import Any
 from ..algebra.moments import MOST_WHOLE, add_difference, add_whole, in_metres, moments, steps_for, whole_moments
 from ..array_types import Array1
 from ..arrays.packed_keys import key_index
-from ..lang import array, func, int32, int64, kernel, tid
+from ..lang import array, func, int32, int64, kernel, tid, vec3
 from ..memory import empty
 from ..search.bucket_walk import points_in_reach
 from ..search.group_scratch import GroupScratch, LaunchPart, held_key
 from ..search.neighbor_limits import Neighborhood, members_of, neighbors_of
-from ..search.point_tree import BUCKET, PointTree
+from ..search.point_tree import PointTree
 
 
 @func
-def moments_within(i: int, reach: float, widest: float, tree: PointTree) -> moments:
-    """The moments of the points within reach of a place on the curve, in whole steps; `widest` is that or less."""
-    p = tree.points[i]
+def moments_within(start: int, p: vec3, reach: float, widest: float, tree: PointTree) -> moments:
+    """The moments of the points within reach of p, in whole steps, from a bucket on; `widest` is that or less."""
     steps = steps_for(widest, 0)
     total = whole_moments(0)
-    for j, sqdist in points_in_reach(i // BUCKET, p, reach, tree):
+    for j, sqdist in points_in_reach(start, p, reach, tree):
         total = add_whole(total, p, tree.points[j], steps)
     if total[0] > int64(MOST_WHOLE):  # too many for such steps; asked in the loop, it would take half as long again
         steps = steps_for(widest, int(total[0]))
         total = whole_moments(0)
-        for j, sqdist in points_in_reach(i // BUCKET, p, reach, tree):
+        for j, sqdist in points_in_reach(start, p, reach, tree):
             total = add_whole(total, p, tree.points[j], steps)
     return in_metres(total, steps)
 

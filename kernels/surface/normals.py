@@ -18,7 +18,7 @@ from ..lang import NAN, array, dot, float64, func, int32, isfinite, kernel, laun
 from ..memory import empty
 from ..search.group_scratch import GroupScratch, LaunchPart, held_key
 from ..search.group_search import farthest_key, launch_over_leaves, nearest_of_leaves
-from ..search.point_tree import PointTree, widest_square
+from ..search.point_tree import BUCKET, PointTree, widest_square
 from ..search.tree_search import reach_of
 from .neighbor_moments import moments_within
 
@@ -59,7 +59,7 @@ def fit_normals_nearest_kernel(
 def fit_normals_within_kernel(tree: PointTree, reach: float, widest: float, normals: array(dtype=vec3)):
     """Normals from all points within reach, whose moments are summed as they are found."""
     i = tid()
-    normals[tree.order[i]] = normal_of(moments_within(i, reach, widest, tree))
+    normals[tree.order[i]] = normal_of(moments_within(i // BUCKET, tree.points[i], reach, widest, tree))
 
 
 @kernel

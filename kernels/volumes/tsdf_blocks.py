@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from ..algebra.camera import Camera, CameraLike, pixel_ray
 from ..algebra.transform import Transform, transform_point
 from ..array_types import Device, LongIntegers, Scalars
-from ..arrays.block_keys import AXIS_BITS, BIAS, block_key
+from ..arrays.block_keys import AXIS_BITS, BIAS, block_key, key_block
 from ..arrays.packed_keys import NO_KEY
 from ..arrays.select import positions_of
 from ..arrays.unique import UniqueKeys
@@ -45,6 +45,20 @@ MAX_BLOCKS = (2**31 - 1) // (3 * BLOCK_VOXELS)  # colours of a volume stay below
 MAX_GRID = 1 << 24  # cells of a dense grid: clearing 16 MB takes less than sorting a frame's keys
 MAX_STRIDE = 4  # pixels between rays
 NO_CROSSING = 1.0e30  # the parameter of a ray that leaves its cell nowhere along an axis
+
+
+@func
+def voxel_in_block(x: int, y: int, z: int) -> int:
+    """Where a voxel stands in its block."""
+    return ((x & (SIDE - 1)) * SIDE + (y & (SIDE - 1))) * SIDE + (z & (SIDE - 1))
+
+
+@func
+def voxel_cell(voxel: int, keys: array(dtype=int64)) -> vec3i:
+    """The coordinates of a voxel of blocks."""
+    block = key_block(keys[voxel // BLOCK_VOXELS])
+    k = voxel % BLOCK_VOXELS
+    return vec3i(SIDE * block[0] + k // ROWS, SIDE * block[1] + (k // SIDE) % SIDE, SIDE * block[2] + k % SIDE)
 
 
 @func
@@ -129,8 +143,10 @@ class BlockMarks:
     slots: int
     keys: array(dtype=int64)
 
-    def __init__(self, low: np.ndarray, size: np.ndarray, ray_count: int, slots: int, device: Device) -> None:
-        self.is_dense = int(size.prod() <= MAX_GRID)
+    def __init__(
+        self, low: np.ndarray, size: np.ndarray, ray_count: int, slots: int, device: Device, limit: int = MAX_GRID
+    ) -> None:
+        self.is_dense = int(size.prod() <= limit)
         self.low, self.size, self.slots = vec3i(*low.astype(int)), vec3i(*size.astype(int)), slots
         self.grid = zeros(int(size.prod()) if self.is_dense else 1, uint8, device)
         self.keys = empty(1, int64, device) if self.is_dense else full(ray_count * slots, NO_KEY, int64, device)

@@ -134,18 +134,8 @@ class VoxelBlocks:
         Raises:
             ValueError: More blocks than 32 bits can index.
         """
-        known = self.count
-        found, absent = self.table.find(keys)
-        missing = positions_of(absent)
-        count = known + missing.size
-        check_block_count(count)
-        self.reserve(count)
-        self.changes.begin(count)
-        if missing.size:
-            copy(self.keys, gather_rows(keys, missing), offset=known, count=missing.size)
-            number_new(missing, known, found)
-            self.table.append(self.keys, count, missing.size)
-        self.record.write_counts(known, keys.size, missing.size)
+        found, known, new = begin_blocks(self, keys, "volume")
+        self.record.write_counts(known, keys.size, new)
         return found
 
     def begin_on_device(self) -> FrameCounts:
@@ -188,10 +178,38 @@ class VoxelBlocks:
         self.record = FrameRecord(self.device, count)
 
 
-def check_block_count(count: int) -> None:
+def begin_blocks(blocks: Any, keys: Keys, what: str) -> tuple[Integers, int, int]:
+    """Begin a change over the blocks with some keys, those that are new appended behind the ones that count.
+
+    Args:
+        blocks: What has `count`, `keys`, `table`, `changes` and `reserve` as VoxelBlocks has.
+        keys: int64, distinct.
+        what: What the blocks are of, for messages.
+
+    Returns:
+        (the position of each key, int32; how many blocks there were; how many are new).
+
+    Raises:
+        ValueError: More blocks than 32 bits can index.
+    """
+    known = blocks.count
+    found, absent = blocks.table.find(keys)
+    missing = positions_of(absent)
+    count = known + missing.size
+    check_block_count(count, what)
+    blocks.reserve(count)
+    blocks.changes.begin(count)
+    if missing.size:
+        copy(blocks.keys, gather_rows(keys, missing), offset=known, count=missing.size)
+        number_new(missing, known, found)
+        blocks.table.append(blocks.keys, count, missing.size)
+    return found, known, missing.size
+
+
+def check_block_count(count: int, what: str = "volume") -> None:
     """Refuse more blocks than 32 bits can index."""
     if count > MAX_BLOCKS:
-        raise ValueError(f"the volume would need {count:,} blocks, more than {MAX_BLOCKS:,}; take larger voxels")
+        raise ValueError(f"the {what} would need {count:,} blocks, more than {MAX_BLOCKS:,}; take larger voxels")
 
 
 @func

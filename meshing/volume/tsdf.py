@@ -33,6 +33,7 @@ from ...pcd.cloud import PointCloud
 from ..mesh.mesh import TriangleMesh
 from .block_count import BlockCount
 from .tsdf_files import VOXEL_ARRAYS, read_volume_arrays, write_volume_arrays
+from .tsdf_scans import ScanIntegration
 from .tsdf_views import RayCast, RenderedMaps, cast_view, check_view, render_colors, render_maps
 
 OTHER_UNIT = 30.0  # times the farthest depth used: nothing of a place that is near lies beyond
@@ -47,8 +48,8 @@ class _Frames:
     colored: bool = False  # whether they had colour
 
 
-class TSDFVolume(ToldNames):
-    """A surface fused from posed depth frames: truncated signed distances in blocks that appear where depth is.
+class TSDFVolume(ScanIntegration, ToldNames):
+    """A surface fused from posed depth frames or LiDAR scans: truncated signed distances in blocks that appear there.
 
     Blocks of 8^3 voxels are found through a hash table and grow on demand: there is no block count to guess and
     nothing overflows but memory. A voxel keeps the running mean of min(1, (d - z) / truncation), its weight (frames

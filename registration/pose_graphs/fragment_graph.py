@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...pcd.cloud import PointCloud
+from ..icp.constraint import make_constraint
 from ..icp.estimation import TransformationEstimationForGeneralizedICP
 from ..icp.icp import ICPConvergenceCriteria
 from ..icp.iterative import IterativeRegistration
@@ -89,7 +90,11 @@ class FragmentGraph(NamedTuple):
 
 
 def place_by_pairs(
-    extents: Sequence[Extent], pairs: Sequence[FragmentPair], information: Sequence[Matrices], size: float
+    extents: Sequence[Extent],
+    pairs: Sequence[FragmentPair],
+    information: Sequence[Matrices],
+    size: float,
+    free: Sequence[str] | None = None,
 ) -> FragmentGraph:
     """The optimised graph over the largest group of clouds that hang together by refined pairs.
 
@@ -102,23 +107,27 @@ def place_by_pairs(
     members = np.flatnonzero(groups == largest)
     poses = chain(np.tile(np.eye(4), (count, 1, 1)), members[:1].tolist(), pairs, tree)
     found = FragmentGraph(poses, groups, members, tree, PoseGraph())
-    return with_pairs(found, pairs, information, size)
+    return with_pairs(found, pairs, information, size, free)
 
 
 def with_pairs(
-    found: FragmentGraph, pairs: Sequence[FragmentPair], information: Sequence[Matrices], size: float
+    found: FragmentGraph,
+    pairs: Sequence[FragmentPair],
+    information: Sequence[Matrices],
+    size: float,
+    free: Sequence[str] | None = None,
 ) -> FragmentGraph:
     """The graph optimised again, from its poses, with pairs beside those of its tree, which come first in the list."""
     poses = found.poses.copy()
-    graph = _optimize(poses, found.members, pairs, information, found.tree, size)
+    graph = _optimize(poses, found.members, pairs, information, found.tree, size, free)
     poses[found.members] = [node.pose for node in graph.nodes]
     return found._replace(poses=poses, graph=graph)
 
 
 def refine_pairs(
-    clouds: Clouds, pairs: Sequence[FragmentPair], size: float
+    clouds: Clouds, pairs: Sequence[FragmentPair], size: float, free: Sequence[str] | None = None
 ) -> tuple[list[FragmentPair], list[Matrices]]:
-    """The pairs refined, and their information matrices.
+    """The pairs refined, in the motions that are free, and their information matrices.
 
     Each by itself: side by side, points are summed in an order that depends on all clouds, and the bits of a pair would
     be others than those that a process finds which holds this pair alone.
@@ -126,7 +135,9 @@ def refine_pairs(
     refined, information = [], []
     for pair in pairs:
         start = np.asarray(pair.transformation, np.float64)[None]
-        problem = IterativeRegistration([clouds[pair.source]], [clouds[pair.target]], start, REACH * size, GENERALIZED)
+        held = make_constraint(free, None, None, None, None)
+        ends = [clouds[pair.source]], [clouds[pair.target]]
+        problem = IterativeRegistration(*ends, start, REACH * size, GENERALIZED, constraint=held)
         problem.run(FINE.max_iteration, FINE.relative_fitness, FINE.relative_rmse)
         (result,), (matrix,) = problem.results(), problem.information()
         refined.append(pair._replace(transformation=result.transformation, fitness=result.fitness))
@@ -163,6 +174,7 @@ def _optimize(
     information: Sequence[Matrices],
     tree: Sequence[int],
     size: float,
+    free: Sequence[str] | None,
 ) -> PoseGraph:
     """The optimised pose graph over the members; pairs beside the tree may be dropped."""
     number, certain = {int(m): i for i, m in enumerate(members)}, set(tree)
@@ -175,7 +187,7 @@ def _optimize(
     option = GlobalOptimizationOption(
         max_correspondence_distance=REACH * size, edge_prune_threshold=PRUNE, reference_node=0
     )
-    return global_optimization(graph, option=option)
+    return global_optimization(graph, option=option, free=free)
 
 
 def candidates_to_close(

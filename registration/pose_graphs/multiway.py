@@ -29,6 +29,7 @@ from ...core.wording import plain
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
 from ..globally.global_registration import Description, describe, register_described
+from ..globally.level_poses import check_level
 from .fragment_graph import (
     Extent,
     FragmentGraph,
@@ -47,6 +48,7 @@ Matrices = NDArray[np.float64]
 ALL_PAIRS = 40  # clouds up to which every pair is tried: 780 pairs
 NEARBY = 5  # clouds that follow one, each tried with it, where there are more
 SURE = 0.5  # score above which a pair is believed
+LEVEL_ENOUGH = 1e-6  # [rad] that a known pose of level clouds may tilt
 
 
 @dataclass(frozen=True, eq=False)
@@ -144,6 +146,7 @@ def register_fragments(
     seed: int = 0,
     known: Sequence[FragmentPair] = (),
     pairs: Sequence[tuple[int, int]] | None = None,
+    free: Sequence[str] | None = None,
     progress: ReportProgress | None = None,
 ) -> FragmentsResult:
     """Bring many clouds of one scene into one frame, from no starting poses.
@@ -161,6 +164,8 @@ def register_fragments(
         known: Pairs whose pose is known from elsewhere, as from odometry: they are refined with the others, and not
             registered from no guess. Their score says how far they are believed beside those that are found.
         pairs: The pairs of clouds to try, by their indices; None for those that `neighbors` says.
+        free: None, or ("x", "y", "z", "yaw") for clouds that are all level (`levelled`): pairs are sought, refined and
+            adjusted in these motions, and no pose tilts. Known pairs have to be level, too.
         progress: Called with ("pairs", pairs done, pairs in all) while pairs are registered.
 
     Returns:
@@ -182,32 +187,36 @@ def register_fragments(
         check_cloud(f"clouds[{i}]", cloud)
         check_same_device(f"clouds[{i}]", clouds[0].device, cloud.device)
     common_unit("clouds", (cloud.unit for cloud in clouds))
-    tell, believed = check_progress(progress), check_known(known, len(clouds))
+    tell, level = check_progress(progress), check_level(free)
+    believed = check_known(known, len(clouds), level)
     given = {frozenset((pair.source, pair.target)) for pair in believed}
     tried = [ends for ends in pairs_to_try(len(clouds), neighbors, pairs) if frozenset(ends) not in given]
     described = [describe(cloud, size) for cloud in clouds]
     for done, (i, j) in enumerate(tried):
         tell("pairs", done, len(tried))
-        pair, _ = try_pair(j, i, described[j], described[i], chooser)
+        pair, _ = try_pair(j, i, described[j], described[i], chooser, level)
         believed += [pair] if pair.score > SURE else []
     tell("pairs", len(tried), len(tried))
     surfaces = [d.thinned for d in described]
-    believed, information = refine_pairs(surfaces, believed, size)
-    found = place_by_pairs([Extent.of(surface) for surface in surfaces], believed, information, size)
+    believed, information = refine_pairs(surfaces, believed, size, level)
+    extents = [Extent.of(surface) for surface in surfaces]
+    found = place_by_pairs(extents, believed, information, size, level)
     boxes = [box_under(surfaces[m], found.poses[m]) for m in found.members]
     closing = those_that_overlap(surfaces, candidates_to_close(boxes, found.poses, found.members, believed), size)
     if closing:
-        more, more_information = refine_pairs(surfaces, closing, size)
+        more, more_information = refine_pairs(surfaces, closing, size, level)
         believed, information = [*believed, *more], [*information, *more_information]
-        found = with_pairs(found, believed, information, size)
+        found = with_pairs(found, believed, information, size, level)
     result = fragments_result(found, believed)
     report("fragments", clouds=clouds, poses=result.poses, placed=result.placed)
     return result
 
 
-def try_pair(source: int, target: int, left: Description, right: Description, seed: int) -> tuple[FragmentPair, str]:
+def try_pair(
+    source: int, target: int, left: Description, right: Description, seed: int, free: Sequence[str] | None = None
+) -> tuple[FragmentPair, str]:
     """Two clouds registered from no guess, and what speaks against it where its score is not above SURE."""
-    found = register_described(left, right, seed=seed)
+    found = register_described(left, right, seed=seed, free=free)
     return FragmentPair(source, target, found.transformation, found.fitness, found.score or 0.0), found.reason
 
 
@@ -245,8 +254,8 @@ def pairs_to_try(count: int, neighbors: Any, pairs: Any) -> list[tuple[int, int]
     return sorted(found)
 
 
-def check_known(known: Sequence[FragmentPair], count: int) -> list[FragmentPair]:
-    """Pairs that are given, once they make sense for so many clouds."""
+def check_known(known: Sequence[FragmentPair], count: int, free: Sequence[str] | None = None) -> list[FragmentPair]:
+    """Pairs that are given, once they make sense for so many clouds, and are level where only such are free."""
     pairs = check_list("known", known, "FragmentPair")
     for k, pair in enumerate(pairs):
         if not isinstance(pair, FragmentPair):
@@ -255,6 +264,11 @@ def check_known(known: Sequence[FragmentPair], count: int) -> list[FragmentPair]
             check_count(f"known[{k}]", end, minimum=0, maximum=count - 1, because=f"there are {count} clouds")
         if pair.source == pair.target:
             raise ValueError(f"known[{k}]: expected two clouds, got {pair.source} twice")
-        check_rigid(f"known[{k}].transformation", pair.transformation)
+        T = check_rigid(f"known[{k}].transformation", pair.transformation)
+        tilt = float(np.hypot(T[0, 2], T[1, 2]))
+        if free is not None and tilt > LEVEL_ENOUGH:
+            raise ValueError(
+                f"known[{k}].transformation: tilts by {np.degrees(tilt):.3g} degrees, and free= has no tilt"
+            )
         check_positive(f"known[{k}].score", pair.score)
     return pairs

@@ -81,7 +81,7 @@ def finish_registration(folder: FilePath) -> PlacedScans:
     manifest, job = finished_job(folder, RegistrationJob)
     with manifest:
         done = partial(done_in, manifest)
-        graph, pairs = placed(done, job.size)
+        graph, pairs = placed(done, job.size, job.plan["free"])
         found = fragments_result(graph, pairs)
         points = sum(task.found["points"] for task in done(0))
         return PlacedScans(**vars(found), scans=job.plan["scans"], points=points, tried=_tried(job, found, done))

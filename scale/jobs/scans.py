@@ -28,6 +28,7 @@ from ...kernels.memory import download, upload
 from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
 from ...registration.globally.global_registration import Description, describe, describe_surface
+from ...registration.globally.level_poses import check_level
 from ...registration.pose_graphs.fragment_graph import (
     Extent,
     FragmentGraph,
@@ -81,7 +82,7 @@ class RegistrationJob(Job):
         if told["is_known"]:
             return self._refined(pair)
         left, right = self._described(pair.source), self._described(pair.target)
-        pair, doubt = try_pair(pair.source, pair.target, left, right, self.plan["seed"])
+        pair, doubt = try_pair(pair.source, pair.target, left, right, self.plan["seed"], self.plan["free"])
         return self._refined(pair) if pair.score > SURE else _doubted(pair, doubt)
 
     def follow(self, stage: int, done: Callable[[int], Iterator[Done]]) -> Sequence[Task]:
@@ -185,12 +186,12 @@ class RegistrationJob(Job):
 
     def _refined(self, pair: FragmentPair) -> dict[str, Any]:
         """What is told of a pair that is believed, refined by ICP."""
-        (pair,), (information,) = refine_pairs(self._surfaces(pair), [pair], self.size)
+        (pair,), (information,) = refine_pairs(self._surfaces(pair), [pair], self.size, self.plan["free"])
         return {"pair": _told(pair), "information": information.tolist()}
 
     def _graph(self, told: dict[str, Any]) -> dict[str, Any]:
         """The pairs that lie on each other where the poses are right, and were not found yet."""
-        found, pairs, _ = _place_told(told, self.size)
+        found, pairs, _ = _place_told(told, self.size, self.plan["free"])
         boxes = [box_under(self._surface(k), found.poses[k]) for k in found.members.tolist()]
         return {"candidates": [_told(pair) for pair in candidates_to_close(boxes, found.poses, found.members, pairs)]}
 
@@ -206,6 +207,7 @@ def plan_registration(
     pairs: Sequence[tuple[int, int]] | None = None,
     known: Sequence[FragmentPair] = (),
     alike: int = ALIKE,
+    free: Sequence[str] | None = None,
     seed: int = 0,
 ) -> JobStatus:
     """Plan the registration of many scans of one scene from no starting poses; `run_job` does it, a pair a task.
@@ -225,6 +227,7 @@ def plan_registration(
         known: As of `register_fragments`.
         alike: How many scans that look most like it one is tried with that these pairs do not join to the largest
             group; 0 for none.
+        free: As of `register_fragments`.
         seed: As of `register_globally`.
 
     Returns:
@@ -263,6 +266,7 @@ def plan_registration(
     if places is not None and pairs is not None:
         raise ValueError("places, pairs: expected one of them, got both")
     tried = None if pairs is None else pairs_to_try(len(paths), neighbors, pairs)
+    level = check_level(free)
     told = {
         "scans": paths,
         "voxel_size": size,
@@ -270,33 +274,36 @@ def plan_registration(
         "place_error": check_positive("place_error", place_error, allow_zero=True),
         "neighbors": None if neighbors is None else check_count("neighbors", neighbors),
         "pairs": tried,
-        "known": [_told(pair) for pair in check_known(known, len(paths))],
+        "known": [_told(pair) for pair in check_known(known, len(paths), level)],
         "alike": check_count("alike", alike, minimum=0),
+        "free": None if level is None else list(level),
         "seed": check_seed(seed),
     }
     return make_job(RegistrationJob, folder, told, [Task(path, {"scan": k}) for k, path in enumerate(paths)])
 
 
-def placed(done: Callable[[int], Iterator[Done]], size: float) -> tuple[FragmentGraph, list[FragmentPair]]:
+def placed(
+    done: Callable[[int], Iterator[Done]], size: float, free: Sequence[str] | None
+) -> tuple[FragmentGraph, list[FragmentPair]]:
     """The graph over all that the tasks of a job that is done have found, and the pairs that are believed."""
     (graph,) = done(3)
-    found, pairs, information = _place_told(graph.told, size)
+    found, pairs, information = _place_told(graph.told, size, free)
     closing = [task.found for task in done(4) if task.found["pair"]]
     if closing:
         pairs += [pair_of(row["pair"]) for row in closing]
         information += [np.array(row["information"]) for row in closing]
-        found = with_pairs(found, pairs, information, size)
+        found = with_pairs(found, pairs, information, size, free)
     return found, pairs
 
 
 def _place_told(
-    told: dict[str, Any], size: float
+    told: dict[str, Any], size: float, free: Sequence[str] | None
 ) -> tuple[FragmentGraph, list[FragmentPair], list[NDArray[np.float64]]]:
     """The graph over the pairs that a task was told of, these pairs, and their information."""
     extents = [Extent(np.array(row[:3]), row[3]) for row in told["extents"]]
     pairs = [pair_of(row["pair"]) for row in told["pairs"]]
     information = [np.array(row["information"]) for row in told["pairs"]]
-    return place_by_pairs(extents, pairs, information, size), pairs, information
+    return place_by_pairs(extents, pairs, information, size, free), pairs, information
 
 
 def pair_of(told: dict[str, Any]) -> FragmentPair:

@@ -23,6 +23,7 @@ from .drawing.render.open3d_views import read_view as read_view
 from .drawing.render.open3d_views import write_view as write_view
 from .drawing.render.picture_files import save_picture as save_picture
 from .drawing.render.render import render as render
+from .drawing.render.slice_picture import draw_slice as draw_slice
 from .drawing.render.view import View as View
 from .drawing.render.view import fit_view as fit_view
 from .drawing.recording.recorder import record as record
@@ -49,6 +50,8 @@ from .meshing.mesh.smoothed_mesh import SmoothedMesh as SmoothedMesh
 from .meshing.mesh.smoothed_mesh import smooth_mesh as smooth_mesh
 from .meshing.mesh.surface_result import SurfaceResult as SurfaceResult
 from .meshing.scene.raycasting_scene import RaycastingScene as RaycastingScene
+from .meshing.volume.distance_field import DistanceField as DistanceField
+from .meshing.volume.occupancy import OccupancyGrid as OccupancyGrid
 from .meshing.volume.tsdf import TSDFVolume as TSDFVolume
 from .meshing.volume.volume_fusion import fuse_volumes as fuse_volumes
 from .meshing.mesh.voxel_grid import VoxelGrid as VoxelGrid
@@ -89,9 +92,12 @@ from .pcd.ground import classify_ground as classify_ground
 from .pcd.terrain import height_above_ground as height_above_ground
 from .pcd.hulls import VisibleSurface as VisibleSurface
 from .pcd.shape import Shape as Shape
+from .pcd.shape_boxes import BoxShape as BoxShape
+from .pcd.shape_boxes import find_boxes as find_boxes
 from .pcd.shape_detection import DetectedShapes as DetectedShapes
 from .pcd.shape_detection import detect_shapes as detect_shapes
 from .pcd.shape import ShapeSurface as ShapeSurface
+from .pcd.shape_fitting import fit_shape as fit_shape
 from .cameras.images import RGBDImage as RGBDImage
 from .files.frames.azure_kinect import AzureKinectCamera as AzureKinectCamera
 from .files.models.colmap import read_colmap_model as read_colmap_model
@@ -114,7 +120,10 @@ from .files.points.e57_stations import write_stations as write_stations
 from .files.points.point_cloud import read_las_chunks as read_las_chunks
 from .files.points.point_cloud import read_point_cloud as read_point_cloud
 from .files.points.point_cloud import write_point_cloud as write_point_cloud
+from .files.splats.splat_files import read_splats as read_splats
+from .files.splats.splat_files import write_splats as write_splats
 from .files.frames.realsense import RealSenseCamera as RealSenseCamera
+from .files.bags.motions import ImuReadings as ImuReadings
 from .files.bags.recording import RecordedMessage as RecordedMessage
 from .files.bags.recording import Recording as Recording
 from .files.bags.recording import RecordingWarning as RecordingWarning
@@ -130,6 +139,7 @@ from .pcd.keypoints import compute_iss_keypoints as compute_iss_keypoints
 from .pcd.line_set import LineSet as LineSet
 from .pcd.metrics import compute_metrics as compute_metrics
 from .pcd.polygon_volume import SelectionPolygonVolume as SelectionPolygonVolume
+from .pcd.splats import GaussianSplats as GaussianSplats
 from .pcd.search import NearestNeighborSearch as NearestNeighborSearch
 from .files.models.sfm_model import SfmModel as SfmModel
 from .cameras.undistortion import Undistortion as Undistortion

@@ -46,7 +46,15 @@ COLUMNS = {  # of the table: what the device counts
     "up": "copies to device",
     "bytes": "bytes to host",
 }
-FILES = ("write and read", "read_las_chunks", "tsdf, save and load", "mesh, write", "pose graph, write and read")
+FILES = (
+    "write and read",
+    "read_las_chunks",
+    "tsdf, save and load",
+    "distance field, save",
+    "occupancy, save",
+    "mesh, write",
+    "pose graph, write and read",
+)
 _textured = digest_scenes.textured
 
 

@@ -22,7 +22,7 @@ MORE = {
     "the line of the digests reads points, vertices or triangles as NumPy": (
         *("knn_search, array", "points picked", "mesh, cluster", "mesh, deform", "mesh, metrics", "mesh, remove_"),
         *("mesh, sample_points_uniformly", "mesh, topology", "mesh, triangles that meet", "mesh, trim"),
-        *("demo, video", "run_system", "slam, DenseSLAM"),
+        *("demo, video", "run_system", "slam, DenseSLAM", "splats", "occupancy, asked", "occupancy, cast_rays"),
     ),
     "samples of features, rows of matches and of what agrees, up to a number": (
         *("correspondences_from_features", "ransac, ", "fast global", "robust registration", "register_"),
@@ -41,6 +41,7 @@ MORE = {
     "orders of the legs of a scan, 11,440 bytes a scan": ("odometry", "iterate_odometry"),
     "a step is solved on the host, 248 bytes each": ("rgbd odometry",),
     "nodes of the control grid": ("SLAC",),
+    "a step of a field of k Gaussians is solved on the host, 8 k^2 bytes each": ("coherent_point_drift",),
     "what pages are sent": ("detail tree",),
     "up to 20,000 colours, of which a legend shows the mean": ("render, values",),
     "which part of a mesh lies in which is asked of NumPy": ("mesh, repair", "mesh, sheets"),
@@ -101,6 +102,7 @@ def test_what_goes_to_the_host_beside_the_result_does_not_grow_with_the_cloud(sc
             "detail tree",
             "detect_planar_patches",
             "rasterize, triangles",
+            "splats",
         )
     )
     assert (many - few) / (SIZES[1] - SIZES[0]) < MOST_PER_POINT or reason

@@ -212,3 +212,16 @@ def test_info_lists_topics_and_odometry_takes_one(tmp_path):
     assert CliRunner().invoke(cli, arguments).exit_code != 0  # two topics of clouds
     told = CliRunner().invoke(cli, [*arguments, "--topic", "/a"])
     assert json.loads(told.stdout)["scans"] == 3 and Path(tmp_path / "poses.txt").exists()
+
+
+def test_a_bag_that_is_zeroed_in_the_middle_keeps_what_was_before(tmp_path):
+    path = write(tmp_path, "bag1", count=20)
+    data = bytearray(path.read_bytes())
+    middle = len(data) // 2
+    data[middle : middle + 60_000] = bytes(min(60_000, len(data) - middle))
+    path.write_bytes(data)
+    with pytest.warns(RecordingWarning, match="damaged"):
+        recording = loom.open_recording(path)
+    scans = recording.scans("/points")
+    for scan in range(5):
+        np.testing.assert_array_equal(next(scans).points.astype(np.float32), points_of(scan))

@@ -222,3 +222,22 @@ def test_a_first_frame_far_away_that_is_refused_sets_no_origin(device):
     assert volume.origin.tolist() == [0, 0, 0] and (volume.frame_count, volume.block_count) == (0, 0)
     volume.integrate(np.zeros((24, 32)), SMALL, far)
     assert volume.origin.tolist() != [0, 0, 0] and volume.frame_count == 1
+
+
+def test_a_wild_pixel_takes_a_few_blocks_or_is_refused():
+    camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+
+    def volume_of(pixel):
+        depth = np.full((48, 64), 1.0, np.float32)
+        depth[20, 40] = pixel
+        volume = loom.TSDFVolume(voxel_size=0.01, color=False)
+        volume.integrate(depth, camera, np.eye(4), depth_max=np.inf)
+        return volume
+
+    plain = volume_of(1.0)
+    for pixel in (1000.0, 80_000.0):
+        wild = volume_of(pixel)
+        assert wild.block_count <= plain.block_count + 20 and wild.memory_bytes <= 2 * plain.memory_bytes
+    for pixel in (1e6, 1e30):
+        with pytest.raises(ValueError, match=r"at 0\.01 m a voxel the limit is"):
+            volume_of(pixel)

@@ -77,6 +77,7 @@ search.knn_search(queries=points, k=3)
 search.hybrid_search(queries=points, radius=0.3, max_nn=3)
 search.radius_search(queries=points, radius=0.3)
 loom.detect_shapes(cloud=cloud, distance_threshold=0.05, normal_threshold_deg=30.0, kinds=("plane", "sphere"), min_support=10, cluster_epsilon=0.3, num_iterations=10, probability=0.9, min_radius=0.0, max_radius=2.0, max_shapes=2, seed=0, progress=None)
+loom.fit_shape(cloud=cloud, kind="plane", start=None, weights=[1.0] * len(points), seed=0)
 loom.free_memory(device="cpu")
 loom.LengthUnit(name="ell", symbol="ell", metres=1.143)
 loom.AxisAlignedBoundingBox(min_bound=three, max_bound=three)
@@ -133,12 +134,36 @@ loom.RGBDImage.from_tum_format(color=color, depth=whole_depth, device="cpu")
 loom.SelectionPolygonVolume(bounding_polygon=points, orthogonal_axis="Z", axis_min=0.0, axis_max=1.0)
 volume.crop_in_polygon(points=points)
 volume.crop_point_cloud(cloud=cloud)
+loom.OccupancyGrid(voxel_size=0.1, hit=0.7, miss=0.4, min=0.1192, max=0.971, device="cpu")
+occupancy().insert_scan(points=points, origin=[0.5, 0.5, 0.5], max_range=3.0)
+occupancy_filled.cast_rays(origins=points, directions=points, max_range=3.0)
+occupancy_filled.log_odds(points=points)
+occupancy_filled.occupied(points=points)
+occupancy_filled.probabilities(points=points)
+occupancy_filled.states(points=points)
+occupancy_filled.to_array(bounds=[[0.0, 0.0, 0.0], [1.0, 1.0, 1.0]])
 loom.TSDFVolume(voxel_size=0.1, truncation=0.4, device="cpu")
 loom.fuse_volumes(volumes=[tsdf_filled], poses=[pose], voxel_size=0.1, truncation=0.4, color=True)
+tsdf().integrate_points(points=points, origin=[0.0, 0.0, 1.0], carve=True, min_range=0.0, max_range=50.0)
 tsdf().integrate(depth=depth, intrinsic=camera, extrinsic=pose, color=color, depth_scale=1000.0, depth_max=3.0)
 tsdf_filled.extract_point_cloud(weight_threshold=0.5)
 tsdf_filled.extract_triangle_mesh(weight_threshold=0.5)
 tsdf_filled.ray_cast(intrinsic=camera, extrinsic=pose, depth_min=0.1, depth_max=3.0, weight_threshold=0.5)
+loom.DistanceField.from_point_cloud(cloud=cloud, voxel_size=0.1, max_distance=0.4, origin=three)
+loom.DistanceField.from_array(occupied=cells, voxel_size=0.1, origin=three, max_distance=0.4, device="cpu")
+loom.DistanceField.from_occupancy_grid(grid=occupancy_filled, max_distance=0.5)
+loom.DistanceField.from_voxel_grid(grid=voxels, max_distance=0.4, device="cpu")
+loom.DistanceField.from_voxels(coordinates=triangles, voxel_size=0.1, max_distance=0.4, origin=three, device="cpu")
+loom.DistanceField.load(path="nowhere.npz", device="cpu")
+distance_field.collides(centers=points, radii=0.1)
+distance_field.collides_bodies(spheres=[[0.0, 0.0, 0.0, 0.1]], poses=poses)
+distance_field.distances(points=points)
+distance_field.gradients(points=points)
+distance_field.is_known(points=points)
+distance_field.nearest_obstacles(points=points)
+distance_field.save(path="field.npz")
+distance_field.slice(axis="z", position=0.5, bounds=points[:2].copy() * 0 + [[0.0], [1.0]])
+distance_field.to_array(bounds=points[:2].copy() * 0 + [[0.0], [1.0]], values="squared")
 loom.Trajectory(poses=poses, timestamps=times, ids=ids)
 loom.TriangleMesh.from_point_cloud_poisson(cloud=cloud, depth=3, width=0.0, scale=1.1, point_weight=2.0, samples_per_node=1.5, envelope=shell)
 loom.TriangleMesh(vertices=points, triangles=triangles, vertex_normals=normals, vertex_colors=colors, triangle_uvs=corner_uvs, triangle_material_ids=material_ids, textures=[picture], vertex_attributes={"a": row}, triangle_attributes={"b": material_ids}, device="cpu", origin=three)
@@ -260,6 +285,20 @@ loom.open_recording(path="nowhere.mcap")
 loom.read_copc(path="nowhere.copc.laz", within=box, spacing=0.5, device="cpu")
 loom.read_las_chunks(path="nowhere.las", chunk_size=10, device="cpu")
 loom.read_point_cloud(path="nowhere.ply", device="cpu", scan=None, columns=None)
+loom.GaussianSplats(centers=points[:2], scales=[[1.0, 1.0, 1.0]] * 2, rotations=[[1.0, 0.0, 0.0, 0.0]] * 2, opacities=[0.5, 0.6], harmonics=points[:2], device="cpu")
+loom.GaussianSplats.from_cloud(cloud=splats.cloud)
+loom.GaussianSplats.concatenate(splats=[splats, splats])
+splats.select_by_index(indices=[0, 1])
+splats.select_by_mask(mask=[True, False])
+splats.crop(bounding_box=box)
+splats.clean(min_opacity=0.1, min_scale=0.01, max_scale=9.0)
+splats.to(device="cpu")
+splats.transform(transformation=pose)
+splats.rotate(R=turn, center=three)
+splats.scale(scale=2.0, center=three)
+splats.translate(translation=three)
+loom.read_splats(path="nowhere.ply", device="cpu")
+loom.write_splats(path="splats.ply", splats=splats)
 loom.read_stations(path="nowhere.e57", device="cpu")
 loom.write_stations(path="stations.e57", clouds=[cloud.select_by_index([0])], poses=[pose], names=["A"])
 loom.read_triangle_mesh(path="mesh.ply", device="cpu", up="y")
@@ -275,6 +314,8 @@ loom.read_pinhole_camera_intrinsic(path="nowhere.json")
 loom.read_trajectory(path="nowhere.log")
 loom.SelectionPolygonVolume.from_json(path="nowhere.json")
 volume.to_json(path="volume.json")
+loom.OccupancyGrid.load(path="nowhere.npz", device="cpu")
+occupancy_filled.save(path="grid.npz")
 loom.TSDFVolume.load(path="nowhere.npz", device="cpu")
 tsdf_filled.save(path="volume.npz")
 """  # noqa: E501
@@ -296,9 +337,16 @@ def things() -> dict[str, Any]:
     mesh = loom.TriangleMesh(points, triangles)
     mesh.unit = "metre"
 
+    splats = loom.GaussianSplats(points[:2], [[1.0] * 3] * 2, [[1, 0, 0, 0]] * 2, [0.5, 0.6], points[:2])
+
     def tsdf() -> Any:
         return loom.TSDFVolume(voxel_size=0.1)
 
+    def occupancy() -> Any:
+        return loom.OccupancyGrid(voxel_size=0.1)
+
+    seen = occupancy()
+    seen.insert_scan(points, [0.5, 0.5, 0.5])
     filled = tsdf()
     filled.integrate(depth, camera, np.eye(4), color)
     corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
@@ -312,7 +360,7 @@ def things() -> dict[str, Any]:
     stream = loom.frames_from(pictures, camera)
     lens = loom.CameraModel("SIMPLE_RADIAL", 16, 12, [10.0, 8.5, 6.5, -0.1])
     return dict(
-        lens=lens, straightened=loom.Undistortion(lens),
+        splats=splats, lens=lens, straightened=loom.Undistortion(lens),
         model=loom.SfmModel(["a", "b", "c"], [lens] * 3, poses, points, observations=[[0, 1]], pixels=[[1, 2]]),
         bytes3=(255 * colors).astype(np.uint8),
         pictures=pictures, stream=stream, frame=next(iter(stream)), latest=loom.LatestFrames(stream),
@@ -325,7 +373,7 @@ def things() -> dict[str, Any]:
         mask=row < 20, box=loom.AxisAlignedBoundingBox([0.1] * 3, [0.9] * 3),
         turned=loom.OrientedBoundingBox([0.5] * 3, np.eye(3), [1.0] * 3), search=loom.NearestNeighborSearch(cloud),
         rgbd=loom.RGBDImage(color, depth), volume=loom.SelectionPolygonVolume(corners, "Z", 0.0, 1.0), tsdf=tsdf,
-        tsdf_filled=filled, mapped=mapped, mesh=mesh, triangles=triangles,
+        occupancy=occupancy, occupancy_filled=seen, tsdf_filled=filled, mapped=mapped, mesh=mesh, triangles=triangles,
         corner_uvs=np.zeros((3 * len(triangles), 2)), material_ids=np.zeros(len(triangles), int),
         picture=np.zeros((4, 4, 3), np.uint8), painted=painted, outline=[[1, 0], [2, 0], [2, 1], [1, 1]],
         shell=loom.TriangleMesh(
@@ -335,6 +383,8 @@ def things() -> dict[str, Any]:
         segments=loom.LineSet(points, [[0, 1], [1, 2]]),
         field=rng.normal(size=(4, 4, 4)), poses=poses, times=np.arange(3.0), ids=np.arange(3)[:, None],
         trajectory=loom.Trajectory(poses), lonlat=loom.PointCloud(points * [1, 1, 9] + [8, 48, 0]),
+        distance_field=loom.DistanceField.from_point_cloud(cloud, 0.1, 0.5), cells=points.reshape(3, 6, 10) < 0.2,
+        voxels=mesh.voxelize(0.2),
         o3d_cloud=o3d.geometry.PointCloud(o3d.utility.Vector3dVector(points)),
     )  # fmt: skip
 
@@ -342,10 +392,11 @@ def things() -> dict[str, Any]:
 HOMES = {
     "cloud": "PointCloud", "search": "NearestNeighborSearch", "box": "AxisAlignedBoundingBox",
     "turned": "OrientedBoundingBox", "camera": "PinholeCameraIntrinsic", "volume": "SelectionPolygonVolume",
+    "occupancy()": "OccupancyGrid", "occupancy_filled": "OccupancyGrid",
     "tsdf()": "TSDFVolume", "tsdf_filled": "TSDFVolume", "mesh": "TriangleMesh", "mapped": "TriangleMesh",
     "painted": "TriangleMesh", "shell": "TriangleMesh", "scene": "RaycastingScene", "latest": "LatestFrames",
     "recorder()": "FrameRecorder", "segments": "LineSet", "lens": "CameraModel", "model": "SfmModel",
-    "straightened": "Undistortion",
+    "straightened": "Undistortion", "splats": "GaussianSplats", "distance_field": "DistanceField",
 }  # fmt: skip
 # Results, which operations make; errors; and what takes device arrays, being no part of what users call.
 LEFT_OUT = {"ConvexHull", "VisibleSurface", "DatasetError", "FileError", "DeviceError", "PointloomError"} | {
@@ -362,7 +413,8 @@ LEFT_OUT |= {  # other names of what the table has
     for name in dir(kind)
     if name.startswith("create_from_") and hasattr(kind, name.removeprefix("create_"))
 }
-LEFT_OUT |= {"Shape", "ShapeSurface", "DetectedShapes", "Stations"}  # results
+LEFT_OUT |= {"RayHits", "Shape", "ShapeSurface", "DetectedShapes", "BoxShape", "Stations"}  # results
+LEFT_OUT |= {"find_boxes"}  # tests/pcd/test_shape_boxes.py has it
 LEFT_OUT |= {"record"}  # tests/drawing/recording has it
 # tests/drawing/render has them
 LEFT_OUT |= {"render", "save_picture", "View", "fit_view", "read_view", "write_view", "CameraFrustum"}
@@ -372,8 +424,13 @@ LEFT_OUT |= {"fuse", "FusionResult", "track", "TrackedPath", "check_focal", "Foc
 LEFT_OUT |= {"reconstruct", "ReconstructionResult"}  # and these
 # tests/files/test_bags.py has them
 LEFT_OUT |= {"Recording", "RecordedMessage", "Recording.choose_topic", "Recording.messages", "Recording.scans"}
+LEFT_OUT |= {"ImuReadings", "Recording.frames"}  # a result; tests/files/test_recorded_frames.py has it
+LEFT_OUT |= {"Recording.imu", "Recording.trajectory"}  # tests/files/test_recorded_motions.py has them
+LEFT_OUT |= {"Recording.rows_of", "Recording.bytes_at", "Recording.content_at"}  # for code that reads messages by place
 LEFT_OUT |= {"read_cameras"}  # tests/files/test_camera_files.py has it
-LEFT_OUT |= {"TriangleMesh.vertices_at"}  # takes device arrays
+LEFT_OUT |= {"TriangleMesh.vertices_at", "DistanceField.from_device_voxels"}  # takes device arrays
+LEFT_OUT |= {"DistanceField"}  # has no call of its own
+LEFT_OUT |= {"draw_slice"}  # tests/meshing/test_distance_fields.py has it
 LEFT_OUT |= {"set_num_threads"}  # tests/kernels/language/test_cpu_pool.py has it
 CLOUDS_ONLY = {"target", "source", "other", "cloud"}
 TAKES_ARRAYS = {

@@ -72,6 +72,12 @@ def test_what_lies_apart_is_two_shapes(device, rng):
     assert len(loom.detect_shapes(cloud, 0.01, kinds="plane", max_shapes=1).shapes) == 1
 
 
+def test_all_faces_of_a_box_are_found_though_candidates_were_of_the_largest(device):
+    box = loom.TriangleMesh.create_box(0.4, 0.3, 0.2, device=device).sample_points_uniformly(6000, seed=1)
+    found = loom.detect_shapes(box.estimate_normals(), 0.005, kinds="plane")
+    assert len(found.shapes) == 6 and min(shape.support for shape in found.shapes) > 500
+
+
 def test_clutter_alone_has_no_shape(device, rng):
     cloud = loom.PointCloud(rng.random((4000, 3)), device=device).estimate_normals()
     found = loom.detect_shapes(cloud, 0.01, num_iterations=5000)

@@ -6,8 +6,10 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 import pointloom as loom
+from pointloom.registration.rigid import make_pose
 
 reg = loom.registration
 
@@ -190,3 +192,20 @@ def test_pairs_support_each_other_where_they_close_a_way_round_and_only_there(fr
             _agreement(clouds, [*pairs[:2], pairs[2]._replace(transformation=T)], 0.1), factor * scores
         )
     np.testing.assert_array_equal(_agreement(clouds, pairs[:2], 0.1), scores[:2])
+
+
+def test_level_clouds_stay_level(fragments):
+    clouds, truth = [], []
+    for k, (points, pose) in enumerate(zip(fragments.clouds[:3], fragments.poses[:3], strict=True)):
+        turn = Rotation.from_euler("z", 40 * k, degrees=True).as_matrix()
+        world = points @ pose[:3, :3].T + pose[:3, 3]
+        clouds.append(loom.PointCloud((world - [0.3 * k, 0, 0.1 * k]) @ turn))  # as a levelled scanner would have it
+        truth.append(make_pose(turn, np.array([0.3 * k, 0, 0.1 * k])))
+    found = reg.register_fragments(clouds, voxel_size=0.06, free=("x", "y", "z", "yaw"))
+    assert found.placed.all()
+    assert np.abs(found.poses[:, 2, :2]).max() < 1e-15 and np.abs(found.poses[:, :2, 2]).max() < 1e-15
+    assert worst_shift(found.poses, np.linalg.inv(truth[0]) @ truth, [0, 1, 2], clouds[0].points[::50]) < 0.01
+    tilted = make_pose(Rotation.from_euler("x", 1, degrees=True).as_matrix(), np.zeros(3))
+    known = [reg.FragmentPair(1, 0, tilted, 0.0, 1.0)]
+    with pytest.raises(ValueError, match=r"known\[0\].transformation: tilts by 1 degrees"):
+        reg.register_fragments(clouds, voxel_size=0.06, free=("x", "y", "z", "yaw"), known=known)

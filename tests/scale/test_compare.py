@@ -168,7 +168,7 @@ def test_an_epoch_that_cannot_be_compared_is_named(files, later, tmp_path):
     table = read_las(files[0])
     table.points = table.points + 1000.0
     write_las(tmp_path / "far.laz", table, scale=1e-3)
-    with pytest.raises(loom.FileError, match=r"far\.laz.*lies elsewhere"):
+    with pytest.raises(loom.FileError, match=r"far\.laz.*lies elsewhere: \[[\d., -]+\]\.\."):
         plan(other=tmp_path / "far.laz")
     plan(1, other=later)
     with pytest.raises(loom.FileError, match=r"part1\.laz is gone.*far2\.laz is new"):
@@ -211,3 +211,21 @@ def test_a_real_slope_has_the_change_of_one_machine(terrain, tmp_path, size):
     assert 0.1 < result.is_significant.mean() < 0.9
     shapes = loom.compute_eigen_features(expected, radius=6.0, max_nn=None)
     same(found, shapes, *ATTRIBUTES, "linearity", "verticality", "density")
+
+
+def test_an_epoch_may_be_of_another_format_than_las(files, later, tmp_path):
+    """Points as PLY, which are written over about another corner: the same distances to what float32 tells apart."""
+    first = whole_cloud(files, CORNER)
+    loom.write_point_cloud(tmp_path / "first.ply", loom.PointCloud(first.points))
+    loom.write_point_cloud(tmp_path / "later.ply", loom.PointCloud(epoch_of(later, {"origin": CORNER}).points))
+    step = {"step": "distance", "max_distance": 0.5}
+    of_las = tiled(files, [step | {"other": str(later)}], tmp_path / "las", size=17.3)[0]
+    job = tmp_path / "job"
+    steps = [step | {"other": str(tmp_path / "later.ply")}]
+    loom.scale.plan_tiles(tmp_path / "first.ply", steps, job, size=17.3)
+    assert loom.scale.run_tiles(job).is_finished
+    assert loom.scale.plan_tiles(tmp_path / "first.ply", steps, job, size=17.3).is_finished  # the same plan
+    found = loom.read_point_cloud(loom.scale.finish_tiles(job))
+    distances = [np.sort(np.asarray(cloud["distance"])) for cloud in (found, of_las)]
+    np.testing.assert_allclose(*distances, atol=2e-4)
+    assert np.isfinite(distances[0]).mean() > 0.1

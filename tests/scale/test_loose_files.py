@@ -157,6 +157,9 @@ def test_an_index_stands_for_its_files(tmp_path):
         assert loom.scale.plan_tiles(sources, STEPS, tmp_path / f"folder{number}").points == told.points
     items = json.loads(index.read_text())
     for change, message in [
+        (lambda one: one["properties"].update({"pc:count": 7}), "holds 7 points, it holds"),
+        (lambda one: one["properties"]["proj:bbox"].__setitem__(0, 0.0), "reaches over"),
+        (lambda one: one["properties"].update({"proj:bbox": ["w", 1, 2, 3]}), "bounds of .* that are none"),
         (lambda one: one["assets"]["data"].update(href="./gone.laz"), "lists ./gone.laz, which is not there"),
         (lambda one: one["assets"]["data"].update(href="https://x/y.laz"), "which is no file on this machine"),
         (lambda one: one["assets"]["data"].update(href="index.vpc"), "neither .las nor .laz"),
@@ -171,3 +174,49 @@ def test_an_index_stands_for_its_files(tmp_path):
 
 def plan_files(folder):
     return [source["path"] for source in plan_of(folder)["sources"]]
+
+
+def test_an_index_may_call_its_points_and_their_files_otherwise(tmp_path):
+    points = np.random.default_rng(0).random((50, 3))
+    loom.write_point_cloud(tmp_path / "a b.laz", loom.PointCloud(points))
+    assets = {
+        "overview": {"href": "a%20b.laz", "roles": ["overview"]},
+        "points": {"href": "a%20b.laz", "roles": ["data"]},
+    }
+    (tmp_path / "one.vpc").write_text(json.dumps({"features": [{"assets": assets}]}))
+    assert loom.scale.plan_tiles(tmp_path / "one.vpc", STEPS, tmp_path / "job").points == 50
+    del assets["points"]["roles"], assets["overview"]["roles"]
+    (tmp_path / "one.vpc").write_text(json.dumps({"features": [{"assets": assets}]}))
+    with pytest.raises(loom.FileError, match="'overview', 'points' not one is that of the points"):
+        loom.scale.plan_tiles(tmp_path / "one.vpc", STEPS, tmp_path / "other")
+
+
+def test_files_that_do_not_go_together_are_named_as_they_were_given_and_leave_nothing(tmp_path):
+    points = np.random.default_rng(0).random((50, 3))
+    loom.write_point_cloud(tmp_path / "a.laz", loom.PointCloud(points))
+    loom.write_point_cloud(tmp_path / "b.ply", loom.PointCloud(points, extra=points[:, 0]))
+    with pytest.raises(loom.FileError, match=r"^\S*b\.ply: its .* that of \S*a\.laz"):
+        loom.scale.plan_tiles([tmp_path / "a.laz", tmp_path / "b.ply"], STEPS, tmp_path / "job")
+    assert not (tmp_path / "job").exists()
+
+
+@pytest.mark.parametrize("name", ["a" * 33, "intensity"])
+def test_names_that_las_cannot_have_are_told_of_the_file_that_was_given(tmp_path, name):
+    points = np.random.default_rng(0).random((50, 3))
+    cloud = loom.PointCloud(points, **{name: points[:, 0], "intensity_value": points[:, 1]})
+    loom.write_point_cloud(tmp_path / "a.ply", cloud)
+    with pytest.raises(loom.FileError, match=rf"^\S*a\.ply: attribute '{name}'"):
+        loom.scale.plan_tiles(tmp_path / "a.ply", STEPS, tmp_path / "job")
+    loom.write_point_cloud(tmp_path / "b.ply", loom.PointCloud(points, **{"b" * 32: points[:, 0]}))
+    assert loom.scale.plan_tiles(tmp_path / "b.ply", STEPS, tmp_path / "job").points == 50
+
+
+def test_a_made_file_that_is_gone_is_told_before_tiles_are_run(tmp_path):
+    loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(np.random.default_rng(0).random((50, 3))))
+    loom.scale.plan_tiles(tmp_path / "a.ply", STEPS, tmp_path / "job")
+    assert not loom.scale.tile_status(tmp_path / "job").troubles
+    (tmp_path / "job" / "sources" / "000000.laz").unlink()
+    (told,) = loom.scale.tile_status(tmp_path / "job").troubles.items()
+    assert told[0].endswith("a.ply") and "was made of" in told[1]
+    with pytest.raises(loom.FileError, match=r"made of .*a\.ply.*Plan the tiles anew"):
+        loom.scale.plan_tiles(tmp_path / "a.ply", STEPS, tmp_path / "job")

@@ -88,6 +88,18 @@ def test_scans_are_placed_as_in_memory(device, surveyed, tmp_path):
     assert_same(found, in_memory(surveyed[0], device))
 
 
+def test_level_scans_are_placed_as_in_memory_and_none_tilts(surveyed, tmp_path):
+    paths = []
+    for k, (path, T) in enumerate(zip(surveyed[0][:3], surveyed[1][:3], strict=True)):
+        turn = Rotation.from_euler("z", 50 * k, degrees=True).as_matrix()
+        paths.append(tmp_path / f"{k}.ply")
+        loom.write_point_cloud(paths[-1], loom.read_point_cloud(path).transform(T).rotate(turn, center=[k, 0, 0]))
+    how = {"free": ["x", "y", "z", "yaw"]}
+    found = by_tasks(paths, tmp_path / "job", **how)
+    assert found.placed.all() and np.abs(found.poses[:, 2, :2]).max() < 1e-15
+    assert_same(found, in_memory(paths, **how))
+
+
 def test_two_runs_of_shares_give_the_same_bits(surveyed, tmp_path):
     found = by_tasks(surveyed[0], tmp_path / "one")
     loom.scale.plan_registration(surveyed[0], tmp_path / "two", voxel_size=SIZE)

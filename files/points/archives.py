@@ -1,0 +1,99 @@
+"""NPZ archives of a kind: written whole or not at all, and none of their arrays used before all were checked."""
+
+from __future__ import annotations
+
+import os
+import zipfile
+from collections.abc import Callable, Mapping
+from typing import IO, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.atomic import atomic_write
+from ...core.errors import FileError
+from ...core.paths import path_of
+from .npz import read_member
+
+Arrays = dict[str, NDArray[Any]]
+Expected = Mapping[str, tuple[Any, tuple[int, ...]]]  # type and shape of each array
+
+
+def write_archive(path: str | os.PathLike[str], form: bytes, arrays: Arrays, *, overwrite: bool) -> None:
+    """Write arrays under a first member `format` that names what they are."""
+    members: dict[str, Any] = {"format": np.frombuffer(form, np.uint8)} | arrays
+    with atomic_write(path, overwrite=overwrite) as file:
+        np.savez_compressed(file, **members)
+
+
+def read_archive(
+    path: str | os.PathLike[str],
+    form: bytes,
+    what: str,
+    writer: str,
+    expected_of: Callable[[Arrays], Expected],
+    find_fault: Callable[[Arrays], str],
+) -> Arrays:
+    """The arrays of an archive, checked against each other.
+
+    Args:
+        path: The file.
+        form: Its member `format`.
+        what: The kind, for messages.
+        writer: What writes such files, for messages.
+        expected_of: Types and shapes of all other arrays, by those that are there.
+        find_fault: What no such file holds, of arrays of these types and shapes; empty where there is nothing.
+
+    Raises:
+        FileError: Missing, damaged, of another kind, or with other arrays.
+        MemoryError: The memory does not hold it.
+    """
+    arrays = _read_members(path, what)
+    if arrays.get("format", np.zeros(0)).tobytes() != form:
+        raise FileError(path, f"is no {form.decode()} file", remedy=f"Write one with {writer}")
+    expected = {"format": (np.uint8, (len(form),)), **expected_of(arrays)}
+    if arrays.keys() != expected.keys():
+        missing, extra = sorted(expected.keys() - arrays.keys()), sorted(arrays.keys() - expected.keys())
+        raise FileError(path, f"lacks {', '.join(missing)}" if missing else f"holds unknown arrays {', '.join(extra)}")
+    for name, (dtype, shape) in expected.items():
+        found = arrays[name]
+        if found.dtype != dtype or found.shape != shape:
+            got = f"{found.dtype} {list(found.shape)}"
+            raise FileError(path, f"{name}: expected {np.dtype(dtype)} {list(shape)}, got {got}")
+    if reason := find_fault(arrays):
+        raise FileError(path, reason, remedy="The file was changed after it was saved")
+    return arrays
+
+
+def rows_of(arrays: Arrays, name: str) -> int:
+    """The rows of an array that may not be there."""
+    return len(arrays[name]) if name in arrays and arrays[name].ndim else 0
+
+
+def _read_members(path: str | os.PathLike[str], what: str) -> Arrays:
+    """The arrays of an NPZ archive, none of which is allocated before its sizes are known to be true."""
+    try:
+        arrays = {}
+        with path_of(path).open("rb") as file, zipfile.ZipFile(file) as archive:
+            if min((info.header_offset for info in archive.infolist()), default=0) or not _ends_archive(file):
+                raise FileError(path, "bytes stand before or behind the archive", remedy="Copy the file again")
+            for info in archive.infolist():
+                name = info.filename.removesuffix(".npy")
+                if name in arrays:
+                    raise FileError(path, f"member {name!r} is there twice")
+                arrays[name] = read_member(path, archive, info, name)
+        return arrays
+    except FileError:
+        raise
+    except FileNotFoundError as error:
+        raise FileError(path, "no such file") from error
+    except MemoryError as error:
+        raise MemoryError(f"{path}: the memory does not hold the {what}") from error
+    except Exception as error:  # zipfile raises some ten types on damaged archives, not all of them documented
+        raise FileError(path, f"cannot be read as a {what}: {error}", remedy="The file may be truncated") from error
+
+
+def _ends_archive(file: IO[bytes]) -> bool:
+    """Whether the last bytes are the record that ends a ZIP archive without a comment, which NumPy never writes."""
+    file.seek(-22, os.SEEK_END)
+    return file.read(4) == b"PK\5\6"

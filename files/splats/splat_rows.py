@@ -1,0 +1,100 @@
+"""Splats as rows of 32 bytes without a header: `.splat`.
+
+A row is float32 x, y, z; float32 standard deviations; uint8 red, green, blue and opacity; uint8 quaternion (w, x, y, z)
+as 128 + 128 q. Nothing in the file says what it holds, so the reader refuses what cannot be one.
+
+Source: antimatter15/splat, whose viewer made the format.
+"""
+
+from __future__ import annotations
+
+import os
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.atomic import atomic_write
+from ...core.errors import FileError
+from ...pcd.harmonics import FIRST
+from ...pcd.splats import logits_of, shares_of, unit_quaternions
+from ..columns import warn_left_out
+from ..source import open_source
+from ..table import PointTable
+
+_ROW = np.dtype([("point", "<f4", 3), ("scale", "<f4", 3), ("color", "u1", 4), ("rot", "u1", 4)])
+_LARGEST = 1e6  # no splat is as large; other data read as float32 nearly always holds larger numbers
+
+
+def read_splat(path: str | os.PathLike[str]) -> PointTable:
+    """Read splats of degree 0 as columns `f_dc`, `opacity`, `scale`, `rot`.
+
+    Raises:
+        FileError: Missing, empty, not a multiple of 32 bytes, or scales that no splat has; says where.
+    """
+    source = open_source(path)
+    if len(source) % _ROW.itemsize:
+        reason = f"{len(source)} bytes are not a multiple of {_ROW.itemsize}, the bytes of a splat"
+        where = f"byte {len(source) // _ROW.itemsize * _ROW.itemsize}"
+        raise FileError(path, reason, where=where, remedy="The file may be cut off")
+    rows = np.frombuffer(source, _ROW)
+    sizes = rows["scale"]
+    with np.errstate(invalid="ignore"):
+        wrong = ((sizes < 0) | (sizes > _LARGEST)).any(axis=1)
+    if wrong.any():
+        row = int(np.argmax(wrong))
+        reason = f"splat {row} has the scales {sizes[row].tolist()}; this is no .splat file"
+        raise FileError(path, reason, where=f"byte {row * _ROW.itemsize + 12}")
+    colors = rows["color"].astype(np.float64) / 255
+    with np.errstate(divide="ignore", invalid="ignore"):
+        scale = np.log(sizes.astype(np.float64)).astype(np.float32)
+        opacity = logits_of(colors[:, 3])
+    attributes: dict[str, NDArray[Any]] = {
+        "f_dc": ((colors[:, :3] - 0.5) / FIRST).astype(np.float32),
+        "opacity": opacity,
+        "scale": scale,
+        "rot": ((rows["rot"].astype(np.float32) - 128) / 128),
+    }
+    return PointTable(np.ascontiguousarray(rows["point"], np.float32), attributes=attributes)
+
+
+def write_splat(path: str | os.PathLike[str], table: PointTable, *, overwrite: bool = True) -> None:
+    """Write splats as rows of 32 bytes.
+
+    Raises:
+        FileError: The place cannot be written, or float32 would round centres by more than 2 mm.
+
+    Warns:
+        UserWarning: Harmonics and further attributes are left out.
+    """
+    columns = table.attributes
+    spare = [name for name in columns if name not in ("f_dc", "opacity", "scale", "rot")]
+    points = table.points.astype(np.float32)
+    check_rounding(path, table.points, np.abs(table.points - points).max(initial=0.0))
+    rows = np.empty(len(points), _ROW)
+    rows["point"] = points
+    with np.errstate(over="ignore"):
+        rows["scale"] = np.exp(columns["scale"].astype(np.float64))
+    rows["color"][:, :3] = to_bytes((0.5 + FIRST * columns["f_dc"].astype(np.float64)) * 255)
+    rows["color"][:, 3] = to_bytes(shares_of(columns["opacity"]) * 255)
+    rows["rot"] = to_bytes(unit_quaternions(columns["rot"]) * 128 + 128)
+    with atomic_write(path, overwrite=overwrite) as file:
+        file.write(rows.tobytes())
+    warn_left_out(path, ".splat", spare, stacklevel=3)
+
+
+def to_bytes(values: NDArray[np.float64]) -> NDArray[np.uint8]:
+    """The nearest of 0 to 255."""
+    return np.clip(np.rint(values), 0, 255).astype(np.uint8)
+
+
+def check_rounding(path: Any, points: NDArray[Any], error: float) -> None:
+    """Hold that a format keeps centres to 2 mm.
+
+    Raises:
+        FileError: It does not.
+    """
+    if error > 2e-3:
+        low, high = points.min(axis=0).tolist(), points.max(axis=0).tolist()
+        reason = f"centres from {low} to {high} m would be rounded by {error:.2g} m"
+        raise FileError(path, reason, remedy="translate the splats to near the origin, or write .ply")

@@ -1,0 +1,93 @@
+"""Splats written as SPZ of version 3, which is what most readers know: one gzip stream (spz.py has the layout)."""
+
+from __future__ import annotations
+
+import gzip
+import os
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.atomic import atomic_write
+from ...core.errors import FileError
+from ...pcd.harmonics import signs_of_flip
+from ...pcd.splats import shares_of, unit_quaternions
+from ..columns import warn_left_out
+from ..table import PointTable
+from .splat_rows import check_rounding, to_bytes
+from .spz import COLOR_SCALE, FLIPS, HEADER, MAGIC, SpzHeader
+
+_MOST_BITS = 12  # of the fraction: steps of 0.24 mm, as far as 2 km
+_VERSION = 3
+
+
+def write_spz(path: str | os.PathLike[str], table: PointTable, *, overwrite: bool = True) -> None:
+    """Write splats; the same splats make the same bytes.
+
+    Raises:
+        FileError: The place cannot be written, or centres are so far out that 24 bits would round them by over 2 mm.
+
+    Warns:
+        UserWarning: Further attributes are left out.
+    """
+    columns = table.attributes
+    rest = columns.get("f_rest")
+    degree = 0 if rest is None else round((rest.shape[1] / 3 + 1) ** 0.5) - 1
+    bits = _fractional_bits(path, table.points)
+    if len(table.points) > 0xFFFFFFFF:
+        raise FileError(path, f"SPZ counts to 2^32, not to {len(table.points):,} splats")
+    header = SpzHeader(MAGIC, _VERSION, len(table.points), degree, bits, 0, 0)
+    turns = np.roll(unit_quaternions(columns["rot"]), -1, axis=1) * [*FLIPS, 1.0]
+    parts = [
+        _three_bytes(np.rint(table.points.astype(np.float64) * FLIPS * 2.0**bits).astype(np.int32)),
+        to_bytes(shares_of(columns["opacity"]) * 255),
+        to_bytes((columns["f_dc"].astype(np.float64) * COLOR_SCALE + 0.5) * 255),
+        to_bytes((np.maximum(columns["scale"].astype(np.float64), -10.0) + 10) * 16),
+        _smallest_three(turns),
+    ]
+    if rest is not None:
+        parts.append(_harmonics(rest, degree))
+    with (
+        atomic_write(path, overwrite=overwrite) as file,
+        gzip.GzipFile(filename="", mode="wb", fileobj=file, compresslevel=6, mtime=0) as stream,
+    ):
+        stream.write(HEADER.pack(*header))
+        for part in parts:
+            stream.write(part.tobytes())
+    spare = [name for name in columns if name not in ("f_dc", "f_rest", "opacity", "scale", "rot")]
+    warn_left_out(path, ".spz", spare, stacklevel=3)
+
+
+def _fractional_bits(path: Any, points: NDArray[Any]) -> int:
+    """As many bits of the fraction as leave room for the farthest centre."""
+    reach = float(np.abs(points).max(initial=0.0))
+    bits = _MOST_BITS
+    while bits > 0 and np.rint(reach * 2.0**bits) > 2**23 - 1:
+        bits -= 1
+    check_rounding(path, points, 0.5 / 2**bits if reach * 2.0**bits < 2**23 else np.inf)
+    return bits
+
+
+def _three_bytes(whole: NDArray[np.int32]) -> NDArray[np.uint8]:
+    return np.ascontiguousarray(whole.reshape(-1, 1).astype("<i4").view(np.uint8).reshape(-1, 4)[:, :3])
+
+
+def _smallest_three(turns: NDArray[np.float64]) -> NDArray[np.uint32]:
+    """Quaternions (x, y, z, w) of length 1 with the largest part left out, 10 bits each for the others."""
+    largest = np.abs(turns).argmax(axis=1)
+    sign = np.where(turns[np.arange(len(turns)), largest] < 0, -1.0, 1.0)
+    packed = largest.astype(np.int64)
+    for part in range(4):
+        given = np.flatnonzero(largest != part)
+        values = (turns[given, part] * sign[given]) * np.sqrt(2)
+        bits = np.minimum(np.rint(np.abs(values) * 511), 511).astype(np.int64)
+        packed[given] = packed[given] << 10 | (values < 0).astype(np.int64) << 9 | bits
+    return packed.astype("<u4")
+
+
+def _harmonics(rest: NDArray[Any], degree: int) -> NDArray[np.uint8]:
+    """Bytes of steps of 1/16 in degree 1 and 1/8 beyond it, red, green and blue of each coefficient."""
+    values = rest.reshape(len(rest), 3, -1).transpose(0, 2, 1) * signs_of_flip(FLIPS, degree)[:, None]
+    step = np.where(np.arange(values.shape[1]) < 3, 8, 16)[:, None]
+    return np.clip(np.rint(values * 128 / step) * step + 128, 0, 255).astype(np.uint8)

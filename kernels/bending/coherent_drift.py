@@ -1,0 +1,263 @@
+"""Soft correspondences of two point sets: every point of one pulls at every point of the other, as a Gaussian weighs.
+
+Moved points y_m are the centres of a mixture with the variance s^2, targets x_n its samples, and c is what a uniform
+share of outliers adds: p_mn = e_mn / (sum_k e_kn + c), e_mn = exp(-|x_n - y_m|^2 / 2 s^2). One pass over the targets
+finds the sums below the line, one over the sources what each is pulled to: sum_n p_mn and sum_n p_mn x_n. Nothing of
+size M N is kept. A Gaussian counts no more beyond FARTHEST, where it is 2e-19, so that once s is small both passes walk
+trees and meet near points only. 20 operations a pair.
+Source: Myronenko and Song, "Point set registration: coherent point drift", PAMI 2010, eqs. 6 and 7.
+"""
+
+import numpy as np
+
+from ..algebra.transform import narrow, widen
+from ..array_types import Doubles, Points, Positions
+from ..lang import (
+    array,
+    dot,
+    float64,
+    floor,
+    func,
+    int64,
+    kernel,
+    launch,
+    mat33d,
+    reduction,
+    tid,
+    vec2d,
+    vec3,
+    vec3d,
+    vector,
+)
+from ..memory import empty
+from ..search.bucket_walk import points_in_reach
+from ..search.point_tree import PointTree, find_bucket
+
+FARTHEST = 43.0  # of the exponent
+INVERSE_LOG2 = 1.4426950408889634
+LOG2_HIGH = 0.693147180369123816490  # of ln 2: 32 bits, so that whole multiples of it are exact
+LOG2_LOW = 1.90821492927058770002e-10
+REACH_SLACK = 1.001  # of a squared reach in float32, so that a tree leaves nothing out
+pulls = vector(4, float64)  # sum of p, sum of p x
+place_sums = vector(4, float64)
+pull_moments = vector(22, float64)
+
+
+@func
+def falloff(x: float64) -> float64:
+    """exp(-x) for x >= 0, to 2e-16 and with the same bits everywhere; 0 beyond FARTHEST."""
+    k = floor(x * float64(INVERSE_LOG2) + 0.5)
+    r = (k * float64(LOG2_HIGH) - x) + k * float64(LOG2_LOW)
+    s = float64(1.0 / 39916800.0)
+    s = s * r + float64(1.0 / 3628800.0)
+    s = s * r + float64(1.0 / 362880.0)
+    s = s * r + float64(1.0 / 40320.0)
+    s = s * r + float64(1.0 / 5040.0)
+    s = s * r + float64(1.0 / 720.0)
+    s = s * r + float64(1.0 / 120.0)
+    s = s * r + float64(1.0 / 24.0)
+    s = s * r + float64(1.0 / 6.0)
+    s = s * r + 0.5
+    s = s * r + 1.0
+    s = s * r + 1.0
+    value = s / float64(int64(1) << int64(min(k, float64(62.0))))
+    return value if x <= float64(FARTHEST) else float64(0.0)
+
+
+@func
+def inverse_of(total: float64, uniform: float64) -> float64:
+    """One over the sum below the line; 0 where nothing is."""
+    inverse = float64(0.0)
+    if total + uniform > 0.0:
+        inverse = 1.0 / (total + uniform)
+    return inverse
+
+
+@func
+def pull_between(y: vec3d, x: vec3d, scale: float64, inverse: float64) -> pulls:
+    """What a target pulls at a source."""
+    d = x - y
+    p = falloff(scale * dot(d, d)) * inverse
+    return pulls(p, p * x[0], p * x[1], p * x[2])
+
+
+@kernel
+def weigh_targets_kernel(
+    targets: array(dtype=vec3d),
+    moved: array(dtype=vec3d),
+    count: int,
+    scale: float64,
+    uniform: float64,
+    inverses: array(dtype=float64),
+    shares: array(dtype=float64),
+):
+    """One over the sum below the line of each target, and the share of it that is no outlier; 0 where nothing is."""
+    i = tid()
+    x = targets[i]
+    total = float64(0.0)
+    for j in range(count):
+        d = x - moved[j]
+        total += falloff(scale * dot(d, d))
+    inverse = inverse_of(total, uniform)
+    inverses[i] = inverse
+    shares[i] = total * inverse
+
+
+@kernel
+def pull_sources_kernel(
+    moved: array(dtype=vec3d),
+    targets: array(dtype=vec3d),
+    count: int,
+    scale: float64,
+    inverses: array(dtype=float64),
+    sums: array(dtype=pulls),
+):
+    """What pulls at each source."""
+    i = tid()
+    y = moved[i]
+    total = pulls(0.0)
+    for j in range(count):
+        total += pull_between(y, targets[j], scale, inverses[j])
+    sums[i] = total
+
+
+@kernel
+def weigh_near_targets_kernel(
+    targets: array(dtype=vec3d),
+    moved: array(dtype=vec3d),
+    tree: PointTree,
+    reach: float,
+    scale: float64,
+    uniform: float64,
+    inverses: array(dtype=float64),
+    shares: array(dtype=float64),
+):
+    """The same of sources in reach."""
+    i = tid()
+    x = targets[i]
+    p = narrow(x)
+    total = float64(0.0)
+    for j, sqdist in points_in_reach(find_bucket(p, tree), p, reach, tree):
+        d = x - moved[tree.order[j]]
+        total += falloff(scale * dot(d, d))
+    inverse = inverse_of(total, uniform)
+    inverses[i] = inverse
+    shares[i] = total * inverse
+
+
+@kernel
+def pull_near_sources_kernel(
+    moved: array(dtype=vec3d),
+    targets: array(dtype=vec3d),
+    tree: PointTree,
+    reach: float,
+    scale: float64,
+    inverses: array(dtype=float64),
+    sums: array(dtype=pulls),
+):
+    """The same of targets in reach."""
+    i = tid()
+    y = moved[i]
+    q = narrow(y)
+    total = pulls(0.0)
+    for j, sqdist in points_in_reach(find_bucket(q, tree), q, reach, tree):
+        k = tree.order[j]
+        total += pull_between(y, targets[k], scale, inverses[k])
+    sums[i] = total
+
+
+@kernel
+def place_points_kernel(points: array(dtype=vec3), A: mat33d, t: vec3d, places: array(dtype=vec3d)):
+    """A p + t in float64."""
+    i = tid()
+    places[i] = A @ widen(points[i]) + t
+
+
+@kernel
+def map_places_kernel(places: array(dtype=vec3d), A: mat33d, t: vec3d, moved: array(dtype=vec3d)):
+    """A y + t."""
+    i = tid()
+    moved[i] = A @ places[i] + t
+
+
+@reduction
+def sum_places(places: array(dtype=vec3d)) -> place_sums:
+    """Sum and squares of places."""
+    i = tid()
+    p = places[i]
+    return place_sums(p[0], p[1], p[2], dot(p, p))
+
+
+@reduction
+def sum_targets(places: array(dtype=vec3d), shares: array(dtype=float64)) -> vec2d:
+    """How much of the targets is no outlier, and their squares so weighed."""
+    i = tid()
+    return vec2d(shares[i], shares[i] * dot(places[i], places[i]))
+
+
+@reduction
+def sum_pulls(places: array(dtype=vec3d), sums: array(dtype=pulls)) -> pull_moments:
+    """Of sources: sum of p; p y; p x; (p x) y^T by rows; p y y^T, its upper triangle."""
+    i = tid()
+    y = places[i]
+    s = sums[i]
+    p = s[0]
+    return pull_moments(
+        p, p * y[0], p * y[1], p * y[2], s[1], s[2], s[3],
+        s[1] * y[0], s[1] * y[1], s[1] * y[2], s[2] * y[0], s[2] * y[1], s[2] * y[2],
+        s[3] * y[0], s[3] * y[1], s[3] * y[2],
+        p * y[0] * y[0], p * y[0] * y[1], p * y[0] * y[2], p * y[1] * y[1], p * y[1] * y[2], p * y[2] * y[2],
+    )  # fmt: skip
+
+
+@kernel
+def narrow_places_kernel(places: array(dtype=vec3d), out: array(dtype=vec3)):
+    """Places in float32, for a tree."""
+    i = tid()
+    out[i] = narrow(places[i])
+
+
+def place_points(points: Points, A: np.ndarray, t: np.ndarray) -> Positions:
+    """A p + t in float64."""
+    places = empty(points.size, vec3d, points.device)
+    launch(place_points_kernel, points.size, [points, mat33d(*A.ravel()), vec3d(*t), places])
+    return places
+
+
+def tree_over(places: Positions) -> PointTree:
+    """A PointTree over float64 places."""
+    points = empty(places.size, vec3, places.device)
+    launch(narrow_places_kernel, places.size, [places, points])
+    return PointTree(points)
+
+
+class Drift:
+    """The soft correspondences of sources that move and targets that stay.
+
+    Attributes:
+        inverses: One over the sum below the line of each target, float64 [n].
+        shares: How much of each target is no outlier, float64 [n].
+        sums: What pulls at each source: sum of p, and of p x, `pulls` [m].
+    """
+
+    def __init__(self, targets: Positions, source_count: int) -> None:
+        device = targets.device
+        self.targets, self.tree = targets, tree_over(targets)
+        self.inverses, self.shares = empty(targets.size, float64, device), empty(targets.size, float64, device)
+        self.sums = empty(source_count, pulls, device)
+
+    def weigh(self, moved: Positions, variance: float, uniform: float, *, near: float) -> None:
+        """The correspondences at a variance; by trees where a Gaussian reaches less far than `near`."""
+        targets, scale = self.targets, 0.5 / variance
+        reach = FARTHEST / scale * REACH_SLACK
+        found: list[Doubles] = [self.inverses, self.shares]
+        if reach > near * near:
+            launch(weigh_targets_kernel, targets.size, [targets, moved, moved.size, scale, uniform, *found])
+            launch(pull_sources_kernel, moved.size, [moved, targets, targets.size, scale, self.inverses, self.sums])
+            return
+        within = float(np.float32(reach + 1e-6))
+        given = [targets, moved, tree_over(moved), within, scale, uniform]
+        launch(weigh_near_targets_kernel, targets.size, [*given, *found])
+        launch(
+            pull_near_sources_kernel, moved.size, [moved, targets, self.tree, within, scale, self.inverses, self.sums]
+        )

@@ -1,0 +1,245 @@
+"""Smooth fields of motion: sums of Gaussians about points, by a factor of their matrix of few rows.
+
+G_ij = exp(-|y_i - y_j|^2 / 2 b^2) is L^T L to what is left of its diagonal, L being [k, m]: Cholesky's method that
+takes the point of the largest remainder next, until the largest is below a limit. A wide Gaussian needs some hundred
+rows for any number of points. O(k m) memory, O(k^2 m) time.
+Source: Fine and Scheinberg 2001 (incomplete Cholesky with pivots); Myronenko and Song 2010, section 5.
+"""
+
+import numpy as np
+
+from ..algebra.transform import narrow, widen
+from ..array_types import Array2, Doubles, Points, Positions
+from ..arrays.packed_keys import key_index, pack_key
+from ..arrays.select import gather_rows
+from ..lang import (
+    array,
+    atomic_max,
+    dot,
+    float64,
+    func,
+    int32,
+    int64,
+    isfinite,
+    kernel,
+    launch,
+    sqrt,
+    tid,
+    vec3,
+    vec3d,
+    vec4d,
+)
+from ..memory import download, empty, upload, zeros
+from .coherent_drift import falloff, pulls
+
+WIDE = 4  # products of a row that a thread sums side by side
+LOOKED_AT = 32  # rows between two looks at what is left
+
+
+@func
+def gaussian(p: vec3d, q: vec3d, scale: float64) -> float64:
+    """exp(-scale |p - q|^2)."""
+    d = p - q
+    return falloff(scale * dot(d, d))
+
+
+@kernel
+def factor_row_kernel(
+    places: array(dtype=vec3d),
+    scale: float64,
+    row: int,
+    rows: array(dtype=float64, ndim=2),
+    left: array(dtype=float64),
+    pivots: array(dtype=int64),
+):
+    """One row of the factor, by the pivot that stands at its place; what it leaves of the diagonal, and the next pivot.
+
+    Ties go to the larger index, whatever the order of the threads.
+    """
+    i = tid()
+    p = key_index(pivots[row])
+    own = float64(1.0)
+    total = gaussian(places[i], places[p], scale)
+    for k in range(row):
+        own = own - rows[k, p] * rows[k, p]
+        total = total - rows[k, i] * rows[k, p]
+    value = float64(0.0)
+    if own > 0.0:
+        value = total / sqrt(own)
+    rows[row, i] = value
+    rest = max(left[i] - value * value, float64(0.0))
+    left[i] = rest
+    atomic_max(pivots, row + 1, pack_key(float(rest), i))
+
+
+@kernel
+def square_rows_kernel(
+    rows: array(dtype=float64, ndim=2),
+    count: int,
+    sums: array(dtype=pulls),
+    points: int,
+    out: array(dtype=float64, ndim=2),
+):
+    """L diag(sum of p) L^T, on and below the diagonal: WIDE numbers of a row a thread."""
+    i = tid()
+    across = (count + WIDE - 1) // WIDE
+    row = i // across
+    first = (i % across) * WIDE
+    if first <= row:
+        a = min(first + 1, count - 1)
+        b = min(first + 2, count - 1)
+        c = min(first + 3, count - 1)
+        total = vec4d(0.0)
+        for m in range(points):
+            w = rows[row, m] * sums[m][0]
+            total += vec4d(w * rows[first, m], w * rows[a, m], w * rows[b, m], w * rows[c, m])
+        out[row, first] = total[0]
+        out[row, a] = total[1]
+        out[row, b] = total[2]
+        out[row, c] = total[3]
+
+
+@kernel
+def pull_rows_kernel(
+    rows: array(dtype=float64, ndim=2),
+    places: array(dtype=vec3d),
+    sums: array(dtype=pulls),
+    points: int,
+    out: array(dtype=vec3d),
+):
+    """L (P x - diag(sum of p) y), a row a thread."""
+    i = tid()
+    total = vec3d(0.0, 0.0, 0.0)
+    for m in range(points):
+        s = sums[m]
+        total += rows[i, m] * (vec3d(s[1], s[2], s[3]) - s[0] * places[m])
+    out[i] = total
+
+
+@kernel
+def pick_corner_kernel(
+    rows: array(dtype=float64, ndim=2), chosen: array(dtype=int32), count: int, out: array(dtype=float64, ndim=2)
+):
+    """The rows at the pivots' places."""
+    i = tid()
+    out[i // count, i % count] = rows[i // count, chosen[i % count]]
+
+
+@kernel
+def move_places_kernel(
+    rows: array(dtype=float64, ndim=2),
+    count: int,
+    places: array(dtype=vec3d),
+    values: array(dtype=vec3d),
+    moved: array(dtype=vec3d),
+):
+    """y + L^T v."""
+    i = tid()
+    total = places[i]
+    for k in range(count):
+        total += rows[k, i] * values[k]
+    moved[i] = total
+
+
+@kernel
+def move_points_kernel(
+    points: array(dtype=vec3),
+    shift: vec3d,
+    unit: float64,
+    centers: array(dtype=vec3d),
+    weights: array(dtype=vec3d),
+    count: int,
+    scale: float64,
+    moved: array(dtype=vec3),
+):
+    """Where a field takes points: unit (p + shift) is the place that the field knows. Not finite ones stay."""
+    i = tid()
+    p = widen(points[i])
+    moved[i] = points[i]
+    if isfinite(p):
+        place = (p + shift) * unit
+        total = vec3d(0.0, 0.0, 0.0)
+        for k in range(count):
+            total += gaussian(place, centers[k], scale) * weights[k]
+        moved[i] = narrow(p + total / unit)
+
+
+class CoherentField:
+    """The factor of a Gaussian matrix over places.
+
+    Attributes:
+        rows: The factor, float64 [k, m].
+        count: k.
+        pivots: The places that it was made of, int [k].
+    """
+
+    def __init__(self, places: Positions, width: float, limit: float, most: int) -> None:
+        """A sync every LOOKED_AT rows.
+
+        Raises:
+            ValueError: More rows than `most` would be needed.
+        """
+        device, size = places.device, places.size
+        most = min(most, size)
+        self.places, self.scale = places, 0.5 / (width * width)
+        self.rows: Array2[float64] = empty((most, size), float64, device)
+        left = upload(np.ones(size), float64, device)
+        pivots = zeros(most + 1, int64, device)
+        self.count = 0
+        keys = np.zeros(0, np.int64)
+        while self.count < most:
+            done = min(self.count + LOOKED_AT, most)
+            for row in range(self.count, done):
+                launch(factor_row_kernel, size, [places, self.scale, row, self.rows, left, pivots])
+            self.count = done
+            keys = np.array(download(pivots), np.int64)  # sync
+            rest = (keys >> 32).astype(np.int32).view(np.float32)[1 : done + 1]
+            if (below := np.flatnonzero(rest <= limit)).size:
+                self.count = int(below[0]) + 1
+                break
+        else:
+            if size > most:
+                raise ValueError(f"more than {most} rows")
+        self.pivots = (keys & 0xFFFFFFFF)[: self.count]
+
+    def step(self, sums: Doubles, damping: float, moved: Positions) -> np.ndarray:
+        """Move the places to where the pulls balance the field's own stiffness; the coefficients of the rows [k, 3].
+
+        One sync. The system of k unknowns is solved on the host, in float64.
+        """
+        device, count, size = self.places.device, self.count, self.places.size
+        square = zeros((count, count), float64, device)
+        across = -(-count // WIDE)
+        launch(square_rows_kernel, count * across, [self.rows, count, sums, size, square])
+        right = empty(count, vec3d, device)
+        launch(pull_rows_kernel, count, [self.rows, self.places, sums, size, right])
+        lower = np.tril(np.asarray(download(square)).reshape(count, count))  # sync
+        matrix = lower + np.tril(lower, -1).T + damping * np.eye(count)
+        values = np.linalg.solve(matrix, np.asarray(download(right)).reshape(count, 3))
+        given = upload(values, vec3d, device)
+        launch(move_places_kernel, size, [self.rows, count, self.places, given, moved])
+        return values
+
+    def weights_of(self, values: np.ndarray) -> np.ndarray:
+        """What the Gaussian of each pivot counts where rows have these coefficients: float64 [k, 3]."""
+        corner = empty((self.count, self.count), float64, self.places.device)
+        chosen = upload(self.pivots.astype(np.int32), int32, self.places.device)
+        launch(pick_corner_kernel, self.count * self.count, [self.rows, chosen, self.count, corner])
+        return np.linalg.solve(np.asarray(download(corner)).reshape(self.count, self.count), values)  # sync
+
+    def centers(self) -> np.ndarray:
+        """The places of the pivots, float64 [k, 3]; one sync."""
+        chosen = upload(self.pivots.astype(np.int32), int32, self.places.device)
+        return np.array(download(gather_rows(self.places, chosen)), np.float64).reshape(-1, 3)
+
+
+def move_points(
+    points: Points, shift: np.ndarray, unit: float, centers: np.ndarray, weights: np.ndarray, scale: float
+) -> Points:
+    """Points under a field of Gaussians, about their own origin."""
+    device = points.device
+    moved = empty(points.size, vec3, device)
+    places, counts = upload(centers, vec3d, device), upload(weights, vec3d, device)
+    arguments = [points, vec3d(*shift), unit, places, counts, len(centers), scale, moved]
+    launch(move_points_kernel, points.size, arguments)
+    return moved

@@ -1,0 +1,362 @@
+"""A body bent by nodes on it, each with a rotation and a place: what they make of points, normals and volumes.
+
+A point p goes to the mean of where the nodes about it would take it, R (p - g) + c for a node that stood at g and
+stands at c, as they weigh: (1 - d / D)^2 for a node at the distance d, with D the distance of the nearest one that
+counts no more. So the bend is smooth where p comes nearer to another node. Nodes that bend the same points are
+neighbours. Sumner, Schmid and Pauly, "Embedded deformation for shape manipulation", SIGGRAPH 2007, eqs. 1 to 3;
+rotations instead of affine maps held near them. A point takes a search for five nodes and some 150 operations, and
+80 B beside it.
+"""
+
+from typing import Any
+
+from ..algebra.transform import narrow, widen
+from ..array_types import Array1, Doubles, Indices, Points, Positions, Scalars, Vectors
+from ..arrays.unique import UniqueKeys
+from ..lang import (
+    array,
+    cross,
+    dot,
+    float32,
+    float64,
+    func,
+    int32,
+    int64,
+    isfinite,
+    kernel,
+    launch,
+    mat33d,
+    outer,
+    sqrt,
+    struct,
+    tid,
+    vec3,
+    vec3d,
+)
+from ..memory import empty, flat
+from ..meshes.vertex_neighbors import VertexNeighbors
+from ..search.point_tree import PointTree
+from ..search.tree_search import search_nearest
+
+MEMBERS = 4  # nodes that bend a point, as in the paper
+LISTED = 5  # and the next one, where their weight ends
+PAIRS = 6  # of the members
+WIDE = 2.0  # where there are fewer nodes than that: weights end at so many distances of the farthest
+
+
+@struct
+class DeformationGraph:
+    """Nodes, and where they went.
+
+    Attributes:
+        nodes: Where they stood, vec3 [m], about the origin of the body.
+        rotations: How they turned, mat33d [m].
+        centers: Where they stand, vec3d [m], about the origin of what the body is brought to.
+        listed: Nodes that are found for a point: LISTED, or all there are.
+        tree: The PointTree over the nodes.
+    """
+
+    nodes: array(dtype=vec3)
+    rotations: array(dtype=mat33d)
+    centers: array(dtype=vec3d)
+    listed: int
+
+    def __init__(self, nodes: Points, rotations: Array1[mat33d], centers: Positions) -> None:
+        self.nodes, self.rotations, self.centers = nodes, rotations, centers
+        self.count, self.listed = nodes.size, min(LISTED, nodes.size)
+        self.tree = PointTree(nodes)
+
+
+@struct
+class Influence:
+    """Which nodes bend each of some points, and how much.
+
+    Attributes:
+        points: vec3 [n].
+        near: The nearest nodes of each, int32 [n listed].
+        places: The nodes that bend it, int32 [MEMBERS n].
+        shares: What they weigh, 1 together; 0 for those that are missing, and of points that are not finite.
+    """
+
+    points: array(dtype=vec3)
+    near: array(dtype=int32)
+    places: array(dtype=int32)
+    shares: array(dtype=float64)
+
+    def __init__(self, points: Points, graph: DeformationGraph) -> None:
+        count, device = points.size, points.device
+        self.points, self.count = points, count
+        self.near = flat(search_nearest(graph.tree, points, graph.listed)[0])
+        self.places, self.shares = empty(MEMBERS * count, int32, device), empty(MEMBERS * count, float64, device)
+        launch(share_nodes_kernel, count, [graph, self])
+
+
+@func
+def distance_between(p: vec3d, q: vec3d) -> float64:
+    """|p - q| [m]."""
+    d = p - q
+    return sqrt(dot(d, d))
+
+
+@func
+def end_of_weights(p: vec3d, first: int, near: array(dtype=int32), graph: DeformationGraph) -> float64:
+    """The distance at which nodes count no more for a place."""
+    farthest = distance_between(p, widen(graph.nodes[near[first + graph.listed - 1]]))
+    return farthest if graph.listed == LISTED else float64(WIDE) * farthest
+
+
+@func
+def members_of(listed: int) -> int:
+    """How many nodes bend a point, of those that are listed."""
+    return min(listed, MEMBERS)
+
+
+@kernel
+def share_nodes_kernel(graph: DeformationGraph, influence: Influence):
+    """The nodes that bend a point, and their shares; the nearest alone where all are equally far."""
+    i = tid()
+    p = widen(influence.points[i])
+    first = graph.listed * i
+    n = int(MEMBERS)
+    for k in range(n):
+        influence.places[MEMBERS * i + k] = 0
+        influence.shares[MEMBERS * i + k] = 0.0
+    if isfinite(p) and influence.near[first] >= 0:
+        end = end_of_weights(p, first, influence.near, graph)
+        total = float64(0.0)
+        for k in range(members_of(graph.listed)):
+            node = influence.near[first + k]
+            influence.places[MEMBERS * i + k] = node
+            weight = float64(0.0)
+            if end > 0.0:
+                weight = max(1.0 - distance_between(p, widen(graph.nodes[node])) / end, 0.0)
+            influence.shares[MEMBERS * i + k] = weight * weight
+            total += weight * weight
+        if total > 0.0:
+            for k in range(n):
+                influence.shares[MEMBERS * i + k] = influence.shares[MEMBERS * i + k] / total
+        else:
+            influence.shares[MEMBERS * i] = 1.0
+
+
+@func
+def bent_place(i: int, graph: DeformationGraph, influence: Influence) -> vec3d:
+    """Where a finite point goes."""
+    p = widen(influence.points[i])
+    total = vec3d(0.0, 0.0, 0.0)
+    n = int(MEMBERS)
+    for k in range(n):
+        share = influence.shares[MEMBERS * i + k]
+        if share > 0.0:
+            node = influence.places[MEMBERS * i + k]
+            total += share * (graph.rotations[node] @ (p - widen(graph.nodes[node])) + graph.centers[node])
+    return total
+
+
+@func
+def slope_at(i: int, graph: DeformationGraph, influence: Influence) -> mat33d:
+    """The Jacobian of the bend at a finite point: the nodes' rotations as they weigh, and how the weights change."""
+    p = widen(influence.points[i])
+    here = bent_place(i, graph, influence)
+    zero = float64(0.0)
+    slope = mat33d(zero, zero, zero, zero, zero, zero, zero, zero, zero)
+    first = graph.listed * i
+    end = end_of_weights(p, first, influence.near, graph)
+    last = widen(graph.nodes[influence.near[first + graph.listed - 1]])
+    beyond = distance_between(p, last)
+    end_slope = vec3d(0.0, 0.0, 0.0)
+    if beyond > 0.0:
+        end_slope = (end / (beyond * beyond)) * (p - last)
+    total = float64(0.0)
+    drift = vec3d(0.0, 0.0, 0.0)  # of the sum of the weights
+    pulls = mat33d(zero, zero, zero, zero, zero, zero, zero, zero, zero)
+    for k in range(members_of(graph.listed)):
+        node = influence.near[first + k]
+        share = influence.shares[MEMBERS * i + k]
+        arm = p - widen(graph.nodes[node])
+        away = sqrt(dot(arm, arm))
+        slope = slope + share * graph.rotations[node]
+        if end > 0.0 and away < end:
+            along = (away / (end * end)) * end_slope
+            if away > 0.0:
+                along = along - (1.0 / (end * away)) * arm
+            change = (2.0 * (1.0 - away / end)) * along
+            pulls = pulls + outer(graph.rotations[node] @ arm + graph.centers[node] - here, change)
+            drift += change
+            total += (1.0 - away / end) * (1.0 - away / end)
+    if total > 0.0:
+        slope = slope + pulls * (1.0 / total)
+    return slope
+
+
+@func
+def volume_of(slope: mat33d) -> float64:
+    """The determinant."""
+    x = vec3d(slope[0, 0], slope[0, 1], slope[0, 2])
+    y = vec3d(slope[1, 0], slope[1, 1], slope[1, 2])
+    z = vec3d(slope[2, 0], slope[2, 1], slope[2, 2])
+    return dot(x, cross(y, z))
+
+
+@func
+def turned_normal(slope: mat33d, normal: vec3d) -> vec3d:
+    """A normal under the cofactors of a Jacobian, which turn it with its surface; of its own length."""
+    x = vec3d(slope[0, 0], slope[0, 1], slope[0, 2])
+    y = vec3d(slope[1, 0], slope[1, 1], slope[1, 2])
+    z = vec3d(slope[2, 0], slope[2, 1], slope[2, 2])
+    turned = vec3d(dot(cross(y, z), normal), dot(cross(z, x), normal), dot(cross(x, y), normal))
+    size = dot(turned, turned)
+    scale = float64(0.0)
+    if size > 0.0:
+        scale = sqrt(dot(normal, normal) / size)
+    return scale * turned
+
+
+@kernel
+def bend_points_kernel(graph: DeformationGraph, influence: Influence, moved: array(dtype=vec3)):
+    """Where each point goes; points that are not finite stay what they are."""
+    i = tid()
+    p = influence.points[i]
+    q = p + vec3(0.0, 0.0, 0.0)
+    if isfinite(p):
+        q = narrow(bent_place(i, graph, influence))
+    moved[i] = q
+
+
+@kernel
+def bend_wide_kernel(graph: DeformationGraph, influence: Influence, origin: vec3d, moved: array(dtype=vec3d)):
+    """The same in float64, from an origin on."""
+    i = tid()
+    p = influence.points[i]
+    q = widen(p)
+    if isfinite(p):
+        q = bent_place(i, graph, influence) + origin
+    moved[i] = q
+
+
+@kernel
+def bend_normals_kernel(
+    graph: DeformationGraph, influence: Influence, normals: array(dtype=vec3), bent: array(dtype=vec3)
+):
+    """Each normal as the surface turns at its point."""
+    i = tid()
+    n = normals[i]
+    m = n + vec3(0.0, 0.0, 0.0)
+    if isfinite(influence.points[i]):
+        turned = narrow(turned_normal(slope_at(i, graph, influence), widen(n)))
+        if dot(turned, turned) > 0.0:
+            m = turned
+    bent[i] = m
+
+
+@kernel
+def measure_volumes_kernel(graph: DeformationGraph, influence: Influence, volumes: array(dtype=float32)):
+    """What becomes of a unit of volume at each point; below 0 where the bend folds over, NaN of no point."""
+    i = tid()
+    p = influence.points[i]
+    volume = p[0] + p[1] + p[2]  # not a number, or infinite: no volume
+    if isfinite(p):
+        volume = float(volume_of(slope_at(i, graph, influence)))
+    volumes[i] = volume
+
+
+def bend_points(graph: DeformationGraph, influence: Influence) -> Points:
+    """Where points go, vec3 about the origin of the graph's centres."""
+    moved = empty(influence.count, vec3, influence.points.device)
+    launch(bend_points_kernel, influence.count, [graph, influence, moved])
+    return moved
+
+
+def bend_wide(graph: DeformationGraph, influence: Influence, origin: Any) -> Positions:
+    """Where points go, vec3d, from an origin [3] on."""
+    moved = empty(influence.count, vec3d, influence.points.device)
+    launch(bend_wide_kernel, influence.count, [graph, influence, vec3d(*origin), moved])
+    return moved
+
+
+def bend_normals(graph: DeformationGraph, influence: Influence, normals: Vectors) -> Vectors:
+    """The normals at points that are not bent yet, as the surface turns."""
+    bent = empty(influence.count, vec3, influence.points.device)
+    launch(bend_normals_kernel, influence.count, [graph, influence, normals, bent])
+    return bent
+
+
+def measure_volumes(graph: DeformationGraph, influence: Influence) -> Scalars:
+    """What becomes of a unit of volume at each point, float32 [n]."""
+    volumes = empty(influence.count, float32, influence.points.device)
+    launch(measure_volumes_kernel, influence.count, [graph, influence, volumes])
+    return volumes
+
+
+@kernel
+def key_neighbors_kernel(influence: Influence, bits: int, keys: array(dtype=int64)):
+    """The pairs of nodes that bend a point, the lower one first; a key above all for those that are none."""
+    i = tid()
+    none = (int64(1) << int64(2 * bits)) - 1
+    at = PAIRS * i
+    n = int(MEMBERS)
+    for a in range(n):
+        for b in range(a + 1, n):
+            key = none
+            if influence.shares[MEMBERS * i + a] > 0.0 and influence.shares[MEMBERS * i + b] > 0.0:
+                low = min(influence.places[MEMBERS * i + a], influence.places[MEMBERS * i + b])
+                high = max(influence.places[MEMBERS * i + a], influence.places[MEMBERS * i + b])
+                key = (int64(low) << int64(bits)) | int64(high)
+            keys[at] = key
+            at += 1
+
+
+@kernel
+def split_neighbors_kernel(keys: array(dtype=int64), bits: int, lows: array(dtype=int32), highs: array(dtype=int32)):
+    """The two nodes of a key."""
+    i = tid()
+    lows[i] = int(keys[i] >> int64(bits))
+    highs[i] = int(keys[i] & ((int64(1) << int64(bits)) - 1))
+
+
+class NodePairs:
+    """Nodes that bend the same points: `lows`, `highs` (int32 [e], ascending) and `count`."""
+
+    lows: Indices
+    highs: Indices
+
+    def __init__(self, graph: DeformationGraph, influence: Influence) -> None:
+        """One sync."""
+        device, bits = graph.nodes.device, max(1, graph.count.bit_length())
+        keys = empty(PAIRS * influence.count, int64, device)
+        launch(key_neighbors_kernel, influence.count, [influence, bits, keys])
+        unique = UniqueKeys(keys, 2 * bits)  # sync
+        unique.drop_last((1 << (2 * bits)) - 1)
+        self.count = unique.count
+        self.lows, self.highs = empty(self.count, int32, device), empty(self.count, int32, device)
+        launch(split_neighbors_kernel, self.count, [unique.keys, bits, self.lows, self.highs])
+
+
+def neighbors_of(graph: DeformationGraph, influence: Influence) -> VertexNeighbors:
+    """The neighbours of each node, ascending."""
+    return VertexNeighbors(NodePairs(graph, influence), graph.count)
+
+
+@kernel
+def measure_strain_kernel(graph: DeformationGraph, around: VertexNeighbors, strains: array(dtype=float64)):
+    """How far the neighbours of a node stand from where its rotation has them, beside their distance; -1 of none."""
+    i = tid()
+    found = float64(0.0)
+    length = float64(0.0)
+    for j in range(around.starts[i], around.starts[i + 1]):
+        k = around.vertices[j]
+        rest = widen(graph.nodes[k]) - widen(graph.nodes[i])
+        d = graph.rotations[i] @ rest + graph.centers[i] - graph.centers[k]
+        found += dot(d, d)
+        length += dot(rest, rest)
+    strain = float64(-1.0)
+    if length > 0.0:
+        strain = sqrt(found / length)
+    strains[i] = strain
+
+
+def measure_strain(graph: DeformationGraph, around: VertexNeighbors) -> Doubles:
+    """How much the graph is stretched at each node, float64 [m]: 0 where it only bends; -1 without neighbours."""
+    strains = empty(graph.count, float64, graph.nodes.device)
+    launch(measure_strain_kernel, graph.count, [graph, around, strains])
+    return strains

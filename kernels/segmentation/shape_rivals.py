@@ -1,0 +1,150 @@
+"""What else may explain the points of a found shape: how many lie beside it, and how well other kinds fit them.
+
+A shape that touches another surface along a strip has some of its points, and next to them those that part from it
+slowly: their distances grow with the square of the way from the strip, so that of what lies within three tolerances
+more than a third lies beyond one. On a true shape nearly nothing does. One thread a point, 20 B and some 60 operations;
+one wait. A rival of another kind is drawn among some of the shape's points and fitted to these in least squares.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..lang import array, atomic_add, cross, dot, float64, int32, kernel, launch, sqrt, tid, vec3, vec3d
+from ..memory import download, zeros
+from .plane_samples import sampled_point
+from .shape_fit import FREE, ShapeFit, frame_of
+from .shape_models import CONE, CYLINDER, PLANE, SPHERE, TORUS, measure
+from .shape_rows import every_of
+from .shape_search import Found, ShapeLimits, ShapeSearch
+
+BAND = 3.0  # tolerances within which a point lies beside a surface
+COMPARED = 4096  # points of a shape that rivals are fitted to
+DRAWN = 256  # samples of a rival kind
+STARTS = 2  # of them that are fitted
+FREE_SIZE = 20.0  # sizes of the cloud: rounder ones are flat
+
+
+@dataclass(frozen=True)
+class Band:
+    """Points within the box of a shape's own, by their distance from it.
+
+    Attributes:
+        on, beside: Within the tolerance, and up to BAND times as far, whichever way they face.
+        on_facing, beside_facing: Those of them that face as the surface does.
+    """
+
+    on: int
+    beside: int
+    on_facing: int
+    beside_facing: int
+
+
+@dataclass(frozen=True)
+class Rival:
+    """A shape of another kind, fitted to the points of a found one.
+
+    Attributes:
+        kind: Of `shape_models`.
+        fit: To COMPARED of the points at most.
+        ratio: Of the standard deviation of its distances to the found shape's, of the same points.
+        support: Points of the cloud on it.
+    """
+
+    kind: int
+    fit: ShapeFit
+    ratio: float
+    support: int
+
+
+@kernel
+def count_band_kernel(
+    points: array(dtype=vec3),
+    normals: array(dtype=vec3),
+    rows: array(dtype=int32),
+    center: vec3d,
+    kind: int,
+    p: vec3d,
+    u: vec3d,
+    a: vec3d,
+    sizes: vec3d,
+    low: vec3d,
+    high: vec3d,
+    near: float64,
+    cosine: float64,
+    counts: array(dtype=int32),
+):
+    """Count a point that lies on a shape or beside it, in the box of the shape's own points."""
+    i = tid()
+    x = sampled_point(points, rows[i], center)
+    y = x - p
+    v = cross(a, u)
+    m = measure(kind, p, a, sizes[0], sizes[1], x)
+    far = near * float64(BAND)
+    inside = 1
+    if dot(y, u) < low[0] - far or dot(y, u) > high[0] + far:
+        inside = 0
+    if dot(y, v) < low[1] - far or dot(y, v) > high[1] + far:
+        inside = 0
+    if dot(y, a) < low[2] - far or dot(y, a) > high[2] + far:
+        inside = 0
+    if inside == 1 and abs(m[0]) < far:
+        n = normals[rows[i]]
+        size = sqrt(float64(dot(n, n)))
+        facing = abs(m[1] * float64(n[0]) + m[2] * float64(n[1]) + m[3] * float64(n[2]))
+        place = 0
+        if abs(m[0]) >= near:
+            place = 1
+        atomic_add(counts, place, 1)  # whole sums, the same in any order
+        if facing >= cosine * size:
+            atomic_add(counts, place + 2, 1)
+
+
+def count_band(search: ShapeSearch, found: Found, bounds: NDArray[np.float64], distance: float, cosine: float) -> Band:
+    """How many of the points searched lie on a shape and beside it, within its box (low, high); one sync."""
+    counts, shape, frame = zeros(4, int32, search.device), found.fit.shape, frame_of(found.fit.shape[3:6])
+    arguments = [search.points, search.normals, search.rows, vec3d(*search.center), found.kind, vec3d(*shape[:3])]
+    arguments += [vec3d(*frame[0]), vec3d(*frame[2]), vec3d(shape[6], shape[7], 0.0), vec3d(*bounds[0])]
+    launch(count_band_kernel, search.rows.size, [*arguments, vec3d(*bounds[1]), distance, cosine, counts])
+    return Band(*(int(count) for count in download(counts)))  # sync
+
+
+def find_rivals(search: ShapeSearch, found: Found, limits: ShapeLimits, every: ShapeSearch) -> list[Rival]:
+    """The best shape of each other kind through the points of a found one, where there is one.
+
+    Args:
+        search: What the shape was found in.
+        found: The shape, with its rows.
+        limits: Of the search; rivals have any size.
+        every: All points, of which the support is counted.
+    """
+    rows = found.rows
+    if rows.size // COMPARED >= 2:
+        rows = every_of(rows, rows.size // COMPARED)
+    part = ShapeSearch(search.points, search.normals, rows, search.center)
+    wide = replace(limits, smallest=0.0, largest=FREE_SIZE * max(search.size, 1e-30))
+    own = search.fitter.fit(found.kind, found.fit.shape, rows)
+    fits: list[tuple[int, ShapeFit]] = []
+    for kind in (PLANE, SPHERE, CYLINDER, CONE, TORUS):
+        if kind == found.kind or rows.size <= len(FREE[kind]) + 1:
+            continue
+        starts = part.draw(kind, DRAWN, 0, 0, wide)[0][:STARTS]
+        offers = [search.fitter.fit(kind, part.centred(kind, start, rows), rows) for start in starts]
+        offers = [fit for fit in offers if not fit.reason]
+        if offers:
+            fits.append((kind, min(offers, key=lambda fit: fit.rms)))
+    if not fits:
+        return []
+    counts = every.score(np.stack([fit.shape for _, fit in fits]), np.array([kind for kind, _ in fits]), limits)
+    rounding = float(np.finfo(np.float32).eps) * search.size
+    spread = _spread(own, found.kind) + rounding
+    return [
+        Rival(kind, fit, (_spread(fit, kind) + rounding) / spread, int(count))
+        for (kind, fit), count in zip(fits, counts, strict=True)
+    ]
+
+
+def _spread(fit: ShapeFit, kind: int) -> float:
+    """The standard deviation of distances, less what the unknowns took."""
+    return fit.rms * float(np.sqrt(fit.count / max(fit.count - len(FREE[kind]), 1)))

@@ -1,0 +1,339 @@
+"""Blocks of 8^3 voxels around occupied voxels, with the exact squared distance to the nearest of these at each.
+
+Blocks are those within reach of an occupied block along each axis; once the distances are known (distance_sweeps.py),
+those without any are given back. A dense box has all its blocks. A voxel is 8 B (4 of squared distance, 4 of the number
+of the nearest occupied voxel), 16 B more while it is made and 24 B where it is signed; a block is 8 B of key and 24 to
+48 B of hash table.
+"""
+
+import math
+from typing import NamedTuple
+
+from ..array_types import Cells, Device, Indices, Integers, Keys
+from ..arrays.block_keys import BIAS, block_key, key_block
+from ..arrays.hash_table import HashTable, find_position, list_keys
+from ..arrays.packed_keys import NO_KEY
+from ..arrays.select import gather_rows, positions_of
+from ..arrays.unique import UniqueKeys
+from ..lang import array, atomic_max, func, int32, int64, kernel, launch, struct, tid, uint8, vec3i
+from ..memory import check_room, empty, full, zeros
+from .distance_cells import NOWHERE
+from .distance_sweeps import FAR, FARTHEST, LONGEST, sweep_blocks
+from .tsdf_blocks import BLOCK_VOXELS, SIDE, voxel_cell, voxel_in_block
+
+MOST_BLOCKS = (2**31 - 1) // BLOCK_VOXELS  # voxels are counted in 32 bits
+BYTES = 32 * BLOCK_VOXELS + 64  # of memory a block, while signed distances are found
+
+
+class Reach(NamedTuple):
+    """How far distances are known [voxels].
+
+    Attributes:
+        along: Along an axis.
+        limit: Squared.
+        box: Voxels of a dense box along x, y and z, whose distances have no other limit; None where they have one.
+    """
+
+    along: int
+    limit: int
+    box: tuple[int, int, int] | None = None
+
+    @property
+    def blocks(self) -> int:
+        """Blocks around an occupied one that may hold a voxel in reach."""
+        return 0 if self.box else (self.along + SIDE - 1) // SIDE
+
+    @property
+    def largest_coordinate(self) -> int:
+        """What coordinates of occupied voxels stay below."""
+        return SIDE * (BIAS - 2 - self.blocks)
+
+
+def reach_of(distance: float) -> Reach:
+    """The reach of a distance [voxels].
+
+    Raises:
+        ValueError: More than 32 bits hold squared.
+    """
+    if distance > FARTHEST:
+        raise ValueError(f"max_distance: {distance:.0f} voxels, more than {FARTHEST:,}; take larger voxels")
+    return Reach(int(distance), int(distance * distance))
+
+
+def reach_of_box(shape: tuple[int, int, int]) -> Reach:
+    """The reach of a dense box: all of it.
+
+    Raises:
+        ValueError: Its diagonal is more than 32 bits hold squared.
+    """
+    diagonal = math.sqrt(sum(n * n for n in shape))
+    if diagonal > LONGEST:
+        raise ValueError(
+            f"occupied: {list(shape)} voxels are {diagonal:,.0f} across, more than {LONGEST:,}; give a max_distance"
+        )
+    return Reach(LONGEST, FAR - 1, shape)
+
+
+@struct
+class DistanceBlocks:
+    """Squared distances at the voxels of blocks.
+
+    Attributes:
+        keys: int64 [m], ascending.
+        table: The HashTable of the keys.
+        sqdists: int32 [m * 512], squared distances [voxels^2] to the nearest occupied voxel; FAR where none is known.
+            Signed ones are negative in occupied voxels, and those to the nearest free one.
+        nearest: int32 [m * 512], the row of the nearest occupied voxel; any number where none is known.
+        occupied: vec3i [k], the occupied voxels by blocks.
+    """
+
+    keys: array(dtype=int64)
+    table: HashTable
+    sqdists: array(dtype=int32)
+    nearest: array(dtype=int32)
+    occupied: array(dtype=vec3i)
+
+    def __init__(self, keys: Keys, sqdists: Integers, nearest: Integers, occupied: Cells) -> None:
+        self.keys, self.sqdists, self.nearest, self.occupied = keys, sqdists, nearest, occupied
+        self.table = list_keys(keys, keys.size)
+
+    @property
+    def device(self) -> Device:
+        """Where they are."""
+        return self.keys.device
+
+    @property
+    def memory_bytes(self) -> int:
+        """Bytes of device memory."""
+        arrays = (self.keys, self.sqdists, self.nearest, self.occupied, self.table.keys, self.table.positions)
+        return sum(a.capacity for a in arrays)
+
+
+@func
+def block_of(cell: vec3i) -> vec3i:
+    """The block of a voxel."""
+    return vec3i(cell[0] // SIDE, cell[1] // SIDE, cell[2] // SIDE)
+
+
+@func
+def find_voxel(cell: vec3i, table: HashTable) -> int:
+    """Where a voxel stands among those of a table's blocks, or -1."""
+    block = block_of(cell)
+    position = find_position(block_key(block[0], block[1], block[2]), table)
+    voxel = -1
+    if position >= 0:
+        voxel = position * BLOCK_VOXELS + voxel_in_block(cell[0], cell[1], cell[2])
+    return voxel
+
+
+@kernel
+def find_block_keys_kernel(cells: array(dtype=vec3i), largest: int, keys: array(dtype=int64), far: array(dtype=int32)):
+    """The key of each voxel's block; NO_KEY for NOWHERE, and where it is too far away, which raises the flag."""
+    i = tid()
+    cell = cells[i]
+    key = int64(NO_KEY)
+    if cell[0] != NOWHERE:
+        if max(abs(cell[0]), max(abs(cell[1]), abs(cell[2]))) < largest:
+            block = block_of(cell)
+            key = block_key(block[0], block[1], block[2])
+        else:
+            atomic_max(far, 0, 1)  # whoever comes first, the flag ends as 1
+    keys[i] = key
+
+
+@kernel
+def mark_cells_kernel(cells: array(dtype=vec3i), table: HashTable, marks: array(dtype=uint8)):
+    """Mark the voxels in blocks that have them all."""
+    i = tid()
+    cell = cells[i]
+    if cell[0] != NOWHERE:
+        marks[find_voxel(cell, table)] = 1  # all threads write the same
+
+
+@kernel
+def list_cells_kernel(voxels: array(dtype=int32), keys: array(dtype=int64), cells: array(dtype=vec3i)):
+    """The coordinates of marked voxels."""
+    i = tid()
+    cells[i] = voxel_cell(voxels[i], keys)
+
+
+@kernel
+def spread_keys_kernel(keys: array(dtype=int64), axis: int, step: int, spread: array(dtype=int64)):
+    """The keys of each block and of those one step before and behind it along an axis."""
+    i = tid()
+    b = key_block(keys[i // 3])
+    shift = (i % 3 - 1) * step
+    key = block_key(b[0] + shift, b[1], b[2])
+    if axis == 1:
+        key = block_key(b[0], b[1] + shift, b[2])
+    if axis == 2:
+        key = block_key(b[0], b[1], b[2] + shift)
+    spread[i] = key
+
+
+@kernel
+def list_box_keys_kernel(size: vec3i, keys: array(dtype=int64)):
+    """The keys of all blocks of a box, ascending."""
+    i = tid()
+    keys[i] = block_key(i // (size[1] * size[2]), (i // size[2]) % size[1], i % size[2])
+
+
+@kernel
+def plant_seeds_kernel(
+    cells: array(dtype=vec3i), table: HashTable, sqdists: array(dtype=int32), nearest: array(dtype=int32)
+):
+    """Distance 0 at each occupied voxel, and its row."""
+    i = tid()
+    voxel = find_voxel(cells[i], table)
+    sqdists[voxel] = 0
+    nearest[voxel] = i
+
+
+@kernel
+def plant_free_kernel(size: vec3i, keys: array(dtype=int64), sqdists: array(dtype=int32), inner: array(dtype=int32)):
+    """Distance 0 at each free voxel of a box, FAR at all others."""
+    i = tid()
+    cell = voxel_cell(i, keys)
+    seed = int(FAR)
+    if sqdists[i] != 0 and cell[0] >= 0 and cell[1] >= 0 and cell[2] >= 0:
+        if cell[0] < size[0] and cell[1] < size[1] and cell[2] < size[2]:
+            seed = 0
+    inner[i] = seed
+
+
+@kernel
+def sign_distances_kernel(inner: array(dtype=int32), sqdists: array(dtype=int32)):
+    """Put in the distance to the nearest free voxel, below zero, at occupied ones."""
+    i = tid()
+    if sqdists[i] == 0:
+        sqdists[i] = -inner[i]
+
+
+@kernel
+def mark_known_kernel(sqdists: array(dtype=int32), known: array(dtype=uint8)):
+    """1 for the blocks in which any distance is known."""
+    i = tid()
+    found = 0
+    k = 0
+    while found == 0 and k < BLOCK_VOXELS:
+        if sqdists[i * BLOCK_VOXELS + k] != FAR:
+            found = 1
+        k += 1
+    known[i] = uint8(found)
+
+
+@kernel
+def gather_voxels_kernel(values: array(dtype=int32), blocks: array(dtype=int32), out: array(dtype=int32)):
+    """The voxels of listed blocks."""
+    i = tid()
+    out[i] = values[blocks[i // BLOCK_VOXELS] * BLOCK_VOXELS + i % BLOCK_VOXELS]
+
+
+def _check_blocks(count: int, device: Device) -> None:
+    """Refuse more blocks than can be counted or have room."""
+    if count > MOST_BLOCKS:
+        raise ValueError(
+            f"the distance field would need {count:,} blocks of {SIDE}^3 voxels, more than {MOST_BLOCKS:,}; "
+            "take larger voxels or a smaller max_distance"
+        )
+    check_room(device, count * BYTES, f"a distance field of {count:,} blocks of {SIDE}^3 voxels")
+
+
+def _distinct(cells: Cells, reach: Reach) -> tuple[Keys, Cells]:
+    """The keys of the blocks of voxels, ascending, and each voxel once, by blocks.
+
+    Raises:
+        ValueError: A voxel beyond what keys can tell.
+    """
+    device = cells.device
+    keys, far = empty(cells.size, int64, device), zeros(1, int32, device)
+    launch(find_block_keys_kernel, cells.size, [cells, reach.largest_coordinate, keys, far])
+    unique = UniqueKeys(keys, beside=far)  # sync
+    if unique.beside[0]:
+        raise ValueError(
+            f"a voxel lies {reach.largest_coordinate:,} or more from the field's origin along an axis; crop what is "
+            "far away, take larger voxels, or set the origin near the middle"
+        )
+    unique.drop_last(NO_KEY)
+    _check_blocks(unique.count, device)
+    marks = zeros(unique.count * BLOCK_VOXELS, uint8, device)
+    launch(mark_cells_kernel, cells.size, [cells, list_keys(unique.keys, unique.count), marks])
+    voxels: Indices = positions_of(marks)  # sync
+    occupied = empty(voxels.size, vec3i, device)
+    launch(list_cells_kernel, voxels.size, [voxels, unique.keys, occupied])
+    return unique.keys, occupied
+
+
+def _blocks_in_reach(keys: Keys, reach: Reach) -> Keys:
+    """The keys of all blocks that may hold a voxel in reach, ascending.
+
+    Raises:
+        ValueError: More than can be counted.
+        MemoryError: They have no room.
+    """
+    device = keys.device
+    if reach.box:
+        size = [-(-n // SIDE) for n in reach.box]
+        count = math.prod(size)
+        _check_blocks(count, device)
+        keys = empty(count, int64, device)
+        launch(list_box_keys_kernel, count, [vec3i(*size), keys])
+        return keys
+    if keys.size:
+        _check_blocks((2 * reach.blocks + 1) ** 3, device)  # around one alone
+    for axis in (2, 1, 0):
+        along = 0  # blocks on either side that are there
+        while along < reach.blocks:
+            step = min(2 * along + 1, reach.blocks - along)
+            spread = empty(3 * keys.size, int64, device)
+            launch(spread_keys_kernel, spread.size, [keys, axis, step, spread])
+            keys, along = UniqueKeys(spread).keys, along + step  # sync
+            _check_blocks(keys.size, device)
+    return keys
+
+
+def find_distances(cells: Cells, reach: Reach, signed_in: tuple[int, int, int] | None = None) -> DistanceBlocks:
+    """Distances around occupied voxels.
+
+    Args:
+        cells: vec3i device array, in any order, repeated or not; those at NOWHERE do not count. Those of a dense box
+            lie in it.
+        reach: How far.
+        signed_in: Voxels along x, y and z of the box whose other voxels are known to be free, where distances are
+            to be negative in occupied ones.
+
+    Raises:
+        ValueError: A voxel beyond what keys can tell, or more blocks than can be counted.
+        MemoryError: They have no room.
+    """
+    device = cells.device
+    keys, occupied = _distinct(cells, reach)
+    keys = _blocks_in_reach(keys, reach)
+    table, count = list_keys(keys, keys.size), keys.size * BLOCK_VOXELS
+    sqdists, nearest = full(count, FAR, int32, device), full(count, -1, int32, device)
+    launch(plant_seeds_kernel, occupied.size, [occupied, table, sqdists, nearest])
+    sweep_blocks(keys, reach.along, reach.limit, sqdists, nearest)
+    if signed_in is not None:
+        inner, unused = empty(count, int32, device), zeros(count, int32, device)
+        launch(plant_free_kernel, count, [vec3i(*signed_in), keys, sqdists, inner])
+        sweep_blocks(keys, reach.along, reach.limit, inner, unused)
+        launch(sign_distances_kernel, count, [inner, sqdists])
+    if not reach.box:
+        keys, sqdists, nearest = _known_alone(keys, sqdists, nearest)
+    return DistanceBlocks(keys, sqdists, nearest, occupied)
+
+
+def _known_alone(keys: Keys, sqdists: Integers, nearest: Integers) -> tuple[Keys, Integers, Integers]:
+    """The blocks in which a distance is known."""
+    device = keys.device
+    known = empty(keys.size, uint8, device)
+    launch(mark_known_kernel, keys.size, [sqdists, known])
+    blocks = positions_of(known)  # sync
+    if blocks.size == keys.size:
+        return keys, sqdists, nearest
+    gathered = []
+    for values in (sqdists, nearest):
+        out = empty(blocks.size * BLOCK_VOXELS, int32, device)
+        launch(gather_voxels_kernel, out.size, [values, blocks, out])
+        gathered.append(out)
+    return gather_rows(keys, blocks), gathered[0], gathered[1]

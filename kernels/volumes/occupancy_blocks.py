@@ -1,0 +1,339 @@
+"""Log odds of occupancy in blocks of 8^3 voxels that appear where rays pass.
+
+A voxel is 4 B, a block 8 B of key and 24 to 48 B of hash table more; 1 B a voxel of the blocks that a scan touches
+while it is folded in. Memory at least doubles when it grows. A scan is folded in whole or not at all, whatever
+interrupts it (arrays/changes.py): one launch writes to the voxels that count.
+
+The update is that of `OccupancyOcTreeBase::updateNode` of OctoMap: float32 sums, clamped.
+"""
+
+from typing import Any
+
+import numpy as np
+
+from ..algebra.transform import narrow, widen
+from ..array_types import Array, Device, Indices, Integers, Keys, Points, Scalars
+from ..arrays.block_keys import block_key
+from ..arrays.bounds import bound_each
+from ..arrays.changes import Changes, note_change
+from ..arrays.hash_table import HashTable, find_position, list_keys
+from ..arrays.select import number_rows_kernel, positions_of
+from ..lang import (
+    array,
+    float32,
+    float64,
+    floor,
+    func,
+    int32,
+    int64,
+    isfinite,
+    kernel,
+    launch,
+    struct,
+    tid,
+    uint8,
+    vec3,
+    vec3d,
+    vec3i,
+)
+from ..memory import copy, download, empty, full, zeros
+from .occupancy_rays import (
+    Lattice,
+    ScanRays,
+    mark_blocks_kernel,
+    mark_hits_kernel,
+    mark_passed_kernel,
+    prepare_rays_kernel,
+    voxels_on_way,
+)
+from .tsdf_blocks import BLOCK_VOXELS, MAX_BLOCKS, SIDE, BlockMarks, voxel_cell, voxel_in_block
+from .voxel_blocks import begin_blocks
+
+UNKNOWN = 1.0e9  # the log odds of voxels that no ray has met; those of others are clamped far below
+KNOWN_BELOW = 1.0e8
+FIRST_CAPACITY = 256
+MAX_CELLS = 1 << 26  # blocks in the box of a scan: 64 MB of marks
+OUTERMOST = 2.0**22  # [voxels] from the grid's origin: half of what blocks have keys for
+
+
+@struct
+class OddsBlocks:
+    """Blocks of log odds on one device.
+
+    Attributes:
+        lattice: The voxels.
+        keys: int64 [capacity], those of the blocks in the order in which they came.
+        table: The HashTable of the keys.
+        odds: float32 [capacity * 512], log odds; UNKNOWN where no ray was.
+        changes: Scans that were folded in.
+        hit, miss, lowest, highest: What an end point adds, what a ray that passes adds, and the clamps: log odds.
+    """
+
+    lattice: Lattice
+    keys: array(dtype=int64)
+    table: HashTable
+    odds: array(dtype=float32)
+    changes: Changes
+    hit: float
+    miss: float
+    lowest: float
+    highest: float
+
+    def __init__(self, lattice: Lattice, log_odds: tuple[float, float, float, float], device: Device) -> None:
+        self.lattice, self.log_odds, self.device = lattice, log_odds, device
+        self.hit, self.miss, self.lowest, self.highest = log_odds
+        self.changes, self.table, self.keys = Changes(0, device), HashTable(device), empty(0, int64, device)
+        self.reserve(FIRST_CAPACITY)
+
+    @property
+    def count(self) -> int:
+        """Blocks."""
+        self.changes.settle(self._list_keys)
+        return int(self.changes.value)
+
+    @property
+    def scan_count(self) -> int:
+        """Scans that were folded in."""
+        self.changes.settle(self._list_keys)
+        return self.changes.count
+
+    def _list_keys(self) -> None:
+        self.table = list_keys(self.keys, int(self.changes.value))
+
+    @property
+    def memory_bytes(self) -> int:
+        """Bytes of device memory held by voxels, keys and the hash table."""
+        return sum(a.capacity for a in (self.odds, self.keys, self.table.keys, self.table.positions))
+
+    def reserve(self, count: int) -> None:
+        """Make room for so many blocks, at least doubling, and keep those that count."""
+        if count <= self.keys.size:
+            return
+        capacity, known = min(MAX_BLOCKS, max(count, 2 * self.keys.size)), int(self.changes.value)
+        keys, odds = empty(capacity, int64, self.device), full(capacity * BLOCK_VOXELS, UNKNOWN, float32, self.device)
+        if known:
+            copy(keys, self.keys, count=known)
+            copy(odds, self.odds, count=known * BLOCK_VOXELS)
+        self.odds = odds
+        self.keys = keys  # last: its size says how much room there is
+
+    def begin(self, keys: Keys) -> Indices:
+        """Begin a scan over the blocks with these int64 keys: their positions, int32; new ones are appended."""
+        return begin_blocks(self, keys, "grid")[0]
+
+    def clone(self) -> "OddsBlocks":
+        """The same blocks in arrays of their own."""
+        count, other = self.count, OddsBlocks(self.lattice, self.log_odds, self.device)
+        other.reserve(count)
+        if count:
+            copy(other.keys, self.keys, count=count)
+            copy(other.odds, self.odds, count=count * BLOCK_VOXELS)
+        other.table, other.changes = list_keys(other.keys, count), Changes(count, self.device)
+        return other
+
+    def fill(self, keys: Keys, odds: Scalars) -> None:
+        """Take over blocks into a grid that has none."""
+        self.reserve(keys.size)
+        if keys.size:
+            copy(self.keys, keys, count=keys.size)
+            copy(self.odds, odds, count=odds.size)
+        self.table, self.changes = list_keys(self.keys, keys.size), Changes(keys.size, self.device)
+
+
+@kernel
+def fold_scan_kernel(found: array(dtype=int32), flags: array(dtype=uint8), blocks: OddsBlocks):
+    """Add a hit or a miss to each voxel that a scan marked; one thread a voxel of the blocks that it touched."""
+    i = tid()
+    note_change(i, blocks.changes)
+    flag = int(flags[i])
+    if flag != 0:
+        voxel = found[i // BLOCK_VOXELS] * BLOCK_VOXELS + i % BLOCK_VOXELS
+        value = blocks.odds[voxel]
+        if value > float(KNOWN_BELOW):
+            value = 0.0
+        if flag == 2:
+            value = value + blocks.hit
+        else:
+            value = value + blocks.miss
+        blocks.odds[voxel] = max(min(value, blocks.highest), blocks.lowest)
+
+
+class WildScanError(ValueError):
+    """A scan that reaches further than a grid of such voxels takes at once."""
+
+
+def prepare_rays(points: Points, shift: tuple[float, float, float], starts: Points, longest: float, lattice: Lattice):
+    """The rays of a scan, and whether a point of it is infinite (sync)."""
+    n, device = points.size, points.device
+    rays = ScanRays(lattice, starts, empty(n, vec3, device), empty(n, uint8, device))
+    infinite = zeros(1, int32, device)
+    launch(prepare_rays_kernel, n, [points, vec3d(*shift), longest, rays, infinite])
+    return rays, bool(download(infinite)[0])  # sync
+
+
+def fold_scan(rays: ScanRays, blocks: OddsBlocks) -> int:
+    """Fold the rays of a scan into the blocks; how many of these it touches.
+
+    Raises:
+        WildScanError: They reach too far.
+    """
+    boxes = bound_each([rays.ends, rays.starts])  # sync
+    if not boxes[0][2]:
+        return 0
+    low = np.minimum(boxes[0][0], boxes[1][0]).astype(np.float64) * blocks.lattice.per_meter
+    high = np.maximum(boxes[0][1], boxes[1][1]).astype(np.float64) * blocks.lattice.per_meter
+    if not max(np.abs(low).max(), np.abs(high).max()) < OUTERMOST:
+        raise WildScanError(f"the scan reaches {max(np.abs(low).max(), np.abs(high).max()):.3g} voxels from the origin")
+    low = np.floor(low / SIDE) - 1
+    size = np.floor(high / SIDE) + 2 - low
+    if size.prod() > MAX_CELLS:
+        around = " x ".join(f"{SIDE * s * blocks.lattice.voxel_size:.6g}" for s in size)
+        raise WildScanError(f"the scan fills a box of {around} m, {size.prod():.3g} blocks of 8^3 voxels")
+    marks = BlockMarks(low, size, 0, 1, blocks.device, MAX_CELLS)
+    launch(mark_blocks_kernel, rays.ends.size, [rays, marks])
+    keys: Any = marks.touched()
+    del marks
+    found = blocks.begin(keys)
+    rows = empty(int(blocks.keys.size), int32, blocks.device)
+    launch(number_rows_kernel, found.size, [found, rows])
+    flags = zeros(found.size * BLOCK_VOXELS, uint8, blocks.device)
+    launch(mark_passed_kernel, rays.ends.size, [rays, blocks.table, rows, flags])
+    launch(mark_hits_kernel, rays.ends.size, [rays, blocks.table, rows, flags])
+    launch(fold_scan_kernel, flags.size, [found, flags, blocks])
+    blocks.changes.end()
+    return int(found.size)
+
+
+# ------------------------------------------------------------------------------------------------ questions
+
+
+@func
+def odds_at(x: int, y: int, z: int, blocks: OddsBlocks) -> float:
+    """The log odds of a voxel; UNKNOWN where there is no block."""
+    position = find_position(block_key(x >> 3, y >> 3, z >> 3), blocks.table)
+    value = float(UNKNOWN)
+    if position >= 0:
+        value = blocks.odds[position * BLOCK_VOXELS + voxel_in_block(x, y, z)]
+    return value
+
+
+@kernel
+def look_up_kernel(points: array(dtype=vec3), shift: vec3d, blocks: OddsBlocks, out: array(dtype=float32)):
+    """The log odds of the voxel of each point; UNKNOWN of points beyond all voxels or not finite."""
+    i = tid()
+    p = narrow(widen(points[i]) + shift)
+    value = float(UNKNOWN)
+    if isfinite(p):
+        q = widen(p) * blocks.lattice.per_meter
+        if max(abs(q[0]), max(abs(q[1]), abs(q[2]))) < float64(OUTERMOST):
+            value = odds_at(int(floor(q[0])), int(floor(q[1])), int(floor(q[2])), blocks)
+    out[i] = value
+
+
+@kernel
+def look_up_box_kernel(low: vec3i, size: vec3i, blocks: OddsBlocks, out: array(dtype=float32)):
+    """The log odds of the voxels of a box, z fastest."""
+    i = tid()
+    x = i // (size[1] * size[2])
+    y = (i // size[2]) % size[1]
+    z = i % size[2]
+    out[i] = odds_at(low[0] + x, low[1] + y, low[2] + z, blocks)
+
+
+@kernel
+def mark_occupied_kernel(blocks: OddsBlocks, threshold: float, mask: array(dtype=uint8)):
+    """1 for voxels whose log odds reach the threshold."""
+    i = tid()
+    value = blocks.odds[i]
+    taken = 0
+    if value >= threshold and value < float(KNOWN_BELOW):
+        taken = 1
+    mask[i] = uint8(taken)
+
+
+@kernel
+def list_voxels_kernel(rows: array(dtype=int32), blocks: OddsBlocks, out: array(dtype=vec3i)):
+    """The coordinates of voxels by their numbers."""
+    i = tid()
+    out[i] = voxel_cell(rows[i], blocks.keys)
+
+
+@kernel
+def place_voxels_kernel(voxels: array(dtype=vec3i), lattice: Lattice, out: array(dtype=vec3)):
+    """The centres of voxels about the grid's origin [m]."""
+    i = tid()
+    v = voxels[i]
+    q = vec3d(float64(v[0]) + 0.5, float64(v[1]) + 0.5, float64(v[2]) + 0.5)
+    out[i] = narrow(q * lattice.voxel_size)
+
+
+@kernel
+def cast_rays_kernel(
+    rays: ScanRays,
+    threshold: float,
+    blocks: OddsBlocks,
+    states: array(dtype=int32),
+    distances: array(dtype=float64),
+    voxels: array(dtype=vec3i),
+):
+    """What each ray meets first that is not known to be free: 1 occupied, -1 unknown, 0 nothing; and where."""
+    i = tid()
+    state = int(0)
+    distance = float64(0.0)
+    met = vec3i(0, 0, 0)
+    a = rays.starts[i]
+    b = rays.ends[i]
+    for x, y, z, t in voxels_on_way(a, b, 1, rays.lattice):
+        value = odds_at(x, y, z, blocks)
+        if value >= threshold:
+            state = 1
+            if value > float(KNOWN_BELOW):
+                state = -1
+            distance = t
+            met = vec3i(x, y, z)
+            break
+    states[i] = state
+    distances[i] = distance
+    voxels[i] = met
+
+
+def look_up(points: Points, shift: tuple[float, float, float], blocks: OddsBlocks) -> Scalars:
+    """The log odds of the voxels of points."""
+    out = empty(points.size, float32, points.device)
+    launch(look_up_kernel, points.size, [points, vec3d(*shift), blocks, out])
+    return out
+
+
+def look_up_box(low: tuple[int, int, int], size: tuple[int, int, int], blocks: OddsBlocks) -> Scalars:
+    """The log odds of the voxels of a box, z fastest."""
+    out = empty(size[0] * size[1] * size[2], float32, blocks.device)
+    launch(look_up_box_kernel, out.size, [vec3i(*low), vec3i(*size), blocks, out])
+    return out
+
+
+def list_occupied(blocks: OddsBlocks, threshold: float) -> Array:
+    """The occupied voxels, vec3i, block by block in the order in which these came (sync)."""
+    count = blocks.count * BLOCK_VOXELS
+    mask = empty(count, uint8, blocks.device)
+    launch(mark_occupied_kernel, count, [blocks, threshold, mask])
+    rows = positions_of(mask)
+    voxels: Any = empty(rows.size, vec3i, blocks.device)
+    launch(list_voxels_kernel, rows.size, [rows, blocks, voxels])
+    return voxels
+
+
+def place_voxels(voxels: Array, lattice: Lattice) -> Points:
+    """The centres of voxels about the grid's origin."""
+    out = empty(voxels.size, vec3, voxels.device)
+    launch(place_voxels_kernel, voxels.size, [voxels, lattice, out])
+    return out
+
+
+def cast_rays(starts: Points, ends: Points, threshold: float, blocks: OddsBlocks) -> tuple[Integers, Any, Array]:
+    """What rays meet first that is not known to be free: states int32, distances [m] float64, voxels vec3i."""
+    n, device = starts.size, starts.device
+    rays = ScanRays(blocks.lattice, starts, ends, empty(1, uint8, device))
+    states, distances = empty(n, int32, device), empty(n, float64, device)
+    voxels: Any = empty(n, vec3i, device)
+    launch(cast_rays_kernel, n, [rays, threshold, blocks, states, distances, voxels])
+    return states, distances, voxels

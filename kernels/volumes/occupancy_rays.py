@@ -1,0 +1,260 @@
+"""Rays of range scans through voxels: the walk of OctoMap, the ends of a scan's rays, and what they mark.
+
+The walk is `OcTreeBaseImpl::computeRayKeys` of OctoMap (Hornung et al., "OctoMap", Autonomous Robots 34, 2013; after
+Amanatides and Woo, "A fast voxel traversal algorithm", Eurographics 1987), with its numbers: places and the unit
+direction are float32, crossings float64 that grow by one step each. At a corner, where crossings are equal, the ray
+goes on along z before y and along y before x. All of it is IEEE arithmetic, so the voxels are the same on every device.
+
+A thread takes a ray. Two walks a scan: the first marks blocks of 8^3 voxels, the second the voxels that are passed,
+1 B each; some 20 operations a voxel, and a look-up in the hash table a block.
+"""
+
+from ..algebra.transform import narrow, widen
+from ..arrays.block_keys import block_key
+from ..arrays.hash_table import HashTable, find_position
+from ..lang import (
+    NAN,
+    array,
+    float64,
+    floor,
+    func,
+    int32,
+    isfinite,
+    kernel,
+    loop,
+    sqrt,
+    struct,
+    tid,
+    uint8,
+    vec3,
+    vec3d,
+)
+from .tsdf_blocks import BLOCK_VOXELS, NO_CROSSING, BlockMarks, leave_mark, step_along, voxel_in_block
+
+NO_RAY, HIT, PASSED = 0, 1, 2  # a ray that is none, one with an end point, one that was cut
+
+
+@struct
+class Lattice:
+    """Voxels in space: voxel k along an axis reaches from k * voxel_size to (k + 1) * voxel_size [m].
+
+    Attributes:
+        voxel_size: [m].
+        per_meter: 1 / voxel_size.
+        half: Half a voxel [m], through float32 as OctoMap has it.
+    """
+
+    voxel_size: float64
+    per_meter: float64
+    half: float64
+
+    def __init__(self, voxel_size: float, half: float) -> None:
+        self.voxel_size, self.per_meter, self.half = voxel_size, 1.0 / voxel_size, half
+
+
+@func
+def voxel_of(a: float, lattice: Lattice) -> int:
+    """The voxel of a coordinate along an axis."""
+    return int(floor(lattice.per_meter * float64(a)))
+
+
+@func
+def span_of(d: vec3) -> float:
+    """The length of a vector, summed in float32 and rounded once from a root in float64."""
+    square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2]
+    return float(sqrt(float64(square)))
+
+
+@func
+def unit_of(d: vec3) -> vec3:
+    """A vector over its length; itself where this is zero."""
+    span = span_of(d)
+    u = d
+    if span > 0.0:
+        u = vec3(d[0] / span, d[1] / span, d[2] / span)
+    return u
+
+
+@func
+def crossing_of(k: int, a: float, d: float, lattice: Lattice) -> float64:
+    """How far [m] along the ray it leaves voxel k of an axis, at first."""
+    t = float64(NO_CROSSING)
+    if d != 0.0:
+        border = (float64(k) + 0.5) * lattice.voxel_size
+        if d > 0.0:
+            border = border + lattice.half
+        else:
+            border = border - lattice.half
+        t = (border - float64(a)) / float64(d)
+    return t
+
+
+@func
+def stride_of(d: float, lattice: Lattice) -> float64:
+    """How far [m] along the ray it is from one crossing of an axis to the next."""
+    t = float64(NO_CROSSING)
+    if d != 0.0:
+        t = lattice.voxel_size / abs(float64(d))
+    return t
+
+
+@loop
+def voxels_on_way(a: vec3, b: vec3, with_end: int, lattice: Lattice) -> tuple[int, int, int, float64]:
+    """The voxels from a to b and how far [m] along the ray each begins; the one of b only if `with_end` is 1."""
+    way = b - a
+    u = unit_of(way)
+    reach = float64(span_of(way))
+    x = voxel_of(a[0], lattice)
+    y = voxel_of(a[1], lattice)
+    z = voxel_of(a[2], lattice)
+    ex = voxel_of(b[0], lattice)
+    ey = voxel_of(b[1], lattice)
+    ez = voxel_of(b[2], lattice)
+    sx = step_along(float64(u[0]))
+    sy = step_along(float64(u[1]))
+    sz = step_along(float64(u[2]))
+    tx = crossing_of(x, a[0], u[0], lattice)
+    ty = crossing_of(y, a[1], u[1], lattice)
+    tz = crossing_of(z, a[2], u[2], lattice)
+    dx = stride_of(u[0], lattice)
+    dy = stride_of(u[1], lattice)
+    dz = stride_of(u[2], lattice)
+    t = float64(0.0)
+    going = 1
+    if with_end == 0 and x == ex and y == ey and z == ez:
+        going = 0
+    while going == 1:
+        yield x, y, z, t
+        if tx < ty and tx < tz:
+            t = tx
+            x += sx
+            tx += dx
+        else:
+            if tx >= ty and ty < tz:
+                t = ty
+                y += sy
+                ty += dy
+            else:
+                t = tz
+                z += sz
+                tz += dz
+        if with_end == 1:
+            if t > reach:
+                going = 0
+        else:
+            if (x == ex and y == ey and z == ez) or min(tx, min(ty, tz)) > reach:
+                going = 0
+
+
+@struct
+class ScanRays:
+    """The rays of a scan about the grid's origin.
+
+    Attributes:
+        lattice: The voxels.
+        starts: vec3, one a ray, or one of all.
+        shared: 1 where it is one of all.
+        ends: vec3, NaN where there is no ray.
+        kinds: uint8, NO_RAY, HIT or PASSED.
+    """
+
+    lattice: Lattice
+    starts: array(dtype=vec3)
+    shared: int
+    ends: array(dtype=vec3)
+    kinds: array(dtype=uint8)
+
+    def __init__(self, lattice: Lattice, starts: object, ends: object, kinds: object) -> None:
+        self.lattice, self.starts, self.ends, self.kinds = lattice, starts, ends, kinds
+        self.shared = int(starts.size == 1)  # type: ignore[attr-defined]
+
+
+@func
+def start_of(i: int, rays: ScanRays) -> vec3:
+    """Where a ray begins."""
+    k = i
+    if rays.shared == 1:
+        k = 0
+    return rays.starts[k]
+
+
+@kernel
+def prepare_rays_kernel(
+    points: array(dtype=vec3), shift: vec3d, longest: float, rays: ScanRays, infinite: array(dtype=int32)
+):
+    """The end and the kind of each ray; those longer than `longest` [m] are cut there. Flags infinite points."""
+    i = tid()
+    p = points[i]
+    q = narrow(widen(p) + shift)
+    kind = NO_RAY
+    if isfinite(p):
+        a = start_of(i, rays)
+        way = q - a
+        kind = HIT
+        if span_of(way) > longest:
+            kind = PASSED
+            u = unit_of(way)
+            q = vec3(a[0] + u[0] * longest, a[1] + u[1] * longest, a[2] + u[2] * longest)
+    else:
+        q = vec3(NAN, NAN, NAN)
+        if max(abs(p[0]), max(abs(p[1]), abs(p[2]))) > 1.0e38:
+            infinite[0] = 1  # all threads write the same
+    rays.ends[i] = q
+    rays.kinds[i] = uint8(kind)
+
+
+@kernel
+def mark_blocks_kernel(rays: ScanRays, marks: BlockMarks):
+    """Mark the blocks of the voxels that each ray passes, and that of its end point."""
+    i = tid()
+    bx = int(1 << 30)
+    by = int(0)
+    bz = int(0)
+    if int(rays.kinds[i]) != NO_RAY:
+        a = start_of(i, rays)
+        b = rays.ends[i]
+        for x, y, z, _t in voxels_on_way(a, b, 0, rays.lattice):
+            if (x >> 3) != bx or (y >> 3) != by or (z >> 3) != bz:
+                bx = x >> 3
+                by = y >> 3
+                bz = z >> 3
+                leave_mark(bx, by, bz, 0, 0, marks)
+    if int(rays.kinds[i]) == HIT:
+        q = rays.ends[i]
+        ex = voxel_of(q[0], rays.lattice) >> 3
+        ey = voxel_of(q[1], rays.lattice) >> 3
+        ez = voxel_of(q[2], rays.lattice) >> 3
+        leave_mark(ex, ey, ez, 0, 0, marks)
+
+
+@kernel
+def mark_passed_kernel(rays: ScanRays, table: HashTable, rows: array(dtype=int32), flags: array(dtype=uint8)):
+    """1 for each voxel that a ray passes; `rows` says where the voxels of a block stand."""
+    i = tid()
+    bx = int(1 << 30)
+    by = int(0)
+    bz = int(0)
+    base = int(0)
+    if int(rays.kinds[i]) != NO_RAY:
+        a = start_of(i, rays)
+        b = rays.ends[i]
+        for x, y, z, _t in voxels_on_way(a, b, 0, rays.lattice):
+            if (x >> 3) != bx or (y >> 3) != by or (z >> 3) != bz:
+                bx = x >> 3
+                by = y >> 3
+                bz = z >> 3
+                base = rows[find_position(block_key(bx, by, bz), table)] * BLOCK_VOXELS
+            flags[base + voxel_in_block(x, y, z)] = 1  # all threads write the same
+
+
+@kernel
+def mark_hits_kernel(rays: ScanRays, table: HashTable, rows: array(dtype=int32), flags: array(dtype=uint8)):
+    """2 for each voxel with an end point, whatever passed it."""
+    i = tid()
+    if int(rays.kinds[i]) == HIT:
+        q = rays.ends[i]
+        x = voxel_of(q[0], rays.lattice)
+        y = voxel_of(q[1], rays.lattice)
+        z = voxel_of(q[2], rays.lattice)
+        row = rows[find_position(block_key(x >> 3, y >> 3, z >> 3), table)]
+        flags[row * BLOCK_VOXELS + voxel_in_block(x, y, z)] = 2  # all threads write the same

@@ -1,0 +1,211 @@
+"""LiDAR scans folded into blocks of truncated signed distances.
+
+A ray gives each voxel on its way the distance along the ray from the voxel to the point, over the truncation and cut at
+1 (the "simple" integrator of Oleynikova et al., "Voxblox", IROS 2017, section IV; Vizzo et al., "VDBFusion", Sensors
+2022, section 3.2). Voxels farther than the truncation behind the point take nothing.
+
+Where many rays of a scan meet in a voxel, the mean of their values is the scan's: one scan is one frame, of weight 1,
+as a depth frame is, however dense it is there. The sums are whole numbers, so their order does not matter. 12 B of sums
+a voxel of the touched blocks, 44 B with colour, until the scan is folded in; that is one launch, so a scan is in the
+volume whole or not at all.
+"""
+
+import numpy as np
+
+from ..array_types import Array1, Integers, Keys
+from ..arrays.hash_table import find_position
+from ..arrays.select import number_rows_kernel
+from ..lang import (
+    array,
+    atomic_add,
+    dot,
+    float64,
+    floor,
+    func,
+    int32,
+    int64,
+    kernel,
+    launch,
+    struct,
+    tid,
+    uint16,
+    vec3d,
+)
+from ..memory import full, zeros
+from .integrate import MAX_WEIGHT, note_frame
+from .scan_rays import (
+    DIAGONAL,
+    SPARE,
+    ScanRays,
+    cell_at,
+    distinct_keys,
+    end_blocks,
+    passed_blocks,
+    ray_range,
+    voxel_block_key,
+)
+from .tsdf_blocks import BLOCK_VOXELS, blocks_on_way, voxel_in_block
+from .voxel_blocks import VoxelBlocks
+
+STEPS = 16777216.0  # a value's steps, 2^24: those of float32; sums stay exact for 2^38 rays
+SHADES = 65535.0
+SURFACE_SHADE = 65536  # what a colour counts near its point, to 1 in front of it: space takes one where nothing else is
+
+
+@struct
+class ScanSums:
+    """What the rays of a scan add up to in the voxels of the touched blocks.
+
+    Attributes:
+        slots: int32, one a block of the volume: its place among the touched ones; -1 where it is not touched.
+        values: int64 [512 m], sums of values in steps.
+        counts: int32 [512 m], rays.
+        colors: int64 [512 m * 4]: red, green and blue times what they count, and the sum of what they count; 4 numbers
+            where the scan has no colour.
+    """
+
+    slots: array(dtype=int32)
+    values: array(dtype=int64)
+    counts: array(dtype=int32)
+    colors: array(dtype=int64)
+
+    def __init__(self, touched: Integers, block_count: int, has_color: bool) -> None:
+        device, voxels = touched.device, touched.size * BLOCK_VOXELS
+        self.slots = full(block_count, -1, int32, device)
+        launch(number_rows_kernel, touched.size, [touched, self.slots])
+        self.values, self.counts = zeros(voxels, int64, device), zeros(voxels, int32, device)
+        self.colors = zeros(4 * voxels if has_color else 4, int64, device)
+
+
+@func
+def slot_of(key: int64, blocks: VoxelBlocks, sums: ScanSums) -> int:
+    """The place of a block among the touched ones, or -1."""
+    found = find_position(key, blocks.table)
+    slot = -1
+    if found >= 0:
+        slot = sums.slots[found]
+    return slot
+
+
+@func
+def shade_steps(shade: float) -> int64:
+    """A colour in 0..1 as a whole number."""
+    return int64(floor(float64(min(max(shade, 0.0), 1.0)) * float64(SHADES) + 0.5))
+
+
+@func
+def add_value(
+    i: int, slot: int, x: int, y: int, z: int, reach: float64, d: vec3d, o: vec3d, rays: ScanRays, sums: ScanSums
+):
+    """Add a ray's value at a voxel to the sums; they are whole numbers, the same in any order."""
+    to_voxel = vec3d(float64(x), float64(y), float64(z)) * rays.voxel_size - o
+    value = (reach - dot(to_voxel, d)) / rays.truncation
+    if value > -1.0:
+        at = slot * BLOCK_VOXELS + voxel_in_block(x, y, z)
+        atomic_add(sums.values, at, int64(floor(min(value, 1.0) * float64(STEPS) + 0.5)))
+        atomic_add(sums.counts, at, 1)
+        if rays.has_color == 1:
+            share = int64(1)
+            if value < 1.0:
+                share = int64(SURFACE_SHADE)
+            color = rays.colors[i]
+            atomic_add(sums.colors, 4 * at, share * shade_steps(color[0]))
+            atomic_add(sums.colors, 4 * at + 1, share * shade_steps(color[1]))
+            atomic_add(sums.colors, 4 * at + 2, share * shade_steps(color[2]))
+            atomic_add(sums.colors, 4 * at + 3, share)
+
+
+@kernel
+def sum_rays_kernel(rays: ScanRays, carve: int, steps: int, blocks: VoxelBlocks, sums: ScanSums):
+    """Add each ray to the voxels around its point, and where it carves to those that it passes before, in blocks that
+    are touched. The voxel where its end begins is met once."""
+    i = tid()
+    reach = ray_range(i, rays)
+    if reach > 0.0:
+        o = rays.scanners[i * rays.step]
+        d = (rays.points[i] - o) / reach
+        free = min(reach, rays.most) - rays.truncation
+        a = cell_at(max(free, 0.0), d, o, rays)
+        ax = int(floor(a[0]))
+        ay = int(floor(a[1]))
+        az = int(floor(a[2]))
+        last = int64(-1)
+        slot = -1
+        has_end = reach <= rays.most
+        if carve == 1 and free > 0.0:
+            start = cell_at(float64(0.0), d, o, rays)
+            for _k, x, y, z in blocks_on_way(start, a, int(free / rays.voxel_size * float64(DIAGONAL)) + SPARE):
+                key = voxel_block_key(x, y, z)
+                if key != last:
+                    slot = slot_of(key, blocks, sums)
+                last = key
+                if slot >= 0 and not (has_end and x == ax and y == ay and z == az):
+                    add_value(i, slot, x, y, z, reach, d, o, rays, sums)
+        last = int64(-1)
+        if has_end:
+            b = cell_at(reach + rays.truncation, d, o, rays)
+            for _k, x, y, z in blocks_on_way(a, b, steps):
+                key = voxel_block_key(x, y, z)
+                if key != last:
+                    slot = slot_of(key, blocks, sums)
+                last = key
+                if slot >= 0:
+                    add_value(i, slot, x, y, z, reach, d, o, rays, sums)
+
+
+@kernel
+def fold_sums_kernel(
+    touched: array(dtype=int32),
+    counts: array(dtype=int32),
+    record: array(dtype=float64),
+    has_color: int,
+    sums: ScanSums,
+    blocks: VoxelBlocks,
+):
+    """Fold a scan's means into the touched blocks: one voxel a thread."""
+    i = tid()
+    note_frame(i, counts, record, blocks)
+    rays = sums.counts[i]
+    if rays > 0:
+        voxel = touched[i // BLOCK_VOXELS] * BLOCK_VOXELS + i % BLOCK_VOXELS
+        w = float(blocks.weights[voxel])
+        if has_color == 1:
+            shades = float64(sums.colors[4 * i + 3])
+            for c in range(3):
+                mean = float64(blocks.colors[voxel, c]) * float64(w) + float64(sums.colors[4 * i + c]) / shades
+                blocks.colors[voxel, c] = uint16(mean / float64(w + 1.0) + 0.5)
+        value = float(float64(sums.values[i]) / float64(rays) / float64(STEPS))
+        blocks.distances[voxel] = (blocks.distances[voxel] * w + value) / (w + 1.0)
+        blocks.weights[voxel] = uint16(min(w + 1.0, MAX_WEIGHT))
+
+
+def scan_blocks(rays: ScanRays, carve: bool, blocks: VoxelBlocks) -> Keys:
+    """The keys of the blocks that a scan touches, int64, ascending: those around its points, which the volume may lack,
+    and where it carves those of the volume that rays pass."""
+    ends = end_blocks(rays)
+    return distinct_keys([ends, passed_blocks(rays, blocks)], rays.points.device) if carve else ends
+
+
+def integrate_scan(keys: Keys, rays: ScanRays, carve: bool, blocks: VoxelBlocks) -> None:
+    """Fold one scan into the blocks that it touches, wholly or, where that is interrupted, not at all.
+
+    Args:
+        keys: int64 keys of the touched blocks.
+        rays: The ScanRays.
+        carve: Whether rays clear what they pass.
+        blocks: The VoxelBlocks.
+
+    Raises:
+        ValueError: More blocks than 32 bits can index; the blocks stay as they were.
+    """
+    touched = blocks.begin(keys)
+    room: Array1[int64] = blocks.keys
+    sums = ScanSums(touched, room.size, bool(rays.has_color))
+    launch(sum_rays_kernel, rays.points.size, [rays, int(carve), rays.end_steps, blocks, sums])
+    nowhere = np.zeros(3)
+    record = blocks.record
+    record.write(np.eye(4), np.eye(4), nowhere, nowhere, blocks.changes.number)
+    fold = [touched, record.counts, record.values, rays.has_color, sums, blocks]
+    launch(fold_sums_kernel, touched.size * BLOCK_VOXELS, fold)
+    blocks.end()
+    blocks.latest = (blocks.changes.number, touched)

@@ -1,0 +1,378 @@
+"""DistanceField: how far it is to what is occupied, from anywhere."""
+
+from __future__ import annotations
+
+import os
+from typing import Any
+
+import numpy as np
+import warp as wp
+from numpy.typing import ArrayLike, NDArray
+
+from ...core.array_libraries import view_as
+from ...core.checks import check_finite, check_numeric, check_positive, check_rows, check_shape, is_on_gpu
+from ...core.devices import resolve_device
+from ...core.errors import FileError
+from ...core.gpu_arrays import device_for, take_numbers
+from ...core.known_names import ToldNames
+from ...core.pickled_arrays import device_like
+from ...core.told_arguments import told_arguments
+from ...kernels.array_types import Cells, Mask
+from ...kernels.arrays.bounds import bound_points
+from ...kernels.lang import uint8, vec3i
+from ...kernels.memory import download, upload
+from ...kernels.volumes.distance_blocks import find_distances, reach_of, reach_of_box
+from ...kernels.volumes.distance_cells import find_cells, find_set_cells
+from ...kernels.volumes.distance_queries import DistanceGrid
+from ...pcd.cloud import PointCloud
+from ...pcd.point_arrays import check_cloud
+from ...pcd.raster_cells import check_lengths
+from ..mesh.voxel_grid import VoxelGrid
+from .distance_field_files import LARGEST, FieldSource, arrays_of, read_field, source_of, write_field
+from .distance_field_queries import FieldQueries
+from .distance_field_views import FieldViews
+from .occupancy import OccupancyGrid
+
+
+class DistanceField(FieldQueries, FieldViews, ToldNames):
+    """Exact Euclidean distances to the nearest occupied voxel, on blocks of 8^3 voxels around what is occupied.
+
+    Made by `from_point_cloud`, `from_array`, `from_voxel_grid` or `from_voxels`, and not changed afterwards. The
+    distance of a voxel is that from its centre to the centre of the nearest occupied voxel. With a `max_distance` it is
+    known up to there, everywhere in space: a voxel beyond it tells `max_distance`, which it is at least away. Without
+    one it is known in a dense box, whatever the distance; outside the box nothing is known, which NaN says.
+
+    A voxel's true clearance is up to a diagonal smaller than its distance: half of it for what lies anywhere in the
+    occupied voxel, half for where in its voxel one stands. `collides` and `collides_bodies` count both.
+
+    Attributes:
+        device: Where it is.
+        voxel_size: Edge of a voxel [m].
+        max_distance: How far distances are known [m]; None where all of a dense box are.
+        origin: The lowest corner of voxel (0, 0, 0) [m], float64 [3].
+        shape: Voxels of the array along x, y and z that it was made of; None of other sources.
+        is_signed: Whether distances are negative in occupied voxels: those to the nearest free one.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> cloud = loom.PointCloud([[0.05, 0.05, 0.05], [0.95, 0.05, 0.05]])
+        >>> field = loom.DistanceField.from_point_cloud(cloud, voxel_size=0.1, max_distance=1)
+        >>> field.distances([[0.35, 0.45, 0.05], [5, 5, 5]]).round(3).tolist()
+        [0.5, 1.0]
+        >>> field.collides([[0.5, 0.05, 0.05]], 0.2).tolist()
+        [False]
+    """
+
+    device: Any
+    voxel_size: float
+    max_distance: float | None
+    origin: NDArray[np.float64]
+    shape: tuple[int, int, int] | None
+    is_signed: bool
+
+    def __init__(self) -> None:
+        raise TypeError(
+            "DistanceField: make one with from_point_cloud, from_array, from_voxel_grid, from_voxels or load"
+        )
+
+    @classmethod
+    @told_arguments
+    def from_point_cloud(
+        cls, cloud: PointCloud, voxel_size: float, max_distance: float, *, origin: ArrayLike | None = None
+    ) -> DistanceField:
+        """The distances around the points of a cloud: a voxel is occupied where at least one lies in it.
+
+        Args:
+            cloud: The points; those that are not finite do not count.
+            voxel_size: Edge of a voxel [m].
+            max_distance: How far distances are to be known [m], at most 16,383 voxels.
+            origin: The lowest corner of voxel (0, 0, 0) [m], shape [3]; None takes the cloud's own `origin`, which is
+                zero or, for coordinates beyond 1e4 m, whole metres: voxels then lie at whole multiples of their size.
+
+        Raises:
+            TypeError: No cloud.
+            ValueError: Sizes that are not above 0, degrees, points beyond 2^20 blocks from the origin, or more blocks
+                than 32 bits count.
+            MemoryError: They have no room; the message counts them.
+
+        Notes:
+            Time and memory in proportion to the voxels within `max_distance`, whatever lies between: 8 B a voxel, 24 B
+            of about twice as many while they are made. Of equally near voxels the first along x, then y, then z is the
+            nearest. All numbers on the way are whole: the same bits on every device. Meijster, Roerdink and Hesselink,
+            "A general algorithm for computing distance transforms in linear time", 2000.
+
+        Example:
+            >>> import pointloom as loom
+            >>> cloud = loom.PointCloud([[500000.5, 5400000.5, 20.5]])
+            >>> field = loom.DistanceField.from_point_cloud(cloud, voxel_size=0.1, max_distance=2)
+            >>> float(field.distances([[500001.51, 5400000.51, 20.51]])[0])
+            1.0
+        """
+        check_cloud("cloud", cloud)
+        check_lengths(cloud)
+        edge = check_positive("voxel_size", voxel_size)
+        place = cloud.origin if origin is None else check_finite("origin", check_shape("origin", origin, (3,)))
+        points = cloud.device_array("points")
+        x, y, z = (cloud.origin - place).tolist()
+        source = FieldSource(place, edge, check_positive("max_distance", max_distance))
+        try:
+            return cls._of(find_cells(points, (x, y, z), edge), source)
+        except ValueError as error:
+            raise ValueError(f"{error}{_extent(cloud)}") from None
+
+    @classmethod
+    @told_arguments
+    def from_array(
+        cls,
+        occupied: ArrayLike,
+        voxel_size: float = 1.0,
+        *,
+        origin: ArrayLike = (0.0, 0.0, 0.0),
+        max_distance: float | None = None,
+        signed: bool = False,
+        device: Any = None,
+    ) -> DistanceField:
+        """The distances in a dense box of voxels.
+
+        Args:
+            occupied: Shape [x, y, z]: booleans, or whole numbers, which are occupied where they are not 0.
+            voxel_size: Edge of a voxel [m].
+            origin: The lowest corner of voxel (0, 0, 0) [m], shape [3].
+            max_distance: How far distances are to be known [m]; None for all of the box, up to a diagonal of 32,767
+                voxels.
+            signed: Whether distances are to be negative in occupied voxels: those to the nearest free voxel of the
+                box. Next to each other they are one voxel and minus one voxel.
+            device: "cpu", "cuda:0", "auto"; None for the CPU, or the GPU where the array is.
+
+        Raises:
+            TypeError: No booleans and no whole numbers.
+            ValueError: Another shape, an axis without voxels, or sizes that are not above 0 or too large.
+            MemoryError: The box has no room.
+
+        Notes:
+            `to_array()` is `scipy.ndimage.distance_transform_edt(~occupied) * voxel_size`, and signed that minus the
+            same of `occupied`; squared distances are equal to the last bit. Infinite where nothing is occupied. 8 B a
+            voxel of memory, 24 B on the way, 32 B where it is signed.
+
+        Example:
+            >>> import numpy as np, pointloom as loom
+            >>> occupied = np.zeros((4, 1, 1), bool)
+            >>> occupied[1:3] = True
+            >>> loom.DistanceField.from_array(occupied, signed=True).to_array().ravel().tolist()
+            [1.0, -1.0, -1.0, 1.0]
+        """
+        mask, shape = _take_mask(occupied, device)
+        edge = check_positive("voxel_size", voxel_size)
+        limit = None if max_distance is None else check_positive("max_distance", max_distance)
+        corner = check_finite("origin", check_shape("origin", origin, (3,)))
+        source = FieldSource(corner, edge, limit, shape, bool(signed))
+        return cls._of(find_set_cells(mask, shape), source)
+
+    @classmethod
+    @told_arguments
+    def from_voxel_grid(cls, grid: VoxelGrid, max_distance: float, *, device: Any = None) -> DistanceField:
+        """The distances around the occupied voxels of a VoxelGrid, such as `TriangleMesh.voxelize` gives.
+
+        Args:
+            grid: The voxels, their size and origin.
+            max_distance: How far distances are to be known [m].
+            device: "cpu", "cuda:0", "auto"; None for the CPU.
+
+        Raises:
+            TypeError: No VoxelGrid.
+            ValueError, MemoryError: As of `from_voxels`.
+
+        Example:
+            >>> import pointloom as loom
+            >>> grid = loom.TriangleMesh.create_box().voxelize(0.25)
+            >>> field = loom.DistanceField.from_voxel_grid(grid, max_distance=1)
+            >>> field.voxel_count == len(grid)
+            True
+        """
+        if not isinstance(grid, VoxelGrid):
+            raise TypeError(f"grid: expected a VoxelGrid, got {type(grid).__name__}")
+        return cls.from_voxels(grid.coordinates, grid.voxel_size, max_distance, origin=grid.origin, device=device)
+
+    @classmethod
+    @told_arguments
+    def from_voxels(
+        cls,
+        coordinates: ArrayLike,
+        voxel_size: float,
+        max_distance: float,
+        *,
+        origin: ArrayLike = (0.0, 0.0, 0.0),
+        device: Any = None,
+    ) -> DistanceField:
+        """The distances around voxels that are listed.
+
+        Args:
+            coordinates: The occupied voxels, whole numbers [n, 3], in any order; repeated ones count once.
+            voxel_size: Edge of a voxel [m].
+            max_distance: How far distances are to be known [m], at most 16,383 voxels.
+            origin: The lowest corner of voxel (0, 0, 0) [m], shape [3].
+            device: "cpu", "cuda:0", "auto"; None for the CPU.
+
+        Raises:
+            TypeError: No whole numbers.
+            ValueError: Another shape, sizes that are not above 0, a voxel some 2^23 from the origin, or more blocks
+                than 32 bits count.
+            MemoryError: They have no room; the message counts them.
+
+        Example:
+            >>> import pointloom as loom
+            >>> field = loom.DistanceField.from_voxels([[0, 0, 0], [4, 0, 0]], 1.0, max_distance=3)
+            >>> field.to_array([[-1, 0, 0], [6, 1, 1]], values="squared").ravel().tolist()
+            [1, 0, 1, 4, 1, 0, 1]
+        """
+        cells = check_rows("coordinates", coordinates, 3)
+        if cells.dtype.kind not in "iu" and cells.size:
+            raise TypeError(f"coordinates: expected whole numbers, got {cells.dtype}")
+        if cells.size and not (cells.min() > -LARGEST and cells.max() < LARGEST):
+            raise ValueError(f"coordinates: {cells.min()}..{cells.max()} are more than 30 bits hold")
+        edge, limit = check_positive("voxel_size", voxel_size), check_positive("max_distance", max_distance)
+        corner = check_finite("origin", check_shape("origin", origin, (3,)))
+        return cls.from_device_voxels(upload(cells, vec3i, resolve_device(device)), FieldSource(corner, edge, limit))
+
+    @classmethod
+    @told_arguments
+    def from_occupancy_grid(cls, grid: OccupancyGrid, max_distance: float) -> DistanceField:
+        """The distances around the occupied voxels of an OccupancyGrid, on its device.
+
+        Args:
+            grid: What scans have seen; unknown voxels count as free.
+            max_distance: How far distances are to be known [m].
+
+        Raises:
+            TypeError: No OccupancyGrid.
+            ValueError, MemoryError: As of `from_voxels`.
+
+        Example:
+            >>> import pointloom as loom
+            >>> grid = loom.OccupancyGrid(0.5)
+            >>> touched = grid.insert_scan([[2.2, 0.2, 0.2]], origin=[0.2, 0.2, 0.2])
+            >>> field = loom.DistanceField.from_occupancy_grid(grid, max_distance=2)
+            >>> field.distances([[1.2, 0.2, 0.2]]).tolist()
+            [1.0]
+        """
+        if not isinstance(grid, OccupancyGrid):
+            raise TypeError(f"grid: expected an OccupancyGrid, got {type(grid).__name__}")
+        limit = check_positive("max_distance", max_distance)
+        return cls.from_device_voxels(grid.device_voxels(), FieldSource(grid.origin, grid.voxel_size, limit))
+
+    @classmethod
+    def from_device_voxels(cls, cells: Cells, source: FieldSource) -> DistanceField:
+        """The distances around voxels that are on the device already, as vec3i, in any order and repeated or not."""
+        return cls._of(cells, source)
+
+    @classmethod
+    def _of(cls, cells: Cells, source: FieldSource) -> DistanceField:
+        """Of occupied voxels; those of an array lie in it."""
+        reach = (
+            reach_of_box(source.shape or (0, 0, 0))
+            if source.max_distance is None
+            else reach_of(source.max_distance / source.voxel_size)
+        )
+        field = cls.__new__(cls)
+        field._take(source, cells, find_distances(cells, reach, source.shape if source.signed else None))
+        return field
+
+    def _take(self, source: FieldSource, cells: Cells, blocks: Any) -> None:
+        self.device, self._source, self._blocks = cells.device, source, blocks
+        self.origin, self.voxel_size, self.max_distance = source.origin, source.voxel_size, source.max_distance
+        self.shape, self.is_signed = source.shape, source.signed
+        self._grid = DistanceGrid(blocks, source.origin.tolist(), source.voxel_size, source.max_distance)
+
+    def __repr__(self) -> str:
+        reach = "of a box" if self.max_distance is None else f"up to {self.max_distance:g} m"
+        size = f"{self.voxel_count:,} occupied voxels of {self.voxel_size:g} m, {reach}, {self.block_count:,} blocks"
+        return f"DistanceField({size}{', signed' * self.is_signed}, {self.device})"
+
+    @property
+    def voxel_count(self) -> int:
+        """Occupied voxels."""
+        return self._blocks.occupied.size
+
+    @property
+    def block_count(self) -> int:
+        """Blocks of 8^3 voxels that hold distances."""
+        return self._blocks.keys.size
+
+    @property
+    def memory_bytes(self) -> int:
+        """Bytes of device memory held by voxels, keys and the hash table."""
+        return self._blocks.memory_bytes
+
+    @property
+    def occupied_voxels(self) -> NDArray[np.int32]:
+        """The coordinates of the occupied voxels, int32 [k, 3]: what the numbers of the nearest ones count."""
+        return np.array(download(self._blocks.occupied)).reshape(-1, 3)
+
+    def save(self, path: str | os.PathLike[str], *, overwrite: bool = True) -> None:
+        """Write the field to an .npz file, whole or not at all: its occupied voxels, from which `load` finds the same.
+
+        Raises:
+            FileError: The place cannot be written, or the file exists and may not be replaced.
+        """
+        write_field(path, self._arrays(), overwrite=overwrite)
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str], *, device: Any = None) -> DistanceField:
+        """Read a field that `save` wrote, and find its distances again.
+
+        Raises:
+            FileError: The file is missing, damaged, or no field.
+            MemoryError: There is no room for it.
+        """
+        arrays, where = read_field(path), resolve_device(device)
+        try:
+            return cls._of_arrays(arrays, where)
+        except ValueError as error:
+            raise FileError(path, str(error)) from error
+
+    def _arrays(self) -> dict[str, NDArray[Any]]:
+        return arrays_of(self._source, self.occupied_voxels)
+
+    @classmethod
+    def _of_arrays(cls, arrays: dict[str, NDArray[Any]], device: Any) -> DistanceField:
+        return cls._of(upload(arrays["voxels"], vec3i, device), source_of(arrays))
+
+    def __getstate__(self) -> dict[str, Any]:
+        """What the field is made of and the name of its device, for pickle."""
+        return {"arrays": self._arrays(), "device": str(self.device)}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """The field on the device that it was on; on the first GPU where there is another number of them.
+
+        Raises:
+            DeviceError: It was on a GPU, and here is none.
+        """
+        where = device_like("distance field", state["device"])
+        vars(self).update(vars(self._of_arrays(state["arrays"], where)))
+
+
+def _take_mask(occupied: Any, device: Any) -> tuple[Mask, tuple[int, int, int]]:
+    """The voxels of an array on a device as uint8 [x * y * z], their number along each axis."""
+    where = device_for(occupied, device)
+    if is_on_gpu(occupied):
+        given: Any = take_numbers("occupied", occupied, where)
+        kind, shape = ("b" if given.dtype in (wp.bool, uint8) else "?"), tuple(given.shape)
+    else:
+        given = check_numeric("occupied", occupied)
+        kind, shape = given.dtype.kind, given.shape
+    if kind not in "biu":
+        raise TypeError(f"occupied: expected booleans or whole numbers, got {given.dtype}")
+    if len(shape) != 3 or not min(shape):
+        raise ValueError(f"occupied: expected shape [x, y, z] with a voxel at least, got {list(shape)}")
+    if is_on_gpu(occupied):
+        return view_as(given, uint8, (given.size,)), shape
+    return upload((given != 0).ravel(), uint8, where), shape
+
+
+def _extent(cloud: PointCloud) -> str:
+    """How far a cloud reaches, for messages."""
+    low, high, count = bound_points(cloud.device_array("points"))
+    if not count:
+        return ""
+    box = (np.array([low, high], np.float64) + cloud.origin).round(3).tolist()
+    return f"; the points reach from {box[0]} to {box[1]}"

@@ -1,0 +1,97 @@
+"""Files of distance fields: NPZ archives of what a field is made of; the distances are found again, the same bits.
+
+Members: format, origin float64 [3], sizes float64 [2] (voxel size and how far distances are known [m], infinite where
+all of a box are), shape int64 [3] (of the array, zeros where it was none), is_signed, and voxels int32 [k, 3], the
+occupied ones.
+"""
+
+from __future__ import annotations
+
+import os
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...files.points.archives import Arrays, Expected, read_archive, rows_of, write_archive
+
+FORMAT = b"pointloom distance field 1"
+LARGEST = 2**29  # of coordinates of voxels; fewer are in reach
+
+
+class FieldSource(NamedTuple):
+    """What a distance field is made of, beside its voxels.
+
+    Attributes:
+        origin: The lowest corner of voxel (0, 0, 0) [m], float64 [3].
+        voxel_size: Edge of a voxel [m].
+        max_distance: How far distances are known [m]; None for all of a dense box.
+        shape: Voxels of the array along x, y and z; None where it was none.
+        signed: Whether distances are negative in occupied voxels.
+    """
+
+    origin: NDArray[np.float64]
+    voxel_size: float
+    max_distance: float | None
+    shape: tuple[int, int, int] | None = None
+    signed: bool = False
+
+
+def arrays_of(source: FieldSource, voxels: NDArray[np.int32]) -> Arrays:
+    """All that makes a field, as NumPy arrays: of a file, of pickle."""
+    return {
+        "origin": source.origin,
+        "sizes": np.array([source.voxel_size, np.inf if source.max_distance is None else source.max_distance]),
+        "shape": np.array(source.shape or (0, 0, 0), np.int64),
+        "is_signed": np.array(source.signed),
+        "voxels": voxels,
+    }
+
+
+def source_of(arrays: Arrays) -> FieldSource:
+    """What `arrays_of` was given."""
+    voxel_size, limit = arrays["sizes"].tolist()
+    x, y, z = arrays["shape"].tolist()
+    max_distance = None if limit == np.inf else limit
+    return FieldSource(arrays["origin"], voxel_size, max_distance, (x, y, z) if x else None, bool(arrays["is_signed"]))
+
+
+def write_field(path: str | os.PathLike[str], arrays: Arrays, *, overwrite: bool) -> None:
+    """Write what makes a field, whole or not at all."""
+    write_archive(path, FORMAT, arrays, overwrite=overwrite)
+
+
+def read_field(path: str | os.PathLike[str]) -> Arrays:
+    """What makes a saved field, checked."""
+    return read_archive(path, FORMAT, "distance field", "DistanceField.save", _expected, _find_fault)
+
+
+def _expected(arrays: Arrays) -> Expected:
+    return {
+        "origin": (np.float64, (3,)),
+        "sizes": (np.float64, (2,)),
+        "shape": (np.int64, (3,)),
+        "is_signed": (np.bool_, ()),
+        "voxels": (np.int32, (rows_of(arrays, "voxels"), 3)),
+    }
+
+
+def _find_fault(arrays: Arrays) -> str:
+    """What no saved field holds, or nothing."""
+    voxel_size, limit = arrays["sizes"].tolist()
+    shape, voxels = arrays["shape"], arrays["voxels"]
+    has_shape = bool((shape > 0).all())
+    if not (0 < voxel_size < np.inf and limit > 0):
+        return f"sizes: expected a voxel size and a distance above 0, got {voxel_size} and {limit}"
+    if not np.isfinite(arrays["origin"]).all():
+        return "origin: not finite"
+    if not has_shape and (shape.any() or limit == np.inf or arrays["is_signed"]):
+        return f"shape: {shape.tolist()}"
+    if not len(voxels):
+        return ""
+    low, high = (0, shape) if has_shape else (-LARGEST, LARGEST)
+    if not ((voxels >= low) & (voxels < high)).all():
+        return "voxels: out of range"
+    if len(np.unique(voxels, axis=0)) != len(voxels):
+        return "voxels: repeated"
+    return ""

@@ -1,0 +1,267 @@
+"""What a DistanceField is asked at points, for spheres and for bodies of spheres."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...core.array_libraries import Form, form_of, view_as
+from ...core.checks import RIGID_TOLERANCE, check_finite, check_numeric, check_rigid, check_rows, is_on_gpu
+from ...core.devices import check_same_device
+from ...core.gpu_arrays import take_numbers, take_rows
+from ...core.told_arguments import told_arguments
+from ...kernels.array_types import Positions
+from ...kernels.arrays.origins import add_origin
+from ...kernels.lang import float64, mat44d, vec3d
+from ...kernels.memory import cast, download, upload
+from ...kernels.volumes import distance_queries as queries
+from ...kernels.volumes.distance_queries import HALF_DIAGONAL, DistanceGrid
+from ...pcd.cloud import PointCloud
+
+
+@dataclass(frozen=True, eq=False)
+class NearestObstacles:
+    """The occupied voxels nearest to points.
+
+    Attributes:
+        rows: Their rows among `occupied_voxels`, int32 [n]; -1 where none is known.
+        positions: Their centres [m], float64 [n, 3]; NaN where none is known.
+        distances: Of the points from these centres [m], float32 [n]; `max_distance` where none is known, which they are
+            at least away but for half a voxel's diagonal, and NaN outside of a dense box.
+    """
+
+    rows: NDArray[np.int32]
+    positions: NDArray[np.float64]
+    distances: NDArray[np.float32]
+
+
+class BodyCollisions(NamedTuple):
+    """What is known of a body at m poses.
+
+    Attributes:
+        collides: Whether it may touch what is occupied, bool [m].
+        clearance: How far every sphere of it is at least from what is occupied [m], float64 [m]: up to two diagonals
+            of a voxel less than in truth, below or at 0 where it may touch, and never more than `max_distance` lets
+            one know. Minus infinity where it reaches outside of a dense box.
+    """
+
+    collides: NDArray[np.bool_]
+    clearance: NDArray[np.float64]
+
+
+class FieldQueries:
+    """Queries in batches, on the field's device."""
+
+    device: Any
+    voxel_size: float
+    max_distance: float | None
+    _grid: DistanceGrid
+
+    @told_arguments
+    def distances(self, points: Any, *, interpolate: bool = False) -> NDArray[np.float32]:
+        """The distances at points.
+
+        Args:
+            points: A PointCloud on the field's device, or positions [m], shape [n, 3].
+            interpolate: Between the centres of the eight voxels around each point, as `gradients` sees the field; where
+                one of them is not known, and by default, the distance of the voxel that the point lies in.
+
+        Returns:
+            [m], float32 [n]. `max_distance` where the distance is not known, since it is at least that far; NaN outside
+            of a dense box, and for points that are not finite.
+
+        Raises:
+            TypeError: Not numbers.
+            ValueError: Another shape.
+            DeviceError: The points are on another device.
+
+        Notes:
+            Exact between voxel centres; that of a point differs by up to half a voxel's diagonal, interpolated by less.
+            Measured in float64 at any coordinates. 29 B of memory a point.
+        """
+        places, form = self._places("points", points)
+        return form.hand_out(queries.find_distances_at(places, self._grid, interpolate=bool(interpolate)).distances)
+
+    @told_arguments
+    def is_known(self, points: Any) -> NDArray[np.bool_]:
+        """Whether the distances at points are known, rather than at least `max_distance`; bool [n].
+
+        Args:
+            points: As of `distances`.
+
+        Raises:
+            TypeError, ValueError, DeviceError: As of `distances`.
+        """
+        places, form = self._places("points", points)
+        known = queries.find_distances_at(places, self._grid, interpolate=False).known
+        return form.hand_out(known, dtype=np.bool_)
+
+    @told_arguments
+    def gradients(self, points: Any) -> NDArray[np.float32]:
+        """The slopes of the interpolated distances at points: away from what is near, about 1 long.
+
+        Args:
+            points: As of `distances`.
+
+        Returns:
+            Change along x, y and z [1], float32 [n, 3]: interpolated, half a voxel further less half a voxel before,
+            over a voxel's size. NaN where one of the voxels that this takes is not known.
+
+        Raises:
+            TypeError, ValueError, DeviceError: As of `distances`.
+
+        Example:
+            >>> import pointloom as loom
+            >>> field = loom.DistanceField.from_voxels([[0, 0, 0]], 1.0, max_distance=5)
+            >>> field.gradients([[3.0, 0.5, 0.5]]).tolist()
+            [[1.0, 0.0, 0.0]]
+        """
+        places, form = self._places("points", points)
+        return form.hand_out(queries.find_gradients(places, self._grid))
+
+    @told_arguments
+    def nearest_obstacles(self, points: Any) -> NearestObstacles:
+        """The occupied voxels that are nearest to the voxels of points.
+
+        Args:
+            points: As of `distances`.
+
+        Returns:
+            NearestObstacles. Of equally near ones the first along x, then y, then z.
+
+        Raises:
+            TypeError, ValueError, DeviceError: As of `distances`.
+
+        Notes:
+            Nearest to the voxel's centre: to the point itself another one may be nearer, by up to a voxel's diagonal.
+
+        Example:
+            >>> import pointloom as loom
+            >>> field = loom.DistanceField.from_voxels([[0, 0, 0], [6, 0, 0]], 1.0, max_distance=5)
+            >>> found = field.nearest_obstacles([[4.5, 0.5, 0.5], [20, 0, 0]])
+            >>> found.positions.tolist(), found.distances.tolist()
+            ([[6.5, 0.5, 0.5], [nan, nan, nan]], [2.0, 5.0])
+        """
+        places, form = self._places("points", points)
+        rows, positions, distances = queries.find_obstacles(places, self._grid)
+        return NearestObstacles(form.hand_out(rows), form.hand_out(positions), form.hand_out(distances))
+
+    @told_arguments
+    def collides(self, centers: Any, radii: ArrayLike) -> NDArray[np.bool_]:
+        """Whether spheres may touch what is occupied.
+
+        Args:
+            centers: As of `distances`.
+            radii: [m], one for all or one each, 0 or above.
+
+        Returns:
+            Bool [n]. False is certain: whatever lies anywhere in an occupied voxel, the sphere does not reach it. True
+            means that it is nearer than two diagonals of a voxel (3.5 `voxel_size`) to the centre of an occupied one,
+            or that nothing is known: outside of a dense box, and for centers that are not finite.
+
+        Raises:
+            TypeError, ValueError, DeviceError: As of `distances`.
+            ValueError: Radii that are not 0 or above, or larger than `max_distance` less a voxel's diagonal: of these
+                nothing could be said.
+
+        Notes:
+            What is surely free around a centre is the distance of its voxel, less the way from the centre to the
+            voxel's centre, less half a voxel's diagonal for where in the occupied voxel the obstacle is.
+        """
+        places, form = self._places("centers", centers)
+        sizes = np.atleast_1d(self._radii("radii", radii))
+        if sizes.shape not in ((1,), (places.size,)):
+            raise ValueError(f"radii: expected one, or {places.size} as there are centers, got {list(sizes.shape)}")
+        hits = queries.find_hits(places, upload(sizes, float64, self.device), self._grid)
+        return form.hand_out(hits, dtype=np.bool_)
+
+    @told_arguments
+    def collides_bodies(self, spheres: ArrayLike, poses: ArrayLike) -> BodyCollisions:
+        """Whether a body made of spheres may touch what is occupied, at many poses.
+
+        Args:
+            spheres: Centers in the body's frame and radii [m], rows of (x, y, z, radius), shape [k, 4].
+            poses: T_world_body, rigid motions, shape [m, 4, 4].
+
+        Returns:
+            (collides, clearance), bool [m] and float64 [m]; certain where it says that the body is free, see
+            `collides`.
+
+        Raises:
+            TypeError: Not numbers.
+            ValueError: Other shapes, no sphere, a pose that is no rigid motion, or radii as of `collides`.
+
+        Notes:
+            One thread a pose. 136 B of memory a pose.
+
+        Example:
+            >>> import numpy as np, pointloom as loom
+            >>> field = loom.DistanceField.from_voxels([[0, 0, 0]], 0.1, max_distance=3)
+            >>> poses = np.tile(np.eye(4), (2, 1, 1))
+            >>> poses[:, 0, 3] = 0.4, 2.05
+            >>> found = field.collides_bodies([[0, 0, 0, 0.3], [0.5, 0, 0, 0.3]], poses)
+            >>> found.collides.tolist(), found.clearance.round(2).tolist()
+            ([True, False], [-0.07, 1.54])
+        """
+        body = check_finite("spheres", check_rows("spheres", spheres, 4, dtype=np.float64))
+        if not len(body):
+            raise ValueError("spheres: a body without any touches nothing; give at least one row (x, y, z, radius)")
+        self._radii("spheres", body[:, 3])
+        motions = check_poses("poses", poses)
+        room = queries.find_body_room(
+            upload(body, float64, self.device), upload(motions, mat44d, self.device), self._grid
+        )
+        clearance = np.array(download(room))
+        return BodyCollisions(~(clearance > 0), clearance)
+
+    def _radii(self, name: str, radii: Any) -> NDArray[np.float64]:
+        """Radii of which something can be said."""
+        if is_on_gpu(radii):
+            radii = download(take_numbers(name, radii))
+        sizes = check_finite(name, check_numeric(name, radii).astype(np.float64))
+        if sizes.size and sizes.min() < 0:
+            raise ValueError(f"{name}: expected radii >= 0, got {sizes.min():g}")
+        margin = 2 * HALF_DIAGONAL * self.voxel_size
+        if self.max_distance is not None and sizes.size and sizes.max() + margin >= self.max_distance:
+            raise ValueError(
+                f"{name}: a radius of {sizes.max():g} m and a voxel's diagonal of {margin:g} m reach beyond the "
+                f"{self.max_distance:g} m that are known; make the field with a larger max_distance"
+            )
+        return sizes
+
+    def _places(self, name: str, points: Any) -> tuple[Positions, Form]:
+        """Positions in float64 on the field's device, and the form of the answer."""
+        if isinstance(points, PointCloud):
+            check_same_device(name, points.device, self.device)
+            places = add_origin(points.device_array("points"), points.origin)
+            return places, Form(points.array_library, points.device.is_cpu)
+        if is_on_gpu(points):
+            rows = take_rows(name, points, 3, self.device)
+            wide = rows if rows.dtype == float64 else cast(rows, float64)
+            return view_as(wide, vec3d, (rows.shape[0],)), form_of(points)
+        rows = check_rows(name, points, 3, dtype=np.float64)
+        return upload(rows, vec3d, self.device), form_of(points)
+
+
+def check_poses(name: str, poses: Any) -> NDArray[np.float64]:
+    """Rigid motions, float64 [m, 4, 4].
+
+    Raises:
+        TypeError: Not numbers.
+        ValueError: Another shape, or one that is no rigid motion; the message says which.
+    """
+    motions = check_numeric(name, poses).astype(np.float64)
+    if motions.ndim != 3 or motions.shape[1:] != (4, 4):
+        raise ValueError(f"{name}: expected shape [m, 4, 4], got {list(motions.shape)}")
+    with np.errstate(over="ignore", invalid="ignore"):
+        R = motions[:, :3, :3]
+        error = np.abs(R @ R.transpose(0, 2, 1) - np.eye(3)).max(axis=(1, 2), initial=0.0)
+        is_right = (error <= RIGID_TOLERANCE) & (np.linalg.det(R) > 0) & np.isfinite(motions).all(axis=(1, 2))
+        is_right &= (motions[:, 3] == (0, 0, 0, 1)).all(axis=1)
+    if not is_right.all():
+        row = int(np.flatnonzero(~is_right)[0])
+        check_rigid(f"{name}[{row}]", motions[row])
+    return motions

@@ -1,0 +1,252 @@
+"""OccupancyGrid: range scans in, what is occupied, free and unknown out."""
+
+from __future__ import annotations
+
+import os
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...core.checks import check_number, check_positive
+from ...core.coordinates import split_origin
+from ...core.devices import resolve_device
+from ...core.dropped_results import returns_new
+from ...core.known_names import ToldNames
+from ...core.pickled_arrays import device_like
+from ...core.told_arguments import told_arguments
+from ...kernels.lang import float32, int64, vec3
+from ...kernels.memory import download, upload
+from ...kernels.volumes import occupancy_blocks as odds
+from ...kernels.volumes.occupancy_blocks import OUTERMOST, OddsBlocks
+from ...kernels.volumes.occupancy_rays import Lattice
+from ...kernels.volumes.tsdf_blocks import BLOCK_VOXELS
+from ...pcd.cloud import PointCloud
+from .occupancy_files import find_fault_of_model, log_odds_of, read_grid, write_grid
+from .occupancy_questions import OccupancyQuestions
+from .voxel_boxes import places_of
+
+SMALLEST = 1.0e-6  # [m] of a voxel, and the largest is 1 / this: float32 holds its half and its inverse
+FARTHEST = 3.0e38  # [m] of a scan without max_range
+
+
+class OccupancyGrid(OccupancyQuestions, ToldNames):
+    """Which voxels are occupied, free and unknown: log odds from range scans in blocks that appear where rays pass.
+
+    A voxel with an end point gets a hit, one that rays pass and that has no end point a miss, each once a scan; log
+    odds are summed and clamped. That is OctoMap's `insertPointCloud`, and the log odds of every voxel are those of its
+    leaves, to the last bit. Voxels lie at whole multiples of `voxel_size` from `origin`. A voxel is occupied from a
+    probability of 0.5.
+
+    A scan whose insertion was interrupted (Ctrl-C, no memory) is in the grid or is not; `scan_count` tells.
+
+    Args:
+        voxel_size: Edge of a voxel [m].
+        hit: The probability that a voxel with an end point is occupied.
+        miss: The probability that one that a ray passes is.
+        min: The probability below which none falls.
+        max: The one above which none rises.
+        device: "cpu", "cuda:0", "auto"; None for the CPU.
+
+    Raises:
+        ValueError: A size that is not positive, or probabilities that are none: 0.5 < hit < 1, 0 < miss < 0.5,
+            0 < min < 0.5 < max < 1.
+
+    Notes:
+        4 B a voxel of the blocks that rays pass. The same bits from run to run and on every device. Hornung et al.,
+        "OctoMap: an efficient probabilistic 3D mapping framework based on octrees", Autonomous Robots 34, 2013.
+
+    Example:
+        >>> import pointloom as loom
+        >>> grid = loom.OccupancyGrid(0.5)
+        >>> touched = grid.insert_scan([[2.2, 0.2, 0.2]], origin=[0.2, 0.2, 0.2])
+        >>> grid.states([[0.2, 0.2, 0.2], [2.2, 0.2, 0.2], [3.2, 0.2, 0.2]]).tolist()
+        [0, 1, -1]
+        >>> grid.probabilities([[0.2, 0.2, 0.2], [2.2, 0.2, 0.2], [3.2, 0.2, 0.2]]).round(3).tolist()
+        [0.4, 0.7, nan]
+    """
+
+    device: Any
+    voxel_size: float
+
+    @told_arguments
+    def __init__(
+        self,
+        voxel_size: float,
+        hit: float = 0.7,
+        miss: float = 0.4,
+        min: float = 0.1192,
+        max: float = 0.971,
+        *,
+        device: Any = None,
+    ):
+        edge = check_positive("voxel_size", voxel_size)
+        if not SMALLEST <= edge <= 1 / SMALLEST:
+            raise ValueError(f"voxel_size: {edge:g} m; expected {SMALLEST:g} to {1 / SMALLEST:g} m")
+        given = {"hit": hit, "miss": miss, "min": min, "max": max}
+        self._model = tuple(check_number(name, value) for name, value in given.items())
+        fault = find_fault_of_model(*self._model)
+        if fault:
+            raise ValueError(fault)
+        self.device, self.voxel_size = resolve_device(device), edge
+        self._origin: NDArray[np.float64] | None = None
+        lattice = Lattice(edge, float(np.float32(edge * 0.5)))
+        hit_odds, miss_odds, low, high = (log_odds_of(p) for p in self._model)
+        self._blocks = OddsBlocks(lattice, (hit_odds, miss_odds, low, high), self.device)
+        self._scans_before = 0
+
+    def __repr__(self) -> str:
+        size = f"{self.voxel_size:g} m voxels, {self.block_count:,} blocks"
+        return f"OccupancyGrid({size}, {self.scan_count} scans, {self.device})"
+
+    @property
+    def origin(self) -> NDArray[np.float64]:
+        """Where the grid's coordinates start [m]: zero, or near the first scan where that is beyond 1e4 m."""
+        return np.zeros(3) if self._origin is None else self._origin.copy()
+
+    @property
+    def block_count(self) -> int:
+        """Blocks of 8^3 voxels."""
+        return self._blocks.count
+
+    @property
+    def scan_count(self) -> int:
+        """Scans folded in; those that had no point do not count."""
+        return self._blocks.scan_count + self._scans_before
+
+    @property
+    def memory_bytes(self) -> int:
+        """Bytes of device memory held by voxels, keys and the hash table."""
+        return self._blocks.memory_bytes
+
+    @told_arguments
+    def insert_scan(
+        self, points: PointCloud | ArrayLike, origin: ArrayLike | None = None, *, max_range: float | None = None
+    ) -> int:
+        """Fold in one scan.
+
+        Args:
+            points: Where rays ended: a cloud on the grid's device, or shape [n, 3] [m]. Points with NaN do not count.
+            origin: Where the sensor was [m], shape [3], or where each ray began, shape [n, 3].
+            max_range: Rays that are longer [m] are free up to there and have no end point; None takes all as they are.
+
+        Returns:
+            The number of blocks touched; 0 where no point was finite.
+
+        Raises:
+            ValueError: No origin, infinite points, shapes that disagree, or a scan that fills a box of more than 2^26
+                blocks or reaches more than 2^22 voxels from the grid's origin, before any memory is taken for it. The
+                grid stays as it was.
+
+        Notes:
+            Rays are walked as OctoMap's `computeRayKeys` does, in float32 about the grid's origin: where a ray meets an
+            edge or a corner of voxels it goes on along z before y and along y before x. 5 B of memory a voxel of the
+            blocks touched while it is folded in.
+
+        Example:
+            >>> import pointloom as loom
+            >>> grid = loom.OccupancyGrid(0.1)
+            >>> grid.insert_scan([[1.05, 0.05, 0.05], [9.0, 0.05, 0.05]], origin=[0.05, 0.05, 0.05], max_range=3)
+            4
+            >>> len(grid.voxel_indices())
+            1
+        """
+        if origin is None:
+            raise ValueError(
+                "origin: a scan needs the place of its sensor [m], shape [3], or one a point, shape [n, 3]; without it "
+                "nothing is known to be free. Points of a registered cloud have their poses in its trajectory"
+            )
+        cloud = self._cloud_of("points", points)
+        starts = places_of("origin", origin, len(cloud))
+        longest = FARTHEST if max_range is None else check_positive("max_range", max_range)
+        if not len(cloud):
+            return 0
+        place = self._origin if self._origin is not None else split_origin(starts[:1])[1]
+        local = starts - place
+        if not np.abs(local).max() < OUTERMOST * self.voxel_size:
+            raise ValueError(
+                f"origin: a ray begins {np.abs(local).max():.6g} m from the grid's origin {place.tolist()}"
+            )
+        x, y, z = (cloud.origin - place).tolist()
+        lattice, begun = self._blocks.lattice, upload(local.astype(np.float32), vec3, self.device)
+        rays, infinite = odds.prepare_rays(cloud.device_array("points"), (x, y, z), begun, longest, lattice)
+        if infinite:
+            raise ValueError("points: some are infinite; remove_non_finite_points drops them, max_range cuts long rays")
+        before = self._origin
+        try:
+            self._origin = place
+            count = odds.fold_scan(rays, self._blocks)
+        except odds.WildScanError as error:
+            self._origin = before
+            raise ValueError(
+                f"points: {error}; a stray point may lie far away: give max_range, or larger voxels"
+            ) from None
+        if not self.scan_count:
+            self._origin = before
+        return count
+
+    # ------------------------------------------------------------------------------------------ files, copies
+
+    def save(self, path: str | os.PathLike[str], *, overwrite: bool = True) -> None:
+        """Write the grid to an .npz file, whole or not at all.
+
+        Raises:
+            FileError: The place cannot be written, or the file exists and may not be replaced.
+        """
+        write_grid(path, self._downloaded(), overwrite=overwrite)
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str], *, device: Any = None) -> OccupancyGrid:
+        """Read a grid that `save` wrote.
+
+        Raises:
+            FileError: The file is missing, damaged, or no occupancy grid.
+        """
+        return cls._from_downloaded(read_grid(path), device)
+
+    def _downloaded(self) -> dict[str, Any]:
+        count = self.block_count
+        return {
+            "voxel_size": np.array(self.voxel_size),
+            "probabilities": np.array(self._model),
+            "origin": self.origin,
+            "scan_count": np.array(self.scan_count),
+            "keys": download(self._blocks.keys)[:count],
+            "odds": download(self._blocks.odds)[: count * BLOCK_VOXELS],
+        }
+
+    @classmethod
+    def _from_downloaded(cls, arrays: dict[str, Any], device: Any) -> OccupancyGrid:
+        grid = cls(float(arrays["voxel_size"]), *arrays["probabilities"].tolist(), device=device)
+        grid._scans_before = int(arrays["scan_count"])
+        grid._origin = arrays["origin"] if grid._scans_before else None
+        keys = upload(np.ascontiguousarray(arrays["keys"]), int64, grid.device)
+        values = upload(np.ascontiguousarray(arrays["odds"]), float32, grid.device)
+        grid._blocks.fill(keys, values)
+        return grid
+
+    @returns_new
+    def copy(self) -> OccupancyGrid:
+        """Another grid with the same voxels: scans that are inserted into one do not reach the other."""
+        grid = OccupancyGrid(self.voxel_size, *self._model, device=self.device)
+        grid._scans_before, grid._origin, grid._blocks = self.scan_count, self._origin, self._blocks.clone()
+        return grid
+
+    def __copy__(self) -> OccupancyGrid:
+        return self.copy()
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> OccupancyGrid:
+        return self.copy()
+
+    def __getstate__(self) -> dict[str, Any]:
+        """The grid as NumPy arrays and the name of its device, for pickle."""
+        return {"arrays": self._downloaded(), "device": str(self.device)}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """The grid on the device that it was on; on the first GPU where there is another number of them.
+
+        Raises:
+            DeviceError: It was on a GPU, and here is none.
+        """
+        where = device_like("occupancy grid", state["device"])
+        vars(self).update(vars(self._from_downloaded(state["arrays"], where)))

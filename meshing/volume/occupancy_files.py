@@ -1,0 +1,79 @@
+"""Files of occupancy grids: NPZ archives whose arrays are checked against each other before one is used.
+
+Members: format, voxel_size, probabilities float64 [4] (hit, miss, min, max), origin, scan_count, keys int64 [m] and
+odds float32 [512 m], log odds, 1e9 where no ray was.
+"""
+
+from __future__ import annotations
+
+import os
+
+import numpy as np
+
+from ...files.points.archives import Arrays, Expected, read_archive, rows_of, write_archive
+from ...kernels.arrays.block_keys import BIAS
+from ...kernels.volumes.occupancy_blocks import UNKNOWN
+from ...kernels.volumes.tsdf_blocks import BLOCK_VOXELS, MAX_BLOCKS, block_box
+
+FORMAT = b"pointloom occupancy grid 1"
+
+
+def log_odds_of(probability: float) -> float:
+    """log(p / (1 - p)), rounded to float32."""
+    return float(np.float32(np.log(probability / (1.0 - probability))))
+
+
+def find_fault_of_model(hit: float, miss: float, low: float, high: float) -> str:
+    """What no sensor model is, or nothing."""
+    if not 0.5 < hit < 1:
+        return f"hit: {hit:g} is no probability above 0.5 and below 1, which an end point is to raise"
+    if not 0 < miss < 0.5:
+        return f"miss: {miss:g} is no probability above 0 and below 0.5, which a ray that passes is to lower"
+    if not 0 < low < 0.5 < high < 1:
+        return f"min, max: expected 0 < min < 0.5 < max < 1, got {low:g} and {high:g}"
+    return ""
+
+
+def write_grid(path: str | os.PathLike[str], arrays: Arrays, *, overwrite: bool) -> None:
+    """Write the arrays of a grid, whole or not at all."""
+    write_archive(path, FORMAT, arrays, overwrite=overwrite)
+
+
+def read_grid(path: str | os.PathLike[str]) -> Arrays:
+    """The arrays of a saved grid, checked against each other."""
+    return read_archive(path, FORMAT, "occupancy grid", "OccupancyGrid.save", _expected, _find_fault)
+
+
+def _expected(arrays: Arrays) -> Expected:
+    blocks = rows_of(arrays, "keys")
+    return {
+        "voxel_size": (np.float64, ()),
+        "probabilities": (np.float64, (4,)),
+        "origin": (np.float64, (3,)),
+        "scan_count": (np.int64, ()),
+        "keys": (np.int64, (blocks,)),
+        "odds": (np.float32, (blocks * BLOCK_VOXELS,)),
+    }
+
+
+def _find_fault(arrays: Arrays) -> str:
+    """What no saved grid holds, or nothing."""
+    hit, miss, low, high = arrays["probabilities"].tolist()
+    scans, keys, odds = int(arrays["scan_count"]), arrays["keys"], arrays["odds"]
+    blocks = len(keys)
+    if not 0 < float(arrays["voxel_size"]) < np.inf:
+        return f"voxel_size: {float(arrays['voxel_size'])}"
+    fault = find_fault_of_model(hit, miss, low, high)
+    if fault:
+        return fault
+    if not np.isfinite(arrays["origin"]).all():
+        return "origin: not finite"
+    if scans < 0 or (scans == 0 and (blocks or arrays["origin"].any())):
+        return f"scan_count: {scans}"
+    if blocks > MAX_BLOCKS:
+        return f"keys: {blocks:,} blocks, more than {MAX_BLOCKS:,}"
+    if blocks and (keys.min() < 0 or np.abs(block_box(keys)).max() > BIAS - 2 or len(np.unique(keys)) != blocks):
+        return "keys: blocks out of range or repeated"
+    if not ((odds == UNKNOWN) | ((odds >= log_odds_of(low)) & (odds <= log_odds_of(high)))).all():
+        return "odds: beyond the clamps"
+    return ""

@@ -1,0 +1,217 @@
+"""What an OccupancyGrid is asked, and what it becomes."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...core.checks import check_finite, check_positive, check_rows
+from ...core.devices import check_same_device
+from ...core.dropped_results import returns_new
+from ...core.told_arguments import told_arguments
+from ...kernels.array_types import Cells
+from ...kernels.lang import vec3
+from ...kernels.memory import check_room, download, upload
+from ...kernels.volumes import occupancy_blocks as odds
+from ...kernels.volumes.occupancy_blocks import KNOWN_BELOW, OUTERMOST, OddsBlocks
+from ...pcd.cloud import PointCloud
+from ..mesh.voxel_grid import VoxelGrid
+from .voxel_boxes import Corners, places_of, voxels_in_bounds, voxels_of_blocks
+
+THRESHOLD = 0.0  # log odds of 0.5, from where a voxel is occupied
+
+
+@dataclass(frozen=True, eq=False)
+class RayHits:
+    """What rays met first that is not known to be free.
+
+    Attributes:
+        states: int8 [n]: 1 an occupied voxel, -1 an unknown one, 0 nothing up to the ray's end.
+        distances: From the ray's origin to where it enters that voxel [m], float64 [n]; infinite where it met nothing.
+        voxels: int32 [n, 3], as `OccupancyGrid.voxel_indices`; zeros where it met nothing.
+    """
+
+    states: NDArray[np.int8]
+    distances: NDArray[np.float64]
+    voxels: NDArray[np.int32]
+
+
+class OccupancyQuestions:
+    """Questions at points and along rays; dense arrays, clouds and voxels."""
+
+    device: Any
+    voxel_size: float
+    _blocks: OddsBlocks
+
+    @property
+    def origin(self) -> NDArray[np.float64]:
+        """Where the grid's coordinates start [m]."""
+        raise NotImplementedError
+
+    @property
+    def bounds(self) -> NDArray[np.float64]:
+        """The lowest and the highest corner of the blocks [m], float64 [2, 3]; both the origin where there are none."""
+        low, high = self._voxel_bounds()
+        return self.origin + np.array([low, high]) * self.voxel_size
+
+    @told_arguments
+    def states(self, points: PointCloud | ArrayLike) -> NDArray[np.int8]:
+        """What is known of the voxels of points [m], shape [n, 3]: 1 occupied, 0 free, -1 unknown; int8 [n].
+
+        Raises:
+            ValueError: Another shape.
+        """
+        value = self._odds_of(points)
+        found = np.where(value >= THRESHOLD, 1, 0)
+        found[value > KNOWN_BELOW] = -1
+        return found.astype(np.int8)
+
+    @told_arguments
+    def occupied(self, points: PointCloud | ArrayLike) -> NDArray[np.bool_]:
+        """Whether the voxels of points [m], shape [n, 3], are occupied; unknown ones are not.
+
+        Raises:
+            ValueError: Another shape.
+        """
+        return self.states(points) == 1
+
+    @told_arguments
+    def probabilities(self, points: PointCloud | ArrayLike) -> NDArray[np.float64]:
+        """The probabilities that the voxels of points [m], shape [n, 3], are occupied; NaN where unknown.
+
+        Raises:
+            ValueError: Another shape.
+        """
+        return _probability(self._odds_of(points))
+
+    @told_arguments
+    def log_odds(self, points: PointCloud | ArrayLike) -> NDArray[np.float32]:
+        """The log odds of the voxels of points [m], shape [n, 3]: what is summed; NaN where unknown.
+
+        Raises:
+            ValueError: Another shape.
+        """
+        value = self._odds_of(points)
+        return np.where(value > KNOWN_BELOW, np.float32(np.nan), value)
+
+    @told_arguments
+    def cast_rays(self, origins: ArrayLike, directions: ArrayLike, max_range: float) -> RayHits:
+        """What each of many rays meets first that is not known to be free.
+
+        Args:
+            origins: Where they begin [m], shape [n, 3] or one for all, [3].
+            directions: Shape [n, 3], of any length but zero.
+            max_range: Where they end [m].
+
+        Returns:
+            RayHits: states, distances and voxels.
+
+        Raises:
+            ValueError: Other shapes, directions of length 0, or rays beyond what the grid reaches.
+
+        Example:
+            >>> import pointloom as loom
+            >>> grid = loom.OccupancyGrid(0.5)
+            >>> touched = grid.insert_scan([[2.2, 0.2, 0.2]], origin=[0.2, 0.2, 0.2])
+            >>> hits = grid.cast_rays([0.25, 0.25, 0.25], [[1, 0, 0], [0, 1, 0]], max_range=5)
+            >>> hits.states.tolist(), hits.distances.round(2).tolist()
+            ([1, -1], [1.75, 0.25])
+        """
+        ways = check_finite("directions", check_rows("directions", directions, 3, dtype=np.float64))
+        lengths = np.linalg.norm(ways, axis=1, keepdims=True)
+        if not (lengths > 0).all():
+            raise ValueError("directions: some have length 0")
+        reach = check_positive("max_range", max_range)
+        begun = np.broadcast_to(places_of("origins", origins, len(ways)), ways.shape) - self.origin
+        ends = begun + ways / lengths * reach
+        if not max(np.abs(begun).max(initial=0), np.abs(ends).max(initial=0)) < OUTERMOST * self.voxel_size:
+            raise ValueError("origins, max_range: rays reach more than 2^22 voxels from the grid's origin")
+        starts, stops = (upload(a.astype(np.float32), vec3, self.device) for a in (begun, ends))
+        self._blocks.count  # noqa: B018  what was interrupted is settled
+        states, distances, voxels = (download(a) for a in odds.cast_rays(starts, stops, THRESHOLD, self._blocks))
+        far = np.where(states == 0, np.inf, distances)
+        return RayHits(states.astype(np.int8), far, np.array(voxels, np.int32).reshape(-1, 3))
+
+    def voxel_indices(self) -> NDArray[np.int32]:
+        """The occupied voxels, int32 [k, 3], ascending by x, then y, then z: voxel i reaches from `origin + i *
+        voxel_size` to one voxel more."""
+        found = np.array(download(self.device_voxels()), np.int32).reshape(-1, 3)
+        return found[np.lexsort(found.T[::-1])]
+
+    def device_voxels(self) -> Cells:
+        """The same on the device, vec3i, block by block in the order in which these came: for code that reads them."""
+        return odds.list_occupied(self._blocks, THRESHOLD)
+
+    @returns_new
+    def to_point_cloud(self) -> PointCloud:
+        """The centres of the occupied voxels, block by block in the order in which blocks came."""
+        voxels = self.device_voxels()
+        return PointCloud.from_device_arrays({"points": odds.place_voxels(voxels, self._blocks.lattice)}, self.origin)
+
+    def to_voxel_grid(self) -> VoxelGrid:
+        """The occupied voxels as a VoxelGrid."""
+        voxels = self.voxel_indices()
+        low = voxels.min(axis=0, initial=0) if not len(voxels) else voxels.min(axis=0)
+        x, y, z = (voxels - low).max(axis=0, initial=-1) + 1
+        place = self.origin + low * self.voxel_size
+        return VoxelGrid(place, self.voxel_size, (int(x), int(y), int(z)), voxels - low)
+
+    @told_arguments
+    def to_array(self, bounds: ArrayLike | None = None) -> NDArray[np.float32]:
+        """Probabilities as a dense array, float32 [x, y, z]; NaN where unknown.
+
+        Args:
+            bounds: The lowest and the highest corner [m], shape [2, 3]: voxels that reach inside are taken; None takes
+                `bounds`. A layer of voxels is a picture: `grid.to_array(bounds)[:, :, 0]`.
+
+        Raises:
+            ValueError: Bounds that are none, or with more than 2^31 voxels.
+            MemoryError: There is no room for so many.
+
+        Example:
+            >>> import pointloom as loom
+            >>> grid = loom.OccupancyGrid(0.5)
+            >>> touched = grid.insert_scan([[2.2, 0.2, 0.2]], origin=[0.2, 0.2, 0.2])
+            >>> grid.to_array([[0, 0, 0], [3, 0.5, 0.5]]).ravel().round(2).tolist()
+            [0.4000000059604645, 0.4000000059604645, 0.4000000059604645, 0.4000000059604645, 0.699999988079071, nan]
+        """
+        low, high = self._voxel_bounds() if bounds is None else self._voxels_in(bounds)
+        size = (high - low).tolist()
+        count = math.prod(size)
+        if count >= 2**31:
+            raise ValueError(f"bounds: {' x '.join(map(str, size))} voxels are more than 2^31; give smaller bounds")
+        check_room(self.device, 12 * count, f"{count:,} voxels")
+        x, y, z = low.tolist()
+        self._blocks.count  # noqa: B018  what was interrupted is settled
+        found = np.array(download(odds.look_up_box((x, y, z), (size[0], size[1], size[2]), self._blocks)))
+        return _probability(found).astype(np.float32).reshape(size)
+
+    def _voxels_in(self, bounds: ArrayLike) -> Corners:
+        beyond = "reach more than 2^22 voxels from the grid's origin"
+        return voxels_in_bounds(bounds, self.origin, self.voxel_size, OUTERMOST, beyond)
+
+    def _voxel_bounds(self) -> Corners:
+        count = self._blocks.count
+        return voxels_of_blocks(download(self._blocks.keys)[:count])
+
+    def _cloud_of(self, name: str, points: Any) -> PointCloud:
+        if isinstance(points, PointCloud):
+            check_same_device(name, self.device, points.device)
+            return points
+        return PointCloud(check_rows(name, points, 3), device=self.device)
+
+    def _odds_of(self, points: Any) -> NDArray[np.float32]:
+        cloud = self._cloud_of("points", points)
+        x, y, z = (cloud.origin - self.origin).tolist()
+        self._blocks.count  # noqa: B018  what was interrupted is settled
+        return np.array(download(odds.look_up(cloud.device_array("points"), (x, y, z), self._blocks)))
+
+
+def _probability(log_odds: NDArray[np.float32]) -> NDArray[np.float64]:
+    """1 - 1 / (1 + e^odds), NaN where unknown."""
+    value = np.where(log_odds > KNOWN_BELOW, np.nan, log_odds.astype(np.float64))
+    return 1.0 / (1.0 + np.exp(-value))

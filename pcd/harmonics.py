@@ -1,0 +1,92 @@
+"""Real spherical harmonics as 3D Gaussian splats use them, and how their coefficients turn with a rotation.
+
+Source: the basis of Kerbl et al. 2023, that of Sloan, "Stupid Spherical Harmonics (SH) Tricks" (2008), appendix A2,
+with the signs of Condon and Shortley: degree 1 is (-y, z, -x) times sqrt(3 / 4 pi).
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+MOST_DEGREE = 4
+FIRST = 0.5 / math.sqrt(math.pi)  # the harmonic of degree 0
+
+
+def degree_of(count: int) -> int | None:
+    """The degree that has this number of coefficients a colour, the first one among them; None if there is none."""
+    degree = math.isqrt(count) - 1
+    return degree if 0 <= degree <= MOST_DEGREE and (degree + 1) ** 2 == count else None
+
+
+def harmonics_at(directions: NDArray[np.float64], degree: int) -> NDArray[np.float64]:
+    """The basis at unit vectors [m, 3]: [m, (degree + 1)^2], band by band, order from -l to l."""
+    x, y, z = directions.T
+    columns = []
+    cosines, sines = _azimuths(x, y, degree)
+    legendre = _legendre(z, degree)
+    for band in range(degree + 1):
+        for order in range(-band, band + 1):
+            m = abs(order)
+            ratio = math.factorial(band - m) / math.factorial(band + m)
+            size = math.sqrt((2 * band + 1) / (4 * math.pi) * ratio) * (math.sqrt(2) if m else 1.0) * (-1) ** m
+            turn = cosines[m] if order >= 0 else sines[m]
+            columns.append(size * legendre[band, m] * turn)
+    return np.stack(columns, axis=1)
+
+
+def turns_of_harmonics(R: NDArray[np.float64], degree: int) -> NDArray[np.float64]:
+    """What a rotation of the splats does to the coefficients beyond the first: float64 [K - 1, K - 1], a block a band.
+
+    Each band is closed under rotations, so its block is what least squares over more directions than it has
+    coefficients finds, exact to rounding.
+    """
+    size = (degree + 1) ** 2 - 1
+    turns = np.zeros((size, size))
+    directions = _spread(4 * (size + 1))
+    before, after = harmonics_at(directions @ R, degree), harmonics_at(directions, degree)
+    for band in range(1, degree + 1):
+        columns = slice(band**2, (band + 1) ** 2)
+        rows = slice(band**2 - 1, (band + 1) ** 2 - 1)
+        turns[rows, rows] = np.linalg.lstsq(after[:, columns], before[:, columns], rcond=None)[0]
+    return turns
+
+
+def signs_of_flip(flips: tuple[int, int, int], degree: int) -> NDArray[np.float64]:
+    """The signs that coefficients beyond the first take where axes are turned round (-1 for each that is): [K - 1]."""
+    directions = _spread(4 * (degree + 1) ** 2)
+    before, after = harmonics_at(directions * np.array(flips, np.float64), degree), harmonics_at(directions, degree)
+    return np.sign((before * after).sum(axis=0))[1:]
+
+
+def _azimuths(
+    x: NDArray[np.float64], y: NDArray[np.float64], degree: int
+) -> tuple[list[NDArray[np.float64]], list[NDArray[np.float64]]]:
+    """The real and imaginary parts of (x + i y)^m for m = 0 to degree."""
+    cosines, sines = [np.ones_like(x)], [np.zeros_like(x)]
+    for _ in range(degree):
+        c, s = cosines[-1], sines[-1]
+        cosines.append(x * c - y * s)
+        sines.append(x * s + y * c)
+    return cosines, sines
+
+
+def _legendre(z: NDArray[np.float64], degree: int) -> dict[tuple[int, int], NDArray[np.float64]]:
+    """Associated Legendre functions of z over (1 - z^2)^(m/2), without the phase, by (l, m)."""
+    found = {}
+    for m in range(degree + 1):
+        found[m, m] = np.full_like(z, math.prod(range(1, 2 * m, 2)))
+        for band in range(m + 1, degree + 1):
+            below = found.get((band - 2, m), np.zeros_like(z))
+            found[band, m] = ((2 * band - 1) * z * found[band - 1, m] - (band + m - 1) * below) / (band - m)
+    return found
+
+
+def _spread(count: int) -> NDArray[np.float64]:
+    """Unit vectors all round, on a spiral: [count, 3]."""
+    place = np.arange(count) + 0.5
+    z = 1 - 2 * place / count
+    angle, radius = place * math.pi * (1 + math.sqrt(5)), np.sqrt(1 - z * z)
+    return np.stack([radius * np.cos(angle), radius * np.sin(angle), z], axis=1)

@@ -1,0 +1,268 @@
+"""Boxes whose faces are planes that were found: at right angles, touching, each with the others on one side."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..core.checks import check_positive, shown
+from ..core.told_arguments import told_arguments
+from ..kernels.arrays.sort import positions
+from ..kernels.lang import int32
+from ..kernels.memory import upload
+from ..kernels.segmentation.shape_parts import bounds_in_frame, reach_across, rows_labelled
+from .cloud import PointCloud
+from .point_arrays import check_cloud
+from .shape import Shape, ShapeSurface
+from .shape_detection import DetectedShapes
+
+CORNERS = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)], np.float64)
+SIDES = np.array(  # of the corners above, counter-clockwise seen from outside: low and high of each axis
+    [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]]
+)
+STEPS = 1000  # of the distance within which faces touch: heights are whole
+MOST_DEGREES = 30.0  # beyond which a plane may be across two axes
+SHARED = 0.5  # of the shorter of two faces, along their edge, that must be beside the other
+
+
+@dataclass(frozen=True, eq=False)
+class BoxShape:
+    """A box whose faces were found as planes.
+
+    Attributes:
+        center: Its middle in world coordinates [m], float64 [3].
+        axes: Rows of unit directions of its edges, right-handed, float64 [3, 3].
+        size: Lengths along the axes [m], float64 [3].
+        faces: For each axis the numbers of the shapes that are its low and its high face, -1 of one not seen, [3, 2].
+        support: Points on its faces.
+        rms: Root of their mean squared distance [m] from their planes.
+        tilt: Largest angle [rad] between a face's own normal and the axis that it was given.
+        reasons: What speaks against it, in words; empty where nothing does.
+
+    Example:
+        >>> import pointloom as loom
+        >>> cube = loom.TriangleMesh.create_box().sample_points_uniformly(6000, seed=1).estimate_normals()
+        >>> (box,) = loom.find_boxes(cube, loom.detect_shapes(cube, 0.01, kinds="plane"), 0.04)
+        >>> box.is_sure, int((box.faces >= 0).sum()), loom.TriangleMesh(*box.to_mesh()).is_watertight()
+        (True, 6, True)
+    """
+
+    center: NDArray[np.float64]
+    axes: NDArray[np.float64]
+    size: NDArray[np.float64]
+    faces: NDArray[np.int32]
+    support: int
+    rms: float
+    tilt: float
+    reasons: tuple[str, ...]
+
+    @property
+    def is_sure(self) -> bool:
+        """Whether nothing speaks against it."""
+        return not self.reasons
+
+    def to_mesh(self) -> ShapeSurface:
+        """Its six faces as twelve triangles: `loom.TriangleMesh(*box.to_mesh())`."""
+        vertices = self.center + ((CORNERS - 0.5) * self.size) @ self.axes
+        return ShapeSurface(vertices, np.concatenate([SIDES[:, :3], SIDES[:, [0, 2, 3]]]).astype(np.int32))
+
+    def to_json(self) -> dict[str, Any]:
+        """All of it in JSON's types."""
+        arrays = {name: getattr(self, name).tolist() for name in ("center", "axes", "size", "faces")}
+        return {
+            "kind": "box",
+            **arrays,
+            "support": self.support,
+            "rms": self.rms,
+            "tilt": self.tilt,
+            "reasons": list(self.reasons),
+        }
+
+    def __str__(self) -> str:
+        size = " x ".join(f"{length:.4g}" for length in self.size)
+        said = [f"{size} m", f"{int((self.faces >= 0).sum())} faces seen", f"{self.support:,} points"]
+        return f"box: {', '.join(said)}, rms {self.rms:.3g} m" + "".join(f"; {reason}" for reason in self.reasons)
+
+    def __repr__(self) -> str:
+        return f"BoxShape({self})"
+
+
+@told_arguments
+def find_boxes(
+    cloud: PointCloud, found: DetectedShapes, distance_threshold: float = 0.01, angle_threshold_deg: float = 3.0
+) -> list[BoxShape]:
+    """Join planes that were found into boxes: cartons, cupboards, beams, buildings, or a room seen from inside.
+
+    Args:
+        cloud: The cloud that the shapes were found in.
+        found: What `detect_shapes` found in it.
+        distance_threshold: Faces touch that come as near to each other, and may reach as far beyond an edge [m]; some
+            four times that of `detect_shapes`.
+        angle_threshold_deg: Largest angle [degrees] that two faces are off a right one.
+
+    Returns:
+        The boxes, the most points first. A shape is a face of one box at most. `box.reasons` says where a length is
+        only that of the points, because no third face, across it, was seen.
+
+    Raises:
+        ValueError: `found` is of another cloud, or a threshold out of range.
+        TypeError: `found` is not what `detect_shapes` returns.
+
+    Notes:
+        Two planes are neighbours where they are at right angles, the points of either reach the other, and none of them
+        lie on both sides of it: a floor goes on beyond the foot of a carton, and is no face of it. A box is the largest
+        plane, its neighbours and theirs, as far as all are across one of three axes, two an axis at most. Axes are the
+        rotation that is nearest to the normals, by points. A face fixes one end of the box; the other ends are where
+        98 % of the points of the other faces reach, and as much more as even spread says. A carton that stands on
+        another of the same width is one box with it. The same bits from run to run; 8 B a pair of planes.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> carton = loom.TriangleMesh.create_box(0.4, 0.3, 0.2).sample_points_uniformly(6000, seed=1)
+        >>> carton = carton.estimate_normals()
+        >>> found = loom.detect_shapes(carton, 0.005, kinds="plane")
+        >>> [np.sort(box.size).round(2).tolist() for box in loom.find_boxes(carton, found, 0.02)]
+        [[0.2, 0.3, 0.4]]
+    """
+    check_cloud("cloud", cloud)
+    if not isinstance(found, DetectedShapes):
+        raise TypeError(f"found: expected what detect_shapes returns, got {type(found).__name__}")
+    if len(found.labels) != len(cloud):
+        raise ValueError(f"found: it is of a cloud of {len(found.labels):,} points, and this has {len(cloud):,}")
+    gap = check_positive("distance_threshold", distance_threshold)
+    angle = check_positive("angle_threshold_deg", angle_threshold_deg)
+    if angle > MOST_DEGREES:
+        raise ValueError(f"angle_threshold_deg: expected up to {MOST_DEGREES:g}, got {shown(angle_threshold_deg)}")
+    planes = {k: shape for k, shape in enumerate(found.shapes) if shape.kind == "plane"}
+    free, groups = sorted(planes, key=lambda k: (-planes[k].support, k)), []
+    if len(free) < 2 or not len(cloud):
+        return []
+    sides = _Sides(cloud, found, planes, gap)
+    while free:
+        group = _group_of(free[0], free, planes, sides, float(np.sin(np.radians(angle))))
+        free = [k for k in free if k not in group]
+        if len(group) > 1:
+            groups.append(group)
+    boxes = [_box_of(cloud, found, planes, group) for group in groups]
+    return sorted(boxes, key=lambda box: -box.support)
+
+
+class _Sides:
+    """On which side of each plane the points of each other lie."""
+
+    def __init__(self, cloud: PointCloud, found: DetectedShapes, planes: dict[int, Shape], gap: float) -> None:
+        self._number = {k: n for n, k in enumerate(planes)}
+        self.gap = gap
+        numbers = np.full(len(found.shapes) + 1, -1, np.int32)  # the last is that of label -1
+        numbers[list(planes)] = np.arange(len(planes))
+        places = np.array([plane.center - cloud.origin for plane in planes.values()])
+        normals = np.array([plane.axis for plane in planes.values()])
+        points = cloud.device_array("points")
+        self._low, self._high = reach_across(points, numbers[found.labels], places, normals, gap / STEPS)
+
+    def side(self, plane: int, other: int) -> int:
+        """1 or -1 where all points of another plane are on this side of a plane, 0 where some are on either."""
+        at = self._number[other], self._number[plane]
+        return 1 if self._low[at] >= -self.gap else -1 if self._high[at] <= self.gap else 0
+
+    def touch(self, plane: int, other: int) -> bool:
+        """Whether the points of two planes reach each other's plane."""
+        pairs = ((self._number[a], self._number[b]) for a, b in ((plane, other), (other, plane)))
+        return all(self._low[at] <= self.gap and self._high[at] >= -self.gap for at in pairs)
+
+
+def _group_of(first: int, free: list[int], planes: dict[int, Shape], sides: _Sides, off: float) -> dict[int, int]:
+    """The axis of each plane of the box that has a plane for a face, 0 to 2; of that alone where it is none's."""
+    group, axes, grown = {first: 0}, [planes[first].axis], True
+    while grown:
+        grown = False
+        for k in free:
+            if k in group:
+                continue
+            along = [abs(float(planes[k].axis @ axis)) for axis in axes]
+            near = [n for n, cosine in enumerate(along) if cosine >= np.sqrt(1 - off * off)]
+            if not near and (len(axes) == 3 or max(along) > off):
+                continue
+            number = near[0] if near else len(axes)
+            if _fits(k, number, group, sides):
+                group[k], grown = number, True
+                axes += [] if near else [planes[k].axis]
+    return group
+
+
+def _fits(k: int, number: int, group: dict[int, int], sides: _Sides) -> bool:
+    """Whether a plane is a face of a box: it touches another, all lie on one side of it, it on one side of each."""
+    if not any(sides.touch(k, other) for other in group if group[other] != number):
+        return False
+    faces = [*group, k]
+    for face in faces:
+        seen = {sides.side(face, other) for other in faces if other != face}
+        if len(seen) != 1 or 0 in seen:
+            return False
+    same = [other for other in group if group[other] == number]
+    return not same or (len(same) == 1 and not sides.touch(k, same[0]))
+
+
+def _axes_of(planes: dict[int, Shape], group: dict[int, int]) -> NDArray[np.float64]:
+    """The rotation nearest to the normals of a group, each by its points."""
+    sums = np.zeros((3, 3))
+    for k, number in group.items():
+        way = np.sign(sums[number] @ planes[k].axis) or 1.0
+        sums[number] += way * planes[k].support * planes[k].axis
+    if not sums[2].any():
+        sums[2] = np.cross(sums[0], sums[1])
+        sums[2] *= planes[next(iter(group))].support / np.linalg.norm(sums[2])
+    u, _, vt = np.linalg.svd(sums)
+    axes = u @ vt
+    return axes * np.array([[1], [1], [np.sign(np.linalg.det(axes))]])
+
+
+def _box_of(cloud: PointCloud, found: DetectedShapes, planes: dict[int, Shape], group: dict[int, int]) -> BoxShape:
+    """The box of a group of faces: each fixes an end, what the points of the others reach the ends that have none."""
+    axes, points = _axes_of(planes, group), cloud.device_array("points")
+    labels, every = upload(found.labels, int32, points.device), positions(len(cloud), points.device)
+    place = planes[next(iter(group))].center
+    reach = {
+        k: np.array(bounds_in_frame(points, rows_labelled(labels, every, k), place - cloud.origin, axes)) for k in group
+    }
+    ends, faces, said = np.zeros((3, 2)), np.full((3, 2), -1, np.int32), []
+    for number in range(3):
+        across = [reach[k][:, number] for k in group if group[k] != number]
+        seen = [min(bound[0] for bound in across), max(bound[1] for bound in across)]
+        for k in (k for k in group if group[k] == number):
+            height = float((planes[k].center - place) @ axes[number])
+            side = int(abs(height - seen[1]) < abs(height - seen[0]))
+            seen[side], faces[number, side] = height, k
+        ends[number] = seen
+        if (faces[number] < 0).all():
+            length = f"{seen[1] - seen[0]:.4g} m"
+            said.append(f"size open: no face across axis {number} was seen, {length} is how far the points reach")
+    size, total = ends[:, 1] - ends[:, 0], sum(planes[k].support for k in group)
+    tilts = [float(np.linalg.norm(np.cross(planes[k].axis, axes[number]))) for k, number in group.items()]
+    said += [f"face {k}: {reason}" for k in group for reason in planes[k].reasons]
+    said += _apart(group, reach)
+    return BoxShape(
+        center=place + ends.mean(axis=1) @ axes,
+        axes=axes,
+        size=size,
+        faces=faces,
+        support=total,
+        rms=float(np.sqrt(sum(planes[k].support * planes[k].rms ** 2 for k in group) / total)),
+        tilt=float(np.arcsin(min(1.0, max(tilts)))),
+        reasons=tuple(said),
+    )
+
+
+def _apart(group: dict[int, int], reach: dict[int, NDArray[np.float64]]) -> list[str]:
+    """Faces that share an edge's line, but no part of it."""
+    said = []
+    for k in group:
+        for other in (other for other in group if other > k and group[other] != group[k]):
+            (along,) = {0, 1, 2} - {group[k], group[other]}
+            (a0, a1), (b0, b1) = reach[k][:, along], reach[other][:, along]
+            if min(a1, b1) - max(a0, b0) < SHARED * min(a1 - a0, b1 - b0):
+                said.append(f"faces {k} and {other} lie apart along their edge")
+    return said

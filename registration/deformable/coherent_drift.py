@@ -1,0 +1,322 @@
+"""Coherent point drift: small sets of points brought together without pairs, rigidly, affinely or as they bend."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...core.checks import (
+    check_count,
+    check_positive,
+    check_progress,
+    check_rows,
+    check_share,
+    check_transformation,
+    shown,
+)
+from ...core.progress import ReportProgress
+from ...core.reports import Fields, Report, all_of
+from ...core.told_arguments import told_arguments
+from ...core.wording import format_share
+from ...kernels.arrays.side_by_side import read_together
+from ...kernels.bending.coherent_drift import Drift, map_places_kernel, place_points, sum_places, sum_pulls, sum_targets
+from ...kernels.bending.coherent_field import CoherentField, move_points
+from ...kernels.lang import launch, mat33d, reduce, vec3d
+from ...kernels.memory import clone, download, empty
+from ...pcd.cloud import PointCloud
+from ..given_pairs import check_clouds
+from ..rigid import fit_moments, make_pose
+
+Array = NDArray[np.float64]
+Kind = Literal["rigid", "affine", "deformable"]
+KINDS = ("rigid", "affine", "deformable")
+FEWEST_POINTS = 4
+NEAR = 0.7  # of the source's radius: where a Gaussian reaches less far, trees are faster than all pairs
+LEFT = 1e-9  # of the diagonal of the field's matrix
+MOST_ROWS = 1000  # of its factor
+FLOOR = 1e-10  # of the squared radius: a variance below is none
+LEAST_SHARE, MOST_SPREAD = 0.5, 2.5
+
+
+@dataclass(frozen=True, eq=False)
+class DriftResult(Report):
+    """What `coherent_point_drift` found, and how far to trust it; `print` shows it.
+
+    Attributes:
+        kind: "rigid", "affine" or "deformable".
+        transformation: T_target_source, float64 [4, 4]: of a rigid drift a rotation with one scale. Of a deformable one
+            `init`.
+        warped: The source, moved.
+        deviation: Of the Gaussians in the end [m]: how far targets lie from sources, along each axis.
+        spacing: Median distance of targets from their nearest one [m].
+        matched: Share of the targets that are no outliers, 0..1.
+        iterations: Steps taken.
+        converged: Whether the variance settled.
+    """
+
+    kind: Kind
+    transformation: Array
+    warped: PointCloud
+    deviation: float
+    spacing: float
+    matched: float
+    iterations: int
+    converged: bool
+    _field: tuple[Array, float, Array, Array, float] | None = None
+
+    @property
+    def poor(self) -> str | None:
+        """Why the result is not to be believed, or None."""
+        apart = self.deviation / self.spacing if self.spacing > 0 else 0.0
+        return all_of(
+            f"only {format_share(self.matched)} of the target is no outlier" if self.matched < LEAST_SHARE else None,
+            f"targets lie {apart:.1f} of their spacings from sources" if apart > MOST_SPREAD else None,
+            None if self.converged else f"not settled after {self.iterations} steps",
+        )
+
+    def transform(self, points: PointCloud | ArrayLike) -> Any:
+        """Move a cloud with all that it has, or points such as the vertices of a mesh.
+
+        Args:
+            points: A PointCloud, or world coordinates [n, 3] [m]: of the source, or near it.
+
+        Returns:
+            The cloud (after a deformable drift without normals and covariances), or float64 [n, 3]. What is not finite
+            stays so.
+
+        Raises:
+            TypeError, ValueError: Neither.
+        """
+        if isinstance(points, PointCloud):
+            return _moved(points, self.transformation, self._field)
+        rows = check_rows("points", points, 3, dtype=np.float64)
+        return np.array(_moved(PointCloud(rows, device=self.warped.device), self.transformation, self._field).points)
+
+    def fields(self) -> Fields:
+        """How the sets came together and how well."""
+        return [
+            ("kind", self.kind),
+            ("deviation", f"{self.deviation:.4g}, beside {self.spacing:.4g} between targets"),
+            ("matched", f"{format_share(self.matched)} of the target"),
+            ("steps", f"{self.iterations}{'' if self.converged else ', not settled'}"),
+            *([("poor", self.poor)] if self.poor else []),
+        ]
+
+
+@told_arguments
+def coherent_point_drift(
+    source: PointCloud,
+    target: PointCloud,
+    *,
+    kind: Kind = "rigid",
+    with_scaling: bool = True,
+    outliers: float = 0.1,
+    width: float = 2.0,
+    stiffness: float = 3.0,
+    init: ArrayLike | None = None,
+    max_iteration: int = 150,
+    tolerance: float = 1e-4,
+    progress: ReportProgress | None = None,
+) -> DriftResult:
+    """Bring one small set of points onto another without pairs: coherent point drift.
+
+    The source's points are centres of Gaussians of one width, the target's their samples. Each step finds how much
+    every centre answers for every sample, moves the centres, and measures the width anew, which shrinks from that of
+    the whole to how far the sets lie apart. No distance is to be chosen, but every point meets every other: for some
+    ten thousand points. `registration_icp` and `register_nonrigid` are for more.
+
+    Args:
+        source: What moves, at least four points.
+        target: What it is brought to, on the same device.
+        kind: "rigid", with one scale if `with_scaling`; "affine"; "deformable": a smooth field of motion.
+        with_scaling: Whether a rigid drift may scale.
+        outliers: Share of targets that belong to no source, below 1.
+        width: Of a deformable field's Gaussians, as a share of the source's radius (the root of its mean squared
+            distance from its centre): over less than that nothing bends by itself.
+        stiffness: What a deformable field's bends cost (lambda), in units of that radius.
+        init: Affine map to begin from, 4x4; None: the identity.
+        max_iteration: Most steps.
+        tolerance: The variance has settled where a step changes it by less than this share.
+        progress: Called with ("drift", steps taken, max_iteration).
+
+    Returns:
+        The result; look at `poor`.
+
+    Raises:
+        TypeError, ValueError: No clouds, too few points, numbers out of range, an unknown kind; a width so small that
+            the field would need more than a thousand Gaussians.
+        DeviceError: Clouds on different devices.
+
+    Notes:
+        A turn by more than a quarter may end in a wrong turn of a regular body, which nothing shows: give `init`
+        (`register_globally`). Two passes over all pairs a step while the Gaussians are wide, over near ones later;
+        120 B a point, and 8 B times the field's Gaussians a source point. All in float64 about the source's centre; the
+        same bits from run to run, up to the small systems that the host solves.
+        Source: Myronenko and Song, "Point set registration: coherent point drift", PAMI 2010; the field by incomplete
+        Cholesky in place of eigenvectors.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> rng = np.random.default_rng(0)
+        >>> body = rng.random((200, 3)) * [3, 2, 1]
+        >>> bent = body + 0.2 * np.sin(body[:, [1, 2, 0]])
+        >>> found = loom.registration.coherent_point_drift(
+        ...     loom.PointCloud(body), loom.PointCloud(bent), kind="deformable", outliers=0.01
+        ... )
+        >>> bool(np.abs(found.warped.points - bent).max() < 0.05), found.poor
+        (True, None)
+    """
+    check_clouds(source, target)
+    tell = check_progress(progress)
+    if not isinstance(kind, str) or kind not in KINDS:
+        raise ValueError(f"kind: expected one of {', '.join(KINDS)}, got {shown(kind)}")
+    share, turns = check_share("outliers", outliers), check_count("max_iteration", max_iteration, maximum=100_000)
+    if share >= 1:
+        raise ValueError("outliers: expected a share below 1, got 1; then no target would belong to any source")
+    begin = np.eye(4) if init is None else check_transformation("init", init)
+    reach, stiff = check_positive("width", width, maximum=1e3), check_positive("stiffness", stiffness, maximum=1e9)
+    still = check_positive("tolerance", tolerance)
+    for name, cloud in (("source", source), ("target", target)):
+        if cloud.search_tree().count < FEWEST_POINTS:
+            count = cloud.search_tree().count
+            raise ValueError(f"{name}: expected at least {FEWEST_POINTS} finite points, got {count}")
+    job = _Drifting(source, target, begin, share)
+    if kind == "deformable":
+        job.begin_field(reach, stiff)
+    settled = False
+    while not settled and job.taken < turns:
+        tell("drift", job.taken, turns)
+        settled = job.step(kind, bool(with_scaling)) <= still
+    tell("drift", turns, turns)
+    return job.conclude(kind, settled)
+
+
+class _Drifting:
+    """The state between steps, in coordinates about the source's centre, its radius the unit."""
+
+    def __init__(self, source: PointCloud, target: PointCloud, begin: Array, outliers: float):
+        self.source, self.target, self.begin = source, target, begin
+        points, others = source.remove_non_finite_points(), target.remove_non_finite_points()
+        start = points.transform(begin)
+        first = place_points(start.device_array("points"), np.eye(3), np.zeros(3))
+        count = first.size
+        total = np.asarray(download(reduce(sum_places, count, [first])), np.float64).ravel() / count  # sync
+        radius = float(np.sqrt(max(total[3] - total[:3] @ total[:3], 0.0)))
+        if radius <= 0:
+            raise ValueError("source: all of its points are at one place")
+        self.center, self.unit = start.origin + total[:3], 1 / radius
+        self.places = self._placed(start)
+        self.drift = Drift(self._placed(others), count)
+        self.moved, self.A, self.t = self.places, np.eye(3), np.zeros(3)
+        self.size, self.number = count, self.drift.targets.size
+        sums = [reduce(sum_places, places.size, [places]) for places in (self.places, self.drift.targets)]
+        ours, theirs = (np.asarray(part, np.float64).ravel() for part in read_together(sums))  # sync
+        cross = ours[:3] @ theirs[:3]
+        squares = self.number * ours[3] + self.size * theirs[3] - 2 * cross
+        self.variance = max(squares / (3 * self.size * self.number), FLOOR)
+        self.odds, self.taken, self.matched = outliers / (1 - outliers), 0, 1.0
+        self.field: CoherentField | None = None
+        self.values = np.zeros((0, 3))
+
+    def _placed(self, cloud: PointCloud) -> Any:
+        return place_points(
+            cloud.device_array("points"), self.unit * np.eye(3), self.unit * (cloud.origin - self.center)
+        )
+
+    def begin_field(self, width: float, stiffness: float) -> None:
+        """Factor the matrix of a deformable field."""
+        try:
+            self.field = CoherentField(self.places, width, LEFT, MOST_ROWS)
+        except ValueError as error:
+            raise ValueError(
+                f"width: a field of Gaussians of {width:g} of the source's radius needs {error}; give a larger one"
+            ) from None
+        self.stiffness = stiffness
+        self.moved = clone(self.places)  # the field writes there
+
+    def step(self, kind: Kind, with_scaling: bool) -> float:
+        """One step of expectation and maximization; the share by which the variance changed."""
+        uniform = (2 * np.pi * self.variance) ** 1.5 * self.odds * self.size / self.number
+        self.drift.weigh(self.moved, self.variance, uniform, near=NEAR)
+        before = self.variance
+        if kind == "deformable":
+            self._bend()
+        else:
+            self._map(with_scaling if kind == "rigid" else None)
+        self.variance, self.taken = max(self.variance, FLOOR), self.taken + 1
+        return abs(before - self.variance) / before
+
+    def _sums(self, places: Any) -> tuple[Array, Array]:
+        """What `sum_targets` and `sum_pulls` find, in one wait."""
+        targets = reduce(sum_targets, self.number, [self.drift.targets, self.drift.shares])
+        sources = reduce(sum_pulls, self.size, [places, self.drift.sums])
+        first, second = read_together([targets, sources])  # sync
+        return np.asarray(first, np.float64).ravel(), np.asarray(second, np.float64).ravel()
+
+    def _map(self, with_scaling: bool | None) -> None:
+        """The rigid (or, without a word on scale, the affine) map of least cost."""
+        (total, squares), moments = self._sums(self.places)
+        if total <= 0:
+            return
+        mean_y, mean_x = moments[1:4] / total, moments[4:7] / total
+        cross = moments[7:16].reshape(3, 3) / total - np.outer(mean_x, mean_y)
+        spread = np.zeros((3, 3))
+        spread[np.triu_indices(3)] = moments[16:] / total
+        spread = spread + np.triu(spread, 1).T - np.outer(mean_y, mean_y)
+        if with_scaling is None:
+            self.A = np.linalg.lstsq(spread, cross.T, rcond=None)[0].T
+        else:
+            self.A = fit_moments(cross, float(np.trace(spread)), with_scaling=with_scaling)
+        self.t = mean_x - self.A @ mean_y
+        rest = squares / total - mean_x @ mean_x - 2 * (cross * self.A).sum() + (self.A @ spread * self.A).sum()
+        self.variance, self.matched = float(rest) / 3, float(total) / self.number
+        self.moved = empty(self.size, vec3d, self.places.device)
+        launch(map_places_kernel, self.size, [self.places, mat33d(*self.A.ravel()), vec3d(*self.t), self.moved])
+
+    def _bend(self) -> None:
+        """The field of least cost."""
+        assert self.field is not None
+        self.values = self.field.step(self.drift.sums, self.stiffness * self.variance, self.moved)
+        (total, squares), moments = self._sums(self.moved)
+        if total <= 0:
+            return
+        cross, spread = moments[7] + moments[11] + moments[15], moments[16] + moments[19] + moments[21]
+        self.variance = float(squares - 2 * cross + spread) / (3 * float(total))
+        self.matched = float(total) / self.number
+
+    def conclude(self, kind: Kind, settled: bool) -> DriftResult:
+        """The map in world coordinates, and what it makes of the source."""
+        T, field = self.begin, None
+        if self.field is None:
+            T = make_pose(self.A, self.t / self.unit + self.center - self.A @ self.center) @ self.begin
+        else:
+            centers = self.field.centers()
+            weights = self.field.weights_of(self.values)
+            field = (self.center, self.unit, centers, weights, self.field.scale)
+        target = self.target.to(self.target.device, arrays="numpy")
+        return DriftResult(
+            kind,
+            T,
+            _moved(self.source, T, field),
+            float(np.sqrt(self.variance)) / self.unit,
+            float(np.nanmedian(target.compute_nearest_neighbor_distance())),
+            self.matched,
+            self.taken,
+            settled,
+            field,
+        )
+
+
+def _moved(cloud: PointCloud, T: Array, field: Any) -> PointCloud:
+    """A cloud under a map and then a field."""
+    moved = cloud.transform(T)
+    if field is None:
+        return moved
+    center, unit, centers, weights, scale = field
+    arrays = {name: values for name, values in moved.device_arrays.items() if name not in ("normals", "covariances")}
+    points = arrays["points"]
+    arrays["points"] = move_points(points, moved.origin - center, unit, centers, weights, scale)
+    return moved.with_arrays(arrays, grid=moved.grid)

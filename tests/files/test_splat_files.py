@@ -1,0 +1,208 @@
+"""Splats from and to PLY, .splat and SPZ: the same bits, Open3D's values, and what is refused."""
+
+from __future__ import annotations
+
+import gzip
+import struct
+from contextlib import nullcontext
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+import pointloom as loom
+from pointloom.core.errors import FileError
+from pointloom.pcd.harmonics import signs_of_flip
+
+from ..pcd.test_splats import made
+
+EXTENSIONS = (".ply", ".splat", ".spz")
+FLIPS = np.array([1, -1, -1])
+
+
+def turned(splats: loom.GaussianSplats) -> loom.GaussianSplats:
+    """With y and z turned round, as SPZ has them."""
+    return splats.rotate(np.diag(FLIPS), center=[0, 0, 0])
+
+
+def open3d_cloud(splats: loom.GaussianSplats):
+    o3d = pytest.importorskip("open3d")
+    cloud = o3d.t.geometry.PointCloud()
+    columns = {"positions": splats.centers, "scale": splats.scales, "rot": splats.rotations}
+    columns |= {"f_dc": splats.cloud["f_dc"], "opacity": splats.cloud["opacity"][:, None]}
+    if splats.degree:
+        columns["f_rest"] = splats.harmonics[:, 1:]
+    for name, values in columns.items():
+        cloud.point[name] = o3d.core.Tensor(np.ascontiguousarray(values, np.float32))
+    return o3d, cloud
+
+
+@pytest.mark.parametrize("degree", range(5))
+def test_ply_keeps_every_bit(tmp_path, degree):
+    splats = made(20, degree)
+    loom.write_splats(tmp_path / "a.ply", splats)
+    again = loom.read_splats(tmp_path / "a.ply")
+    assert again.degree == degree
+    for name in splats.cloud.device_arrays:
+        np.testing.assert_array_equal(again.cloud[name], splats.cloud[name])
+
+
+@pytest.mark.parametrize("extension", EXTENSIONS)
+def test_what_open3d_writes_is_read(tmp_path, extension):
+    splats = made(40, 2)
+    o3d, cloud = open3d_cloud(splats)
+    path = tmp_path / f"a{extension}"
+    assert o3d.t.io.write_point_cloud(str(path), cloud)
+    theirs, ours = o3d.t.io.read_point_cloud(str(path)).point, loom.read_splats(path)
+    if extension == ".spz":  # which Open3D writes without turning
+        ours = turned(ours)
+    np.testing.assert_array_equal(ours.centers, theirs["positions"].numpy())
+    np.testing.assert_allclose(ours.scales, theirs["scale"].numpy(), rtol=1e-6)
+    np.testing.assert_allclose(ours.cloud["opacity"], theirs["opacity"].numpy()[:, 0], atol=1e-6)
+    np.testing.assert_allclose(ours.harmonics[:, 0], theirs["f_dc"].numpy(), atol=1e-6)
+    axes = Rotation.from_quat(np.roll(theirs["rot"].numpy(), -1, axis=1)).as_matrix() * theirs["scale"].numpy()[:, None]
+    np.testing.assert_allclose(ours.covariances(), axes @ axes.transpose(0, 2, 1), rtol=1e-4, atol=1e-5)
+    if extension != ".splat":
+        np.testing.assert_allclose(ours.harmonics[:, 1:], theirs["f_rest"].numpy(), atol=1e-6)
+
+
+@pytest.mark.parametrize("extension", EXTENSIONS)
+def test_what_we_write_open3d_reads(tmp_path, extension):
+    splats = made(40, 2)
+    path = tmp_path / f"a{extension}"
+    with pytest.warns(UserWarning, match="f_rest left out") if extension == ".splat" else nullcontext():
+        loom.write_splats(path, splats)
+    o3d, _ = open3d_cloud(splats)
+    theirs, ours = o3d.t.io.read_point_cloud(str(path)).point, loom.read_splats(path)
+    shown = turned(ours) if extension == ".spz" else ours
+    np.testing.assert_array_equal(shown.centers, theirs["positions"].numpy())
+    np.testing.assert_allclose(shown.scales, theirs["scale"].numpy(), rtol=1e-6)
+    np.testing.assert_allclose(shown.cloud["opacity"], theirs["opacity"].numpy()[:, 0], atol=1e-6)
+    if extension == ".spz":
+        np.testing.assert_allclose(shown.harmonics[:, 1:], theirs["f_rest"].numpy(), atol=1e-6)
+
+
+def test_spz_rounds_by_its_steps(tmp_path):
+    splats = made(2000, 3)
+    loom.write_splats(tmp_path / "a.spz", splats)
+    again = loom.read_splats(tmp_path / "a.spz")
+    assert np.abs(again.centers - splats.centers).max() <= 0.5 / 4096
+    assert np.abs(np.log(again.scales) - np.log(splats.scales)).max() <= 0.5 / 16 + 1e-6
+    assert np.abs(again.opacities - splats.opacities).max() <= 0.5 / 255 + 1e-6
+    assert np.abs((again.rotations * splats.rotations).sum(axis=1)).min() > 1 - 1e-5
+    small = np.abs(splats.harmonics).max(axis=(1, 2)) < 0.9
+    assert np.abs(again.harmonics - splats.harmonics)[small, 1:4].max() <= 4 / 128 + 1e-6
+    assert np.abs(again.harmonics - splats.harmonics)[small].max() <= 8 / 128 + 1e-6
+    loom.write_splats(tmp_path / "b.spz", splats)
+    assert (tmp_path / "a.spz").read_bytes() == (tmp_path / "b.spz").read_bytes()
+
+
+def test_spz_of_version_2_has_three_bytes_a_rotation(tmp_path):
+    body = bytes(3) * 3 + bytes([255]) + bytes([128] * 3) + bytes([160] * 3) + bytes([255, 127, 127])
+    head = struct.pack("<IIIBBBB", 0x5053474E, 2, 1, 0, 12, 0, 0)
+    (tmp_path / "a.spz").write_bytes(gzip.compress(head + body))
+    one = loom.read_splats(tmp_path / "a.spz")
+    np.testing.assert_allclose(one.scales, 1)
+    np.testing.assert_allclose(one.rotations, [[0, 1, 0, 0]], atol=5e-3)
+    assert np.isposinf(one.cloud["opacity"][0])
+    assert one.opacities[0] == 1
+
+
+def test_further_columns_of_ply_stay(tmp_path):
+    splats = made(5, 0)
+    splats.cloud["label"] = np.arange(5, dtype=np.int32)
+    loom.write_splats(tmp_path / "a.ply", splats)
+    np.testing.assert_array_equal(loom.read_splats(tmp_path / "a.ply").cloud["label"], np.arange(5))
+
+
+@pytest.mark.parametrize("extension", [".splat", ".spz"])
+def test_centres_that_a_format_would_round_are_refused(tmp_path, extension):
+    far = made(3, 0, at=(500_000.0, 4_000_000.0, 0))
+    with pytest.raises(FileError, match=r"would be rounded by .* translate the splats"):
+        loom.write_splats(tmp_path / f"a{extension}", far)
+    loom.write_splats(tmp_path / "a.ply", far)
+    np.testing.assert_allclose(loom.read_splats(tmp_path / "a.ply").centers, far.centers, rtol=0, atol=1e-7)
+
+
+@pytest.mark.parametrize("column", ["x", "f_dc_1", "f_rest_8", "opacity", "scale_2", "rot_0"])
+def test_numbers_that_are_none_are_counted_or_dropped(tmp_path, column):
+    splats = made(9, 1)
+    group, _, part = column.rpartition("_")
+    name = group or column
+    if column == "x":
+        points = splats.centers.copy()
+        points[4, 0] = np.nan
+        splats.cloud.points = points
+    else:
+        values = splats.cloud[name].copy()
+        values[(4, int(part)) if group else 4] = np.nan
+        splats.cloud[name] = values
+    loom.write_splats(tmp_path / "a.ply", splats)
+    with pytest.raises(FileError, match=r"\(splat 4\): 1 of 9 splats have a NaN"):
+        loom.read_splats(tmp_path / "a.ply")
+    with pytest.warns(UserWarning, match="1 of 9 splats .* left out"):
+        assert len(loom.read_splats(tmp_path / "a.ply", drop_invalid=True)) == 8
+
+
+def test_a_cloud_is_no_splats(tmp_path):
+    loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(np.eye(3)))
+    with pytest.raises(FileError, match="holds no Gaussian splats: vertices have no opacity, f_dc_0"):
+        loom.read_splats(tmp_path / "a.ply")
+    with pytest.raises(FileError, match=r"unknown format \.las"):
+        loom.read_splats(tmp_path / "a.las")
+
+
+@pytest.mark.parametrize(("name", "columns", "message"), [
+    ("scale", 2, "expected 3 columns scale_i, found 2; splats of 2D"),
+    ("f_rest", 8, "expected 0, 9, 24, 45 or 72 columns f_rest_i, found 8"),
+])  # fmt: skip
+def test_other_numbers_of_columns_are_refused(tmp_path, name, columns, message):
+    cloud = made(3, 1).cloud.copy()
+    cloud[name] = np.zeros((3, columns), np.float32)
+    loom.write_point_cloud(tmp_path / "a.ply", cloud)
+    with pytest.raises(FileError, match=message):
+        loom.read_splats(tmp_path / "a.ply")
+
+
+@pytest.mark.parametrize("extension", EXTENSIONS)
+def test_every_cut_is_refused(tmp_path, extension):
+    splats = made(3, 0)
+    loom.write_splats(tmp_path / f"a{extension}", splats)
+    whole = (tmp_path / f"a{extension}").read_bytes()
+    for end in range(0, len(whole), max(1, len(whole) // 60)):
+        if extension == ".splat" and end and end % 32 == 0:
+            continue  # such a file is a shorter one
+        (tmp_path / f"b{extension}").write_bytes(whole[:end])
+        with pytest.raises(FileError):
+            loom.read_splats(tmp_path / f"b{extension}")
+
+
+def test_a_count_that_lies_takes_no_memory(tmp_path):
+    head = struct.pack("<IIIBBBB", 0x5053474E, 3, 0xFFFFFFFF, 3, 12, 0, 0)
+    (tmp_path / "a.spz").write_bytes(gzip.compress(head + bytes(100)))
+    with pytest.raises(FileError, match="4,294,967,295 splats cannot be in"):
+        loom.read_splats(tmp_path / "a.spz")
+
+
+@pytest.mark.parametrize(("place", "value", "message"), [
+    (4, 1, "SPZ of version 1"), (12, 7, "harmonics of degree 7"), (13, 24, "24 fractional bits"), (0, 0, "mark"),
+])  # fmt: skip
+def test_headers_of_spz_are_held_to(tmp_path, place, value, message):
+    loom.write_splats(tmp_path / "a.spz", made(3, 0))
+    whole = bytearray(gzip.decompress((tmp_path / "a.spz").read_bytes()))
+    whole[place] = value
+    (tmp_path / "a.spz").write_bytes(gzip.compress(bytes(whole)))
+    with pytest.raises(FileError, match=message):
+        loom.read_splats(tmp_path / "a.spz")
+
+
+def test_turning_harmonics_by_signs_is_turning_them():
+    splats = made(4, 4)
+    signs = signs_of_flip((1, -1, -1), 4)
+    np.testing.assert_allclose(turned(splats).harmonics[:, 1:], splats.harmonics[:, 1:] * signs[:, None], atol=1e-6)
+
+
+def test_rows_that_are_no_splats_are_refused(tmp_path):
+    (tmp_path / "a.splat").write_bytes(np.full(16, -3.0, "<f4").tobytes())
+    with pytest.raises(FileError, match=r"\(byte 12\): splat 0 has the scales"):
+        loom.read_splats(tmp_path / "a.splat")

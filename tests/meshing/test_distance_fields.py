@@ -1,0 +1,274 @@
+"""Distance fields: scipy's transform to the last bit, brute force around clouds, spheres that never touch unseen."""
+
+from __future__ import annotations
+
+import pickle
+
+import numpy as np
+import pytest
+import warp as wp
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy import ndimage
+from scipy.interpolate import RegularGridInterpolator
+from scipy.spatial import cKDTree
+
+import pointloom as loom
+from pointloom.core.errors import FileError
+from pointloom.kernels.volumes import distance_blocks
+
+FAR = 2**31 - 1
+UTM = np.array([500000.0, 5400000.0, 200.0])
+FAR_AWAY = np.array([90_000.0, 0, 0])
+SIZE, REACH = 0.25, 2.0
+
+
+def squared(occupied):
+    """scipy's squared distances, whole numbers."""
+    return np.rint(ndimage.distance_transform_edt(~occupied) ** 2).astype(np.int64)
+
+
+def first_nearest(occupied, cells):
+    """The nearest occupied voxel of each of some; of equally near ones the first along x, then y, then z."""
+    there = np.argwhere(occupied)
+    return there[((cells[:, None] - there[None]) ** 2).sum(axis=2).argmin(axis=1)]
+
+
+def pole():
+    occupied = np.zeros((13, 7, 21), bool)
+    occupied[4, 6, 20] = True
+    return occupied
+
+
+BOXES = {
+    "sparse": np.random.default_rng(0).random((19, 30, 11)) < 0.004,
+    "half": np.random.default_rng(1).random((9, 16, 17)) < 0.5,
+    "long": np.random.default_rng(2).random((2, 150, 3)) < 0.02,
+    "one": pole(),
+    "solid": np.ones((8, 9, 10), bool),
+}
+
+
+@pytest.mark.parametrize("name", BOXES)
+def test_a_box_has_scipys_distances_and_the_first_of_the_nearest(device, name):
+    occupied = BOXES[name]
+    field = loom.DistanceField.from_array(occupied, 0.5, device=device)
+    expected = squared(occupied)
+    np.testing.assert_array_equal(field.to_array(values="squared"), expected)
+    np.testing.assert_array_equal(field.to_array(), (np.sqrt(expected) * 0.5).astype(np.float32))
+    cells = np.argwhere(np.ones_like(occupied))[:: max(1, occupied.size // 500)]
+    nearest = field.occupied_voxels[field.to_array(values="nearest")[tuple(cells.T)]]
+    np.testing.assert_array_equal(nearest, first_nearest(occupied, cells))
+
+
+@settings(max_examples=15, deadline=None)
+@given(st.integers(0, 2**32 - 1), st.floats(0.5, 9.0))
+def test_reach_cuts_a_box_and_changes_nothing_within_it(seed, reach):
+    rng = np.random.default_rng(seed)
+    occupied = rng.random(rng.integers(1, 20, 3)) < rng.choice([0.003, 0.1, 0.7])
+    occupied[0, 0, 0] = True
+    cut = loom.DistanceField.from_array(occupied, max_distance=reach, signed=True)
+    outer = squared(occupied)
+    inner = squared(~occupied) if not occupied.all() else np.full(occupied.shape, FAR)
+    expected = np.where(occupied, np.where(inner <= reach**2, -inner, -FAR), np.where(outer <= reach**2, outer, FAR))
+    np.testing.assert_array_equal(cut.to_array(values="squared"), expected)
+    np.testing.assert_array_equal(cut.to_array(values="known"), np.abs(expected) != FAR)
+    assert np.abs(cut.to_array()).max() <= np.float32(reach)
+
+
+def test_signed_distances_are_scipys_two_transforms(device):
+    ball = ((np.indices((21, 18, 15)) - np.array([9, 8, 7])[:, None, None, None]) ** 2).sum(axis=0) < 36
+    field = loom.DistanceField.from_array(ball, signed=True, device=device)
+    expected = ndimage.distance_transform_edt(~ball) - ndimage.distance_transform_edt(ball)
+    np.testing.assert_array_equal(field.to_array(), expected.astype(np.float32))
+    assert (
+        loom.DistanceField.from_array(np.ones((3, 3, 3), bool), signed=True, device=device).to_array().max() == -np.inf
+    )
+
+
+@pytest.fixture(scope="module")
+def scan():
+    """Some walls at UTM, one point far away, and a point that is none."""
+    rng = np.random.default_rng(5)
+    points = rng.random((1500, 3)) * (12, 9, 3)
+    points[:500, 0], points[500:1000, 1] = 3.1, 4.2
+    return np.vstack([UTM + points, UTM + FAR_AWAY, np.full((1, 3), np.nan)])
+
+
+def field_of(scan, device):
+    return loom.DistanceField.from_point_cloud(loom.PointCloud(scan, device=device), SIZE, REACH)
+
+
+def centres_of(field):
+    return (field.occupied_voxels + 0.5) * field.voxel_size + field.origin
+
+
+def test_a_cloud_at_utm_has_the_distances_of_brute_force(device, scan):
+    field = field_of(scan, device)
+    assert (field.origin == field.origin.round()).all() and np.abs(field.origin - UTM).max() < 20
+    finite = scan[:-1]
+    cells = np.floor((finite - field.origin) / SIZE)
+    on_border = np.abs((finite - field.origin) / SIZE - cells - 0.5).max(axis=1) > 0.49
+    assert {*map(tuple, field.occupied_voxels)} >= {*map(tuple, cells[~on_border].astype(int))}
+    centres = centres_of(field)
+    queries = UTM + np.random.default_rng(6).uniform((-4, -4, -4), (16, 13, 7), (4000, 3))
+    middles = (np.floor((queries - field.origin) / SIZE) + 0.5) * SIZE + field.origin
+    distances, _ = cKDTree(centres).query(middles)
+    known = distances <= REACH + 1e-9
+    assert 500 < known.sum() < 3500
+    np.testing.assert_array_equal(field.is_known(queries), known)
+    np.testing.assert_allclose(field.distances(queries), np.where(known, distances, REACH), rtol=1e-6)
+    found = field.nearest_obstacles(queries)
+    np.testing.assert_array_equal(found.rows >= 0, known)
+    np.testing.assert_array_equal(found.positions[known], centres[found.rows[known]])
+    np.testing.assert_allclose(np.linalg.norm(found.positions - middles, axis=1)[known], distances[known], rtol=1e-9)
+
+
+def test_a_wild_point_takes_no_more_than_its_own_blocks(scan):
+    with_it, without = field_of(scan, "cpu"), field_of(scan[:-2], "cpu")
+    alone = loom.DistanceField.from_voxels([[0, 0, 0]], SIZE, REACH)
+    assert with_it.block_count <= without.block_count + 2 * alone.block_count
+    assert with_it.slice("z", UTM[2] + 1).distances.shape[1] > FAR_AWAY[0] / SIZE
+    with pytest.raises(ValueError, match=r"bounds: 800000 x .* voxels are more than 2\^31"):
+        with_it.to_array([UTM - 1e5, UTM + 1e5])
+    with pytest.raises(ValueError, match=r"a voxel lies .* from the field's origin.*the points reach from"):
+        field_of(np.vstack([scan, UTM + 100 * FAR_AWAY]), "cpu")
+
+
+def test_between_voxels_distances_are_linear_and_gradients_their_differences(device):
+    occupied = BOXES["sparse"]
+    field = loom.DistanceField.from_array(occupied, 0.5, origin=UTM, device=device)
+    axes = [UTM[k] + 0.5 * (np.arange(n) + 0.5) for k, n in enumerate(occupied.shape)]
+    between = RegularGridInterpolator(axes, field.to_array().astype(np.float64))
+    queries = UTM + np.random.default_rng(3).uniform(0.5, np.array(occupied.shape) * 0.5 - 0.5, (2000, 3))
+    np.testing.assert_allclose(field.distances(queries, interpolate=True), between(queries), atol=2e-6)
+    steps = 0.25 * np.eye(3)
+    slopes = np.stack([(between(queries + step) - between(queries - step)) / 0.5 for step in steps], axis=1)
+    np.testing.assert_allclose(field.gradients(queries), slopes, atol=1e-5)
+    cut = loom.DistanceField.from_array(occupied, 0.5, origin=UTM, max_distance=2.0, device=device)
+    is_whole = np.isfinite(RegularGridInterpolator(axes, np.where(cut.to_array(values="known"), 0, np.nan))(queries))
+    expected = np.where(is_whole, field.distances(queries, interpolate=True), cut.distances(queries))
+    np.testing.assert_array_equal(cut.distances(queries, interpolate=True), expected)
+    assert 100 < is_whole.sum() < 1900 and np.isnan(cut.gradients(queries[~is_whole])).all()
+    outside = [UTM - 1, UTM + 1e9, [np.nan, 0, 0]]
+    assert np.isnan(field.distances(outside)).all() and np.isnan(field.gradients(outside)).all()
+    assert not field.is_known(outside).any() and field.collides(outside, 0.0).all()
+
+
+def test_no_sphere_that_touches_is_told_to_be_free(device, scan):
+    field, walls = field_of(scan, device), cKDTree(scan[:-1])
+    rng = np.random.default_rng(7)
+    centers, radii = UTM + rng.uniform((-3, -3, -3), (15, 12, 6), (20_000, 3)), rng.uniform(0, 1.2, 20_000)
+    collides = field.collides(centers, radii)
+    assert collides[walls.query(centers)[0] <= radii].all()
+    apart = cKDTree(centres_of(field)).query(centers)[0]
+    assert not collides[apart > radii + 2 * np.sqrt(3) * SIZE].any()
+    spheres = np.array([[0, 0, 0, 0.3], [0.9, 0, 0.2, 0.5], [-0.4, 0.1, 0, 0.2]])
+    poses = np.tile(np.eye(4), (500, 1, 1))
+    turns = np.linalg.qr(rng.normal(size=(500, 3, 3)))[0]
+    poses[:, :3, :3], poses[:, :3, 3] = turns * np.linalg.det(turns)[:, None, None], centers[:500]
+    found = field.collides_bodies(spheres, poses)
+    parts = np.einsum("mij,kj->mki", poses[:, :3, :3], spheres[:, :3]) + poses[:, None, :3, 3]
+    one_by_one = field.collides(parts.reshape(-1, 3), np.tile(spheres[:, 3], 500)).reshape(500, 3).any(axis=1)
+    np.testing.assert_array_equal(found.collides, one_by_one)
+    truth = (walls.query(parts)[0] - spheres[:, 3]).min(axis=1)
+    assert (found.clearance <= truth).all() and 50 < found.collides.sum() < 450
+
+
+def test_nothing_occupied_is_infinitely_far_or_at_least_the_reach(device):
+    box = loom.DistanceField.from_array(np.zeros((3, 4, 5), bool), device=device)
+    assert np.isposinf(box.to_array()).all() and not box.collides([[1, 1, 1]], 1e6).any()
+    empty = loom.DistanceField.from_point_cloud(loom.PointCloud([[np.nan] * 3], device=device), 0.1, 1)
+    assert (empty.block_count, empty.voxel_count) == (0, 0) and empty.distances([[0, 0, 0]]).tolist() == [1.0]
+    with pytest.raises(ValueError, match="layer: has no voxels"):
+        loom.draw_slice(empty.slice("z", 0))
+
+
+def test_a_layer_is_the_arrays_and_its_picture_shows_it(scan):
+    field = field_of(scan[:-2], "cpu")
+    layer = field.slice("y", UTM[1] + 4.2)
+    low, high = field.bounds
+    whole = field.to_array()[:, int((UTM[1] + 4.2 - low[1]) / SIZE)]
+    np.testing.assert_array_equal(layer.distances, whole.T)
+    np.testing.assert_array_equal(layer.extent, np.array([low, high])[:, [0, 2]])
+    picture = loom.draw_slice(layer, size=(480, 360))
+    colors = {tuple(color) for color in picture.reshape(-1, 3).tolist()}
+    assert {(26, 26, 26), (153, 153, 153)} <= colors and len(colors) > 50
+
+
+def test_a_field_comes_back_from_its_file_and_from_pickle(tmp_path, scan):
+    signed = loom.DistanceField.from_array(BOXES["half"], 0.5, origin=UTM, signed=True)
+    for field in (field_of(scan, "cpu"), signed):
+        field.save(tmp_path / "field.npz")
+        for again in (loom.DistanceField.load(tmp_path / "field.npz"), pickle.loads(pickle.dumps(field))):
+            assert repr(again) == repr(field) and (again.origin == field.origin).all()
+            np.testing.assert_array_equal(again._blocks.sqdists, field._blocks.sqdists)
+            np.testing.assert_array_equal(again.occupied_voxels, field.occupied_voxels)
+
+
+DAMAGE = {
+    "lacks voxels": lambda a: a.pop("voxels"),
+    "holds unknown arrays": lambda a: a.update(more=np.zeros(1)),
+    "voxels: expected int32": lambda a: a.update(voxels=a["voxels"].astype(np.int64)),
+    "voxels: repeated": lambda a: a.update(voxels=a["voxels"][[0, 0]]),
+    "voxels: out of range": lambda a: a.update(voxels=a["voxels"] + 90),
+    "sizes: expected": lambda a: a.update(sizes=np.array([-1.0, 2.0])),
+    "origin: not finite": lambda a: a.update(origin=np.array([np.nan, 0, 0])),
+    "shape: ": lambda a: a.update(shape=np.array([0, 3, 3])),
+    "voxels are .* across": lambda a: a.update(shape=np.array([2**40, 7, 21])),
+    "is no pointloom distance field": lambda a: a.update(format=np.zeros(3, np.uint8)),
+}
+
+
+def test_a_damaged_file_is_a_named_error(tmp_path):
+    path = tmp_path / "field.npz"
+    loom.DistanceField.from_array(BOXES["one"]).save(path)
+    with np.load(path) as file:
+        whole = dict(file)
+    for reason, damage in DAMAGE.items():
+        arrays = dict(whole)
+        damage(arrays)
+        np.savez(tmp_path / "damaged.npz", **arrays)
+        with pytest.raises(FileError, match=reason):
+            loom.DistanceField.load(tmp_path / "damaged.npz")
+    (tmp_path / "cut.npz").write_bytes(path.read_bytes()[:-30])
+    with pytest.raises(FileError, match=r"bytes stand|distance field"):
+        loom.DistanceField.load(tmp_path / "cut.npz")
+    with pytest.raises(FileError):
+        loom.DistanceField.from_array(BOXES["one"]).save(path, overwrite=False)
+
+
+def test_what_does_not_fit_is_refused_by_its_size(monkeypatch):
+    with pytest.raises(ValueError, match=r"would need [\d,]+ blocks"):
+        loom.DistanceField.from_voxels([[0, 0, 0]], 0.01, 20.0)
+    with pytest.raises(ValueError, match="max_distance: 50000 voxels, more than 16,383"):
+        loom.DistanceField.from_voxels([[0, 0, 0]], 0.001, 50.0)
+    with pytest.raises(ValueError, match=r"occupied: .* give a max_distance"):
+        loom.DistanceField.from_array(np.zeros((40_000, 1, 1), bool))
+    monkeypatch.setattr(distance_blocks, "BYTES", 2**50)
+    with pytest.raises(MemoryError, match=r"a distance field of \d+ blocks"):
+        loom.DistanceField.from_voxels([[0, 0, 0]], 1.0, 2.0)
+
+
+def test_radii_beyond_what_is_known_are_refused():
+    field = loom.DistanceField.from_voxels([[0, 0, 0]], 1.0, 4.0)
+    with pytest.raises(ValueError, match=r"radii: a radius of 3 m .* larger max_distance"):
+        field.collides([[9, 9, 9]], 3.0)
+    with pytest.raises(ValueError, match=r"poses\[1\]"):
+        field.collides_bodies([[0, 0, 0, 1]], np.stack([np.eye(4), 2 * np.eye(4)]))
+    with pytest.raises(TypeError, match="make one with from_point_cloud"):
+        loom.DistanceField()
+
+
+def test_arrays_of_other_libraries_are_answered_in_kind(device):
+    occupied, points = BOXES["half"], np.random.default_rng(8).uniform(0, 9, (50, 3))
+    mask, places = wp.array(occupied, dtype=wp.bool, device=device), wp.array(points, dtype=wp.vec3d, device=device)
+    field = loom.DistanceField.from_array(mask, device=device)
+    np.testing.assert_array_equal(field.to_array(values="squared"), squared(occupied))
+    found = field.distances(places)
+    assert isinstance(found, wp.array) and str(found.device) == device
+    np.testing.assert_array_equal(found.numpy(), field.distances(points))
+    radii = wp.full(50, 0.5, dtype=wp.float32, device=device)
+    np.testing.assert_array_equal(field.collides(places, radii).numpy(), field.collides(points, 0.5))
+    cloud = loom.PointCloud(points.astype(np.float32), device=device)
+    np.testing.assert_array_equal(field.distances(cloud), field.distances(cloud.points))

@@ -1,0 +1,194 @@
+"""LiDAR scans become surfaces: a float64 reference's values, space carved where things left, whole or not at all."""
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.kernels.memory import download
+from pointloom.kernels.volumes.tsdf_blocks import SIDE, block_box
+
+from ..interruptions import run_lines
+from .tsdf_scenes import fingerprint
+
+VOXEL, TRUNCATION = 0.1, 0.3
+UTM = np.array([500_000.0, 5_400_000.0, 100.0])
+FILES = (
+    "meshing/volume/tsdf_scans.py", "meshing/volume/tsdf.py", "kernels/volumes/voxel_blocks.py",
+    "kernels/volumes/scan_fusion.py", "kernels/volumes/scan_rays.py", "kernels/arrays/changes.py",
+)  # fmt: skip
+
+
+def volume_on(device="cpu", color=False):
+    return loom.TSDFVolume(voxel_size=VOXEL, truncation=TRUNCATION, color=color, device=device)
+
+
+def wall(x, count=25, seed=0):
+    """A wall across x, seen from zero, a little rough."""
+    rng, side = (
+        np.random.default_rng(seed),
+        np.linspace(-1.0137, 0.9871, count),
+    )  # no point on the border of cells, where rounding decides
+    y, z = np.repeat(side, count), np.tile(side, count)
+    return np.stack([x + rng.normal(0, 0.01, y.size), y, z], axis=1)
+
+
+def voxels_of(volume):
+    """(value, weight) of each voxel that was seen, by its whole coordinates."""
+    keys = download(volume._blocks.keys)[: volume.block_count]
+    weights = download(volume._blocks.weights)[: 512 * len(keys)]
+    values = download(volume._blocks.distances)[: 512 * len(keys)]
+    seen = np.flatnonzero(weights)
+    inner = np.stack(np.unravel_index(seen % 512, (8, 8, 8)), axis=1)
+    places = block_box(keys)[seen // 512] * SIDE + inner
+    return {tuple(p): (v, w) for p, v, w in zip(places.tolist(), values[seen], weights[seen], strict=True)}
+
+
+def cells_between(a, b):
+    """The cells that the way from a to b crosses, by all its crossings of walls in order."""
+    along, cuts = b - a, [0.0, 1.0]
+    for k in range(3):
+        low, high = sorted((a[k], b[k]))
+        cuts += [(wall - a[k]) / along[k] for wall in range(int(np.ceil(low)), int(np.floor(high)) + 1) if along[k]]
+    cuts = np.sort(cuts)
+    middles = a + np.outer((cuts[1:] + cuts[:-1])[np.diff(cuts) > 1e-12] / 2, along)
+    return dict.fromkeys(map(tuple, np.floor(middles).astype(int).tolist()))
+
+
+def reference(scans, carve):
+    """What scans, (points, scanner) each, leave in voxels, and which blocks there are, in float64."""
+    voxels, blocks = {}, set()
+    for points, scanner in scans:
+        rays = []
+        for p in points:
+            reach = np.linalg.norm(p - scanner)
+            d = (p - scanner) / reach
+            a, b = ((scanner + d * r) / VOXEL + 0.5 for r in (reach - TRUNCATION, reach + TRUNCATION))
+            ends = cells_between(a, b)
+            blocks |= {tuple(c // SIDE for c in cell) for cell in ends}
+            rays.append((reach, d, ends | (cells_between(scanner / VOXEL + 0.5, a) if carve else {})))
+        found = {}
+        for reach, d, cells in rays:
+            for cell in cells:
+                value = (reach - (np.array(cell) * VOXEL - scanner) @ d) / TRUNCATION
+                if value > -1 and tuple(c // SIDE for c in cell) in blocks:
+                    found.setdefault(cell, []).append(min(value, 1.0))
+        for cell, values in found.items():
+            old, w = voxels.get(cell, (0.0, 0))
+            voxels[cell] = ((old * w + np.mean(values)) / (w + 1), w + 1)
+    return voxels, blocks
+
+
+@pytest.mark.parametrize("carve", [True, False])
+def test_voxels_hold_what_a_float64_reference_says(device, carve):
+    scans = [(wall(2.03, 9), np.array([0.02, 0.013, 0.017])), (wall(2.01, 9, 1), np.array([0.31, -0.22, 0.07]))]
+    scans.append(
+        (wall(2.05, 7, 2) * [1, 0.23, 0.19], np.array([0.113, 0.041, -0.017]))
+    )  # rays that begin to count where others pass
+    volume = volume_on(device)
+    for points, scanner in scans:
+        volume.integrate_points(points, scanner, carve=carve)
+    expected, blocks = reference(scans, carve)
+    found = voxels_of(volume)
+    assert volume.block_count == len(blocks) and found.keys() == expected.keys()
+    worst = max(abs(found[cell][0] - value) for cell, (value, _) in expected.items())
+    assert worst < 1e-6 and all(found[cell][1] == w for cell, (_, w) in expected.items())
+
+
+def test_the_order_of_points_and_how_scanners_are_given_change_no_bit(device):
+    points, origin = wall(3.0), np.array([0.1, 0.2, 0.3])
+    cloud = loom.PointCloud(points, colors=np.abs(points) / 4, device=device)
+    turned = np.random.default_rng(1).permutation(len(points))
+    mixed = loom.PointCloud(points[turned], colors=np.abs(points[turned]) / 4, device=device)
+    prints = set()
+    for scan, start in ((cloud, origin), (mixed, origin), (cloud, np.tile(origin, (len(points), 1)))):
+        volume = volume_on(device, color=True)
+        volume.integrate_points(scan, start)
+        prints.add(fingerprint(volume))
+    assert len(prints) == 1
+    mesh = volume.extract_triangle_mesh(0)
+    assert np.abs(mesh.vertex_colors - np.abs(mesh.vertices) / 4).max() < 0.05
+
+
+def test_what_moved_away_is_carved_out_and_empty_space_gets_no_blocks(device):
+    kept, carved = volume_on(device), volume_on(device)
+    for volume, carve in ((kept, False), (carved, True)):
+        volume.integrate_points(wall(2.0), [0, 0, 0], carve=carve)
+        for seed in range(3):
+            volume.integrate_points(wall(4.0, 51, seed) * [1, 2, 2], [0, 0, 0], carve=carve)
+    assert carved.block_count == kept.block_count
+    assert (kept.extract_triangle_mesh(0).vertices[:, 0] < 3).any()
+    assert not (carved.extract_triangle_mesh(0).vertices[:, 0] < 3).any()
+
+
+def test_a_scan_at_utm_coordinates_is_as_exact(device):
+    here, there = volume_on(device), volume_on(device)
+    scanner = np.array([0.02, 0.013, 0.027])  # off the diagonals, where a ray would cross two borders at once
+    here.integrate_points(wall(2.0), scanner)
+    there.integrate_points(wall(2.0) + UTM, scanner + UTM)
+    near, far = here.extract_triangle_mesh(0), there.extract_triangle_mesh(0)
+    assert np.array_equal(near.triangles, far.triangles)
+    assert np.abs(near.vertices - (far.vertices - UTM)).max() < 1e-6
+    assert np.abs(near.vertices[:, 0] - 2).max() < 0.05
+
+
+def test_wild_points_make_no_blocks(device):
+    volume, clean = volume_on(device), volume_on(device)
+    wild = np.array([[1e7, 3e6, 1e5], [np.nan, 0, 0], [0, 0, 0], [0.2, 0, 0]])
+    volume.integrate_points(np.vstack([wall(2.0), wild]), np.zeros(3), min_range=0.5, max_range=50.0, carve=False)
+    clean.integrate_points(wall(2.0), np.zeros(3), carve=False)
+    assert fingerprint(volume) == fingerprint(clean)
+
+
+def test_scans_that_cannot_be_placed_are_refused_and_leave_the_volume(device):
+    volume, points = volume_on(device), wall(2.0)
+    volume.integrate_points(points, np.zeros(3))
+    before = fingerprint(volume)
+    for wrong, origin, words in (
+        (points, None, "origin: expected where the scanner stood"),
+        (points, np.zeros((3, 3)), r"origin: expected shape \[3\], or \[625, 3\]"),
+        (np.vstack([points, [np.inf, 0, 0]]), np.zeros(3), "point 625 is infinite"),
+        (np.vstack([points, [2e6, 0, 0]]), np.zeros(3), "point 625, or its scanner, lies beyond"),
+    ):
+        with pytest.raises(ValueError, match=words):
+            volume.integrate_points(wrong, origin)
+    with pytest.raises(ValueError, match="max_range: expected more than min_range"):
+        volume.integrate_points(points, np.zeros(3), min_range=2.0, max_range=1.0)
+    assert (volume.frame_count, fingerprint(volume)) == (1, before)
+    assert volume.integrate_points(np.zeros((0, 3)), np.zeros(3)) == 0
+
+
+def test_a_saved_volume_takes_further_scans(device, tmp_path):
+    volume = volume_on(device)
+    volume.integrate_points(wall(2.0), np.zeros(3))
+    volume.save(tmp_path / "scans.npz")
+    again = loom.TSDFVolume.load(tmp_path / "scans.npz", device=device)
+    for one in (volume, again):
+        one.integrate_points(wall(2.1, seed=3), [0.5, 0, 0])
+    assert fingerprint(volume) == fingerprint(again)
+
+
+@pytest.mark.slow
+def test_a_scan_is_in_or_not_after_an_interruption_at_any_line(device):
+    def begun():
+        volume = volume_on(device)
+        volume.integrate_points(wall(2.0), np.zeros(3))
+        return volume
+
+    def add(volume):
+        volume.integrate_points(wall(3.0, seed=2), np.zeros(3))
+
+    volume = begun()
+    states = [fingerprint(volume)]
+    total = run_lines(lambda: add(volume), FILES)
+    states.append(fingerprint(volume))
+    outcomes = set()
+    for stop in range(1, total + 1):
+        volume = begun()
+        run_lines(lambda: add(volume), FILES, stop)  # noqa: B023  runs at once
+        added = volume.frame_count - 1
+        outcomes.add(added)
+        assert fingerprint(volume) == states[added], stop
+        if not added:
+            add(volume)
+        assert (volume.frame_count, fingerprint(volume)) == (2, states[1]), stop
+    assert outcomes == {0, 1}

@@ -1,0 +1,55 @@
+"""What is asked as a kind that it is none of is not sure, and the reason says what it is; what is beside a shape."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.kernels.segmentation.shape_fit import frame_of
+from pointloom.kernels.segmentation.shape_models import PLANE
+from pointloom.kernels.segmentation.shape_rivals import Band, count_band
+from pointloom.kernels.segmentation.shape_search import Found
+from pointloom.pcd.shapes import limits_of, search_of
+
+from .made_shapes import made_shape
+
+
+@pytest.mark.parametrize(
+    ("kind", "asked", "said"),
+    [
+        ("cylinder", "sphere", "runs on"),
+        ("sphere", "cone", "runs on"),
+        ("torus", "cylinder", "other kind: a torus fits better"),
+        ("cylinder", "cone", "other kind: a cylinder fits as well"),
+    ],
+)
+def test_a_shape_that_was_asked_as_another_kind_is_not_sure(device, kind, asked, said):
+    points, _, _ = made_shape(kind, 3000, np.random.default_rng(100), 0.004, arc=0.25 if asked == "cone" else 1.0)
+    cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=30)
+    shape, _ = getattr(cloud, f"segment_{asked}")(0.012, 25, 2000)
+    assert any(reason.startswith(said) for reason in shape.reasons), shape
+
+
+def test_a_bent_strip_that_lies_in_a_plane_is_said_to_be_a_cylinder(device):
+    points, _, _ = made_shape("cylinder", 3000, np.random.default_rng(100), 0.004, arc=0.1)
+    cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=30)
+    (plane,) = loom.detect_shapes(cloud, 0.012, 25, kinds="plane", min_support=1000).shapes
+    assert plane.kind == "plane" and not plane.is_sure
+    assert any("other kind" in reason and "fits better" in reason for reason in plane.reasons), plane
+
+
+def test_points_beside_a_plane_are_counted_within_its_box_by_distance_and_by_normal(device, rng):
+    heights = np.repeat([0.0, 0.015, 0.029, 0.04], 100)
+    points = np.vstack([np.column_stack([rng.random((400, 2)), heights]), [[5.0, 5.0, 0.0]] * 3])
+    normals = np.tile([0.0, 0.0, 1.0], (403, 1))
+    normals[:400:4] = [1.0, 0.0, 0.0]
+    search, _ = search_of(loom.PointCloud(points, normals=normals, device=device), limits_of(0.01, 20.0, 0.0, None))
+    plane = np.concatenate([-search.center, [0.0, 0.0, 1.0, 1.0, 1.0]])
+    found = Found(PLANE, replace(search.fitter.fit(PLANE, plane, search.rows), shape=plane), search.rows)
+    frame = frame_of(np.array([0.0, 0.0, 1.0]))
+    ends = np.array([[0.0, 0.0, 0.0], [1.0, 1.0, 0.0]]) @ frame.T
+    band = count_band(search, found, np.array([ends.min(axis=0), ends.max(axis=0)]), 0.01, 0.9)
+    assert band == Band(on=100, beside=200, on_facing=75, beside_facing=150)

@@ -1,0 +1,135 @@
+"""Gaussian splats: what moving them does to centres, axes and colours, and which are kept."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+import pointloom as loom
+from pointloom.pcd.harmonics import degree_of, harmonics_at, signs_of_flip, turns_of_harmonics
+
+UTM = np.array([500_000.0, 4_000_000.0, 100.0])
+
+
+def made(count=200, degree=3, *, at=(0, 0, 0), device="cpu", seed=0) -> loom.GaussianSplats:
+    rng = np.random.default_rng(seed)
+    return loom.GaussianSplats(
+        rng.normal(size=(count, 3)) + at,
+        np.exp(rng.normal(-2, 1, (count, 3))),
+        rng.normal(size=(count, 4)),
+        rng.uniform(0.01, 0.99, count),
+        rng.normal(0, 0.3, (count, (degree + 1) ** 2, 3)),
+        device=device,
+    )
+
+
+def colors_from(splats: loom.GaussianSplats, directions) -> np.ndarray:
+    """What a splat looks like from each direction: [n, m, 3]."""
+    return np.einsum("mk,nkc->nmc", harmonics_at(directions, splats.degree), splats.harmonics.astype(np.float64))
+
+
+@pytest.fixture(scope="module")
+def directions():
+    rng = np.random.default_rng(1)
+    vectors = rng.normal(size=(12, 3))
+    return vectors / np.linalg.norm(vectors, axis=1, keepdims=True)
+
+
+@pytest.mark.parametrize("at", [np.zeros(3), UTM], ids=["near", "utm"])
+def test_a_similarity_moves_centres_axes_and_colours(at, directions, device):
+    splats = made(at=at, device=device)
+    T = np.eye(4)
+    T[:3, :3], T[:3, 3] = 2.5 * Rotation.from_rotvec([0.4, -1.1, 2.0]).as_matrix(), [1, 2, 3]
+    moved = splats.transform(T)
+    R = T[:3, :3] / 2.5
+    np.testing.assert_allclose(moved.centers, splats.centers @ T[:3, :3].T + T[:3, 3], atol=2e-6)
+    expected = 2.5**2 * R @ splats.covariances() @ R.T
+    np.testing.assert_allclose(moved.covariances(), expected, atol=2e-6 * np.abs(expected).max())
+    np.testing.assert_allclose(colors_from(moved, directions), colors_from(splats, directions @ R), atol=1e-6)
+    np.testing.assert_array_equal(moved.opacities, splats.opacities)
+
+
+def test_a_translation_leaves_every_bit_of_the_rest():
+    splats = made()
+    moved = splats.translate([1, 2, 3])
+    for name in ("f_dc", "f_rest", "opacity", "scale", "rot"):
+        np.testing.assert_array_equal(moved.cloud[name], splats.cloud[name])
+
+
+@pytest.mark.parametrize("degree", range(5))
+def test_harmonics_turn_exactly(degree, directions):
+    R = Rotation.from_rotvec([1.0, 0.3, -0.7]).as_matrix()
+    turns = turns_of_harmonics(R, degree)
+    np.testing.assert_allclose(turns @ turns.T, np.eye(len(turns)), atol=1e-13)
+    before, after = harmonics_at(directions @ R, degree)[:, 1:], harmonics_at(directions, degree)[:, 1:]
+    np.testing.assert_allclose(after @ turns, before, atol=1e-13)
+
+
+def test_the_basis_is_that_of_the_paper(directions):
+    x, y, z = directions.T
+    one = np.sqrt(3 / (4 * np.pi))
+    two = np.sqrt(15 / (4 * np.pi))
+    by_hand = [-one * y, one * z, -one * x, two * x * y, -two * y * z]
+    np.testing.assert_allclose(harmonics_at(directions, 2)[:, 1:6].T, by_hand, atol=1e-14)
+    np.testing.assert_array_equal(signs_of_flip((1, -1, -1), 1), [-1, -1, 1])
+    assert [degree_of(count) for count in (1, 4, 9, 16, 25, 5, 36, 0)] == [0, 1, 2, 3, 4, None, None, None]
+
+
+def test_cleaning_keeps_what_is_seen_and_of_a_size(device):
+    splats = made(2000, 0, device=device)
+    kept = splats.clean(min_opacity=0.3, min_scale=0.1, max_scale=0.5)
+    largest = splats.scales.max(axis=1)
+    expected = (splats.opacities >= 0.3) & (largest >= 0.1) & (largest <= 0.5)
+    assert 0 < expected.sum() < 2000
+    np.testing.assert_array_equal(kept.centers, splats.centers[expected])
+    assert len(splats.clean()) == 2000
+
+
+def test_cleaning_drops_what_cannot_be_drawn(device):
+    cloud = made(6, 0, device=device).cloud.copy()
+    scale, rot, opacity = (cloud[name].copy() for name in ("scale", "rot", "opacity"))
+    scale[0, 1], scale[1, 0], rot[2], opacity[3] = np.nan, np.inf, 0, np.nan
+    opacity[4], scale[4, 2] = np.inf, -np.inf  # wholly opaque and flat: sound
+    cloud["scale"], cloud["rot"], cloud["opacity"] = scale, rot, opacity
+    splats = loom.GaussianSplats.from_cloud(cloud)
+    np.testing.assert_array_equal(splats.clean().centers, cloud.points[4:])
+
+
+def test_choosing_and_joining_keep_all_columns():
+    splats, others = made(50, 3), made(30, 1, seed=2)
+    box = loom.AxisAlignedBoundingBox([-1, -1, -1], [0.5, 1, 1])
+    inside = (np.abs(splats.centers) <= 1).all(axis=1) & (splats.centers[:, 0] <= 0.5)
+    np.testing.assert_array_equal(splats.crop(box).harmonics, splats.harmonics[inside])
+    np.testing.assert_array_equal(splats.select_by_mask(inside).rotations, splats.rotations[inside])
+    whole = loom.GaussianSplats.concatenate([splats, others])
+    assert (len(whole), whole.degree) == (80, 3)
+    np.testing.assert_array_equal(whole.harmonics[50:, :4], others.harmonics)
+    assert not whole.harmonics[50:, 4:].any()
+
+
+def test_a_cloud_of_the_centres_has_colours_and_shortest_axes():
+    flat = loom.GaussianSplats([[1, 2, 3]], [[1, 1, 0.1]], [[np.sqrt(0.5), np.sqrt(0.5), 0, 0]], [0.25], [[1.0, 0, -9]])
+    cloud = flat.to_point_cloud()
+    np.testing.assert_allclose(np.abs(cloud.normals), [[0, 1, 0]], atol=1e-6)  # z turned by a quarter about x
+    np.testing.assert_allclose(cloud.colors, [[0.5 + 0.28209479, 0.5, 0]], atol=1e-6)
+    np.testing.assert_allclose(cloud["opacity"], [0.25], atol=1e-6)
+
+
+def test_what_harmonics_cannot_follow_is_refused():
+    splats = made(3)
+    for wrong in (np.diag([1.0, 1, -1, 1]), np.diag([1.0, 2, 1, 1])):
+        with pytest.raises(ValueError, match="transformation: expected a rotation with one scale"):
+            splats.transform(wrong)
+
+
+def test_rows_that_are_no_splats_are_named():
+    good = [[[0, 0, 0]] * 2, [[1, 1, 1]] * 2, [[1, 0, 0, 0]] * 2, [0.5, 0.5], [[0, 0, 0]] * 2]
+    for place, value, message in (
+        (1, [[1, 1, 1], [1, 0, 1]], "scales: expected three finite numbers above 0 in each row; row 1"),
+        (2, [[1, 0, 0, 0], [0, 0, 0, 0]], "rotations: .* row 1"),
+        (3, [0.5, 1.5], "opacities: expected a number from 0 to 1 in each row; row 1"),
+        (4, np.zeros((2, 5, 3)), r"harmonics: expected shape \[2, K, 3\]"),
+    ):
+        with pytest.raises(ValueError, match=message):
+            loom.GaussianSplats(*good[:place], value, *good[place + 1 :])

@@ -1,0 +1,144 @@
+"""Coherent point drift takes the steps of the paper, and tells what did not come together."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+import pointloom as loom
+from pointloom.registration.deformable import coherent_drift as module
+
+from .bent_bodies import lumpy, swayed, torus, tube
+
+drift = loom.registration.coherent_point_drift
+TURN = Rotation.from_rotvec([0.3, 0.4, -0.2]).as_matrix()
+UTM = np.array([500_000.0, 5_400_000.0, 300.0])
+FLAT = [1.0, 0.8, 0.5]  # no turn of such a body looks like another
+
+
+def turned(points):
+    return 1.2 * points @ TURN.T + [0.2, 0.1, 0.0]
+
+
+def steps_in_numpy(Y, X, kind, count, w=0.1, width=2.0, stiffness=3.0):
+    """The paper's steps over all pairs: the moved points and the deviation."""
+    center, radius = Y.mean(axis=0), np.sqrt(((Y - Y.mean(axis=0)) ** 2).sum(axis=1).mean())
+    Y, X = (Y - center) / radius, (X - center) / radius
+    moved, variance = Y, ((X[None] - Y[:, None]) ** 2).sum() / (3 * len(X) * len(Y))
+    G = np.exp(-((Y[None] - Y[:, None]) ** 2).sum(axis=2) / (2 * width**2))
+    for _ in range(count):
+        e = np.exp(-((X[None] - moved[:, None]) ** 2).sum(axis=2) / (2 * variance))
+        P = e / (e.sum(axis=0) + (2 * np.pi * variance) ** 1.5 * w / (1 - w) * len(Y) / len(X))
+        p, total, PX = P.sum(axis=1), P.sum(), P @ X
+        if kind == "deformable":
+            W = np.linalg.solve(p[:, None] * G + stiffness * variance * np.eye(len(Y)), PX - p[:, None] * Y)
+            moved = Y + G @ W
+        else:
+            x, y = PX.sum(axis=0) / total, p @ Y / total
+            cross, spread = PX.T @ Y / total - np.outer(x, y), (Y - y).T @ (p[:, None] * (Y - y)) / total
+            if kind == "affine":
+                A = cross @ np.linalg.inv(spread)
+            else:
+                U, D, Vt = np.linalg.svd(cross)
+                signs = [1, 1, np.linalg.det(U @ Vt)]
+                A = (D * signs).sum() / np.trace(spread) * (U * signs) @ Vt
+            moved = Y @ A.T + x - A @ y
+        variance = (P * ((X[None] - moved[:, None]) ** 2).sum(axis=2)).sum() / (3 * total)
+    return moved * radius + center, np.sqrt(variance) * radius
+
+
+@pytest.mark.parametrize("kind", ["rigid", "affine", "deformable"])
+def test_its_steps_are_those_of_the_paper(device, kind):
+    body, scan = lumpy(120, 0) * FLAT, lumpy(150, 1) * FLAT
+    scan = swayed(scan) if kind == "deformable" else turned(scan)
+    clouds = loom.PointCloud(body, device=device), loom.PointCloud(scan, device=device)
+    found = drift(*clouds, kind=kind, max_iteration=12, tolerance=1e-12)
+    moved, deviation = steps_in_numpy(body, scan, kind, 12)
+    np.testing.assert_allclose(found.warped.points, moved, atol=2e-6)
+    np.testing.assert_allclose(found.deviation, deviation, rtol=1e-6)
+    again = drift(loom.PointCloud(body), loom.PointCloud(scan), kind=kind, max_iteration=12, tolerance=1e-12)
+    np.testing.assert_array_equal(found.warped.points, again.warped.points)
+
+
+def test_trees_find_what_all_pairs_do(device, monkeypatch):
+    body, scan = lumpy(400, 0) * FLAT, turned(lumpy(500, 1) * FLAT)
+    clouds = loom.PointCloud(body, device=device), loom.PointCloud(scan, device=device)
+    found = []
+    for near in (0.0, 100.0):
+        monkeypatch.setattr(module, "NEAR", near)
+        found.append(drift(*clouds, max_iteration=25, tolerance=1e-12))
+    assert found[0].deviation < 0.15
+    np.testing.assert_allclose(found[0].transformation, found[1].transformation, atol=1e-9)
+
+
+def test_a_body_is_turned_and_scaled_to_its_scan():
+    body, scan = lumpy(400, 0) * FLAT, turned(lumpy(400, 0) * FLAT)
+    found = drift(loom.PointCloud(body), loom.PointCloud(scan), outliers=0.01, max_iteration=300)
+    np.testing.assert_allclose(found.transformation[:3, :3], 1.2 * TURN, atol=1e-3)
+    assert found.poor is None and found.matched > 0.99
+    stiff = drift(loom.PointCloud(body), loom.PointCloud(scan), with_scaling=False, max_iteration=300)
+    np.testing.assert_allclose(np.linalg.det(stiff.transformation[:3, :3]), 1, atol=1e-12)
+
+
+def test_a_field_takes_other_points_along():
+    body = lumpy(500, 0)
+    cloud = loom.PointCloud(body, label=np.arange(500))
+    found = drift(cloud, loom.PointCloud(swayed(body)), kind="deformable", outliers=0.01)
+    assert np.abs(found.warped.points - swayed(body)).max() < 0.02 and found.poor is None
+    np.testing.assert_allclose(found.transform(body), found.warped.points, atol=1e-6)
+    assert np.array_equal(found.warped["label"], np.arange(500))
+    between = lumpy(300, 5)
+    assert np.abs(found.transform(between) - swayed(between)).max() < 0.05
+
+
+def test_a_third_of_outliers_is_left_out():
+    rng = np.random.default_rng(0)
+    body = lumpy(400, 0) * FLAT
+    scan = np.vstack([turned(body), rng.uniform(-2, 2, (200, 3))])
+    found = drift(loom.PointCloud(body), loom.PointCloud(scan), outliers=0.35, max_iteration=300)
+    assert np.abs(found.transform(body) - turned(body)).max() < 0.02
+    assert 0.6 < found.matched < 0.75 and found.poor is None
+
+
+def test_another_body_is_told():
+    for one, other in ((torus, tube), (lumpy, torus), (tube, lumpy)):
+        found = drift(loom.PointCloud(one(400, 0)), loom.PointCloud(other(400, 1)), max_iteration=300)
+        assert found.poor is not None
+
+
+def test_far_from_zero_it_is_the_same():
+    body, scan = lumpy(200, 0) * FLAT, turned(lumpy(250, 1) * FLAT)
+    for kind in ("rigid", "deformable"):
+        here = drift(loom.PointCloud(body), loom.PointCloud(scan), kind=kind, max_iteration=20)
+        far = drift(loom.PointCloud(body + UTM), loom.PointCloud(scan + UTM), kind=kind, max_iteration=20)
+        np.testing.assert_allclose(far.warped.points - UTM, here.warped.points, atol=1e-5)
+
+
+def test_points_that_are_none_stay_so(device):
+    body = lumpy(100, 0)
+    holed, scan = body.copy(), swayed(lumpy(120, 1))
+    holed[::10], scan[::9] = np.nan, np.nan
+    clouds = loom.PointCloud(holed, device=device), loom.PointCloud(scan, device=device)
+    for kind in ("affine", "deformable"):
+        found = drift(*clouds, kind=kind, max_iteration=5)
+        assert np.isnan(found.warped.points[::10]).all() and np.isfinite(found.warped.points[1::10]).all()
+
+
+def test_bad_input_is_told():
+    cloud = loom.PointCloud(lumpy(600, 0))
+    one = loom.PointCloud(np.zeros((5, 3)))
+    few = loom.PointCloud(np.eye(3))
+    for arguments, options, words in (
+        ((few, cloud), {}, "source: expected at least 4 finite points, got 3"),
+        ((cloud, few), {}, "target: expected at least 4 finite points, got 3"),
+        ((one, cloud), {}, "source: all of its points are at one place"),
+        ((cloud, cloud), {"kind": "bent"}, "kind: expected one of rigid, affine, deformable, got 'bent'"),
+        ((cloud, cloud), {"outliers": 1.0}, "outliers: expected a share below 1"),
+        ((cloud, cloud), {"init": np.zeros((4, 4))}, "init"),
+    ):
+        with pytest.raises(ValueError, match=words):
+            drift(*arguments, **options)
+    big = loom.PointCloud(np.random.default_rng(0).random((1100, 3)))
+    with pytest.raises(ValueError, match=r"width: .* more than 1000 rows; give a larger one"):
+        drift(big, big, kind="deformable", width=0.01)

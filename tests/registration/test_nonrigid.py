@@ -1,0 +1,240 @@
+"""A body is bent onto another scan of it as it was bent, and what is not it is told."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy.optimize import least_squares
+from scipy.spatial import cKDTree
+from scipy.spatial.transform import Rotation
+
+import pointloom as loom
+
+from .bent_bodies import armed, lumpy, swayed, torus, tube, twisted
+
+bend = loom.registration.register_nonrigid
+UTM = np.array([500_000.0, 5_400_000.0, 300.0])
+COUNT = 1500
+LONG = pytest.mark.slow_on_emulated_cuda("hundreds of turns of conjugate gradients; a few steps stand for them")
+SHIFT = np.array([0.01, 0.02, 0.0])
+ABOVE = np.array([0.0, 0.0, 40.0])
+
+
+def errors_of(found, truth):
+    return np.linalg.norm(found.warped.points - truth, axis=1)
+
+
+@pytest.fixture(scope="module")
+def swaying():
+    """The body, a scan of it bent, and where its points then are."""
+    body = lumpy(COUNT, 0)
+    return body, swayed(lumpy(2 * COUNT, 1)), swayed(body)
+
+
+@LONG
+def test_the_surface_of_a_body_comes_to_where_it_was_bent(device, swaying):
+    body, scan, _ = swaying
+    found = bend(loom.PointCloud(body, device=device), loom.PointCloud(scan, device=device))
+    away = cKDTree(swayed(lumpy(40_000, 2))).query(found.warped.points)[0]
+    assert np.median(away) < 0.02 and found.rmse < 0.2 * found.rigid_rmse
+    assert found.poor is None and not found.is_rigid and found.covered > 0.95
+
+
+@LONG
+def test_landmarks_keep_points_from_sliding_along_the_surface(device, swaying):
+    body, scan, truth = swaying
+    clouds = loom.PointCloud(body, device=device), loom.PointCloud(scan, device=device)
+    chosen = np.arange(0, COUNT, 50)
+    slid = np.median(errors_of(bend(*clouds), truth))
+    held = np.median(errors_of(bend(*clouds, landmarks=(body[chosen], truth[chosen])), truth))
+    assert held < 0.25 * slid and held < 0.02
+
+
+@LONG
+def test_a_tube_is_twisted_and_a_ball_breathes(device):
+    for body, scan, truth in (
+        (tube(COUNT, 0), twisted(tube(COUNT, 1)), twisted(tube(COUNT, 0))),
+        (lumpy(COUNT, 0), 1.15 * lumpy(COUNT, 1), 1.15 * lumpy(COUNT, 0)),
+    ):
+        found = bend(loom.PointCloud(body, device=device), loom.PointCloud(scan, device=device))
+        assert np.median(errors_of(found, truth)) < 0.07 and found.rmse < 0.006 and found.poor is None
+
+
+@LONG
+def test_a_scan_of_a_part_bends_the_part_that_it_shows(device, swaying):
+    body, scan, truth = swaying
+    part = loom.PointCloud(scan[scan[:, 0] > -0.2], device=device)
+    found = bend(loom.PointCloud(body, device=device), part)
+    seen = truth[:, 0] > 0
+    away = cKDTree(swayed(lumpy(40_000, 2))).query(found.warped.points)[0]
+    assert np.median(away[seen]) < 0.02 and found.poor is None
+    assert 0.4 < found.matched < 0.75 and (found.correspondences[truth[:, 0] < -0.5] < 0).mean() > 0.9
+
+
+@LONG
+@pytest.mark.slow
+def test_another_object_is_told(device, swaying):
+    body, _, _ = swaying
+    found = bend(loom.PointCloud(torus(COUNT, 0), device=device), loom.PointCloud(tube(COUNT, 1), device=device))
+    assert found.poor is not None
+    found = bend(loom.PointCloud(body, device=device), loom.PointCloud(torus(COUNT, 1), device=device))
+    assert found.poor is not None
+
+
+@LONG
+@pytest.mark.slow
+def test_a_body_that_begins_turned_round_is_turned():
+    body, scan = armed(COUNT, 0), loom.PointCloud(swayed(armed(2 * COUNT, 1)))
+    turned = loom.PointCloud(body * [1, -1, -1])
+    found = bend(turned, scan)
+    assert np.median(errors_of(found, swayed(body))) < 0.15 and found.poor is None
+    told = bend(turned, scan, init=np.eye(4))
+    assert np.median(errors_of(told, swayed(body))) > 0.4 and "half a turn away (better_start)" in told.poor
+    again = bend(turned, scan, init=told.better_start)
+    assert again.poor is None and again.strain < 0.75 * told.strain
+
+
+@LONG
+def test_what_did_not_bend_is_told(device, swaying):
+    body, _, _ = swaying
+    cloud = loom.PointCloud(body, device=device)
+    found = bend(cloud, cloud.translate(SHIFT))
+    assert found.is_rigid and found.poor is None
+    assert errors_of(found, body + SHIFT).max() < 1e-3
+
+
+@LONG
+def test_a_bend_far_from_zero_is_the_same(device, swaying):
+    body, scan, _ = swaying
+    here = bend(loom.PointCloud(body, device=device), loom.PointCloud(scan, device=device))
+    far = bend(
+        loom.PointCloud(body + UTM, device=device),
+        loom.PointCloud(scan + UTM + [0, 0, 4.0], device=device),
+        init=np.block([[np.eye(3), np.array([[0], [0], [4.0]])], [np.zeros(3), 1.0]]),
+    )
+    assert np.abs(far.warped.points - UTM - [0, 0, 4.0] - here.warped.points).max() < 1e-3
+
+
+@LONG
+def test_the_bend_takes_points_normals_and_attributes_along(device, swaying):
+    body, scan, _ = swaying
+    cloud = loom.PointCloud(body, device=device, label=np.arange(COUNT)).estimate_normals(max_nn=20)
+    found = bend(cloud, loom.PointCloud(scan, device=device))
+    T, warped = found.deformation, found.warped
+    assert np.abs(T.transform(body) - warped.points).max() < 1e-5
+    assert np.array_equal(warped["label"], np.arange(COUNT))
+    step = 1e-3  # the Jacobian by differences
+    slopes = np.stack([(T.transform(body + e) - T.transform(body - e)) / (2 * step) for e in step * np.eye(3)], axis=2)
+    normals = np.linalg.solve(slopes.transpose(0, 2, 1), cloud.normals[:, :, None].astype(np.float64))[:, :, 0]
+    normals /= np.linalg.norm(normals, axis=1)[:, None]
+    away = np.abs(normals - warped.normals).max(axis=1)
+    assert np.quantile(away, 0.98) < 5e-3
+    assert np.quantile(np.abs(np.linalg.det(slopes) / T.volumes(body) - 1), 0.98) < 5e-3
+
+
+def test_what_the_target_has_is_transferred(device):
+    body = lumpy(300, 0)
+    cloud = loom.PointCloud(body, device=device)
+    found = bend(cloud, cloud, node_spacing=0.9, stiffness=[10.0], max_iteration=2)
+    has = found.correspondences >= 0
+    assert np.array_equal(found.transfer(body)[has], body[found.correspondences[has]]) and has.mean() > 0.9
+    labels = found.transfer(np.arange(300, dtype=np.int16), missing=-1)
+    assert labels.dtype == np.int16 and np.array_equal(labels, np.where(has, found.correspondences, -1))
+    for values, missing, words in (
+        (np.zeros(299), 0, "values: expected 300 rows"),
+        (np.arange(300), np.nan, "missing"),
+    ):
+        with pytest.raises(ValueError, match=words):
+            found.transfer(values, missing)
+
+
+def energy_of(unknowns, rest, edges, degrees, places, near, weights, targets, weight, stiffness):
+    """The residuals of landmarks and ties, in NumPy."""
+    turns, centers = Rotation.from_rotvec(unknowns[:, :3]).as_matrix(), unknowns[:, 3:]
+    arms = places[:, None] - rest[near]
+    bent = (weights[:, :, None] * (np.einsum("nkij,nkj->nki", turns[near], arms) + centers[near])).sum(axis=1)
+    a, b = edges.T
+    ties = np.einsum("eij,ej->ei", turns[a], rest[b] - rest[a]) + centers[a] - centers[b]
+    return np.concatenate([np.sqrt(weight) * (bent - targets), np.sqrt(stiffness / degrees[a])[:, None] * ties]).ravel()
+
+
+@LONG
+def test_landmarks_alone_reach_the_least_of_the_energy(device):
+    grid = np.stack(np.meshgrid(np.arange(8.0), np.arange(4.0), [0.0]), axis=-1).reshape(-1, 3)
+    grid[:, 2] = 0.05 * np.sin(grid[:, 0] * 3 + grid[:, 1])
+    places = grid[[0, 3, 12, 17, 28, 31]] + 0.1
+    targets = places + np.random.default_rng(0).normal(0, 0.3, places.shape)
+    cloud = loom.PointCloud(grid, device=device)
+    far = loom.PointCloud(grid + ABOVE, device=device)  # no pairs: landmarks are all there is
+    found = bend(
+        cloud,
+        far,
+        node_spacing=1.5,
+        max_distance=0.5,
+        landmarks=(places, targets),
+        landmark_weight=3.0,
+        stiffness=[2.0],
+        max_iteration=200,
+        tolerance=1e-9,
+    )
+    T = found.deformation
+    rest, n = T.nodes, len(T)
+    assert found.converged and n > 6
+    shares = [_shares(p, rest) for p in np.concatenate([grid, places])]
+    pairs = {(int(a), int(b)) for near, w in shares[: len(grid)] for a in near[w > 0] for b in near[w > 0] if a != b}
+    edges = np.array(sorted(pairs))
+    near, weights = (np.array(part) for part in zip(*shares[len(grid) :], strict=True))
+    data = (rest, edges, np.bincount(edges[:, 0], minlength=n), places, near, weights, targets, 3.0, 2.0)
+    start = np.hstack([Rotation.from_matrix(T.rotations).as_rotvec(), rest + T.translations])
+    best = least_squares(lambda x: energy_of(x.reshape(n, 6), *data), start.ravel(), xtol=1e-15, ftol=1e-15, gtol=1e-15)
+    ours = 0.5 * (energy_of(start, *data) ** 2).sum()
+    assert ours <= best.cost * (1 + 1e-6) and np.abs(best.x.reshape(n, 6)[:, 3:] - start[:, 3:]).max() < 1e-3
+
+
+def _shares(p, rest):
+    d = np.linalg.norm(rest - p, axis=1)
+    near = np.argsort(d, kind="stable")[:5]
+    w = (1 - d[near[:4]] / d[near[4]]) ** 2
+    return near[:4], w / w.sum()
+
+
+def test_a_few_steps_are_the_same_everywhere(device):
+    body = lumpy(200, 0)
+    scan, options = swayed(lumpy(300, 1)), {"node_spacing": 0.9, "stiffness": [10.0, 1.0], "max_iteration": 2}
+    pins = body[:3], swayed(body[:3])
+    found, again, expected = (
+        bend(loom.PointCloud(body, device=where), loom.PointCloud(scan, device=where), landmarks=pins, **options)
+        for where in (device, device, "cpu")
+    )
+    assert np.array_equal(found.warped.points, again.warped.points)
+    assert np.abs(found.warped.points - expected.warped.points).max() < 1e-5
+    assert found.iterations == 4 and found.rmse < found.rigid_rmse
+
+
+def test_bad_input_is_told(device, swaying):
+    body, scan, _ = swaying
+    cloud, other = loom.PointCloud(body, device=device), loom.PointCloud(scan, device=device)
+    empty = loom.PointCloud(np.zeros((0, 3)), device=device)
+    for arguments, options, words in (
+        ((empty, other), {}, "source: expected at least 10 finite points, got 0"),
+        ((cloud, empty), {}, "target: expected at least 10"),
+        ((cloud, other.translate([90.0, 0, 0])), {}, "no point of the source lies within"),
+        ((cloud, other), {"landmarks": (body[:3], np.full((3, 3), np.nan))}, r"landmarks\[1\]"),
+        ((cloud, other), {"landmarks": (body[:3] + 9.0, scan[:3])}, "outside of the source's box"),
+        ((cloud, other), {"landmarks": (body[:3], scan[:2])}, r"landmarks\[1\]"),
+        ((cloud, other), {"landmarks": body[:3]}, "landmarks: expected two arrays"),
+        ((cloud, other), {"stiffness": []}, "stiffness"),
+        ((cloud, other), {"node_spacing": 0.0}, "node_spacing"),
+    ):
+        with pytest.raises(ValueError, match=words):
+            bend(*arguments, **options)
+
+
+@LONG
+def test_points_that_are_none_stay_so(device, swaying):
+    body, scan, _ = swaying
+    holed = body.copy()
+    holed[::50] = np.nan
+    found = bend(loom.PointCloud(holed, device=device), loom.PointCloud(scan, device=device))
+    assert np.isnan(found.warped.points[::50]).all() and np.isfinite(found.warped.points[1::50]).all()
+    assert (found.correspondences[::50] == -1).all() and found.poor is None
