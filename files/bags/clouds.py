@@ -1,8 +1,7 @@
 """PointCloud2 as the drivers of LiDARs fill it, read by NumPy's view of its rows.
 
-Times per point become the attribute `time` [s] since the first point: velodyne_pointcloud has `time` (float32, s),
-ouster_ros `t` (uint32, ns), livox_ros_driver2 `timestamp` (float64, ns) or `offset_time` (uint32, ns), hesai_ros_driver
-and rslidar_sdk `timestamp` (float64, s). All other fields keep their names and types.
+Times per point become the attribute `time` [s] since the first point where their unit is sure (point_times.py). All other
+fields keep their names and types.
 """
 
 from __future__ import annotations
@@ -15,11 +14,10 @@ from numpy.typing import NDArray
 
 from ...core.errors import FileError
 from ..table import PointTable
+from .point_times import with_seconds
 
 TYPES = ("i1", "u1", "i2", "u2", "i4", "u4", "f4", "f8")  # datatype 1 to 8 of sensor_msgs/PointField
-TIMES = ("time", "t", "timestamp", "offset_time", "time_offset", "timeStamp", "time_stamp")
 _OWN = ("points", "normals", "colors")
-_NANOSECONDS_FROM = 1e14  # as a time since 1970: in seconds three million years away, in nanoseconds a day
 
 
 def table_of_message(path: Path, message: Any) -> PointTable:
@@ -39,24 +37,11 @@ def table_of_message(path: Path, message: Any) -> PointTable:
     colors = _colors(columns)
     for name, values in columns.items():
         attributes[name + "_field" if name in _OWN else name] = _native(values)
-    named = next((name for name in TIMES if name in attributes and attributes[name].ndim == 1), None)
-    if named is not None:
-        attributes["time"] = seconds_since_first(attributes.pop(named))
+    seen = np.isfinite(points).all(axis=1) & (points != 0).any(axis=1)
+    stamp = message.header.stamp
+    attributes = with_seconds(path, attributes, seen, stamp.sec + stamp.nanosec * 1e-9)
     grid = (int(message.height), int(message.width)) if message.height > 1 and message.width else None
     return PointTable(points, colors=colors, attributes=attributes, grid=grid)
-
-
-def seconds_since_first(times: NDArray[Any]) -> NDArray[np.float64]:
-    """Times of points [s]: whole numbers are nanoseconds, and floats beyond all seconds too."""
-    if times.dtype.kind in "iu":
-        whole = times.astype(np.int64) - int(times.min(initial=np.iinfo(times.dtype).max))
-        return np.asarray(whole * 1e-9, np.float64)
-    finite = times[np.isfinite(times)]
-    if not finite.size:
-        return times.astype(np.float64)
-    first = np.float64(finite.min())
-    seconds = (times.astype(np.float64) - first) * (1e-9 if abs(first) >= _NANOSECONDS_FROM else 1.0)
-    return np.asarray(seconds, np.float64)
 
 
 def _columns(path: Path, message: Any) -> dict[str, NDArray[Any]]:

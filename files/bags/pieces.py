@@ -19,6 +19,17 @@ from ..foreign import foreign_errors, import_for
 MOST_CHUNK = 1 << 31  # [B] a chunk that says more when unpacked is damaged: writers part at 1 MB or so
 
 
+class RecordingWarning(UserWarning):
+    """A recording that is cut off or damaged, and read up to there; or one whose clouds have times of points in no unit, or
+    in another than their driver's.
+
+    Example:
+        >>> import warnings, pointloom as loom
+        >>> with warnings.catch_warnings():
+        ...     warnings.simplefilter("error", loom.RecordingWarning)  # make it an error
+    """
+
+
 class Channel(NamedTuple):
     """Messages of one topic and one type.
 

@@ -28,22 +28,12 @@ from .db3 import read_db3
 from .livox import LIVOX, table_of_livox
 from .mcap import read_mcap
 from .motions import IMU, POSES, ImuReadings, imu_of_messages, trajectory_of_messages
-from .pieces import Contents, byte_order
+from .pieces import Contents, RecordingWarning, byte_order
 from .recorded_frames import RecordedFrames, choose_pictures
 
 CLOUD = "sensor_msgs/msg/PointCloud2"
 _READERS = {".bag": read_bag1, ".mcap": read_mcap, ".db3": read_db3}
 _KEPT = 4  # unpacked chunks: those of a recording overlap little in time
-
-
-class RecordingWarning(UserWarning):
-    """A recording that is cut off or damaged, and read up to there.
-
-    Example:
-        >>> import warnings, pointloom as loom
-        >>> with warnings.catch_warnings():
-        ...     warnings.simplefilter("error", loom.RecordingWarning)  # make it an error
-    """
 
 
 @dataclass(frozen=True)

@@ -124,9 +124,9 @@ from .files.splats.splat_files import read_splats as read_splats
 from .files.splats.splat_files import write_splats as write_splats
 from .files.frames.realsense import RealSenseCamera as RealSenseCamera
 from .files.bags.motions import ImuReadings as ImuReadings
+from .files.bags.pieces import RecordingWarning as RecordingWarning
 from .files.bags.recording import RecordedMessage as RecordedMessage
 from .files.bags.recording import Recording as Recording
-from .files.bags.recording import RecordingWarning as RecordingWarning
 from .files.bags.recording import open_recording as open_recording
 from .files.frames.recordings import FrameRecorder as FrameRecorder
 from .files.frames.recordings import record_frames as record_frames

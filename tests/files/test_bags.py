@@ -11,7 +11,7 @@ from click.testing import CliRunner
 import pointloom as loom
 from pointloom.app.shell.cli import cli
 from pointloom.core.errors import FileError
-from pointloom.files.bags.recording import RecordingWarning
+from pointloom.files.bags.pieces import RecordingWarning
 
 pytest.importorskip("rosbags")
 
