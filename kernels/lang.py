@@ -284,7 +284,8 @@ class _Launched(_DeviceCode):
 
     def settle(self) -> None:
         """Check it, and hand it to Warp."""
-        _ = self.cuda if self.twin is self and not self.for_cpu else self.cpu
+        is_for_cuda = self.for_cuda or (self.twin is self and not self.for_cpu)
+        _ = self.twin.cuda if is_for_cuda else self.cpu
 
     for_cpu = False
 
@@ -390,8 +391,8 @@ class Kernel(_Launched):
 
     def make(self, place: str) -> Any:
         """Warp's kernel."""
-        if place == "cuda" and self.for_cpu:
-            raise TypeError(f"{self.name} is the CPU's alone")
+        if place == ("cuda" if self.for_cpu else "cpu" if self.for_cuda else ""):
+            raise TypeError(f"{self.name} is {'the CPU' if self.for_cpu else 'CUDA'}'s alone")
         home = place if place == "cpu" or self.for_cuda else ""
         return warp_compiler.make_kernel(self.function, _is_builtin, home, self.most_registers)
 

@@ -3,6 +3,7 @@
 
 import numpy as np
 import pytest
+import warp as wp
 
 from pointloom.kernels import lang
 from pointloom.kernels.lang import (
@@ -14,6 +15,7 @@ from pointloom.kernels.lang import (
     func,
     int32,
     kernel,
+    lane,
     launch,
     loop,
     shuffle,
@@ -77,10 +79,10 @@ def others_of_lanes(i: int, row: Row) -> tuple[int, float]:
     own = row.values[i]
     chosen = ballot(1 if own > 0.5 else 0)
     sync_lanes()
-    for lane in range(32):
-        value = shuffle(own, lane)
-        if ((chosen >> lane) & 1) == 1:
-            j = (i // 32) * 32 + lane
+    for other in range(32):
+        value = shuffle(own, other)
+        if ((chosen >> other) & 1) == 1:
+            j = (i // 32) * 32 + other
             yield j, value
 
 
@@ -101,6 +103,18 @@ def sum_groups_kernel(row: Row, totals: array(dtype=int32), sums: array(dtype=fl
 def copy_kernel(row: Row, out: array(dtype=int32)):
     i = tid()
     out[i] = row.counts[i]
+
+
+@kernel
+def fill_kernel(row: Row, out: array(dtype=int32)):
+    i = tid()
+    out[i] = group_total(i, row)
+
+
+@fill_kernel.on_cuda
+def fill_in_lanes_kernel(row: Row, out: array(dtype=int32)):
+    i = tid()
+    out[i] = twice_the_total(i, row) // 2 + lane() - i % 32
 
 
 @func
@@ -199,6 +213,18 @@ def test_a_kernel_for_the_cpu_is_not_made_for_cuda(device):
     lang.settle(__name__)
     made = {found.key for module in modules_for_cuda(__name__) for found in module.kernels.values()}
     assert "copy_kernel" in made and "count_on_the_cpu_kernel" not in made
+
+
+def test_a_variant_is_not_made_for_the_cpu():
+    """All kernels of a file are compiled together there: one that is CUDA's would take the others along."""
+    variants = [found for found in globals().values() if isinstance(found, lang.Kernel) and found.for_cuda]
+    assert variants == [fill_in_lanes_kernel]
+    before = set(wp.get_module(f"{__name__}.cpu").kernels)
+    for variant in variants:
+        variant.settle()
+        with pytest.raises(TypeError, match=f"{variant.name} is CUDA's alone"):
+            _ = variant.cpu
+    assert set(wp.get_module(f"{__name__}.cpu").kernels) - before <= set(lang.LAUNCHED[__name__])
 
 
 def test_every_variant_of_the_package_can_be_compiled():
