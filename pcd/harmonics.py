@@ -29,12 +29,20 @@ def harmonics_at(directions: NDArray[np.float64], degree: int) -> NDArray[np.flo
     legendre = _legendre(z, degree)
     for band in range(degree + 1):
         for order in range(-band, band + 1):
+            turn = cosines[order] if order >= 0 else sines[-order]
+            columns.append(legendre[band, abs(order)] * turn)
+    return sizes_of(degree) * np.stack(columns, axis=1)
+
+
+def sizes_of(degree: int) -> NDArray[np.float64]:
+    """What the Legendre function times the sine or cosine of each harmonic is multiplied by: [(degree + 1)^2]."""
+    sizes = []
+    for band in range(degree + 1):
+        for order in range(-band, band + 1):
             m = abs(order)
             ratio = math.factorial(band - m) / math.factorial(band + m)
-            size = math.sqrt((2 * band + 1) / (4 * math.pi) * ratio) * (math.sqrt(2) if m else 1.0) * (-1) ** m
-            turn = cosines[m] if order >= 0 else sines[m]
-            columns.append(size * legendre[band, m] * turn)
-    return np.stack(columns, axis=1)
+            sizes.append(math.sqrt((2 * band + 1) / (4 * math.pi) * ratio) * (math.sqrt(2) if m else 1.0) * (-1) ** m)
+    return np.array(sizes)
 
 
 def turns_of_harmonics(R: NDArray[np.float64], degree: int) -> NDArray[np.float64]:

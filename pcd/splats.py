@@ -30,6 +30,7 @@ from .harmonics import FIRST, MOST_DEGREE, degree_of, turns_of_harmonics
 from .motion import Movable
 from .point_arrays import check_cloud, read_only
 from .polygon_volume import SelectionPolygonVolume
+from .splat_pictures import Pictured
 
 #: The attributes of the cloud that keeps splats, by the names of PLY files: `f_rest` where the degree is above 0.
 NAMES = ("f_dc", "f_rest", "opacity", "scale", "rot")
@@ -37,7 +38,7 @@ NAMES = ("f_dc", "f_rest", "opacity", "scale", "rot")
 _TURN_TOLERANCE = 1e-5  # how far a transformation may be from a similarity, as a share of its scale
 
 
-class GaussianSplats(Movable):
+class GaussianSplats(Movable, Pictured):
     """Splats of 3D Gaussian Splatting (Kerbl et al. 2023), on one device.
 
     A splat is a Gaussian of centre, three axes' standard deviations and a rotation, with an opacity at its middle and a

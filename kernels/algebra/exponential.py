@@ -1,0 +1,26 @@
+"""The exponential function by products and sums alone: the same bits on every device and with every compiler.
+
+Source: reduction by Cody and Waite, polynomial of Moshier's Cephes (expf).
+"""
+
+from ..lang import bits_float, floor, func
+
+LEAST, MOST = -87.0, 88.0  # e to these is the smallest and the largest that float32 holds as normal numbers
+PER_TWO = 1.44269504  # log2(e)
+TWO_HIGH = 0.693359375  # ln(2), the part that a product with a whole number keeps
+TWO_LOW = -2.12194440e-4  # and the rest
+
+
+@func
+def exp_in_float(x: float) -> float:
+    """e^x to 2 units in the last place, of what lies beyond the range that of its ends."""
+    y = min(max(x, LEAST), MOST)
+    twos = floor(y * PER_TWO + 0.5)
+    r = (y - twos * TWO_HIGH) - twos * TWO_LOW
+    p = 1.9875691500e-4 * r + 1.3981999507e-3
+    p = p * r + 8.3334519073e-3
+    p = p * r + 4.1665795894e-2
+    p = p * r + 1.6666665459e-1
+    p = p * r + 5.0000001201e-1
+    value = (p * r) * r + r + 1.0
+    return value * bits_float((int(twos) + 127) << 23)

@@ -1,0 +1,177 @@
+"""Splats in a picture: their light from the front to the back (Kerbl et al. 2023, eq. 3), and the surface they show.
+
+One thread a pixel, which goes through the list of its tile until less than a share of 1e-4 of the light is left. Reads
+32 B a splat of the list, and 24 B of those that are seen.
+"""
+
+from ..algebra.exponential import exp_in_float
+from ..array_types import Scalars, Vectors
+from ..arrays.packed_keys import NO_KEY, key_number
+from ..drawing.shading import SAMPLES
+from ..drawing.z_buffer import DepthBuffer, View, ray_through
+from ..lang import INFINITY, array, dot, float32, func, int64, kernel, launch, length, struct, tid, vec3, vec4
+from ..memory import zeros
+from .projection import FAINTEST, MOST_OPACITY, TILE_PIXELS, ProjectedSplats
+from .tile_lists import TileLists, pixel_of_thread
+
+LEAST_LEFT = 1.0e-4  # share of the light that is not followed further
+
+
+@struct
+class SplatSurface:
+    """What the pixels of a picture show.
+
+    Attributes:
+        colors: vec3 [pixels], 0 where nothing is seen.
+        left: float32 [pixels], the share of the light of what lies behind.
+        depths: float32 [pixels], the mean depth, by the light; 0 where nothing is seen.
+        medians: float32 [pixels], the depth behind which half of the light is left; 0 where more than half is.
+        normals: vec3 [pixels], the mean normal, of length 1, in the camera's frame; 0 where nothing is seen.
+    """
+
+    colors: array(dtype=vec3)
+    left: array(dtype=float32)
+    depths: array(dtype=float32)
+    medians: array(dtype=float32)
+    normals: array(dtype=vec3)
+
+    def __init__(self, lists: TileLists) -> None:
+        pixels, device = lists.width * lists.height, lists.members.device
+        self.colors, self.normals = zeros(pixels, vec3, device), zeros(pixels, vec3, device)
+        self.left, self.depths, self.medians = (zeros(pixels, float32, device) for _ in range(3))
+
+
+@func
+def opacity_at(splat: int, column: float, row: float, projected: ProjectedSplats) -> float:
+    """The opacity of a splat in a pixel, 0 where it adds nothing."""
+    middle = projected.middles[splat]
+    conic = projected.conics[splat]
+    x = column - middle[0]
+    y = row - middle[1]
+    power = -0.5 * (conic[0] * x * x + conic[2] * y * y) - conic[1] * x * y
+    opacity = min(projected.opacities[splat] * exp_in_float(min(power, 0.0)), MOST_OPACITY)
+    return opacity if opacity >= FAINTEST else 0.0
+
+
+@func
+def meet_splat(splat: int, ray: vec3, projected: ProjectedSplats) -> float:
+    """The depth at which a splat is densest along a ray of depth 1."""
+    middle = projected.middles[splat][2]
+    sides = projected.others[splat]
+    a = projected.diagonals[splat]
+    x = a[0] * ray[0] + sides[0] * ray[1] + sides[1] * ray[2]
+    y = sides[0] * ray[0] + a[1] * ray[1] + sides[2] * ray[2]
+    z = sides[1] * ray[0] + sides[2] * ray[1] + a[2] * ray[2]
+    steep = dot(ray, vec3(x, y, z))
+    depth = middle + 0.0
+    if steep > 0.0:
+        depth = dot(ray, projected.pulls[splat]) / steep
+    reach = projected.depths[splat]
+    return min(max(depth, middle - reach), middle + reach)
+
+
+@kernel
+def blend_splats_kernel(
+    lists: TileLists,
+    projected: ProjectedSplats,
+    buffer: DepthBuffer,
+    left: array(dtype=float32),
+    light: array(dtype=vec3),
+):
+    """Add the light of splats to the pixels of a picture whose cells hold what is solid."""
+    i = tid()
+    pixel = pixel_of_thread(i, lists)
+    if pixel >= 0:
+        column = pixel % lists.width
+        row = pixel // lists.width
+        corner = row * SAMPLES * buffer.width + column * SAMPLES
+        lefts = vec4(0.0)
+        solid = vec4(0.0)
+        for k in range(SAMPLES * SAMPLES):
+            cell = corner + (k // SAMPLES) * buffer.width + k % SAMPLES
+            lefts[k] = left[cell]
+            solid[k] = INFINITY
+            if buffer.words[cell] != int64(NO_KEY):
+                solid[k] = key_number(buffer.words[cell])
+        total = vec3(0.0)
+        most = 1.0
+        place = lists.starts[i // TILE_PIXELS]
+        last = lists.starts[i // TILE_PIXELS + 1]
+        while place < last and most > LEAST_LEFT:
+            splat = lists.members[place]
+            opacity = opacity_at(splat, float(column), float(row), projected)
+            if opacity > 0.0:
+                depth = projected.middles[splat][2]
+                seen = 0.0
+                most = 0.0
+                for k in range(SAMPLES * SAMPLES):
+                    share = lefts[k] * opacity if depth < solid[k] else 0.0
+                    seen = seen + share
+                    lefts[k] = lefts[k] - share
+                    most = max(most, lefts[k] if depth < solid[k] else 0.0)
+                total = total + projected.colors[splat] * seen
+            place += 1
+        for k in range(SAMPLES * SAMPLES):
+            left[corner + (k // SAMPLES) * buffer.width + k % SAMPLES] = lefts[k]
+        light[pixel] = light[pixel] + total
+
+
+@kernel
+def find_surface_kernel(lists: TileLists, projected: ProjectedSplats, view: View, surface: SplatSurface):
+    """Colour, depths and normal of each pixel."""
+    i = tid()
+    pixel = pixel_of_thread(i, lists)
+    if pixel >= 0:
+        column = float(pixel % lists.width)
+        row = float(pixel // lists.width)
+        ray = ray_through(column, row, view)
+        color = vec3(0.0)
+        normal = vec3(0.0)
+        depth = 0.0
+        median = 0.0
+        left = 1.0
+        place = lists.starts[i // TILE_PIXELS]
+        last = lists.starts[i // TILE_PIXELS + 1]
+        while place < last and left > LEAST_LEFT:
+            splat = lists.members[place]
+            opacity = opacity_at(splat, column, row, projected)
+            if opacity > 0.0:
+                share = left * opacity
+                met = meet_splat(splat, ray, projected)
+                color = color + projected.colors[splat] * share
+                normal = normal + projected.normals[splat] * share
+                depth = depth + met * share
+                if left > 0.5 and left - share <= 0.5:
+                    median = met
+                left = left - share
+            place += 1
+        size = length(normal)
+        if size > 0.0:
+            normal = normal / size
+        surface.colors[pixel] = color
+        surface.left[pixel] = left
+        surface.depths[pixel] = depth / (1.0 - left) if left < 1.0 else 0.0
+        surface.medians[pixel] = median
+        surface.normals[pixel] = normal
+
+
+def blend_splats(
+    lists: TileLists, projected: ProjectedSplats, buffer: DepthBuffer, left: Scalars, light: Vectors
+) -> None:
+    """Add splats to a picture, before what its buffer holds.
+
+    Args:
+        lists: Of the picture's tiles.
+        projected: The splats, their depths in the buffer's unit.
+        buffer: What is solid, SAMPLES cells a pixel and axis.
+        left: float32 [cells], the share of the light that comes past what has been drawn so far; is lowered.
+        light: vec3 [pixels], the light of all cells of a pixel.
+    """
+    launch(blend_splats_kernel, lists.threads, [lists, projected, buffer, left, light])
+
+
+def find_surface(lists: TileLists, projected: ProjectedSplats, view: View) -> SplatSurface:
+    """What the pixels of a picture show of splats."""
+    surface = SplatSurface(lists)
+    launch(find_surface_kernel, lists.threads, [lists, projected, view, surface])
+    return surface

@@ -1,0 +1,104 @@
+"""Which splats each tile of a picture shows, from the front to the back.
+
+Splats are sorted by depth, each writes its number for the tiles that it lies in, and these are sorted by tile: both
+sorts are stable, so splats of equal depth keep their order, and lists are the same from run to run. 12 B a splat in a
+tile, 52 B while they are sorted.
+"""
+
+from ..array_types import Integers
+from ..arrays.key_starts import find_key_starts
+from ..arrays.prefix_sum import exclusive_scan
+from ..arrays.sort import SortKeys, put_key
+from ..lang import array, float_bits, func, int32, int64, kernel, launch, struct, tid, vec4i
+from ..memory import empty
+from .projection import TILE, TILE_PIXELS, ProjectedSplats
+
+BITS_OF_DEPTH = 32
+
+
+@struct
+class TileLists:
+    """Lists of splats.
+
+    Attributes:
+        width, height: Of the picture [px].
+        columns: Tiles side by side.
+        starts: int32 [tiles + 1], where the list of each tile begins.
+        members: int32, the splats.
+    """
+
+    width: int
+    height: int
+    columns: int
+    starts: array(dtype=int32)
+    members: array(dtype=int32)
+
+    def __init__(self, projected: ProjectedSplats, counts: Integers, width: int, height: int) -> None:
+        """Of splats, and the number of tiles that each lies in (two syncs)."""
+        device = projected.device
+        self.width, self.height, self.columns = width, height, -(-width // TILE)
+        self.tile_count = self.columns * -(-height // TILE)
+        by_depth = SortKeys(projected.count, device)
+        launch(key_depths_kernel, projected.count, [projected, counts, by_depth])
+        _, order = by_depth.sort(BITS_OF_DEPTH)
+        in_order = empty(projected.count, int32, device)
+        launch(take_counts_kernel, projected.count, [order, counts, in_order])
+        offsets, total = exclusive_scan(in_order)  # sync
+        keys, owners = SortKeys(total, device), empty(total, int32, device)
+        launch(list_tiles_kernel, projected.count, [order, offsets, projected.boxes, self.columns, keys, owners])
+        by_tile, entries = keys.sort(max(self.tile_count.bit_length(), 1))
+        self.starts, self.members = empty(self.tile_count + 1, int32, device), empty(total, int32, device)
+        find_key_starts(by_tile, self.starts)
+        launch(take_counts_kernel, total, [entries, owners, self.members])
+
+    @property
+    def threads(self) -> int:
+        """Of a kernel over pixels, those of a tile side by side: `pixel_of_thread`."""
+        return self.tile_count * TILE_PIXELS
+
+
+@func
+def pixel_of_thread(i: int, lists: TileLists) -> int:
+    """The pixel of a thread; -1 where it lies beyond the picture."""
+    tile = i // TILE_PIXELS
+    column = (tile % lists.columns) * TILE + i % TILE
+    row = (tile // lists.columns) * TILE + (i // TILE) % TILE
+    return row * lists.width + column if column < lists.width and row < lists.height else -1
+
+
+@kernel
+def key_depths_kernel(projected: ProjectedSplats, counts: array(dtype=int32), keys: SortKeys):
+    """The bits of a depth, which are ordered as it is; what is not seen comes last."""
+    i = tid()
+    key = (int64(1) << int64(BITS_OF_DEPTH)) - int64(1)
+    if counts[i] > 0:
+        key = int64(float_bits(projected.middles[i][2]))
+    put_key(i, key, keys)
+
+
+@kernel
+def take_counts_kernel(order: array(dtype=int32), values: array(dtype=int32), taken: array(dtype=int32)):
+    """taken[i] = values[order[i]]."""
+    i = tid()
+    taken[i] = values[order[i]]
+
+
+@kernel
+def list_tiles_kernel(
+    order: array(dtype=int32),
+    offsets: array(dtype=int32),
+    boxes: array(dtype=vec4i),
+    columns: int,
+    keys: SortKeys,
+    owners: array(dtype=int32),
+):
+    """The tiles of each splat, from the front to the back."""
+    i = tid()
+    splat = order[i]
+    box = boxes[splat]
+    wide = max(box[1] - box[0] + 1, 1)
+    first = offsets[i]
+    for place in range(offsets[i + 1] - first):
+        tile = (box[2] + place // wide) * columns + box[0] + place % wide
+        put_key(first + place, int64(tile), keys)
+        owners[first + place] = splat
