@@ -25,17 +25,19 @@ from ...pcd.cloud import PointCloud
 from ...pcd.convex_hull import ConvexHull
 from ...pcd.line_set import LineSet
 from ...pcd.polygon_volume import SelectionPolygonVolume
+from ...pcd.splat_pictures import columns_of
+from ...pcd.splats import GaussianSplats
 from ...pcd.units import InUnit
 from . import outlines
 from .coloring import color_cloud
 from .frustum import CameraFrustum
-from .parts import Lines, Matrix, Part, Points, Triple
+from .parts import Gaussians, Lines, Matrix, Part, Points, Triple
 from .surfaces import mesh_parts, vertices_of, voxel_parts
 
 ACCEPTED = (
     "PointCloud, TriangleMesh, VoxelGrid, AxisAlignedBoundingBox, OrientedBoundingBox, LineSet, Trajectory, "
-    "ConvexHull, SelectionPolygonVolume, TSDFVolume, CameraFrustum, an array of points [n, 3], an object with "
-    'points, or with vertices and triangles; or {"geometry": ...} with keys of style; files '
+    "ConvexHull, SelectionPolygonVolume, TSDFVolume, GaussianSplats, CameraFrustum, an array of points [n, 3], an "
+    'object with points, or with vertices and triangles; or {"geometry": ...} with keys of style; files '
     "are read first: loom.read_point_cloud, loom.read_triangle_mesh"
 )
 
@@ -281,6 +283,18 @@ def _points(
     return dataclasses.replace(part, plain=style.color or part.plain, shaded=shaded, lit=lit, opacity=opacity)
 
 
+def _of_splats(splats: GaussianSplats, style: Style, device: Any) -> list[Part]:
+    """Splats as what they are; in one colour or by values as points."""
+    splats = splats.to(device)
+    (points,) = _of_cloud(splats.to_point_cloud(), style, device)
+    if not isinstance(points, Points) or style.color is not None or style.color_by is not None or not len(splats):
+        return [points]
+    fields = {field.name: getattr(points, field.name) for field in dataclasses.fields(points)}
+    if points.size is None:
+        fields |= {"size": 2 * float(np.median(splats.scales)), "metric": True}
+    return [Gaussians(**{**fields, "normals": empty(0, vec3, device)}, columns=columns_of(splats))]
+
+
 def _of_points(geometry: Any, style: Style, device: Any) -> list[Part]:
     """An array of points, or a plain object that has them."""
     has_attributes = hasattr(geometry, "points")
@@ -372,6 +386,7 @@ _KINDS: list[tuple[type, Entry]] = [
     (ConvexHull, ("hull", _of_hull)),
     (SelectionPolygonVolume, ("volume", _outlined(outlines.of_volume))),
     (TSDFVolume, ("surface", _of_tsdf)),
+    (GaussianSplats, ("splats", _of_splats)),
     (CameraFrustum, ("camera", _outlined(outlines.of_frustum))),
 ]
 

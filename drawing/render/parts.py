@@ -52,6 +52,17 @@ class Points:
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
+class Gaussians(Points):
+    """Gaussian splats; for those who draw no ellipsoids (pages, the viewer), points of their size and colour.
+
+    Args:
+        columns: A SplatColumns of the same positions.
+    """
+
+    columns: Any = None
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
 class Lines:
     """Straight segments.
 

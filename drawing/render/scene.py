@@ -33,11 +33,14 @@ from ...kernels.drawing.shading import (
 )
 from ...kernels.drawing.surfaces import Surface, shade_surface
 from ...kernels.drawing.triangles import draw_triangles
-from ...kernels.drawing.z_buffer import DepthBuffer
+from ...kernels.drawing.z_buffer import NEAR, DepthBuffer
 from ...kernels.drawing.z_buffer import View as PartView
 from ...kernels.lang import float32, int32, uint8, vec2, vec3
 from ...kernels.memory import check_room, empty, full, upload
-from .parts import Lines, Matrix, Part, Points, Triangles, Triple
+from ...kernels.splats.blending import blend_splats
+from ...pcd.splat_pictures import NEAR as NEAREST_SPLAT
+from ...pcd.splat_pictures import list_splats
+from .parts import Gaussians, Lines, Matrix, Part, Points, Triangles, Triple
 from .view import Frame, View
 
 MOST_ELEMENTS = 2**31 - 1
@@ -123,7 +126,9 @@ class Drawing:
         cells = camera.width * SAMPLES, camera.height * SAMPLES
         need = cells[0] * cells[1] * CELL_BYTES + camera.width * camera.height * PIXEL_BYTES
         veils = [placed for placed in scene.placed if _is_veil(placed)]
+        splats = [placed for placed in scene.placed if placed.box is not None and isinstance(placed.part, Gaussians)]
         need += cells[0] * cells[1] * (LAYER_BYTES * bool(veils) + 8 * sum(isinstance(p.part, Points) for p in veils))
+        need += cells[0] * cells[1] * 4 * bool(splats)
         check_room(scene.device, need, f"a picture of {camera.width} x {camera.height} pixels")
         self.scene, self.view, self.device = scene, view, scene.device
         self.camera = _in_cells(camera)
@@ -131,9 +136,9 @@ class Drawing:
         self.unit = _power_of_two(float(np.abs(corners).max()))
         self.buffer = DepthBuffer(*cells, scene.device)
         self.light = start_light(self.buffer)
-        self.left = full(cells[0] * cells[1] if veils else 0, 1.0, float32, self.device)
+        self.left = full(cells[0] * cells[1] if veils or splats else 0, 1.0, float32, self.device)
         self.stop = 0
-        self._draw(veils)
+        self._draw(veils, [placed.part for placed in splats])
         self.picture = self.before(background)
 
     def before(self, background: Triple) -> Any:
@@ -145,8 +150,8 @@ class Drawing:
         first, last, closer = self.lines
         return read_depth(self.buffer, self.unit, lines=(first, last), closer=closer)
 
-    def _draw(self, veils: Sequence[Placed]) -> None:
-        seen = [placed for placed in self.scene.placed if placed.box is not None]
+    def _draw(self, veils: Sequence[Placed], splats: Sequence[Any]) -> None:
+        seen = [p for p in self.scene.placed if p.box is not None and not isinstance(p.part, Gaussians)]
         points = [(p, p.part) for p in seen if isinstance(p.part, Points) and p.part.opacity == 1]
         surfaces = [(p, p.part) for p in seen if isinstance(p.part, Triangles) and p.part.opacity == 1]
         shown: list[tuple[Points | Triangles, Region]] = [
@@ -155,6 +160,8 @@ class Drawing:
         last_point = self.stop
         shown += [(part, self._draw_surface(p, part, self.buffer)) for p, part in surfaces]
         lines = self._draw_lines()
+        for part in splats:
+            self._draw_splats(part)
         self._draw_layers(veils)
         if lines is not None:
             merged, region = lines
@@ -162,6 +169,13 @@ class Drawing:
             shade_lines(self.buffer, region, self.light, veil=Veil(1.0, self.left), **look)
         for part, region in shown:
             self._shade(part, region, self.buffer, self.buffer, last_point)
+
+    def _draw_splats(self, part: Gaussians) -> None:
+        """Take the light of splats before all that is solid."""
+        view = self._view_of(part, self.view.intrinsic)
+        near = max(NEAREST_SPLAT / self.unit, NEAR)
+        lists, projected = list_splats(part.columns, view, near=near, share=part.opacity)
+        blend_splats(lists, projected, self.buffer, self.left, self.light)
 
     def _draw_layers(self, veils: Sequence[Placed]) -> None:
         """Draw what is seen through before all that is solid, layer by layer, and take its light."""
@@ -257,11 +271,12 @@ class Drawing:
             raise ValueError(f"geometries: {self.stop:,} points, triangles and lines are more than 2^31 in one picture")
         return start
 
-    def _view_of(self, part: Part) -> PartView:
-        """Where the vertices of a part are before the camera, in units of the scene's size."""
+    def _view_of(self, part: Part, camera: Any = None) -> PartView:
+        """Where the vertices of a part are before the camera (None: in cells), in units of the scene's size."""
         A, t = _motion_of(part)
         R, eye = self.view.T_world_camera[:3, :3].T, self.view.T_world_camera[:3, 3]
-        return PartView(self.camera, R @ A / self.unit, R @ (A @ part.origin + t - eye) / self.unit)
+        offset = R @ (A @ part.origin + t - eye) / self.unit
+        return PartView(self.camera if camera is None else camera, R @ A / self.unit, offset)
 
     def _surface(self, part: Triangles) -> Surface:
         uvs, texture = part.uvs, part.texture
@@ -311,7 +326,9 @@ def merge_lines(parts: Sequence[Lines], origin: NDArray[np.float64], device: Any
 
 
 def _is_veil(placed: Placed) -> bool:
-    """Whether a part is seen through; one of no opacity is not there at all."""
+    """Whether a part is seen through; one of no opacity is not there at all. Splats have their own way."""
+    if isinstance(placed.part, Gaussians):
+        return False
     return placed.box is not None and not isinstance(placed.part, Lines) and 0 < placed.part.opacity < 1
 
 

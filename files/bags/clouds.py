@@ -1,7 +1,7 @@
 """PointCloud2 as the drivers of LiDARs fill it, read by NumPy's view of its rows.
 
-Times per point become the attribute `time` [s] since the first point where their unit is sure (point_times.py). All other
-fields keep their names and types.
+Times per point become the attribute `time` [s] since the first point where their unit is sure (point_times.py). All
+other fields keep their names and types.
 """
 
 from __future__ import annotations

@@ -20,8 +20,8 @@ MOST_CHUNK = 1 << 31  # [B] a chunk that says more when unpacked is damaged: wri
 
 
 class RecordingWarning(UserWarning):
-    """A recording that is cut off or damaged, and read up to there; or one whose clouds have times of points in no unit, or
-    in another than their driver's.
+    """A recording that is cut off or damaged, and read up to there; or one whose clouds have times of points in no
+    unit, or in another than their driver's.
 
     Example:
         >>> import warnings, pointloom as loom

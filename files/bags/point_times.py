@@ -1,11 +1,11 @@
 """The times that drivers of LiDARs write beside each point, in seconds where their unit is sure.
 
-A field's name and type tell the unit where one driver alone writes them: velodyne_pointcloud `time` (float, s), ouster_ros
-`t` and livox_ros_driver2 `offset_time` (whole, ns). `timestamp` (float64) is s of hesai_ros_driver and rslidar_sdk and ns
-of livox_ros_driver2, of a clock that began in 1970 or when the sensor was switched on; and there are drivers and converted
-sets with microseconds under each of these names. So a unit has to agree with the message: with the time in its header,
-where the field has the same clock, or else with a sweep, which takes between 2 ms and 1.5 s. A thousand lies between two
-units, so that no two of them agree with either.
+A field's name and type tell the unit where one driver alone writes them: velodyne_pointcloud `time` (float, s),
+ouster_ros `t` and livox_ros_driver2 `offset_time` (whole, ns). `timestamp` (float64) is s of hesai_ros_driver and
+rslidar_sdk and ns of livox_ros_driver2, of a clock that began in 1970 or when the sensor was switched on; and there are
+drivers and converted sets with microseconds under each of these names. So a unit has to agree with the message: with
+the time in its header, where the field has the same clock, or else with a sweep, which takes between 2 ms and 1.5 s. A
+thousand lies between two units, so that no two of them agree with either.
 """
 
 from __future__ import annotations
@@ -40,8 +40,8 @@ def with_seconds(path: Path, columns: Mapping[str, NDArray[Any]], seen: NDArray[
         stamp: The time in the message's header [s].
 
     Warns:
-        RecordingWarning: No unit agrees with the message, or another than the one that this driver writes. Without a unit the
-            numbers stay as they are, `time` under the name `timestamps`.
+        RecordingWarning: No unit agrees with the message, or another than the one that this driver writes. Without a
+            unit the numbers stay as they are, `time` under the name `timestamps`.
     """
     kept = dict(columns)
     name = next((name for name in NAMES if name in kept and kept[name].ndim == 1), None)
@@ -58,7 +58,7 @@ def with_seconds(path: Path, columns: Mapping[str, NDArray[Any]], seen: NDArray[
         warn_of_units(f"{path}: {told}; they stay as they are, as {other!r}", RecordingWarning)
         return {**kept, other: raw}
     if written is not None and unit != written:
-        told = f"the times of points in {name!r} are read as {unit}, since in {written} no sweep takes so long, or so short"
+        told = f"the times of points in {name!r} are read as {unit}: in {written} they would be those of no sweep"
         warn_of_units(f"{path}: {told}", RecordingWarning)
     first = measured.min() if measured.size else times.dtype.type(0)
     return {**kept, "time": np.asarray((times - first) * UNITS[unit], np.float64)}

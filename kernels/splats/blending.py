@@ -5,12 +5,12 @@ One thread a pixel, which goes through the list of its tile until less than a sh
 """
 
 from ..algebra.exponential import exp_in_float
-from ..array_types import Scalars, Vectors
+from ..array_types import Array2, Scalars, Vectors
 from ..arrays.packed_keys import NO_KEY, key_number
-from ..drawing.shading import SAMPLES
+from ..drawing.shading import SAMPLES, color_byte
 from ..drawing.z_buffer import DepthBuffer, View, ray_through
-from ..lang import INFINITY, array, dot, float32, func, int64, kernel, launch, length, struct, tid, vec3, vec4
-from ..memory import zeros
+from ..lang import INFINITY, array, dot, float32, func, int64, kernel, launch, length, struct, tid, uint8, vec3, vec4
+from ..memory import empty, zeros
 from .projection import FAINTEST, MOST_OPACITY, TILE_PIXELS, ProjectedSplats
 from .tile_lists import TileLists, pixel_of_thread
 
@@ -49,7 +49,9 @@ def opacity_at(splat: int, column: float, row: float, projected: ProjectedSplats
     x = column - middle[0]
     y = row - middle[1]
     power = -0.5 * (conic[0] * x * x + conic[2] * y * y) - conic[1] * x * y
-    opacity = min(projected.opacities[splat] * exp_in_float(min(power, 0.0)), MOST_OPACITY)
+    opacity = 0.0
+    if power > -projected.limits[splat]:
+        opacity = min(projected.opacities[splat] * exp_in_float(min(power, 0.0)), MOST_OPACITY)
     return opacity if opacity >= FAINTEST else 0.0
 
 
@@ -155,6 +157,18 @@ def find_surface_kernel(lists: TileLists, projected: ProjectedSplats, view: View
         surface.normals[pixel] = normal
 
 
+@kernel
+def color_surface_kernel(surface: SplatSurface, pixels: array(dtype=uint8, ndim=2)):
+    """The colour of what a pixel shows of splats, as bytes: without what lies behind them."""
+    i = tid()
+    share = 1.0 - surface.left[i]
+    for channel in range(3):
+        value = 0.0
+        if share > 0.0:
+            value = surface.colors[i][channel] / share
+        pixels[i, channel] = color_byte(value)
+
+
 def blend_splats(
     lists: TileLists, projected: ProjectedSplats, buffer: DepthBuffer, left: Scalars, light: Vectors
 ) -> None:
@@ -175,3 +189,10 @@ def find_surface(lists: TileLists, projected: ProjectedSplats, view: View) -> Sp
     surface = SplatSurface(lists)
     launch(find_surface_kernel, lists.threads, [lists, projected, view, surface])
     return surface
+
+
+def color_surface(surface: SplatSurface) -> Array2[uint8]:
+    """The colours of a surface as those of a picture, uint8 [pixels, 3]."""
+    pixels = empty((surface.left.size, 3), uint8, surface.left.device)
+    launch(color_surface_kernel, surface.left.size, [surface, pixels])
+    return pixels

@@ -5,7 +5,7 @@ IEEE TVCG 2002), with 0.3 px^2 added to its variance, as training does (Kerbl et
 meets a splat is where the Gaussian is densest along it (Zhang et al., "RaDe-GS", 2024, section 3): of a flat one, its
 plane.
 
-One thread a splat; reads 56 B to 236 B, writes 60 B or 112 B. Only + - * / and sqrt beside `exp_in_float`, so that
+One thread a splat; reads 56 B to 236 B, writes 64 B or 116 B. Only + - * / and sqrt beside `exp_in_float`, so that
 pictures have the same bits everywhere; the logarithm of an opacity widens a rectangle alone, and what that adds is not
 seen.
 """
@@ -98,6 +98,7 @@ class ProjectedSplats:
         conics: vec3 [n]: (a, b, c) of the exponent -(a x^2 + 2 b x y + c y^2) / 2.
         colors: vec3 [n], not below 0.
         opacities: float32 [n], 0 to 1.
+        limits: float32 [n]: a pixel whose exponent is below minus this shows nothing of a splat.
         boxes: vec4i [n], first and last column and row of tiles; the last before the first where it is not seen.
         diagonals, others: vec3 [n], A00 A11 A22 and A01 A02 A12 of the inverse covariance A in the camera's frame times
             the square of the shortest axis; of size 0 where no surface is asked for, as are the next three.
@@ -110,6 +111,7 @@ class ProjectedSplats:
     conics: array(dtype=vec3)
     colors: array(dtype=vec3)
     opacities: array(dtype=float32)
+    limits: array(dtype=float32)
     boxes: array(dtype=vec4i)
     diagonals: array(dtype=vec3)
     others: array(dtype=vec3)
@@ -120,7 +122,8 @@ class ProjectedSplats:
     def __init__(self, count: int, device: Device, *, surfaces: bool) -> None:
         self.count, self.device = count, device
         self.middles, self.conics, self.colors = (empty(count, vec3, device) for _ in range(3))
-        self.opacities, self.boxes = empty(count, float32, device), empty(count, vec4i, device)
+        self.opacities, self.limits = empty(count, float32, device), empty(count, float32, device)
+        self.boxes = empty(count, vec4i, device)
         held = count if surfaces else 0
         self.diagonals, self.others, self.pulls, self.normals = (empty(held, vec3, device) for _ in range(4))
         self.depths = empty(held, float32, device)
@@ -282,11 +285,13 @@ def project_splats_kernel(
         shape = ellipse_of(q, turn, scales, view)
         if isfinite(shape[0]) and isfinite(shape[2]) and isfinite(shape[3]):
             middle = project(q, view)
-            reach = sqrt(2.0 * log(opacity / FAINTEST)) * 1.001
+            limit = log(opacity / FAINTEST) * 1.001 + 1.0e-4
+            reach = sqrt(2.0 * limit)
             box = tiles_of(middle, reach * sqrt(shape[0]) + 0.01, reach * sqrt(shape[2]) + 0.01, view)
             projected.middles[i] = middle
             projected.conics[i] = vec3(shape[2], -shape[1], shape[0]) / shape[3]
             projected.opacities[i] = opacity
+            projected.limits[i] = limit
             towards = splats.points[i] - eye
             projected.colors[i] = color_towards(i, towards / length(towards), splats)
             if projected.depths.shape[0] > 0:

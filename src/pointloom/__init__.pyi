@@ -52,6 +52,7 @@ from .meshing.mesh.surface_result import SurfaceResult as SurfaceResult
 from .meshing.scene.raycasting_scene import RaycastingScene as RaycastingScene
 from .meshing.volume.distance_field import DistanceField as DistanceField
 from .meshing.volume.occupancy import OccupancyGrid as OccupancyGrid
+from .meshing.volume.splat_fusion import fuse_splats as fuse_splats
 from .meshing.volume.tsdf import TSDFVolume as TSDFVolume
 from .meshing.volume.volume_fusion import fuse_volumes as fuse_volumes
 from .meshing.mesh.voxel_grid import VoxelGrid as VoxelGrid
@@ -139,6 +140,7 @@ from .pcd.keypoints import compute_iss_keypoints as compute_iss_keypoints
 from .pcd.line_set import LineSet as LineSet
 from .pcd.metrics import compute_metrics as compute_metrics
 from .pcd.polygon_volume import SelectionPolygonVolume as SelectionPolygonVolume
+from .pcd.splat_pictures import SplatPicture as SplatPicture
 from .pcd.splats import GaussianSplats as GaussianSplats
 from .pcd.search import NearestNeighborSearch as NearestNeighborSearch
 from .files.models.sfm_model import SfmModel as SfmModel

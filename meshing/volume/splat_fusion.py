@@ -1,0 +1,126 @@
+"""The surface that Gaussian splats show, fused from their depths as cameras see them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...cameras.camera import PinholeCameraIntrinsic
+from ...core.checks import check_list, check_positive, check_progress, check_rigid
+from ...core.progress import ReportProgress
+from ...kernels.splats.blending import color_surface
+from ...pcd.splat_pictures import NEAR
+from ...pcd.splats import GaussianSplats
+from ..mesh.mesh import TriangleMesh
+from .tsdf import TSDFVolume
+
+AROUND = 60  # views of what is seen from outside
+TRUNCATION = 3.0  # voxels
+PIXELS = 3.0  # of their pictures that a voxel spans
+LEAST_SIDE, MOST_SIDE = 64, 1200  # [px] of these pictures
+REACH = 2.5  # radii that they are away
+BEYOND = 0.02  # share of splats that lie farther out than the radius: floating fog
+
+
+def fuse_splats(
+    splats: GaussianSplats,
+    intrinsic: PinholeCameraIntrinsic | None = None,
+    extrinsics: Sequence[ArrayLike] | None = None,
+    *,
+    voxel_size: float,
+    truncation: float | None = None,
+    depth_max: float = math.inf,
+    weight_threshold: float = 2.0,
+    progress: ReportProgress | None = None,
+) -> TriangleMesh:
+    """The surface of splats as a coloured mesh.
+
+    Each camera gives the depth behind which half of its light is left (`GaussianSplats.rasterize`, `median_depth`), and
+    a TSDFVolume fuses these.
+
+    Args:
+        splats: The splats; fog is best left out before, by `splats.clean`.
+        intrinsic: The camera; None for that of the views all round.
+        extrinsics: T_camera_world of each view, as of the pictures that the splats were trained with; None for 60 views
+            from all round what they show: of a thing, not of a room.
+        voxel_size: Edge of a voxel [m].
+        truncation: As of TSDFVolume; None for 3 voxels: depths of splats have no noise, and less truncation bends
+            curved surfaces less.
+        depth_max: Farthest depth used [m].
+        weight_threshold: A cell makes triangles where all 8 voxels were seen by more views than this.
+        progress: Called with "fuse splats" and how many views of how many are done.
+
+    Returns:
+        Vertices [m] with colours, as `TSDFVolume.extract_triangle_mesh`; on the splats' device, the same bits from run
+        to run.
+
+    Raises:
+        ValueError: No splats, a camera without views or views without a camera, a pose that is no rigid motion, a size
+            that is not above 0; no view sees any surface.
+        TypeError: No GaussianSplats, or no camera.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> ball = loom.TriangleMesh.create_sphere(1.0).compute_vertex_normals()
+        >>> cloud = ball.sample_points_uniformly(4000, seed=0)
+        >>> scales, turns = np.full((4000, 3), 0.04), np.tile([1.0, 0, 0, 0], (4000, 1))
+        >>> splats = loom.GaussianSplats(cloud.points, scales, turns, np.full(4000, 0.9), np.zeros((4000, 3)))
+        >>> mesh = loom.fuse_splats(splats, voxel_size=0.05)
+        >>> bool(abs(np.linalg.norm(mesh.vertices, axis=1) - 1).max() < 0.1)
+        True
+    """
+    if not isinstance(splats, GaussianSplats):
+        raise TypeError(f"splats: expected GaussianSplats, got {type(splats).__name__}")
+    if not len(splats):
+        raise ValueError("splats: there are none, so that nothing has a surface")
+    if (intrinsic is None) != (extrinsics is None):
+        raise ValueError("extrinsics: expected a camera and its views, or neither for views from all round")
+    say = check_progress(progress)
+    farthest = check_positive("depth_max", depth_max, allow_infinite=True)
+    if intrinsic is None or extrinsics is None:
+        intrinsic, poses = views_around(splats.centers, check_positive("voxel_size", voxel_size))
+    else:
+        if not isinstance(intrinsic, PinholeCameraIntrinsic):
+            raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
+        given = check_list("extrinsics", extrinsics, "poses")
+        poses = [check_rigid(f"extrinsics[{i}]", T) for i, T in enumerate(given)]
+    limit = TRUNCATION * check_positive("voxel_size", voxel_size) if truncation is None else truncation
+    volume = TSDFVolume(voxel_size=voxel_size, truncation=limit, device=splats.device)
+    for done, T in enumerate(poses):
+        say("fuse splats", done, len(poses))
+        seen = splats.surface_before(intrinsic, T, NEAR)
+        T_world_camera = np.linalg.inv(T)
+        volume.integrate_device_frame(seen.medians, intrinsic, T_world_camera, color_surface(seen), depth_max=farthest)
+    mesh = volume.extract_triangle_mesh(weight_threshold)
+    if not len(mesh.triangles):
+        raise ValueError(
+            f"extrinsics: none of {len(poses)} views shows a surface that more than {weight_threshold:g} see"
+        )
+    return mesh
+
+
+def views_around(centers: NDArray[np.float64], voxel_size: float) -> tuple[PinholeCameraIntrinsic, list[NDArray[np.float64]]]:
+    """A camera and its poses on a ball around places, evenly spread, all looking at their middle."""
+    middle = np.median(centers, axis=0)
+    radius = float(np.quantile(np.linalg.norm(centers - middle, axis=1), 1 - BEYOND))
+    away = REACH * max(radius, 1e-9)
+    side = int(min(max(PIXELS * 2 * radius / voxel_size, LEAST_SIDE), MOST_SIDE))
+    focal = 0.5 * side * math.sqrt(REACH**2 - 1)
+    camera = PinholeCameraIntrinsic(side, side, focal, focal, 0.5 * (side - 1), 0.5 * (side - 1))
+    poses = []
+    for k in range(AROUND):
+        z = 1 - (2 * k + 1) / AROUND
+        angle = k * math.pi * (3 - math.sqrt(5))
+        around = math.sqrt(1 - z * z)
+        forward = -np.array([around * math.cos(angle), around * math.sin(angle), z])
+        right = np.cross([0.0, 0.0, -1.0], forward) if around > 0.05 else np.array([1.0, 0.0, 0.0])
+        right = right - (right @ forward) * forward
+        right /= np.linalg.norm(right)
+        T = np.eye(4)
+        T[:3, :3] = np.stack([right, np.cross(forward, right), forward])
+        T[:3, 3] = -T[:3, :3] @ (middle - away * forward)
+        poses.append(T)
+    return camera, poses
