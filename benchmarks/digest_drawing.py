@@ -25,6 +25,24 @@ def scene_of(d: Any) -> list[Any]:
     return [d.surface.cloud, d.ball, box, lines]
 
 
+def splats_of(d: Any) -> Any:
+    """Splats of a cloud."""
+    cloud, rng = d.surface.facing.remove_non_finite_points(), np.random.default_rng(0)
+    count = len(cloud)
+    shape = [np.exp(rng.normal(-3, 0.5, (count, 3))), rng.normal(size=(count, 4)), rng.uniform(0.01, 0.99, count)]
+    return loom().GaussianSplats(cloud.points, *shape, rng.normal(0, 0.5, (count, 9, 3)), device=cloud.device)
+
+
+def seen_of_splats(d: Any) -> list[Any]:
+    """What a camera beside a cloud sees of its splats, alone and among others."""
+    splats, camera = splats_of(d), loom().PinholeCameraIntrinsic(*SIZE, 80.0, 80.0, 47.5, 35.5)
+    T = np.eye(4)
+    T[:3, 3] = -splats.get_center() + [0, 0, 2]
+    seen = splats.rasterize(camera, T)
+    picture = loom().render([splats, d.ball], size=SIZE, background="transparent")
+    return [seen.color, seen.opacity, seen.depth, seen.median_depth, seen.normals, np.asarray(picture)]
+
+
 DRAWN: dict[str, Callable[[Any], Any]] = {
     "render, cloud": lambda d: [drawn(d.surface.facing), drawn(d.surface.cloud, point_size=3, background="black")],
     "render, values": lambda d: drawn(
@@ -34,6 +52,7 @@ DRAWN: dict[str, Callable[[Any], Any]] = {
     "render, see-through": lambda d: drawn(
         [{"geometry": d.ball, "opacity": 0.4}, d.surface.cloud], background="transparent"
     ),
+    "splats, drawn": lambda d: seen_of_splats(d),
     "render, scene": lambda d: drawn(
         scene_of(d), labels=[("here", [0, 0, 0])], mesh_show_wireframe=True, scale_bar=True
     ),

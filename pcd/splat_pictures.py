@@ -67,6 +67,15 @@ def list_splats(
     return TileLists(projected, counts, view.camera.width, view.camera.height), projected
 
 
+def surface_before(
+    splats: Pictured, intrinsic: PinholeCameraIntrinsic, T: NDArray[np.float64], near: float = NEAR
+) -> SplatSurface:
+    """What a camera at T_camera_world sees, on the device; nothing is checked."""
+    view = View(intrinsic, T[:3, :3], T[:3, :3] @ splats.cloud.origin + T[:3, 3])
+    lists, projected = list_splats(columns_of(splats), view, near=near, surfaces=True)
+    return find_surface(lists, projected, view)
+
+
 class Pictured:
     """The part of GaussianSplats that draws."""
 
@@ -120,16 +129,10 @@ class Pictured:
             raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
         T = check_rigid("extrinsic", extrinsic)
         ground = np.asarray(check_color("background", background), np.float32)
-        found = self.surface_before(intrinsic, T, check_positive("near", near))
+        found = surface_before(self, intrinsic, T, check_positive("near", near))
         size = intrinsic.height, intrinsic.width
         left = download(found.left).reshape(size)
         color = download(found.colors).reshape(*size, 3) + left[:, :, None] * ground
         depth, median = download(found.depths).reshape(size), download(found.medians).reshape(size)
         normals = download(found.normals).reshape(*size, 3)
         return SplatPicture(color, 1 - left, depth.copy(), median.copy(), normals.copy())
-
-    def surface_before(self, intrinsic: PinholeCameraIntrinsic, T: NDArray[np.float64], near: float) -> SplatSurface:
-        """What a camera at T_camera_world sees, on the device; nothing is checked."""
-        view = View(intrinsic, T[:3, :3], T[:3, :3] @ self.cloud.origin + T[:3, 3])
-        lists, projected = list_splats(columns_of(self), view, near=near, surfaces=True)
-        return find_surface(lists, projected, view)

@@ -12,13 +12,14 @@ from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_list, check_positive, check_progress, check_rigid
 from ...core.progress import ReportProgress
 from ...kernels.splats.blending import color_surface
-from ...pcd.splat_pictures import NEAR
+from ...pcd.splat_pictures import surface_before
 from ...pcd.splats import GaussianSplats
 from ..mesh.mesh import TriangleMesh
 from .tsdf import TSDFVolume
 
 AROUND = 60  # views of what is seen from outside
 TRUNCATION = 3.0  # voxels
+MOST_VOXELS = 1 << 20  # side by side
 PIXELS = 3.0  # of their pictures that a voxel spans
 LEAST_SIDE, MOST_SIDE = 64, 1200  # [px] of these pictures
 REACH = 2.5  # radii that they are away
@@ -80,20 +81,29 @@ def fuse_splats(
         raise ValueError("extrinsics: expected a camera and its views, or neither for views from all round")
     say = check_progress(progress)
     farthest = check_positive("depth_max", depth_max, allow_infinite=True)
+    edge = check_positive("voxel_size", voxel_size)
+    extent = float(np.ptp(splats.centers, axis=0).max())
+    if extent > MOST_VOXELS * edge:
+        raise ValueError(f"voxel_size: {voxel_size} m for splats {extent:g} m across; {extent / 1000:g} m gives detail")
+    limit = TRUNCATION * edge if truncation is None else check_positive("truncation", truncation)
+    if limit > MOST_VOXELS * edge:
+        raise ValueError(f"truncation: {truncation} m is too much for voxels of {voxel_size} m; 3 voxels are usual")
     if intrinsic is None or extrinsics is None:
-        intrinsic, poses = views_around(splats.centers, check_positive("voxel_size", voxel_size))
+        intrinsic, poses = views_around(splats.centers, edge)
     else:
         if not isinstance(intrinsic, PinholeCameraIntrinsic):
             raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
         given = check_list("extrinsics", extrinsics, "poses")
         poses = [check_rigid(f"extrinsics[{i}]", T) for i, T in enumerate(given)]
-    limit = TRUNCATION * check_positive("voxel_size", voxel_size) if truncation is None else truncation
     volume = TSDFVolume(voxel_size=voxel_size, truncation=limit, device=splats.device)
     for done, T in enumerate(poses):
         say("fuse splats", done, len(poses))
-        seen = splats.surface_before(intrinsic, T, NEAR)
-        T_world_camera = np.linalg.inv(T)
-        volume.integrate_device_frame(seen.medians, intrinsic, T_world_camera, color_surface(seen), depth_max=farthest)
+        seen = surface_before(splats, intrinsic, T)
+        T_world_camera, colors = np.linalg.inv(T), color_surface(seen)
+        try:
+            volume.integrate_device_frame(seen.medians, intrinsic, T_world_camera, colors, depth_max=farthest)
+        except ValueError as error:
+            raise ValueError(f"voxel_size, truncation: {error}") from None
     mesh = volume.extract_triangle_mesh(weight_threshold)
     if not len(mesh.triangles):
         raise ValueError(
@@ -102,7 +112,9 @@ def fuse_splats(
     return mesh
 
 
-def views_around(centers: NDArray[np.float64], voxel_size: float) -> tuple[PinholeCameraIntrinsic, list[NDArray[np.float64]]]:
+def views_around(
+    centers: NDArray[np.float64], voxel_size: float
+) -> tuple[PinholeCameraIntrinsic, list[NDArray[np.float64]]]:
     """A camera and its poses on a ball around places, evenly spread, all looking at their middle."""
     middle = np.median(centers, axis=0)
     radius = float(np.quantile(np.linalg.norm(centers - middle, axis=1), 1 - BEYOND))

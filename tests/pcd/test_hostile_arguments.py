@@ -288,6 +288,8 @@ loom.read_point_cloud(path="nowhere.ply", device="cpu", scan=None, columns=None)
 loom.GaussianSplats(centers=points[:2], scales=[[1.0, 1.0, 1.0]] * 2, rotations=[[1.0, 0.0, 0.0, 0.0]] * 2, opacities=[0.5, 0.6], harmonics=points[:2], device="cpu")
 loom.GaussianSplats.from_cloud(cloud=splats.cloud)
 loom.GaussianSplats.concatenate(splats=[splats, splats])
+splats.rasterize(intrinsic=camera, extrinsic=pose, background=three, near=0.01)
+loom.fuse_splats(splats=splats, intrinsic=camera, extrinsics=[pose, pose, pose, pose], voxel_size=0.2, truncation=0.6, depth_max=9.0, weight_threshold=1.0, progress=print)
 splats.select_by_index(indices=[0, 1])
 splats.select_by_mask(mask=[True, False])
 splats.crop(bounding_box=box)
@@ -413,7 +415,7 @@ LEFT_OUT |= {  # other names of what the table has
     for name in dir(kind)
     if name.startswith("create_from_") and hasattr(kind, name.removeprefix("create_"))
 }
-LEFT_OUT |= {"RayHits", "Shape", "ShapeSurface", "DetectedShapes", "BoxShape", "Stations"}  # results
+LEFT_OUT |= {"RayHits", "SplatPicture", "Shape", "ShapeSurface", "DetectedShapes", "BoxShape", "Stations"}  # results
 LEFT_OUT |= {"find_boxes"}  # tests/pcd/test_shape_boxes.py has it
 LEFT_OUT |= {"record"}  # tests/drawing/recording has it
 # tests/drawing/render has them
