@@ -103,6 +103,7 @@ from .cameras.images import RGBDImage as RGBDImage
 from .files.frames.azure_kinect import AzureKinectCamera as AzureKinectCamera
 from .files.models.colmap import read_colmap_model as read_colmap_model
 from .files.models.colmap import write_colmap_model as write_colmap_model
+from .files.models.transforms_writer import write_transforms as write_transforms
 from .files.models.camera_files import read_cameras as read_cameras
 from .files.frames.datasets import open_dataset as open_dataset
 from .files.frames.datasets import open_frames as open_frames

@@ -178,3 +178,42 @@ def test_a_colmap_model_and_metashape_are_told_by_what_they_are(tmp_path):
     (tmp_path / "cameras.xml").write_text("<document/>")
     with pytest.raises(FileError, match="one chunk"):
         loom.read_cameras(tmp_path / "cameras.xml")
+
+
+@pytest.mark.parametrize(
+    ("model", "params"),
+    [
+        ("SIMPLE_PINHOLE", [60, 32, 24]),
+        ("PINHOLE", [60, 61, 32.5, 24]),
+        ("SIMPLE_RADIAL", [60, 32, 24, 0.1]),
+        ("RADIAL", [60, 32, 24, 0.1, -0.02]),
+        ("OPENCV", [60, 61, 32.5, 24, 0.1, -0.02, 0.001, 0.002]),
+        ("OPENCV_FISHEYE", [60, 61, 32.5, 24, 0.1, -0.02, 0.003, 0.004]),
+        ("FULL_OPENCV", [60, 61, 32.5, 24, 0.1, -0.02, 0.001, 0.002, 0.003, 0, 0, 0]),
+    ],
+)
+def test_written_transforms_come_back(tmp_path, model, params):
+    rng = np.random.default_rng(0)
+    poses = np.tile(np.eye(4), (2, 1, 1))
+    poses[0, :3, :3], poses[:, :3, 3] = LOOK, rng.normal(size=(2, 3))
+    points = rng.normal(size=(5, 3))
+    lens = loom.CameraModel(model, 64, 48, params)
+    before = loom.SfmModel(["b.png", "sub/a.png"], [lens] * 2, poses, points, colors=np.full((5, 3), 40, np.uint8))
+    loom.write_transforms(tmp_path / "transforms.json", before, pictures="images")
+    after = loom.read_cameras(tmp_path / "transforms.json")
+    assert after.names == ("images/b.png", "images/sub/a.png")
+    np.testing.assert_allclose(after.T_camera_world, before.T_camera_world, atol=1e-15)
+    pixels = rng.uniform(0, 40, (20, 2))
+    np.testing.assert_array_equal(after.cameras[0].unproject(pixels), lens.unproject(pixels))
+    content = json.loads((tmp_path / "transforms.json").read_text())
+    cloud = loom.read_point_cloud(tmp_path / content["ply_file_path"])
+    np.testing.assert_allclose(cloud.points, points, atol=1e-6)
+    np.testing.assert_allclose(cloud.colors, 40 / 255, atol=1e-6)
+
+
+def test_lenses_that_transforms_cannot_hold_are_refused(tmp_path):
+    for model, params in (("FOV", [60, 61, 32, 24, 0.9]), ("FULL_OPENCV", [60, 61, 32, 24, *[0] * 5, 0.1, 0, 0])):
+        with pytest.raises(ValueError, match="straighten the pictures first"):
+            lens = loom.CameraModel(model, 64, 48, params)
+            loom.write_transforms(tmp_path / "t.json", loom.SfmModel(["a.png"], [lens], np.eye(4)[None]))
+    assert not list(tmp_path.iterdir())

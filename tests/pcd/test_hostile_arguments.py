@@ -279,6 +279,7 @@ loom.RealSenseCamera(serial="0123", file="nowhere.bag", width=640, height=480, r
 loom.AzureKinectCamera(number=0, file="nowhere.mkv", timeout=5.0)
 loom.read_colmap_model(folder="nowhere")
 loom.write_colmap_model(folder="model", model=model, format="bin")
+loom.write_transforms(path="transforms.json", model=model, pictures="images")
 loom.read_metashape_cameras(path="nowhere.xml")
 loom.record_frames(source=stream, folder="recording", progress=None)
 loom.open_recording(path="nowhere.mcap")

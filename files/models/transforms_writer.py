@@ -1,0 +1,85 @@
+"""Posed pictures as nerfstudio, instant-ngp and gsplat's scripts train from them: transforms.json."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import PurePosixPath
+from typing import Any
+
+from ...cameras.camera_models import MODELS, CameraModel
+from ...core.atomic import atomic_write
+from ...core.checks import check_name
+from ...core.paths import path_of
+from ...pcd.cloud import PointCloud
+from ..points.point_cloud import write_point_cloud
+from .frame_cameras import AXES
+from .sfm_model import SfmModel
+
+POINTS = "sparse_pc.ply"  # as nerfstudio calls it
+WRITTEN = ("SIMPLE_PINHOLE", "PINHOLE", "SIMPLE_RADIAL", "RADIAL", "OPENCV", "OPENCV_FISHEYE", "FULL_OPENCV")
+_SINGLE = {"f": ("fl_x", "fl_y"), "fx": ("fl_x",), "fy": ("fl_y",), "k": ("k1",)}
+
+
+def write_transforms(path: str | os.PathLike[str], model: SfmModel, *, pictures: str = "") -> None:
+    """Write a model as the transforms.json of nerfstudio, with its points in a PLY file beside it.
+
+    Args:
+        path: The file, such as "scene/transforms.json"; its points go to `sparse_pc.ply` in the same folder.
+        model: At least one picture.
+        pictures: The folder of the pictures as seen from there, such as "images"; names are put behind it.
+
+    Raises:
+        TypeError: No SfmModel, or a folder that is no text.
+        ValueError: No picture, or a lens that the format does not have.
+        FileError: The place cannot be written.
+
+    Notes:
+        Poses are camera to world, with the camera's y up and z back, in the model's own frame and unit; all digits are
+        kept, and `read_cameras` gives the same model but for its points. Each file is written whole or not at all, the
+        points first.
+
+    Example:
+        >>> import json, numpy as np, pointloom as loom
+        >>> camera = loom.CameraModel("PINHOLE", 640, 480, [500, 500, 320, 240])
+        >>> model = loom.SfmModel(["a.png"], [camera], np.eye(4)[None])
+        >>> loom.write_transforms("transforms.json", model, pictures="images")
+        >>> json.load(open("transforms.json"))["frames"][0]["file_path"]
+        'images/a.png'
+    """
+    if not isinstance(model, SfmModel):
+        raise TypeError(f"model: expected an SfmModel, got {type(model).__name__}")
+    if not len(model):
+        raise ValueError("model: expected at least one picture, got none")
+    if not isinstance(pictures, str) or pictures:
+        check_name("pictures", pictures)
+    place = path_of(path)
+    lenses = [_lens(camera) for camera in model.cameras]
+    frames = []
+    for name, lens, T in zip(model.names, lenses, model.T_world_camera, strict=True):
+        file = str(PurePosixPath(pictures, *PurePosixPath(name.replace(os.sep, "/")).parts)) if pictures else name
+        frames.append({"file_path": file, **lens, "transform_matrix": (T @ AXES).tolist()})
+    content: dict[str, Any] = {"camera_model": lenses[0]["camera_model"], "frames": frames}
+    if len(model.points):
+        cloud = PointCloud(model.points, colors=model.colors)
+        write_point_cloud(place.with_name(POINTS), cloud)
+        content["ply_file_path"] = POINTS
+    with atomic_write(place) as file:
+        file.write(json.dumps(content, indent=1, allow_nan=False).encode())
+
+
+def _lens(camera: CameraModel) -> dict[str, Any]:
+    """The keys of a lens, with every coefficient."""
+    if camera.model not in WRITTEN:
+        reason = f"model: transforms.json has no camera model {camera.model}"
+        raise ValueError(f"{reason}; straighten the pictures first, see loom.undistort_picture")
+    lens: dict[str, Any] = {}
+    for name, value in zip(MODELS[camera.model].params.split(", "), camera.params, strict=True):
+        for key in _SINGLE.get(name, (name,)):
+            lens[key] = value
+    if any(lens.pop(name, 0.0) for name in ("k4", "k5", "k6")) and camera.model == "FULL_OPENCV":
+        raise ValueError("model: transforms.json has no k4 to k6 of FULL_OPENCV; straighten the pictures first")
+    kind = "OPENCV"
+    if camera.model == "OPENCV_FISHEYE":
+        kind, lens["k4"] = camera.model, camera.params[7]
+    return {"w": camera.width, "h": camera.height, "camera_model": kind, **lens}
