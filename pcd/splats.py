@@ -318,7 +318,7 @@ class GaussianSplats(Movable, Pictured):
     # ---------------------------------------------------------------------------------------------- internals
 
     def _mapped(self, name: str, T: NDArray[np.float64]) -> Self:
-        R, factor = _similarity(name, T)
+        R, factor = similarity_of(name, T)
         moved = self._cloud.transform(T)
         arrays = moved.device_arrays
         q = np.roll(Rotation.from_matrix(R).as_quat(), 1)
@@ -384,7 +384,7 @@ def _check_all(name: str, sound: Any, what: str) -> None:
         raise ValueError(f"{name}: expected {what} in each row; row {int(np.argmin(sound))} has not")
 
 
-def _similarity(name: str, T: NDArray[np.float64]) -> tuple[NDArray[np.float64], float]:
+def similarity_of(name: str, T: NDArray[np.float64]) -> tuple[NDArray[np.float64], float]:
     """The rotation and the scale of a similarity."""
     A = T[:3, :3]
     factor = float(np.cbrt(np.linalg.det(A)))

@@ -15,6 +15,7 @@ import math
 import os
 import warnings
 import zipfile
+from collections.abc import Collection
 from pathlib import Path
 from typing import IO, Any
 
@@ -32,6 +33,8 @@ from ..table import PointTable
 
 # Deflate needs at least one bit for 129 bytes, so its output is below 1032 times its input.
 _MAX_DEFLATE_RATIO = 1032
+
+MOST_AXES = 4  # of an array
 
 # The record that ends an archive without a comment, which NumPy never writes.
 _END_BYTES = 22
@@ -57,6 +60,15 @@ def read_npz(path: str | os.PathLike[str]) -> PointTable:
         MemoryError: The arrays are larger than the memory; names the file.
     """
     path = Path(path)
+    return _table(path, read_arrays(path))
+
+
+def read_arrays(path: Path, wanted: Collection[str] | None = None) -> dict[str, NDArray[Any]]:
+    """The arrays of an archive by name: all, or those that are wanted; others are not looked into.
+
+    Raises:
+        FileError, MemoryError: As `read_npz`.
+    """
     source = open_source(path)
     if source[-_END_BYTES:][:4] != b"PK\5\6":
         where = f"byte {len(source)}"
@@ -69,7 +81,8 @@ def read_npz(path: str | os.PathLike[str]) -> PointTable:
                 if name == info.filename or name in arrays:
                     what = "is there twice" if name in arrays else "is no .npy array"
                     raise FileError(path, f"member {info.filename!r} {what}")
-                arrays[name] = read_member(path, archive, info, name)
+                if wanted is None or name in wanted:
+                    arrays[name] = read_member(path, archive, info, name)
             begin = min((info.header_offset for info in archive.infolist()), default=0)
             if begin:
                 raise FileError(path, f"{begin} bytes stand before the archive", where="byte 0")
@@ -79,7 +92,7 @@ def read_npz(path: str | os.PathLike[str]) -> PointTable:
         raise MemoryError(f"{path}: the memory does not hold its arrays; read it on a machine with more") from error
     except Exception as error:  # zipfile raises some ten types on damaged archives, not all of them documented
         raise FileError(path, f"is no intact NPZ archive: {error}") from error
-    return _table(path, arrays)
+    return arrays
 
 
 def write_npz(path: str | os.PathLike[str], table: PointTable, *, overwrite: bool = True) -> None:
@@ -136,7 +149,7 @@ def read_member(path: Any, archive: zipfile.ZipFile, info: zipfile.ZipInfo, name
             raise FileError(path, f"{name}: the array's header is damaged: its shape is {shape}")
         count = math.prod(shape)
         needed, left = count * dtype.itemsize, info.file_size - stream.tell()
-        if needed != left or min(shape, default=0) < 0 or len(shape) > 2:
+        if needed != left or min(shape, default=0) < 0 or len(shape) > MOST_AXES:
             reason = f"{name}: the header's shape {list(shape)} of {dtype} needs {needed} bytes, {left} are there"
             raise FileError(path, reason, where=f"byte {info.header_offset}")
         body = stream.read()

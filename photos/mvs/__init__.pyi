@@ -1,5 +1,7 @@
 """The public names of pointloom.mvs: the one list of them, for type checkers and for `public_names`."""
 
+from .depth_bundles import DepthBundle as DepthBundle
+from .depth_bundles import read_depth_bundle as read_depth_bundle
 from .depth_maps import DepthMap as DepthMap
 from .depth_maps import DepthMaps as DepthMaps
 from .estimation import estimate_depth_maps as estimate_depth_maps
