@@ -43,10 +43,18 @@ class SplatPicture:
 
 def columns_of(splats: Pictured) -> SplatColumns:
     """What kernels read of splats."""
-    names = ("points", "opacity", "scale", "rot", "f_dc")
-    arrays = [splats.cloud.device_array(name) for name in names]
-    rest = splats.cloud.device_array("f_rest") if splats.degree else None
-    return SplatColumns(*arrays, rest, sizes_of(splats.degree), splats.degree)
+    column = splats.cloud.device_array
+    rest = column("f_rest") if splats.degree else None
+    return SplatColumns(
+        column("points"),
+        column("opacity"),
+        column("scale"),
+        column("rot"),
+        column("f_dc"),
+        rest,
+        sizes_of(splats.degree),
+        splats.degree,
+    )
 
 
 def list_splats(

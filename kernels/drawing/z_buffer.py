@@ -11,7 +11,7 @@ overflows nor vanishes.
 
 import numpy as np
 
-from ..algebra.camera import Camera
+from ..algebra.camera import Camera, CameraLike
 from ..array_types import Array1, Device
 from ..arrays.packed_keys import NO_KEY, pack_key
 from ..lang import array, atomic_min, func, int64, isfinite, mat33, struct, vec3
@@ -34,8 +34,9 @@ class View:
     rotation: mat33
     offset: vec3
 
-    def __init__(self, camera: Camera, rotation: np.ndarray, offset: np.ndarray) -> None:
-        self.camera, self.rotation, self.offset = camera, rotation, offset
+    def __init__(self, camera: CameraLike, rotation: np.ndarray, offset: np.ndarray) -> None:
+        self.camera = camera  # type: ignore[assignment]  # like a Camera
+        self.rotation, self.offset = rotation, offset
 
 
 @struct

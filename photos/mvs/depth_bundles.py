@@ -76,7 +76,7 @@ class DepthBundle:
 
     def to_model(self) -> SfmModel:
         """The cameras as a model without points: for `registration.fit_to_positions` and `write_transforms`."""
-        lenses = [CameraModel.from_intrinsic(camera.intrinsic) for camera in self.maps.cameras]
+        lenses = tuple(CameraModel.from_intrinsic(camera.intrinsic) for camera in self.maps.cameras)
         return SfmModel(self.names, lenses, np.array([camera.T_camera_world for camera in self.maps.cameras]))
 
     @returns_new
