@@ -41,7 +41,8 @@ class Reference:
         lens: fx, fy, cx, cy [px].
         limits: The least and the greatest inverse depth looked for.
         pixels_per: How far the sources' pixels move for an inverse depth of one [px].
-        pattern: Where the samples of a patch are from its middle [px], [samples, 2]: whole numbers, eight a block.
+        pattern: Where the samples of a patch are from its middle [px], [samples, 2]: whole numbers,
+            LANES * MOST_BLOCKS of them at most.
         device: Where.
     """
 
@@ -70,9 +71,11 @@ class Reference:
     ) -> None:
         self.width, self.height, self.first, self.lens = width, height, first, vec4(*lens)
         self.farthest, self.nearest = limits
-        self.pixels_per, self.blocks = pixels_per, len(pattern) // LANES
+        self.pixels_per, self.blocks = pixels_per, -(-len(pattern) // LANES)
+        missing = LANES * self.blocks - len(pattern)  # lanes of the last block, which look at the middle and weigh 0
+        near = 1 / (1 + (pattern**2).sum(1) / SPACE_SCALE)
         self.across, self.down, self.near = (
-            upload(column, float32, device) for column in (*pattern.T, 1 / (1 + (pattern**2).sum(1) / SPACE_SCALE))
+            upload(np.append(column, np.zeros(missing)), float32, device) for column in (*pattern.T, near)
         )
 
 

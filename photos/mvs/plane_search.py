@@ -42,6 +42,14 @@ def grid(first: int, step: int, is_taken: Callable[[int], bool]) -> NDArray[np.i
     return np.array([(u, v) for v in side for u in side if is_taken(u * u + v * v)])
 
 
+# The largest patch goes without its corners, which weigh least. The densest, without the middle that costs are relative
+# to and the places of a knight's move, follows texture closer, but fits the noise of plain walls alike: for the end alone.
+LARGE = grid(-5, 2, lambda sqdist: sqdist < 50)
+MIDDLE = grid(-3, 2, lambda sqdist: True)
+SMALL = grid(-2, 2, lambda sqdist: True)
+DENSE = grid(-2, 1, lambda sqdist: sqdist not in (0, 5))
+
+
 @dataclasses.dataclass(frozen=True)
 class Phase:
     """One walk over all pictures.
@@ -50,7 +58,7 @@ class Phase:
         scale: Of the pictures.
         turns: Half-turns for each colour of the chessboard.
         spread: Greatest change of a plane in the first turn [px in the sources], half of it in each further one.
-        radius: From the middle of a patch to its border [px], of those in PATTERNS.
+        patch: Where its samples are from its middle: across and down [px], [n, 2].
         regions: Of eight whose planes a pixel tries.
         geometric: Weight of the distance to the sources' surfaces and back [1 / px].
         prior: Whether plain places take planes fitted to what is sure about them, at the end.
@@ -59,7 +67,7 @@ class Phase:
     scale: float
     turns: int
     spread: float
-    radius: int
+    patch: NDArray[np.int64]
     regions: int = 8
     geometric: float = 0.0
     prior: bool = False
@@ -70,20 +78,12 @@ class Phase:
 # sources' new depth does more than a second turn with their old. Priors want sure depth, that which sources agree on:
 # after the first of those, and after the second again, since patches of noise would have led pixels away from them.
 PLAN = (
-    Phase(0.25, turns=4, spread=1.0, radius=5),
-    Phase(0.5, turns=2, spread=0.6, radius=5),
-    Phase(1.0, turns=1, spread=0.6, radius=3),
-    Phase(1.0, turns=1, spread=0.25, radius=2, regions=4, geometric=0.1, prior=True),
-    Phase(1.0, turns=1, spread=0.1, radius=2, regions=4, geometric=0.1, prior=True),
+    Phase(0.25, turns=4, spread=1.0, patch=LARGE),
+    Phase(0.5, turns=2, spread=0.6, patch=LARGE),
+    Phase(1.0, turns=1, spread=0.6, patch=MIDDLE),
+    Phase(1.0, turns=1, spread=0.25, patch=SMALL, regions=4, geometric=0.1, prior=True),
+    Phase(1.0, turns=1, spread=0.1, patch=DENSE, regions=4, geometric=0.1, prior=True),
 )
-# Where the samples of a patch are from its middle, by its radius [px]: eight at a time, as device code takes them.
-# Without the corners of the largest, which weigh least; the smallest, without the middle, which costs are relative to,
-# and the places of a knight's move, is as exact as all of its 25 pixels would be.
-PATTERNS = {
-    5: grid(-5, 2, lambda sqdist: sqdist < 50),
-    3: grid(-3, 2, lambda sqdist: True),
-    2: grid(-2, 1, lambda sqdist: sqdist not in (0, 5)),
-}
 TRIALS = 4  # changed planes that a pixel tries in a half-turn
 CHOSEN = 3  # sources that a pixel is compared with
 GOOD = 0.8  # cost below which a source fits
@@ -253,7 +253,7 @@ class _Walk:
         moved = [motion_of(setting.cameras[index], setting.cameras[j]) for j in setting.sources[index]]
         reference = Reference(
             mine.width, mine.height, first, (mine.fx, mine.fy, mine.cx, mine.cy), (1 / far, 1 / near),
-            float(np.median(moved)) * self.phase.scale, PATTERNS[self.phase.radius], setting.device,
+            float(np.median(moved)) * self.phase.scale, self.phase.patch, setting.device,
         )  # fmt: skip
         self._views = (index, reference, sources)
         return reference, sources
