@@ -168,8 +168,8 @@ def picture_of(parameters: Any, camera: Any, background: Any, seen: Any = None) 
 def largest_differences(device: Any) -> Any:
     """Of gradients from differences of a float64 picture, over the largest gradient of each parameter: [14]."""
     rng = np.random.default_rng(0)
-    camera = loom.PinholeCameraIntrinsic(48, 40, 60.0, 55.0, 23.5, 19.5)
-    count = 12
+    camera = loom.PinholeCameraIntrinsic(32, 24, 40.0, 36.0, 15.5, 11.5)
+    count = 6
     splats = loom.GaussianSplats(
         rng.normal(0, 0.2, (count, 3)) + np.array([0, 0, 2.0]),
         np.exp(rng.normal(-2.0, 0.3, (count, 3))),
@@ -181,8 +181,8 @@ def largest_differences(device: Any) -> Any:
     columns = columns_of(splats)
     view = view_of(camera, np.eye(4), splats.cloud.origin)
     sky = np.array([0.2, 0.3, 0.4])
-    rows, places = np.mgrid[:40, :48]
-    weights = np.stack([np.sin(rows / 9 + k) * np.cos(places / 11 - k) for k in range(3)], axis=-1)
+    rows, places = np.mgrid[:24, :32]
+    weights = np.stack([np.sin(rows / 6 + k) * np.cos(places / 7 - k) for k in range(3)], axis=-1)
     lists, projected = list_splats(columns, view, near=NEAR)
     light = light_pixels(lists, projected, vec3(*sky))
     light.errors = upload(weights.reshape(-1, 3), vec3, device)
