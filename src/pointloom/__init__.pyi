@@ -131,6 +131,7 @@ from .files.bags.pieces import RecordingWarning as RecordingWarning
 from .files.bags.recording import RecordedMessage as RecordedMessage
 from .files.bags.recording import Recording as Recording
 from .files.bags.recording import open_recording as open_recording
+from .files.bags.transforms import RecordedTransforms as RecordedTransforms
 from .files.frames.recordings import FrameRecorder as FrameRecorder
 from .files.frames.recordings import record_frames as record_frames
 from .files.frames.rgbd_sources import RGBDSource as RGBDSource
