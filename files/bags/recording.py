@@ -21,7 +21,6 @@ from ...pcd.cloud import PointCloud
 from ..foreign import foreign_errors, import_for
 from ..points.point_cloud import cloud_of
 from ..points.scan_files import natural_key
-from ..table import PointTable
 from .bag1 import read_bag1
 from .clouds import table_of_message
 from .db3 import read_db3
@@ -139,9 +138,7 @@ class Recording:
         what = f"{len(fitting)} topics of {kind}: {', '.join(fitting)}" if fitting else f"no topic of {kind}"
         raise FileError(self.path, f"has {what}", remedy="Name one of them" if fitting else f"There are {every}")
 
-    def scans(
-        self, topic: str | None = None, *, frame: str | None = None, device: Any = None
-    ) -> Iterator[PointCloud]:
+    def scans(self, topic: str | None = None, *, frame: str | None = None, device: Any = None) -> Iterator[PointCloud]:
         """The clouds of a topic of PointCloud2, or of Livox's CustomMsg, in the order of their times.
 
         Args:
@@ -187,9 +184,7 @@ class Recording:
             every = ", ".join(f"{found.name} ({found.type})" for found in self.topics) or "none"
             raise FileError(self.path, f"has no topic of {TRANSFORMS[0]}", remedy=f"There are {every}")
         each = (
-            (topic, number, message.content)
-            for topic in topics
-            for number, message in enumerate(self._messages(topic))
+            (topic, number, message.content) for topic in topics for number, message in enumerate(self._messages(topic))
         )
         return transforms_of_messages(self.path, each)
 

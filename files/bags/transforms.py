@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.checks import check_finite, check_numeric
+from ...core.checks import check_finite, check_name, check_numeric
 from ...core.errors import FileError
 from ...core.quaternions import quaternions_to_rotations
 from .motions import stamp_of_header
@@ -62,7 +62,7 @@ class RecordedTransforms:
         Raises:
             FileError: No such frame, or one without a parent.
         """
-        self._check(frame)
+        self._check(check_name("frame", frame))
         if frame not in self._joints:
             raise FileError(self.path, f"the frame {frame} has no parent: others stand in it")
         times = self._joints[frame].times
@@ -88,7 +88,7 @@ class RecordedTransforms:
         times = None if time is None else check_finite("time", check_numeric("time", time).astype(np.float64))
         if times is not None and times.ndim > 1:
             raise ValueError(f"time: expected one, or shape [n], got {list(times.shape)}")
-        up, down = self._ways(_plain(target), _plain(source))
+        up, down = self._ways(_plain(check_name("target", target)), _plain(check_name("source", source)))
         every = None if times is None else np.atleast_1d(times)
         count = 1 if every is None else len(every)
         T_common_target, T_common_source = self._product(up, every, count), self._product(down, every, count)
@@ -117,7 +117,9 @@ class RecordedTransforms:
         one, other = self._above(target), self._above(source)
         common = next((frame for frame in one if frame in other), None)
         if common is None:
-            reason = f"the frames {target} and {source} are not connected: one is below {one[-1]}, one below {other[-1]}"
+            reason = (
+                f"the frames {target} and {source} are not connected: one is below {one[-1]}, one below {other[-1]}"
+            )
             raise FileError(self.path, reason)
         return one[: one.index(common)], other[: other.index(common)]
 
@@ -134,7 +136,9 @@ class RecordedTransforms:
         if joint.times is None:
             return _matrices(joint.places, joint.turns)
         if times is None:
-            reason = f"the frame {frame} moves in {joint.parent}: where it stands depends on the time, and none is given"
+            reason = (
+                f"the frame {frame} moves in {joint.parent}: where it stands depends on the time, and none is given"
+            )
             raise FileError(self.path, reason)
         first, last = joint.times[0], joint.times[-1]
         outside = (times < first) | (times > last)

@@ -1,4 +1,4 @@
-"""Files of OpenVDB say what volumes hold: by a reader of their tree written here, and by OpenVDB where it is installed."""
+"""Files of OpenVDB say what volumes hold: to a reader of their tree written here, and to OpenVDB where there is one."""
 
 import json
 import struct
@@ -173,7 +173,7 @@ def test_a_field_up_to_a_distance_leaves_out_what_is_not_known(device, tmp_path)
     grid = read(tmp_path / "a.vdb")["distance"]
     around = np.stack(np.meshgrid(*[np.arange(-4, 5)] * 3), axis=-1).reshape(-1, 3)
     ball = around[(around**2).sum(axis=1) <= 20]  # 4.5^2
-    places = [*(ball + [-3, 0, 0]).tolist(), *(ball + [900, 5, -4000]).tolist()]
+    places = np.concatenate([np.add(ball, [-3, 0, 0]), np.add(ball, [900, 5, -4000])]).tolist()
     assert grid["voxels"].keys() == {tuple(place) for place in places}
     assert grid["background"] == (np.float32(0.45),)
 
