@@ -52,6 +52,7 @@ from .meshing.mesh.surface_result import SurfaceResult as SurfaceResult
 from .meshing.scene.raycasting_scene import RaycastingScene as RaycastingScene
 from .meshing.volume.distance_field import DistanceField as DistanceField
 from .meshing.volume.occupancy import OccupancyGrid as OccupancyGrid
+from .meshing.volume.paged_volume import PagedTSDFVolume as PagedTSDFVolume
 from .meshing.volume.splat_fusion import fuse_splats as fuse_splats
 from .meshing.volume.tsdf import TSDFVolume as TSDFVolume
 from .meshing.volume.vdb_files import write_vdb as write_vdb
