@@ -252,7 +252,7 @@ class _Rounds:
 
     def _settled(self, kind: int, shape: NDArray[np.float64]) -> Found | None:
         """A candidate fitted to the largest part of its points; None where that is too small or of another kind."""
-        search, found = self.search, self.search.refine(kind, shape, self.limits)
+        search, found = self.search, self.search.best_refined([kind], [shape], self.limits)
         if found is None:
             return None
         found = self._fitted(kind, found.fit.shape, largest_part(search.points, found.rows, self._reach))
@@ -267,7 +267,7 @@ class _Rounds:
         """A shape fitted to some points, with the largest part of what is on it; None where that is too small."""
         if rows.size < self._fewest:
             return None
-        fit = self.search.fitter.fit(kind, self.search.centred(kind, shape, rows), rows)
+        fit = self.search.fitter.fit(kind, shape, rows)
         if not self.limits.allow(kind, fit.shape):
             return None
         part = largest_part(self.search.points, self.search.on(kind, fit.shape, self.limits), self._reach)

@@ -7,8 +7,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ..kernels.segmentation.plane_fit import PlaneSearch
-from ..kernels.segmentation.shape_fit import ShapeFit
+from ..kernels.segmentation.shape_fit import FlatFit, ShapeFit
 from ..kernels.segmentation.shape_models import CONE, CYLINDER, PLANE, SPHERE, TORUS
 from ..kernels.segmentation.shape_rivals import count_band, find_rivals
 from ..kernels.segmentation.shape_search import BANDS, SECTORS, Found, ShapeLimits, ShapeSearch
@@ -153,7 +152,7 @@ def is_small_part(kind: int, shape: Shape) -> bool:
     return bool(shape.coverage < COVERED * -np.expm1(-shape.support / cells))
 
 
-def is_flat(search: ShapeSearch, found: Found, plane: ShapeFit) -> bool:
+def is_flat(search: ShapeSearch, found: Found, plane: FlatFit) -> bool:
     """Whether a plane fits the points of a shape as well."""
     return plane.rms <= AS_FLAT * found.fit.rms + ROUNDING * search.size
 
@@ -164,9 +163,6 @@ def is_open(found: Found, length: float) -> bool:
     return bool(CERTAIN * np.sqrt(found.fit.covariance[-1, -1]) > angle or np.tan(angle) * length < found.fit.rms)
 
 
-def plane_of(search: ShapeSearch, found: Found) -> ShapeFit:
+def plane_of(search: ShapeSearch, found: Found) -> FlatFit:
     """The plane of least squares through the points of a shape."""
-    planes = PlaneSearch(search.points, found.rows)
-    start = planes.refit(np.array([0.0, 0.0, 1.0, 0.0]), found.rows)
-    place = planes.center - search.center - start[3] * start[:3]
-    return search.fitter.fit(PLANE, np.concatenate([place, start[:3], [1.0, 1.0]]), found.rows)
+    return search.fitter.fit_plane(found.rows)

@@ -124,16 +124,19 @@ def find_rivals(search: ShapeSearch, found: Found, limits: ShapeLimits, every: S
         rows = every_of(rows, rows.size // COMPARED)
     part = ShapeSearch(search.points, search.normals, rows, search.center)
     wide = replace(limits, smallest=0.0, largest=FREE_SIZE * max(search.size, 1e-30))
-    own = search.fitter.fit(found.kind, found.fit.shape, rows)
-    fits: list[tuple[int, ShapeFit]] = []
+    kinds, starts = [found.kind], [found.fit.shape]
     for kind in (PLANE, SPHERE, CYLINDER, CONE, TORUS):
         if kind == found.kind or rows.size <= len(FREE[kind]) + 1:
             continue
-        starts = part.draw(kind, DRAWN, 0, 0, wide)[0][:STARTS]
-        offers = [search.fitter.fit(kind, part.centred(kind, start, rows), rows) for start in starts]
-        offers = [fit for fit in offers if not fit.reason]
-        if offers:
-            fits.append((kind, min(offers, key=lambda fit: fit.rms)))
+        drawn = part.draw(kind, DRAWN, 0, 0, wide)[0][:STARTS]
+        kinds += [kind] * len(drawn)
+        starts += list(drawn)
+    own, *offers = search.fitter.fit_all(kinds, starts, rows)
+    best: dict[int, ShapeFit] = {}
+    for kind, fit in zip(kinds[1:], offers, strict=True):
+        if not fit.reason and (kind not in best or fit.rms < best[kind].rms):
+            best[kind] = fit
+    fits = list(best.items())
     if not fits:
         return []
     counts = every.score(np.stack([fit.shape for _, fit in fits]), np.array([kind for kind, _ in fits]), limits)

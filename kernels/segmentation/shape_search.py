@@ -7,6 +7,7 @@ points again and again while these grow in number. Points must be in the order o
 """
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,8 +19,9 @@ from ..arrays.select import gather_rows, positions_of
 from ..lang import array, atomic_max, dot, float32, float64, int32, kernel, launch, sqrt, tid, uint8, vec3, vec3d
 from ..memory import download, empty, upload, zeros
 from .plane_samples import sampled_point
-from .shape_fit import ShapeFit, ShapeFitter, frame_of
-from .shape_models import CONE, CYLINDER, NUMBERS, PLANE, SPHERE, TORUS, ShapePoints, measure, split_points_kernel
+from .shape_fit import EXACT, ROUGHLY, Selection, ShapeFit, ShapeFitter, Shapes, frame_of
+from .shape_fit_rows import is_on
+from .shape_models import CONE, CYLINDER, NUMBERS, PLANE, SPHERE, TORUS, ShapePoints, split_points_kernel
 from .shape_rows import every_of
 from .shape_samples import LEAST_WINDOW, draw_shapes_kernel
 from .shape_scores import score_shapes
@@ -88,14 +90,8 @@ def mask_on_shape_kernel(
 ):
     """1 where a point is one of a shape, in float64."""
     i = tid()
-    m = measure(kind, p, a, sizes[0], sizes[1], sampled_point(points, rows[i], center))
-    n = normals[rows[i]]
-    size = sqrt(float64(dot(n, n)))
-    facing = abs(m[1] * float64(n[0]) + m[2] * float64(n[1]) + m[3] * float64(n[2]))
-    inside = 0
-    if abs(m[0]) < threshold and facing >= least_cosine * size:
-        inside = 1
-    mask[i] = uint8(inside)
+    x = sampled_point(points, rows[i], center)
+    mask[i] = uint8(is_on(kind, p, a, sizes[0], sizes[1], x, normals[rows[i]], threshold, least_cosine))
 
 
 @kernel
@@ -223,13 +219,11 @@ class ShapeSearch:
             batch = min(BATCH_GROWTH * batch, MOST_BATCH)
         part = self._part_search()
         if part is not None and len(pool):
-            refined = [part.refine(kind, shape, limits) for shape in pool]
-            pool = np.concatenate([pool, *(one.fit.shape[None] for one in refined if one is not None)])
+            refined = part.refine_all([kind] * len(pool), pool, limits)
+            pool = np.concatenate([pool, *(one[0].shape[None] for one in refined if one is not None)])
             counts = self.score(pool, np.full(len(pool), kind), limits)
             pool = pool[np.argsort(-counts, kind="stable")[:1]]
-        found = [self.refine(kind, shape, limits) for shape in pool]
-        found = [one for one in found if one is not None]
-        return max(found, key=lambda one: (one.rows.size, -one.fit.rms), default=None)
+        return self.best_refined([kind] * len(pool), pool, limits)
 
     def _part_search(self) -> "ShapeSearch | None":
         """The search among every n-th of the points; None where there are few."""
@@ -238,34 +232,27 @@ class ShapeSearch:
             return None
         return ShapeSearch(self.points, self.normals, every_of(self.rows, step), self.center)
 
-    def refine(self, kind: int, shape: NDArray[np.float64], limits: ShapeLimits) -> Found | None:
-        """A shape fitted to its points while they grow in number; None where it has none."""
-        rows, best = self.on(kind, shape, limits), None
-        for _ in range(MOST_FITS):
-            if rows.size == 0:
-                break
-            fit = self.fitter.fit(kind, self.centred(kind, shape, rows), rows)
-            shape = fit.shape
-            if not limits.allow(kind, shape):
-                break
-            grown = self.on(kind, shape, limits)
-            if best is not None and grown.size <= best.rows.size:
-                break
-            best, rows = Found(kind, fit, grown), grown
-        return best
+    def refine_all(
+        self, kinds: Sequence[int], shapes: Shapes, limits: ShapeLimits, gain: float = ROUGHLY
+    ) -> list[tuple[ShapeFit, int] | None]:
+        """Shapes fitted to their points while these grow in number, and how many; None of one without; one sync."""
+        chosen = Selection(
+            self.normals, limits.distance, limits.cosine, limits.smallest, limits.largest, MOST_FITS
+        )  # fmt: skip
+        return self.fitter.refine_all(kinds, shapes, self.rows, chosen, gain)
 
-    def centred(self, kind: int, shape: NDArray[np.float64], rows: Indices) -> NDArray[np.float64]:
-        """A plane or a cylinder whose place is moved along itself to the middle of its points."""
-        if kind not in (PLANE, CYLINDER) or not rows.size:
-            return shape
-        frame, low, high = self.turned(shape, rows)[1:]
-        middle = 0.5 * (low + high)
-        moved = middle[2] * frame[2] if kind == CYLINDER else middle[:2] @ frame[:2]
-        return np.concatenate([shape[:3] + moved, shape[3:]])
+    def best_refined(self, kinds: Sequence[int], shapes: Shapes, limits: ShapeLimits) -> Found | None:
+        """Of some shapes fitted to their points the one with the most points; None where none has any."""
+        each = zip(kinds, self.refine_all(kinds, shapes, limits, EXACT), strict=True)
+        found = [(kind, *one) for kind, one in each if one is not None]
+        if not found:
+            return None
+        kind, fit, count = max(found, key=lambda one: (one[2], -one[1].rms))
+        return Found(kind, fit, self.on(kind, fit.shape, limits, count))
 
-    def on(self, kind: int, shape: NDArray[np.float64], limits: ShapeLimits) -> Indices:
-        """The rows of the points of a shape; one sync."""
-        return gather_rows(self.rows, positions_of(self.mask(kind, shape, limits)))
+    def on(self, kind: int, shape: NDArray[np.float64], limits: ShapeLimits, count: int | None = None) -> Indices:
+        """The rows of the points of a shape; one sync where it is not known how many."""
+        return gather_rows(self.rows, positions_of(self.mask(kind, shape, limits), count))
 
     def mask(self, kind: int, shape: NDArray[np.float64], limits: ShapeLimits) -> Mask:
         """1 for each point of a shape."""
