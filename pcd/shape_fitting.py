@@ -121,7 +121,7 @@ def _best_start(search: ShapeSearch, kind: int, seed: int) -> ShapeFit | None:
     rows, fits = search.rows, []
     if rows.size // COMPARED >= 2:
         rows = every_of(rows, rows.size // COMPARED)
-    part = ShapeSearch(search.points, search.normals, rows, search.center)
+    part = ShapeSearch(search.points, search.normals, rows, search)
     limits = ShapeLimits(0.0, 0.0, 0.0, FREE_SIZE * search.size)
     for level, share in enumerate(LEVELS):
         near = replace(limits, distance=share * search.size)

@@ -8,11 +8,12 @@ fits that are asked for at once (`shape_steps`); the host waits once and turns t
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..array_types import Doubles, Indices, Points, Vectors
+from ..array_types import Array1, Doubles, Indices, Points, Vectors
 from ..arrays.segment_blocks import SegmentBlocks
 from ..arrays.side_by_side import SideBySide
 from ..lang import float64, int32, launch, loop_while, reduce, reduce_segments, uint8, vec3d
@@ -110,6 +111,16 @@ def is_proper(kind: int, shape: NDArray[np.float64]) -> bool:
     )
 
 
+def flat_fit(sums: NDArray[np.float64], count: int) -> FlatFit:
+    """The plane of sums about the middle: in float64 they tell distances of 1e-8 of the size of the points and more."""
+    sums = sums.reshape(-1) / max(count, 1)
+    mean, products = sums[:3], np.zeros((3, 3))
+    products[np.triu_indices(3)] = sums[3:9]
+    products += np.triu(products, 1).T
+    values, vectors = np.linalg.eigh(products - np.outer(mean, mean))
+    return FlatFit(np.concatenate([mean, vectors[:, 0], [1.0, 1.0]]), float(np.sqrt(max(values[0], 0.0))))
+
+
 class ShapeFitter:
     """Fits to some of the points of a cloud."""
 
@@ -126,9 +137,14 @@ class ShapeFitter:
         """
         return self.fit_all([kind], [shape], rows, EXACT)[0]
 
-    def fit_all(self, kinds: ArrayLike, shapes: Shapes, rows: Indices, gain: float = ROUGHLY) -> list[ShapeFit]:
-        """The fit that is reached from each of some shapes, all to the same rows; one sync."""
-        found = self._run(kinds, shapes, rows, None, gain)
+    def fit_all(
+        self, kinds: ArrayLike, shapes: Shapes, rows: Indices, gain: float = ROUGHLY, hopeless: float = 0.0
+    ) -> list[ShapeFit]:
+        """The fit that is reached from each of some shapes, all to the same rows; one sync.
+
+        A fit whose distances stay beyond `hopeless` [m] in the root mean square is given up; 0 gives up none.
+        """
+        found = self._run(kinds, shapes, rows, None, gain, hopeless)
         return [
             self.fit_of(int(kind), shape, sums)
             for kind, shape, sums in zip(found["kinds"], found["shapes"], found["sums"], strict=True)
@@ -150,16 +166,12 @@ class ShapeFitter:
         ]
 
     def fit_plane(self, rows: Indices) -> FlatFit:
-        """The plane of least squared distances to `points[rows]`, which have no weights here; one sync.
+        """The plane of least squared distances to `points[rows]`, which have no weights here; one sync."""
+        return flat_fit(download(self.add_places(rows)), rows.size)  # sync
 
-        From sums about the middle: in float64 they tell distances of 1e-8 of the size of the points and more.
-        """
-        sums = download(reduce(add_places, rows.size, [self.points, rows, vec3d(*self.center)]))[0]  # sync
-        mean, products = sums[:3] / max(rows.size, 1), np.zeros((3, 3))
-        products[np.triu_indices(3)] = sums[3:9] / max(rows.size, 1)
-        products += np.triu(products, 1).T
-        values, vectors = np.linalg.eigh(products - np.outer(mean, mean))
-        return FlatFit(np.concatenate([mean, vectors[:, 0], [1.0, 1.0]]), float(np.sqrt(max(values[0], 0.0))))
+    def add_places(self, rows: Indices) -> Array1[Any]:
+        """What `flat_fit` makes a plane of, where it is."""
+        return reduce(add_places, rows.size, [self.points, rows, vec3d(*self.center)])
 
     def fit_of(self, kind: int, shape: NDArray[np.float64], sums: NDArray[np.float64]) -> ShapeFit:
         """What the sums over the rows at a shape say of it."""
@@ -187,7 +199,13 @@ class ShapeFitter:
         return ShapeFit(shape.copy(), covariance, frame, float(np.sqrt(squares / max(count, 1))), count, reason)
 
     def _run(
-        self, kinds: ArrayLike, shapes: Shapes, rows: Indices, chosen: Selection | None, gain: float
+        self,
+        kinds: ArrayLike,
+        shapes: Shapes,
+        rows: Indices,
+        chosen: Selection | None,
+        gain: float,
+        hopeless: float = 0.0,
     ) -> dict[str, NDArray]:
         """Run all fits to their ends; one sync."""
         device, n = self.points.device, rows.size
@@ -199,7 +217,7 @@ class ShapeFitter:
         fits.rows, fits.jobs, fits.mask = (empty(k * n, kind, device) for kind in (int32, int32, uint8))
         launch(list_fit_rows_kernel, k * n, [rows, fits])
         rules = FitRules()
-        rules.size, rules.gain = self.size, gain
+        rules.size, rules.gain, rules.hopeless = self.size, gain, hopeless * hopeless
         rules.threshold = rules.cosine = rules.smallest = rules.largest = 0.0
         if chosen is not None:
             rules.threshold, rules.cosine = chosen.threshold, chosen.cosine

@@ -76,12 +76,14 @@ class FitRules:
     Attributes:
         size: How far the points reach [m].
         gain: A step that gains less of the squared distances ends a fit.
+        hopeless: A mean squared distance [m^2] beyond which a fit is given up after some steps; 0 for none.
         threshold, cosine: Of the rows on a shape: distance [m], and least cosine between normals.
         smallest, largest: Radius [m] of a sphere, a cylinder, a torus (its tube's, its ring's).
     """
 
     size: float64
     gain: float64
+    hopeless: float64
     threshold: float64
     cosine: float64
     smallest: float64

@@ -25,6 +25,7 @@ from .shape_models import CONE, CYLINDER, PLANE, SPHERE, TORUS
 
 FIRST_DAMPING, LEAST_DAMPING, MOST_DAMPING = 1.0e-4, 1.0e-12, 1.0e12
 MOST_STEPS = 60
+PATIENCE = 12  # steps before a fit is given up: those of true shapes take 2 to 6
 SETTLED = 1.0e-12  # of the size of the points: a step as short changes nothing
 LOST = 1.0e-14  # of its diagonal: a pivot that is as small says nothing of its unknown
 HUGE = 1.0e300
@@ -272,6 +273,9 @@ def weigh_offer(k: int, trial: fit_sums, rules: FitRules, fits: ShapeFits) -> in
         fits.dampings[k] = fits.dampings[k] * 10.0
     fits.steps[k] = fits.steps[k] + 1
     if fits.steps[k] >= MOST_STEPS:
+        ended = 1
+    far = fits.sums[k][SQUARES] > rules.hopeless * fits.sums[k][COUNT]
+    if rules.hopeless > 0.0 and fits.steps[k] >= PATIENCE and far:
         ended = 1
     return ended
 
