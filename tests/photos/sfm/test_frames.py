@@ -283,12 +283,12 @@ def test_photographs_that_cannot_be_used_are_named(panned, tmp_path):
     whole = (source / "view 1.png").read_bytes()
     (source / "view 1.png").write_bytes(whole[: len(whole) // 2])
     (source / "view 2.png").write_bytes(b"")
-    (source / "wall.heic").write_bytes(b"heic")
+    (source / "wall.nef").write_bytes(b"nef")
     write_pictures(source, [np.zeros((48, 64), np.uint8)], ["lens cap.png"])
     choice = loom.sfm.choose_frames(source, tmp_path / "out")
     assert choice.names == ("view 0.png", "view 3.png")
     assert set(choice.left_out) == {"view 1.png", "view 2.png", "lens cap.png"}
-    assert "3 pictures cannot be used and left out" in choice.remarks[0] and "wall.heic" in choice.remarks[1]
+    assert "3 pictures cannot be used and left out" in choice.remarks[0] and "wall.nef" in choice.remarks[1]
 
 
 def test_photographs_of_several_sizes_are_told(panned, tmp_path):
@@ -302,8 +302,8 @@ def test_a_folder_without_a_picture_that_can_be_used_is_refused(panned, tmp_path
     (tmp_path / "in").mkdir()
     with pytest.raises(loom.FileError, match="holds no picture"):
         loom.sfm.choose_frames(tmp_path / "in", tmp_path / "out")
-    (tmp_path / "in" / "a.heic").write_bytes(b"")
-    with pytest.raises(loom.FileError, match=r"there are 1 of .heic, which are not read. Convert them"):
+    (tmp_path / "in" / "a.nef").write_bytes(b"")
+    with pytest.raises(loom.FileError, match=r"there are 1 of .nef, which are not read. Convert them"):
         loom.sfm.choose_frames(tmp_path / "in", tmp_path / "out")
     (tmp_path / "in" / "a.png").write_bytes(b"png")
     with pytest.raises(loom.FileError, match=r"none of 1 picture can be used: a\.png"):
