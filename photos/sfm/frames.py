@@ -43,7 +43,7 @@ def choose_frames(
     in order already is copied. Names are kept where they sort as the pictures do, else a number comes before them.
 
     Args:
-        source: A video that ffmpeg or OpenCV can read, or a folder of PNG, JPEG, TIFF and WebP pictures, and of HEIC and
+        source: A video that ffmpeg or OpenCV can read, or a folder of PNG, JPEG, TIFF and WebP pictures, of HEIC and
             DNG with `pip install "pointloom[photos]"`.
         folder: Where to write; new, or empty. Frames are called frame_000012.jpg after their number in the video.
         max_frames: At most so many; where more fit, they are taken evenly.

@@ -89,7 +89,7 @@ def mosaic() -> np.ndarray:
 def test_tiff_and_webp_lie_upright_and_keep_their_lens(tmp_path, name, orientation):
     (tmp_path / "in").mkdir()
     options = {"lossless": True} if name.endswith("webp") else {}
-    Image.fromarray(scene()).save(tmp_path / "in" / name, exif=exif(orientation), **options)
+    Image.fromarray(scene()).save(tmp_path / "in" / name, exif=exif(orientation).tobytes(), **options)
     choice = loom.sfm.choose_frames(tmp_path / "in", tmp_path / "out", kind="png")
     upright = scene() if orientation == 1 else np.rot90(scene(), 3)
     assert choice.names == ("a.png",) and np.array_equal(written(tmp_path / "out", "a.png"), upright)
@@ -168,10 +168,10 @@ def test_without_the_extra_the_line_that_installs_it_is_named(tmp_path, monkeypa
 
 def test_a_raw_file_beside_its_jpeg_is_the_same_photograph(tmp_path):
     source = write_pictures(tmp_path / "in", [scene(), scene()], ["IMG_1.jpg", "IMG_2.jpg"])
-    (source / "img_1.DNG").write_bytes(b"not even read")
+    (source / "Img_1.DNG").write_bytes(b"not even read")
     choice = loom.sfm.choose_frames(source, tmp_path / "out")
     assert choice.names == ("IMG_1.jpg", "IMG_2.jpg") and choice.frame_count == 2
-    assert choice.remarks == ("of photographs that lie there as JPEG or PNG as well: img_1.DNG",)
+    assert choice.remarks == ("of photographs that lie there as JPEG or PNG as well: Img_1.DNG",)
 
 
 def test_deep_grey_tiff_becomes_grey_of_8_bits(tmp_path):
