@@ -49,7 +49,7 @@ def choose_frames(
         max_frames: At most so many; where more fit, they are taken evenly.
         max_size: The longer side is scaled down to this [px]; None keeps the size.
         min_movement: Of a video: how far the picture moves from one frame to the next, as a share of its longer side.
-        max_gap: Of a video: at most so many frames from one to the next.
+        max_gap: Of a video: at most so many frames from one to the next, unless the camera stands still.
         kind: Of files: "jpg" (quality 95, 4:4:4) or "png", which loses nothing and takes several times the space.
         reader: What decodes a video: "ffmpeg" and "ffprobe" on the path, "opencv" (opencv-python-headless), or "auto"
             for the first of them that is there. Both run in a process of their own.

@@ -138,6 +138,7 @@ def test_what_is_cut_off_is_left_out_and_named(tmp_path, kind, share):
     choice = loom.sfm.choose_frames(source, tmp_path / "out")
     assert choice.names == ("good.png",) and list(choice.left_out) == [f"bad.{kind}"]
     assert f"bad.{kind}" in choice.remarks[0]
+    assert kind != "dng" or choice.left_out["bad.dng"].split(":")[0] == ("cut off" if share else "empty")
 
 
 def test_what_a_name_promises_falsely_is_left_out(tmp_path):
