@@ -64,6 +64,10 @@ def settings_of_stages(source: Any, content: str, settings: Settings, device: An
     return {
         "source": Given(source, {"source": content}),
         "max_frames": Given(settings.max_frames, {"max_frames": settings.max_frames}),
+        "masks": Given(settings.masks, settings.digest_of_masks()),
+        "camera_model": Given(settings.camera_model, {"camera_model": settings.camera_model}),
+        "max_features": Given(settings.max_features, {"max_features": settings.max_features}),
+        "pairs": Given(settings.pairs, {"pairs": settings.pairs}),
         "intrinsic": Given(lens, {"camera": camera}),
         "fixed_camera": Given(lens is not None, {"fixed": lens is not None}),
         "max_size": Given(settings.max_size, {"max_size": settings.max_size}),

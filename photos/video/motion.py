@@ -15,10 +15,12 @@ from ...core.stages import Made
 from ...files.models.colmap import read_colmap_model
 from ...files.models.sfm_model import SfmModel
 from .. import sfm
+from ..sfm.masks import FOLDER, MakeMask
 from ..sfm.picture_folder import check_place
 from ..sfm.verdict import MIN_ANGLE, MIN_PARALLAX, Verdict
 
 PICTURES, DATABASE, MODEL = "pictures", "database.db", "sparse"
+MASKS = PICTURES + FOLDER
 
 FEWEST = 2  # pictures that make a model
 
@@ -51,9 +53,11 @@ def picture_names(frames: Made) -> list[str]:
     return sorted(path.name for path in (frames.folder / PICTURES).iterdir())
 
 
-def take_frames(folder: Path, say: ReportProgress, *, source: FilePath, max_frames: int) -> dict[str, Any]:
+def take_frames(
+    folder: Path, say: ReportProgress, *, source: FilePath, max_frames: int, masks: FilePath | MakeMask | None
+) -> dict[str, Any]:
     """Sharp frames of a video where the camera has moved, or the pictures of a folder."""
-    choice = sfm.choose_frames(source, folder / PICTURES, max_frames=max_frames, progress=say)
+    choice = sfm.choose_frames(source, folder / PICTURES, max_frames=max_frames, masks=masks, progress=say)
     told = choice.to_json()
     if len(choice.names) < FEWEST:
         reason = f"gives {len(choice.names)} picture that can be used, and a mesh wants several, from several places"
@@ -62,16 +66,25 @@ def take_frames(folder: Path, say: ReportProgress, *, source: FilePath, max_fram
 
 
 def find_features(
-    folder: Path, say: ReportProgress, *, frames: Made, intrinsic: PinholeCameraIntrinsic | None, seed: int
+    folder: Path,
+    say: ReportProgress,
+    *,
+    frames: Made,
+    intrinsic: PinholeCameraIntrinsic | None,
+    camera_model: str,
+    max_features: int,
+    seed: int,
 ) -> dict[str, Any]:
     """What can be recognised in each picture."""
-    pictures, database = frames.folder / PICTURES, folder / DATABASE
-    return sfm.find_features(pictures, database, intrinsic=intrinsic, seed=seed, progress=say).to_json()
+    pictures, masks = frames.folder / PICTURES, frames.folder / MASKS
+    options = {"camera_model": camera_model, "max_features": max_features, "masks": masks if masks.is_dir() else None}
+    found = sfm.find_features(pictures, folder / DATABASE, intrinsic=intrinsic, seed=seed, progress=say, **options)
+    return found.to_json()
 
 
-def match(folder: Path, say: ReportProgress, *, frames: Made, features: Made, seed: int) -> dict[str, Any]:
+def match(folder: Path, say: ReportProgress, *, frames: Made, features: Made, pairs: str, seed: int) -> dict[str, Any]:
     """Which of it two pictures share."""
-    return sfm.match(features.folder / DATABASE, folder / DATABASE, seed=seed, progress=say).to_json()
+    return sfm.match(features.folder / DATABASE, folder / DATABASE, pairs=pairs, seed=seed, progress=say).to_json()
 
 
 def map_pictures(

@@ -92,8 +92,8 @@ def test_a_result_cannot_be_changed(quick, film, tmp_path, monkeypatch):
     ("name", "after", "recorded"),
     [
         ("frames", [], {"source", "max_frames"}),
-        ("features", ["frames"], {"camera", "seed"}),
-        ("matches", ["frames", "features"], {"seed"}),
+        ("features", ["frames"], {"camera", "camera_model", "max_features", "seed"}),
+        ("matches", ["frames", "features"], {"pairs", "seed"}),
         ("model", ["frames", "matches"], {"fixed", "seed"}),
         ("undistorted", ["frames", "model"], {"max_size"}),
         ("depth", ["undistorted"], {"seed"}),
