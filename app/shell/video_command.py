@@ -78,6 +78,7 @@ CAMERAS = "Known poses: Metashape's .xml, COLMAP's folder, transforms.json, Poly
     metavar="N",
     help="The most features of a picture.",
 )
+@click.option("--panorama", is_flag=True, help="The pictures show all directions (360 degrees).")
 @click.option("--cloud", type=FILE, metavar="FILE", help="Write the fused points as well.")
 @click.option("--trajectory", type=FILE, metavar="POSES", help="Write the poses: .txt or .tum (TUM), .log.")
 @click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, metavar="N", help="Of what is drawn.")
@@ -132,7 +133,7 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
 
     units = Units(**{name: options.pop(name) for name in ("scale", "known", "align")})
     names = ("max_frames", "max_size", "intrinsic", "seed", "cameras")
-    names += ("masks", "camera_model", "pairs", "max_features")
+    names += ("masks", "camera_model", "pairs", "max_features", "panorama")
     settings = Settings(units=units, **{name: options.pop(name) for name in names})
     points_alone = output.suffix.lower() in set(WRITTEN) - set(MESHES) and options["cloud"] is None
     if points_alone:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -14,13 +15,15 @@ from ...core.records import digest_of, digest_of_file
 from ...core.stages import Made
 from ...files.models.colmap import read_colmap_model
 from ...files.models.sfm_model import SfmModel
+from ...files.pictures.image_files import read_picture_header
 from .. import sfm
-from ..sfm.masks import FOLDER, MakeMask
+from ..sfm.masks import FOLDER, MakeMask, mask_folder
 from ..sfm.picture_folder import check_place
+from ..sfm.sphere_pictures import cut_spheres
 from ..sfm.verdict import MIN_ANGLE, MIN_PARALLAX, Verdict
 
 PICTURES, DATABASE, MODEL = "pictures", "database.db", "sparse"
-MASKS = PICTURES + FOLDER
+MASKS, SPHERES = PICTURES + FOLDER, "spheres"
 
 FEWEST = 2  # pictures that make a model
 
@@ -54,11 +57,24 @@ def picture_names(frames: Made) -> list[str]:
 
 
 def take_frames(
-    folder: Path, say: ReportProgress, *, source: FilePath, max_frames: int, masks: FilePath | MakeMask | None
+    folder: Path,
+    say: ReportProgress,
+    *,
+    source: FilePath,
+    max_frames: int,
+    masks: FilePath | MakeMask | None,
+    panorama: bool,
 ) -> dict[str, Any]:
-    """Sharp frames of a video where the camera has moved, or the pictures of a folder."""
-    choice = sfm.choose_frames(source, folder / PICTURES, max_frames=max_frames, masks=masks, progress=say)
+    """Sharp frames of a video where the camera has moved, or the pictures of a folder; the faces of spheres."""
+    place = folder / (SPHERES if panorama else PICTURES)
+    choice = sfm.choose_frames(source, place, max_frames=max_frames, masks=masks, progress=say)
     told = choice.to_json()
+    if panorama:
+        hidden = None if masks is None else (mask_folder(place), folder / MASKS)
+        faces = cut_spheres(place, choice.names, folder / PICTURES, hidden, say)
+        for each in (place, mask_folder(place)):
+            shutil.rmtree(each, ignore_errors=True)
+        return told | {"kept": len(faces), "frames": choice.frame_count, "names": faces}
     if len(choice.names) < FEWEST:
         reason = f"gives {len(choice.names)} picture that can be used, and a mesh wants several, from several places"
         raise FileError(source, reason, remedy="Move while you film, or take more pictures")
@@ -73,10 +89,14 @@ def find_features(
     intrinsic: PinholeCameraIntrinsic | None,
     camera_model: str,
     max_features: int,
+    panorama: bool,
     seed: int,
 ) -> dict[str, Any]:
     """What can be recognised in each picture."""
     pictures, masks = frames.folder / PICTURES, frames.folder / MASKS
+    if panorama:  # faces of a cube, of whatever size
+        side = read_picture_header(pictures / picture_names(frames)[0]).width
+        intrinsic = PinholeCameraIntrinsic(side, side, side / 2, side / 2, (side - 1) / 2, (side - 1) / 2)
     options = {"camera_model": camera_model, "max_features": max_features, "masks": masks if masks.is_dir() else None}
     found = sfm.find_features(pictures, folder / DATABASE, intrinsic=intrinsic, seed=seed, progress=say, **options)
     return found.to_json()

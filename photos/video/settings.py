@@ -40,6 +40,8 @@ class Settings:
         camera_model: COLMAP's name of how the lens draws, where it is to be found: "OPENCV_FISHEYE" of a fisheye.
         pairs: Which pictures are matched, as `sfm.match` has it.
         max_features: Of a picture.
+        panorama: The pictures show all directions (360 degrees, equirectangular, twice as wide as high): each becomes
+            six of a cube's faces, whose lens is known.
 
     Raises:
         TypeError, ValueError: One is out of range; the error names it.
@@ -61,6 +63,7 @@ class Settings:
     camera_model: str = "SIMPLE_RADIAL"
     pairs: str = "auto"
     max_features: int = MAX_FEATURES
+    panorama: bool = False
 
     def __post_init__(self):
         check_count("max_frames", self.max_frames, minimum=FEWEST_PICTURES)
@@ -84,9 +87,15 @@ class Settings:
         check_camera_model(self.camera_model)
         check_option("pairs", self.pairs, PAIRS)
         check_max_features(self.max_features)
+        if not isinstance(self.panorama, bool):
+            raise TypeError(f"panorama: expected True or False, got {type(self.panorama).__name__}")
+        if self.panorama and (self.intrinsic is not None or self.camera_model != "SIMPLE_RADIAL"):
+            raise ValueError(
+                "panorama: faces of a cube have a lens that is known; leave out intrinsic and camera_model"
+            )
         if self.cameras is None:
             return
-        for name, usual in (("masks", None), ("camera_model", "SIMPLE_RADIAL"), ("pairs", "auto")):
+        for name, usual in (("masks", None), ("camera_model", "SIMPLE_RADIAL"), ("pairs", "auto"), ("panorama", False)):
             if getattr(self, name) != usual:
                 raise ValueError(f"{name}: goes with pictures whose poses are to be found, and cameras tells them")
 
