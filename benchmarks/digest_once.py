@@ -56,6 +56,11 @@ def polygon_file(p: Place) -> Any:
         return loom().SelectionPolygonVolume.from_json(path)
 
 
+def panorama_faces(d: Scenes) -> list[Any]:
+    sphere = np.random.default_rng(5).integers(0, 256, (48, 96, 3), dtype=np.uint8)
+    return [loom().Panorama(96, 48, side=side, device=d.device).apply(sphere) for side in (None, 20)]
+
+
 def undistorted_paint(d: Scenes) -> list[Any]:
     """A picture through a lens of each kind, at its size and smaller."""
     height, width = d.paint.shape[:2]
@@ -545,6 +550,7 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "pyrdown_depth": lambda d: loom().pyrdown_depth(d.frames.depths[3], device=d.device),
     "pyrdown_color": lambda d: loom().pyrdown_color(d.paint, device=d.device),
     "undistort_picture": undistorted_paint,
+    "panorama": panorama_faces,
     "create_depth_pyramid": lambda d: loom().create_depth_pyramid(d.rgbd, 3),
     "tsdf, integrate": lambda d: d.fuse()[1],
     "tsdf, integrate, far": lambda d: d.fuse(UTM, color=False)[1],
