@@ -9,10 +9,12 @@ import numpy as np
 
 from ..array_types import Array1, Array2, Bytes, Device, Mask
 from ..lang import uint8, vec4
-from ..memory import download, empty
+from ..memory import download, empty, rows_of
 from .descriptors import WIDTH, OrientedPlaces
 from .extrema import Extrema
 from .scale_space import SCALES, ScaleSpace
+
+BYTES_A_PIXEL = 300  # of the picture: six levels of twice its size and of the smaller octaves, and one between passes
 
 
 class FeatureFinder:
@@ -50,7 +52,9 @@ class FeatureFinder:
                 if count > most:
                     left_out += extrema.counts[level]
                 count += extrema.counts[level]
-            found.append(OrientedPlaces(octave, extrema.places, extrema.rows[left_out:]))
+            if left_out < extrema.rows.size:
+                rows = rows_of(extrema.rows, left_out, extrema.rows.size)
+                found.append(OrientedPlaces(octave, extrema.places, rows))
             if count > most:
                 break
         return self._describe(found[::-1])
