@@ -13,3 +13,6 @@ from .triangulation import TriangulationResult as TriangulationResult
 from .triangulation import triangulate as triangulate
 from .verdict import Verdict as Verdict
 from .verdict import judge_model as judge_model
+from .keypoints import Keypoints as Keypoints
+from .keypoints import detect_keypoints as detect_keypoints
+from .keypoints import match_keypoints as match_keypoints
