@@ -188,6 +188,33 @@ def on_segment(a: vec3d, b: vec3d, x: float64, y: float64) -> float64:
     return share
 
 
+@func
+def side_of_corner(a: vec3d, b: vec3d, c: vec3d, side: int) -> vec3d:
+    """One of three corners, counted round."""
+    corner = a
+    if side % 3 == 1:
+        corner = b
+    if side % 3 == 2:
+        corner = c
+    return corner
+
+
+@func
+def nearest_seam(texels: ChartTexels, seams: Seams, owner: int, x: float64, y: float64) -> vec3d:
+    """The half-edge of a triangle on a seam that is nearest to a place, how far it is, and the share on its way."""
+    a, b, c = texel_corners(texels.atlas, owner)
+    found = vec3d(-1.0, 1.0e9, 0.0)
+    for side in range(3):
+        if is_seam(3 * owner + side, seams) == 1:
+            begin = side_of_corner(a, b, c, side)
+            end = side_of_corner(a, b, c, side + 1)
+            share = on_segment(begin, end, x, y)
+            distance = length(begin * (1.0 - share) + end * share - vec3d(x, y, 0.0))
+            if distance < found[1]:
+                found = vec3d(float64(3 * owner + side), distance, share)
+    return found
+
+
 @kernel
 def aim_at_seams_kernel(
     texels: ChartTexels,
@@ -197,50 +224,42 @@ def aim_at_seams_kernel(
     shifts: array(dtype=vec3d),
     changes: array(dtype=vec3d),
 ):
-    """What texels on a seam change by: half the way to the other side's colour at the same place."""
+    """What texels on a seam change by: half the way to the other side's colour at the same place.
+
+    The nearest seam edge is that of the texel's triangle or of one within two texels.
+    """
     i = tid()
     changes[i] = vec3d(0.0, 0.0, 0.0)
-    owner = texels.owners[i]
-    if owner == NO_TRIANGLE:
+    if texels.owners[i] == NO_TRIANGLE:
         return
-    if seams.views[owner] < 0:
+    if seams.views[texels.owners[i]] < 0:
         return
-    width = texels.atlas.width
-    x = float64(i % width) + 0.5
-    y = float64(i // width) + 0.5
-    a, b, c = texel_corners(texels.atlas, owner)
+    size = texels.atlas.width
+    x = float64(i % size) + 0.5
+    y = float64(i // size) + 0.5
     reach = float64(ON_SEAM)
     if texels.rings[i] > 0:
         reach = float64(REACH)
-    seam = -1
-    share = float64(0.0)
-    for side in range(3):
-        begin = a
-        end = b
-        if side == 1:
-            begin = b
-            end = c
-        if side == 2:
-            begin = c
-            end = a
-        if is_seam(3 * owner + side, seams) == 1:
-            at = on_segment(begin, end, x, y)
-            distance = length(begin * (1.0 - at) + end * at - vec3d(x, y, 0.0))
-            if distance <= reach:
-                reach = distance
-                seam = 3 * owner + side
-                share = at
-    if seam >= 0:
-        shares = shares_at(texels.atlas, owner, x, y)
-        place = point_at(shares, seams.triangles[owner], vertices)
-        there = seams.views[seams.twins[seam] // 3]
-        t = seams.triangles[owner]
-        first = shifts[node_beyond(seam, t[seam % 3], seams)] * (1.0 - share)
-        other = picture_color(place, there, pictures) + first
-        other += shifts[node_beyond(seam, t[next_corner(seam) % 3], seams)] * share
-        own = picture_color(place, seams.views[owner], pictures)
-        own += shifts[seams.nodes[seam]] * (1.0 - share) + shifts[seams.nodes[next_corner(seam)]] * share
-        changes[i] = 0.5 * (other - own)
+    nearest = vec3d(-1.0, reach, 0.0)
+    last = -1
+    for row in range(max(i // size - RINGS, 0), min(i // size + RINGS, size - 1) + 1):
+        for column in range(max(i % size - RINGS, 0), min(i % size + RINGS, size - 1) + 1):
+            owner = texels.owners[row * size + column]
+            if owner != NO_TRIANGLE and owner != last:
+                last = owner
+                seam = nearest_seam(texels, seams, owner, x, y)
+                if seam[0] >= 0.0 and seam[1] < nearest[1]:
+                    nearest = seam
+    if nearest[0] >= 0.0:
+        h = int(nearest[0])
+        t = seams.triangles[h // 3]
+        place = point_at(shares_at(texels.atlas, h // 3, x, y), t, vertices)
+        first = shifts[node_beyond(h, t[h % 3], seams)] * (1.0 - nearest[2])
+        other = first + shifts[node_beyond(h, t[next_corner(h) % 3], seams)] * nearest[2]
+        other += picture_color(place, seams.views[seams.twins[h] // 3], pictures)
+        own = shifts[seams.nodes[h]] * (1.0 - nearest[2]) + shifts[seams.nodes[next_corner(h)]] * nearest[2]
+        own += picture_color(place, seams.views[h // 3], pictures)
+        changes[i] = 0.5 * (other + own) - texels.colors[i]
         texels.steps[i] = 0
 
 
