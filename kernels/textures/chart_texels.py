@@ -1,9 +1,9 @@
 """The texels of an atlas of charts: what each chart's picture shows there, shifted so that charts agree at seams.
 
 A texel belongs to the triangle that has its centre; two rings about each chart belong to a neighbour's, whose plane
-goes on there, so that bilinear values at a chart's edge are of the picture and not of the background. Where a texel lies on
-the surface it is looked up in the triangle's picture, in the mean of up to 4 x 4 places where texels are larger than
-pixels, and takes the shifts of the corners (seam_levels.py) by its place between them.
+goes on there, so that bilinear values at a chart's edge are of the picture and not of the background. Where a texel
+lies on the surface it is looked up in the triangle's picture, in the mean of up to 4 x 4 places where texels are larger
+than pixels, and takes the shifts of the corners (seam_levels.py) by its place between them.
 
 What the shifts leave at seams, since colours change along an edge, goes in a strip of 20 texels: at a seam both sides
 take the mean of both, and from there the change fades, harmonically (the Laplace equation is Poisson's for an unchanged
@@ -50,6 +50,7 @@ from .atlas_colors import (
     spread_texels_kernel,
     texel_corners,
 )
+from .exposures import Exposures
 from .posed_pictures import PosedPictures
 from .seam_levels import Seams, is_seam, node_beyond, picture_color
 
@@ -148,6 +149,7 @@ def paint_texels_kernel(
     vertices: array(dtype=vec3),
     seams: Seams,
     pictures: PosedPictures,
+    exposures: Exposures,
     shifts: array(dtype=vec3d),
     scale: float64,
     vertex_colors: array(dtype=vec3),
@@ -171,7 +173,7 @@ def paint_texels_kernel(
                 at_x = x + (float64(k % n) + 0.5) / float64(n)
                 at_y = y + (float64(k // n) + 0.5) / float64(n)
                 place = point_at(shares_at(texels.atlas, owner, at_x, at_y), t, vertices)
-                color += picture_color(place, view, pictures) / float64(n * n)
+                color += picture_color(place, view, pictures, exposures) / float64(n * n)
         elif vertex_colors.shape[0] > 0:
             color = 255.0 * point_at(shares, t, vertex_colors)
     texels.colors[i] = color
@@ -221,6 +223,7 @@ def aim_at_seams_kernel(
     vertices: array(dtype=vec3),
     seams: Seams,
     pictures: PosedPictures,
+    exposures: Exposures,
     shifts: array(dtype=vec3d),
     changes: array(dtype=vec3d),
 ):
@@ -256,9 +259,9 @@ def aim_at_seams_kernel(
         place = point_at(shares_at(texels.atlas, h // 3, x, y), t, vertices)
         first = shifts[node_beyond(h, t[h % 3], seams)] * (1.0 - nearest[2])
         other = first + shifts[node_beyond(h, t[next_corner(h) % 3], seams)] * nearest[2]
-        other += picture_color(place, seams.views[seams.twins[h] // 3], pictures)
+        other += picture_color(place, seams.views[seams.twins[h] // 3], pictures, exposures)
         own = shifts[seams.nodes[h]] * (1.0 - nearest[2]) + shifts[seams.nodes[next_corner(h)]] * nearest[2]
-        own += picture_color(place, seams.views[h // 3], pictures)
+        own += picture_color(place, seams.views[h // 3], pictures, exposures)
         changes[i] = 0.5 * (other + own) - texels.colors[i]
         texels.steps[i] = 0
 
@@ -374,12 +377,17 @@ def finish_texels_kernel(texels: ChartTexels, picture: array(dtype=vec3), marks:
 
 
 def blend_strips(
-    texels: ChartTexels, vertices: Points, seams: Seams, pictures: PosedPictures, shifts: Array1[vec3d]
+    texels: ChartTexels,
+    vertices: Points,
+    seams: Seams,
+    pictures: PosedPictures,
+    exposures: Exposures,
+    shifts: Array1[vec3d],
 ) -> None:
     """Change the colours of texels near seams until both sides agree there; a few syncs."""
     device, count = vertices.device, texels.size * texels.size
     changes, free = empty(count, vec3d, device), zeros(count, uint8, device)
-    launch(aim_at_seams_kernel, count, [texels, vertices, seams, pictures, shifts, changes])
+    launch(aim_at_seams_kernel, count, [texels, vertices, seams, pictures, exposures, shifts, changes])
     for step in range(1, STRIP + 1):
         launch(spread_steps_kernel, count, [texels, seams, step, free])
     rows: Indices = positions_of(free)  # sync
@@ -408,6 +416,7 @@ def paint_texels(
     vertices: Points,
     seams: Seams,
     pictures: PosedPictures,
+    exposures: Exposures,
     shifts: Array1[vec3d],
     scale: float,
     vertex_colors: Vectors | None,
@@ -417,7 +426,7 @@ def paint_texels(
 
     Args:
         texels: ChartTexels.
-        vertices, seams, pictures: Of the mesh.
+        vertices, seams, pictures, exposures: Of the mesh.
         shifts: Of the seams' unknowns, vec3d.
         scale: Texels a pixel.
         vertex_colors: vec3 [m], 0..1, for triangles without a picture; None for plain ones.
@@ -426,7 +435,11 @@ def paint_texels(
     device, count = vertices.device, texels.size * texels.size
     colors = empty(0, vec3, device) if vertex_colors is None else vertex_colors
     background = vec3d(*(255.0 * float(level) for level in plain))
-    launch(paint_texels_kernel, count, [texels, vertices, seams, pictures, shifts, float(scale), colors, background])
+    launch(
+        paint_texels_kernel,
+        count,
+        [texels, vertices, seams, pictures, exposures, shifts, float(scale), colors, background],
+    )
 
 
 def finish_texels(texels: ChartTexels, gutter: int) -> Bytes:

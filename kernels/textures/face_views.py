@@ -1,10 +1,11 @@
 """Which pictures show which triangles, how well, and in what colour: what a picture is chosen by for each triangle.
 
 A picture shows a triangle where it has all its corners and its centre, the mesh hides none of them (a ray each), and
-the triangle is seen from before, no flatter than 75 degrees. How well is the integral of the slope of brightness over the triangle there (Gal et al. 2010, which Waechter et al.
-take): area times mean slope, with half a grey level a pixel added, so that of plain triangles the larger is the better
-one; a tenth of it where a corner lies beside an edge of the mesh, as its own depth tells, since there a small error of
-the pose shows something else. One thread a pair walks over the triangle's pixels, at most some 4096 of them, on a coarser grid where it has more.
+the triangle is seen from before, no flatter than 75 degrees. How well is the integral of the slope of brightness over
+the triangle there (Gal et al. 2010, which Waechter et al. take): area times mean slope, with half a grey level a pixel
+added, so that of plain triangles the larger is the better one; a tenth of it where a corner lies beside an edge of the
+mesh, as its own depth tells, since there a small error of the pose shows something else. One thread a pair walks over
+the triangle's pixels, at most some 4096 of them, on a coarser grid where it has more.
 
 Source: Waechter, Moehrle and Goesele, "Let There Be Color!", ECCV 2014, section 3.
 """

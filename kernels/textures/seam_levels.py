@@ -39,6 +39,7 @@ from ..lang import (
 from ..memory import copy, download, empty, zeros
 from ..meshes.mesh_edges import corner_at
 from ..meshes.mesh_topology import corner_vertex, next_corner
+from .exposures import Exposures, exposed
 from .posed_pictures import PosedPictures, color_at, project_vertex
 
 SAMPLES = 32  # of an edge at most: one a pixel
@@ -124,13 +125,13 @@ def is_seam(h: int, seams: Seams) -> int:
 
 
 @func
-def picture_color(p: vec3d, image: int, pictures: PosedPictures) -> vec3d:
-    """The colour of a place in a picture, 0..255; of the nearest pixel inside where it lies outside."""
+def picture_color(p: vec3d, image: int, pictures: PosedPictures, exposures: Exposures) -> vec3d:
+    """The colour of a place in a picture at the exposure of all, 0..255; beyond the border that of the last pixel."""
     place = project_vertex(vec3(float(p[0]), float(p[1]), float(p[2])), image, pictures)
     size = pictures.sizes[image]
     u = min(max(place[0], 0.0), float64(size[0] - 1))
     v = min(max(place[1], 0.0), float64(size[1] - 1))
-    return color_at(u, v, image, pictures)
+    return exposed(color_at(u, v, image, pictures), u, v, image, pictures, exposures)
 
 
 @func
@@ -144,7 +145,7 @@ def samples_of(a: vec3, b: vec3, image: int, pictures: PosedPictures) -> int:
 
 
 @kernel
-def compare_sides_kernel(vertices: array(dtype=vec3), seams: Seams, pictures: PosedPictures):
+def compare_sides_kernel(vertices: array(dtype=vec3), seams: Seams, pictures: PosedPictures, exposures: Exposures):
     """The difference of the colours at both sides, at either end of each seam edge."""
     i = tid()
     at_begin = vec3d(0.0, 0.0, 0.0)
@@ -159,7 +160,7 @@ def compare_sides_kernel(vertices: array(dtype=vec3), seams: Seams, pictures: Po
         for k in range(count):
             share = (float64(k) + 0.5) / float64(count)
             place = widen(p) * (1.0 - share) + widen(q) * share
-            step = picture_color(place, here, pictures) - picture_color(place, there, pictures)
+            step = picture_color(place, here, pictures, exposures) - picture_color(place, there, pictures, exposures)
             at_begin += step * (1.0 - share)
             at_end += step * share
             total += share
@@ -224,7 +225,7 @@ def weigh_levels_kernel(weights: array(dtype=float64), state: Gradients):
 
 @reduction
 def sum_steps(
-    vertices: array(dtype=vec3), seams: Seams, pictures: PosedPictures, shifts: array(dtype=vec3d)
+    vertices: array(dtype=vec3), seams: Seams, pictures: PosedPictures, exposures: Exposures, shifts: array(dtype=vec3d)
 ) -> step_sums:
     """The steps across seam edges with shifts, in the mean of three channels: count, sum, sum of squares."""
     i = tid()
@@ -241,7 +242,7 @@ def sum_steps(
         for k in range(count):
             share = (float64(k) + 0.5) / float64(count)
             place = widen(vertices[a]) * (1.0 - share) + widen(vertices[b]) * share
-            step = picture_color(place, here, pictures) - picture_color(place, there, pictures)
+            step = picture_color(place, here, pictures, exposures) - picture_color(place, there, pictures, exposures)
             step += at_a * (1.0 - share) + at_b * share
             size = (abs(step[0]) + abs(step[1]) + abs(step[2])) / 3.0
             sums += step_sums(1.0, size, size * size)
@@ -255,17 +256,18 @@ class SeamLevels:
         vertices: vec3 [m].
         seams: Seams.
         pictures: PosedPictures.
+        exposures: Theirs.
 
     Attributes:
         shifts: vec3d [n], 0..255; zero until `solve`.
         turns: How many the solve took.
     """
 
-    def __init__(self, vertices: Points, seams: Seams, pictures: PosedPictures) -> None:
-        self.vertices, self.seams, self.pictures = vertices, seams, pictures
+    def __init__(self, vertices: Points, seams: Seams, pictures: PosedPictures, exposures: Exposures) -> None:
+        self.vertices, self.seams, self.pictures, self.exposures = vertices, seams, pictures, exposures
         self.shifts: Positions = zeros(seams.count, vec3d, vertices.device)
         self.turns = 0
-        launch(compare_sides_kernel, 3 * seams.triangles.size, [vertices, seams, pictures])
+        launch(compare_sides_kernel, 3 * seams.triangles.size, [vertices, seams, pictures, exposures])
 
     def solve(self) -> None:
         """Find the shifts; one sync."""
@@ -288,6 +290,6 @@ class SeamLevels:
 
     def mean_step(self) -> float | None:
         """The mean step across seams with these shifts, 0..255, in float64; None where there are none. One sync."""
-        given = [self.vertices, self.seams, self.pictures, self.shifts]
+        given = [self.vertices, self.seams, self.pictures, self.exposures, self.shifts]
         count, total, _ = download(reduce(sum_steps, 3 * self.seams.triangles.size, given))[0].tolist()  # sync
         return total / count if count else None

@@ -16,6 +16,7 @@ from ...kernels.meshes.merge_vertices import find_equal_vertices, rename_corners
 from ...kernels.textures.chart_texels import ChartTexels, blend_strips, finish_texels, paint_texels
 from ...kernels.textures.charts import cut_charts, find_twins, place_corners
 from ...kernels.textures.color_outliers import keep_likely
+from ...kernels.textures.exposures import Exposures, find_exposures, plain_exposures
 from ...kernels.textures.face_views import FaceLooks, FaceViews, keep_views
 from ...kernels.textures.hidden_vertices import plant_trees
 from ...kernels.textures.posed_pictures import PosedPictures
@@ -45,6 +46,7 @@ def texture_from_pictures(
     size: int | None = None,
     smoothness: float = 1.0,
     outliers: bool = True,
+    exposures: bool = True,
     seam_levelling: bool = True,
     local_levelling: bool = True,
     depth_max: float = np.inf,
@@ -70,6 +72,8 @@ def texture_from_pictures(
             pictures have pixels, up to 8192.
         smoothness: What an edge between two pictures costs, in units of what the best picture of a triangle is worth.
         outliers: Leave pictures out where a triangle has another colour than in most of at least four.
+        exposures: Bring pictures to one exposure first: a factor for each channel, which may grow towards the corners,
+            by the triangles that they share.
         seam_levelling: Shift the colours of charts, by vertices, so that they agree at seams.
         local_levelling: Change colours in strips of 20 texels beside seams until both sides meet.
         depth_max: Farther away pictures show nothing [unit of the poses].
@@ -114,9 +118,9 @@ def texture_from_pictures(
     farthest = depth_max if depth_max == np.inf else check_positive("depth_max", depth_max)
     background, say = check_color("plain", plain), check_progress(progress)
     images = take_pictures(pictures, cameras, T_camera_world, mesh.device, say)
-    choice = _choose(mesh, images, price, outliers, farthest, say)
+    choice = _choose(mesh, images, price, (outliers, exposures), farthest, say)
     say("seams", 0, 0)
-    levels = SeamLevels(mesh.array("vertices"), choice.seams, choice.pictures)
+    levels = SeamLevels(mesh.array("vertices"), choice.seams, choice.pictures, choice.exposures)
     before = levels.mean_step()
     if seam_levelling:
         levels.solve()
@@ -139,6 +143,7 @@ class _Choice:
 
     Attributes:
         pictures: On the device.
+        exposures: Of the pictures.
         seams: With the triangles, their neighbours and pictures.
         pairs: Of triangles and pictures that show them.
         outliers: Pairs that were left out.
@@ -146,6 +151,7 @@ class _Choice:
     """
 
     pictures: PosedPictures
+    exposures: Exposures
     seams: Seams
     pairs: int
     outliers: int
@@ -153,8 +159,14 @@ class _Choice:
 
 
 def _choose(
-    mesh: TriangleMesh, images: PosedImages, smoothness: float, outliers: bool, farthest: float, say: ReportProgress
+    mesh: TriangleMesh,
+    images: PosedImages,
+    smoothness: float,
+    wanted: tuple[bool, bool],
+    farthest: float,
+    say: ReportProgress,
 ) -> _Choice:
+    outliers, exposures = wanted
     vertices = mesh.array("vertices")
     owners = find_equal_vertices(vertices)
     triangles = rename_corners(mesh.array("triangles"), owners, positions(vertices.size, mesh.device))
@@ -168,12 +180,13 @@ def _choose(
         )
     say("choice", 0, 0)
     views: FaceViews = keep_views(all_views, keep_likely(all_views)) if outliers else all_views
+    found = find_exposures(vertices, triangles, views, pictures) if exposures else plain_exposures(pictures)
     twins = find_twins(triangles, vertices.size)
     graph = LabelGraph(views.starts, views.views, cost_views(views), twins, round(smoothness * UNIT))
     labels = choose_labels(graph)
     energy = energy_of(graph, labels) / UNIT
     seams = Seams(triangles, twins, name_views(graph, labels), pictures.count, vertices.size)
-    return _Choice(pictures, seams, all_views.count, all_views.count - views.count, energy)
+    return _Choice(pictures, found, seams, all_views.count, all_views.count - views.count, energy)
 
 
 def _paint(
@@ -190,9 +203,9 @@ def _paint(
     where = (packing.places, packing.scale, packing.cells, side)
     uvs = place_corners(vertices, seams.triangles, seams.views, pictures, charts, *where)
     texels = ChartTexels(uvs, side)
-    paint_texels(texels, vertices, seams, pictures, levels.shifts, packing.scale, colors, plain)
+    paint_texels(texels, vertices, seams, pictures, choice.exposures, levels.shifts, packing.scale, colors, plain)
     if blend:
-        blend_strips(texels, vertices, seams, pictures, levels.shifts)
+        blend_strips(texels, vertices, seams, pictures, choice.exposures, levels.shifts)
     picture = download(finish_texels(texels, PADDING)).reshape(side, side, 3)  # sync
     without = mesh.with_arrays(triangle_uvs=None, triangle_material_ids=None, vertex_colors=None)
     textured = without.with_arrays(triangle_uvs=uvs)
