@@ -31,7 +31,7 @@ from .shape_scores import score_shapes
 
 SAMPLE_POINTS = {PLANE: 3, SPHERE: 2, CYLINDER: 2, CONE: 3, TORUS: 4}
 PART = 2048  # points that all samples are scored on
-FIRST_BATCH, BATCH_GROWTH, MOST_BATCH = 256, 2, 8192
+FIRST_BATCH, BATCH_GROWTH, MOST_BATCH = 256, 4, 8192
 PROMISING = 16  # samples of a batch that are scored on all points
 REFINED = 6  # samples that are fitted to their points
 FITTED_PART = 4096  # points at most that the best few samples are fitted to first
