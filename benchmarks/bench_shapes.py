@@ -57,7 +57,7 @@ def prepare_pyransac3d(made: tuple[str, np.ndarray], device: str) -> Any:
 
     def find() -> Any:
         random.seed(0)
-        np.random.seed(0)  # noqa: NPY002  it draws from the global one
+        np.random.seed(0)  # it draws from the global one
         return getattr(pyransac3d, kind.capitalize())().fit(points, THRESHOLD, SAMPLES)
 
     return find
