@@ -17,6 +17,7 @@ from digest_mvs import filtered_depth_maps, fused_depth_maps
 from digest_occupancy import OCCUPANCY
 from digest_on_clouds import SIZE, cloud_file, depth_lens, icp, there_and_back
 from digest_scenes import TURNED, UTM, Place, Scenes, about, loom, pose_of, reg
+from digest_volumes import VOLUMES
 from numpy.typing import NDArray
 
 
@@ -712,3 +713,4 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
 } | DRAWN
 ONCE |= FIELDS
 ONCE |= OCCUPANCY
+ONCE |= VOLUMES
