@@ -61,7 +61,9 @@ def main() -> None:
             paged = fused(volume, given.frames)
             mb, ratio = volume.memory_bytes / 1e6, paged / seconds
             pages = sum(1 for _ in place.glob("0*.npz"))
-            print(f"paged: {paged * 1e3:.2f} ms a frame ({ratio:.2f} times), {most:,} blocks, {mb:.0f} MB, {pages} pages")
+            print(
+                f"paged: {paged * 1e3:.2f} ms a frame ({ratio:.2f} times), {most:,} blocks, {mb:.0f} MB, {pages} pages"
+            )
             begin = time.process_time()
             volume.save()
             print(f"save: {time.process_time() - begin:.2f} s")

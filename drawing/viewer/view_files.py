@@ -26,7 +26,8 @@ from ...meshing.mesh.mesh_files import read_triangle_mesh
 from ...meshing.volume.tsdf import TSDFVolume
 from ...pcd.cloud import PointCloud
 from ...pcd.polygon_volume import SelectionPolygonVolume
-from ..render.geometries import Named, Style, named_geometries
+from ..render.geometries import Named, named_geometries
+from ..render.styles import Style
 from .copc_tree import CopcTree
 from .detail_files import sample_file
 from .detail_tree import DetailTree

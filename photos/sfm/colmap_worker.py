@@ -73,9 +73,11 @@ def find_features(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[
         options = {"camera_mode": pycolmap.CameraMode.SINGLE, "image_names": group["names"]}
         pycolmap.import_images(job["database"], job["pictures"], options=reader, **options)
     names = [name for group in job["groups"] for name in group["names"]]
-    pycolmap.extract_features(
-        job["database"], job["pictures"], image_names=names, extraction_options=extraction, device=pycolmap.Device.cpu
-    )
+    reading = pycolmap.ImageReaderOptions()
+    if job["masks"]:
+        reading.mask_path = job["masks"]
+    options = {"reader_options": reading, "extraction_options": extraction, "device": pycolmap.Device.cpu}
+    pycolmap.extract_features(job["database"], job["pictures"], image_names=names, **options)
     return {}
 
 

@@ -18,6 +18,7 @@ from ...core.timing import Clock
 from ...files.pictures.image_files import read_picture_header
 from .colmap_jobs import MAX_SECONDS, count_rows, database_in_the_making, open_database, run_job
 from .limited_process import check_limits, free_memory
+from .masks import check_mask_files, complete_masks
 from .picture_folder import UPRIGHT, check_place, is_grey_16, list_pictures, read_lens, read_orientation, scaled_size
 
 # Those of COLMAP's whose numbers can be found from pictures alone.
@@ -77,6 +78,7 @@ def find_features(
     intrinsic: PinholeCameraIntrinsic | CameraModel | None = None,
     max_size: int = MAX_SIZE,
     max_features: int = MAX_FEATURES,
+    masks: FilePath | None = None,
     seed: int = 0,
     max_seconds: float | None = MAX_SECONDS,
     max_memory: int | None = None,
@@ -93,6 +95,8 @@ def find_features(
             of another size, of the same shape, is scaled. Give `fix_intrinsic=True` to `map_pictures` to keep it.
         max_size: The longer side is scaled down to this to find features [px].
         max_features: Of a picture.
+        masks: A folder of masks, as `choose_frames` writes them: IMG_1.jpg.png of IMG_1.jpg, without features where it
+            is black. A picture without a mask is taken whole.
         seed: Of random numbers.
         max_seconds: It is given up after this time [s]; None for no limit.
         max_memory: Of COLMAP's process [B]; None for nine tenths of what is free.
@@ -102,8 +106,9 @@ def find_features(
         How many features each picture has.
 
     Raises:
-        FileError: Fewer than two pictures, one that is damaged, lies on its side or has 16 bits; pycolmap is missing
-            (`pip install "pointloom[sfm]"`); COLMAP failed or passed a limit; a full disk.
+        FileError: Fewer than two pictures, one that is damaged, lies on its side or has 16 bits; a mask of
+            another size, one that hides all, no mask at all; pycolmap is missing (`pip install "pointloom[sfm]"`);
+            COLMAP failed or passed a limit; a full disk.
         TypeError, ValueError: An argument out of range, a camera of pictures of another shape.
 
     Notes:
@@ -118,10 +123,9 @@ def find_features(
         pointloom.core.errors.DatasetError: no such folder: does not exist. Give a folder of pictures
     """
     clock, say = Clock(), check_progress(progress)
-    if check_name("camera_model", camera_model) not in CAMERA_MODELS:
-        raise ValueError(f"camera_model: expected one of {', '.join(CAMERA_MODELS)}, got {shown(camera_model)}")
+    check_camera_model(camera_model)
     check_count("max_size", max_size, minimum=64, maximum=_LONGEST_SIDE, because="no camera has more pixels")
-    check_count("max_features", max_features, minimum=64, maximum=_MOST_FEATURES, because="matching takes its square")
+    check_max_features(max_features)
     check_seed(seed)
     _check_intrinsic(intrinsic)
     limits = check_limits(max_seconds, max_memory)
@@ -131,10 +135,14 @@ def find_features(
     job |= {"groups": [_group(size, names, camera_model, intrinsic) for (size, _), names in groups.items()]}
     threads = threads_for([size for size, _ in groups], max_size, limits["max_memory"] or free_memory())
     job |= {"max_size": int(max_size), "max_features": int(max_features), "threads": threads}
+    found = None if masks is None else _checked_masks(masks, folder)
     count = sum(len(names) for names in groups.values())
     with database_in_the_making(target) as part:
         say("features", 0, count)
         poll = lambda: say("features", min(count_rows(part, "keypoints"), count), count)  # noqa: E731
+        if found is not None:
+            complete_masks(list_pictures(folder), found, part.with_name("masks"))
+        job |= {"masks": None if found is None else os.fspath(part.with_name("masks"))}
         _, peak = run_job(job | {"database": os.fspath(part)}, folder, poll=poll, **limits)
         names, counts = _features_of(part)
     say("features", count, count)
@@ -143,6 +151,32 @@ def find_features(
         sizes[size] += len(group)
     clock.stop("features")
     return FeatureReport(os.fspath(target), names, counts, dict(sizes), clock.seconds["features"], peak, len(groups))
+
+
+def check_camera_model(camera_model: Any) -> None:
+    """One of COLMAP's lenses.
+
+    Raises:
+        TypeError, ValueError: None of them.
+    """
+    if check_name("camera_model", camera_model) not in CAMERA_MODELS:
+        raise ValueError(f"camera_model: expected one of {', '.join(CAMERA_MODELS)}, got {shown(camera_model)}")
+
+
+def check_max_features(max_features: Any) -> None:
+    """How many features a picture may have.
+
+    Raises:
+        TypeError, ValueError: Out of range.
+    """
+    check_count("max_features", max_features, minimum=64, maximum=_MOST_FEATURES, because="matching takes its square")
+
+
+def _checked_masks(masks: Any, folder: Path) -> dict[str, Path]:
+    place = check_place("masks", masks)
+    if not place.is_dir():
+        raise DatasetError(place, "is no folder", remedy="Give the folder of the masks, IMG_1.jpg.png of IMG_1.jpg")
+    return check_mask_files(list_pictures(folder), place)
 
 
 def usable_cores() -> int:

@@ -24,6 +24,7 @@ def reconstruct(
     intrinsic: PinholeCameraIntrinsic | CameraModel | None = None,
     max_size: int = MAX_SIZE,
     max_features: int = MAX_FEATURES,
+    masks: FilePath | None = None,
     pairs: str = "auto",
     overlap: int = OVERLAP,
     seed: int = 0,
@@ -40,6 +41,7 @@ def reconstruct(
         intrinsic: A camera that is known, and kept.
         max_size: The longer side is scaled down to this to find features [px].
         max_features: Of a picture.
+        masks: A folder of masks, as `find_features` takes it.
         pairs: "sequential", "exhaustive" or "auto", as `match` has them.
         overlap: Later pictures that each is matched to, where pairs are sequential.
         seed: Of random numbers.
@@ -75,6 +77,7 @@ def reconstruct(
     if sparse.is_dir() and any(sparse.iterdir()):
         raise FileError(sparse, "is not empty", remedy="Give a new folder to work in")
     options = {"camera_model": camera_model, "intrinsic": intrinsic, "max_size": max_size, "max_features": max_features}
+    options |= {"masks": masks}
     found = find_features(pictures, features_db, **options, **common)
     matched = match(features_db, matches_db, pairs=pairs, overlap=overlap, **common)
     result = map_pictures(pictures, matches_db, sparse, fix_intrinsic=intrinsic is not None, **common)

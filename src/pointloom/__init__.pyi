@@ -137,6 +137,7 @@ from .files.frames.recordings import FrameRecorder as FrameRecorder
 from .files.frames.recordings import record_frames as record_frames
 from .files.frames.rgbd_sources import RGBDSource as RGBDSource
 from .files.frames.rgbd_sources import frames_from as frames_from
+from .cameras.panoramas import Panorama as Panorama
 from .cameras.trajectory import Trajectory as Trajectory
 from .cameras.trajectory import read_trajectory as read_trajectory
 from .cameras.trajectory import write_trajectory as write_trajectory
