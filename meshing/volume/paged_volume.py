@@ -16,9 +16,10 @@ from ...core.checks import check_count, check_positive, check_rigid
 from ...core.errors import FilePath
 from ...core.known_names import ToldNames
 from ...core.told_arguments import told_arguments
+from ...kernels.arrays.block_keys import BIAS
 from ...kernels.lang import vec3, vec3i
 from ...kernels.memory import upload
-from ...kernels.volumes.tsdf_blocks import MAX_BLOCKS, frame_box
+from ...kernels.volumes.tsdf_blocks import MAX_BLOCKS, SIDE, frame_box
 from ...pcd.cloud import PointCloud
 from ..mesh.mesh import TriangleMesh
 from .page_files import MOST_SIDE, PageFolder
@@ -271,10 +272,11 @@ class PagedTSDFVolume(ToldNames):
             FileError: A page cannot be read or written.
         """
         volume = self._volume
-        check_view(intrinsic, depth_min, depth_max, weight_threshold)
+        _, far, _ = check_view(intrinsic, depth_min, depth_max, weight_threshold)
+        far = min(far, 4 * BIAS * SIDE * volume.voxel_size)  # beyond which no block has a key
         T = np.linalg.inv(check_rigid("extrinsic", extrinsic))
         T[:3, 3] -= volume.origin
-        low, size, _ = frame_box(depth_max, intrinsic, T, volume.truncation, volume.voxel_size)
+        low, size, _ = frame_box(far, intrinsic, T, volume.truncation, volume.voxel_size)
         volume.bring_box(low, low + size)
         limits: dict[str, Any] = {"depth_min": depth_min, "depth_max": depth_max, "weight_threshold": weight_threshold}
         return volume.ray_cast(intrinsic, extrinsic, **limits)
