@@ -120,6 +120,25 @@ def map_pictures(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[s
 
 def _mapped(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> list[Any]:
     """The models that COLMAP makes of a database, the one with the most pictures first."""
+    found = (_map_globally if job["mapper"] == "global" else _map_incrementally)(pycolmap, job, answers)
+    # The number of a model settles which of two of one size it is.
+    return [model for _, model in sorted(found.items(), key=lambda item: (-item[1].num_reg_images(), item[0]))]
+
+
+def _map_globally(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[int, Any]:
+    """All pictures at once: rotations, then positions (GLOMAP, Pan et al. 2024)."""
+    options = pycolmap.GlobalPipelineOptions()
+    options.num_threads = options.mapper.num_threads = job["threads"]
+    options.random_seed = options.mapper.random_seed = job["seed"]
+    if job["fixed_camera"]:
+        adjustment = options.mapper.bundle_adjustment
+        adjustment.refine_focal_length = adjustment.refine_extra_params = False
+    scratch = tempfile.mkdtemp(dir=job["scratch"])
+    return pycolmap.global_mapping(job["database"], job["pictures"], scratch, options=options)
+
+
+def _map_incrementally(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[int, Any]:
+    """One picture after the other (Schoenberger and Frahm 2016)."""
     options = pycolmap.IncrementalPipelineOptions()
     options.num_threads = options.mapper.num_threads = job["threads"]
     options.random_seed = options.mapper.random_seed = options.triangulation.random_seed = job["seed"]
@@ -138,7 +157,7 @@ def _mapped(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> list[Any]:
         registered += 1
         _say(answers, {"registered": registered})
 
-    found = pycolmap.incremental_mapping(
+    return pycolmap.incremental_mapping(
         job["database"],
         job["pictures"],
         scratch,
@@ -146,8 +165,6 @@ def _mapped(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> list[Any]:
         initial_image_pair_callback=begin,
         next_image_callback=proceed,
     )
-    # The number of a model settles which of two of one size it is.
-    return [model for _, model in sorted(found.items(), key=lambda item: (-item[1].num_reg_images(), item[0]))]
 
 
 def triangulate(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[str, Any]:

@@ -27,6 +27,7 @@ def reconstruct(
     masks: FilePath | None = None,
     pairs: str = "auto",
     overlap: int = OVERLAP,
+    mapper: str = "auto",
     seed: int = 0,
     max_seconds: float | None = MAX_SECONDS,
     max_memory: int | None = None,
@@ -44,6 +45,7 @@ def reconstruct(
         masks: A folder of masks, as `find_features` takes it.
         pairs: "sequential", "exhaustive" or "auto", as `match` has them.
         overlap: Later pictures that each is matched to, where pairs are sequential.
+        mapper: "incremental", "global" or "auto", as `map_pictures` has them.
         seed: Of random numbers.
         max_seconds: Of each stage [s]; None for no limit.
         max_memory: Of COLMAP's process [B]; None for nine tenths of what is free.
@@ -80,7 +82,7 @@ def reconstruct(
     options |= {"masks": masks}
     found = find_features(pictures, features_db, **options, **common)
     matched = match(features_db, matches_db, pairs=pairs, overlap=overlap, **common)
-    result = map_pictures(pictures, matches_db, sparse, fix_intrinsic=intrinsic is not None, **common)
+    result = map_pictures(pictures, matches_db, sparse, fix_intrinsic=intrinsic is not None, mapper=mapper, **common)
     seconds = {"features": found.seconds, "pairs": matched.seconds} | result.seconds
     peak = {"features": found.peak_bytes, "pairs": matched.peak_bytes} | result.peak_bytes
     return dataclasses.replace(result, seconds=seconds, peak_bytes=peak)
