@@ -94,6 +94,11 @@ def match(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[str, Any
     if job["pairs"] == "exhaustive":
         pycolmap.match_exhaustive(job["database"], **common)
         return {}
+    if "list" in job:
+        listed = pycolmap.ImportedPairingOptions()
+        listed.match_list_path = job["list"]
+        pycolmap.match_image_pairs(job["database"], pairing_options=listed, **common)
+        return {}
     pairing = pycolmap.SequentialPairingOptions()
     pairing.overlap, pairing.quadratic_overlap = job["overlap"], True  # 1, 2, 4, 8, ... apart, and none between
     pairing.loop_detection = False  # it fetches its vocabulary from the network, and aborts where there is none

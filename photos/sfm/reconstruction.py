@@ -43,7 +43,7 @@ def reconstruct(
         max_size: The longer side is scaled down to this to find features [px].
         max_features: Of a picture.
         masks: A folder of masks, as `find_features` takes it.
-        pairs: "sequential", "exhaustive" or "auto", as `match` has them.
+        pairs: "sequential", "exhaustive", "retrieval" or "auto", as `match` has them.
         overlap: Later pictures that each is matched to, where pairs are sequential.
         mapper: "incremental", "global" or "auto", as `map_pictures` has them.
         seed: Of random numbers.

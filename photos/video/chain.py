@@ -39,7 +39,7 @@ KNOWN_STAGES: dict[str, Callable[..., Mapping[str, Any]]] = STAGES | {
 }
 
 # Raised where a stage begins to make something else of the same between two releases.
-VERSIONS = {"frames": 2, "depth": 2}
+VERSIONS = {"frames": 2, "matches": 2, "model": 2, "depth": 2}
 OF_COLMAP = ("features", "matches", "model")
 COLMAP_PACKAGES = ("pycolmap", "pycolmap-cuda12")
 
@@ -74,6 +74,7 @@ def settings_of_stages(source: Any, content: str, settings: Settings, device: An
         "masks": Given(settings.masks, settings.digest_of_masks()),
         "camera_model": Given(settings.camera_model, {"camera_model": settings.camera_model}),
         "max_features": Given(settings.max_features, {"max_features": settings.max_features}),
+        "mapper": Given(settings.mapper, {"mapper": settings.mapper}),
         "pairs": Given(settings.pairs, {"pairs": settings.pairs}),
         "intrinsic": Given(lens, {"camera": camera}),
         "fixed_camera": Given(lens is not None or settings.panorama, {"fixed": lens is not None or settings.panorama}),
