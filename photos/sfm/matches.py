@@ -17,7 +17,7 @@ from ...core.errors import FilePath
 from ...core.progress import ReportProgress
 from ...core.timing import Clock
 from .colmap_jobs import MAX_SECONDS, count_rows, database_in_the_making, open_database, run_job
-from .features import usable_cores
+from .features import check_use_gpu, usable_cores
 from .frames import check_option
 from .limited_process import check_limits
 from .picture_folder import check_place
@@ -29,6 +29,7 @@ OVERLAP = 10
 FEW_PICTURES = 40  # of which all 780 pairs are matched: less work than 150 pictures in a row
 
 _PAIR = 2147483647  # COLMAP numbers the pair (a, b) as _PAIR a + b
+_SIFT = 0  # COLMAP's number of that kind
 _MOST_NEIGHBOURS = 10_000
 _MOST_OVERLAP = 30  # powers of two
 
@@ -69,6 +70,7 @@ def match(
     pairs: str = "auto",
     overlap: int = OVERLAP,
     neighbours: int = NEIGHBOURS,
+    use_gpu: bool | None = None,
     seed: int = 0,
     max_seconds: float | None = MAX_SECONDS,
     max_memory: int | None = None,
@@ -84,6 +86,7 @@ def match(
             order; "auto" for all pairs of up to 40 pictures, else sequential and by retrieval.
         overlap: Sequential: each picture is matched to so many later ones, those that are 1, 2, 4, 8, ... further on.
         neighbours: Retrieval: each picture is matched to so many that look most like it.
+        use_gpu: As of `find_features`.
         seed: Of random numbers.
         max_seconds: It is given up after this time [s]; None for no limit.
         max_memory: Of COLMAP's process [B]; None for nine tenths of what is free.
@@ -111,15 +114,21 @@ def match(
     check_option("pairs", pairs, PAIRS)
     check_count("overlap", overlap, maximum=_MOST_OVERLAP, because='pairs="exhaustive" takes all')
     check_count("neighbours", neighbours, maximum=_MOST_NEIGHBOURS, because='pairs="exhaustive" takes all')
+    check_use_gpu(use_gpu)
     check_seed(seed)
     limits = check_limits(max_seconds, max_memory)
     source, target = check_place("database", database), check_writable(check_place("matches", matches))
     with open_database(source) as connection:
         (count,) = connection.execute("SELECT count(*) FROM images").fetchone()
+    kind = _kind_of(source)
+    if pairs == "auto" and kind != "sift" and count > FEW_PICTURES:
+        pairs = "sequential"  # words are learnt of SIFT's bytes
+    if pairs == "retrieval" and kind != "sift":
+        raise ValueError(f"pairs: retrieval goes by SIFT features, and these are {kind}; take sequential or exhaustive")
     if pairs == "auto":
         pairs = "exhaustive" if count <= FEW_PICTURES else MIXED
     job: dict[str, Any] = {"stage": "matches", "pairs": pairs, "overlap": int(overlap), "seed": int(seed)}
-    job |= {"threads": usable_cores()}
+    job |= {"threads": usable_cores(), "gpu": use_gpu, "kind": kind}
     with database_in_the_making(target) as part:
         shutil.copyfile(source, part)
         if pairs in ("retrieval", MIXED):
@@ -138,6 +147,16 @@ def match(
     clock.stop("pairs")
     seconds = clock.seconds["pairs"]
     return MatchReport(os.fspath(target), pairs, pair_count, verified, match_count, isolated, seconds, peak)
+
+
+def _kind_of(database: Path) -> str:
+    """What the features of a database are."""
+    with open_database(database) as connection:
+        columns = {row[1] for row in connection.execute("PRAGMA table_info(descriptors)")}
+        if "type" not in columns:
+            return "sift"
+        types = {row[0] for row in connection.execute("SELECT DISTINCT type FROM descriptors")}
+    return "aliked" if types - {_SIFT, None} else "sift"
 
 
 def _in_a_row(count: int, overlap: int) -> list[tuple[int, int]]:

@@ -127,5 +127,6 @@ def code_of(name: str) -> dict[str, str]:
 def _version_of(names: tuple[str, ...]) -> str:
     for name in names:
         with contextlib.suppress(metadata.PackageNotFoundError):
-            return metadata.version(name)
+            version = metadata.version(name)
+            return version if name == names[0] else f"{version} ({name})"
     return "unknown"
