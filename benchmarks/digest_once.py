@@ -17,6 +17,7 @@ from digest_mvs import filtered_depth_maps, fused_depth_maps
 from digest_occupancy import OCCUPANCY
 from digest_on_clouds import SIZE, cloud_file, depth_lens, icp, there_and_back
 from digest_scenes import TURNED, UTM, Place, Scenes, about, loom, pose_of, reg
+from digest_shapes import SHAPES
 from numpy.typing import NDArray
 
 
@@ -716,5 +717,5 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     ],
     "evaluate_trajectory, scale": lambda d: reg().evaluate_trajectory(d.path, d.true_path, with_scale=True, delta=2),
 } | DRAWN
-ONCE |= FIELDS
+ONCE |= FIELDS | SHAPES
 ONCE |= OCCUPANCY

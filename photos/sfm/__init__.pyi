@@ -8,8 +8,14 @@ from .mapping import SfmResult as SfmResult
 from .mapping import map_pictures as map_pictures
 from .matches import MatchReport as MatchReport
 from .matches import match as match
+from .picture_places import PicturePlace as PicturePlace
+from .picture_places import PicturePlaces as PicturePlaces
+from .picture_places import read_picture_places as read_picture_places
 from .reconstruction import reconstruct as reconstruct
 from .triangulation import TriangulationResult as TriangulationResult
 from .triangulation import triangulate as triangulate
 from .verdict import Verdict as Verdict
 from .verdict import judge_model as judge_model
+from .keypoints import Keypoints as Keypoints
+from .keypoints import detect_keypoints as detect_keypoints
+from .keypoints import match_keypoints as match_keypoints

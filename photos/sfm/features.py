@@ -160,13 +160,16 @@ def find_features(
         names, counts = _features_of(part)
         on_gpu = bool(done.get("gpu", False))
     say("features", count, count)
+    sizes = _counted_sizes(groups)
+    clock.stop("features")
+    return FeatureReport(os.fspath(target), names, counts, sizes, clock.seconds["features"], peak, len(groups), on_gpu)
+
+
+def _counted_sizes(groups: dict[Group, list[str]]) -> dict[tuple[int, int], int]:
     sizes = Counter({size: 0 for size, _ in groups})
     for (size, _), group in groups.items():
         sizes[size] += len(group)
-    clock.stop("features")
-    return FeatureReport(
-        os.fspath(target), names, counts, dict(sizes), clock.seconds["features"], peak, len(groups), on_gpu
-    )
+    return dict(sizes)
 
 
 def check_camera_model(camera_model: Any) -> None:

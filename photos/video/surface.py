@@ -86,16 +86,16 @@ def fuse_points(folder: Path, say: ReportProgress, *, undistorted: Made, depth: 
 
 
 def make_mesh(
-    folder: Path, say: ReportProgress, *, undistorted: Made, fused: Made, units: Units, device: Any
+    folder: Path, say: ReportProgress, *, model: Made, undistorted: Made, fused: Made, units: Units, device: Any
 ) -> dict[str, Any]:
     """The surface through the depth that was kept, without small parts in the air, and the poses."""
-    model, pictures, _ = open_straightened(undistorted)
+    straight, pictures, _ = open_straightened(undistorted)
     where = {"device": device, "progress": say}
     whole = mvs.fuse(mvs.DepthMaps.open(fused.folder / MAPS), pictures, to="tsdf", **where)
     assert isinstance(whole, TriangleMesh)
-    kept, fit = without_floaters(whole), fit_units(units, model)
+    kept, fit = without_floaters(whole), fit_units(units, motion.read_model(model))
     mesh = kept.transform(fit.T_world_model)
-    placed = model.transform(fit.T_world_model)
+    placed = straight.transform(fit.T_world_model)
     write_triangle_mesh(folder / MESH, mesh)
     write_colmap_model(folder / SPARSE, placed)
     for name, form in ((POSES_LOG, "log"), (POSES_TUM, "tum")):

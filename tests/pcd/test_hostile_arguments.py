@@ -311,6 +311,7 @@ loom.project_to_utm(cloud=lonlat, epsg=32632)
 loom.utm_epsg(cloud=lonlat)
 loom.write_trajectory(path="trajectory.tum", trajectory=trajectory, format="tum", intrinsic=camera)
 loom.write_triangle_mesh(path="mesh.ply", mesh=mesh, up="y")
+loom.write_vdb(path="field.vdb", volume=distance_field)
 loom.read_color(path="nowhere.png")
 loom.read_depth(path="nowhere.png")
 loom.read_pinhole_camera_intrinsic(path="nowhere.json")
@@ -429,6 +430,9 @@ LEFT_OUT |= {"reconstruct", "ReconstructionResult"}  # and these
 LEFT_OUT |= {"Recording", "RecordedMessage", "Recording.choose_topic", "Recording.messages", "Recording.scans"}
 LEFT_OUT |= {"ImuReadings", "Recording.frames"}  # a result; tests/files/test_recorded_frames.py has it
 LEFT_OUT |= {"Recording.imu", "Recording.trajectory"}  # tests/files/test_recorded_motions.py has them
+# tests/files/test_recorded_transforms.py has them
+LEFT_OUT |= {"Recording.transforms", "RecordedTransforms", "RecordedTransforms.lookup", "RecordedTransforms.span"}
+LEFT_OUT |= {"Recording.header_at"}  # for code that reads messages by place
 LEFT_OUT |= {"Recording.rows_of", "Recording.bytes_at", "Recording.content_at"}  # for code that reads messages by place
 LEFT_OUT |= {"read_cameras"}  # tests/files/test_camera_files.py has it
 LEFT_OUT |= {"TriangleMesh.vertices_at", "DistanceField.from_device_voxels"}  # takes device arrays

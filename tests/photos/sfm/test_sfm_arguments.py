@@ -26,10 +26,20 @@ loom.sfm.match(database=database, matches=new(), pairs="auto", overlap=10, neigh
 loom.sfm.map_pictures(pictures=pictures, matches=database, folder=new(), mapper="auto", {LIMITS})
 loom.sfm.reconstruct(pictures=pictures, work=new(), pairs="auto", overlap=10, mapper="auto", {FOUND})
 loom.sfm.judge_model(model=model, picture_count=3, model_sizes=[2, 1], focal=None, poses=None)
+loom.sfm.read_picture_places(source=pictures)
 loom.sfm.triangulate(pictures=pictures, cameras=posed, max_size=640, max_features=500, device="cpu", {LIMITS})
 """  # noqa: E501
 TABLE = {name.removeprefix("sfm."): call for name, call in read_table(CALLS, {}).items()}
-RESULTS = {"FrameChoice", "TriangulationResult", "FeatureReport", "MatchReport", "SfmResult", "Verdict"}
+RESULTS = {
+    "FrameChoice",
+    "PicturePlace",
+    "PicturePlaces",
+    "TriangulationResult",
+    "FeatureReport",
+    "MatchReport",
+    "SfmResult",
+    "Verdict",
+}
 
 
 @pytest.fixture(autouse=True)

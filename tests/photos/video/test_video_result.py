@@ -98,7 +98,7 @@ def test_a_result_cannot_be_changed(quick, film, tmp_path, monkeypatch):
         ("undistorted", ["frames", "model"], {"max_size"}),
         ("depth", ["undistorted"], {"seed"}),
         ("fused", ["undistorted", "depth"], set()),
-        ("mesh", ["undistorted", "fused"], {"units"}),
+        ("mesh", ["model", "undistorted", "fused"], {"units"}),
     ],
 )
 def test_a_stage_is_made_from_what_its_signature_asks_for(tmp_path, name, after, recorded):
