@@ -279,7 +279,9 @@ def describe_features_kernel(
 
 
 @kernel
-def store_descriptors_kernel(cells: array(dtype=float32, ndim=2), first: int, descriptors: array(dtype=uint8, ndim=2)):
+def store_descriptors_kernel(
+    cells: array(dtype=float32, ndim=2), first: int, descriptors: array(dtype=uint8, ndim=2)
+):
     """Cut off what stands out, and keep the root of each number's share of the sum."""
     i = tid()
     total = float64(0.0)

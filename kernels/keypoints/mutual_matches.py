@@ -144,7 +144,9 @@ def confirm_matches_kernel(
     mutual[i] = to
 
 
-def match_mutually(features: Descriptors, pairs: np.ndarray, *, ratio: float, most: int) -> list[np.ndarray]:
+def match_mutually(
+    features: Descriptors, pairs: np.ndarray, *, ratio: float, most: int
+) -> list[np.ndarray]:
     """Matches of pairs of pictures.
 
     Args:
