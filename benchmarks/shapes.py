@@ -3,8 +3,8 @@
     python benchmarks/shapes.py [--seeds 4]
 
 A hall has two planes, two pipes, a ball, a funnel and a ring (tests/pcd/made_shapes.py). A part is found where a shape
-of its kind has at least half of its points, and at least half of the shape's points are of it. The threshold is 2.5 times
-the noise, and 5 mm without any. The table stands in docs/shapes.md.
+of its kind has at least half of its points, and at least half of the shape's points are of it. The threshold is 2.5
+times the noise, and 5 mm without any. The table stands in docs/shapes.md.
 """
 
 from __future__ import annotations
