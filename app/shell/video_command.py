@@ -84,10 +84,17 @@ CAMERAS = "Known poses: Metashape's .xml, COLMAP's folder, transforms.json, Poly
 @click.option("--camera-model", metavar="NAME", default="SIMPLE_RADIAL", show_default=True, help=CAMERA_MODEL)
 @click.option(
     "--pairs",
-    type=click.Choice(("auto", "sequential", "exhaustive")),
+    type=click.Choice(("auto", "sequential", "exhaustive", "retrieval")),
     default="auto",
     show_default=True,
     help="Which pictures are matched.",
+)
+@click.option(
+    "--mapper",
+    type=click.Choice(("auto", "incremental", "global")),
+    default="auto",
+    show_default=True,
+    help="How pictures are placed: one by one, or all at once.",
 )
 @click.option(
     "--max-features",
@@ -153,7 +160,7 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
 
     units = Units(**{name: options.pop(name) for name in ("scale", "known", "align")})
     names = ("max_frames", "max_size", "intrinsic", "seed", "cameras")
-    names += ("masks", "camera_model", "pairs", "max_features", "panorama")
+    names += ("masks", "camera_model", "pairs", "max_features", "panorama", "mapper")
     settings = Settings(units=units, **{name: options.pop(name) for name in names})
     points_alone = output.suffix.lower() in set(WRITTEN) - set(MESHES) and options["cloud"] is None
     if points_alone:

@@ -3,7 +3,7 @@
 A thread a pixel, some 120 operations in float64 and 8 B written; `undistortion.read_places` reads them. The picture
 has a column more on either side, the last and the first of it, so that what lies between them is mixed as everything
 else. Longitude grows to the right, from the middle column, latitude downwards from the middle row (Snyder 1987, Map
-projections, p. 90). Only + - * / and square roots are used (algebra/angles.py): the places are the same bits everywhere.
+projections, p. 90). Only + - * / and square roots are used (algebra/angles.py): the same bits everywhere.
 """
 
 from typing import Any

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from ...core.checks import check_count, check_list, check_numeric, check_progress, check_seed
 from ...core.devices import resolve_device
 from ...core.errors import FileError, FilePath
+from ...core.paths import path_of
 from ...core.progress import ReportProgress
 from .depth_maps import DepthMaps, made_folder
 from .picture_masks import Mask, check_picture_masks, emptied
@@ -42,6 +43,7 @@ def estimate_depth_maps(
     seed: int = 0,
     device: Any = None,
     folder: FilePath | None = None,
+    going: FilePath | None = None,
     device_bytes: int = DEVICE_BYTES,
     progress: ReportProgress | None = None,
 ) -> DepthMaps:
@@ -68,6 +70,9 @@ def estimate_depth_maps(
         seed: Chooses the planes that are tried.
         device: "cpu", "cuda:0", "auto"; None for the CPU.
         folder: Where to keep the maps, one file a picture; None keeps them in memory.
+        going: A folder for what is found of each picture, made where it is not there: a call with the same arguments
+            goes on from what one that was interrupted left in it, to the same bits. Remove it in the end; it must not
+            be used with other arguments.
         device_bytes: What pictures and maps may hold on the device; a picture with its sources is always there.
         progress: Called with ("depth", steps done, steps in all).
 
@@ -125,8 +130,18 @@ def estimate_depth_maps(
     known = [each or (1.0, 2.0) for each in ranges]
     hidden = [None] * len(posed) if masks is None else check_picture_masks(masks, posed)
     setting = Setting(given, posed, kept, known, seed, target, device_bytes)
-    maps = emptied(find_depth(setting, place, say), hidden, posed)
+    so_far = None if going is None else _folder_for(going)
+    maps = emptied(find_depth(setting, place, say, so_far), hidden, posed)
     return DepthMaps(posed, kept, maps, folder=place)
+
+
+def _folder_for(going: Any) -> Path:
+    folder = path_of(going)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise FileError(folder, f"no folder can be made here: {error.strerror or error}") from error
+    return folder
 
 
 def _checked_pictures(pictures: Any, cameras: Sequence[PosedCamera]) -> list[Picture]:

@@ -17,6 +17,7 @@ from ...core.progress import ReportProgress
 from ...core.timing import Clock
 from ...files.pictures.image_files import read_picture_header
 from .colmap_jobs import MAX_SECONDS, count_rows, database_in_the_making, open_database, run_job
+from .frames import check_option
 from .limited_process import check_limits, free_memory
 from .masks import check_mask_files, complete_masks
 from .picture_folder import UPRIGHT, check_place, is_grey_16, list_pictures, read_lens, read_orientation, scaled_size
@@ -26,6 +27,7 @@ CAMERA_MODELS = (
     *("SIMPLE_PINHOLE", "PINHOLE", "SIMPLE_RADIAL", "RADIAL", "OPENCV", "OPENCV_FISHEYE", "FULL_OPENCV", "FOV"),
     *("SIMPLE_RADIAL_FISHEYE", "RADIAL_FISHEYE", "THIN_PRISM_FISHEYE"),
 )
+FEATURE_KINDS = ("sift", "aliked")
 MAX_SIZE = 1600
 MAX_FEATURES = 4096
 
@@ -47,6 +49,7 @@ class FeatureReport:
         seconds: Time it took [s].
         peak_bytes: The most memory that COLMAP was seen to hold [B].
         camera_count: Cameras that the pictures are taken for: one for each size and lens that EXIF tells.
+        on_gpu: Whether COLMAP found them on a GPU.
     """
 
     database: str
@@ -56,6 +59,7 @@ class FeatureReport:
     seconds: float
     peak_bytes: int
     camera_count: int = 1
+    on_gpu: bool = False
 
     @property
     def poor_names(self) -> tuple[str, ...]:
@@ -67,7 +71,7 @@ class FeatureReport:
         sizes = [{"width": w, "height": h, "count": count} for (w, h), count in self.sizes.items()]
         lists = {"names": list(self.names), "counts": list(self.counts), "poor_names": list(self.poor_names)}
         fields = {"database": self.database, "seconds": self.seconds, "peak_bytes": self.peak_bytes}
-        return fields | lists | {"sizes": sizes, "camera_count": self.camera_count}
+        return fields | lists | {"sizes": sizes, "camera_count": self.camera_count, "on_gpu": self.on_gpu}
 
 
 def find_features(
@@ -79,6 +83,8 @@ def find_features(
     max_size: int = MAX_SIZE,
     max_features: int = MAX_FEATURES,
     masks: FilePath | None = None,
+    kind: str = "sift",
+    use_gpu: bool | None = None,
     seed: int = 0,
     max_seconds: float | None = MAX_SECONDS,
     max_memory: int | None = None,
@@ -97,6 +103,10 @@ def find_features(
         max_features: Of a picture.
         masks: A folder of masks, as `choose_frames` writes them: IMG_1.jpg.png of IMG_1.jpg, without features where it
             is black. A picture without a mask is taken whole.
+        kind: "sift", or "aliked" (Zhao et al. 2023) where pycolmap was built with ONNX and finds its weights; that
+            of PyPI was not.
+        use_gpu: Whether COLMAP works on a GPU: that wants the package pycolmap-cuda12 in place of pycolmap. None takes
+            one where that is there. Its features are not those of the CPU.
         seed: Of random numbers.
         max_seconds: It is given up after this time [s]; None for no limit.
         max_memory: Of COLMAP's process [B]; None for nine tenths of what is free.
@@ -126,6 +136,8 @@ def find_features(
     check_camera_model(camera_model)
     check_count("max_size", max_size, minimum=64, maximum=_LONGEST_SIDE, because="no camera has more pixels")
     check_max_features(max_features)
+    check_option("kind", kind, FEATURE_KINDS)
+    check_use_gpu(use_gpu)
     check_seed(seed)
     _check_intrinsic(intrinsic)
     limits = check_limits(max_seconds, max_memory)
@@ -134,6 +146,7 @@ def find_features(
     job: dict[str, Any] = {"stage": "features", "pictures": os.fspath(folder.resolve()), "seed": int(seed)}
     job |= {"groups": [_group(size, names, camera_model, intrinsic) for (size, _), names in groups.items()]}
     threads = threads_for([size for size, _ in groups], max_size, limits["max_memory"] or free_memory())
+    job |= {"kind": kind, "gpu": use_gpu}
     job |= {"max_size": int(max_size), "max_features": int(max_features), "threads": threads}
     found = None if masks is None else _checked_masks(masks, folder)
     count = sum(len(names) for names in groups.values())
@@ -143,14 +156,20 @@ def find_features(
         if found is not None:
             complete_masks(list_pictures(folder), found, part.with_name("masks"))
         job |= {"masks": None if found is None else os.fspath(part.with_name("masks"))}
-        _, peak = run_job(job | {"database": os.fspath(part)}, folder, poll=poll, **limits)
+        done, peak = run_job(job | {"database": os.fspath(part)}, folder, poll=poll, **limits)
         names, counts = _features_of(part)
+        on_gpu = bool(done.get("gpu", False))
     say("features", count, count)
+    sizes = _counted_sizes(groups)
+    clock.stop("features")
+    return FeatureReport(os.fspath(target), names, counts, sizes, clock.seconds["features"], peak, len(groups), on_gpu)
+
+
+def _counted_sizes(groups: dict[Group, list[str]]) -> dict[tuple[int, int], int]:
     sizes = Counter({size: 0 for size, _ in groups})
     for (size, _), group in groups.items():
         sizes[size] += len(group)
-    clock.stop("features")
-    return FeatureReport(os.fspath(target), names, counts, dict(sizes), clock.seconds["features"], peak, len(groups))
+    return dict(sizes)
 
 
 def check_camera_model(camera_model: Any) -> None:
@@ -161,6 +180,16 @@ def check_camera_model(camera_model: Any) -> None:
     """
     if check_name("camera_model", camera_model) not in CAMERA_MODELS:
         raise ValueError(f"camera_model: expected one of {', '.join(CAMERA_MODELS)}, got {shown(camera_model)}")
+
+
+def check_use_gpu(use_gpu: Any) -> None:
+    """Whether COLMAP works on a GPU.
+
+    Raises:
+        TypeError: None of True, False and None.
+    """
+    if use_gpu is not None and not isinstance(use_gpu, bool):
+        raise TypeError(f"use_gpu: expected True, False or None, got {type(use_gpu).__name__}")
 
 
 def check_max_features(max_features: Any) -> None:

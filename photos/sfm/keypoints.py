@@ -65,12 +65,7 @@ class Keypoints:
 
 
 def detect_keypoints(
-    picture: Any,
-    *,
-    max_features: int = MAX_FEATURES,
-    max_size: int | None = None,
-    mask: Any = None,
-    device: Any = None,
+    picture: Any, *, max_features: int = MAX_FEATURES, max_size: int | None = None, mask: Any = None, device: Any = None
 ) -> Keypoints:
     """Find SIFT features (Lowe 2004) in a picture.
 
@@ -150,12 +145,7 @@ class KeypointFinder:
 
 
 def match_keypoints(
-    a: Keypoints,
-    b: Keypoints,
-    *,
-    max_ratio: float = MAX_RATIO,
-    max_distance: float = MAX_DISTANCE,
-    device: Any = None,
+    a: Keypoints, b: Keypoints, *, max_ratio: float = MAX_RATIO, max_distance: float = MAX_DISTANCE, device: Any = None
 ) -> NDArray[np.int64]:
     """Match the features of two pictures: those that are each other's nearest, clearly nearer than the second.
 

@@ -108,10 +108,10 @@ def match(folder: Path, say: ReportProgress, *, frames: Made, features: Made, pa
 
 
 def map_pictures(
-    folder: Path, say: ReportProgress, *, frames: Made, matches: Made, fixed_camera: bool, seed: int
+    folder: Path, say: ReportProgress, *, frames: Made, matches: Made, fixed_camera: bool, mapper: str, seed: int
 ) -> dict[str, Any]:
     """Where the pictures were taken, what the lens is like, and what the model is worth."""
-    given = {"fix_intrinsic": fixed_camera, "seed": seed, "progress": say}
+    given = {"fix_intrinsic": fixed_camera, "mapper": mapper, "seed": seed, "progress": say}
     found = sfm.map_pictures(frames.folder / PICTURES, matches.folder / DATABASE, folder / MODEL, **given)
     cameras = () if found.model is None else tuple(dict.fromkeys(found.model.cameras))
     told = {"missing": list(found.missing), "cameras": [described(camera) for camera in cameras]}

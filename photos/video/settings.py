@@ -15,6 +15,7 @@ from ...files.models.camera_files import read_cameras
 from ...files.models.sfm_model import SfmModel
 from ..sfm.features import MAX_FEATURES, check_camera_model, check_max_features
 from ..sfm.frames import check_option
+from ..sfm.mapping import MAPPERS
 from ..sfm.masks import ALPHA, MakeMask, check_masks
 from ..sfm.matches import PAIRS
 from .motion import digest_of_source
@@ -42,6 +43,7 @@ class Settings:
         max_features: Of a picture.
         panorama: The pictures show all directions (360 degrees, equirectangular, twice as wide as high): each becomes
             six of a cube's faces, whose lens is known.
+        mapper: How pictures are placed, as `sfm.map_pictures` has it.
 
     Raises:
         TypeError, ValueError: One is out of range; the error names it.
@@ -64,6 +66,7 @@ class Settings:
     pairs: str = "auto"
     max_features: int = MAX_FEATURES
     panorama: bool = False
+    mapper: str = "auto"
 
     def __post_init__(self):
         check_count("max_frames", self.max_frames, minimum=FEWEST_PICTURES)
@@ -86,6 +89,7 @@ class Settings:
         check_masks(self.masks)
         check_camera_model(self.camera_model)
         check_option("pairs", self.pairs, PAIRS)
+        check_option("mapper", self.mapper, MAPPERS)
         check_max_features(self.max_features)
         if not isinstance(self.panorama, bool):
             raise TypeError(f"panorama: expected True or False, got {type(self.panorama).__name__}")
@@ -95,7 +99,13 @@ class Settings:
             )
         if self.cameras is None:
             return
-        for name, usual in (("masks", None), ("camera_model", "SIMPLE_RADIAL"), ("pairs", "auto"), ("panorama", False)):
+        for name, usual in (
+            ("masks", None),
+            ("camera_model", "SIMPLE_RADIAL"),
+            ("pairs", "auto"),
+            ("panorama", False),
+            ("mapper", "auto"),
+        ):
             if getattr(self, name) != usual:
                 raise ValueError(f"{name}: goes with pictures whose poses are to be found, and cameras tells them")
 

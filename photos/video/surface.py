@@ -62,12 +62,14 @@ def straighten(
     return {"pictures": len(names), "sizes": [list(size) for size in sizes]}
 
 
-def estimate(folder: Path, say: ReportProgress, *, undistorted: Made, seed: int, device: Any) -> dict[str, Any]:
-    """Depth of each straightened picture."""
+def estimate(
+    folder: Path, say: ReportProgress, going: Path, *, undistorted: Made, seed: int, device: Any
+) -> dict[str, Any]:
+    """Depth of each straightened picture; what is found of one stays in `going` until all is."""
     model, pictures, cameras = open_straightened(undistorted)
     places = [mask_file(undistorted.folder / MASKS, path.name) for path in pictures]
     masks = [place if place.is_file() else None for place in places]
-    where = {"device": device, "folder": folder / MAPS, "masks": masks, "progress": say}
+    where = {"device": device, "folder": folder / MAPS, "masks": masks, "going": going, "progress": say}
     maps = mvs.estimate_depth_maps(pictures, cameras, model, seed=seed, **where)
     return {"pictures": len(maps), "share": _mean_share(maps)}
 
