@@ -58,15 +58,15 @@ class PagedTSDFVolume(ToldNames):
     Example:
         >>> import numpy as np, pointloom as loom
         >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
-        >>> with loom.PagedTSDFVolume("pages", voxel_size=0.02, color=False, max_blocks=500) as volume:
+        >>> with loom.PagedTSDFVolume("pages", voxel_size=0.02, color=False, max_blocks=300) as volume:
         ...     for k in range(4):
         ...         pose = np.eye(4)
         ...         pose[0, 3] = -1.5 * k
         ...         touched = volume.integrate(np.full((48, 64), 1000, np.uint16), camera, pose)
         ...     volume.save()
-        ...     volume.block_count > 500 >= volume.resident_block_count
+        ...     volume.block_count > 300 >= volume.resident_block_count
         True
-        >>> len(loom.PagedTSDFVolume.load("pages", max_blocks=500).extract_triangle_mesh(weight_threshold=0)) > 0
+        >>> len(loom.PagedTSDFVolume.load("pages", max_blocks=300).extract_triangle_mesh(weight_threshold=0)) > 0
         True
     """
 
@@ -88,7 +88,7 @@ class PagedTSDFVolume(ToldNames):
         pages = PageFolder(folder, is_new=True, overwrite=overwrite)
         sizes: dict[str, Any] = {"voxel_size": voxel_size, "truncation": truncation, "color": color, "device": device}
         self._volume = PagedBlocks(pages, side, most, **sizes)
-        self._volume.save()
+        self._volume.save_pages()
 
     @classmethod
     def load(cls, folder: FilePath, *, max_blocks: int = 100_000, device: Any = None) -> PagedTSDFVolume:
@@ -221,7 +221,7 @@ class PagedTSDFVolume(ToldNames):
         Raises:
             FileError: A file cannot be written; the folder holds what was saved before.
         """
-        self._volume.save()
+        self._volume.save_pages()
 
     def extract_triangle_mesh(self, weight_threshold: float = 3.0) -> TriangleMesh:
         """The mesh of `TSDFVolume.extract_triangle_mesh`, the same bits in the same order, found cube by cube.
