@@ -12,12 +12,15 @@ from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.camera_models import CameraModel
 from ...core.atomic import check_writable
 from ...core.checks import check_count, check_name, check_progress, check_seed, shown
+from ...core.devices import resolve_device
 from ...core.errors import DatasetError, FileError, FilePath
 from ...core.progress import ReportProgress
 from ...core.timing import Clock
 from ...files.pictures.image_files import read_picture_header
 from .colmap_jobs import MAX_SECONDS, count_rows, database_in_the_making, open_database, run_job
+from .frames import check_option
 from .limited_process import check_limits, free_memory
+from .own_features import FINDERS, find_own
 from .picture_folder import UPRIGHT, check_place, is_grey_16, list_pictures, read_lens, read_orientation, scaled_size
 
 # Those of COLMAP's whose numbers can be found from pictures alone.
@@ -77,6 +80,8 @@ def find_features(
     intrinsic: PinholeCameraIntrinsic | CameraModel | None = None,
     max_size: int = MAX_SIZE,
     max_features: int = MAX_FEATURES,
+    finder: str = "colmap",
+    device: Any = None,
     seed: int = 0,
     max_seconds: float | None = MAX_SECONDS,
     max_memory: int | None = None,
@@ -93,6 +98,8 @@ def find_features(
             of another size, of the same shape, is scaled. Give `fix_intrinsic=True` to `map_pictures` to keep it.
         max_size: The longer side is scaled down to this to find features [px].
         max_features: Of a picture.
+        finder: Who finds them: "colmap", or "pointloom", our own kernels, which take a fraction of the time.
+        device: Where our own kernels compute; None for the CPU.
         seed: Of random numbers.
         max_seconds: It is given up after this time [s]; None for no limit.
         max_memory: Of COLMAP's process [B]; None for nine tenths of what is free.
@@ -105,6 +112,7 @@ def find_features(
         FileError: Fewer than two pictures, one that is damaged, lies on its side or has 16 bits; pycolmap is missing
             (`pip install "pointloom[sfm]"`); COLMAP failed or passed a limit; a full disk.
         TypeError, ValueError: An argument out of range, a camera of pictures of another shape.
+        DeviceError: No such device.
 
     Notes:
         The same features from run to run, with any number of cores. All are used, as far as the memory goes: 360 B
@@ -123,6 +131,7 @@ def find_features(
     check_count("max_size", max_size, minimum=64, maximum=_LONGEST_SIDE, because="no camera has more pixels")
     check_count("max_features", max_features, minimum=64, maximum=_MOST_FEATURES, because="matching takes its square")
     check_seed(seed)
+    target_device = resolve_device(device) if check_option("finder", finder, FINDERS) == "pointloom" else None
     _check_intrinsic(intrinsic)
     limits = check_limits(max_seconds, max_memory)
     folder, target = check_place("pictures", pictures), check_writable(check_place("database", database))
@@ -134,6 +143,11 @@ def find_features(
     count = sum(len(names) for names in groups.values())
     with database_in_the_making(target) as part:
         say("features", 0, count)
+        if target_device is not None:
+            job["found"] = os.fspath(part.parent / "found")
+            todo = [(size, names) for (size, _), names in groups.items()]
+            common = {"limits": limits, "device": target_device, "progress": say}
+            find_own(folder, todo, Path(job["found"]), max_size=max_size, max_features=max_features, **common)
         poll = lambda: say("features", min(count_rows(part, "keypoints"), count), count)  # noqa: E731
         _, peak = run_job(job | {"database": os.fspath(part)}, folder, poll=poll, **limits)
         names, counts = _features_of(part)

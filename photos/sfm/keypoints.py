@@ -65,12 +65,7 @@ class Keypoints:
 
 
 def detect_keypoints(
-    picture: Any,
-    *,
-    max_features: int = MAX_FEATURES,
-    max_size: int | None = None,
-    mask: Any = None,
-    device: Any = None,
+    picture: Any, *, max_features: int = MAX_FEATURES, max_size: int | None = None, mask: Any = None, device: Any = None
 ) -> Keypoints:
     """Find SIFT features (Lowe 2004) in a picture.
 
@@ -83,7 +78,7 @@ def detect_keypoints(
         device: Where to compute; None for the CPU.
 
     Returns:
-        Features in pixels of the picture as given, from fine to coarse; none in an even picture, or one of a few pixels.
+        Features in pixels of the picture as given, from fine to coarse; none in an even or tiny picture.
 
     Raises:
         TypeError, ValueError: An argument out of range; a picture of other numbers than uint8, or with no pixel; a
@@ -150,12 +145,7 @@ class KeypointFinder:
 
 
 def match_keypoints(
-    a: Keypoints,
-    b: Keypoints,
-    *,
-    max_ratio: float = MAX_RATIO,
-    max_distance: float = MAX_DISTANCE,
-    device: Any = None,
+    a: Keypoints, b: Keypoints, *, max_ratio: float = MAX_RATIO, max_distance: float = MAX_DISTANCE, device: Any = None
 ) -> NDArray[np.int64]:
     """Match the features of two pictures: those that are each other's nearest, clearly nearer than the second.
 

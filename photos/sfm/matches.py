@@ -10,6 +10,7 @@ from typing import Any
 
 from ...core.atomic import check_writable
 from ...core.checks import check_count, check_progress, check_seed
+from ...core.devices import resolve_device
 from ...core.errors import FilePath
 from ...core.progress import ReportProgress
 from ...core.timing import Clock
@@ -17,6 +18,7 @@ from .colmap_jobs import MAX_SECONDS, count_rows, database_in_the_making, open_d
 from .features import usable_cores
 from .frames import check_option
 from .limited_process import check_limits
+from .own_features import FINDERS, match_own, pairs_of
 from .picture_folder import check_place
 
 PAIRS = ("auto", "sequential", "exhaustive")
@@ -62,6 +64,8 @@ def match(
     *,
     pairs: str = "auto",
     overlap: int = OVERLAP,
+    finder: str = "colmap",
+    device: Any = None,
     seed: int = 0,
     max_seconds: float | None = MAX_SECONDS,
     max_memory: int | None = None,
@@ -75,6 +79,9 @@ def match(
         pairs: "sequential" for pictures in the order in which they were taken, as those of a video: each with some
             later ones; "exhaustive" for all pairs; "auto" for all pairs of up to 40 pictures, else sequential.
         overlap: Sequential: each picture is matched to so many later ones, those that are 1, 2, 4, 8, ... further on.
+        finder: Who finds the matches: "colmap", approximately, or "pointloom", our own kernels, which compare all. In
+            either case COLMAP holds them against one motion of the camera.
+        device: Where our own kernels compute; None for the CPU.
         seed: Of random numbers.
         max_seconds: It is given up after this time [s]; None for no limit.
         max_memory: Of COLMAP's process [B]; None for nine tenths of what is free.
@@ -86,6 +93,7 @@ def match(
     Raises:
         FileError: No such database; pycolmap is missing; COLMAP failed or passed a limit; a full disk.
         TypeError, ValueError: An argument out of range.
+        DeviceError: No such device.
 
     Notes:
         The same matches from run to run, with any number of cores. Loops (a video that comes back to where it was)
@@ -102,6 +110,7 @@ def match(
     check_option("pairs", pairs, PAIRS)
     check_count("overlap", overlap, maximum=_MOST_OVERLAP, because='pairs="exhaustive" takes all')
     check_seed(seed)
+    target_device = resolve_device(device) if check_option("finder", finder, FINDERS) == "pointloom" else None
     limits = check_limits(max_seconds, max_memory)
     source, target = check_place("database", database), check_writable(check_place("matches", matches))
     with open_database(source) as connection:
@@ -109,10 +118,20 @@ def match(
     if pairs == "auto":
         pairs = "exhaustive" if count <= FEW_PICTURES else "sequential"
     pair_count = count * (count - 1) // 2 if pairs == "exhaustive" else _sequential_pairs(count, overlap)
-    job = {"stage": "matches", "pairs": pairs, "overlap": int(overlap), "seed": int(seed), "threads": usable_cores()}
+    job: dict[str, Any] = {
+        "stage": "matches",
+        "pairs": pairs,
+        "overlap": int(overlap),
+        "seed": int(seed),
+        "threads": usable_cores(),
+    }
     with database_in_the_making(target) as part:
         shutil.copyfile(source, part)
         say("pairs", 0, pair_count)
+        if target_device is not None:
+            job["found"] = os.fspath(part.parent / "found")
+            common = {"device": target_device, "max_seconds": limits["max_seconds"], "progress": say}
+            match_own(source, pairs_of(source, pairs, overlap), Path(job["found"]), **common)
         poll = lambda: say("pairs", min(count_rows(part, "two_view_geometries"), pair_count), pair_count)  # noqa: E731
         _, peak = run_job(job | {"database": os.fspath(part)}, source, poll=poll, **limits)
         verified, match_count, isolated = _verified_pairs(part)

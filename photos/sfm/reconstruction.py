@@ -26,6 +26,8 @@ def reconstruct(
     max_features: int = MAX_FEATURES,
     pairs: str = "auto",
     overlap: int = OVERLAP,
+    finder: str = "colmap",
+    device: Any = None,
     seed: int = 0,
     max_seconds: float | None = MAX_SECONDS,
     max_memory: int | None = None,
@@ -42,6 +44,8 @@ def reconstruct(
         max_features: Of a picture.
         pairs: "sequential", "exhaustive" or "auto", as `match` has them.
         overlap: Later pictures that each is matched to, where pairs are sequential.
+        finder: Who finds features and matches: "colmap", or "pointloom", our own kernels.
+        device: Where our own kernels compute; None for the CPU.
         seed: Of random numbers.
         max_seconds: Of each stage [s]; None for no limit.
         max_memory: Of COLMAP's process [B]; None for nine tenths of what is free.
@@ -75,8 +79,9 @@ def reconstruct(
     if sparse.is_dir() and any(sparse.iterdir()):
         raise FileError(sparse, "is not empty", remedy="Give a new folder to work in")
     options = {"camera_model": camera_model, "intrinsic": intrinsic, "max_size": max_size, "max_features": max_features}
-    found = find_features(pictures, features_db, **options, **common)
-    matched = match(features_db, matches_db, pairs=pairs, overlap=overlap, **common)
+    own = {"finder": finder, "device": device}
+    found = find_features(pictures, features_db, **options, **own, **common)
+    matched = match(features_db, matches_db, pairs=pairs, overlap=overlap, **own, **common)
     result = map_pictures(pictures, matches_db, sparse, fix_intrinsic=intrinsic is not None, **common)
     seconds = {"features": found.seconds, "pairs": matched.seconds} | result.seconds
     peak = {"features": found.peak_bytes, "pairs": matched.peak_bytes} | result.peak_bytes
