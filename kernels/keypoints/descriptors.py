@@ -74,7 +74,7 @@ def weight_at(x: float) -> float:
 
 @func
 def slope_of(x: int, y: int, first: int, octave: Octave) -> vec2:
-    """How brightness grows to the right and downwards at a pixel, over one pixel at the border; `first` is the level's."""
+    """How brightness grows to the right and downwards at a pixel of the level that begins at `first`."""
     left = max(x - 1, 0)
     right = min(x + 1, octave.width - 1)
     above = max(y - 1, 0)
@@ -279,9 +279,7 @@ def describe_features_kernel(
 
 
 @kernel
-def store_descriptors_kernel(
-    cells: array(dtype=float32, ndim=2), first: int, descriptors: array(dtype=uint8, ndim=2)
-):
+def store_descriptors_kernel(cells: array(dtype=float32, ndim=2), first: int, descriptors: array(dtype=uint8, ndim=2)):
     """Cut off what stands out, and keep the root of each number's share of the sum."""
     i = tid()
     total = float64(0.0)

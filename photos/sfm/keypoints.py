@@ -78,7 +78,7 @@ def detect_keypoints(
         device: Where to compute; None for the CPU.
 
     Returns:
-        Features in pixels of the picture as given, from fine to coarse; none in an even picture, or one of a few pixels.
+        Features in pixels of the picture as given, from fine to coarse; none in an even or tiny picture.
 
     Raises:
         TypeError, ValueError: An argument out of range; a picture of other numbers than uint8, or with no pixel; a
