@@ -19,6 +19,7 @@ from digest_on_clouds import SIZE, cloud_file, depth_lens, icp, there_and_back
 from digest_scenes import TURNED, UTM, Place, Scenes, about, loom, pose_of, reg
 from digest_shapes import SHAPES
 from digest_volumes import VOLUMES
+from digest_stations import surveyed
 from numpy.typing import NDArray
 
 
@@ -705,6 +706,7 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "SLAC": aligned_fragments,
     "register_nonrigid": bent,
     "coherent_point_drift": drifted,
+    "register_stations": surveyed,
     "global_optimization": lambda d: optimized(d, "LevenbergMarquardt", reference_node=0),
     "global_optimization, Gauss-Newton": lambda d: optimized(d, "GaussNewton", edge_prune_threshold=0.1),
     "pose graph, write and read": graph_file,
