@@ -18,6 +18,7 @@ from digest_occupancy import OCCUPANCY
 from digest_on_clouds import SIZE, cloud_file, depth_lens, icp, there_and_back
 from digest_scenes import TURNED, UTM, Place, Scenes, about, loom, pose_of, reg
 from digest_shapes import SHAPES
+from digest_volumes import VOLUMES
 from numpy.typing import NDArray
 
 
@@ -719,3 +720,4 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
 } | DRAWN
 ONCE |= FIELDS | SHAPES
 ONCE |= OCCUPANCY
+ONCE |= VOLUMES

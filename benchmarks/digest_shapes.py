@@ -40,15 +40,15 @@ def numbers(shape: Any) -> list[Any]:
 
 
 def segmented(d: Any, kind: str) -> list[Any]:
-    """The shape of a kind with the most points, and these."""
-    shape, rows = getattr(hall(d), f"segment_{kind}")(THRESHOLD, 25)
+    """The shape of a kind with the most points, and these; a pipe is a torus of a large radius."""
+    shape, rows = getattr(hall(d), f"segment_{kind}")(THRESHOLD, 25, **({} if kind == "cone" else {"max_radius": 1.0}))
     return [*numbers(shape), rows]
 
 
 def detected(d: Any) -> list[Any]:
     """All shapes, labels and distances."""
     found = loom().detect_shapes(hall(d), THRESHOLD, 25, min_support=250)
-    return [found.labels, np.nan_to_num(found.distances, nan=-9.0), *(n for s in found.shapes for n in numbers(s))]
+    return [found.labels, found.distances, *(n for s in found.shapes for n in numbers(s))]
 
 
 def fitted(d: Any) -> list[Any]:

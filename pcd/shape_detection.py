@@ -240,23 +240,20 @@ class _Rounds:
 
     def _best(self) -> Found | None:
         """The best of the first candidates, fitted to what hangs together; those that are no shape are dropped."""
-        tried: list[Found] = []
+        first = slice(min(TRIED, len(self._counts)))
+        refined = self.search.each_refined(self._of[first].tolist(), self._shapes[first], self.limits)
+        settled = [None if found is None else self._settled(found) for found in refined]
+        tried = [found for found in settled if found is not None]
         poor = np.zeros(len(self._counts), bool)
-        for k in range(min(TRIED, len(self._counts))):
-            found = self._settled(int(self._of[k]), self._shapes[k])
-            poor[k] = found is None
-            if found is not None:
-                tried.append(found)
+        poor[first] = [found is None for found in settled]
         kept = ~poor
         self._shapes, self._of, self._counts = self._shapes[kept], self._of[kept], self._counts[kept]
         return max(tried, key=lambda found: found.rows.size * WORTH[found.kind], default=None)
 
-    def _settled(self, kind: int, shape: NDArray[np.float64]) -> Found | None:
+    def _settled(self, refined: Found) -> Found | None:
         """A candidate fitted to the largest part of its points; None where that is too small or of another kind."""
-        search, found = self.search, self.search.best_refined([kind], [shape], self.limits)
-        if found is None:
-            return None
-        found = self._fitted(kind, found.fit.shape, largest_part(search.points, found.rows, self._reach))
+        search, kind = self.search, refined.kind
+        found = self._fitted(kind, refined.fit.shape, largest_part(search.points, refined.rows, self._reach))
         if found is not None and kind != PLANE and is_flat(search, found, plane := plane_of(search, found)):
             found = self._fitted(PLANE, plane.shape, found.rows) if PLANE in self._kinds else None
         if found is not None and found.kind == CONE:

@@ -31,7 +31,7 @@ from .shape_scores import score_shapes
 
 SAMPLE_POINTS = {PLANE: 3, SPHERE: 2, CYLINDER: 2, CONE: 3, TORUS: 4}
 PART = 2048  # points that all samples are scored on
-FIRST_BATCH, BATCH_GROWTH, MOST_BATCH = 256, 2, 8192
+FIRST_BATCH, BATCH_GROWTH, MOST_BATCH = 256, 4, 8192
 PROMISING = 16  # samples of a batch that are scored on all points
 REFINED = 6  # samples that are fitted to their points
 FITTED_PART = 4096  # points at most that the best few samples are fitted to first
@@ -267,7 +267,8 @@ class ShapeSearch:
             refined = [one for one in part.refine_all([kind] * len(pool), pool, limits) if one is not None]
             best = max(refined, key=lambda one: (one[1], -one[0].rms), default=None)
             pool = pool[:1] if best is None else best[0].shape[None]
-        return self.best_refined([kind] * len(pool), pool, limits)
+        found = [one for one in self.each_refined([kind] * len(pool), pool, limits) if one is not None]
+        return max(found, key=lambda one: (one.rows.size, -one.fit.rms), default=None)
 
     def _part_search(self) -> "ShapeSearch | None":
         """The search among every n-th of the points; None where there are few."""
@@ -285,14 +286,13 @@ class ShapeSearch:
         )  # fmt: skip
         return self.fitter.refine_all(kinds, shapes, self.rows, chosen, gain)
 
-    def best_refined(self, kinds: Sequence[int], shapes: Shapes, limits: ShapeLimits) -> Found | None:
-        """Of some shapes fitted to their points the one with the most points; None where none has any."""
+    def each_refined(self, kinds: Sequence[int], shapes: Shapes, limits: ShapeLimits) -> list[Found | None]:
+        """Shapes fitted to their points while these grow in number, exactly; None of one without; one sync."""
         each = zip(kinds, self.refine_all(kinds, shapes, limits, EXACT), strict=True)
-        found = [(kind, *one) for kind, one in each if one is not None]
-        if not found:
-            return None
-        kind, fit, count = max(found, key=lambda one: (one[2], -one[1].rms))
-        return Found(kind, fit, self.on(kind, fit.shape, limits, count))
+        return [
+            None if one is None else Found(kind, one[0], self.on(kind, one[0].shape, limits, one[1]))
+            for kind, one in each
+        ]
 
     def on(self, kind: int, shape: NDArray[np.float64], limits: ShapeLimits, count: int | None = None) -> Indices:
         """The rows of the points of a shape; one sync where it is not known how many."""

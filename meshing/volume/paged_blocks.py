@@ -130,7 +130,7 @@ class PagedBlocks(TSDFVolume):
         """Whether a cube is on disk alone."""
         return cube in self._held.away
 
-    def save(self) -> None:
+    def save_pages(self) -> None:
         """Write what changed, then the list of all pages."""
         arrays, held = self.arrays(), self._held
         cubes = cubes_of(arrays["keys"], self.side)

@@ -77,16 +77,16 @@ class CubeReader:
         keys, at = (download(array) for array in surface.vertex_edges())
         order = np.argsort(arrays["keys"])
         ranks = arrays["ranks"][order[np.searchsorted(arrays["keys"], keys, sorter=order)]]
-        told = [None if rows is None else download(rows).reshape(-1, 3) for rows in (places, shades, slopes)]
-        edges = ranks * EDGES + at
+        told = [None if rows is None else download(rows).reshape(-1, 3) for rows in (shades, slopes)]
+        vertices, edges = download(places).reshape(-1, 3), ranks * EDGES + at
         if self._as_points:
             own = cubes_of(keys, volume.side) == cube
-            told, edges = [None if rows is None else rows[own] for rows in told], edges[own]
-            return CubeSurface(told[0], told[1], told[2], edges, np.zeros((0, 3), np.int32), np.zeros(0, np.int64))
+            told, none = [None if rows is None else rows[own] for rows in told], np.zeros((0, 3), np.int32)
+            return CubeSurface(vertices[own], told[0], told[1], edges[own], none, np.zeros(0, np.int64))
         firsts = download(surface.offsets)[surface.rows :][::ROWS]
         owners = np.repeat(arrays["ranks"], np.diff(firsts))
         triangles = download(surface.triangles()).reshape(-1, 3)
-        return CubeSurface(told[0], told[1], told[2], edges, triangles, owners)
+        return CubeSurface(vertices, told[0], told[1], edges, triangles, owners)
 
     def _around(self, cube: int, low: Rows, high: Rows) -> dict[str, NDArray[Any]]:
         """The blocks of a cube and the layer around it, in the order in which they came into the volume."""

@@ -16,9 +16,10 @@ from ...core.checks import check_count, check_positive, check_rigid
 from ...core.errors import FilePath
 from ...core.known_names import ToldNames
 from ...core.told_arguments import told_arguments
+from ...kernels.arrays.block_keys import BIAS
 from ...kernels.lang import vec3, vec3i
 from ...kernels.memory import upload
-from ...kernels.volumes.tsdf_blocks import MAX_BLOCKS, frame_box
+from ...kernels.volumes.tsdf_blocks import MAX_BLOCKS, SIDE, frame_box
 from ...pcd.cloud import PointCloud
 from ..mesh.mesh import TriangleMesh
 from .page_files import MOST_SIDE, PageFolder
@@ -57,15 +58,15 @@ class PagedTSDFVolume(ToldNames):
     Example:
         >>> import numpy as np, pointloom as loom
         >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
-        >>> with loom.PagedTSDFVolume("pages", voxel_size=0.02, color=False, max_blocks=500) as volume:
+        >>> with loom.PagedTSDFVolume("pages", voxel_size=0.02, color=False, max_blocks=300) as volume:
         ...     for k in range(4):
         ...         pose = np.eye(4)
         ...         pose[0, 3] = -1.5 * k
         ...         touched = volume.integrate(np.full((48, 64), 1000, np.uint16), camera, pose)
         ...     volume.save()
-        ...     volume.block_count > 500 >= volume.resident_block_count
+        ...     volume.block_count > 300 >= volume.resident_block_count
         True
-        >>> len(loom.PagedTSDFVolume.load("pages", max_blocks=500).extract_triangle_mesh(weight_threshold=0)) > 0
+        >>> len(loom.PagedTSDFVolume.load("pages", max_blocks=300).extract_triangle_mesh(weight_threshold=0)) > 0
         True
     """
 
@@ -87,7 +88,7 @@ class PagedTSDFVolume(ToldNames):
         pages = PageFolder(folder, is_new=True, overwrite=overwrite)
         sizes: dict[str, Any] = {"voxel_size": voxel_size, "truncation": truncation, "color": color, "device": device}
         self._volume = PagedBlocks(pages, side, most, **sizes)
-        self._volume.save()
+        self._volume.save_pages()
 
     @classmethod
     def load(cls, folder: FilePath, *, max_blocks: int = 100_000, device: Any = None) -> PagedTSDFVolume:
@@ -220,7 +221,7 @@ class PagedTSDFVolume(ToldNames):
         Raises:
             FileError: A file cannot be written; the folder holds what was saved before.
         """
-        self._volume.save()
+        self._volume.save_pages()
 
     def extract_triangle_mesh(self, weight_threshold: float = 3.0) -> TriangleMesh:
         """The mesh of `TSDFVolume.extract_triangle_mesh`, the same bits in the same order, found cube by cube.
@@ -271,10 +272,11 @@ class PagedTSDFVolume(ToldNames):
             FileError: A page cannot be read or written.
         """
         volume = self._volume
-        check_view(intrinsic, depth_min, depth_max, weight_threshold)
+        _, far, _ = check_view(intrinsic, depth_min, depth_max, weight_threshold)
+        far = min(far, 4 * BIAS * SIDE * volume.voxel_size)  # beyond which no block has a key
         T = np.linalg.inv(check_rigid("extrinsic", extrinsic))
         T[:3, 3] -= volume.origin
-        low, size, _ = frame_box(depth_max, intrinsic, T, volume.truncation, volume.voxel_size)
+        low, size, _ = frame_box(far, intrinsic, T, volume.truncation, volume.voxel_size)
         volume.bring_box(low, low + size)
         limits: dict[str, Any] = {"depth_min": depth_min, "depth_max": depth_max, "weight_threshold": weight_threshold}
         return volume.ray_cast(intrinsic, extrinsic, **limits)

@@ -322,6 +322,14 @@ loom.OccupancyGrid.load(path="nowhere.npz", device="cpu")
 occupancy_filled.save(path="grid.npz")
 loom.TSDFVolume.load(path="nowhere.npz", device="cpu")
 tsdf_filled.save(path="volume.npz")
+loom.PagedTSDFVolume(folder="pages", voxel_size=0.1, truncation=0.4, max_blocks=50, page_blocks=4, device="cpu", overwrite=True)
+loom.PagedTSDFVolume.load(folder="nowhere", max_blocks=50, device="cpu")
+paged().integrate(depth=depth, intrinsic=camera, extrinsic=pose, color=color, depth_scale=1000.0, depth_max=3.0)
+paged().integrate_points(points=points, origin=[0.0, 0.0, 1.0], carve=True, min_range=0.0, max_range=50.0)
+paged_filled.extract_parts(weight_threshold=0.5)
+paged_filled.extract_point_cloud(weight_threshold=0.5)
+paged_filled.extract_triangle_mesh(weight_threshold=0.5)
+paged_filled.ray_cast(intrinsic=camera, extrinsic=pose, depth_min=0.1, depth_max=3.0, weight_threshold=0.5)
 """  # noqa: E501
 
 
@@ -346,6 +354,9 @@ def things() -> dict[str, Any]:
     def tsdf() -> Any:
         return loom.TSDFVolume(voxel_size=0.1)
 
+    def paged() -> Any:
+        return loom.PagedTSDFVolume(tempfile.mkdtemp(), voxel_size=0.1)
+
     def occupancy() -> Any:
         return loom.OccupancyGrid(voxel_size=0.1)
 
@@ -353,6 +364,8 @@ def things() -> dict[str, Any]:
     seen.insert_scan(points, [0.5, 0.5, 0.5])
     filled = tsdf()
     filled.integrate(depth, camera, np.eye(4), color)
+    paged_filled = paged()
+    paged_filled.integrate(depth, camera, np.eye(4), color)
     corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
     mapped = loom.TriangleMesh(points, triangles, triangle_uvs=[[0, 0], [1, 0], [0, 1]] * 2)
     painted = loom.TriangleMesh.create_plane(create_uv_map=True)
@@ -377,7 +390,8 @@ def things() -> dict[str, Any]:
         mask=row < 20, box=loom.AxisAlignedBoundingBox([0.1] * 3, [0.9] * 3),
         turned=loom.OrientedBoundingBox([0.5] * 3, np.eye(3), [1.0] * 3), search=loom.NearestNeighborSearch(cloud),
         rgbd=loom.RGBDImage(color, depth), volume=loom.SelectionPolygonVolume(corners, "Z", 0.0, 1.0), tsdf=tsdf,
-        occupancy=occupancy, occupancy_filled=seen, tsdf_filled=filled, mapped=mapped, mesh=mesh, triangles=triangles,
+        occupancy=occupancy, occupancy_filled=seen, tsdf_filled=filled, paged=paged, paged_filled=paged_filled,
+        mapped=mapped, mesh=mesh, triangles=triangles,
         corner_uvs=np.zeros((3 * len(triangles), 2)), material_ids=np.zeros(len(triangles), int),
         picture=np.zeros((4, 4, 3), np.uint8), painted=painted, outline=[[1, 0], [2, 0], [2, 1], [1, 1]],
         shell=loom.TriangleMesh(
@@ -397,6 +411,7 @@ HOMES = {
     "cloud": "PointCloud", "search": "NearestNeighborSearch", "box": "AxisAlignedBoundingBox",
     "turned": "OrientedBoundingBox", "camera": "PinholeCameraIntrinsic", "volume": "SelectionPolygonVolume",
     "occupancy()": "OccupancyGrid", "occupancy_filled": "OccupancyGrid",
+    "paged()": "PagedTSDFVolume", "paged_filled": "PagedTSDFVolume",
     "tsdf()": "TSDFVolume", "tsdf_filled": "TSDFVolume", "mesh": "TriangleMesh", "mapped": "TriangleMesh",
     "painted": "TriangleMesh", "shell": "TriangleMesh", "scene": "RaycastingScene", "latest": "LatestFrames",
     "recorder()": "FrameRecorder", "segments": "LineSet", "lens": "CameraModel", "model": "SfmModel",

@@ -120,7 +120,7 @@ def test_rows_on_a_shape_are_chosen_again_while_they_grow(device, rng):
     points, normals = np.vstack([points, wild]), np.vstack([normals, wild])
     fitter = ShapeFitter(there(points, vec3, device), np.zeros(3), 1.0)
     rows = there(np.arange(1000), int32, device)
-    start = np.array(TRUE[SPHERE]) + [0.01, 0, 0, 0, 0, 0, -0.012, 0]
+    start = np.add(TRUE[SPHERE], [0.01, 0, 0, 0, 0, 0, -0.012, 0])
     near = Selection(there(normals, vec3, device), 0.012, 0.9, 0.0, 10.0, 6)
     (fit, count), none, large = fitter.refine_all(
         [SPHERE] * 3, [start, [9.0, 0, 0, *AXIS, 0.1, 1.0], start], rows, near, EXACT
