@@ -77,8 +77,8 @@ def map_pictures(
         folder: Where to write the model, in COLMAP's binary format; new, or empty.
         fix_intrinsic: Keep the cameras as `find_features` was given them.
         mapper: "incremental" places one picture after the other (Schoenberger and Frahm 2016), "global" all at once, by
-            rotations, then positions (GLOMAP, Pan et al. 2024); "auto" takes the first of up to 150 pictures, the second
-            of more (docs/sfm.md has what was measured).
+            rotations, then positions (GLOMAP, Pan et al. 2024); "auto" takes the first of up to 150 pictures, else the
+            second (docs/sfm.md has what was measured).
         seed: Of random numbers.
         max_seconds: It is given up after this time [s]; None for no limit.
         max_memory: Of COLMAP's process [B]; None for nine tenths of what is free.

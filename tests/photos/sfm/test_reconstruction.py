@@ -9,8 +9,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.photos.sfm import mapping
-from pointloom.photos.sfm import features, matches
+from pointloom.photos.sfm import features, mapping, matches
 
 from .conftest import COUNT, FEATURES, write_pictures
 from .scene import FOCAL, HEIGHT, WIDTH, picture, walk
@@ -212,7 +211,7 @@ def test_a_model_may_be_judged_without_colmap(stages):
 
 def test_all_at_once_and_one_by_one_come_to_the_same_cameras(stages, tmp_path):
     found = loom.sfm.map_pictures(stages.pictures, stages.matches_db, tmp_path / "g", mapper="global")
-    again = loom.sfm.map_pictures(stages.pictures, stages.matches_db, tmp_path / "h", mapper="global")
+    loom.sfm.map_pictures(stages.pictures, stages.matches_db, tmp_path / "h", mapper="global")
     assert found.model is not None and found.model.names == stages.result.model.names
     for name in ("cameras.bin", "images.bin", "points3D.bin"):
         assert (tmp_path / "g" / name).read_bytes() == (tmp_path / "h" / name).read_bytes()
