@@ -40,7 +40,7 @@ def main() -> None:
         rows = connection.execute("SELECT pair_id, rows FROM two_view_geometries").fetchall()
     same = {divmod(pair, PAIR): count for pair, count in rows if count >= FEWEST}
     print(f"{len(same)} of {len(rows)} pairs see the same")
-    print("| pairs | proposed | share of the pairs that see the same | of their matches | pictures in one |")
+    print("| pairs | proposed | of them see the same | share of all that do | of their matches | pictures in one |")
     tell("in a row", {(i + 1, j + 1) for i, j in _in_a_row(len(found), OVERLAP)}, same, len(found))
     for neighbours in (5, 10, 20):
         before = time.process_time()
@@ -66,7 +66,11 @@ def tell(name: str, pairs: set, same: dict, count: int) -> None:
     roots = [root(k) for k in parts]
     largest = max(roots.count(k) for k in set(roots))
     shares = len(hit) / len(same), sum(same[pair] for pair in hit) / sum(same.values())
-    print(f"| {name} | {len(pairs)} | {100 * shares[0]:.0f} % | {100 * shares[1]:.0f} % | {largest} of {count} |")
+    right = 100 * len(hit) / len(pairs)
+    print(
+        f"| {name} | {len(pairs)} | {right:.0f} % | {100 * shares[0]:.0f} % | {100 * shares[1]:.0f} % "
+        f"| {largest} of {count} |"
+    )
 
 
 if __name__ == "__main__":

@@ -23,7 +23,7 @@ from .picture_writing import new_folder
 from .verdict import Verdict, judge_model
 
 MAPPERS = ("auto", "incremental", "global")
-MANY_PICTURES = 400  # of which adjusting all after each few takes most of the time
+MANY_PICTURES = 150  # up to which adjusting all after each few costs about as much as placing all at once
 
 
 @dataclasses.dataclass(frozen=True)
@@ -77,8 +77,8 @@ def map_pictures(
         folder: Where to write the model, in COLMAP's binary format; new, or empty.
         fix_intrinsic: Keep the cameras as `find_features` was given them.
         mapper: "incremental" places one picture after the other (Schoenberger and Frahm 2016), "global" all at once, by
-            rotations, then positions (GLOMAP, Pan et al. 2024); "auto" takes the first, which was never worse in what
-            was measured (docs/sfm.md), but of more than 400 pictures whose camera is known.
+            rotations, then positions (GLOMAP, Pan et al. 2024); "auto" takes the first of up to 150 pictures, else the
+            second (docs/sfm.md has what was measured).
         seed: Of random numbers.
         max_seconds: It is given up after this time [s]; None for no limit.
         max_memory: Of COLMAP's process [B]; None for nine tenths of what is free.
@@ -115,7 +115,7 @@ def map_pictures(
         raise DatasetError(pictures, "is no folder", remedy="Give the folder of the pictures")
     names = _names_of(database)
     job: dict[str, Any] = {"stage": "model", "pictures": os.fspath(source.resolve()), "seed": int(seed), "threads": 1}
-    chosen = mapper if mapper != "auto" else choose_mapper(len(names), fix_intrinsic=fix_intrinsic)
+    chosen = mapper if mapper != "auto" else choose_mapper(len(names))
     job |= {"fixed_camera": fix_intrinsic, "mapper": chosen}
     say("model", 0, len(names))
     with new_folder(target):
@@ -128,9 +128,14 @@ def map_pictures(
     return SfmResult(model, os.fspath(target), verdict, missing, clock.seconds, {"model": peak})
 
 
-def choose_mapper(picture_count: int, *, fix_intrinsic: bool) -> str:
-    """Which mapper "auto" takes."""
-    return "global" if fix_intrinsic and picture_count > MANY_PICTURES else "incremental"
+def choose_mapper(picture_count: int) -> str:
+    """Which mapper "auto" takes.
+
+    Example:
+        >>> choose_mapper(150), choose_mapper(151)
+        ('incremental', 'global')
+    """
+    return "global" if picture_count > MANY_PICTURES else "incremental"
 
 
 def _names_of(database: Path) -> list[str]:
