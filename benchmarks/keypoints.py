@@ -4,10 +4,9 @@
     python benchmarks/keypoints.py folder PICTURES WORK    features and matches of a folder, WORK is a new folder
 
 Warps: a picture is turned by 30 degrees, scaled to 0.5 and 1.5, blurred by 1.5 px and darkened to 0.6. Repeatable is a
-feature of which the warped picture has one within 1.5 px and a quarter octave, of those whose place is in both; the score
-is the share of them that is matched, to within 3 px. Either finder gets the picture grey and at 1000 px; COLMAP's is
-pycolmap's. A folder: CPU seconds are those of this process and of COLMAP's; matches are those that COLMAP's
-verification keeps, of either finder.
+feature of which the warped picture has one within 1.5 px and a quarter octave, of those whose place is in both; the
+score is the share of them that is matched, to within 3 px. Either finder gets the picture grey and at 1000 px.
+A folder: CPU seconds are those of this process and of COLMAP's; matches are those that COLMAP's verification keeps.
 """
 
 from __future__ import annotations
@@ -57,7 +56,7 @@ def warped(grey: np.ndarray, H: np.ndarray, blur: float, factor: float) -> np.nd
     shrunk = np.sqrt(abs(np.linalg.det(H[:2, :2])))
     image = Image.fromarray(grey)
     if shrunk < 1:
-        image = image.filter(ImageFilter.GaussianBlur(0.5 * np.sqrt(1 / shrunk**2 - 1)))
+        image = image.filter(ImageFilter.GaussianBlur(float(0.5 * np.sqrt(1 / shrunk**2 - 1))))
     image = image.transform(image.size, Image.Transform.AFFINE, back[:2].ravel().tolist(), Image.Resampling.BICUBIC)
     image = image.filter(ImageFilter.GaussianBlur(blur)) if blur else image
     return (np.asarray(image) * factor + 0.5).astype(np.uint8)
