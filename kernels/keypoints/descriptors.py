@@ -84,6 +84,22 @@ def slope_of(x: int, y: int, first: int, octave: Octave) -> vec2:
     return vec2(across / float(right - left), along / float(below - above))
 
 
+@func
+def smooth_bins(base: int, bins: array(dtype=float32)):
+    """The bins of an extremum, from `base` on, become means of three, six times over; the last is beside the first."""
+    smoothings = int(SMOOTHINGS)
+    for _ in range(smoothings):
+        begin = bins[base]
+        before = bins[base + BINS - 1]
+        for k in range(BINS):
+            here = bins[base + k]
+            after = begin
+            if k < BINS - 1:
+                after = bins[base + k + 1]
+            bins[base + k] = (before + here + after) / 3.0
+            before = here
+
+
 @kernel
 def find_orientations_kernel(
     octave: Octave,
@@ -119,17 +135,7 @@ def find_orientations_kernel(
                 bins[base + bin] = bins[base + bin] + (1.0 - part) * size
                 bin = (bin + 1) % BINS
                 bins[base + bin] = bins[base + bin] + part * size
-    smoothings = int(SMOOTHINGS)
-    for _ in range(smoothings):
-        begin = bins[base]
-        before = bins[base + BINS - 1]
-        for k in range(BINS):
-            here = bins[base + k]
-            after = begin
-            if k < BINS - 1:
-                after = bins[base + k + 1]
-            bins[base + k] = (before + here + after) / 3.0
-            before = here
+    smooth_bins(base, bins)
     highest = float(0.0)
     for k in range(BINS):
         highest = max(highest, bins[base + k])
