@@ -134,29 +134,22 @@ def match(
     kind = _kind_of(source)
     if target_device is not None and kind != "sift":
         raise ValueError(f"finder: pointloom matches SIFT features, and these are {kind}")
-    if pairs == "auto" and kind != "sift" and count > FEW_PICTURES:
-        pairs = "sequential"  # words are learnt of SIFT's bytes
-    if pairs == "retrieval" and kind != "sift":
-        raise ValueError(f"pairs: retrieval goes by SIFT features, and these are {kind}; take sequential or exhaustive")
-    if pairs == "auto":
-        pairs = "exhaustive" if count <= FEW_PICTURES else MIXED
+    pairs = _settled(pairs, kind, count)
     job: dict[str, Any] = {"stage": "matches", "pairs": pairs, "overlap": int(overlap), "seed": int(seed)}
     job |= {"threads": usable_cores(), "gpu": use_gpu if target_device is None else False, "kind": kind}
     with database_in_the_making(target) as part:
         shutil.copyfile(source, part)
-        chosen: list[tuple[int, int]] = []
         if pairs in ("retrieval", MIXED):
-            chosen = _chosen_pairs(source, pairs, overlap, neighbours, seed)
+            listed = np.array(_chosen_pairs(source, pairs, overlap, neighbours, seed), np.int64).reshape(-1, 2)
             job |= {"list": os.fspath(part.with_name("pairs.txt"))}
-            Path(job["list"]).write_text("".join(f"{a} {b}\n" for a, b in chosen), encoding="ascii")
-            pair_count = len(chosen)
+            Path(job["list"]).write_text("".join(f"{a} {b}\n" for a, b in listed), encoding="ascii")
         else:
-            pair_count = count * (count - 1) // 2 if pairs == "exhaustive" else len(_in_a_row(count, overlap))
+            listed = pairs_of(source, pairs, overlap)
+        pair_count = len(listed)
         say("pairs", 0, pair_count)
         if target_device is not None:
             job["found"] = os.fspath(part.parent / "found")
             common = {"device": target_device, "max_seconds": limits["max_seconds"], "progress": say}
-            listed = np.array(chosen, np.int64).reshape(-1, 2) if "list" in job else pairs_of(source, pairs, overlap)
             match_own(source, listed, Path(job["found"]), **common)
         poll = lambda: say("pairs", min(count_rows(part, "two_view_geometries"), pair_count), pair_count)  # noqa: E731
         with _named_by_numbers(part) if "list" in job else contextlib.nullcontext():
@@ -166,6 +159,21 @@ def match(
     clock.stop("pairs")
     seconds = clock.seconds["pairs"]
     return MatchReport(os.fspath(target), pairs, pair_count, verified, match_count, isolated, seconds, peak)
+
+
+def _settled(pairs: str, kind: str, count: int) -> str:
+    """Which pairs "auto" means; words are learnt of SIFT's bytes, so that retrieval goes by these alone.
+
+    Raises:
+        ValueError: Retrieval by other features.
+    """
+    if pairs == "auto" and count <= FEW_PICTURES:
+        return "exhaustive"
+    if pairs == "auto":
+        return MIXED if kind == "sift" else "sequential"
+    if pairs == "retrieval" and kind != "sift":
+        raise ValueError(f"pairs: retrieval goes by SIFT features, and these are {kind}; take sequential or exhaustive")
+    return pairs
 
 
 def _kind_of(database: Path) -> str:
