@@ -13,12 +13,14 @@ from bench_pose_graph import DISTANCE
 from digest_depth_maps import estimated_depth_maps, plain_depth_maps
 from digest_drawing import DRAWN
 from digest_fields import FIELDS
+from digest_keypoints import found_and_matched
 from digest_mvs import filtered_depth_maps, fused_depth_maps
 from digest_occupancy import OCCUPANCY
 from digest_on_clouds import SIZE, cloud_file, depth_lens, icp, there_and_back
 from digest_scenes import TURNED, UTM, Place, Scenes, about, loom, pose_of, reg
 from digest_shapes import SHAPES
 from digest_volumes import VOLUMES
+from digest_stations import surveyed
 from numpy.typing import NDArray
 
 
@@ -567,6 +569,7 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "mvs, estimate_depth_maps": estimated_depth_maps,
     "mvs, estimate_depth_maps, plain wall": plain_depth_maps,
     "demo, video": filmed_room,
+    "sfm.detect_keypoints, match_keypoints": found_and_matched,
     "mvs, filter_depth_maps": filtered_depth_maps,
     "mvs, fuse": fused_depth_maps,
     "tsdf, integrate_points": scanned_volume,
@@ -705,6 +708,7 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "SLAC": aligned_fragments,
     "register_nonrigid": bent,
     "coherent_point_drift": drifted,
+    "register_stations": surveyed,
     "global_optimization": lambda d: optimized(d, "LevenbergMarquardt", reference_node=0),
     "global_optimization, Gauss-Newton": lambda d: optimized(d, "GaussNewton", edge_prune_threshold=0.1),
     "pose graph, write and read": graph_file,

@@ -69,6 +69,8 @@ TARGETS = (
     Target("alpha_shape", "bunny 36k, 2 mm", 5, ("open3d-legacy",)),
     Target("alpha_shape", "bunny 36k, 6 mm", 5, ("open3d-legacy",)),
     Target("alpha_shape", "200k", 5, ("open3d-legacy",)),
+    Target("drift_rigid", "10k, 3 steps", 20, ("pycpd",)),
+    Target("drift_deformable", "10k, 2 steps", 20, ("pycpd",)),
     Target("pose_graph", "ring 1000", 1, ("open3d-legacy",)),
     Target("pose_graph", "grid 900", 1, ("open3d-legacy",)),
     Target("register_globally", "200k, 5 cm", 2, ("kiss-matcher",)),

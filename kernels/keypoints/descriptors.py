@@ -74,7 +74,7 @@ def weight_at(x: float) -> float:
 
 @func
 def slope_of(x: int, y: int, first: int, octave: Octave) -> vec2:
-    """How brightness grows to the right and downwards at a pixel, over one pixel at the border; `first` is the level's."""
+    """How brightness grows to the right and downwards at a pixel of the level that begins at `first`."""
     left = max(x - 1, 0)
     right = min(x + 1, octave.width - 1)
     above = max(y - 1, 0)
@@ -82,6 +82,22 @@ def slope_of(x: int, y: int, first: int, octave: Octave) -> vec2:
     across = octave.levels[first + y * octave.stride + right] - octave.levels[first + y * octave.stride + left]
     along = octave.levels[first + below * octave.stride + x] - octave.levels[first + above * octave.stride + x]
     return vec2(across / float(right - left), along / float(below - above))
+
+
+@func
+def smooth_bins(base: int, bins: array(dtype=float32)):
+    """The bins of an extremum, from `base` on, become means of three, six times over; the last is beside the first."""
+    smoothings = int(SMOOTHINGS)
+    for _ in range(smoothings):
+        begin = bins[base]
+        before = bins[base + BINS - 1]
+        for k in range(BINS):
+            here = bins[base + k]
+            after = begin
+            if k < BINS - 1:
+                after = bins[base + k + 1]
+            bins[base + k] = (before + here + after) / 3.0
+            before = here
 
 
 @kernel
@@ -119,17 +135,7 @@ def find_orientations_kernel(
                 bins[base + bin] = bins[base + bin] + (1.0 - part) * size
                 bin = (bin + 1) % BINS
                 bins[base + bin] = bins[base + bin] + part * size
-    smoothings = int(SMOOTHINGS)
-    for _ in range(smoothings):
-        begin = bins[base]
-        before = bins[base + BINS - 1]
-        for k in range(BINS):
-            here = bins[base + k]
-            after = begin
-            if k < BINS - 1:
-                after = bins[base + k + 1]
-            bins[base + k] = (before + here + after) / 3.0
-            before = here
+    smooth_bins(base, bins)
     highest = float(0.0)
     for k in range(BINS):
         highest = max(highest, bins[base + k])
@@ -279,9 +285,7 @@ def describe_features_kernel(
 
 
 @kernel
-def store_descriptors_kernel(
-    cells: array(dtype=float32, ndim=2), first: int, descriptors: array(dtype=uint8, ndim=2)
-):
+def store_descriptors_kernel(cells: array(dtype=float32, ndim=2), first: int, descriptors: array(dtype=uint8, ndim=2)):
     """Cut off what stands out, and keep the root of each number's share of the sum."""
     i = tid()
     total = float64(0.0)

@@ -15,7 +15,22 @@ from ..algebra.plain_min_max import larger, smaller
 from ..array_types import Array1, Indices, Integers, Mask
 from ..arrays.prefix_sum import scan_together
 from ..arrays.select import positions_and_starts
-from ..lang import array, bit_count, floor, float32, float64, func, int32, kernel, launch, tid, uint8, vec3d, vec4, vector
+from ..lang import (
+    array,
+    bit_count,
+    float32,
+    float64,
+    floor,
+    func,
+    int32,
+    kernel,
+    launch,
+    tid,
+    uint8,
+    vec3d,
+    vec4,
+    vector,
+)
 from ..memory import empty
 from .scale_space import BASE_SIGMA, LANES, SCALES, Octave, lanes
 

@@ -1,13 +1,13 @@
 """Mutual nearest descriptors of pairs of pictures, many pairs in one launch.
 
-The squared distance of two descriptors a and b of whole numbers is |a|^2 + |b|^2 - 2 a b, all of them whole. A feature's
-match is the nearest one of the other picture, where it is near enough and clearly nearer than the second (Lowe 2004,
+The squared distance of two descriptors a and b is |a|^2 + |b|^2 - 2 a b, all of them whole numbers. A feature's match
+is the nearest one of the other picture, where it is near enough and clearly nearer than the second (Lowe 2004,
 section 7.1); it is kept where the same holds the other way round. The way back is asked only for features that are
 somebody's match, few of them where two pictures show different things.
 
-One thread a feature of one picture of a pair; reads the 128 B of each feature of the other picture, which LLVM multiplies
-16 at a time on the CPU (2.6 ns for two descriptors, seen on a core with AVX-512), writes 12 B. Ties go to the lower
-number: the same matches on any device and number of threads.
+One thread a feature of one picture of a pair; reads the 128 B of each feature of the other picture, of which LLVM
+multiplies 16 at a time on the CPU (2.6 ns for two descriptors, seen on a core with AVX-512), writes 5 B. Ties go to the
+lower number: the same matches on any device and number of threads.
 """
 
 import numpy as np
@@ -144,9 +144,7 @@ def confirm_matches_kernel(
     mutual[i] = to
 
 
-def match_mutually(
-    features: Descriptors, pairs: np.ndarray, *, ratio: float, most: int
-) -> list[np.ndarray]:
+def match_mutually(features: Descriptors, pairs: np.ndarray, *, ratio: float, most: int) -> list[np.ndarray]:
     """Matches of pairs of pictures.
 
     Args:

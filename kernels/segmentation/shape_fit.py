@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..array_types import Array1, Doubles, Indices, Points, Vectors
 from ..arrays.segment_blocks import SegmentBlocks
-from ..arrays.side_by_side import SideBySide
+from ..arrays.side_by_side import SideBySide, read_together
 from ..lang import float64, int32, launch, loop_while, reduce, reduce_segments, uint8, vec3d
 from ..memory import download, empty
 from .shape_fit_rows import (
@@ -239,7 +239,9 @@ class ShapeFitter:
 
         if n:
             loop_while(fits.running, turn)
-        return states.download()  # sync
+        names = ("shapes", "sums") if chosen is None else ("bests", "best_sums", "best_counts")
+        found = dict(zip(names, read_together([states.arrays[name] for name in names]), strict=True))  # sync
+        return {"kinds": np.asarray(kinds), **found}
 
 
 def _first_state(kinds: ArrayLike, shapes: Shapes, chosen: Selection | None) -> dict[str, tuple[ArrayLike, type]]:

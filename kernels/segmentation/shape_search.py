@@ -236,9 +236,8 @@ class ShapeSearch:
         launch(key_scores_kernel, count, [scores, self.part.count, keys])
         order = argsort_keys(keys, max(1, self.part.count.bit_length()))[1]
         m = min(count, PROMISING)
-        best, of, near = (
-            empty(shape, kind, self.device) for shape, kind in (((m, NUMBERS), float64), (m, int32), (m, int32))
-        )
+        best, of = empty((m, NUMBERS), float64, self.device), empty(m, int32, self.device)
+        near = empty(m, int32, self.device)
         launch(take_shapes_kernel, m, [order, shapes, kinds, scores, best, of, near])
         return [best, near, score_shapes(self.cloud, best, of, limits.distance, limits.cosine)]
 

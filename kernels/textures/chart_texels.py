@@ -20,9 +20,11 @@ from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.select import number_rows_kernel, positions_of
 from ..lang import (
     array,
+    atomic_min,
     ceil,
     dot,
     float64,
+    floor,
     func,
     int32,
     kernel,
@@ -91,12 +93,51 @@ class ChartTexels:
         launch(count_rows_kernel, triangles, [self.atlas, rows_of_each])
         rows, total = exclusive_scan(rows_of_each)  # sync
         launch(claim_texels_kernel, total, [self.atlas, rows, owners])
-        self.rings, wider = zeros(count, int32, device), empty(count, int32, device)
+        self.rings, wider = zeros(count, int32, device), full(count, NO_TRIANGLE, int32, device)
+        launch(claim_edges_kernel, triangles, [self.atlas, wider])
+        launch(take_spare_kernel, count, [wider, owners, self.rings])
         for ring in range(RINGS):
             launch(widen_owners_kernel, count, [size, owners, ring + 1, wider, self.rings])
             owners, wider = wider, owners
         self.owners = owners
         self.colors, self.steps = zeros(count, vec3d, device), full(count, NOWHERE, int32, device)
+
+
+@func
+def side_of_corner(a: vec3d, b: vec3d, c: vec3d, side: int) -> vec3d:
+    """One of three corners, counted round."""
+    corner = a
+    if side % 3 == 1:
+        corner = b
+    if side % 3 == 2:
+        corner = c
+    return corner
+
+
+@kernel
+def claim_edges_kernel(atlas: Atlas, spare: array(dtype=int32)):
+    """The lowest triangle whose edges pass each texel, for triangles too small or thin to have any texel's centre."""
+    i = tid()
+    a, b, c = texel_corners(atlas, i)
+    if side_of(a, b, c[0], c[1]) != 0.0:
+        for side in range(3):
+            begin = side_of_corner(a, b, c, side)
+            way = side_of_corner(a, b, c, side + 1) - begin
+            count = int(ceil(2.0 * length(way))) + 1
+            for k in range(count):
+                place = begin + way * (float64(k) / float64(count))
+                x = min(max(int(floor(place[0])), 0), atlas.width - 1)
+                y = min(max(int(floor(place[1])), 0), atlas.height - 1)
+                atomic_min(spare, y * atlas.width + x, i)
+
+
+@kernel
+def take_spare_kernel(spare: array(dtype=int32), owners: array(dtype=int32), rings: array(dtype=int32)):
+    """Texels of no triangle belong to one whose edges pass them."""
+    i = tid()
+    if owners[i] == NO_TRIANGLE and spare[i] != NO_TRIANGLE:
+        owners[i] = spare[i]
+        rings[i] = 1
 
 
 @kernel
@@ -188,17 +229,6 @@ def on_segment(a: vec3d, b: vec3d, x: float64, y: float64) -> float64:
     if squared > 0.0:
         share = min(max(dot(vec3d(x, y, 0.0) - a, way) / squared, 0.0), 1.0)
     return share
-
-
-@func
-def side_of_corner(a: vec3d, b: vec3d, c: vec3d, side: int) -> vec3d:
-    """One of three corners, counted round."""
-    corner = a
-    if side % 3 == 1:
-        corner = b
-    if side % 3 == 2:
-        corner = c
-    return corner
 
 
 @func

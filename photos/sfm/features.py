@@ -12,6 +12,7 @@ from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.camera_models import CameraModel
 from ...core.atomic import check_writable
 from ...core.checks import check_count, check_name, check_progress, check_seed, shown
+from ...core.devices import resolve_device
 from ...core.errors import DatasetError, FileError, FilePath
 from ...core.progress import ReportProgress
 from ...core.timing import Clock
@@ -20,6 +21,7 @@ from .colmap_jobs import MAX_SECONDS, count_rows, database_in_the_making, open_d
 from .frames import check_option
 from .limited_process import check_limits, free_memory
 from .masks import check_mask_files, complete_masks
+from .own_features import FINDERS, find_own
 from .picture_folder import UPRIGHT, check_place, is_grey_16, list_pictures, read_lens, read_orientation, scaled_size
 
 # Those of COLMAP's whose numbers can be found from pictures alone.
@@ -85,6 +87,8 @@ def find_features(
     masks: FilePath | None = None,
     kind: str = "sift",
     use_gpu: bool | None = None,
+    finder: str = "colmap",
+    device: Any = None,
     seed: int = 0,
     max_seconds: float | None = MAX_SECONDS,
     max_memory: int | None = None,
@@ -107,6 +111,8 @@ def find_features(
             of PyPI was not.
         use_gpu: Whether COLMAP works on a GPU: that wants the package pycolmap-cuda12 in place of pycolmap. None takes
             one where that is there. Its features are not those of the CPU.
+        finder: Who finds them: "colmap", or "pointloom", our own kernels, which take a fraction of the time.
+        device: Where our own kernels compute; None for the CPU.
         seed: Of random numbers.
         max_seconds: It is given up after this time [s]; None for no limit.
         max_memory: Of COLMAP's process [B]; None for nine tenths of what is free.
@@ -120,6 +126,7 @@ def find_features(
             another size, one that hides all, no mask at all; pycolmap is missing (`pip install "pointloom[sfm]"`);
             COLMAP failed or passed a limit; a full disk.
         TypeError, ValueError: An argument out of range, a camera of pictures of another shape.
+        DeviceError: No such device.
 
     Notes:
         The same features from run to run, with any number of cores. All are used, as far as the memory goes: 360 B
@@ -139,6 +146,9 @@ def find_features(
     check_option("kind", kind, FEATURE_KINDS)
     check_use_gpu(use_gpu)
     check_seed(seed)
+    target_device = resolve_device(device) if check_option("finder", finder, FINDERS) == "pointloom" else None
+    if target_device is not None and kind != "sift":
+        raise ValueError(f"finder: pointloom finds SIFT features, not {kind}")
     _check_intrinsic(intrinsic)
     limits = check_limits(max_seconds, max_memory)
     folder, target = check_place("pictures", pictures), check_writable(check_place("database", database))
@@ -146,12 +156,17 @@ def find_features(
     job: dict[str, Any] = {"stage": "features", "pictures": os.fspath(folder.resolve()), "seed": int(seed)}
     job |= {"groups": [_group(size, names, camera_model, intrinsic) for (size, _), names in groups.items()]}
     threads = threads_for([size for size, _ in groups], max_size, limits["max_memory"] or free_memory())
-    job |= {"kind": kind, "gpu": use_gpu}
+    job |= {"kind": kind, "gpu": use_gpu if target_device is None else False}
     job |= {"max_size": int(max_size), "max_features": int(max_features), "threads": threads}
     found = None if masks is None else _checked_masks(masks, folder)
     count = sum(len(names) for names in groups.values())
     with database_in_the_making(target) as part:
         say("features", 0, count)
+        if target_device is not None:
+            job["found"] = os.fspath(part.parent / "found")
+            todo = [(size, names) for (size, _), names in groups.items()]
+            common = {"masks": found or {}, "limits": limits, "device": target_device, "progress": say}
+            find_own(folder, todo, Path(job["found"]), max_size=max_size, max_features=max_features, **common)
         poll = lambda: say("features", min(count_rows(part, "keypoints"), count), count)  # noqa: E731
         if found is not None:
             complete_masks(list_pictures(folder), found, part.with_name("masks"))

@@ -78,7 +78,7 @@ def detect_keypoints(
         device: Where to compute; None for the CPU.
 
     Returns:
-        Features in pixels of the picture as given, from fine to coarse; none in an even picture, or one of a few pixels.
+        Features in pixels of the picture as given, from fine to coarse; none in an even or tiny picture.
 
     Raises:
         TypeError, ValueError: An argument out of range; a picture of other numbers than uint8, or with no pixel; a
@@ -109,7 +109,7 @@ def detect_keypoints(
     if size[0] * size[1] > _MOST_PIXELS:
         raise ValueError(f"picture: {size[0]} x {size[1]} are more than {_MOST_PIXELS:,} pixels; give a max_size")
     check_room(target, BYTES_A_PIXEL * size[0] * size[1], f"a scale space of {size[0]} x {size[1]} pixels")
-    return KeypointFinder(size, target).find(given, seen, int(max_features))
+    return KeypointFinder(size, target).find(np.ascontiguousarray(given), seen, int(max_features))
 
 
 class KeypointFinder:
@@ -199,13 +199,13 @@ def match_descriptors(
 
 
 def _checked_picture(picture: Any) -> NDArray[np.uint8]:
-    """A picture as a contiguous array."""
+    """A picture as an array."""
     array = np.asarray(picture)
     if array.dtype != np.uint8:
         raise TypeError(f"picture: expected numbers of type uint8, got {array.dtype}; scale brightness to 0..255")
     if array.ndim not in (2, 3) or (array.ndim == 3 and array.shape[2] != 3) or 0 in array.shape:
         raise ValueError(f"picture: expected shape [h, w] or [h, w, 3], got {list(array.shape)}")
-    return np.ascontiguousarray(array)
+    return array
 
 
 def _checked_mask(mask: Any, shape: tuple[int, int]) -> NDArray[np.bool_]:

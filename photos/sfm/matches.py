@@ -11,8 +11,11 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from ...core.atomic import check_writable
 from ...core.checks import check_count, check_progress, check_seed
+from ...core.devices import resolve_device
 from ...core.errors import FilePath
 from ...core.progress import ReportProgress
 from ...core.timing import Clock
@@ -20,6 +23,7 @@ from .colmap_jobs import MAX_SECONDS, count_rows, database_in_the_making, open_d
 from .features import check_use_gpu, usable_cores
 from .frames import check_option
 from .limited_process import check_limits
+from .own_features import FINDERS, match_own, pairs_of
 from .picture_folder import check_place
 from .retrieval import NEIGHBOURS, pairs_that_look_alike
 
@@ -71,6 +75,8 @@ def match(
     overlap: int = OVERLAP,
     neighbours: int = NEIGHBOURS,
     use_gpu: bool | None = None,
+    finder: str = "colmap",
+    device: Any = None,
     seed: int = 0,
     max_seconds: float | None = MAX_SECONDS,
     max_memory: int | None = None,
@@ -87,6 +93,9 @@ def match(
         overlap: Sequential: each picture is matched to so many later ones, those that are 1, 2, 4, 8, ... further on.
         neighbours: Retrieval: each picture is matched to so many that look most like it.
         use_gpu: As of `find_features`.
+        finder: Who finds the matches: "colmap", approximately, or "pointloom", our own kernels, which compare all. In
+            either case COLMAP holds them against one motion of the camera.
+        device: Where our own kernels compute; None for the CPU.
         seed: Of random numbers.
         max_seconds: It is given up after this time [s]; None for no limit.
         max_memory: Of COLMAP's process [B]; None for nine tenths of what is free.
@@ -98,6 +107,7 @@ def match(
     Raises:
         FileError: No such database; pycolmap is missing; COLMAP failed or passed a limit; a full disk.
         TypeError, ValueError: An argument out of range.
+        DeviceError: No such device.
 
     Notes:
         The same matches from run to run, with any number of cores. Loops (a video that comes back to where it was)
@@ -116,11 +126,14 @@ def match(
     check_count("neighbours", neighbours, maximum=_MOST_NEIGHBOURS, because='pairs="exhaustive" takes all')
     check_use_gpu(use_gpu)
     check_seed(seed)
+    target_device = resolve_device(device) if check_option("finder", finder, FINDERS) == "pointloom" else None
     limits = check_limits(max_seconds, max_memory)
     source, target = check_place("database", database), check_writable(check_place("matches", matches))
     with open_database(source) as connection:
         (count,) = connection.execute("SELECT count(*) FROM images").fetchone()
     kind = _kind_of(source)
+    if target_device is not None and kind != "sift":
+        raise ValueError(f"finder: pointloom matches SIFT features, and these are {kind}")
     if pairs == "auto" and kind != "sift" and count > FEW_PICTURES:
         pairs = "sequential"  # words are learnt of SIFT's bytes
     if pairs == "retrieval" and kind != "sift":
@@ -128,9 +141,10 @@ def match(
     if pairs == "auto":
         pairs = "exhaustive" if count <= FEW_PICTURES else MIXED
     job: dict[str, Any] = {"stage": "matches", "pairs": pairs, "overlap": int(overlap), "seed": int(seed)}
-    job |= {"threads": usable_cores(), "gpu": use_gpu, "kind": kind}
+    job |= {"threads": usable_cores(), "gpu": use_gpu if target_device is None else False, "kind": kind}
     with database_in_the_making(target) as part:
         shutil.copyfile(source, part)
+        chosen: list[tuple[int, int]] = []
         if pairs in ("retrieval", MIXED):
             chosen = _chosen_pairs(source, pairs, overlap, neighbours, seed)
             job |= {"list": os.fspath(part.with_name("pairs.txt"))}
@@ -139,6 +153,11 @@ def match(
         else:
             pair_count = count * (count - 1) // 2 if pairs == "exhaustive" else len(_in_a_row(count, overlap))
         say("pairs", 0, pair_count)
+        if target_device is not None:
+            job["found"] = os.fspath(part.parent / "found")
+            common = {"device": target_device, "max_seconds": limits["max_seconds"], "progress": say}
+            listed = np.array(chosen, np.int64).reshape(-1, 2) if "list" in job else pairs_of(source, pairs, overlap)
+            match_own(source, listed, Path(job["found"]), **common)
         poll = lambda: say("pairs", min(count_rows(part, "two_view_geometries"), pair_count), pair_count)  # noqa: E731
         with _named_by_numbers(part) if "list" in job else contextlib.nullcontext():
             _, peak = run_job(job | {"database": os.fspath(part)}, source, poll=poll, **limits)

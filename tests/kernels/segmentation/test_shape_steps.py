@@ -146,3 +146,20 @@ def test_a_fit_far_from_its_points_is_given_up_and_one_near_them_is_not(device, 
     assert given_up.rms > 1.01 * whole.rms
     near, same = (fitter.fit_all([TORUS], [slow], rows, EXACT, hopeless)[0] for hopeless in (0.0, 10.0))
     np.testing.assert_array_equal(near.shape, same.shape)
+
+
+@pytest.mark.parametrize("kind", [CONE, TORUS], ids=NAMES.get)
+def test_a_fit_ends_no_farther_from_its_points_than_it_began(device, rng, kind):
+    """From anywhere: a step that makes it worse is not taken, and one that leaves what is a shape neither."""
+    points = made(kind, rng)[0]
+    fitter = ShapeFitter(there(points, vec3, device), np.zeros(3), 1.0)
+    starts = []
+    for _ in range(20):
+        axis = rng.normal(size=3)
+        sizes = (0.8, 0.6) if kind == CONE else (1.0, 0.05)
+        starts.append([*rng.uniform(-1, 1, 3), *axis / np.linalg.norm(axis), *sizes])
+    fits = fitter.fit_all([kind] * 20, starts, there(np.arange(700), int32, device), EXACT)
+    for fit, start in zip(fits, np.array(starts), strict=True):
+        assert fit.rms <= 1.000001 * np.sqrt((distances(kind, start, points) ** 2).mean())
+        assert (fit.shape[6:] > 0).all()
+    assert sum(fit.rms < 0.006 for fit in fits) >= 3  # some find it from there
