@@ -139,7 +139,7 @@ def _mask_of(masks: Any, picture: Path, origin: Path | None, size: tuple[int, in
         return _of_function(masks, picture, origin, size)
     if masks == ALPHA:
         alpha = None if origin is None else _alpha_of(origin)
-        return None if alpha is None else _fitted(origin, alpha >= _KEPT, origin, size)
+        return None if origin is None or alpha is None else _fitted(origin, alpha >= _KEPT, origin, size)
     for name in dict.fromkeys((*(() if origin is None else (origin.name, origin.stem)), picture.name, picture.stem)):
         for ending in _ENDINGS:
             place = Path(masks) / f"{name}{ending}"
