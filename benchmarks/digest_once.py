@@ -309,6 +309,15 @@ def albedo(d: Scenes) -> Any:
     return textured.textures[0]
 
 
+def picture_texture(d: Scenes) -> list[Any]:
+    """The grid's texture out of its pictures, at exposures of their own."""
+    camera, pictures, poses = posed_pictures(d)
+    exposed = [(picture * gain).astype(np.uint8) for picture, gain in zip(pictures, (0.9, 1.0, 0.8), strict=True)]
+    given = (pictured_grid(d), exposed, camera, list(np.linalg.inv(poses)))
+    found = loom().color_map.texture_from_pictures(*given, smoothness=0.2)
+    return [found.mesh.textures[0], found.mesh.triangle_uvs, found.views, found.energy, found.step_before]
+
+
 def cast_rays(d: Scenes) -> list[Any]:
     """What rays meet of the ball in two places."""
     scene, rng = loom().RaycastingScene(d.device), np.random.default_rng(0)
@@ -659,6 +668,7 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "color_map": color_maps,
     "rgbd odometry": rgbd_odometry,
     "mesh, project_images_to_albedo": albedo,
+    "mesh, texture_from_pictures": picture_texture,
     "robust kernels": lambda d: {name: k.weight(np.linspace(-1, 1, 41)) for name, k in robust_kernels(0.3).items()},
     "icp, point to plane, robust": lambda d: {
         name: icp(d.surface, "PointToPlane", kernel=kernel) for name, kernel in robust_kernels().items()

@@ -47,8 +47,8 @@ def texture(mesh: Path, frames: Path, output: Path, as_json: bool, force: bool, 
     .obj .glb .gltf   a texture; where MESH has no texture coordinates an atlas is made
 
     \b
-    FRAMES may also be a project of COLMAP, with its pictures in the folder images, or the work folder of `video`: then
-    each triangle takes its texture from the best picture, at one exposure and without seams, and poses stay as they are.
+    FRAMES may also be a project of COLMAP, with its pictures in the folder images, or the work folder of `video`. Then
+    each triangle takes its texture from the best picture, at one exposure and without seams; poses stay as they are.
 
     \b
     rigid      the poses move until the pictures agree at each vertex

@@ -146,5 +146,5 @@ def test_pictures_of_a_model_give_a_texture(tmp_path):
     assert answer(*words, tmp_path / "work", "-o", tmp_path / "b.glb", "--size", "256", "--device", "cpu")["files"]
     assert (tmp_path / "a.glb").read_bytes() == (tmp_path / "b.glb").read_bytes()
     assert loom.read_triangle_mesh(tmp_path / "a.glb").textures[0].shape == (256, 256, 3)
-    refused = refusal(*words, tmp_path / "project", "-o", tmp_path / "c.glb", "--method", "rigid")
-    assert "--method is for RGB-D frames" in refused
+    refused = run(*words, tmp_path / "project", "-o", tmp_path / "c.glb", "--method", "rigid")
+    assert refused.exit_code == 2 and "--method is for RGB-D frames" in refused.stderr
