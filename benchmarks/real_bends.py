@@ -87,7 +87,9 @@ def main() -> None:
     parser.add_argument("--bodies", nargs="+", default=list(BODIES))
     options = parser.parse_args()
     folder = Path(os.environ.get("POINTLOOM_DATA", "."))
-    print("| body | bend | surface, rigid | surface | 95 % | points | CPU [s] | verdict |\n|---|---|---|---|---|---|---|---|")
+    print(
+        "| body | bend | surface, rigid | surface | 95 % | points | CPU [s] | verdict |\n|---|---|---|---|---|---|---|---|"
+    )
     for name in options.bodies:
         path = folder / BODIES[name]
         if not path.exists():

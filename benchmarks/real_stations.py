@@ -107,7 +107,9 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=0)
     options = parser.parse_args()
     folder = Path(os.environ.get("POINTLOOM_DATA", "."))
-    print("| set | placed | pairs | rough | errors, median [mm] | largest | said | sigma0 | taken out | CPU [s] | verdict |")
+    print(
+        "| set | placed | pairs | rough | errors, median [mm] | largest | said | sigma0 | taken out | CPU [s] | verdict |"
+    )
     print("|---|---|---|---|---|---|---|---|---|---|---|")
     for name in options.sets:
         read, *numbers = SETS[name]
