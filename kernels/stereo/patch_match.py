@@ -15,7 +15,7 @@ from ..arrays.random import random_uniform
 from ..lang import array, float32, func, kernel, launch, struct, tid, vec3, vec4
 from ..memory import empty
 from .inverse_planes import faced_away, inverse_depth_at, normal_of, random_direction, slopes_of
-from .patch_costs import Reference, Sources, patch_cost, way_back
+from .patch_costs import Reference, Sources, patch_cost, samples, way_back, window_of
 from .view_choice import eight, eight_places, order_of, worths_of
 
 NEAR_COUNT, FAR_COUNT = 7, 11  # pixels of a near and of a far region
@@ -69,9 +69,20 @@ class Turn:
 
 
 @func
-def source_cost(x: int, y: int, plane: vec4, s: int, geometric: float, reference: Reference, sources: Sources) -> float:
+def source_cost(
+    x: int,
+    y: int,
+    plane: vec4,
+    s: int,
+    geometric: float,
+    weights: samples,
+    rises: samples,
+    variance: float,
+    reference: Reference,
+    sources: Sources,
+) -> float:
     """The cost of a plane in one source."""
-    c = patch_cost(x, y, plane, s, reference, sources)
+    c = patch_cost(x, y, plane, s, weights, rises, variance, reference, sources)
     if geometric > 0.0:
         back = way_back(x, y, plane[0], s, sources)
         c += geometric * back[0]
@@ -156,8 +167,11 @@ def start_planes_kernel(
         w = reference.farthest + (reference.nearest - reference.farthest) * u[0]
         slopes = slopes_of(random_direction(u, x, y, reference.lens), x, y, w, reference.lens)
         plane = vec4(w, slopes[0], slopes[1], 0.0)
+    weights, rises, variance = window_of(x, y, reference, sources)
     for s in range(sources.count):
-        costs[i * sources.count + s] = source_cost(x, y, plane, s, geometric, reference, sources)
+        costs[i * sources.count + s] = source_cost(
+            x, y, plane, s, geometric, weights, rises, variance, reference, sources
+        )
     cost = mean_of_best(i, chosen, sources.count, costs)
     planes[i] = vec4(plane[0], plane[1], plane[2], cost)
 
@@ -253,6 +267,7 @@ def spread_planes_kernel(
     for k in range(chosen):
         bound += weight[k] * costs[pixel * count + order[k]]
     is_new = 0
+    weights, rises, variance = window_of(x, y, reference, sources)
     hypotheses = turn.regions + turn.trials
     for k in range(hypotheses + 1):
         is_last = (
@@ -272,7 +287,10 @@ def spread_planes_kernel(
             total = 0.0
             rank = first
             while rank < last and (total < bound or is_last == 1):
-                c = source_cost(x, y, candidate, order[rank], turn.geometric, reference, sources)
+                c = patch_cost(x, y, candidate, order[rank], weights, rises, variance, reference, sources)
+                if turn.geometric > 0.0 and (total + weight[rank] * c < bound or is_last == 1):
+                    back = way_back(x, y, candidate[0], order[rank], sources)
+                    c += turn.geometric * back[0]
                 found[rank] = c
                 total += weight[rank] * c
                 rank = rank + 1

@@ -11,7 +11,7 @@ One thread a pixel. The first reads 49 brightnesses and 16 B a source; the secon
 from ..array_types import Array1, Scalars
 from ..lang import array, float32, kernel, launch, sqrt, tid, vec2, vec4
 from ..memory import empty
-from .patch_costs import Reference, Sources, way_back
+from .patch_costs import Reference, Sources, way_back, window_of
 from .patch_match import mean_of_best, source_cost
 from .plane_results import AGREED_PIXELS, AGREED_SHARE
 
@@ -78,8 +78,11 @@ def take_priors_kernel(
     if prior[3] <= 0.0 or prior[0] < reference.farthest or prior[0] > reference.nearest:
         return
     own = mean_of_best(i, chosen, sources.count, costs)
+    weights, rises, variance = window_of(x, y, reference, sources)
     for s in range(sources.count):
-        costs[i * sources.count + s] = source_cost(x, y, prior, s, geometric, reference, sources)
+        costs[i * sources.count + s] = source_cost(
+            x, y, prior, s, geometric, weights, rises, variance, reference, sources
+        )
     theirs = mean_of_best(i, chosen, sources.count, costs)
     if theirs < own + prior[3] * CLEARLY:
         planes[i] = vec4(prior[0], prior[1], prior[2], min(min(own, theirs), PLAIN_COST))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import dataclasses
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -36,6 +36,12 @@ LEAST_SIDE = 24  # [px] of a picture that is worth a phase of its own
 MOST_SEED = 0x7FFFFFFF
 
 
+def grid(first: int, step: int, is_taken: Callable[[int], bool]) -> NDArray[np.int64]:
+    """Pixels of a square about a pixel whose squared distance is taken: across and down [px], [n, 2]."""
+    side = range(first, 1 - first, step)
+    return np.array([(u, v) for v in side for u in side if is_taken(u * u + v * v)])
+
+
 @dataclasses.dataclass(frozen=True)
 class Phase:
     """One walk over all pictures.
@@ -44,7 +50,7 @@ class Phase:
         scale: Of the pictures.
         turns: Half-turns for each colour of the chessboard.
         spread: Greatest change of a plane in the first turn [px in the sources], half of it in each further one.
-        radius: From the middle of a patch to its border [px].
+        radius: From the middle of a patch to its border [px], of those in PATTERNS.
         regions: Of eight whose planes a pixel tries.
         geometric: Weight of the distance to the sources' surfaces and back [1 / px].
         prior: Whether plain places take planes fitted to what is sure about them, at the end.
@@ -70,7 +76,14 @@ PLAN = (
     Phase(1.0, turns=1, spread=0.25, radius=2, regions=4, geometric=0.1, prior=True),
     Phase(1.0, turns=1, spread=0.1, radius=2, regions=4, geometric=0.1, prior=True),
 )
-STEP = 2  # [px] between the samples of a patch
+# Where the samples of a patch are from its middle, by its radius [px]: eight at a time, as device code takes them.
+# Without the corners of the largest, which weigh least; the smallest, without the middle, which costs are relative to,
+# and the places of a knight's move, is as exact as all of its 25 pixels would be.
+PATTERNS = {
+    5: grid(-5, 2, lambda sqdist: sqdist < 50),
+    3: grid(-3, 2, lambda sqdist: True),
+    2: grid(-2, 1, lambda sqdist: sqdist not in (0, 5)),
+}
 TRIALS = 4  # changed planes that a pixel tries in a half-turn
 CHOSEN = 3  # sources that a pixel is compared with
 GOOD = 0.8  # cost below which a source fits
@@ -231,7 +244,7 @@ class _Walk:
         moved = [motion_of(setting.cameras[index], setting.cameras[j]) for j in setting.sources[index]]
         reference = Reference(
             mine.width, mine.height, first, (mine.fx, mine.fy, mine.cx, mine.cy), (1 / far, 1 / near),
-            float(np.median(moved)) * self.phase.scale, self.phase.radius, STEP,
+            float(np.median(moved)) * self.phase.scale, PATTERNS[self.phase.radius], setting.device,
         )  # fmt: skip
         self._views = (index, reference, sources)
         return reference, sources

@@ -16,6 +16,7 @@ from pointloom.kernels.stereo.plane_results import finish_planes
 
 WIDTH, HEIGHT, FOCAL, BASELINE = 40, 30, 40.0, 0.2
 LENS = (FOCAL, FOCAL, 19.5, 14.5)
+PATCH = np.array([(u, v) for v in range(-5, 6, 2) for u in range(-5, 6, 2) if u * u + v * v < 50])  # [px]
 SHIFT = 4  # [px] at inverse depth SHIFT / (FOCAL * BASELINE) = 0.5
 
 
@@ -42,7 +43,7 @@ def problem(device: str, count: int = 1, hidden: int = -1):
     layout = [(WIDTH, HEIGHT, (1 + k) * WIDTH * HEIGHT) for k in range(count)]
     maps = upload(np.tile(np.float32([0.5, 0, 0, 0]), (WIDTH * HEIGHT, 1)), vec4, where)
     sources = Sources(there, there, back, layout, [(WIDTH, HEIGHT, 0)] * count, values, maps)
-    return Reference(WIDTH, HEIGHT, 0, LENS, (0.2, 1.0), FOCAL * BASELINE, 5, 2), sources
+    return Reference(WIDTH, HEIGHT, 0, LENS, (0.2, 1.0), FOCAL * BASELINE, PATCH, where), sources
 
 
 def planes_of(w: float, device: str):

@@ -13,6 +13,7 @@ from pointloom.kernels.stereo.plane_prior import judge_places, take_priors
 
 WIDTH, HEIGHT, FOCAL, BASELINE, SHIFT = 60, 30, 40.0, 0.2, 4
 TRUE = SHIFT / (FOCAL * BASELINE)
+PATCH = np.array([(u, v) for v in (-2, 0, 2) for u in (-2, 0, 2) if u or v])  # [px]
 EDGE = 30  # plain columns begin here
 INNER = (slice(6, -6), slice(EDGE + 6, -6))  # patches see nothing else
 TEXTURED = (slice(6, -6), slice(SHIFT + 6, EDGE - 6))
@@ -30,7 +31,8 @@ def half_plain(device: str):
     back = np.column_stack([np.eye(3), np.array([FOCAL * BASELINE, 0.0, 0.0])])[None]
     maps = upload(table(TRUE, 0.0), vec4, where)
     sources = Sources(there, there, back, [(WIDTH, HEIGHT, WIDTH * HEIGHT)], [(WIDTH, HEIGHT, 0)], values, maps)
-    return Reference(WIDTH, HEIGHT, 0, (FOCAL, FOCAL, 29.5, 14.5), (0.2, 1.0), FOCAL * BASELINE, 2, 2), sources
+    lens = (FOCAL, FOCAL, 29.5, 14.5)
+    return Reference(WIDTH, HEIGHT, 0, lens, (0.2, 1.0), FOCAL * BASELINE, PATCH, where), sources
 
 
 def table(w: float, last: float) -> np.ndarray:
