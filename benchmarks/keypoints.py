@@ -74,7 +74,9 @@ def score(a: loom.sfm.Keypoints, b: loom.sfm.Keypoints, H: np.ndarray, shape: tu
     """Share of features that are found again, and that are matched to where they are."""
     at = a.positions @ H[:2, :2].T + H[:2, 2]
     factor = np.sqrt(abs(np.linalg.det(H[:2, :2])))
-    inside = ((at >= 10) & (at <= np.array(shape)[::-1] - 11)).all(axis=1) & (a.scales * factor >= b.scales.min())
+    inside = ((at >= 10) & (at <= np.array(shape)[::-1] - 11)).all(axis=1) & (
+        a.scales * factor >= np.quantile(b.scales, 0.01)
+    )
     gaps = np.linalg.norm(at[inside][:, None] - b.positions[None], axis=2)
     octaves = np.abs(np.log2(a.scales[inside, None] * factor / b.scales[None]))
     again = ((gaps < NEAR) & (octaves < SCALE)).any(axis=1).mean()

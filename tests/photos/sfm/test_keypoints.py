@@ -121,6 +121,8 @@ def test_finer_scales_are_left_out_first(device, picture):
     few = loom.sfm.detect_keypoints(picture, max_features=10, device=device)
     assert 10 < len(few) < len(every)
     assert np.array_equal(few.descriptors, every.descriptors[-len(few) :])
+    counts = {len(loom.sfm.detect_keypoints(picture, max_features=most, device=device)) for most in range(1, 60, 4)}
+    assert len(counts) > 4  # there are four octaves, each of three scales that are kept or left out
 
 
 def test_features_are_left_out_where_the_mask_is_false(device, picture):
@@ -153,6 +155,8 @@ def test_matches_are_those_of_the_definition(device, counts):
     n = min(counts) // 2 + 1
     b[:n] = np.clip(a[:n] + rng.integers(-9, 10, (n, 128)), 0, 255)
     b[-1] = b[0]  # of two that are equally near, neither is clear
+    if n > 1:
+        a[-1] = a[1]  # b[1] is near both
     sqdists = ((a[:, None] - b[None]) ** 2).sum(axis=2)
 
     def clear(sqdists: np.ndarray) -> np.ndarray:
