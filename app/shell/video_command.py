@@ -50,6 +50,7 @@ class Alignment(CompletedPath):
 
 ALIGN = "Known places of cameras: poses, or lines `name x y z` [m]; exif: GPS of the pictures; none: leave the frame."
 MESH = "The mesh, .ply .obj .stl .off .glb .gltf; the points, .pcd .las .xyz ..."
+CAMERA_MODEL = "How the lens draws, COLMAP's name: OPENCV, OPENCV_FISHEYE ..."
 CAMERAS = "Known poses: Metashape's .xml, COLMAP's folder, transforms.json, Polycam, a trajectory."
 
 
@@ -79,6 +80,31 @@ CAMERAS = "Known poses: Metashape's .xml, COLMAP's folder, transforms.json, Poly
 @click.option("--scale", type=SCALE, metavar="F", help="Metres in a unit of the model.")
 @click.option("--known", type=KnownDistance(), metavar="A,B,M", help="Pictures A and B were taken M metres apart.")
 @click.option("--align", type=Alignment(path_type=Path), metavar="FILE|exif|none", help=ALIGN)
+@click.option("--masks", metavar="DIR|alpha", help="Leave out what is black in masks, or transparent in the pictures.")
+@click.option("--camera-model", metavar="NAME", default="SIMPLE_RADIAL", show_default=True, help=CAMERA_MODEL)
+@click.option(
+    "--pairs",
+    type=click.Choice(("auto", "sequential", "exhaustive", "retrieval")),
+    default="auto",
+    show_default=True,
+    help="Which pictures are matched.",
+)
+@click.option(
+    "--mapper",
+    type=click.Choice(("auto", "incremental", "global")),
+    default="auto",
+    show_default=True,
+    help="How pictures are placed: one by one, or all at once.",
+)
+@click.option(
+    "--max-features",
+    type=click.IntRange(min=64),
+    default=4096,
+    show_default=True,
+    metavar="N",
+    help="The most features of a picture.",
+)
+@click.option("--panorama", is_flag=True, help="The pictures show all directions (360 degrees).")
 @click.option("--cloud", type=FILE, metavar="FILE", help="Write the fused points as well.")
 @click.option("--trajectory", type=FILE, metavar="POSES", help="Write the poses: .txt or .tum (TUM), .log.")
 @click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, metavar="N", help="Of what is drawn.")
@@ -134,6 +160,7 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
 
     units = Units(**{name: options.pop(name) for name in ("scale", "known", "align")})
     names = ("max_frames", "max_size", "intrinsic", "seed", "cameras")
+    names += ("masks", "camera_model", "pairs", "max_features", "panorama", "mapper")
     settings = Settings(units=units, **{name: options.pop(name) for name in names})
     points_alone = output.suffix.lower() in set(WRITTEN) - set(MESHES) and options["cloud"] is None
     if points_alone:

@@ -163,7 +163,7 @@ def _run(
 
 
 def _report_of(made: Made | None) -> StageReport | None:
-    return None if made is None else StageReport(made.kept, made.cost, made.told)
+    return None if made is None else StageReport(made.kept, made.cost, made.told, made.outdated)
 
 
 @contextlib.contextmanager
