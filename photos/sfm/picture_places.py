@@ -124,8 +124,8 @@ def read_picture_places(source: FilePath | Iterable[FilePath]) -> PicturePlaces:
         source: A folder of pictures, or the files.
 
     Returns:
-        The places, and why those of other pictures are not believed: latitudes beyond 90 degrees, numbers over zero, 0, 0
-        as cameras without a fix write, hemispheres that are not told, a place 100 km from the median of the others.
+        The places, and why those of other pictures are not believed: latitudes beyond 90 degrees, numbers over zero,
+        the 0, 0 of cameras without a fix, hemispheres that are not told, a place 100 km from the median of the others.
 
     Raises:
         TypeError: No path, and no list of them.

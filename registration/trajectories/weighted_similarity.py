@@ -16,6 +16,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from ..rigid import rotation_of, skew, skews
 from .up_direction import turn_upright
 
 Array = NDArray[np.float64]
@@ -94,7 +95,7 @@ def fit_rows(rows: Rows, T: Array) -> WeightedFit:
         step = -np.linalg.solve(normal / np.outer(unit, unit), (J / unit).T @ r) / unit
         step[:4] *= min(1.0, 0.5 / float(np.abs(step[:4]).max() + 1e-300))
         scale *= math.exp(step[0])
-        R = _rotation(step[1:4]) @ R
+        R = rotation_of(step[1:4]) @ R
         place = place + step[4:]
         if np.abs(step[:4]).max() < STILL and np.abs(step[4:]).max() < STILL * (1 + np.abs(y).max()):
             break
@@ -114,35 +115,20 @@ def _system(
     turned = scale * x @ R.T
     J = np.zeros((len(x), 3, 7))
     J[:, :, 0] = turned
-    J[:, :, 1:4] = _crossed(turned)
+    J[:, :, 1:4] = -skews(turned)
     J[:, :, 4:] = np.eye(3)
     blocks = [(J * weights[:, :, None]).reshape(-1, 7)]
     gaps = [((turned + place - y) * weights).reshape(-1)]
     if rows.up is not None and math.isfinite(rows.up_sigma):
         up = R @ rows.up
         block = np.zeros((3, 7))
-        block[:, 1:4] = _crossed(up[None])[0]
+        block[:, 1:4] = -skew(up)
         blocks.append(block / rows.up_sigma)
         gaps.append((up - (0.0, 0.0, 1.0)) / rows.up_sigma)
     for length, metres, sigma in rows.lengths.tolist():
         blocks.append(np.array([[scale * length / sigma, 0, 0, 0, 0, 0, 0]]))
         gaps.append(np.array([(scale * length - metres) / sigma]))
     return np.concatenate(blocks), np.concatenate(gaps)
-
-
-def _crossed(v: Array) -> Array:
-    """What a small turn w does to v, w x v, as a matrix of w: [n, 3, 3]."""
-    zero = np.zeros(len(v))
-    a, b, c = v.T
-    return np.stack([zero, c, -b, -c, zero, a, b, -a, zero], axis=1).reshape(-1, 3, 3)
-
-
-def _rotation(w: Array) -> Array:
-    angle = float(np.linalg.norm(w))
-    K = -_crossed(w[None])[0]
-    if angle < 1e-8:
-        return np.eye(3) + K + K @ K / 2
-    return np.eye(3) + math.sin(angle) / angle * K + (1 - math.cos(angle)) / angle**2 * K @ K
 
 
 def fit_level(source: Array, target: Array, up: Array, *, seed: int = 0) -> Array:

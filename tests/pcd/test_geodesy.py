@@ -55,7 +55,7 @@ def test_the_axes_are_east_north_and_up():
 
 @pytest.mark.parametrize("given", [(91.0, 0.0), (0.0, 181.0), (np.nan, 0.0), (0.0, 0.0, 2e5)])
 def test_what_is_no_place_on_the_earth_is_refused(given):
-    with pytest.raises(ValueError, match="latitude|longitude|altitude"):
+    with pytest.raises(ValueError, match=r"latitude|longitude|altitude"):
         loom.video.WorldFrame(*given)
 
 
