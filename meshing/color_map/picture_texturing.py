@@ -13,7 +13,7 @@ from ...core.progress import ReportProgress
 from ...kernels.arrays.sort import positions
 from ...kernels.memory import check_room, download
 from ...kernels.meshes.merge_vertices import find_equal_vertices, rename_corners
-from ...kernels.textures.chart_texels import ChartTexels, blend_strips, finish_texels, paint_texels
+from ...kernels.textures.chart_texels import ChartTexels, finish_texels, paint_texels
 from ...kernels.textures.charts import cut_charts, find_twins, place_corners
 from ...kernels.textures.color_outliers import keep_likely
 from ...kernels.textures.exposures import Exposures, find_exposures, plain_exposures
@@ -21,6 +21,7 @@ from ...kernels.textures.face_views import FaceLooks, FaceViews, keep_views
 from ...kernels.textures.hidden_vertices import plant_trees
 from ...kernels.textures.posed_pictures import PosedPictures
 from ...kernels.textures.seam_levels import SeamLevels, Seams
+from ...kernels.textures.seam_strips import blend_strips
 from ...kernels.textures.view_labels import UNIT, LabelGraph, choose_labels, cost_views, energy_of, name_views
 from ..mesh.mesh import TriangleMesh
 from ..mesh.posed_images import PosedImages
