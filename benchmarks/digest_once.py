@@ -19,8 +19,8 @@ from digest_occupancy import OCCUPANCY
 from digest_on_clouds import SIZE, cloud_file, depth_lens, icp, there_and_back
 from digest_scenes import TURNED, UTM, Place, Scenes, about, loom, pose_of, reg
 from digest_shapes import SHAPES
-from digest_volumes import VOLUMES
 from digest_stations import surveyed
+from digest_volumes import VOLUMES
 from numpy.typing import NDArray
 
 

@@ -88,7 +88,9 @@ def main() -> None:
     options = parser.parse_args()
     folder = Path(os.environ.get("POINTLOOM_DATA", "."))
     print(
-        "| body | bend | surface, rigid | surface | 95 % | points | CPU [s] | verdict |\n|---|---|---|---|---|---|---|---|"
+        "| body | bend | surface, rigid | surface | 95 % | points | CPU [s] | verdict |",
+        "|---|---|---|---|---|---|---|---|",
+        sep="\n",
     )
     for name in options.bodies:
         path = folder / BODIES[name]

@@ -221,8 +221,8 @@ def test_landmarks_that_contradict_each_other_are_named(device, swaying):
 
 def test_fewer_nodes_than_parts_are_told(device):
     ball = lumpy(300, 0)
-    body = np.vstack([ball, lumpy(300, 1) + [4, 0, 0]])
-    apart = np.vstack([ball, lumpy(300, 1) + [5, 1, 0]])  # one part went elsewhere; there is one node for both
+    body = np.vstack([ball, np.add(lumpy(300, 1), [4, 0, 0])])
+    apart = np.vstack([ball, np.add(lumpy(300, 1), [5, 1, 0])])  # one part went elsewhere; there is one node for both
     clouds = loom.PointCloud(body, device=device), loom.PointCloud(apart, device=device)
     found = bend(*clouds, node_spacing=20.0, max_distance=0.5, init=np.eye(4), stiffness=[1.0], max_iteration=3)
     assert len(found.deformation) == 1
