@@ -279,5 +279,5 @@ class Extrema:
         launch(list_extrema_kernel, counts.size, [octave, marks, offsets, at])
         self.places, kept = empty(at.size, vec4, device), empty(at.size, uint8, device)
         launch(refine_extrema_kernel, at.size, [octave, at, PEAK, EDGE, mask, mask_width, self.places, kept])
-        self.rows, starts = positions_and_starts(kept, [0, *ends])  # sync
+        self.rows, starts = positions_and_starts(kept, np.array([0, *ends]))  # sync
         self.counts = (starts[1:] - starts[:-1]).tolist()

@@ -140,8 +140,8 @@ class KeypointFinder:
         if grey.size != self.size:
             features[:, :2] = (features[:, :2] + 0.5) * factors - 0.5
             features[:, 2] *= factors.mean()
-        columns = (np.ascontiguousarray(features[:, k]) for k in (2, 3))
-        return Keypoints(np.ascontiguousarray(features[:, :2]), *columns, descriptors)
+        scales, turns = (np.ascontiguousarray(features[:, k]) for k in (2, 3))
+        return Keypoints(np.ascontiguousarray(features[:, :2]), scales, turns, descriptors)
 
 
 def match_keypoints(

@@ -175,7 +175,7 @@ def read_stored(path: FilePath) -> NDArray[np.uint8]:
     pixels, _ = read_photo(path)
     if pixels.dtype != np.uint8:
         raise FileError(path, "expected a colour picture, got 16-bit grey", remedy="Convert it to 8 bits")
-    return pixels.astype(np.uint8, copy=False)
+    return np.asarray(pixels, np.uint8)
 
 
 def white_of(paths: Sequence[Path], headers: Sequence[PictureHeader]) -> int:

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.spatial import cKDTree
+from scipy.spatial import KDTree
 
 from ...core.checks import (
     LARGEST_NUMBER,
@@ -216,7 +216,7 @@ def _refuse_contradictions(here: Array, there: Array, spacing: float) -> None:
     """Two places less than a node spacing apart bend by the same nodes: they do not come to belong one more apart."""
     if len(here) < 2:
         return
-    a, b = cKDTree(here).query_pairs(spacing, output_type="ndarray").reshape(-1, 2).T
+    a, b = KDTree(here).query_pairs(spacing, output_type="ndarray").reshape(-1, 2).T
     before, after = (np.linalg.norm(places[a] - places[b], axis=1) for places in (here, there))
     if (after - before > spacing).any():
         k = int((after - before).argmax())
