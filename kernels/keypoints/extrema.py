@@ -11,6 +11,8 @@ writes 8 B for the 16. `refine_extrema_kernel`: one thread an extremum, some 200
 Source: Lowe 2004, sections 3.1 and 4; thresholds and order of VLFeat's sift.c, which COLMAP uses.
 """
 
+import numpy as np
+
 from ..algebra.plain_min_max import larger, smaller
 from ..array_types import Array1, Indices, Integers, Mask
 from ..arrays.prefix_sum import scan_together

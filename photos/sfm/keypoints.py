@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from ...core.checks import check_count, check_finite, check_positive, check_rows, check_shape
+from ...core.checks import check_count, check_finite, check_numeric, check_positive, check_rows, check_shape
 from ...core.devices import resolve_device
 from ...kernels.keypoints.descriptors import WIDTH
 from ...kernels.keypoints.mutual_matches import Descriptors, match_mutually
@@ -200,7 +200,7 @@ def match_descriptors(
 
 def _checked_picture(picture: Any) -> NDArray[np.uint8]:
     """A picture as an array."""
-    array = np.asarray(picture)
+    array = check_numeric("picture", picture)
     if array.dtype != np.uint8:
         raise TypeError(f"picture: expected numbers of type uint8, got {array.dtype}; scale brightness to 0..255")
     if array.ndim not in (2, 3) or (array.ndim == 3 and array.shape[2] != 3) or 0 in array.shape:
@@ -210,7 +210,7 @@ def _checked_picture(picture: Any) -> NDArray[np.uint8]:
 
 def _checked_mask(mask: Any, shape: tuple[int, int]) -> NDArray[np.bool_]:
     """A mask as a contiguous array."""
-    array = np.asarray(mask)
+    array = check_numeric("mask", mask)
     if array.dtype != np.bool_:
         raise TypeError(f"mask: expected bool, got {array.dtype}; give mask != 0")
     if array.shape != shape:

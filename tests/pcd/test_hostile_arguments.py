@@ -316,6 +316,8 @@ loom.read_color(path="nowhere.png")
 loom.read_depth(path="nowhere.png")
 loom.read_pinhole_camera_intrinsic(path="nowhere.json")
 loom.read_trajectory(path="nowhere.log")
+loom.Panorama(width=32, height=16, side=8, device="cpu")
+panorama.apply(picture=sphere)
 loom.SelectionPolygonVolume.from_json(path="nowhere.json")
 volume.to_json(path="volume.json")
 loom.OccupancyGrid.load(path="nowhere.npz", device="cpu")
@@ -377,7 +379,7 @@ def things() -> dict[str, Any]:
     stream = loom.frames_from(pictures, camera)
     lens = loom.CameraModel("SIMPLE_RADIAL", 16, 12, [10.0, 8.5, 6.5, -0.1])
     return dict(
-        splats=splats, lens=lens, straightened=loom.Undistortion(lens),
+        sphere=np.zeros((16, 32, 3), np.uint8), panorama=loom.Panorama(32, 16), splats=splats, lens=lens, straightened=loom.Undistortion(lens),
         model=loom.SfmModel(["a", "b", "c"], [lens] * 3, poses, points, observations=[[0, 1]], pixels=[[1, 2]]),
         bytes3=(255 * colors).astype(np.uint8),
         pictures=pictures, stream=stream, frame=next(iter(stream)), latest=loom.LatestFrames(stream),
@@ -415,7 +417,7 @@ HOMES = {
     "tsdf()": "TSDFVolume", "tsdf_filled": "TSDFVolume", "mesh": "TriangleMesh", "mapped": "TriangleMesh",
     "painted": "TriangleMesh", "shell": "TriangleMesh", "scene": "RaycastingScene", "latest": "LatestFrames",
     "recorder()": "FrameRecorder", "segments": "LineSet", "lens": "CameraModel", "model": "SfmModel",
-    "straightened": "Undistortion", "splats": "GaussianSplats", "distance_field": "DistanceField",
+    "straightened": "Undistortion", "panorama": "Panorama", "splats": "GaussianSplats", "distance_field": "DistanceField",
 }  # fmt: skip
 # Results, which operations make; errors; and what takes device arrays, being no part of what users call.
 LEFT_OUT = {"ConvexHull", "VisibleSurface", "DatasetError", "FileError", "DeviceError", "PointloomError"} | {
