@@ -18,7 +18,7 @@ PACKAGES = (
     "pointloom", "numpy", "warp-lang", "taichi", "open3d", "small_gicp", "pykdtree", "scipy", "scikit-image", "vtk",
     "PyMCubes", "scikit-learn", "kiss-matcher", "kiss-icp", "opencv-python-headless",
     "embreex", "fast-simplification", "pyfqmr", "meshoptimizer", "fpsample", "genz-icp", "rko-lio", "numba",
-    "quadrants",
+    "quadrants", "py4dgeo", "pyransac3d", "pycpd",
 )  # fmt: skip
 
 

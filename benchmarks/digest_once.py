@@ -13,10 +13,14 @@ from bench_pose_graph import DISTANCE
 from digest_depth_maps import estimated_depth_maps, plain_depth_maps
 from digest_drawing import DRAWN
 from digest_fields import FIELDS
+from digest_keypoints import found_and_matched
 from digest_mvs import filtered_depth_maps, fused_depth_maps
 from digest_occupancy import OCCUPANCY
 from digest_on_clouds import SIZE, cloud_file, depth_lens, icp, there_and_back
 from digest_scenes import TURNED, UTM, Place, Scenes, about, loom, pose_of, reg
+from digest_shapes import SHAPES
+from digest_stations import surveyed
+from digest_volumes import VOLUMES
 from numpy.typing import NDArray
 
 
@@ -53,6 +57,11 @@ def polygon_file(p: Place) -> Any:
         path = Path(folder) / "polygon.json"
         p.polygon.to_json(path)
         return loom().SelectionPolygonVolume.from_json(path)
+
+
+def panorama_faces(d: Scenes) -> list[Any]:
+    sphere = np.random.default_rng(5).integers(0, 256, (48, 96, 3), dtype=np.uint8)
+    return [loom().Panorama(96, 48, side=side, device=d.device).apply(sphere) for side in (None, 20)]
 
 
 def undistorted_paint(d: Scenes) -> list[Any]:
@@ -300,6 +309,15 @@ def albedo(d: Scenes) -> Any:
     return textured.textures[0]
 
 
+def picture_texture(d: Scenes) -> list[Any]:
+    """The grid's texture out of its pictures, at exposures of their own."""
+    camera, pictures, poses = posed_pictures(d)
+    exposed = [(picture * gain).astype(np.uint8) for picture, gain in zip(pictures, (0.9, 1.0, 0.8), strict=True)]
+    given = (pictured_grid(d), exposed, camera, list(np.linalg.inv(poses)))
+    found = loom().color_map.texture_from_pictures(*given, smoothness=0.2)
+    return [found.mesh.textures[0], found.mesh.triangle_uvs, found.views, found.energy, found.step_before]
+
+
 def cast_rays(d: Scenes) -> list[Any]:
     """What rays meet of the ball in two places."""
     scene, rng = loom().RaycastingScene(d.device), np.random.default_rng(0)
@@ -544,6 +562,7 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "pyrdown_depth": lambda d: loom().pyrdown_depth(d.frames.depths[3], device=d.device),
     "pyrdown_color": lambda d: loom().pyrdown_color(d.paint, device=d.device),
     "undistort_picture": undistorted_paint,
+    "panorama": panorama_faces,
     "create_depth_pyramid": lambda d: loom().create_depth_pyramid(d.rgbd, 3),
     "tsdf, integrate": lambda d: d.fuse()[1],
     "tsdf, integrate, far": lambda d: d.fuse(UTM, color=False)[1],
@@ -559,6 +578,7 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "mvs, estimate_depth_maps": estimated_depth_maps,
     "mvs, estimate_depth_maps, plain wall": plain_depth_maps,
     "demo, video": filmed_room,
+    "sfm.detect_keypoints, match_keypoints": found_and_matched,
     "mvs, filter_depth_maps": filtered_depth_maps,
     "mvs, fuse": fused_depth_maps,
     "tsdf, integrate_points": scanned_volume,
@@ -648,6 +668,7 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "color_map": color_maps,
     "rgbd odometry": rgbd_odometry,
     "mesh, project_images_to_albedo": albedo,
+    "mesh, texture_from_pictures": picture_texture,
     "robust kernels": lambda d: {name: k.weight(np.linspace(-1, 1, 41)) for name, k in robust_kernels(0.3).items()},
     "icp, point to plane, robust": lambda d: {
         name: icp(d.surface, "PointToPlane", kernel=kernel) for name, kernel in robust_kernels().items()
@@ -697,6 +718,7 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "SLAC": aligned_fragments,
     "register_nonrigid": bent,
     "coherent_point_drift": drifted,
+    "register_stations": surveyed,
     "global_optimization": lambda d: optimized(d, "LevenbergMarquardt", reference_node=0),
     "global_optimization, Gauss-Newton": lambda d: optimized(d, "GaussNewton", edge_prune_threshold=0.1),
     "pose graph, write and read": graph_file,
@@ -710,5 +732,6 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     ],
     "evaluate_trajectory, scale": lambda d: reg().evaluate_trajectory(d.path, d.true_path, with_scale=True, delta=2),
 } | DRAWN
-ONCE |= FIELDS
+ONCE |= FIELDS | SHAPES
 ONCE |= OCCUPANCY
+ONCE |= VOLUMES

@@ -24,6 +24,8 @@ from .timing import Clock, peak_bytes_of_all
 from .wording import to_json
 
 PART = ".part"  # behind the name of a folder that is not whole yet
+GOING = ".going"  # ... of a folder of what a stage has so far that goes on where it was interrupted
+_MADE_FROM = "made_from"
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,6 +40,7 @@ class Made:
         cost: "seconds" and "cpu_seconds" of the run that made it, and "peak_bytes", the most that this process, or one
             that it waited for, had held by then.
         kept: Whether an earlier run made it.
+        outdated: Which versions an earlier run made it with that was not kept for that, in words; else empty.
     """
 
     name: str
@@ -46,6 +49,7 @@ class Made:
     told: dict[str, Any]
     cost: dict[str, float]
     kept: bool
+    outdated: str = ""
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,18 +63,24 @@ class Stage:
         settings: What else decides its files, in JSON's types.
         after: The stages whose files it reads.
         version: Raised where it begins to make something else of the same.
+        code: Versions of the packages that make it, by name: what another one made is made again.
+        goes_on: Whether `make` takes a third argument, a folder that is there again, with what it left in it, where a
+            run was interrupted and the next makes the same of the same.
     """
 
     name: str
-    make: Callable[[Path, ReportProgress], Mapping[str, Any]]
+    make: Callable[..., Mapping[str, Any]]
     settings: Mapping[str, Any] = field(default_factory=dict)
     after: tuple[Made, ...] = ()
     version: int = 1
+    code: Mapping[str, str] = field(default_factory=dict)
+    goes_on: bool = False
 
     @property
     def made_from(self) -> str:
         """Digest of all that decides its files."""
-        return digest_of([self.name, self.version, dict(self.settings), [[m.name, m.digest] for m in self.after]])
+        before = [[made.name, made.digest] for made in self.after]
+        return digest_of([self.name, self.version, dict(self.settings), before, dict(self.code)])
 
 
 class Chain:
@@ -97,6 +107,7 @@ class Chain:
                 for name in names:
                     record_file(root, name).unlink(missing_ok=True)
                     _remove(root / name)
+                    _remove(root / f"{name}{GOING}")
 
     def run(self, stage: Stage) -> Made:
         """Run a stage, or keep what it left.
@@ -107,11 +118,39 @@ class Chain:
         """
         record = record_file(self.root, stage.name)
         found = read_record(record, stage.name, self.root, stage.made_from) if self._resume else None
+        outdated = "" if found or not self._resume else self._outdated(stage, record)
         result = found or self._make(stage)
         digest = digest_of(read_json_object(record)["files"])
-        made = Made(stage.name, self.root / stage.name, digest, result["told"], result["cost"], found is not None)
+        made = Made(
+            stage.name, self.root / stage.name, digest, result["told"], result["cost"], found is not None, outdated
+        )
         self.made[stage.name] = made
         return made
+
+    def _outdated(self, stage: Stage, record: Path) -> str:
+        """The versions that made what is there, where they are others."""
+        old = read_record(record, stage.name, self.root)
+        if old is None:
+            return ""
+        was = {**old.get("code", {}), "its version": old.get("version", 1)}
+        now = {**stage.code, "its version": stage.version}
+        others = [name for name in was | now if was.get(name) != now.get(name)]
+        return ", ".join(f"{name} {was.get(name, 'unknown')}, now {now.get(name, 'none')}" for name in others)
+
+    @contextlib.contextmanager
+    def _going(self, stage: Stage) -> Iterator[tuple[Path, ...]]:
+        """The folder of a stage that goes on, removed once the stage is whole; it is of what is made of the same."""
+        if not stage.goes_on:
+            yield ()
+            return
+        folder = self.root / f"{stage.name}{GOING}"
+        mark = folder / _MADE_FROM
+        if not mark.is_file() or mark.read_text() != stage.made_from:
+            _remove(folder)
+            folder.mkdir()
+            mark.write_text(stage.made_from)
+        yield (folder,)
+        _remove(folder)
 
     def _make(self, stage: Stage) -> dict[str, Any]:
         watching.report("stage", name=stage.name)
@@ -121,7 +160,8 @@ class Chain:
         with _told_as_file_errors(part):
             try:
                 part.mkdir()
-                told = stage.make(part, lambda step, *of: self._tell(stage.name, step, *of))
+                with self._going(stage) as going:
+                    told = stage.make(part, lambda step, *of: self._tell(stage.name, step, *of), *going)
                 record.unlink(missing_ok=True)
                 _remove(folder)
                 part.rename(folder)
@@ -133,6 +173,7 @@ class Chain:
         seconds, cpu = clock.seconds[stage.name], clock.cpu_seconds[stage.name]
         cost = {"seconds": round(seconds, 3), "cpu_seconds": round(cpu, 3), "peak_bytes": peak_bytes_of_all()}
         result = {"told": json.loads(to_json(dict(told))), "cost": cost}
+        result |= {"version": stage.version, "code": dict(stage.code)}
         write_record(record, stage.name, stage.made_from, self.root, files, result)
         return result
 

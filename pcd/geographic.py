@@ -121,10 +121,10 @@ def mercator(
     """The transverse Mercator projection of an ellipsoid of this radius [m] about a meridian [degrees]."""
     n = flattening / (2 - flattening)
     rectifying = radius / (1 + n) * (1 + n**2 / 4 + n**4 / 64 + n**6 / 256)
-    return Mercator(meridian, math.sqrt(flattening * (2 - flattening)), scale * rectifying, _series(n), start)
+    return Mercator(meridian, math.sqrt(flattening * (2 - flattening)), scale * rectifying, krueger_series(n), start)
 
 
-def _series(n: float) -> tuple[float, ...]:
+def krueger_series(n: float) -> tuple[float, ...]:
     """Krueger's coefficients (Karney 2011, equation 35)."""
     return (
         n / 2 - n**2 * 2 / 3 + n**3 * 5 / 16 + n**4 * 41 / 180 - n**5 * 127 / 288 + n**6 * 7891 / 37800,

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from ..core.checks import check_count, check_positive, check_progress, shown
 from ..core.progress import ReportProgress
 from ..core.told_arguments import told_arguments
+from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.quantiles import median_above_zero
 from ..kernels.lang import float32, int32
 from ..kernels.memory import full
@@ -196,11 +197,11 @@ class _Rounds:
         """Take the points of a shape away, and count again what the candidates have of the rest."""
         self._has_found = True
         label_rows(found.rows, number, self.labels)
-        rows, center = rows_labelled(self.labels, self.search.rows, -1), self.search.center
+        rows = rows_labelled(self.labels, self.search.rows, -1)
         if rows.size < self._fewest:
             self.search.rows = rows
             return
-        self.search = ShapeSearch(self.search.points, self.search.normals, rows, center)
+        self.search = ShapeSearch(self.search.points, self.search.normals, rows, self.search)
         self._keep(self._shapes, self._of, self.search.score(self._shapes, self._of, self.limits))
 
     # ------------------------------------------------------------------------------------------ internals
@@ -218,9 +219,9 @@ class _Rounds:
 
     def _draw(self) -> None:
         """A batch of samples of each kind that is open."""
-        for kind in self._open():
-            size = min(self._batch, self._most - self._drawn[kind])
-            shapes, counts = self.search.draw(kind, size, self._seed, self._drawn[kind], self.limits)
+        samples = [(kind, min(self._batch, self._most - self._drawn[kind]), self._drawn[kind]) for kind in self._open()]
+        drawn = self.search.draw_each(samples, self._seed, self.limits)
+        for (kind, size, _), (shapes, counts) in zip(samples, drawn, strict=True):
             self._drawn[kind] += size
             self._tried[kind] += size
             self._keep(
@@ -239,35 +240,32 @@ class _Rounds:
 
     def _best(self) -> Found | None:
         """The best of the first candidates, fitted to what hangs together; those that are no shape are dropped."""
-        tried: list[Found] = []
+        first = slice(min(TRIED, len(self._counts)))
+        refined = self.search.each_refined(self._of[first].tolist(), self._shapes[first], self.limits)
+        settled = [None if found is None else self._settled(found) for found in refined]
+        tried = [found for found in settled if found is not None]
         poor = np.zeros(len(self._counts), bool)
-        for k in range(min(TRIED, len(self._counts))):
-            found = self._settled(int(self._of[k]), self._shapes[k])
-            poor[k] = found is None
-            if found is not None:
-                tried.append(found)
+        poor[first] = [found is None for found in settled]
         kept = ~poor
         self._shapes, self._of, self._counts = self._shapes[kept], self._of[kept], self._counts[kept]
         return max(tried, key=lambda found: found.rows.size * WORTH[found.kind], default=None)
 
-    def _settled(self, kind: int, shape: NDArray[np.float64]) -> Found | None:
+    def _settled(self, refined: Found) -> Found | None:
         """A candidate fitted to the largest part of its points; None where that is too small or of another kind."""
-        search, found = self.search, self.search.refine(kind, shape, self.limits)
-        if found is None:
-            return None
-        found = self._fitted(kind, found.fit.shape, largest_part(search.points, found.rows, self._reach))
+        search, kind = self.search, refined.kind
+        found = self._fitted(kind, refined.fit.shape, largest_part(search.points, refined.rows, self._reach))
         if found is not None and kind != PLANE and is_flat(search, found, plane := plane_of(search, found)):
             found = self._fitted(PLANE, plane.shape, found.rows) if PLANE in self._kinds else None
         if found is not None and found.kind == CONE:
-            low, high = search.turned(found.fit.shape, found.rows)[2:]
-            found = None if is_open(found, high[2] - low[2]) else found
+            low, high = bound_points(search.turned(found.fit.shape, found.rows))[:2]  # sync
+            found = None if is_open(found, float(high[2] - low[2])) else found
         return found
 
     def _fitted(self, kind: int, shape: NDArray[np.float64], rows: Any) -> Found | None:
         """A shape fitted to some points, with the largest part of what is on it; None where that is too small."""
         if rows.size < self._fewest:
             return None
-        fit = self.search.fitter.fit(kind, self.search.centred(kind, shape, rows), rows)
+        fit = self.search.fitter.fit(kind, shape, rows)
         if not self.limits.allow(kind, fit.shape):
             return None
         part = largest_part(self.search.points, self.search.on(kind, fit.shape, self.limits), self._reach)

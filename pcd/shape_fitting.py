@@ -93,7 +93,7 @@ def fit_shape(
         )
     if start is None:
         fit = _fit(search, number, fit.shape)
-    fit = _fit(search, number, search.centred(number, fit.shape, rows))
+    fit = _fit(search, number, fit.shape)
     reach = max(SPREAD * fit.rms, ROUNDING * search.size)
     limits = ShapeLimits(reach, 0.0, 0.0, FREE_SIZE * search.size)
     return fitted_shape(search, Found(number, fit, rows), limits, cloud.origin)
@@ -121,18 +121,19 @@ def _best_start(search: ShapeSearch, kind: int, seed: int) -> ShapeFit | None:
     rows, fits = search.rows, []
     if rows.size // COMPARED >= 2:
         rows = every_of(rows, rows.size // COMPARED)
-    part = ShapeSearch(search.points, search.normals, rows, search.center)
+    part = ShapeSearch(search.points, search.normals, rows, search)
     limits = ShapeLimits(0.0, 0.0, 0.0, FREE_SIZE * search.size)
     for level, share in enumerate(LEVELS):
         near = replace(limits, distance=share * search.size)
         drawn = part.draw(kind, DRAWN, seed, level * DRAWN, near)[0][:STARTS]
-        fits += [search.fitter.fit(kind, part.centred(kind, shape, rows), rows) for shape in drawn]
+        if len(drawn):
+            fits += search.fitter.fit_all([kind] * len(drawn), drawn, rows)
     fits = [fit for fit in fits if np.isfinite(fit.rms)]
     return min(fits, key=lambda fit: (bool(fit.reason), fit.rms), default=None)
 
 
 def _fit(search: ShapeSearch, kind: int, shape: NDArray[np.float64]) -> ShapeFit:
-    return search.fitter.fit(kind, search.centred(kind, shape, search.rows), search.rows)
+    return search.fitter.fit(kind, shape, search.rows)
 
 
 def _numbers(start: Shape, search: ShapeSearch, cloud: PointCloud) -> NDArray[np.float64]:

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..kernels.segmentation.plane_fit import PlaneSearch
-from ..kernels.segmentation.shape_fit import ShapeFit
+from ..kernels.array_types import AnyArray
+from ..kernels.arrays.side_by_side import read_together
+from ..kernels.segmentation.shape_fit import FlatFit, ShapeFit, flat_fit
 from ..kernels.segmentation.shape_models import CONE, CYLINDER, PLANE, SPHERE, TORUS
-from ..kernels.segmentation.shape_rivals import count_band, find_rivals
-from ..kernels.segmentation.shape_search import BANDS, SECTORS, Found, ShapeLimits, ShapeSearch
+from ..kernels.segmentation.shape_rivals import Band, Rival, RivalStarts, count_band
+from ..kernels.segmentation.shape_search import BANDS, SECTORS, Found, ShapeLimits, ShapeSearch, spread_of
 from .shape import KINDS, Shape
 
 ROUNDING = 2e-6  # of the size of the cloud: what float32 positions leave of exact ones
@@ -44,22 +46,46 @@ def shape_of(
     origin: NDArray[np.float64],
     every: ShapeSearch | None = None,
 ) -> Shape:
-    """A shape found among other points, with what speaks against it; `every` searches all points of the cloud."""
-    shape, box = _shape_in_world(search, found, origin)
-    if found.fit.reason:
-        return replace(shape, reasons=(_undetermined(shape, found.fit),))
+    """A shape found among other points, with what speaks against it; `every` searches all points of the cloud.
+
+    Three syncs.
+    """
     every = every or search
-    said = _from_fit(search, found, shape) + _beside(every, found, limits, box) + _rivals(search, found, limits, every)
-    return replace(shape, reasons=tuple(said))
+    extremes, box, cells = search.spread_unread(found)
+    wider = np.cos(min(WIDER * np.arccos(min(limits.cosine, 1.0)), np.pi / 2))
+    band = count_band(every, found, box, limits.distance, max(float(wider), 0.0))
+    return _looked_over(search, found, limits, origin, every, (extremes, cells, band))
 
 
 def fitted_shape(search: ShapeSearch, found: Found, limits: ShapeLimits, origin: NDArray[np.float64]) -> Shape:
-    """A shape that was fitted to all points, with what speaks against it."""
-    shape, _ = _shape_in_world(search, found, origin)
+    """A shape that was fitted to all points, with what speaks against it; three syncs."""
+    extremes, _, cells = search.spread_unread(found)
+    return _looked_over(search, found, limits, origin, search, (extremes, cells))
+
+
+def _looked_over(
+    search: ShapeSearch,
+    found: Found,
+    limits: ShapeLimits,
+    origin: NDArray[np.float64],
+    every: ShapeSearch,
+    asked: Sequence[AnyArray],
+) -> Shape:
+    """A shape with what its points, those beside it and other kinds say.
+
+    `asked` are the extremes and cells of its points, and, where they were counted, the points beside it.
+    """
+    starts = RivalStarts(search, found, limits)
+    given = [*asked, search.fitter.add_places(found.rows)]
+    told = read_together([*given, *starts.unread])  # sync
+    told, drawn = told[: len(given)], told[len(given) :]
+    shape = _shape_in_world(search, found, origin, *spread_of(found.kind, told[0], told[1]))
     if found.fit.reason:
         return replace(shape, reasons=(_undetermined(shape, found.fit),))
-    said = _from_fit(search, found, shape) + _rivals(search, found, limits, search)
-    return replace(shape, reasons=tuple(said))
+    said = _from_fit(search, found, shape, flat_fit(told[-1], found.rows.size))
+    if len(asked) > 2:
+        said += _beside(Band(*(int(count) for count in told[2])))
+    return replace(shape, reasons=(*said, *_against(found, starts.find(drawn, every))))
 
 
 def _undetermined(shape: Shape, fit: ShapeFit) -> str:
@@ -67,12 +93,10 @@ def _undetermined(shape: Shape, fit: ShapeFit) -> str:
 
 
 def _shape_in_world(
-    search: ShapeSearch, found: Found, origin: NDArray[np.float64]
-) -> tuple[Shape, NDArray[np.float64]]:
-    """A found shape in world coordinates without a verdict, and the box of its points in its own frame."""
+    search: ShapeSearch, found: Found, origin: NDArray[np.float64], bounds: NDArray[np.float64], coverage: float
+) -> Shape:
+    """A found shape in world coordinates without a verdict; bounds are of its points in its own frame."""
     kind, fit = found.kind, found.fit
-    bounds, coverage = search.spread(found)
-    box = bounds
     place, frame, axis, covariance = fit.shape[:3], fit.frame, fit.shape[3:6], fit.covariance
     if kind == SPHERE:
         axis = np.array([0.0, 0.0, 1.0])
@@ -84,7 +108,7 @@ def _shape_in_world(
         bounds = np.array([[-1.0] * 3, [1.0] * 3]) * fit.shape[6]
     nan = float("nan")
     radius = float(fit.shape[6]) if kind in (SPHERE, CYLINDER, TORUS) else nan
-    shape = Shape(
+    return Shape(
         kind=KINDS[kind],
         center=place + search.center + origin,
         axis=axis + 0.0,
@@ -99,13 +123,12 @@ def _shape_in_world(
         frame=frame,
         reasons=(),
     )
-    return shape, box
 
 
-def _from_fit(search: ShapeSearch, found: Found, shape: Shape) -> list[str]:
+def _from_fit(search: ShapeSearch, found: Found, shape: Shape, plane: FlatFit) -> list[str]:
     """What its own points say against a shape."""
     said, kind, sigma = [], found.kind, shape.sigma
-    if kind != PLANE and is_flat(search, found, plane := plane_of(search, found)):
+    if kind != PLANE and is_flat(search, found, plane):
         said.append(f"flat: a plane fits the points as well (rms {plane.rms:.3g} m)")
     for name in ("radius", "minor_radius"):
         if name in sigma and sigma[name] > UNKNOWN * getattr(shape, name):
@@ -120,10 +143,8 @@ def _from_fit(search: ShapeSearch, found: Found, shape: Shape) -> list[str]:
     return said
 
 
-def _beside(every: ShapeSearch, found: Found, limits: ShapeLimits, box: NDArray[np.float64]) -> list[str]:
+def _beside(band: Band) -> list[str]:
     """What the points next to a shape say against it."""
-    wider = np.cos(min(WIDER * np.arccos(min(limits.cosine, 1.0)), np.pi / 2))
-    band = count_band(every, found, box, limits.distance, max(float(wider), 0.0))
     if band.on < BESIDE * band.beside:
         return [f"chance: {band.on:,} points lie on the surface, and {band.beside:,} beside it"]
     if band.beside_facing > RUNS_ON * band.on_facing:
@@ -132,9 +153,8 @@ def _beside(every: ShapeSearch, found: Found, limits: ShapeLimits, box: NDArray[
     return []
 
 
-def _rivals(search: ShapeSearch, found: Found, limits: ShapeLimits, every: ShapeSearch) -> list[str]:
+def _against(found: Found, rivals: Sequence[Rival]) -> list[str]:
     """The kind that fits the points of a shape better, or as well and is simpler."""
-    rivals = find_rivals(search, found, limits, every)
     better = min(rivals, key=lambda rival: rival.ratio, default=None)
     if better is not None and better.ratio < BETTER:
         fits = f"fits better (rms {better.fit.rms:.3g} m), with {better.support:,} points in all"
@@ -153,7 +173,7 @@ def is_small_part(kind: int, shape: Shape) -> bool:
     return bool(shape.coverage < COVERED * -np.expm1(-shape.support / cells))
 
 
-def is_flat(search: ShapeSearch, found: Found, plane: ShapeFit) -> bool:
+def is_flat(search: ShapeSearch, found: Found, plane: FlatFit) -> bool:
     """Whether a plane fits the points of a shape as well."""
     return plane.rms <= AS_FLAT * found.fit.rms + ROUNDING * search.size
 
@@ -164,9 +184,6 @@ def is_open(found: Found, length: float) -> bool:
     return bool(CERTAIN * np.sqrt(found.fit.covariance[-1, -1]) > angle or np.tan(angle) * length < found.fit.rms)
 
 
-def plane_of(search: ShapeSearch, found: Found) -> ShapeFit:
+def plane_of(search: ShapeSearch, found: Found) -> FlatFit:
     """The plane of least squares through the points of a shape."""
-    planes = PlaneSearch(search.points, found.rows)
-    start = planes.refit(np.array([0.0, 0.0, 1.0, 0.0]), found.rows)
-    place = planes.center - search.center - start[3] * start[:3]
-    return search.fitter.fit(PLANE, np.concatenate([place, start[:3], [1.0, 1.0]]), found.rows)
+    return search.fitter.fit_plane(found.rows)

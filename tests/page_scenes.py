@@ -16,7 +16,7 @@ from pointloom.data.scenes.room import room_sequence, write_room_sequence
 
 from .files.sfm_models import ring_model
 from .files.test_bags import file_of
-from .files.test_bags import write as write_bag
+from .files.test_recorded_transforms import robot as recorded_robot
 from .registration.bent_fragments import BentRoom
 
 SLOW = {
@@ -148,8 +148,8 @@ def scans_and_frames() -> dict[str, Any]:
 
 
 def robot() -> dict[str, Any]:
-    """A robot's recording of three turns of its scanner."""
-    file_of(write_bag(Path.cwd(), "mcap", count=3)).rename("run.mcap")
+    """A robot's recording of three turns of its scanner, and of where it was."""
+    file_of(recorded_robot(Path.cwd(), scan_times=(11.0, 12.0, 13.0))).rename("run.mcap")
     return {}
 
 

@@ -164,6 +164,8 @@ PEERS = {
     "rko-lio": ("odometry", "rko_lio"),
     "numba": ("transform_kernel", "numba"),
     "quadrants": ("transform_kernel", "quadrants"),
+    "py4dgeo": ("m3c2", "py4dgeo"),
+    "pyransac3d": ("segment_sphere", "pyransac3d"),
 }
 
 

@@ -43,7 +43,7 @@ ROOMS = {
         *("language", "algebra", "arrays", "search", "extent", "surface", "features", "sampling", "segmentation"),
         "terrain",
         *("poses", "icp", "volumes", "odometry", "meshes", "bending", "remeshing", "rays", "reconstruction", "images"),
-        *("stereo", "drawing", "rgbd", "textures", "splats", "scenes"),
+        *("keypoints", "stereo", "drawing", "rgbd", "textures", "splats", "scenes"),
     ],
     "files": ["pictures", "points", "splats", "meshes", "frames", "models", "bags"],
     "registration": ["icp", "globally", "lidar", "pose_graphs", "stations", "deformable", "trajectories"],

@@ -35,12 +35,15 @@ class FolderOptions:
         intrinsic: A camera as Open3D's JSON, if it is another than the folder says.
         every: Take every k-th frame, beginning with the first.
         depth_scale: Stored depth of one metre, if it is another than the folder says; not with posed frames.
+        topic, color_topic: Of a recording: its pictures of depth and of colour; None takes the only ones.
     """
 
     layout: str = "auto"
     intrinsic: FilePath | None = None
     every: int = 1
     depth_scale: float | None = None
+    topic: str | None = None
+    color_topic: str | None = None
 
 
 @dataclasses.dataclass(frozen=True)
@@ -66,7 +69,12 @@ class FrameFolder:
         """
         if is_recording(path_of(path)):
             return cls(path, _frames_of_recording(path, options), options.intrinsic)
-        return cls(path, open_folder(path, **dataclasses.asdict(options)), options.intrinsic)
+        given = dataclasses.asdict(options)
+        for name in ("topic", "color_topic"):
+            if topic := given.pop(name):
+                option = f"--{name.replace('_', '-')}"
+                raise FileError(path, f"is no recording, and has no topic {topic!r}", remedy=f"Leave {option} out")
+        return cls(path, open_folder(path, **given), options.intrinsic)
 
     @classmethod
     def open_posed(cls, path: FilePath, options: FolderOptions) -> FrameFolder:
@@ -153,7 +161,8 @@ def _frames_of_recording(path: FilePath, options: FolderOptions) -> Any:
                 path, f"is a recording, which has no {name}", remedy=f"Leave out --{name.replace('_', '-')}"
             )
     camera = None if options.intrinsic is None else read_pinhole_camera_intrinsic(options.intrinsic)
-    return open_recording(path).frames(intrinsic=camera, every=options.every)
+    recording = open_recording(path)
+    return recording.frames(options.topic, options.color_topic, intrinsic=camera, every=options.every)
 
 
 def _has_no_poses(path: FilePath, given: dict[str, Any]) -> bool:

@@ -52,7 +52,7 @@ from .facts import (
     Walk,
 )
 from .model_info import describe_colmap_model, describe_metashape_file
-from .recording_info import describe_recording
+from .recording_info import RecordedTopics, describe_recording
 
 _PICTURES = (".png", ".jpg", ".jpeg")
 _TRAJECTORIES = (".log", ".tum", ".kitti", ".txt")
@@ -101,6 +101,12 @@ class Description(Report):
         if not errors:
             return None
         return errors[0] + (f" (and {len(errors) - 1} more files of {self.path})" if errors[1:] else "")
+
+    @property
+    def poor(self) -> str | None:
+        """What is missing of a recording; None where nothing is, and of all else."""
+        damage = self.facts.damage if isinstance(self.facts, RecordedTopics) else None
+        return f"{self.path}: {damage}" if damage else None
 
     def to_json(self) -> dict[str, Any]:
         """All of it on one level."""

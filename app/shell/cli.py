@@ -32,10 +32,10 @@ from . import (
 from .answer import answer_with
 from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress, print_fields, print_json
-from .group import ERROR, INTERRUPTED, TERMINATED, CommandLine, report_error
+from .group import ERROR, INTERRUPTED, TERMINATED, CommandLine, poor_result, report_error
 from .help_commands import VARIABLE
 from .options import FILE, LENGTH, Renamed, device_option, force_option, json_option, refuse
-from .pipes import from_option, open_pipes
+from .pipes import RECORDINGS, from_option, open_pipes
 
 _SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 110}
 
@@ -125,11 +125,13 @@ def info(files: tuple[Path, ...], read_as: str | None, as_json: bool) -> int:
     folders       of clouds and meshes, one line each
     recordings    .bag of ROS 1, .db3 and .mcap of ROS 2, and folders of those: their topics
 
-    The origin is the point that positions are counted from in float32 (other than zero beyond 10 km).
+    The origin is the point that positions are counted from in float32 (other than zero beyond 10 km). The exit code is
+    3 where a recording is damaged, 1 where a file cannot be read at all.
 
     \b
     pointloom info scan.ply trajectory.log frames/
     """
+    from ...core.reports import all_of
     from ..jobs.info import BrokenFile, Description, describe
 
     reports: list[Description | BrokenFile] = []
@@ -145,12 +147,13 @@ def info(files: tuple[Path, ...], read_as: str | None, as_json: bool) -> int:
     for error in broken:
         click.echo(f"error: {error}", err=True)
     failed = bool(broken) or len(found) < len(reports)
+    poor = poor_result(all_of(*(report.poor for report in found)))
     if as_json:
         print_json({"command": "info", "files": reports})
-        return ERROR if failed else 0
+        return ERROR if failed else poor
     for report in found:
         print_fields(report.fields(), title=f"{report.path}: {report.kind}")
-    return ERROR if failed else 0
+    return ERROR if failed else poor
 
 
 @cli.command(short_help="Check this machine: versions, devices, compilers.")
@@ -169,21 +172,42 @@ def doctor(as_json: bool) -> int:
     return answer_with(diagnose(), f"pointloom {__version__}", as_json)
 
 
-@cli.command(short_help="Write a cloud or mesh in another format.")
+@cli.command(short_help="Write a cloud, mesh or recording in another format.")
+@click.option("--topic", metavar="NAME", help="Of a recording: which clouds; the only ones if not given.")
+@click.option("--frame", metavar="NAME", help="Of a recording: the frame of tf that its clouds are brought into.")
+@click.option("--poses", type=FILE, metavar="POSES", help="Of a recording: a pose a scan, instead of --frame.")
 @from_cloud_to_cloud(device=False)
-def convert(source: Path, output: Path, **options: Any) -> Answer:
+def convert(
+    source: Path, output: Path, topic: str | None, frame: str | None, poses: Path | None, **options: Any
+) -> Answer:
     """Write the cloud or mesh IN to OUT, whose extension names the format; no value is rounded that OUT can hold.
 
     \b
-    clouds  .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57, and from .csv .txt .bin
-    meshes  .ply .obj .stl .off .glb .gltf
+    clouds      .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57, and from .csv .txt .bin
+    meshes      .ply .obj .stl .off .glb .gltf
+    recordings  from .bag .mcap .db3 and folders of those: to a folder of scans, or to one cloud
 
     What OUT cannot hold is left out, and the summary names it; a mesh becomes a cloud of its vertices that way. LAS and
     LAZ hold coordinates in steps: those of IN where it is such a file, else thousandths.
 
+    Several scans of a recording become one cloud where --frame or --poses says how they stand to each other. Where the
+    recording is damaged what is left is written, and the exit code is 3.
+
     \b
     pointloom convert scan.las scan.ply
+    pointloom convert run.mcap scans --topic /points
+    pointloom convert run.mcap map.ply --topic /points --frame odom
     """
+    if frame is not None and poses is not None:
+        refuse("--frame and --poses both say where scans stand; give one")
+    if source.suffix.lower() in RECORDINGS or source.is_dir():
+        from ..jobs.recorded_clouds import convert_recording
+
+        options.pop("up")
+        return convert_recording(source, output, topic=topic, frame=frame, poses=poses, **options)
+    for name, value in (("topic", topic), ("frame", frame), ("poses", poses)):
+        if value is not None:
+            refuse(f"--{name} goes with a recording, and {source} is none")
     from ..jobs.clouds import convert_file
 
     return convert_file(source, output, **options)

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from ..jobs.frame_folder import FolderOptions
     from ..jobs.model_outputs import ModelOutputs
 
-FOLDER_OPTIONS = ("layout", "intrinsic", "every", "depth_scale")
+FOLDER_OPTIONS = ("layout", "intrinsic", "every", "depth_scale", "topic", "color_topic")
 MESH = "The mesh, .ply .obj .stl .off .glb .gltf."
 MODEL_VOXEL = "Edge of a voxel of the model that frames are held against [m]."
 MESH_VOXEL = "Edge of a voxel of the mesh [m]; 0.02, with fragments what --config says or 0.0059, if not given."
@@ -109,9 +109,12 @@ def track(frames: Path, output: Path, as_json: bool, force: bool, **options: Any
     Layouts as of pointloom fuse, with or without poses, and
       pictures  1.png and 1_depth.png, ...; take --intrinsic and --depth-scale with it
 
+    FRAMES may be a recording too: a .bag of ROS 1, a .db3 or .mcap file, or a folder of those, with pointloom[ros].
+
     \b
     pointloom track frames -o poses.txt
     pointloom track frames -o poses.log --intrinsic camera.json --every 2
+    pointloom track run.mcap -o poses.txt --topic /camera/depth/image_raw
     """
     refuse_same(output=output, record=options["record_as"])
     from ..jobs.track import track_folder

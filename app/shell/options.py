@@ -124,12 +124,17 @@ def force_option() -> Decorator:
 def frame_options(*, posed: bool = True, depth_max: float | None = 4.0) -> Decorator:
     """`--layout`, `--intrinsic`, `--every`, `--depth-max`: which frames of a folder, and what of them.
 
-    Where they need not be posed, `pictures` is a layout too, and `--depth-scale` says its unit.
+    Where they need not be posed, `pictures` is a layout too, and `--depth-scale` says its unit; a recording will do as
+    well, and `--topic` and `--color-topic` say which pictures of it.
     """
     layouts = ["auto", "7scenes", "redwood", "tum", *([] if posed else ["pictures"])]
     scale = click.option(
         "--depth-scale", type=SCALE, metavar="N", help="Stored depth of one metre, if it is another than usual."
     )
+    topics = [
+        click.option("--topic", metavar="NAME", help="Of a recording: pictures of depth; the only ones if not given."),
+        click.option("--color-topic", metavar="NAME", help="Of a recording: pictures of colour, as --topic."),
+    ]
     options = [
         click.option(
             "--layout",
@@ -141,7 +146,7 @@ def frame_options(*, posed: bool = True, depth_max: float | None = 4.0) -> Decor
         click.option(
             "--intrinsic", type=FILE, metavar="JSON", help="The camera, if it is another than the folder says."
         ),
-        *([] if posed else [scale]),
+        *([] if posed else [scale, *topics]),
         click.option("--every", type=click.IntRange(min=1), default=1, metavar="N", help="Take every N-th frame."),
         click.option(
             "--depth-max",

@@ -25,8 +25,9 @@ INPUT, OUTPUT = "standard input", "standard output"
 
 _PIPE = Path("-")
 
-# The extensions of files/points/formats.py and files/meshes/tables.py, which cannot be loaded for --help; a test holds
-# them alike.
+# The extensions of files/bags/recording.py, files/points/formats.py and files/meshes/tables.py, which cannot be loaded
+# for --help; a test holds them alike.
+RECORDINGS = (".bag", ".mcap", ".db3")
 _MESHES = ["obj", "stl", "off", "glb", "gltf"]
 READ = ["ply", "pcd", "npz", "xyz", "xyzn", "xyzrgb", "pts", "csv", "txt", "bin", "las", "laz", "e57", *_MESHES]
 WRITTEN = ["ply", "pcd", "npz", "xyz", "xyzn", "xyzrgb", "pts", "las", "laz", "e57", *_MESHES]

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import click
+from click.core import ParameterSource
 
 from .answer import answer_with
 from .console import Progress
@@ -46,6 +47,10 @@ def texture(mesh: Path, frames: Path, output: Path, as_json: bool, force: bool, 
     .obj .glb .gltf   a texture; where MESH has no texture coordinates an atlas is made
 
     \b
+    FRAMES may also be a project of COLMAP, with its pictures in the folder images, or the work folder of `video`. Then
+    each triangle takes its texture from the best picture, at one exposure and without seams; poses stay as they are.
+
+    \b
     rigid      the poses move until the pictures agree at each vertex
     non-rigid  and the pictures are bent, which takes up the distortion of lenses
     none       poses and pictures as they are
@@ -57,14 +62,34 @@ def texture(mesh: Path, frames: Path, output: Path, as_json: bool, force: bool, 
     pointloom fuse redkitchen/seq-01 -o kitchen.ply --every 5
     pointloom texture kitchen.ply redkitchen/seq-01 -o sharp.ply --every 5 --picture sharp.png
     pointloom texture kitchen.ply redkitchen/seq-01 -o kitchen.glb --method non-rigid --size 4096
+    pointloom texture room.ply room-work -o room.glb --size 4096
     """
     from ..jobs.texture import texture_folder
+    from ..jobs.texture_model import holds_model, texture_model
 
     refuse_same(output=output, picture=options["picture"])
     check_up(options["up"], mesh, output)
+    if holds_model(frames):
+        chosen = _for_model(options)
+        with Progress() as progress:
+            told = texture_model(mesh, frames, output, overwrite=force, progress=progress, **chosen)
+        return answer_with(told, f"{mesh} and {frames} (model)", as_json)
     with Progress() as progress:
         report = texture_folder(mesh, frames, output, overwrite=force, progress=progress, **options)
     return answer_with(report, f"{mesh} and {frames} ({report.task.layout})", as_json)
+
+
+def _for_model(options: dict[str, Any]) -> dict[str, Any]:
+    """What a model of pictures takes of the options; those given that it does not take are refused."""
+    context = click.get_current_context()
+    taken = ("size", "depth_max", "device", "up")
+    given = [name for name in options if context.get_parameter_source(name) == ParameterSource.COMMANDLINE]
+    for name in given:
+        if name not in taken:
+            words = f"--{name.replace('_', '-')}"
+            raise click.UsageError(f"{words} is for RGB-D frames; the pictures of a model take their poses as they are")
+    chosen = {name: options[name] for name in ("size", "device", "up")}
+    return chosen | ({"depth_max": options["depth_max"]} if "depth_max" in given else {})
 
 
 COMMANDS = (texture,)

@@ -10,7 +10,17 @@ import click
 
 from .answer import answer_with
 from .console import Progress
-from .options import FILE, SCALE, device_option, force_option, json_option, picture_option, refuse, refuse_same
+from .options import (
+    FILE,
+    SCALE,
+    CompletedPath,
+    device_option,
+    force_option,
+    json_option,
+    picture_option,
+    refuse,
+    refuse_same,
+)
 
 
 class KnownDistance(click.ParamType):
@@ -30,7 +40,17 @@ class KnownDistance(click.ParamType):
         return parts[0], parts[1], metres
 
 
+class Alignment(CompletedPath):
+    """A file of known places, "exif" or "none"."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """The word or the path."""
+        return value if value in ("exif", "none") else super().convert(value, param, ctx)
+
+
+ALIGN = "Known places of cameras: poses, or lines `name x y z` [m]; exif: GPS of the pictures; none: leave the frame."
 MESH = "The mesh, .ply .obj .stl .off .glb .gltf; the points, .pcd .las .xyz ..."
+CAMERA_MODEL = "How the lens draws, COLMAP's name: OPENCV, OPENCV_FISHEYE ..."
 CAMERAS = "Known poses: Metashape's .xml, COLMAP's folder, transforms.json, Polycam, a trajectory."
 
 
@@ -59,7 +79,32 @@ CAMERAS = "Known poses: Metashape's .xml, COLMAP's folder, transforms.json, Poly
 @click.option("--cameras", type=FILE, metavar="FILE", help=CAMERAS)
 @click.option("--scale", type=SCALE, metavar="F", help="Metres in a unit of the model.")
 @click.option("--known", type=KnownDistance(), metavar="A,B,M", help="Pictures A and B were taken M metres apart.")
-@click.option("--align", type=FILE, metavar="FILE", help="Known places of cameras: poses, or lines `name x y z` [m].")
+@click.option("--align", type=Alignment(path_type=Path), metavar="FILE|exif|none", help=ALIGN)
+@click.option("--masks", metavar="DIR|alpha", help="Leave out what is black in masks, or transparent in the pictures.")
+@click.option("--camera-model", metavar="NAME", default="SIMPLE_RADIAL", show_default=True, help=CAMERA_MODEL)
+@click.option(
+    "--pairs",
+    type=click.Choice(("auto", "sequential", "exhaustive", "retrieval")),
+    default="auto",
+    show_default=True,
+    help="Which pictures are matched.",
+)
+@click.option(
+    "--mapper",
+    type=click.Choice(("auto", "incremental", "global")),
+    default="auto",
+    show_default=True,
+    help="How pictures are placed: one by one, or all at once.",
+)
+@click.option(
+    "--max-features",
+    type=click.IntRange(min=64),
+    default=4096,
+    show_default=True,
+    metavar="N",
+    help="The most features of a picture.",
+)
+@click.option("--panorama", is_flag=True, help="The pictures show all directions (360 degrees).")
 @click.option("--cloud", type=FILE, metavar="FILE", help="Write the fused points as well.")
 @click.option("--trajectory", type=FILE, metavar="POSES", help="Write the poses: .txt or .tum (TUM), .log.")
 @click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, metavar="N", help="Of what is drawn.")
@@ -78,7 +123,8 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
     depth              each picture matched with others, pixel by pixel
     fused, mesh        what several pictures agree on, as points and as a surface
 
-    The size of things cannot be seen in pictures: the unit is arbitrary unless --scale, --known or --align tells it.
+    The size of things cannot be seen in pictures: the unit is arbitrary unless --scale, --known or --align tells it,
+    or photographs tell where they were taken (GPS): then z is up, and the report has the origin and the UTM zone.
     Pictures are named in --known and --align by their file or by the number of the frame.
 
     With --work each stage's files stay, and --resume makes only what is missing or made from something else: another
@@ -99,7 +145,7 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
     pointloom video walk.mp4 -o room.ply --work stages --resume --max-size 1280 --force
     pointloom video photos/ -o house.ply --cameras cameras.xml --cloud points.ply
     """
-    given = [name for name in ("scale", "known", "align") if options[name] is not None]
+    given = [name for name in ("scale", "known", "align") if options[name] not in (None, "none")]
     if len(given) > 1:
         refuse(f"--{given[0]} and --{given[1]} both settle the unit; give one")
     if options["resume"] and options["work"] is None:
@@ -114,6 +160,7 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
 
     units = Units(**{name: options.pop(name) for name in ("scale", "known", "align")})
     names = ("max_frames", "max_size", "intrinsic", "seed", "cameras")
+    names += ("masks", "camera_model", "pairs", "max_features", "panorama", "mapper")
     settings = Settings(units=units, **{name: options.pop(name) for name in names})
     points_alone = output.suffix.lower() in set(WRITTEN) - set(MESHES) and options["cloud"] is None
     if points_alone:

@@ -39,6 +39,8 @@ _COLORMAPS = ("viridis", "plasma", "inferno", "magma", "cividis", "turbo", "gray
 @click.option("--view", "view_file", type=FILE, metavar="JSON", help="Where from: a view as Open3D copies it (Ctrl+C).")
 @click.option("--up", type=click.Choice(("y", "z")), help="Which axis is up; the files', else z, if not given.")
 @click.option("--point-size", type=SCALE, metavar="PX", help="Diameter of points [px].")
+@click.option("--topic", metavar="NAME", help="Of recordings: which clouds; the only ones if not given.")
+@click.option("--frame", metavar="NAME", help="Of recordings: the frame of tf that all clouds are brought together in.")
 @from_option()
 @json_option()
 @force_option()
@@ -60,6 +62,7 @@ def view(
     meshes        .ply .obj .stl .off .glb .gltf
     trajectories  .log .tum .kitti .txt .json
     volumes       .npz of TSDFVolume.save, .json of SelectionPolygonVolume
+    recordings    .bag .mcap .db3 and folders of those: the first cloud, or all of them with --frame
 
     One of FILES may be -, standard input, with --from.
 
@@ -69,6 +72,7 @@ def view(
     pointloom view scan.las --color-by intensity
     pointloom view room.ply poses.log --no-open --port 9000
     pointloom view mesh.ply --screenshot mesh.png --view view.json
+    pointloom view run.mcap --topic /points --frame odom
     """
     refuse_same(screenshot=screenshot, save_html=save_html)
     for written in (screenshot, save_html):

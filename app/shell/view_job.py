@@ -22,6 +22,7 @@ from ...drawing.viewer.coloring_choice import choices_of
 from ...drawing.viewer.items import make_item
 from ...drawing.viewer.stills import as_entry, with_colors, write_geometries
 from ...drawing.viewer.view_files import first_looks, read_scene
+from ...files.bags.recording import is_recording
 from ...pcd.cloud import PointCloud
 from .answer import answer_with
 from .console import Progress, print_json
@@ -55,6 +56,7 @@ class ViewJob:
         point_size: [px].
         up: Which axis is up; None takes that of the files.
         max_points: Of the page.
+        topic, frame: Of recordings: which clouds, and the frame that they are brought together in.
         force: Replace outputs that exist.
         port, host, no_open, linger: Of the server.
 
@@ -74,6 +76,8 @@ class ViewJob:
         up: str | None,
         max_points: int,
         force: bool,
+        topic: str | None = None,
+        frame: str | None = None,
         **server: Any,
     ):
         self.files, self._ends = ends.sources, ends
@@ -81,11 +85,15 @@ class ViewJob:
         self.force, self.max_points, self.server = force, max_points, server
         self.color_by, self.colormap, self.point_size = color_by, colormap, point_size
         self.up = None if up is None else check_up(up)
+        self._recorded = {"topic": topic, "frame": frame}
         self.clock = Clock()
         self.view = None if view_file is None else read_view(view_file, width=SIZE[0], height=SIZE[1])
         for path in self.files:
             if not path.exists():
                 raise FileError(path, "does not exist")
+        if (topic or frame) and not any(is_recording(path) for path in self.files):
+            given = "--topic" if topic else "--frame"
+            raise FileError(self.files[0], f"is no recording, which {given} goes with", remedy=f"Leave {given} out")
         self.named: list[Named] = []
         self.trees: dict[str, Any] = {}  # DetailTree, CopcTree
 
@@ -99,7 +107,7 @@ class ViewJob:
                 tell(stage, done, total)
 
             options: dict[str, Any] = {"max_points": self.max_points, "color_by": self.color_by, "progress": report}
-            options["in_parts"] = in_parts
+            options |= {"in_parts": in_parts, **self._recorded}
             named, trees = read_scene(list(self.files), style, **options)
         names = {
             name: INPUT for path, (name, _, _) in zip(self.files, named, strict=True) if str(path) in self._ends.names

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..render.geometries import STYLE_KEYS, Style
 from ..render.parts import Matrix
+from ..render.styles import STYLE_KEYS, Style
 from .shapes import pose_about
 from .timeline import Placed
 

@@ -17,8 +17,8 @@ from ...core.checks import check_count, check_name, check_number, check_positive
 from ...core.paths import path_of
 from ...core.progress import ReportProgress
 from ...core.watching import watch
-from ..render.geometries import Style
 from ..render.parts import Matrix, Triple
+from ..render.styles import Style
 from ..render.upward import direction_under, told_up
 from ..render.view import View
 from .film import check_look, find_view

@@ -18,8 +18,9 @@ from ...kernels.arrays.select import gather_rows
 from ...kernels.lang import int32
 from ...kernels.memory import download, upload
 from ...meshing.mesh.mesh import TriangleMesh
-from ..render.geometries import Style, parts_of
+from ..render.geometries import parts_of
 from ..render.parts import Lines, Matrix, Part, Points, Triangles
+from ..render.styles import Style
 from .timeline import Frame, Placed, Shape
 
 GOLDEN = 0.6180339887498949

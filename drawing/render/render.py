@@ -24,12 +24,13 @@ from ...kernels.memory import download, empty
 from ...kernels.meshes.mesh_measures import vertex_normals
 from .backgrounds import check_background, is_dark
 from .canvas import Canvas
-from .geometries import Named, Style, check_units, named_geometries, parts_of
+from .geometries import Named, check_units, named_geometries, parts_of
 from .open3d_views import OPEN3D_KEYS, read_view
 from .overlays import Overlays, check_bar, check_labels, check_legend, color_of
 from .parts import PLAIN_LINE, Lines, Part, Points, Triangles, Triple
 from .picture import Picture as Picture
 from .scene import Drawing, Scene
+from .styles import Style
 from .upward import direction_under, up_of
 from .view import Frame, Insets, View
 

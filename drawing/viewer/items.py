@@ -12,8 +12,9 @@ from ...core.coordinates import box_of_finite, finite_rows
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.memory import download
 from ...pcd.cloud import PointCloud
-from ..render.geometries import Style, bounds_of, parts_of
+from ..render.geometries import bounds_of, parts_of
 from ..render.parts import Part, Points, Triangles
+from ..render.styles import Style
 from .extents import Bounds
 
 Matrix = NDArray[np.float64]

@@ -12,9 +12,10 @@ from numpy.typing import NDArray
 from ...core.upward import UP
 from ...meshing.mesh.mesh import TriangleMesh
 from ...pcd.cloud import PointCloud
-from ..render.geometries import Named, Style
+from ..render.geometries import Named
 from ..render.parts import Triple
 from ..render.picture_files import check_picture, save_picture
+from ..render.styles import Style
 from ..render.upward import direction_under, up_of
 from ..render.view import View
 from .coloring_choice import choices_of, shown_coloring

@@ -15,6 +15,7 @@ from ...core.json_files import read_json_object
 from ...core.paths import path_of
 from ...core.progress import ReportProgress
 from ...files.ascii_rows import is_number
+from ...files.bags.recording import is_recording, open_recording
 from ...files.meshes import tables
 from ...files.points.copc_nodes import says_copc
 from ...files.points.in_parts import open_in_parts
@@ -25,7 +26,8 @@ from ...meshing.mesh.mesh_files import read_triangle_mesh
 from ...meshing.volume.tsdf import TSDFVolume
 from ...pcd.cloud import PointCloud
 from ...pcd.polygon_volume import SelectionPolygonVolume
-from ..render.geometries import Named, Style, named_geometries
+from ..render.geometries import Named, named_geometries
+from ..render.styles import Style
 from .copc_tree import CopcTree
 from .detail_files import sample_file
 from .detail_tree import DetailTree
@@ -42,17 +44,20 @@ def read_scene(
     progress: ReportProgress | None = None,
     device: Any = None,
     in_parts: bool = False,
+    topic: str | None = None,
+    frame: str | None = None,
 ) -> tuple[list[Named], dict[str, Any]]:
     """What files hold, each under its name, and the levels of detail of clouds that are too large to be sent whole.
 
     Args:
-        paths: Clouds, meshes, trajectories, TSDF volumes, polygon volumes.
+        paths: Clouds, meshes, trajectories, TSDF volumes, polygon volumes, recordings.
         style: Of all.
         max_points: Larger clouds are read in parts where their format allows, into levels of detail.
         color_by: The attribute that such a cloud keeps.
         progress: As of `DetailTree.from_file`, while a large file is read.
         device: Where it is computed.
         in_parts: Whether of such a cloud in a COPC file only the coarse levels are read, and a `CopcTree` is given.
+        topic, frame: Of recordings, as `read_recording` takes them.
 
     Raises:
         FileError: A file that is missing, damaged or of no kind that is shown.
@@ -60,6 +65,9 @@ def read_scene(
     entries: dict[str, Any] = {}
     trees: dict[str, Any] = {}
     for path, name in zip(paths, _names(paths), strict=True):
+        if is_recording(path):
+            entries[name] = read_recording(path, topic, frame, device=device)
+            continue
         octree = open_octree(path, max_points) if in_parts else None
         if octree is not None:
             entries[name], trees[name] = octree.head, octree
@@ -131,6 +139,16 @@ def read_geometry(path: str | os.PathLike[str], *, device: Any = None) -> Any:
         return read_point_cloud(path, device=device)
     known = " ".join(dict.fromkeys([*tables.READERS, *tables.MESHES, ".log", ".tum", ".kitti", ".json"]))
     raise FileError(path, f"unknown kind of file {suffix!r}", remedy=f"Shown are {known}")
+
+
+def read_recording(path: Path, topic: str | None, frame: str | None, *, device: Any = None) -> PointCloud:
+    """The clouds of a topic of a recording brought together in a frame; the first cloud where no frame is named.
+
+    Raises:
+        FileError: As `Recording.scans`.
+    """
+    scans = open_recording(path).scans(topic, frame=frame, device=device)
+    return next(scans) if frame is None else PointCloud.concatenate(list(scans))
 
 
 def _names(paths: list[Path]) -> list[str]:

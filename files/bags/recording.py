@@ -21,7 +21,6 @@ from ...pcd.cloud import PointCloud
 from ..foreign import foreign_errors, import_for
 from ..points.point_cloud import cloud_of
 from ..points.scan_files import natural_key
-from ..table import PointTable
 from .bag1 import read_bag1
 from .clouds import table_of_message
 from .db3 import read_db3
@@ -30,6 +29,7 @@ from .mcap import read_mcap
 from .motions import IMU, POSES, ImuReadings, imu_of_messages, trajectory_of_messages
 from .pieces import Contents, RecordingWarning, byte_order
 from .recorded_frames import RecordedFrames, choose_pictures
+from .transforms import TRANSFORMS, RecordedTransforms, transforms_of_messages
 
 CLOUD = "sensor_msgs/msg/PointCloud2"
 _READERS = {".bag": read_bag1, ".mcap": read_mcap, ".db3": read_db3}
@@ -138,34 +138,55 @@ class Recording:
         what = f"{len(fitting)} topics of {kind}: {', '.join(fitting)}" if fitting else f"no topic of {kind}"
         raise FileError(self.path, f"has {what}", remedy="Name one of them" if fitting else f"There are {every}")
 
-    def scans(self, topic: str | None = None, *, device: Any = None) -> Iterator[PointCloud]:
+    def scans(self, topic: str | None = None, *, frame: str | None = None, device: Any = None) -> Iterator[PointCloud]:
         """The clouds of a topic of PointCloud2, or of Livox's CustomMsg, in the order of their times.
 
         Args:
             topic: Which; None takes the only one.
+            frame: The frame that they are brought into, by `transforms` at the time in each header; None leaves them in
+                that of their sensor.
             device: Where they go.
 
         Raises:
-            FileError: As `choose_topic`; while iterating, a message that is damaged or no cloud.
+            FileError: As `choose_topic` and `transforms`; while iterating, a message that is damaged or no cloud, or a
+                cloud that `RecordedTransforms.lookup` knows no way for, with its number.
 
         Notes:
             Points that are not finite are kept. Times per point are the attribute `time` [s] since the first one, which
-            odometry straightens by.
+            odometry straightens by; a cloud that is brought into a frame is moved as one.
         """
         chosen = self.choose_topic(topic)
-        if self.topic_types()[chosen] in LIVOX:
-            return self._livox_scans(chosen, device)
-        return (
-            cloud_of(table_of_message(self.path, message.content), self.path, device=device)
-            for message in self._messages(chosen)
+        kind = self.topic_types()[chosen]
+        tree = None if frame is None else self.transforms()
+
+        def read(row: tuple[int, int, int, int, int]) -> PointCloud:
+            if kind in LIVOX:
+                encoding, data = self.bytes_at(row)
+                table = table_of_livox(self.path, data, encoding)
+            else:
+                table = table_of_message(self.path, self.content_at(row))
+            cloud = cloud_of(table, self.path, device=device)
+            if tree is None or frame is None:
+                return cloud
+            time, own = self.header_at(row)
+            return cloud.transform(tree.lookup(frame, own, time))
+
+        return (cloud for _, cloud in self._each(chosen, read))
+
+    def transforms(self) -> RecordedTransforms:
+        """The frames that the topics of TFMessage tell of, those that end in `tf_static` for all time.
+
+        Raises:
+            FileError: No such topic, a message that is damaged, or a transform that is none.
+        """
+        topics = [name for name, kind in self.topic_types().items() if kind in TRANSFORMS]
+        if not topics:
+            every = ", ".join(f"{found.name} ({found.type})" for found in self.topics) or "none"
+            raise FileError(self.path, f"has no topic of {TRANSFORMS[0]}", remedy=f"There are {every}")
+        each = (
+            (topic, number, message.content) for topic in topics for number, message in enumerate(self._messages(topic))
         )
-
-    def _livox_scans(self, topic: str, device: Any) -> Iterator[PointCloud]:
-        def table_at(row: tuple[int, int, int, int, int]) -> PointTable:
-            encoding, data = self.bytes_at(row)
-            return table_of_livox(self.path, data, encoding)
-
-        return (cloud_of(table, self.path, device=device) for _, table in self._each(topic, table_at))
+        return transforms_of_messages(self.path, each)
 
     def frames(
         self,
@@ -241,6 +262,14 @@ class Recording:
         channel = self._parts[row[1]].channels[row[2]]
         return self._decode(channel.type, channel.encoding, self._payload(row))
 
+    def header_at(self, row: tuple[int, int, int, int, int]) -> tuple[float | None, str]:
+        """The time [s] in the header of a message, None where it tells none, and its frame."""
+        encoding, data = self.bytes_at(row)
+        try:
+            return _header(data, encoding)
+        except (struct.error, UnicodeDecodeError) as error:
+            raise FileError(self.path, f"a message is cut off in its header: {len(data)} bytes") from error
+
     def _messages(self, topic: str) -> Iterator[RecordedMessage]:
         return (RecordedMessage(topic, row[0] * 1e-9, content) for row, content in self._each(topic, self.content_at))
 
@@ -272,7 +301,9 @@ class Recording:
         if encoding not in self._stores:
             typesys = import_for(self.path, "rosbags.typesys", "ros")
             chosen = typesys.Stores.ROS1_NOETIC if encoding == "ros1" else typesys.Stores.ROS2_HUMBLE
-            self._stores[encoding] = typesys.get_typestore(chosen)
+            self._stores[encoding] = found = typesys.get_typestore(chosen)
+            for name in {*TRANSFORMS} - {*found.fielddefs}:  # in ROS 1 they are of packages of their own
+                found.register(typesys.get_types_from_msg("geometry_msgs/TransformStamped[] transforms", name))
         store = self._stores[encoding]
         if kind not in store.fielddefs:
             raise FileError(self.path, f"messages of {kind} are not known", remedy="Known are those of ROS itself")
@@ -286,7 +317,7 @@ class Recording:
         if kind.startswith("sensor_msgs/"):
             try:
                 encoding = self._parts[rows[0][1]].channels[rows[0][2]].encoding
-                frame = _frame_id(self._payload(rows[0]), encoding)
+                frame = _header(self._payload(rows[0]), encoding)[1]
             except (FileError, struct.error, UnicodeDecodeError):
                 frame = None
         return Topic(name, kind, len(rows), rows[0][0] * 1e-9, rows[-1][0] * 1e-9, frame)
@@ -344,7 +375,10 @@ def is_recording(path: Path) -> bool:
     return path.suffix.lower() in _READERS
 
 
-def _frame_id(data: bytes, encoding: str) -> str:
-    """The frame of a message that begins with a header: a counter in ROS 1, four bytes of encoding in ROS 2."""
-    size = struct.unpack_from(byte_order(data, encoding) + "I", data, 12)[0]
-    return bytes(data[16 : 16 + size]).rstrip(b"\0").decode()
+def _header(data: bytes, encoding: str) -> tuple[float | None, str]:
+    """Time and frame of a message that begins with a header: a counter in ROS 1, four bytes of encoding in ROS 2."""
+    seconds, nanoseconds, size = struct.unpack_from(byte_order(data, encoding) + "iII", data, 4)
+    if 16 + size > len(data):
+        raise struct.error("the frame ends behind the message")
+    frame = bytes(data[16 : 16 + size]).rstrip(b"\0").decode()
+    return (seconds + nanoseconds * 1e-9) if seconds or nanoseconds else None, frame

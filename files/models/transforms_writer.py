@@ -40,11 +40,11 @@ def write_transforms(path: str | os.PathLike[str], model: SfmModel, *, pictures:
         points first.
 
     Example:
-        >>> import json, numpy as np, pointloom as loom
+        >>> import json, pathlib, numpy as np, pointloom as loom
         >>> camera = loom.CameraModel("PINHOLE", 640, 480, [500, 500, 320, 240])
         >>> model = loom.SfmModel(["a.png"], [camera], np.eye(4)[None])
         >>> loom.write_transforms("transforms.json", model, pictures="images")
-        >>> json.load(open("transforms.json"))["frames"][0]["file_path"]
+        >>> json.loads(pathlib.Path("transforms.json").read_text())["frames"][0]["file_path"]
         'images/a.png'
     """
     if not isinstance(model, SfmModel):

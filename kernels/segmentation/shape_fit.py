@@ -1,114 +1,46 @@
-"""The shape of least squared distances to some points, in float64, with the covariance of its numbers.
+"""A shape of least squared distances to some points: Levenberg-Marquardt on true distances, in float64.
 
-Gauss and Newton's steps damped after Levenberg and Marquardt, on true distances (Lukacs, Martin and Marshall, ECCV
-1998; for the sphere Gander, Golub and Strebel 1994). Unknowns are a shift of the place along (u, v, a), tilts of the
-direction towards u and v, and changes of the two numbers; which of them a kind has stands in FREE. The products of all
-rows leave through one reduction a step, in a fixed order: 150 operations and 16 B a point; the host solves 3 to 7
-unknowns. One wait a step, some 5 to 15 steps.
+Lukacs, Martin and Marshall, "Faithful least-squares fitting of spheres, cylinders, cones and tori", ECCV 1998. The
+unknowns of a step are shifts along a frame (u, v, a) about the axis a, tilts of the axis towards u and v, and changes
+of the sizes; a tilt by 1 / size moves the far points as far as a shift by 1 does. The device takes all steps of all
+fits that are asked for at once (`shape_steps`); the host waits once and turns the sums into covariances.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from ..array_types import Doubles, Indices, Points
-from ..lang import array, dot, float64, func, int32, reduce, reduction, sqrt, tid, vec3, vec3d, vector
-from ..memory import download
-from .plane_samples import sampled_point
-from .shape_models import CONE, CYLINDER, PLANE, SPHERE, TORUS, eight, measure
+from ..array_types import Array1, Doubles, Indices, Points, Vectors
+from ..arrays.segment_blocks import SegmentBlocks
+from ..arrays.side_by_side import SideBySide, read_together
+from ..lang import float64, int32, launch, loop_while, reduce, reduce_segments, uint8, vec3d
+from ..memory import download, empty
+from .shape_fit_rows import (
+    COUNT,
+    SELECT,
+    SQUARES,
+    FitRules,
+    ShapeFits,
+    add_fit_rows,
+    add_places,
+    add_weighted_fit_rows,
+    fit_sums,
+    list_fit_rows_kernel,
+    select_fit_rows_kernel,
+)
+from .shape_models import CONE, CYLINDER, NUMBERS, PLANE, SPHERE, TORUS
+from .shape_steps import step_fits_kernel, tell_running_kernel
 
-SUMS = 36  # on and above the diagonal of a row's seven unknowns and its distance
-MOST_STEPS = 60
-SETTLED = 1.0e-12  # of the size of the points: a step as short changes nothing
 OPEN = 1.0e-11  # ratio of eigenvalues of the scaled system below which the points leave something open
+EXACT = 1.0e-13  # of the squared distances: a step that gains less ends a fit
+ROUGHLY = 1.0e-7  # the same of fits that are only compared, or fitted again
 NAMES = ("shift_u", "shift_v", "shift_axis", "tilt_u", "tilt_v", "first", "second")
 FREE = {PLANE: [2, 3, 4], SPHERE: [0, 1, 2, 5], CYLINDER: [0, 1, 3, 4, 5], CONE: [0, 1, 2, 3, 4, 5]}
 FREE[TORUS] = [0, 1, 2, 3, 4, 5, 6]
-row_sums = vector(36, float64)
-
-
-@func
-def slopes(kind: int, p: vec3d, a: vec3d, u: vec3d, v: vec3d, r: float64, s: float64, x: vec3d) -> eight:
-    """How the distance of x changes with each unknown, and the distance last."""
-    y = x - p
-    h = dot(y, a)
-    across = y - a * h
-    q = sqrt(dot(across, across))
-    e = vec3d(0.0, 0.0, 0.0)
-    if q > 0.0:
-        e = across / q
-    m = measure(kind, p, a, r, s, x)
-    g = vec3d(m[1], m[2], m[3])
-    lever = float64(0.0)
-    first = float64(-1.0)
-    second = float64(0.0)
-    if kind == PLANE:
-        lever = q * 1.0
-    if kind == CYLINDER:
-        lever = -h
-    if kind == CONE:
-        lever = -(r * h + s * q)
-        first = -(q * s + h * r)
-    if kind == TORUS:
-        middle = q - r
-        rho = sqrt(middle * middle + h * h)
-        if rho > 0.0:
-            lever = h * r / rho
-            first = -middle / rho
-        second = float64(-1.0)
-    return eight(-dot(g, u), -dot(g, v), -dot(g, a), lever * dot(e, u), lever * dot(e, v), first, second, m[0])
-
-
-@func
-def row_products(j: eight, weight: float64) -> row_sums:
-    """The products of a row's entries on and above the diagonal, times its weight."""
-    sums = row_sums(0.0)
-    at = 0
-    for k in range(8):
-        for m in range(k, 8):
-            sums[at] = j[k] * j[m] * weight
-            at += 1
-    return sums
-
-
-@reduction
-def add_rows(
-    points: array(dtype=vec3),
-    rows: array(dtype=int32),
-    center: vec3d,
-    kind: int,
-    p: vec3d,
-    a: vec3d,
-    u: vec3d,
-    v: vec3d,
-    r: float64,
-    s: float64,
-) -> row_sums:
-    """The products of a row's entries on and above the diagonal."""
-    i = tid()
-    j = slopes(kind, p, a, u, v, r, s, sampled_point(points, rows[i], center))
-    return row_products(j, float64(1.0))
-
-
-@reduction
-def add_weighted_rows(
-    points: array(dtype=vec3),
-    weights: array(dtype=float64),
-    rows: array(dtype=int32),
-    center: vec3d,
-    kind: int,
-    p: vec3d,
-    a: vec3d,
-    u: vec3d,
-    v: vec3d,
-    r: float64,
-    s: float64,
-) -> row_sums:
-    """The same, each row's products times the weight of its point."""
-    i = tid()
-    j = slopes(kind, p, a, u, v, r, s, sampled_point(points, rows[i], center))
-    return row_products(j, weights[rows[i]])
+Shapes = Sequence[NDArray[np.float64]] | NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -132,26 +64,44 @@ class ShapeFit:
     reason: str
 
 
+@dataclass(frozen=True)
+class FlatFit:
+    """The plane through some points.
+
+    Attributes:
+        shape: float64 [8], relative to the middle.
+        rms: Root of the mean squared distance [m].
+    """
+
+    shape: NDArray[np.float64]
+    rms: float
+
+
+@dataclass(frozen=True)
+class Selection:
+    """What makes a row one of a shape, for fits that choose their rows.
+
+    Attributes:
+        normals: Of all points.
+        threshold: Distance [m], excluded.
+        cosine: Least between normals.
+        smallest, largest: Sizes [m] beyond which no rows are chosen.
+        most_rounds: Fits of one shape, each to the points of the one before.
+    """
+
+    normals: Vectors
+    threshold: float
+    cosine: float
+    smallest: float
+    largest: float
+    most_rounds: int
+
+
 def frame_of(direction: NDArray[np.float64]) -> NDArray[np.float64]:
     """Rows u, v, a of a right-handed frame about a unit direction."""
     u = np.cross(np.eye(3)[np.argmin(np.abs(direction))], direction)
     u /= np.linalg.norm(u)
     return np.stack([u, np.cross(direction, u), direction])
-
-
-def stepped(
-    kind: int, shape: NDArray[np.float64], frame: NDArray[np.float64], x: NDArray[np.float64]
-) -> NDArray[np.float64]:
-    """A shape changed by seven numbers."""
-    place = shape[:3] + x[:3] @ frame
-    direction = shape[3:6] + x[3:5] @ frame[:2]
-    direction /= np.linalg.norm(direction)
-    r, s = shape[6:]
-    if kind == CONE:
-        r, s = r * np.cos(x[5]) - s * np.sin(x[5]), s * np.cos(x[5]) + r * np.sin(x[5])
-    elif kind in (SPHERE, CYLINDER, TORUS):
-        r, s = r + x[5], s + x[6]
-    return np.concatenate([place, direction, [r, s]])
 
 
 def is_proper(kind: int, shape: NDArray[np.float64]) -> bool:
@@ -161,8 +111,18 @@ def is_proper(kind: int, shape: NDArray[np.float64]) -> bool:
     )
 
 
+def flat_fit(sums: NDArray[np.float64], count: int) -> FlatFit:
+    """The plane of sums about the middle: in float64 they tell distances of 1e-8 of the size of the points and more."""
+    sums = sums.reshape(-1) / max(count, 1)
+    mean, products = sums[:3], np.zeros((3, 3))
+    products[np.triu_indices(3)] = sums[3:9]
+    products += np.triu(products, 1).T
+    values, vectors = np.linalg.eigh(products - np.outer(mean, mean))
+    return FlatFit(np.concatenate([mean, vectors[:, 0], [1.0, 1.0]]), float(np.sqrt(max(values[0], 0.0))))
+
+
 class ShapeFitter:
-    """Fits of one kind to some of the points of a cloud."""
+    """Fits to some of the points of a cloud."""
 
     def __init__(
         self, points: Points, center: NDArray[np.float64], size: float, weights: Doubles | None = None
@@ -171,37 +131,57 @@ class ShapeFitter:
         self.points, self.center, self.size, self.weights = points, center, size, weights
 
     def fit(self, kind: int, shape: NDArray[np.float64], rows: Indices) -> ShapeFit:
-        """The shape of least squared distances to `points[rows]` that is reached from another; a wait a step."""
-        free = np.array(FREE[kind])
-        scales = np.array([1.0, 1, 1, self.size, self.size, self.size if kind == CONE else 1, 1])[free]
-        damping, shape = 1e-4, np.asarray(shape, np.float64)
-        sums, frame = self._sums(kind, shape, rows)
-        for _ in range(MOST_STEPS):
-            if rows.size < len(free) or not is_proper(kind, shape):
-                break
-            h, b = sums[np.ix_(free, free)] / np.outer(scales, scales), sums[free, 7] / scales
-            lifted = h + damping * np.diag(np.diag(h) + 1e-12 * max(np.trace(h), 1e-300))
-            x = np.zeros(7)
-            x[free] = np.linalg.lstsq(lifted, -b, rcond=None)[0] / scales
-            offer = stepped(kind, shape, frame, x)
-            longest = float(np.abs(x[free] * scales).max())
-            if is_proper(kind, offer):
-                next_sums, next_frame = self._sums(kind, offer, rows)
-                if next_sums[7, 7] <= sums[7, 7]:
-                    gain = sums[7, 7] - next_sums[7, 7]
-                    shape, sums, frame, damping = offer, next_sums, next_frame, max(damping * 0.1, 1e-12)
-                    if longest <= SETTLED * self.size or gain <= 1e-13 * sums[7, 7]:
-                        break
-                    continue
-            if longest <= SETTLED * self.size or damping > 1e12:
-                break
-            damping *= 10
-        return self._fit_of(kind, shape, sums, frame, free, scales, rows.size)
+        """The shape of least squared distances to `points[rows]` that is reached from another; one sync.
 
-    def _fit_of(self, kind, shape, sums, frame, free, scales, count) -> ShapeFit:
-        h = sums[np.ix_(free, free)] / np.outer(scales, scales)
+        Planes and cylinders move along themselves to the mean of the points first.
+        """
+        return self.fit_all([kind], [shape], rows, EXACT)[0]
+
+    def fit_all(
+        self, kinds: ArrayLike, shapes: Shapes, rows: Indices, gain: float = ROUGHLY, hopeless: float = 0.0
+    ) -> list[ShapeFit]:
+        """The fit that is reached from each of some shapes, all to the same rows; one sync.
+
+        A fit whose distances stay beyond `hopeless` [m] in the root mean square is given up; 0 gives up none.
+        """
+        found = self._run(kinds, shapes, rows, None, gain, hopeless)
+        return [
+            self.fit_of(int(kind), shape, sums)
+            for kind, shape, sums in zip(found["kinds"], found["shapes"], found["sums"], strict=True)
+        ]
+
+    def refine_all(
+        self, kinds: ArrayLike, shapes: Shapes, rows: Indices, chosen: Selection, gain: float = ROUGHLY
+    ) -> list[tuple[ShapeFit, int] | None]:
+        """Each shape fitted to those of `rows` that are on it, again while these grow in number; one sync.
+
+        Returns:
+            The fit and how many rows are on it; None where none is, or the first fit has no size within the limits.
+        """
+        found = self._run(kinds, shapes, rows, chosen, gain)
+        each = zip(found["kinds"], found["bests"], found["best_sums"], found["best_counts"], strict=True)
+        return [
+            (self.fit_of(int(kind), shape, sums), int(count)) if count >= 0 else None
+            for kind, shape, sums, count in each
+        ]
+
+    def fit_plane(self, rows: Indices) -> FlatFit:
+        """The plane of least squared distances to `points[rows]`, which have no weights here; one sync."""
+        return flat_fit(download(self.add_places(rows)), rows.size)  # sync
+
+    def add_places(self, rows: Indices) -> Array1[Any]:
+        """What `flat_fit` makes a plane of, where it is."""
+        return reduce(add_places, rows.size, [self.points, rows, vec3d(*self.center)])
+
+    def fit_of(self, kind: int, shape: NDArray[np.float64], sums: NDArray[np.float64]) -> ShapeFit:
+        """What the sums over the rows at a shape say of it."""
+        free, count, squares = np.array(FREE[kind]), int(sums[COUNT]), max(float(sums[SQUARES]), 0.0)
+        scales = np.array([1.0, 1, 1, self.size, self.size, self.size if kind == CONE else 1, 1])[free]
+        full = np.zeros((8, 8))
+        full[np.triu_indices(8)] = sums[:COUNT]
+        full += np.triu(full, 1).T
+        h = full[np.ix_(free, free)] / np.outer(scales, scales)
         reason, covariance = "", np.full((len(free), len(free)), np.inf)
-        rms = float(np.sqrt(max(sums[7, 7], 0.0) / max(count, 1)))
         if count <= len(free):
             reason = f"{count} points do not say how well {len(free)} unknowns are known"
         elif not (np.isfinite(h).all() and is_proper(kind, shape)):
@@ -214,19 +194,78 @@ class ShapeFitter:
                 reason = f"the points leave {weak} open"
             else:
                 inverse = (vectors / values) @ vectors.T * np.outer(d, d)
-                covariance = inverse / np.outer(scales, scales) * sums[7, 7] / (count - len(free))
-        return ShapeFit(shape, covariance, frame, rms, count, reason)
-
-    def _sums(self, kind, shape, rows) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """The products of the rows as an 8x8 matrix, and the frame that they are about."""
+                covariance = inverse / np.outer(scales, scales) * squares / (count - len(free))
         frame = np.eye(3) if kind == SPHERE else frame_of(shape[3:6])
-        p, a, u, v = (vec3d(*vector) for vector in (shape[:3], frame[2], frame[0], frame[1]))
-        arguments = [rows, vec3d(*self.center), kind, p, a, u, v, float(shape[6]), float(shape[7])]
-        if self.weights is None:
-            totals = reduce(add_rows, rows.size, [self.points, *arguments])
-        else:
-            totals = reduce(add_weighted_rows, rows.size, [self.points, self.weights, *arguments])
-        upper = download(totals)[0]  # sync
-        full = np.zeros((8, 8))
-        full[np.triu_indices(8)] = upper
-        return full + np.triu(full, 1).T, frame
+        return ShapeFit(shape.copy(), covariance, frame, float(np.sqrt(squares / max(count, 1))), count, reason)
+
+    def _run(
+        self,
+        kinds: ArrayLike,
+        shapes: Shapes,
+        rows: Indices,
+        chosen: Selection | None,
+        gain: float,
+        hopeless: float = 0.0,
+    ) -> dict[str, NDArray]:
+        """Run all fits to their ends; one sync."""
+        device, n = self.points.device, rows.size
+        states = SideBySide(_first_state(kinds, shapes, chosen), device)
+        k = states.arrays["kinds"].size
+        fits = ShapeFits()
+        for name, values in states.arrays.items():
+            setattr(fits, name, values)
+        fits.rows, fits.jobs, fits.mask = (empty(k * n, kind, device) for kind in (int32, int32, uint8))
+        launch(list_fit_rows_kernel, k * n, [rows, fits])
+        rules = FitRules()
+        rules.size, rules.gain, rules.hopeless = self.size, gain, hopeless * hopeless
+        rules.threshold = rules.cosine = rules.smallest = rules.largest = 0.0
+        if chosen is not None:
+            rules.threshold, rules.cosine = chosen.threshold, chosen.cosine
+            rules.smallest, rules.largest = chosen.smallest, chosen.largest
+        blocks = SegmentBlocks(np.arange(k) * n, np.full(k, n), device)
+        partials, trials = empty(blocks.count, fit_sums, device), empty(k, fit_sums, device)
+        center = vec3d(*self.center)
+
+        def turn() -> None:
+            if chosen is not None:
+                launch(select_fit_rows_kernel, k * n, [self.points, chosen.normals, center, rules, fits])
+            if self.weights is None:
+                given, reduction = [self.points, center, fits], add_fit_rows
+            else:
+                given, reduction = [self.points, self.weights, center, fits], add_weighted_fit_rows
+            reduce_segments(reduction, blocks, fits.live, given, partials, trials)
+            launch(step_fits_kernel, k, [rules, trials, fits])
+            launch(tell_running_kernel, 1, [fits])
+
+        if n:
+            loop_while(fits.running, turn)
+        names = ("shapes", "sums") if chosen is None else ("bests", "best_sums", "best_counts")
+        found = dict(zip(names, read_together([states.arrays[name] for name in names]), strict=True))  # sync
+        return {"kinds": np.asarray(kinds), **found}
+
+
+def _first_state(kinds: ArrayLike, shapes: Shapes, chosen: Selection | None) -> dict[str, tuple[ArrayLike, type]]:
+    """The numbers that fits begin with."""
+    of, given = np.asarray(kinds), np.asarray(shapes, np.float64).reshape(-1, NUMBERS)
+    k, width = len(of), len(fit_sums(0.0))
+    axes = [np.eye(3) if kind == SPHERE else frame_of(shape[3:6]) for kind, shape in zip(of, given, strict=True)]
+    frames = np.reshape(axes, (k, 3, 3))
+    rounds = 0 if chosen is None else chosen.most_rounds
+    return {
+        "shapes": (given, float64),
+        "offers": (given, float64),
+        "bests": (given, float64),
+        "frames": (frames, vec3d),
+        "sums": (np.zeros((k, width)), fit_sums),
+        "best_sums": (np.zeros((k, width)), fit_sums),
+        "dampings": (np.zeros(k), float64),
+        "longest": (np.zeros(k), float64),
+        "kinds": (of, int32),
+        "phases": (np.full(k, SELECT), int32),
+        "steps": (np.zeros(k), int32),
+        "rounds": (np.zeros(k), int32),
+        "most_rounds": (np.full(k, rounds), int32),
+        "best_counts": (np.full(k, -1), int32),
+        "live": (np.ones(k), int32),
+        "running": (np.ones(1), int32),
+    }

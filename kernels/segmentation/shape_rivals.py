@@ -2,27 +2,32 @@
 
 A shape that touches another surface along a strip has some of its points, and next to them those that part from it
 slowly: their distances grow with the square of the way from the strip, so that of what lies within three tolerances
-more than a third lies beyond one. On a true shape nearly nothing does. One thread a point, 20 B and some 60 operations;
-one wait. A rival of another kind is drawn among some of the shape's points and fitted to these in least squares.
+more than a third lies beyond one. On a true shape nearly nothing does. One thread a point, 20 B and some 60 operations.
+A rival of another kind is drawn among some of the shape's points and fitted to these in least squares.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..lang import array, atomic_add, cross, dot, float64, int32, kernel, launch, sqrt, tid, vec3, vec3d
-from ..memory import download, zeros
+from ..array_types import Array1, Integers
+from ..lang import array, atomic_add, cross, dot, float32, float64, int32, kernel, launch, sqrt, tid, vec3, vec3d
+from ..memory import zeros
 from .plane_samples import sampled_point
 from .shape_fit import FREE, ShapeFit, frame_of
-from .shape_models import CONE, CYLINDER, PLANE, SPHERE, TORUS, measure
+from .shape_models import measure
 from .shape_rows import every_of
-from .shape_search import Found, ShapeLimits, ShapeSearch
+from .shape_search import Found, ShapeLimits, ShapeSearch, drawn_of
 
 BAND = 3.0  # tolerances within which a point lies beside a surface
 COMPARED = 4096  # points of a shape that rivals are fitted to
 DRAWN = 256  # samples of a rival kind
 STARTS = 2  # of them that are fitted
+HOPELESS = 5.0  # times the found shape's deviation: a rival that is no nearer after some steps is none
+COMPARED_GAIN = 1.0e-5  # of squared distances: a step that gains less ends a fit, whose rms is told to 1 %
 FREE_SIZE = 20.0  # sizes of the cloud: rounder ones are flat
 
 
@@ -69,8 +74,7 @@ def count_band_kernel(
     u: vec3d,
     a: vec3d,
     sizes: vec3d,
-    low: vec3d,
-    high: vec3d,
+    box: array(dtype=float32),
     near: float64,
     cosine: float64,
     counts: array(dtype=int32),
@@ -83,11 +87,11 @@ def count_band_kernel(
     m = measure(kind, p, a, sizes[0], sizes[1], x)
     far = near * float64(BAND)
     inside = 1
-    if dot(y, u) < low[0] - far or dot(y, u) > high[0] + far:
+    if dot(y, u) < float64(box[0]) - far or dot(y, u) > float64(box[3]) + far:
         inside = 0
-    if dot(y, v) < low[1] - far or dot(y, v) > high[1] + far:
+    if dot(y, v) < float64(box[1]) - far or dot(y, v) > float64(box[4]) + far:
         inside = 0
-    if dot(y, a) < low[2] - far or dot(y, a) > high[2] + far:
+    if dot(y, a) < float64(box[2]) - far or dot(y, a) > float64(box[5]) + far:
         inside = 0
     if inside == 1 and abs(m[0]) < far:
         n = normals[rows[i]]
@@ -101,48 +105,54 @@ def count_band_kernel(
             atomic_add(counts, place + 2, 1)
 
 
-def count_band(search: ShapeSearch, found: Found, bounds: NDArray[np.float64], distance: float, cosine: float) -> Band:
-    """How many of the points searched lie on a shape and beside it, within its box (low, high); one sync."""
+def count_band(search: ShapeSearch, found: Found, box: Array1[float32], distance: float, cosine: float) -> Integers:
+    """How many of the points searched lie on a shape and beside it, within its box: a `Band`'s numbers; no sync."""
     counts, shape, frame = zeros(4, int32, search.device), found.fit.shape, frame_of(found.fit.shape[3:6])
     arguments = [search.points, search.normals, search.rows, vec3d(*search.center), found.kind, vec3d(*shape[:3])]
-    arguments += [vec3d(*frame[0]), vec3d(*frame[2]), vec3d(shape[6], shape[7], 0.0), vec3d(*bounds[0])]
-    launch(count_band_kernel, search.rows.size, [*arguments, vec3d(*bounds[1]), distance, cosine, counts])
-    return Band(*(int(count) for count in download(counts)))  # sync
+    arguments += [vec3d(*frame[0]), vec3d(*frame[2]), vec3d(shape[6], shape[7], 0.0), box]
+    launch(count_band_kernel, search.rows.size, [*arguments, distance, cosine, counts])
+    return counts
 
 
-def find_rivals(search: ShapeSearch, found: Found, limits: ShapeLimits, every: ShapeSearch) -> list[Rival]:
-    """The best shape of each other kind through the points of a found one, where there is one.
+class RivalStarts:
+    """Samples of each other kind among the points of a found shape."""
 
-    Args:
-        search: What the shape was found in.
-        found: The shape, with its rows.
-        limits: Of the search; rivals have any size.
-        every: All points, of which the support is counted.
-    """
-    rows = found.rows
-    if rows.size // COMPARED >= 2:
-        rows = every_of(rows, rows.size // COMPARED)
-    part = ShapeSearch(search.points, search.normals, rows, search.center)
-    wide = replace(limits, smallest=0.0, largest=FREE_SIZE * max(search.size, 1e-30))
-    own = search.fitter.fit(found.kind, found.fit.shape, rows)
-    fits: list[tuple[int, ShapeFit]] = []
-    for kind in (PLANE, SPHERE, CYLINDER, CONE, TORUS):
-        if kind == found.kind or rows.size <= len(FREE[kind]) + 1:
-            continue
-        starts = part.draw(kind, DRAWN, 0, 0, wide)[0][:STARTS]
-        offers = [search.fitter.fit(kind, part.centred(kind, start, rows), rows) for start in starts]
-        offers = [fit for fit in offers if not fit.reason]
-        if offers:
-            fits.append((kind, min(offers, key=lambda fit: fit.rms)))
-    if not fits:
-        return []
-    counts = every.score(np.stack([fit.shape for _, fit in fits]), np.array([kind for kind, _ in fits]), limits)
-    rounding = float(np.finfo(np.float32).eps) * search.size
-    spread = _spread(own, found.kind) + rounding
-    return [
-        Rival(kind, fit, (_spread(fit, kind) + rounding) / spread, int(count))
-        for (kind, fit), count in zip(fits, counts, strict=True)
-    ]
+    def __init__(self, search: ShapeSearch, found: Found, limits: ShapeLimits) -> None:
+        """Draw among some of the points; rivals have any size."""
+        self.search, self.found, self.limits, self.rows = search, found, limits, found.rows
+        if found.rows.size > COMPARED:
+            self.rows = every_of(found.rows, -(-found.rows.size // COMPARED))
+        part = ShapeSearch(search.points, search.normals, self.rows, search)
+        wide = replace(limits, smallest=0.0, largest=FREE_SIZE * max(search.size, 1e-30))
+        self.kinds = [kind for kind in FREE if kind != found.kind and self.rows.size > len(FREE[kind]) + 1]
+        self.unread = [values for kind in self.kinds for values in part.draw_unread(kind, DRAWN, 0, 0, wide)]
+
+    def find(self, drawn: Sequence[NDArray[Any]], every: ShapeSearch) -> list[Rival]:
+        """The best shape of each other kind, where there is one; two syncs.
+
+        Args:
+            drawn: The arrays of `unread`.
+            every: All points, of which the support is counted.
+        """
+        kinds, starts = [self.found.kind], [self.found.fit.shape]
+        for kind, (shapes, _) in zip(self.kinds, drawn_of(drawn), strict=True):
+            kinds += [kind] * len(shapes[:STARTS])
+            starts += list(shapes[:STARTS])
+        rounding = float(np.finfo(np.float32).eps) * self.search.size
+        hopeless = HOPELESS * (self.found.fit.rms + rounding)
+        own, *offers = self.search.fitter.fit_all(kinds, starts, self.rows, COMPARED_GAIN, hopeless)
+        best: dict[int, ShapeFit] = {}
+        for kind, fit in zip(kinds[1:], offers, strict=True):
+            if not fit.reason and (kind not in best or fit.rms < best[kind].rms):
+                best[kind] = fit
+        if not best:
+            return []
+        counts = every.score(np.stack([fit.shape for fit in best.values()]), np.array(list(best)), self.limits)
+        spread = _spread(own, self.found.kind) + rounding
+        return [
+            Rival(kind, fit, (_spread(fit, kind) + rounding) / spread, int(count))
+            for (kind, fit), count in zip(best.items(), counts, strict=True)
+        ]
 
 
 def _spread(fit: ShapeFit, kind: int) -> float:

@@ -41,9 +41,7 @@ class Reference:
         lens: fx, fy, cx, cy [px].
         limits: The least and the greatest inverse depth looked for.
         pixels_per: How far the sources' pixels move for an inverse depth of one [px].
-        pattern: Where the samples of a patch are from its middle [px], [samples, 2]: whole numbers,
-            LANES * MOST_BLOCKS of them at most.
-        device: Where.
+        patch: Of `patch_on`.
     """
 
     width: int
@@ -54,9 +52,7 @@ class Reference:
     nearest: float
     pixels_per: float
     blocks: int
-    across: array(dtype=float32)
-    down: array(dtype=float32)
-    near: array(dtype=float32)
+    patch: array(dtype=float32)
 
     def __init__(
         self,
@@ -66,17 +62,28 @@ class Reference:
         lens: tuple[float, float, float, float],
         limits: tuple[float, float],
         pixels_per: float,
-        pattern: np.ndarray,
-        device: Device,
+        patch: Scalars,
     ) -> None:
         self.width, self.height, self.first, self.lens = width, height, first, vec4(*lens)
         self.farthest, self.nearest = limits
-        self.pixels_per, self.blocks = pixels_per, -(-len(pattern) // LANES)
-        missing = LANES * self.blocks - len(pattern)  # lanes of the last block, which look at the middle and weigh 0
-        near = 1 / (1 + (pattern**2).sum(1) / SPACE_SCALE)
-        self.across, self.down, self.near = (
-            upload(np.append(column, np.zeros(missing)), float32, device) for column in (*pattern.T, near)
-        )
+        self.pixels_per, self.patch, self.blocks = pixels_per, patch, patch.size // (3 * LANES)
+
+
+def patch_on(pattern: np.ndarray, device: Device) -> Scalars:
+    """A patch as kernels take it.
+
+    Args:
+        pattern: Where its samples are from its middle, across and down [px]: whole numbers [n, 2], n up to LANES *
+            MOST_BLOCKS.
+        device: Where.
+
+    Returns:
+        All places across, then all down, then what each weighs by its distance. The last block of eight is filled with
+        samples in the middle that weigh nothing.
+    """
+    near = 1 / (1 + (pattern**2).sum(1) / SPACE_SCALE)
+    columns = np.column_stack([pattern, near])
+    return upload(np.pad(columns, ((0, -len(pattern) % LANES), (0, 0))).T.ravel(), float32, device)
 
 
 @struct
@@ -132,21 +139,22 @@ def window_of(x: int, y: int, reference: Reference, sources: Sources) -> tuple[s
 
     Samples outside the picture weigh nothing. The second is the weight times what brightness is above its mean.
     """
+    count = LANES * reference.blocks
     weights = samples(0.0)
     rises = samples(0.0)
     center = sources.pictures[reference.first + y * reference.width + x]
     total = 0.0
     sum_r = 0.0
     sum_rr = 0.0
-    for k in range(LANES * reference.blocks):
-        dx = int(reference.across[k])
-        dy = int(reference.down[k])
+    for k in range(count):
+        dx = int(reference.patch[k])
+        dy = int(reference.patch[count + k])
         row = y + dy
         column = x + dx
         if row >= 0 and row < reference.height and column >= 0 and column < reference.width:
             r = sources.pictures[reference.first + row * reference.width + column] - center
             d = r * (1.0 / COLOR_SCALE)
-            w = reference.near[k] / (1.0 + d * d)
+            w = reference.patch[2 * count + k] / (1.0 + d * d)
             weights[k] = w
             rises[k] = r
             total += w
@@ -154,7 +162,7 @@ def window_of(x: int, y: int, reference: Reference, sources: Sources) -> tuple[s
             sum_rr += w * r * r
     share = 1.0 / total
     mean = sum_r * share
-    for k in range(LANES * reference.blocks):
+    for k in range(count):
         weights[k] = weights[k] * share
         rises[k] = weights[k] * (rises[k] - mean)
     return weights, rises, sum_rr * share - mean * mean
@@ -183,6 +191,7 @@ def correlation_cost(
 
     Loops over lanes are LLVM's, which makes vectors of them.
     """
+    count = LANES * reference.blocks
     means = eight(0.0)
     squares = eight(0.0)
     products = eight(0.0)
@@ -195,8 +204,8 @@ def correlation_cost(
         below = eight(0.0)
         shown = eight(0.0)
         for k in range(LANES):
-            dx = reference.across[first + k]
-            dy = reference.down[first + k]
+            dx = reference.patch[first + k]
+            dy = reference.patch[count + first + k]
             inverse = 1.0 / max(middle[2] + across[2] * dx + down[2] * dy, NEAR)
             u = min(max((middle[0] + across[0] * dx + down[0] * dy) * inverse, 0.0), right)
             v = min(max((middle[1] + across[1] * dx + down[1] * dy) * inverse, 0.0), bottom)

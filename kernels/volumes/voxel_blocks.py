@@ -166,6 +166,13 @@ class VoxelBlocks:
         other.record = FrameRecord(self.device, count)
         return other
 
+    def without_voxels(self, keys: Keys) -> "VoxelBlocks":
+        """Blocks with these keys alone, of the same sizes: what rays pass is looked up in them."""
+        other = VoxelBlocks(self.voxel_size, self.truncation, False, self.device)
+        other.keys, other.table = keys, list_keys(keys, keys.size)
+        other.changes = Changes(keys.size, self.device)
+        return other
+
     def fill(self, arrays: dict[str, np.ndarray]) -> None:
         """Take blocks over from NumPy arrays "keys", "distances", "weights" and, where there are any, "colors", into a
         volume that has none."""

@@ -13,8 +13,10 @@ from numpy.typing import NDArray
 from ...core.checks import check_count, check_list, check_numeric, check_progress, check_seed
 from ...core.devices import resolve_device
 from ...core.errors import FileError, FilePath
+from ...core.paths import path_of
 from ...core.progress import ReportProgress
 from .depth_maps import DepthMaps, made_folder
+from .picture_masks import Mask, check_picture_masks, emptied
 from .picture_slots import Picture, other_size
 from .plane_search import Setting, find_depth, motion_of
 from .posed_pictures import PosedCamera, SparsePoints, check_cameras, check_sources, check_sparse
@@ -37,9 +39,11 @@ def estimate_depth_maps(
     sparse: Any = None,
     *,
     sources: Iterable[Iterable[int]] | None = None,
+    masks: Iterable[Mask] | None = None,
     seed: int = 0,
     device: Any = None,
     folder: FilePath | None = None,
+    going: FilePath | None = None,
     device_bytes: int = DEVICE_BYTES,
     progress: ReportProgress | None = None,
 ) -> DepthMaps:
@@ -60,9 +64,15 @@ def estimate_depth_maps(
             finds a little less; `sfm.triangulate` finds points.
         sources: For each picture the numbers of those that it is compared with, up to 8; None lets `choose_sources`
             choose.
+        masks: For each picture what of it counts: the path of a grey PNG of its size, black where it is left out, or an
+            array [h, w], bool or uint8, or None for all of it. What is left out has no depth, and its sources take no
+            depth from it either once `filter_depth_maps` asks them.
         seed: Chooses the planes that are tried.
         device: "cpu", "cuda:0", "auto"; None for the CPU.
         folder: Where to keep the maps, one file a picture; None keeps them in memory.
+        going: A folder for what is found of each picture, made where it is not there: a call with the same arguments
+            goes on from what one that was interrupted left in it, to the same bits. Remove it in the end; it must not
+            be used with other arguments.
         device_bytes: What pictures and maps may hold on the device; a picture with its sources is always there.
         progress: Called with ("depth", steps done, steps in all).
 
@@ -118,9 +128,20 @@ def estimate_depth_maps(
         raise ValueError(f"cameras: no picture has a source that was taken from elsewhere; {REMEDY}")
     place = None if folder is None else made_folder(folder)
     known = [each or (1.0, 2.0) for each in ranges]
+    hidden = [None] * len(posed) if masks is None else check_picture_masks(masks, posed)
     setting = Setting(given, posed, kept, known, seed, target, device_bytes)
-    maps = find_depth(setting, place, say)
+    so_far = None if going is None else _folder_for(going)
+    maps = emptied(find_depth(setting, place, say, so_far), hidden, posed)
     return DepthMaps(posed, kept, maps, folder=place)
+
+
+def _folder_for(going: Any) -> Path:
+    folder = path_of(going)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise FileError(folder, f"no folder can be made here: {error.strerror or error}") from error
+    return folder
 
 
 def _checked_pictures(pictures: Any, cameras: Sequence[PosedCamera]) -> list[Picture]:

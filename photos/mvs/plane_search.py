@@ -13,11 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
-from ...kernels.array_types import Array1
 from ...kernels.lang import launch, vec4
-from ...kernels.memory import clone, download, empty, upload
+from ...kernels.memory import download, empty
 from ...kernels.stereo.inverse_planes import refine_planes_kernel
-from ...kernels.stereo.patch_costs import Reference, Sources
+from ...kernels.stereo.patch_costs import Reference, Sources, patch_on
 from ...kernels.stereo.patch_match import Turn, spread_planes, start_planes
 from ...kernels.stereo.place_planes import TOLERANCE, plane_priors
 from ...kernels.stereo.plain_places import find_places
@@ -26,6 +25,7 @@ from ...kernels.stereo.plane_results import finish_planes
 from ...registration.rigid import invert_pose
 from .depth_maps import DepthMap
 from .picture_slots import Picture, Slots, picture_slots, plane_slots, put_brightness, put_planes, read_picture
+from .plane_files import Found, PlaneFiles
 from .posed_pictures import PosedCamera
 
 Matrix = NDArray[np.float64]
@@ -43,7 +43,7 @@ def grid(first: int, step: int, is_taken: Callable[[int], bool]) -> NDArray[np.i
 
 
 # The largest patch goes without its corners, which weigh least. The densest, without the middle that costs are relative
-# to and the places of a knight's move, follows texture closer, but fits the noise of plain walls alike: for the end alone.
+# to and the places of a knight's move, follows texture closer, but fits noise of plain walls too: for the end alone.
 LARGE = grid(-5, 2, lambda sqdist: sqdist < 50)
 MIDDLE = grid(-3, 2, lambda sqdist: True)
 SMALL = grid(-2, 2, lambda sqdist: True)
@@ -105,47 +105,38 @@ class Setting:
     device_bytes: int
 
 
-@dataclasses.dataclass(frozen=True)
-class Found:
-    """The planes of a picture so far: vec4 [pixels] on the device, or float32 [pixels, 4] in memory or in a file."""
-
-    planes: Array1[vec4] | NDArray[np.float32] | Path
-    camera: PinholeCameraIntrinsic
-
-    def read(self) -> Any:
-        """The planes."""
-        return np.load(self.planes) if isinstance(self.planes, Path) else self.planes
-
-    def on(self, device: Any) -> Array1[vec4]:
-        """The planes on the device, to be changed."""
-        planes = self.read()
-        return upload(planes, vec4, device) if isinstance(planes, np.ndarray) else clone(planes)
-
-
 def plan_for(cameras: Sequence[PosedCamera]) -> tuple[Phase, ...]:
     """The phases for pictures of this size: none at a scale that leaves nothing to compare."""
     least = min(min(each.intrinsic.width, each.intrinsic.height) for each in cameras)
     return tuple(phase for phase in PLAN if phase.scale == 1.0 or round(least * phase.scale) >= LEAST_SIDE)
 
 
-def find_depth(setting: Setting, folder: Path | None, say: Any) -> Iterator[DepthMap]:
+def find_depth(setting: Setting, folder: Path | None, say: Any, going: Path | None = None) -> Iterator[DepthMap]:
     """The depth maps of all pictures in order; planes that have no room on the device are kept in
-    `folder` meanwhile, in memory where it is None."""
-    plan, stay = plan_for(setting.cameras), _stay_on_device(setting)
-    count, found = len(setting.cameras), [None] * len(setting.cameras)
-    folder = None if stay else folder
+    `folder` meanwhile, in memory where it is None; in `going`, where they stay if this is interrupted."""
+    plan, stay = plan_for(setting.cameras), going is None and _stay_on_device(setting)
+    count, kept = len(setting.cameras), PlaneFiles(going)
+    first, found = kept.last_whole([phase.scale for phase in plan], setting.cameras, setting.sources)
+    folder = None if stay or going else folder
     with tempfile.TemporaryDirectory(prefix=".planes-", dir=folder) if folder else contextlib.nullcontext() as place:
-        for number, phase in enumerate(plan):
+        for number, phase in enumerate(plan[first:], first):
             walk = _Walk(setting, number, phase, found)
             fresh: list[Found | None] = [None] * count
             for i in range(count):
-                planes = walk.match(i) if setting.sources[i] else None
+                camera = walk.cameras[i]
+                planes = None
+                if setting.sources[i]:
+                    before = kept.read(number, i, camera)
+                    planes = walk.match(i) if before is None else before.on(setting.device)
+                    if before is None:
+                        kept.write(number, i, planes)
                 say("depth", number * count + i + 1, len(plan) * count)
                 if number == len(plan) - 1:
                     yield _no_depth(setting.cameras[i]) if planes is None else walk.result(i, planes)
                 elif planes is not None:
-                    camera = walk.cameras[i]
-                    fresh[i] = Found(planes, camera) if stay else _kept(planes, camera, place, number, i)
+                    fresh[i] = kept.read(number, i, camera)
+                    if fresh[i] is None:
+                        fresh[i] = Found(planes, camera) if stay else _kept(planes, camera, place, number, i)
             _drop(found)
             found = fresh
 
@@ -188,6 +179,7 @@ class _Walk:
 
     def __init__(self, setting: Setting, number: int, phase: Phase, found: Sequence[Found | None]):
         self.setting, self.number, self.phase, self.found = setting, number, phase, found
+        self.patch = patch_on(phase.patch, setting.device)
         self.cameras = [camera.intrinsic.scaled(phase.scale) for camera in setting.cameras]
         largest = max(each.width * each.height for each in self.cameras)
         least = 1 + max(len(each) for each in setting.sources)
@@ -253,7 +245,7 @@ class _Walk:
         moved = [motion_of(setting.cameras[index], setting.cameras[j]) for j in setting.sources[index]]
         reference = Reference(
             mine.width, mine.height, first, (mine.fx, mine.fy, mine.cx, mine.cy), (1 / far, 1 / near),
-            float(np.median(moved)) * self.phase.scale, self.phase.patch, setting.device,
+            float(np.median(moved)) * self.phase.scale, self.patch,
         )  # fmt: skip
         self._views = (index, reference, sources)
         return reference, sources

@@ -4,10 +4,16 @@ from .features import FeatureReport as FeatureReport
 from .features import find_features as find_features
 from .frame_choice import FrameChoice as FrameChoice
 from .frames import choose_frames as choose_frames
+from .keypoints import Keypoints as Keypoints
+from .keypoints import detect_keypoints as detect_keypoints
+from .keypoints import match_keypoints as match_keypoints
 from .mapping import SfmResult as SfmResult
 from .mapping import map_pictures as map_pictures
 from .matches import MatchReport as MatchReport
 from .matches import match as match
+from .picture_places import PicturePlace as PicturePlace
+from .picture_places import PicturePlaces as PicturePlaces
+from .picture_places import read_picture_places as read_picture_places
 from .reconstruction import reconstruct as reconstruct
 from .triangulation import TriangulationResult as TriangulationResult
 from .triangulation import triangulate as triangulate

@@ -1,8 +1,8 @@
 """The process in which COLMAP works: one job in, lines of JSON out.
 
 `pycolmap` and other packages bring their own copies of the same libraries, and a process with several of them may hang
-or abort. So this program imports pycolmap first and nothing of ours but colmap_cameras.py, which is as bare; it is run,
-never imported:
+or abort. So this program imports pycolmap first and nothing of ours but colmap_cameras.py and
+colmap_writing.py, which are as bare; it is run, never imported:
 
     python colmap_worker.py < job.json
 
@@ -27,6 +27,12 @@ from typing import IO, Any
 # have 0.7 to 0.9 in videos. With COLMAP's own 1.2 it placed 47 of 99 frames of a room, with a focal length a
 # third too large; with this all of them.
 FOCAL_FACTOR = 0.85
+
+NO_CUDA = "this pycolmap was built without CUDA; pip uninstall pycolmap, then pip install pycolmap-cuda12"
+NO_NETWORKS = (
+    "ALIKED and LightGlue want a pycolmap built with ONNX, and their weights; that of PyPI has neither. "
+    'Build COLMAP with ONNX_ENABLED, or take kind="sift"'
+)
 
 _PR_SET_PDEATHSIG = 1  # of Linux' <sys/prctl.h>
 
@@ -62,7 +68,8 @@ def find_features(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[
     """
     extraction = pycolmap.FeatureExtractionOptions()
     extraction.max_image_size, extraction.num_threads = job["max_size"], job["threads"]
-    extraction.use_gpu = False
+    extraction.use_gpu = on_gpu(pycolmap, job)
+    _choose_kind(pycolmap, extraction, job["kind"])
     extraction.sift.max_num_features = job["max_features"]
     with pycolmap.Database.open(job["database"]):
         pass  # made where there is none
@@ -72,32 +79,100 @@ def find_features(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[
         reader.default_focal_length_factor = FOCAL_FACTOR
         options = {"camera_mode": pycolmap.CameraMode.SINGLE, "image_names": group["names"]}
         pycolmap.import_images(job["database"], job["pictures"], options=reader, **options)
+    if "found" in job:
+        _writer()["write_features"](pycolmap, job)
+        return {}
     names = [name for group in job["groups"] for name in group["names"]]
-    pycolmap.extract_features(
-        job["database"], job["pictures"], image_names=names, extraction_options=extraction, device=pycolmap.Device.cpu
-    )
-    return {}
+    reading = pycolmap.ImageReaderOptions()
+    if job["masks"]:
+        reading.mask_path = job["masks"]
+    options = {"reader_options": reading, "extraction_options": extraction}
+    options["device"] = pycolmap.Device.cuda if extraction.use_gpu else pycolmap.Device.cpu
+    pycolmap.extract_features(job["database"], job["pictures"], image_names=names, **options)
+    return {"gpu": extraction.use_gpu}
+
+
+def on_gpu(pycolmap: Any, job: dict[str, Any]) -> bool:
+    """Whether features are found and matched on a GPU: this pycolmap can (pycolmap-cuda12), and there is one.
+
+    Raises:
+        RuntimeError: It was asked for, and is not to be had.
+    """
+    wanted = job["gpu"]
+    if wanted is False:
+        return False
+    why = "" if pycolmap.has_cuda else NO_CUDA
+    if not why and not _cuda_devices():
+        why = "there is no CUDA device, or no driver"
+    if why and wanted:
+        raise RuntimeError(f"use_gpu: {why}")
+    return not why
+
+
+def _cuda_devices() -> int:
+    """How many the driver shows."""
+    try:
+        driver = ctypes.CDLL("libcuda.so.1")
+    except OSError:
+        return 0
+    count = ctypes.c_int(0)
+    return count.value if driver.cuInit(0) == 0 and driver.cuDeviceGetCount(ctypes.byref(count)) == 0 else 0
+
+
+def _choose_kind(pycolmap: Any, options: Any, kind: str) -> None:
+    """SIFT, or a network's features and matches, which COLMAP has where it was built with ONNX.
+
+    Raises:
+        RuntimeError: It was not: without this it would end the process.
+    """
+    if kind == "sift":
+        return
+    if not hasattr(options, "aliked"):
+        raise RuntimeError(f"kind: {NO_NETWORKS}")
+    is_matching = isinstance(options, pycolmap.FeatureMatchingOptions)
+    matcher, extractor = pycolmap.FeatureMatcherType, pycolmap.FeatureExtractorType
+    options.type = matcher.ALIKED_LIGHTGLUE if is_matching else extractor.ALIKED_N16ROT
 
 
 def match(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[str, Any]:
     """Match pairs of pictures, and keep those that one motion of the camera explains."""
     matching = pycolmap.FeatureMatchingOptions()
-    matching.num_threads, matching.use_gpu = job["threads"], False
+    matching.num_threads, matching.use_gpu = job["threads"], on_gpu(pycolmap, job)
+    _choose_kind(pycolmap, matching, job["kind"])
     # The index for the approximate search is drawn by chance.
     matching.sift.cpu_brute_force_matcher = False
     verification = pycolmap.TwoViewGeometryOptions()
     verification.compute_relative_pose = True
     verification.ransac.random_seed = job["seed"]
-    common = {"matching_options": matching, "verification_options": verification, "device": pycolmap.Device.cpu}
+    common = {"matching_options": matching, "verification_options": verification}
+    common["device"] = pycolmap.Device.cuda if matching.use_gpu else pycolmap.Device.cpu
+    if "found" in job:
+        _writer()["write_matches"](pycolmap, job)
+        verifier = pycolmap.GeometricVerifierOptions()
+        verifier.num_threads = job["threads"]
+        pycolmap.geometric_verification(
+            job["database"], verifier_options=verifier, two_view_geometry_options=verification
+        )
+        return {"gpu": False}
     if job["pairs"] == "exhaustive":
         pycolmap.match_exhaustive(job["database"], **common)
-        return {}
+        return {"gpu": matching.use_gpu}
+    if "list" in job:
+        listed = pycolmap.ImportedPairingOptions()
+        listed.match_list_path = job["list"]
+        pycolmap.match_image_pairs(job["database"], pairing_options=listed, **common)
+        return {"gpu": matching.use_gpu}
     pairing = pycolmap.SequentialPairingOptions()
     pairing.overlap, pairing.quadratic_overlap = job["overlap"], True  # 1, 2, 4, 8, ... apart, and none between
     pairing.loop_detection = False  # it fetches its vocabulary from the network, and aborts where there is none
     pairing.num_threads = job["threads"]
     pycolmap.match_sequential(job["database"], pairing_options=pairing, **common)
-    return {}
+    return {"gpu": matching.use_gpu}
+
+
+def _writer() -> dict[str, Any]:
+    """What writes features and matches that were not found by COLMAP."""
+    return runpy.run_path(os.fspath(Path(__file__).with_name("colmap_writing.py")))
 
 
 def map_pictures(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[str, Any]:
@@ -118,6 +193,25 @@ def map_pictures(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[s
 
 def _mapped(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> list[Any]:
     """The models that COLMAP makes of a database, the one with the most pictures first."""
+    found = (_map_globally if job["mapper"] == "global" else _map_incrementally)(pycolmap, job, answers)
+    # The number of a model settles which of two of one size it is.
+    return [model for _, model in sorted(found.items(), key=lambda item: (-item[1].num_reg_images(), item[0]))]
+
+
+def _map_globally(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[int, Any]:
+    """All pictures at once: rotations, then positions (GLOMAP, Pan et al. 2024)."""
+    options = pycolmap.GlobalPipelineOptions()
+    options.num_threads = options.mapper.num_threads = job["threads"]
+    options.random_seed = options.mapper.random_seed = job["seed"]
+    if job["fixed_camera"]:
+        adjustment = options.mapper.bundle_adjustment
+        adjustment.refine_focal_length = adjustment.refine_extra_params = False
+    scratch = tempfile.mkdtemp(dir=job["scratch"])
+    return pycolmap.global_mapping(job["database"], job["pictures"], scratch, options=options)
+
+
+def _map_incrementally(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[int, Any]:
+    """One picture after the other (Schoenberger and Frahm 2016)."""
     options = pycolmap.IncrementalPipelineOptions()
     options.num_threads = options.mapper.num_threads = job["threads"]
     options.random_seed = options.mapper.random_seed = options.triangulation.random_seed = job["seed"]
@@ -136,7 +230,7 @@ def _mapped(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> list[Any]:
         registered += 1
         _say(answers, {"registered": registered})
 
-    found = pycolmap.incremental_mapping(
+    return pycolmap.incremental_mapping(
         job["database"],
         job["pictures"],
         scratch,
@@ -144,8 +238,6 @@ def _mapped(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> list[Any]:
         initial_image_pair_callback=begin,
         next_image_callback=proceed,
     )
-    # The number of a model settles which of two of one size it is.
-    return [model for _, model in sorted(found.items(), key=lambda item: (-item[1].num_reg_images(), item[0]))]
 
 
 def triangulate(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[str, Any]:

@@ -51,8 +51,8 @@ def read_feature_rays(database: Path, names: Sequence[str], cameras: Sequence[Ca
         for name in names:
             if name not in numbers:
                 raise FileError(database, f"has no picture {name}", remedy="sfm.find_features makes one")
-            pixels.append(_table(connection, "keypoints", numbers[name], np.float32, database)[:, :2])
-            descriptors.append(_table(connection, "descriptors", numbers[name], np.uint8, database))
+            pixels.append(table_of(connection, "keypoints", numbers[name], np.float32, database)[:, :2])
+            descriptors.append(table_of(connection, "descriptors", numbers[name], np.uint8, database))
     for places, kinds in zip(pixels, descriptors, strict=True):
         if len(places) != len(kinds) or (len(kinds) and kinds.shape[1] != DESCRIPTOR):
             raise FileError(database, "holds features that are not SIFT's", remedy="sfm.find_features makes one")
@@ -66,7 +66,7 @@ def read_feature_rays(database: Path, names: Sequence[str], cameras: Sequence[Ca
     return FeatureRays(firsts, np.concatenate(at), joined, np.concatenate(kinds))
 
 
-def _table(connection, name: str, number: int, kind: type, database: Path) -> NDArray:
+def table_of(connection, name: str, number: int, kind: type, database: Path) -> NDArray:
     """The rows of a picture in a table of numbers."""
     row = connection.execute(f"SELECT rows, cols, data FROM {name} WHERE image_id = ?", (number,)).fetchone()
     rows, columns, data = row if row is not None else (0, 2, b"")

@@ -12,12 +12,16 @@ from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.camera_models import CameraModel
 from ...core.atomic import check_writable
 from ...core.checks import check_count, check_name, check_progress, check_seed, shown
+from ...core.devices import resolve_device
 from ...core.errors import DatasetError, FileError, FilePath
 from ...core.progress import ReportProgress
 from ...core.timing import Clock
 from ...files.pictures.image_files import read_picture_header
 from .colmap_jobs import MAX_SECONDS, count_rows, database_in_the_making, open_database, run_job
+from .frames import check_option
 from .limited_process import check_limits, free_memory
+from .masks import check_mask_files, complete_masks
+from .own_features import FINDERS, find_own
 from .picture_folder import UPRIGHT, check_place, is_grey_16, list_pictures, read_lens, read_orientation, scaled_size
 
 # Those of COLMAP's whose numbers can be found from pictures alone.
@@ -25,6 +29,7 @@ CAMERA_MODELS = (
     *("SIMPLE_PINHOLE", "PINHOLE", "SIMPLE_RADIAL", "RADIAL", "OPENCV", "OPENCV_FISHEYE", "FULL_OPENCV", "FOV"),
     *("SIMPLE_RADIAL_FISHEYE", "RADIAL_FISHEYE", "THIN_PRISM_FISHEYE"),
 )
+FEATURE_KINDS = ("sift", "aliked")
 MAX_SIZE = 1600
 MAX_FEATURES = 4096
 
@@ -46,6 +51,7 @@ class FeatureReport:
         seconds: Time it took [s].
         peak_bytes: The most memory that COLMAP was seen to hold [B].
         camera_count: Cameras that the pictures are taken for: one for each size and lens that EXIF tells.
+        on_gpu: Whether COLMAP found them on a GPU.
     """
 
     database: str
@@ -55,6 +61,7 @@ class FeatureReport:
     seconds: float
     peak_bytes: int
     camera_count: int = 1
+    on_gpu: bool = False
 
     @property
     def poor_names(self) -> tuple[str, ...]:
@@ -66,7 +73,7 @@ class FeatureReport:
         sizes = [{"width": w, "height": h, "count": count} for (w, h), count in self.sizes.items()]
         lists = {"names": list(self.names), "counts": list(self.counts), "poor_names": list(self.poor_names)}
         fields = {"database": self.database, "seconds": self.seconds, "peak_bytes": self.peak_bytes}
-        return fields | lists | {"sizes": sizes, "camera_count": self.camera_count}
+        return fields | lists | {"sizes": sizes, "camera_count": self.camera_count, "on_gpu": self.on_gpu}
 
 
 def find_features(
@@ -77,6 +84,11 @@ def find_features(
     intrinsic: PinholeCameraIntrinsic | CameraModel | None = None,
     max_size: int = MAX_SIZE,
     max_features: int = MAX_FEATURES,
+    masks: FilePath | None = None,
+    kind: str = "sift",
+    use_gpu: bool | None = None,
+    finder: str = "colmap",
+    device: Any = None,
     seed: int = 0,
     max_seconds: float | None = MAX_SECONDS,
     max_memory: int | None = None,
@@ -93,6 +105,14 @@ def find_features(
             of another size, of the same shape, is scaled. Give `fix_intrinsic=True` to `map_pictures` to keep it.
         max_size: The longer side is scaled down to this to find features [px].
         max_features: Of a picture.
+        masks: A folder of masks, as `choose_frames` writes them: IMG_1.jpg.png of IMG_1.jpg, without features where it
+            is black. A picture without a mask is taken whole.
+        kind: "sift", or "aliked" (Zhao et al. 2023) where pycolmap was built with ONNX and finds its weights; that
+            of PyPI was not.
+        use_gpu: Whether COLMAP works on a GPU: that wants the package pycolmap-cuda12 in place of pycolmap. None takes
+            one where that is there. Its features are not those of the CPU.
+        finder: Who finds them: "colmap", or "pointloom", our own kernels, which take a fraction of the time.
+        device: Where our own kernels compute; None for the CPU.
         seed: Of random numbers.
         max_seconds: It is given up after this time [s]; None for no limit.
         max_memory: Of COLMAP's process [B]; None for nine tenths of what is free.
@@ -102,9 +122,11 @@ def find_features(
         How many features each picture has.
 
     Raises:
-        FileError: Fewer than two pictures, one that is damaged, lies on its side or has 16 bits; pycolmap is missing
-            (`pip install "pointloom[sfm]"`); COLMAP failed or passed a limit; a full disk.
+        FileError: Fewer than two pictures, one that is damaged, lies on its side or has 16 bits; a mask of
+            another size, one that hides all, no mask at all; pycolmap is missing (`pip install "pointloom[sfm]"`);
+            COLMAP failed or passed a limit; a full disk.
         TypeError, ValueError: An argument out of range, a camera of pictures of another shape.
+        DeviceError: No such device.
 
     Notes:
         The same features from run to run, with any number of cores. All are used, as far as the memory goes: 360 B
@@ -118,11 +140,15 @@ def find_features(
         pointloom.core.errors.DatasetError: no such folder: does not exist. Give a folder of pictures
     """
     clock, say = Clock(), check_progress(progress)
-    if check_name("camera_model", camera_model) not in CAMERA_MODELS:
-        raise ValueError(f"camera_model: expected one of {', '.join(CAMERA_MODELS)}, got {shown(camera_model)}")
+    check_camera_model(camera_model)
     check_count("max_size", max_size, minimum=64, maximum=_LONGEST_SIDE, because="no camera has more pixels")
-    check_count("max_features", max_features, minimum=64, maximum=_MOST_FEATURES, because="matching takes its square")
+    check_max_features(max_features)
+    check_option("kind", kind, FEATURE_KINDS)
+    check_use_gpu(use_gpu)
     check_seed(seed)
+    target_device = resolve_device(device) if check_option("finder", finder, FINDERS) == "pointloom" else None
+    if target_device is not None and kind != "sift":
+        raise ValueError(f"finder: pointloom finds SIFT features, not {kind}")
     _check_intrinsic(intrinsic)
     limits = check_limits(max_seconds, max_memory)
     folder, target = check_place("pictures", pictures), check_writable(check_place("database", database))
@@ -130,19 +156,71 @@ def find_features(
     job: dict[str, Any] = {"stage": "features", "pictures": os.fspath(folder.resolve()), "seed": int(seed)}
     job |= {"groups": [_group(size, names, camera_model, intrinsic) for (size, _), names in groups.items()]}
     threads = threads_for([size for size, _ in groups], max_size, limits["max_memory"] or free_memory())
+    job |= {"kind": kind, "gpu": use_gpu if target_device is None else False}
     job |= {"max_size": int(max_size), "max_features": int(max_features), "threads": threads}
+    found = None if masks is None else _checked_masks(masks, folder)
     count = sum(len(names) for names in groups.values())
     with database_in_the_making(target) as part:
         say("features", 0, count)
+        if target_device is not None:
+            job["found"] = os.fspath(part.parent / "found")
+            todo = [(size, names) for (size, _), names in groups.items()]
+            common = {"masks": found or {}, "limits": limits, "device": target_device, "progress": say}
+            find_own(folder, todo, Path(job["found"]), max_size=max_size, max_features=max_features, **common)
         poll = lambda: say("features", min(count_rows(part, "keypoints"), count), count)  # noqa: E731
-        _, peak = run_job(job | {"database": os.fspath(part)}, folder, poll=poll, **limits)
+        if found is not None:
+            complete_masks(list_pictures(folder), found, part.with_name("masks"))
+        job |= {"masks": None if found is None else os.fspath(part.with_name("masks"))}
+        done, peak = run_job(job | {"database": os.fspath(part)}, folder, poll=poll, **limits)
         names, counts = _features_of(part)
+        on_gpu = bool(done.get("gpu", False))
     say("features", count, count)
+    sizes = _counted_sizes(groups)
+    clock.stop("features")
+    return FeatureReport(os.fspath(target), names, counts, sizes, clock.seconds["features"], peak, len(groups), on_gpu)
+
+
+def _counted_sizes(groups: dict[Group, list[str]]) -> dict[tuple[int, int], int]:
     sizes = Counter({size: 0 for size, _ in groups})
     for (size, _), group in groups.items():
         sizes[size] += len(group)
-    clock.stop("features")
-    return FeatureReport(os.fspath(target), names, counts, dict(sizes), clock.seconds["features"], peak, len(groups))
+    return dict(sizes)
+
+
+def check_camera_model(camera_model: Any) -> None:
+    """One of COLMAP's lenses.
+
+    Raises:
+        TypeError, ValueError: None of them.
+    """
+    if check_name("camera_model", camera_model) not in CAMERA_MODELS:
+        raise ValueError(f"camera_model: expected one of {', '.join(CAMERA_MODELS)}, got {shown(camera_model)}")
+
+
+def check_use_gpu(use_gpu: Any) -> None:
+    """Whether COLMAP works on a GPU.
+
+    Raises:
+        TypeError: None of True, False and None.
+    """
+    if use_gpu is not None and not isinstance(use_gpu, bool):
+        raise TypeError(f"use_gpu: expected True, False or None, got {type(use_gpu).__name__}")
+
+
+def check_max_features(max_features: Any) -> None:
+    """How many features a picture may have.
+
+    Raises:
+        TypeError, ValueError: Out of range.
+    """
+    check_count("max_features", max_features, minimum=64, maximum=_MOST_FEATURES, because="matching takes its square")
+
+
+def _checked_masks(masks: Any, folder: Path) -> dict[str, Path]:
+    place = check_place("masks", masks)
+    if not place.is_dir():
+        raise DatasetError(place, "is no folder", remedy="Give the folder of the masks, IMG_1.jpg.png of IMG_1.jpg")
+    return check_mask_files(list_pictures(folder), place)
 
 
 def usable_cores() -> int:

@@ -26,6 +26,10 @@ NEAR = 2  # frames on both sides of a place among which the sharpest is taken
 FAST = 1.5  # times the movement wanted: a camera that moves on so far in one frame is at another place in the next
 LAG = NEIGHBOURS + NEAR  # frames that must be known beyond a place before it is judged
 
+STILL = 0.004  # of the longer side: what a tripod's phase correlation gives, a third of a pixel of a thumbnail
+_SAME = 0.25  # of a block's contrast: by which the median block of a picture that is the same may differ, by noise
+_BLOCK = 8  # [px] of a thumbnail
+
 _BLACK = 16  # brightness that a twentieth of the pixels of a frame passes unless it is black
 _BLANK = 2.0  # standard deviation of the brightness of a frame without anything in it
 _BRIGHT = 95  # percentile
@@ -94,6 +98,36 @@ def movement(first: NDArray[np.uint8], second: NDArray[np.uint8]) -> float:
     return math.hypot(dx, dy) / max(height, width)
 
 
+def is_still(first: NDArray[np.uint8], second: NDArray[np.uint8]) -> bool:
+    """Whether a camera stood still between two thumbnails, also where something moved before it.
+
+    A camera that goes ahead, zooms or rolls leaves the middle where it is, and changes most blocks of the picture;
+    noise and who walks by change few.
+
+    Example:
+        >>> import numpy as np
+        >>> scene = np.random.default_rng(0).integers(0, 256, (60, 100)).astype(np.uint8)
+        >>> is_still(scene, scene), is_still(scene[:, 5:85], scene[:, 6:86])
+        (True, False)
+    """
+    if first.shape != second.shape or movement(first, second) >= STILL:
+        return False
+    height, width = (side // _BLOCK * _BLOCK for side in first.shape)
+    if not height or not width:
+        return bool(np.array_equal(first, second))
+    one, two = (
+        small[:height, :width].reshape(height // _BLOCK, _BLOCK, -1, _BLOCK).astype(np.float32)
+        for small in (first, second)
+    )
+    contrast = one.std(axis=(1, 3), dtype=np.float64)
+    seen = contrast >= _BLANK
+    if not seen.any():
+        return True
+    # a lamp that flickers changes the brightness of a whole block, and moves nothing
+    difference = (two - one).std(axis=(1, 3), dtype=np.float64)
+    return bool(np.median(difference[seen] / contrast[seen]) < _SAME)
+
+
 def _peak(values: NDArray[np.float64], place: int) -> float:
     """The shift at a peak, between two pixels where its neighbours say so; negative beyond the half."""
     count = len(values)
@@ -109,10 +143,11 @@ class FramePicker:
 
     Args:
         min_movement: How far the picture moves from one frame that is kept to the next, as a share of its longer side.
-        max_gap: At most so many frames from one to the next.
+        max_gap: At most so many frames from one to the next, where the camera does not stand still.
 
     Attributes:
         chosen: Numbers of the frames to keep, from 0; complete once `end` was called.
+        still: How many times a frame was due after `max_gap` and the camera had not moved.
         blank: Numbers of black frames and of those that show nothing.
         blurred: How many of the others were blurred.
 
@@ -128,14 +163,15 @@ class FramePicker:
     """
 
     def __init__(self, *, min_movement: float = 0.04, max_gap: int = 30):
-        self._min_movement, self._max_gap = min_movement, max_gap
+        self._min_movement, self.max_gap = min_movement, max_gap
         self.chosen: list[int] = []
         self.blank: list[int] = []
-        self.blurred = 0
+        self.blurred = self.still = 0
         self._sharpness: list[float] = []  # of all frames; NaN of blank ones
         self._small: collections.deque[NDArray[np.uint8]] = collections.deque(maxlen=LAG + NEAR + 1)
         self._last: NDArray[np.uint8] | None = None
         self._judged = 0
+        self._skipped = 0  # frames since the last one taken in which the camera stood still
 
     def add(self, grey: NDArray[np.uint8]) -> None:
         """Look at the next frame, shape [h, w]."""
@@ -164,14 +200,21 @@ class FramePicker:
         if place <= last or math.isnan(self._sharpness[place]):
             return
         moved = 0.0 if self._last is None else movement(self._last, self._thumbnail(place))
-        if self._last is not None and place - last < self._max_gap and moved < self._min_movement:
-            return
+        if self._last is not None and moved < self._min_movement:
+            due = place - last - self._skipped >= self.max_gap
+            if due and is_still(self._last, self._thumbnail(place)):
+                self.still += 1
+                self._skipped = place - last
+                due = False
+            if not due:
+                return
         reach = NEAR if moved < FAST * self._min_movement else 0
         near = range(max(place - reach, last + 1), min(place + reach + 1, len(self._sharpness)))
         sharp = [n for n in near if not math.isnan(self._sharpness[n]) and not self._is_blurred(n)]
         if sharp:
             best = max(sharp, key=lambda n: self._sharpness[n])
             self.chosen.append(best)
+            self._skipped = 0
             self._last = self._thumbnail(best)
 
     def _thumbnail(self, number: int) -> NDArray[np.uint8]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 from typing import Any
 
@@ -12,6 +13,7 @@ from ...core.timing import Clock
 from .frame_choice import FrameChoice
 from .frame_picker import FramePicker
 from .limited_process import check_limits
+from .masks import MakeMask, check_masks, mask_folder, write_masks
 from .picture_choice import choose_pictures
 from .picture_folder import check_place
 from .picture_writing import KINDS, Wanted, new_folder
@@ -33,6 +35,7 @@ def choose_frames(
     max_gap: int = 30,
     kind: str = "jpg",
     reader: str = "auto",
+    masks: FilePath | MakeMask | None = None,
     max_seconds: float | None = None,
     max_memory: int | None = None,
     progress: ReportProgress | None = None,
@@ -43,15 +46,20 @@ def choose_frames(
     in order already is copied. Names are kept where they sort as the pictures do, else a number comes before them.
 
     Args:
-        source: A video that ffmpeg or OpenCV can read, or a folder of PNG and JPEG pictures.
+        source: A video that ffmpeg or OpenCV can read, or a folder of PNG, JPEG, TIFF and WebP pictures, of HEIC and
+            DNG with `pip install "pointloom[photos]"`.
         folder: Where to write; new, or empty. Frames are called frame_000012.jpg after their number in the video.
         max_frames: At most so many; where more fit, they are taken evenly.
         max_size: The longer side is scaled down to this [px]; None keeps the size.
         min_movement: Of a video: how far the picture moves from one frame to the next, as a share of its longer side.
-        max_gap: Of a video: at most so many frames from one to the next.
+        max_gap: Of a video: at most so many frames from one to the next, unless the camera stands still.
         kind: Of files: "jpg" (quality 95, 4:4:4) or "png", which loses nothing and takes several times the space.
         reader: What decodes a video: "ffmpeg" and "ffprobe" on the path, "opencv" (opencv-python-headless), or "auto"
             for the first of them that is there. Both run in a process of their own.
+        masks: What of pictures is left out: a folder of masks (IMG_1.jpg.png or IMG_1.png of IMG_1.jpg, black is left
+            out, of the picture's size), "alpha" for what is transparent in the pictures themselves, or a function of a
+            picture's RGB [h, w, 3], upright, and its name that gives a mask [h, w], bool or uint8, or None. They are
+            written beside `folder`, under its name with _masks behind. Pictures that theirs hide are left out.
         max_seconds: Each of the two passes over a video is given up after this time [s]; None for no limit.
         max_memory: Of the process that decodes [B]; None for nine tenths of what is free.
         progress: Called with the stage ("look", "write"), how many of its steps are done, and how many there are.
@@ -92,13 +100,19 @@ def choose_frames(
     check_option("reader", reader, READERS)
     limits = check_limits(max_seconds, max_memory)
     place, target = check_place("source", source), check_place("folder", folder)
+    given = check_masks(masks)
     wanted = Wanted(target, max_frames, max_size, kind)
-    with new_folder(target):
+    with contextlib.ExitStack() as undo:
+        if given is not None:
+            undo.enter_context(new_folder(mask_folder(target)))
+        undo.enter_context(new_folder(target))
         if place.is_dir():
             found = choose_pictures(place, wanted, say)
         else:
             picker = FramePicker(min_movement=float(min_movement), max_gap=max_gap)
             found = choose_video_frames(open_video(place, reader=reader), picker, wanted, limits, say)
+        if given is not None:
+            found = write_masks(found, place, target, given)
     clock.stop("frames")
     return dataclasses.replace(found, seconds=clock.seconds["frames"])
 

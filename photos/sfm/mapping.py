@@ -16,10 +16,14 @@ from ...files.models.colmap import read_colmap_model
 from ...files.models.sfm_model import SfmModel
 from .camera_check import CameraCheck
 from .colmap_jobs import MAX_SECONDS, open_database, run_job, scratch_beside
+from .frames import check_option
 from .limited_process import check_limits
 from .picture_folder import check_place
 from .picture_writing import new_folder
 from .verdict import Verdict, judge_model
+
+MAPPERS = ("auto", "incremental", "global")
+MANY_PICTURES = 150  # up to which adjusting all after each few costs about as much as placing all at once
 
 
 @dataclasses.dataclass(frozen=True)
@@ -59,6 +63,7 @@ def map_pictures(
     folder: FilePath,
     *,
     fix_intrinsic: bool = False,
+    mapper: str = "auto",
     seed: int = 0,
     max_seconds: float | None = MAX_SECONDS,
     max_memory: int | None = None,
@@ -71,6 +76,9 @@ def map_pictures(
         matches: The database of `match`; it is not changed.
         folder: Where to write the model, in COLMAP's binary format; new, or empty.
         fix_intrinsic: Keep the cameras as `find_features` was given them.
+        mapper: "incremental" places one picture after the other (Schoenberger and Frahm 2016), "global" all at once, by
+            rotations, then positions (GLOMAP, Pan et al. 2024); "auto" takes the first of up to 150 pictures, else the
+            second (docs/sfm.md has what was measured).
         seed: Of random numbers.
         max_seconds: It is given up after this time [s]; None for no limit.
         max_memory: Of COLMAP's process [B]; None for nine tenths of what is free.
@@ -98,6 +106,7 @@ def map_pictures(
     clock, say = Clock(), check_progress(progress)
     if not isinstance(fix_intrinsic, bool):
         raise TypeError(f"fix_intrinsic: expected True or False, got {type(fix_intrinsic).__name__}")
+    check_option("mapper", mapper, MAPPERS)
     check_seed(seed)
     limits = check_limits(max_seconds, max_memory)
     source, database = check_place("pictures", pictures), check_place("matches", matches)
@@ -106,7 +115,8 @@ def map_pictures(
         raise DatasetError(pictures, "is no folder", remedy="Give the folder of the pictures")
     names = _names_of(database)
     job: dict[str, Any] = {"stage": "model", "pictures": os.fspath(source.resolve()), "seed": int(seed), "threads": 1}
-    job |= {"fixed_camera": fix_intrinsic}
+    chosen = mapper if mapper != "auto" else choose_mapper(len(names))
+    job |= {"fixed_camera": fix_intrinsic, "mapper": chosen}
     say("model", 0, len(names))
     with new_folder(target):
         done, peak = _map(job, database, target, names, say, limits)
@@ -116,6 +126,16 @@ def map_pictures(
     missing = tuple(sorted(set(names) - set(model.names if model else ())))
     clock.stop("model")
     return SfmResult(model, os.fspath(target), verdict, missing, clock.seconds, {"model": peak})
+
+
+def choose_mapper(picture_count: int) -> str:
+    """Which mapper "auto" takes.
+
+    Example:
+        >>> choose_mapper(150), choose_mapper(151)
+        ('incremental', 'global')
+    """
+    return "global" if picture_count > MANY_PICTURES else "incremental"
 
 
 def _names_of(database: Path) -> list[str]:

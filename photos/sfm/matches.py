@@ -2,28 +2,39 @@
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 import os
 import shutil
+import sqlite3
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from ...core.atomic import check_writable
 from ...core.checks import check_count, check_progress, check_seed
+from ...core.devices import resolve_device
 from ...core.errors import FilePath
 from ...core.progress import ReportProgress
 from ...core.timing import Clock
 from .colmap_jobs import MAX_SECONDS, count_rows, database_in_the_making, open_database, run_job
-from .features import usable_cores
+from .features import check_use_gpu, usable_cores
 from .frames import check_option
 from .limited_process import check_limits
+from .own_features import FINDERS, match_own, pairs_of
 from .picture_folder import check_place
+from .retrieval import NEIGHBOURS, pairs_that_look_alike
 
-PAIRS = ("auto", "sequential", "exhaustive")
+PAIRS = ("auto", "sequential", "exhaustive", "retrieval")
+MIXED = "sequential and retrieval"
 OVERLAP = 10
 FEW_PICTURES = 40  # of which all 780 pairs are matched: less work than 150 pictures in a row
 
 _PAIR = 2147483647  # COLMAP numbers the pair (a, b) as _PAIR a + b
+_SIFT = 0  # COLMAP's number of that kind
+_MOST_NEIGHBOURS = 10_000
 _MOST_OVERLAP = 30  # powers of two
 
 
@@ -33,7 +44,7 @@ class MatchReport:
 
     Args:
         database: Where it lies.
-        pairs: "sequential" or "exhaustive".
+        pairs: "sequential", "exhaustive", "retrieval", or "sequential and retrieval".
         pair_count: Pairs that were tried.
         verified_count: Pairs of which one motion of the camera explains the matches.
         match_count: Matches of these.
@@ -62,6 +73,10 @@ def match(
     *,
     pairs: str = "auto",
     overlap: int = OVERLAP,
+    neighbours: int = NEIGHBOURS,
+    use_gpu: bool | None = None,
+    finder: str = "colmap",
+    device: Any = None,
     seed: int = 0,
     max_seconds: float | None = MAX_SECONDS,
     max_memory: int | None = None,
@@ -73,8 +88,14 @@ def match(
         database: Of `find_features`; it is not changed.
         matches: The file to write: the same database, with matches. One that is there is replaced.
         pairs: "sequential" for pictures in the order in which they were taken, as those of a video: each with some
-            later ones; "exhaustive" for all pairs; "auto" for all pairs of up to 40 pictures, else sequential.
+            later ones; "exhaustive" for all pairs; "retrieval" for each with those that look most like it, whatever the
+            order; "auto" for all pairs of up to 40 pictures, else sequential and by retrieval.
         overlap: Sequential: each picture is matched to so many later ones, those that are 1, 2, 4, 8, ... further on.
+        neighbours: Retrieval: each picture is matched to so many that look most like it.
+        use_gpu: As of `find_features`.
+        finder: Who finds the matches: "colmap", approximately, or "pointloom", our own kernels, which compare all. In
+            either case COLMAP holds them against one motion of the camera.
+        device: Where our own kernels compute; None for the CPU.
         seed: Of random numbers.
         max_seconds: It is given up after this time [s]; None for no limit.
         max_memory: Of COLMAP's process [B]; None for nine tenths of what is free.
@@ -86,11 +107,12 @@ def match(
     Raises:
         FileError: No such database; pycolmap is missing; COLMAP failed or passed a limit; a full disk.
         TypeError, ValueError: An argument out of range.
+        DeviceError: No such device.
 
     Notes:
         The same matches from run to run, with any number of cores. Loops (a video that comes back to where it was)
-        are found through the pictures of powers of two and through all pairs, not by looks: COLMAP's vocabulary for
-        that would have to be fetched from the network.
+        are found through the pictures of powers of two, and by looks: words are learnt from the features of the set
+        itself (VLAD, Jegou et al. 2010), so that nothing has to be fetched.
 
     Example:
         >>> import pointloom as loom
@@ -101,20 +123,37 @@ def match(
     clock, say = Clock(), check_progress(progress)
     check_option("pairs", pairs, PAIRS)
     check_count("overlap", overlap, maximum=_MOST_OVERLAP, because='pairs="exhaustive" takes all')
+    check_count("neighbours", neighbours, maximum=_MOST_NEIGHBOURS, because='pairs="exhaustive" takes all')
+    check_use_gpu(use_gpu)
     check_seed(seed)
+    target_device = resolve_device(device) if check_option("finder", finder, FINDERS) == "pointloom" else None
     limits = check_limits(max_seconds, max_memory)
     source, target = check_place("database", database), check_writable(check_place("matches", matches))
     with open_database(source) as connection:
         (count,) = connection.execute("SELECT count(*) FROM images").fetchone()
-    if pairs == "auto":
-        pairs = "exhaustive" if count <= FEW_PICTURES else "sequential"
-    pair_count = count * (count - 1) // 2 if pairs == "exhaustive" else _sequential_pairs(count, overlap)
-    job = {"stage": "matches", "pairs": pairs, "overlap": int(overlap), "seed": int(seed), "threads": usable_cores()}
+    kind = _kind_of(source)
+    if target_device is not None and kind != "sift":
+        raise ValueError(f"finder: pointloom matches SIFT features, and these are {kind}")
+    pairs = _settled(pairs, kind, count)
+    job: dict[str, Any] = {"stage": "matches", "pairs": pairs, "overlap": int(overlap), "seed": int(seed)}
+    job |= {"threads": usable_cores(), "gpu": use_gpu if target_device is None else False, "kind": kind}
     with database_in_the_making(target) as part:
         shutil.copyfile(source, part)
+        if pairs in ("retrieval", MIXED):
+            listed = np.array(_chosen_pairs(source, pairs, overlap, neighbours, seed), np.int64).reshape(-1, 2)
+            job |= {"list": os.fspath(part.with_name("pairs.txt"))}
+            Path(job["list"]).write_text("".join(f"{a} {b}\n" for a, b in listed), encoding="ascii")
+        else:
+            listed = pairs_of(source, pairs, overlap)
+        pair_count = len(listed)
         say("pairs", 0, pair_count)
+        if target_device is not None:
+            job["found"] = os.fspath(part.parent / "found")
+            common = {"device": target_device, "max_seconds": limits["max_seconds"], "progress": say}
+            match_own(source, listed, Path(job["found"]), **common)
         poll = lambda: say("pairs", min(count_rows(part, "two_view_geometries"), pair_count), pair_count)  # noqa: E731
-        _, peak = run_job(job | {"database": os.fspath(part)}, source, poll=poll, **limits)
+        with _named_by_numbers(part) if "list" in job else contextlib.nullcontext():
+            _, peak = run_job(job | {"database": os.fspath(part)}, source, poll=poll, **limits)
         verified, match_count, isolated = _verified_pairs(part)
     say("pairs", pair_count, pair_count)
     clock.stop("pairs")
@@ -122,9 +161,61 @@ def match(
     return MatchReport(os.fspath(target), pairs, pair_count, verified, match_count, isolated, seconds, peak)
 
 
-def _sequential_pairs(count: int, overlap: int) -> int:
+def _settled(pairs: str, kind: str, count: int) -> str:
+    """Which pairs "auto" means; words are learnt of SIFT's bytes, so that retrieval goes by these alone.
+
+    Raises:
+        ValueError: Retrieval by other features.
+    """
+    if pairs == "auto" and count <= FEW_PICTURES:
+        return "exhaustive"
+    if pairs == "auto":
+        return MIXED if kind == "sift" else "sequential"
+    if pairs == "retrieval" and kind != "sift":
+        raise ValueError(f"pairs: retrieval goes by SIFT features, and these are {kind}; take sequential or exhaustive")
+    return pairs
+
+
+def _kind_of(database: Path) -> str:
+    """What the features of a database are."""
+    with open_database(database) as connection:
+        columns = {row[1] for row in connection.execute("PRAGMA table_info(descriptors)")}
+        if "type" not in columns:
+            return "sift"
+        types = {row[0] for row in connection.execute("SELECT DISTINCT type FROM descriptors")}
+    return "aliked" if types - {_SIFT, None} else "sift"
+
+
+def _in_a_row(count: int, overlap: int) -> list[tuple[int, int]]:
     """Pairs of pictures that are 1, 2, 4, ... apart."""
-    return sum(max(count - (1 << power), 0) for power in range(overlap))
+    return [(i, i + (1 << power)) for power in range(overlap) for i in range(count - (1 << power))]
+
+
+def _chosen_pairs(database: Path, pairs: str, overlap: int, neighbours: int, seed: int) -> list[tuple[int, int]]:
+    """The pairs of a list, by the numbers of their pictures."""
+    with open_database(database) as connection:
+        numbers = [number for (number,) in connection.execute("SELECT image_id FROM images ORDER BY name")]
+    chosen = set(pairs_that_look_alike(database, neighbours, seed=seed))
+    if pairs == MIXED:
+        chosen |= {(min(pair), max(pair)) for pair in _numbered(numbers, _in_a_row(len(numbers), overlap))}
+    return sorted(chosen)
+
+
+def _numbered(numbers: list[int], places: list[tuple[int, int]]) -> list[tuple[int, int]]:
+    return [(numbers[i], numbers[j]) for i, j in places]
+
+
+@contextlib.contextmanager
+def _named_by_numbers(database: Path) -> Iterator[None]:
+    """Pictures are called by their numbers while COLMAP reads a list of pairs, which cannot hold names with blanks."""
+    with contextlib.closing(sqlite3.connect(database)) as connection:
+        names = connection.execute("SELECT name, image_id FROM images").fetchall()
+        connection.execute("UPDATE images SET name = image_id")
+        connection.commit()
+    yield
+    with contextlib.closing(sqlite3.connect(database)) as connection:
+        connection.executemany("UPDATE images SET name = ? WHERE image_id = ?", names)
+        connection.commit()
 
 
 def _verified_pairs(database: Path) -> tuple[int, int, tuple[str, ...]]:

@@ -13,14 +13,16 @@ from PIL import Image
 
 from ...core.errors import FileError
 from ...core.progress import ReportProgress
-from ...files.pictures.image_files import PictureHeader, read_picture_header
+from ...files.pictures.image_files import PictureHeader
+from ...files.pictures.photo_files import is_photo, read_exif
 from .frame_choice import FrameChoice
 from .frame_picker import is_blank, spaced, thumbnail
 from .picture_folder import (
     ORIENTATION,
     UPRIGHT,
-    list_pictures,
+    list_photographs,
     ordered_names,
+    read_header,
     read_lens,
     read_orientation,
     read_picture,
@@ -32,6 +34,8 @@ from .picture_writing import Wanted, counted, some_of, write_bytes, write_pictur
 
 _GREY = np.array([77, 150, 29], np.uint32)  # BT.601's weights, in 256ths
 _BITS = 8
+_TABLES = (0x8769, 0x8825)  # EXIF's tags of the lens, and of GPS
+_TOLD = (0x010F, 0x0110, 0x0132, *_TABLES)  # make, model, time
 _SUFFIXES = {"jpeg": ".jpg", "png": ".png"}
 
 
@@ -41,7 +45,7 @@ def choose_pictures(source: Path, wanted: Wanted, say: ReportProgress) -> FrameC
     Raises:
         FileError: None can be used, or the place cannot be written.
     """
-    paths = list_pictures(source)
+    paths, second = list_photographs(source)
     chosen = spaced(list(range(len(paths))), wanted.max_count)
     headers, left_out = _headers(paths, chosen)
     usable = [number for number in chosen if number in headers]
@@ -76,18 +80,26 @@ def choose_pictures(source: Path, wanted: Wanted, say: ReportProgress) -> FrameC
         frame_count=len(paths),
         left_out=left_out,
         remarks=tuple(
-            _remarks(source, len(paths), len(chosen), left_out, sizes) + _lenses([paths[n] for n in numbers])
+            _remarks(source, len(paths), len(chosen), left_out, sizes)
+            + told_twice(second)
+            + _lenses([paths[n] for n in numbers])
         ),
     )
 
 
 def _headers(paths: list[Path], numbers: list[int]) -> tuple[dict[int, PictureHeader], dict[str, str]]:
-    """The headers of the pictures that have one, and why the others have none."""
+    """The headers of the pictures that have one, and why the others have none.
+
+    Raises:
+        FileError: A package that reads some of them is missing: the others alone would be another set.
+    """
     headers, left_out = {}, {}
     for number in numbers:
         try:
-            headers[number] = read_picture_header(paths[number])
+            headers[number] = read_header(paths[number])
         except FileError as error:
+            if isinstance(error.__cause__, ImportError):
+                raise
             left_out[paths[number].name] = error.reason
     return headers, left_out
 
@@ -102,7 +114,8 @@ def _write(
     """Write a picture; one that is upright, of 8 bits and not too large is copied as it is."""
     before = (pixels.shape[1], pixels.shape[0])
     size = scaled_size(before, wanted.max_size)
-    if size == before and read_orientation(path) == UPRIGHT and header.bits == _BITS and header.channels in (1, 3):
+    is_plain = not is_photo(path) and header.bits == _BITS and header.channels in (1, 3)
+    if size == before and is_plain and read_orientation(path) == UPRIGHT:
         name = stem + _SUFFIXES[header.kind]
         write_bytes(wanted.folder / name, path.read_bytes())
         return name, size
@@ -115,11 +128,20 @@ def _write(
 
 def _exif_upright(path: Path) -> bytes:
     """What EXIF says of a picture (its focal length helps), but that it lies on its side."""
-    with contextlib.suppress(Exception), Image.open(path) as picture:  # EXIF that makes no sense is no loss
-        exif = picture.getexif()
-        exif.pop(ORIENTATION, None)
-        return exif.tobytes() if len(exif) else b""
+    exif, kept = read_exif(path), Image.Exif()
+    exif.pop(ORIENTATION, None)
+    for tag in (tag for tag in exif if tag in _TOLD or not is_photo(path)):  # the rest of a DNG lays out its pixels
+        kept[tag] = exif.get_ifd(tag) if tag in _TABLES else exif[tag]
+    with contextlib.suppress(Exception):  # EXIF that makes no sense is no loss
+        return kept.tobytes() if len(kept) else b""
     return b""
+
+
+def told_twice(paths: list[Path]) -> list[str]:
+    """That a photograph lies there twice."""
+    if not paths:
+        return []
+    return [f"of photographs that lie there as JPEG or PNG as well: {some_of([path.name for path in paths])}"]
 
 
 def _remarks(

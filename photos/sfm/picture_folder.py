@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import math
 import os
 import unicodedata
 from collections import Counter
@@ -13,17 +12,26 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image
 
 from ...core.checks import shown
 from ...core.errors import DatasetError, FileError, FilePath
 from ...core.paths import path_of
-from ...files.pictures.image_files import PictureHeader, read_color, read_depth
+from ...files.pictures.image_files import PictureHeader, read_color, read_depth, read_picture_header
+from ...files.pictures.photo_files import (
+    KINDS,
+    is_photo,
+    orientation_of,
+    plain_number,
+    read_exif,
+    read_photo,
+    read_photo_header,
+)
 from ...files.points.scan_files import natural_key
 
-SUFFIXES = (".jpg", ".jpeg", ".png")
+SUFFIXES = (".jpg", ".jpeg", ".png")  # what COLMAP is given
+PHOTO_SUFFIXES = (*SUFFIXES, *KINDS)  # what is made such pictures of
 # Pictures that cameras and telephones write and that have to be converted first: told, not passed over in silence.
-OTHER_SUFFIXES = (".bmp", ".dng", ".gif", ".heic", ".heif", ".jp2", ".tif", ".tiff", ".webp", ".cr2", ".nef", ".arw")
+OTHER_SUFFIXES = (".bmp", ".gif", ".jp2", ".avif", ".cr2", ".cr3", ".nef", ".arw", ".raf", ".orf", ".rw2")
 
 ORIENTATION = 0x0112  # EXIF's tag
 UPRIGHT = 1
@@ -47,8 +55,12 @@ def check_place(name: str, value: Any) -> Path:
     return path_of(path)
 
 
-def list_pictures(folder: FilePath) -> list[Path]:
+def list_pictures(folder: FilePath, suffixes: Sequence[str] = SUFFIXES) -> list[Path]:
     """The pictures of a folder in natural order: numbers in names count as numbers, so 2.jpg comes before 10.jpg.
+
+    Args:
+        folder: Where they lie.
+        suffixes: The endings of their names that count.
 
     Raises:
         DatasetError: No folder, or no picture in it.
@@ -58,12 +70,35 @@ def list_pictures(folder: FilePath) -> list[Path]:
         reason = "is no folder" if place.exists() else "does not exist"
         raise DatasetError(folder, reason, remedy="Give a folder of pictures")
     files = [path for path in place.iterdir() if not path.name.startswith(".") and path.is_file()]
-    pictures = [path for path in files if path.suffix.lower() in SUFFIXES]
+    pictures = [path for path in files if path.suffix.lower() in suffixes]
     if not pictures:
-        others = Counter(path.suffix.lower() for path in files if path.suffix.lower() in OTHER_SUFFIXES)
+        others = Counter(path.suffix.lower() for path in files if path.suffix.lower() in (*KINDS, *OTHER_SUFFIXES))
         found = f"; there are {_counted(others)}, which are not read" if others else ""
-        raise DatasetError(folder, f"holds no picture{found}", remedy=f"Convert them to {', '.join(SUFFIXES)}")
+        converted = "; sfm.choose_frames does that" if suffixes == SUFFIXES and set(others) & set(KINDS) else ""
+        remedy = f"Convert them to {', '.join(SUFFIXES)}{converted}"
+        raise DatasetError(folder, f"holds no picture{found}", remedy=remedy)
     return sorted(pictures, key=natural_key)
+
+
+def list_photographs(folder: FilePath) -> tuple[list[Path], list[Path]]:
+    """The photographs of a folder in natural order, and those that are another's second file (IMG_1.DNG of IMG_1.JPG).
+
+    Raises:
+        DatasetError: No folder, or no picture in it.
+    """
+    paths = list_pictures(folder, PHOTO_SUFFIXES)
+    plain = {path.stem.casefold() for path in paths if not is_photo(path)}
+    second = [path for path in paths if is_photo(path) and path.stem.casefold() in plain]
+    return [path for path in paths if path not in set(second)], second
+
+
+def read_header(path: FilePath) -> PictureHeader:
+    """The size and kind of a photograph of any kind that is read.
+
+    Raises:
+        FileError: Damaged, of another kind, too large, or the package for its kind is missing.
+    """
+    return read_photo_header(path) if is_photo(path) else read_picture_header(path)
 
 
 def unread_pictures(folder: FilePath) -> list[str]:
@@ -77,11 +112,7 @@ def _counted(kinds: Counter[str]) -> str:
 
 def read_orientation(path: FilePath) -> int:
     """How a picture lies, as EXIF numbers it: 1 upright (or unknown), 6 to be turned right by 90 degrees, and so on."""
-    # EXIF is written by all sorts of programs; what makes no sense says nothing
-    with contextlib.suppress(Exception), Image.open(path) as picture:
-        orientation = int(picture.getexif().get(ORIENTATION, UPRIGHT))
-        return orientation if 1 <= orientation <= 8 else UPRIGHT
-    return UPRIGHT
+    return orientation_of(read_exif(path))
 
 
 def read_lens(path: FilePath) -> tuple[str, ...]:
@@ -89,21 +120,12 @@ def read_lens(path: FilePath) -> tuple[str, ...]:
 
     Pictures of one size with the same are taken for those of one camera.
     """
-    with contextlib.suppress(Exception), Image.open(path) as picture:  # EXIF that makes no sense says nothing
-        exif = picture.getexif()
+    exif = read_exif(path)
+    with contextlib.suppress(Exception):  # EXIF that makes no sense says nothing
         inner = exif.get_ifd(_EXIF)
         names = [str(exif.get(tag, "")).strip("\0 ") for tag in (_MAKE, _MODEL)]
-        return (*names, *(_plain_number(inner.get(tag)) for tag in (_FOCAL, _FOCAL_35, _DIGITAL_ZOOM)))
+        return (*names, *(plain_number(inner.get(tag)) for tag in (_FOCAL, _FOCAL_35, _DIGITAL_ZOOM)))
     return ("",) * 5
-
-
-def _plain_number(value: Any) -> str:
-    """A number of EXIF to four digits; nothing where it is none, or 0, which says that it is unknown."""
-    try:
-        number = float(value)
-    except (TypeError, ValueError, ZeroDivisionError):
-        return ""
-    return f"{number:.4g}" if 0 < number < math.inf else ""
 
 
 def upright(pixels: NDArray, orientation: int) -> NDArray:
@@ -122,7 +144,7 @@ def read_picture(path: FilePath, header: PictureHeader, *, white: int = 65535) -
     """A picture as 8-bit RGB, upright.
 
     Args:
-        path: A PNG or JPEG file.
+        path: A photograph.
         header: Its own.
         white: Which value of 16-bit grey becomes 255.
 
@@ -132,12 +154,28 @@ def read_picture(path: FilePath, header: PictureHeader, *, white: int = 65535) -
     Raises:
         FileError: Damaged.
     """
-    if is_grey_16(header):
-        grey = np.minimum(read_depth(path).astype(np.float32) * (_LARGEST_8_BIT / white) + 0.5, _LARGEST_8_BIT)
-        pixels = np.repeat(grey.astype(np.uint8)[..., None], 3, axis=2)
+    if is_photo(path):
+        pixels, orientation = read_photo(path)
     else:
-        pixels = read_color(path)
-    return upright(pixels, read_orientation(path))
+        pixels, orientation = read_depth(path) if is_grey_16(header) else read_color(path), read_orientation(path)
+    if pixels.ndim == 2:
+        grey = np.minimum(pixels.astype(np.float32) * (_LARGEST_8_BIT / white) + 0.5, _LARGEST_8_BIT)
+        pixels = np.repeat(grey.astype(np.uint8)[..., None], 3, axis=2)
+    return upright(pixels, orientation)
+
+
+def read_stored(path: FilePath) -> NDArray[np.uint8]:
+    """A colour picture of any kind as it is stored: not turned, but HEIC and TIFF, whose decoders do so.
+
+    Raises:
+        FileError: Damaged, or 16-bit grey.
+    """
+    if not is_photo(path):
+        return read_color(path)
+    pixels, _ = read_photo(path)
+    if pixels.dtype != np.uint8:
+        raise FileError(path, "expected a colour picture, got 16-bit grey", remedy="Convert it to 8 bits")
+    return np.asarray(pixels, np.uint8)
 
 
 def white_of(paths: Sequence[Path], headers: Sequence[PictureHeader]) -> int:
@@ -146,7 +184,7 @@ def white_of(paths: Sequence[Path], headers: Sequence[PictureHeader]) -> int:
     for path, header in zip(paths, headers, strict=True):
         if is_grey_16(header):
             with contextlib.suppress(FileError):  # said where it is read for good
-                most = max(most, int(read_depth(path).max()))
+                most = max(most, int((read_photo(path)[0] if is_photo(path) else read_depth(path)).max()))
     return _LARGEST_12_BIT if 0 < most <= _LARGEST_12_BIT else 65535
 
 

@@ -60,7 +60,7 @@ def write_picture(path: Path, pixels: NDArray[np.uint8], exif: bytes = b"") -> N
     """Write a picture as JPEG or PNG, whole or not at all."""
     buffer = io.BytesIO()
     if path.suffix == ".png":
-        Image.fromarray(pixels).save(buffer, "PNG", compress_level=1)
+        Image.fromarray(pixels).save(buffer, "PNG", compress_level=1, **({"exif": exif} if exif else {}))
     else:
         Image.fromarray(pixels).save(buffer, "JPEG", quality=_QUALITY, subsampling=0, exif=exif)
     with atomic_write(path) as file:

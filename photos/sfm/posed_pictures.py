@@ -10,8 +10,7 @@ import numpy as np
 
 from ...core.errors import DatasetError, FileError, FilePath
 from ...files.models.sfm_model import SfmModel
-from ...files.pictures.image_files import read_picture_header
-from .picture_folder import OTHER_SUFFIXES, SUFFIXES
+from .picture_folder import OTHER_SUFFIXES, PHOTO_SUFFIXES, read_header
 
 FEWEST = 2
 
@@ -92,7 +91,7 @@ def with_poses(folder: FilePath, paths: Sequence[Path], cameras: SfmModel) -> Po
     taken = {path.name: path for path in chosen.values()}
     in_order = tuple(taken[name] for name in model.names)
     for path, camera in zip(in_order, model.cameras, strict=True):
-        header = read_picture_header(path)
+        header = read_header(path)
         if (header.width, header.height) != (camera.width, camera.height):
             reason = f"is {header.width} x {header.height}, its camera {camera.width} x {camera.height} pixels"
             raise FileError(path, reason, remedy="Give the pictures in the size that the cameras were found in")
@@ -103,7 +102,7 @@ def with_poses(folder: FilePath, paths: Sequence[Path], cameras: SfmModel) -> Po
 def _stem(name: str) -> str:
     """A camera's name without the ending of a picture; of a label such as "IMG_1.2" it is all."""
     path = Path(name)
-    return path.stem if path.suffix.lower() in (*SUFFIXES, *OTHER_SUFFIXES) else path.name
+    return path.stem if path.suffix.lower() in (*PHOTO_SUFFIXES, *OTHER_SUFFIXES) else path.name
 
 
 def _places(paths: Sequence[Path], part: str) -> dict[str, list[Path]]:

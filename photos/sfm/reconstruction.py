@@ -24,8 +24,14 @@ def reconstruct(
     intrinsic: PinholeCameraIntrinsic | CameraModel | None = None,
     max_size: int = MAX_SIZE,
     max_features: int = MAX_FEATURES,
+    masks: FilePath | None = None,
     pairs: str = "auto",
     overlap: int = OVERLAP,
+    mapper: str = "auto",
+    kind: str = "sift",
+    use_gpu: bool | None = None,
+    finder: str = "colmap",
+    device: Any = None,
     seed: int = 0,
     max_seconds: float | None = MAX_SECONDS,
     max_memory: int | None = None,
@@ -40,8 +46,14 @@ def reconstruct(
         intrinsic: A camera that is known, and kept.
         max_size: The longer side is scaled down to this to find features [px].
         max_features: Of a picture.
-        pairs: "sequential", "exhaustive" or "auto", as `match` has them.
+        masks: A folder of masks, as `find_features` takes it.
+        pairs: "sequential", "exhaustive", "retrieval" or "auto", as `match` has them.
         overlap: Later pictures that each is matched to, where pairs are sequential.
+        mapper: "incremental", "global" or "auto", as `map_pictures` has them.
+        kind: Of features, as `find_features` has it.
+        use_gpu: Whether features are found and matched on a GPU, likewise.
+        finder: Who finds features and matches: "colmap", or "pointloom", our own kernels.
+        device: Where our own kernels compute; None for the CPU.
         seed: Of random numbers.
         max_seconds: Of each stage [s]; None for no limit.
         max_memory: Of COLMAP's process [B]; None for nine tenths of what is free.
@@ -75,9 +87,11 @@ def reconstruct(
     if sparse.is_dir() and any(sparse.iterdir()):
         raise FileError(sparse, "is not empty", remedy="Give a new folder to work in")
     options = {"camera_model": camera_model, "intrinsic": intrinsic, "max_size": max_size, "max_features": max_features}
-    found = find_features(pictures, features_db, **options, **common)
-    matched = match(features_db, matches_db, pairs=pairs, overlap=overlap, **common)
-    result = map_pictures(pictures, matches_db, sparse, fix_intrinsic=intrinsic is not None, **common)
+    options |= {"masks": masks, "kind": kind, "use_gpu": use_gpu}
+    own = {"finder": finder, "device": device}
+    found = find_features(pictures, features_db, **options, **own, **common)
+    matched = match(features_db, matches_db, pairs=pairs, overlap=overlap, use_gpu=use_gpu, **own, **common)
+    result = map_pictures(pictures, matches_db, sparse, fix_intrinsic=intrinsic is not None, mapper=mapper, **common)
     seconds = {"features": found.seconds, "pairs": matched.seconds} | result.seconds
     peak = {"features": found.peak_bytes, "pairs": matched.peak_bytes} | result.peak_bytes
     return dataclasses.replace(result, seconds=seconds, peak_bytes=peak)

@@ -84,6 +84,9 @@ def _remarks(video: VideoFile, picker: FramePicker, count: int, chosen: int, sai
     if picker.blank:
         numbers = some_of([str(number) for number in picker.blank])
         remarks.append(f"{counted(len(picker.blank), 'frame')} black or blank and left out: {numbers}")
+    if picker.still:
+        told = f"the camera stood still for some {picker.still * picker.max_gap} frames, which show nothing new"
+        remarks.append(f"{told}; they are left out")
     if len(picker.chosen) > chosen:
         remarks.append(f"{chosen} of {len(picker.chosen)} frames that are worth it are taken, evenly (max_frames)")
     return remarks

@@ -1,5 +1,7 @@
 """The public names of pointloom.video: the one list of them, for type checkers and for `public_names`."""
 
+from ...pcd.geodesy import WorldFrame as WorldFrame
+from .georeference import PlacesFit as PlacesFit
 from .job import reconstruct as reconstruct
 from .outputs import Outputs as Outputs
 from .result import StageReport as StageReport

@@ -6,10 +6,12 @@ that one left; any other is one of the settings, of which the stage's record kee
 
 from __future__ import annotations
 
+import contextlib
 import inspect
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
+from importlib import metadata
 from typing import Any
 
 from ...core.stages import Chain, Made, Stage
@@ -35,6 +37,11 @@ KNOWN_STAGES: dict[str, Callable[..., Mapping[str, Any]]] = STAGES | {
     "matches": known_motion.match,
     "model": known_motion.triangulate,
 }
+
+# Raised where a stage begins to make something else of the same between two releases.
+VERSIONS = {"frames": 2, "matches": 2, "model": 2, "depth": 2}
+OF_COLMAP = ("features", "matches", "model")
+COLMAP_PACKAGES = ("pycolmap", "pycolmap-cuda12")
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,8 +71,14 @@ def settings_of_stages(source: Any, content: str, settings: Settings, device: An
     return {
         "source": Given(source, {"source": content}),
         "max_frames": Given(settings.max_frames, {"max_frames": settings.max_frames}),
+        "masks": Given(settings.masks, settings.digest_of_masks()),
+        "camera_model": Given(settings.camera_model, {"camera_model": settings.camera_model}),
+        "max_features": Given(settings.max_features, {"max_features": settings.max_features}),
+        "mapper": Given(settings.mapper, {"mapper": settings.mapper}),
+        "pairs": Given(settings.pairs, {"pairs": settings.pairs}),
         "intrinsic": Given(lens, {"camera": camera}),
-        "fixed_camera": Given(lens is not None, {"fixed": lens is not None}),
+        "fixed_camera": Given(lens is not None or settings.panorama, {"fixed": lens is not None or settings.panorama}),
+        "panorama": Given(settings.panorama, {"panorama": settings.panorama}),
         "max_size": Given(settings.max_size, {"max_size": settings.max_size}),
         "units": Given(settings.units, {"units": settings.units.settings}),
         "seed": Given(settings.seed, {"seed": settings.seed}),
@@ -95,8 +108,25 @@ def stage_of(
 ) -> Stage:
     """A stage with all that its parameters ask for: what earlier stages left, and settings."""
     _folder, _say, *wanted = inspect.signature(make).parameters
+    goes_on = "going" in wanted
+    wanted = [each for each in wanted if each != "going"]
     files = {each: made[each] for each in wanted if each in made}
     settings = {each: given[each] for each in wanted if each not in made}
     recorded = {key: value for each in settings.values() for key, value in each.recorded.items()}
     arguments = files | {each: setting.value for each, setting in settings.items()}
-    return Stage(name, partial(make, **arguments), recorded, tuple(files.values()))
+    given_to = partial(make, **arguments)
+    return Stage(name, given_to, recorded, tuple(files.values()), VERSIONS.get(name, 1), code_of(name), goes_on)
+
+
+def code_of(name: str) -> dict[str, str]:
+    """The versions of the packages that make a stage: another one may make something else of the same."""
+    packages = {"pointloom": ("pointloom",)} | ({"pycolmap": COLMAP_PACKAGES} if name in OF_COLMAP else {})
+    return {package: _version_of(names) for package, names in packages.items()}
+
+
+def _version_of(names: tuple[str, ...]) -> str:
+    for name in names:
+        with contextlib.suppress(metadata.PackageNotFoundError):
+            version = metadata.version(name)
+            return version if name == names[0] else f"{version} ({name})"
+    return "unknown"

@@ -22,12 +22,13 @@ from ...core.work_folder import check_work_folder, held
 from ...files.points.point_cloud import read_point_cloud
 from ...meshing.mesh.mesh_files import read_triangle_mesh
 from ..sfm.picture_folder import check_place
+from ..sfm.picture_places import read_picture_places
 from . import motion, surface
 from .chain import KNOWN_STAGES, STAGES, Given, run_to, settings_of_stages
 from .outputs import Outputs
 from .result import StageReport, VideoFigures, VideoResult
 from .settings import Settings
-from .units import fit_as_given, fit_units
+from .units import NONE, fit_as_given, fit_units
 
 MARKER, REPORT = "video.json", "report.json"
 
@@ -83,6 +84,7 @@ def reconstruct(
     outputs.check(overwrite=overwrite)
     where, say = resolve_device(device), check_progress(progress)
     content = motion.digest_of_source(source)
+    settings = _with_places(settings, source)
     if resume and work is None:
         raise ValueError("resume: goes with work, the folder of the earlier run")
     with _work_folder(work, outputs, resume=resume, overwrite=overwrite) as root:
@@ -107,6 +109,16 @@ def _checked(settings: Any, outputs: Any) -> tuple[Settings, Outputs]:
     if not isinstance(outputs, Outputs):
         raise TypeError(f"outputs: expected Outputs, got {type(outputs).__name__}")
     return settings, outputs
+
+
+def _with_places(settings: Settings, source: FilePath) -> Settings:
+    """The same, with the places that photographs tell; known poses stay in their frame unless it is said otherwise."""
+    units, place = settings.units, Path(source)
+    if settings.cameras is not None and units.align is None:
+        return replace(settings, units=replace(units, align=NONE))
+    if units.places is None and place.is_dir() and units.file is None and units.align != NONE:
+        return replace(settings, units=replace(units, places=read_picture_places(place)))
+    return settings
 
 
 def _run(
@@ -151,7 +163,7 @@ def _run(
 
 
 def _report_of(made: Made | None) -> StageReport | None:
-    return None if made is None else StageReport(made.kept, made.cost, made.told)
+    return None if made is None else StageReport(made.kept, made.cost, made.told, made.outdated)
 
 
 @contextlib.contextmanager

@@ -12,12 +12,13 @@ from ...core.progress import ReportProgress
 from ...core.stages import Made
 from ...files.models.colmap import read_colmap_model, write_colmap_model
 from ...files.models.sfm_model import SfmModel
-from ...files.pictures.image_files import read_color, read_picture_header
+from ...files.pictures.photo_files import is_photo
 from .. import sfm
 from ..sfm.colmap_jobs import MAX_SECONDS
 from ..sfm.frame_picker import spaced
 from ..sfm.guided_matches import read_matches, write_matches
-from ..sfm.picture_folder import UPRIGHT, list_pictures, read_orientation
+from ..sfm.picture_choice import told_twice
+from ..sfm.picture_folder import UPRIGHT, list_photographs, read_header, read_orientation, read_stored
 from ..sfm.picture_writing import write_bytes, write_picture
 from ..sfm.pose_check import PoseCheck
 from ..sfm.posed_pictures import with_poses
@@ -35,7 +36,7 @@ def take_pictures(
     """The pictures of a folder that have a pose, as they are stored: lenses belong to that, and not to turned ones."""
     if not Path(source).is_dir():
         raise DatasetError(source, "is no folder", remedy="Cameras with poses are of pictures: give their folder")
-    paths = list_pictures(source)
+    paths, second = list_photographs(source)
     given = posed.read_posed([path.name for path in paths])
     assert given is not None
     found = with_poses(source, paths, given)
@@ -56,7 +57,7 @@ def take_pictures(
         raise DatasetError(source, "holds pictures whose names differ by their ending alone", remedy="Rename them")
     model = SfmModel(tuple(names), tuple(cameras), found.model.T_camera_world[chosen])
     write_colmap_model(folder / CAMERAS, model)
-    remarks += [f"not used, {line}" for line in given.left_out[:4]]
+    remarks += [f"not used, {line}" for line in given.left_out[:4]] + told_twice(second)
     missing = len(found.without_pose) * len(names) // len(found.paths)
     return {"kept": len(names), "frames": len(paths), "remarks": remarks, "missing": missing}
 
@@ -65,15 +66,15 @@ def _write(
     pictures: Path, path: Path, camera: CameraModel, lenses: dict[CameraModel, Undistortion]
 ) -> tuple[str, CameraModel]:
     """A picture as COLMAP reads it, and its camera; one whose lens COLMAP does not have is straightened."""
-    header = read_picture_header(path)
+    header = read_header(path)
     if MODELS[camera.model].number is None:
         lens = lenses.setdefault(camera, Undistortion(camera))
-        write_picture(pictures / f"{path.stem}.png", lens.apply(read_color(path)))
+        write_picture(pictures / f"{path.stem}.png", lens.apply(read_stored(path)))
         return f"{path.stem}.png", CameraModel.from_intrinsic(lens.intrinsic)
-    if header.bits == 8 and header.channels in (1, 3) and read_orientation(path) == UPRIGHT:
+    if header.bits == 8 and header.channels in (1, 3) and not is_photo(path) and read_orientation(path) == UPRIGHT:
         write_bytes(pictures / path.name, path.read_bytes())
         return path.name, camera
-    write_picture(pictures / f"{path.stem}.png", read_color(path))
+    write_picture(pictures / f"{path.stem}.png", read_stored(path))
     return f"{path.stem}.png", camera
 
 

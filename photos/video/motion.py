@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -14,11 +15,15 @@ from ...core.records import digest_of, digest_of_file
 from ...core.stages import Made
 from ...files.models.colmap import read_colmap_model
 from ...files.models.sfm_model import SfmModel
+from ...files.pictures.image_files import read_picture_header
 from .. import sfm
+from ..sfm.masks import FOLDER, MakeMask, mask_folder
 from ..sfm.picture_folder import check_place
+from ..sfm.sphere_pictures import cut_spheres
 from ..sfm.verdict import MIN_ANGLE, MIN_PARALLAX, Verdict
 
 PICTURES, DATABASE, MODEL = "pictures", "database.db", "sparse"
+MASKS, SPHERES = PICTURES + FOLDER, "spheres"
 
 FEWEST = 2  # pictures that make a model
 
@@ -51,10 +56,25 @@ def picture_names(frames: Made) -> list[str]:
     return sorted(path.name for path in (frames.folder / PICTURES).iterdir())
 
 
-def take_frames(folder: Path, say: ReportProgress, *, source: FilePath, max_frames: int) -> dict[str, Any]:
-    """Sharp frames of a video where the camera has moved, or the pictures of a folder."""
-    choice = sfm.choose_frames(source, folder / PICTURES, max_frames=max_frames, progress=say)
+def take_frames(
+    folder: Path,
+    say: ReportProgress,
+    *,
+    source: FilePath,
+    max_frames: int,
+    masks: FilePath | MakeMask | None,
+    panorama: bool,
+) -> dict[str, Any]:
+    """Sharp frames of a video where the camera has moved, or the pictures of a folder; the faces of spheres."""
+    place = folder / (SPHERES if panorama else PICTURES)
+    choice = sfm.choose_frames(source, place, max_frames=max_frames, masks=masks, progress=say)
     told = choice.to_json()
+    if panorama:
+        hidden = None if masks is None else (mask_folder(place), folder / MASKS)
+        faces = cut_spheres(place, choice.names, folder / PICTURES, hidden, say)
+        for each in (place, mask_folder(place)):
+            shutil.rmtree(each, ignore_errors=True)
+        return told | {"kept": len(faces), "frames": choice.frame_count, "names": faces}
     if len(choice.names) < FEWEST:
         reason = f"gives {len(choice.names)} picture that can be used, and a mesh wants several, from several places"
         raise FileError(source, reason, remedy="Move while you film, or take more pictures")
@@ -62,23 +82,36 @@ def take_frames(folder: Path, say: ReportProgress, *, source: FilePath, max_fram
 
 
 def find_features(
-    folder: Path, say: ReportProgress, *, frames: Made, intrinsic: PinholeCameraIntrinsic | None, seed: int
+    folder: Path,
+    say: ReportProgress,
+    *,
+    frames: Made,
+    intrinsic: PinholeCameraIntrinsic | None,
+    camera_model: str,
+    max_features: int,
+    panorama: bool,
+    seed: int,
 ) -> dict[str, Any]:
     """What can be recognised in each picture."""
-    pictures, database = frames.folder / PICTURES, folder / DATABASE
-    return sfm.find_features(pictures, database, intrinsic=intrinsic, seed=seed, progress=say).to_json()
+    pictures, masks = frames.folder / PICTURES, frames.folder / MASKS
+    if panorama:  # faces of a cube, of whatever size
+        side = read_picture_header(pictures / picture_names(frames)[0]).width
+        intrinsic = PinholeCameraIntrinsic(side, side, side / 2, side / 2, (side - 1) / 2, (side - 1) / 2)
+    options = {"camera_model": camera_model, "max_features": max_features, "masks": masks if masks.is_dir() else None}
+    found = sfm.find_features(pictures, folder / DATABASE, intrinsic=intrinsic, seed=seed, progress=say, **options)
+    return found.to_json()
 
 
-def match(folder: Path, say: ReportProgress, *, frames: Made, features: Made, seed: int) -> dict[str, Any]:
+def match(folder: Path, say: ReportProgress, *, frames: Made, features: Made, pairs: str, seed: int) -> dict[str, Any]:
     """Which of it two pictures share."""
-    return sfm.match(features.folder / DATABASE, folder / DATABASE, seed=seed, progress=say).to_json()
+    return sfm.match(features.folder / DATABASE, folder / DATABASE, pairs=pairs, seed=seed, progress=say).to_json()
 
 
 def map_pictures(
-    folder: Path, say: ReportProgress, *, frames: Made, matches: Made, fixed_camera: bool, seed: int
+    folder: Path, say: ReportProgress, *, frames: Made, matches: Made, fixed_camera: bool, mapper: str, seed: int
 ) -> dict[str, Any]:
     """Where the pictures were taken, what the lens is like, and what the model is worth."""
-    given = {"fix_intrinsic": fixed_camera, "seed": seed, "progress": say}
+    given = {"fix_intrinsic": fixed_camera, "mapper": mapper, "seed": seed, "progress": say}
     found = sfm.map_pictures(frames.folder / PICTURES, matches.folder / DATABASE, folder / MODEL, **given)
     cameras = () if found.model is None else tuple(dict.fromkeys(found.model.cameras))
     told = {"missing": list(found.missing), "cameras": [described(camera) for camera in cameras]}

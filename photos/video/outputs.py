@@ -80,7 +80,8 @@ class Outputs:
             FileError: One cannot be written.
         """
         assert result.mesh is not None and result.cloud is not None and result.model is not None
-        path, comments = poses_of(result.model), [f"units {result.units}"]
+        assert result.fit is not None
+        path, comments = poses_of(result.model), result.fit.comments
         if self.mesh is not None:
             _write_mesh(self.mesh, result.mesh, comments, overwrite=overwrite)
         if self.cloud is not None:

@@ -99,11 +99,13 @@ class StageReport:
         kept: Whether an earlier run made it; then its cost is of that run.
         cost: "seconds", "cpu_seconds", and "peak_bytes", the most memory that was held by its end.
         told: What it says of itself, in JSON's types, as its record holds it.
+        outdated: The versions by which an earlier run's was not kept, in words; empty where none were others.
     """
 
     kept: bool
     cost: Mapping[str, float]
     told: Mapping[str, Any]
+    outdated: str = ""
 
 
 @dataclass(frozen=True, eq=False)
@@ -160,7 +162,10 @@ class VideoResult:
             "command": "video",
             "source": self.source,
             "device": self.device,
-            "stages": {name: {"kept": stage.kept, **stage.cost} for name, stage in self.reached.items()},
+            "stages": {
+                name: {"kept": stage.kept, **stage.cost, **({"outdated": stage.outdated} if stage.outdated else {})}
+                for name, stage in self.reached.items()
+            },
             **{name: None if stage is None else dict(stage.told) for name, stage in self.stages.items()},
             "units": self.units,
             "fit": None if self.fit is None else self.fit.to_json(),
@@ -180,6 +185,7 @@ class VideoResult:
             *([("mesh", _mesh_line(found))] if found.vertex_count is not None else []),
             ("units", UNKNOWN if self.fit is None else str(self.fit)),
             *([("bounds", format_bounds(found.bounds))] if found.vertex_count is not None else []),
+            *([("made again", again)] if (again := self._again_line()) else []),
             ("seconds", self._seconds_line()),
             ("memory", f"{format_bytes(self.peak_bytes)} at most"),
             *([("stages", self.work)] if self.work else []),
@@ -192,6 +198,14 @@ class VideoResult:
     def _pictures_line(self) -> str:
         chosen = f"chosen from {self.figures.frame_count:,}, on {self.device}"
         return f"{self.figures.verdict.registered_count} of {self.figures.picture_count} placed, {chosen}"
+
+    def _again_line(self) -> str:
+        """Which stages were made again since another version had made them."""
+        whys: dict[str, list[str]] = {}
+        for name, stage in self.reached.items():
+            if stage.outdated:
+                whys.setdefault(stage.outdated, []).append(name)
+        return "\n".join(f"{', '.join(names)}: {why}" for why, names in whys.items())
 
     def _seconds_line(self) -> str:
         stages = self.reached

@@ -25,11 +25,13 @@ from ...meshing.mesh.mesh_files import write_triangle_mesh
 from ...meshing.mesh.mesh_summary import describe_mesh
 from ...pcd.cloud import PointCloud
 from .. import mvs
+from ..mvs.picture_masks import KEPT
+from ..sfm.masks import mask_file
 from . import motion
 from .units import Units, fit_units
 
 IMAGES, SPARSE = "images", "sparse"  # as COLMAP names what lies in a folder of straightened pictures
-MAPS = "maps"
+MAPS, MASKS = "maps", "masks"
 CLOUD, MESH = "cloud.ply", "mesh.ply"
 POSES_LOG, POSES_TUM = "poses.log", "poses.txt"
 
@@ -48,6 +50,11 @@ def straighten(
         say("pictures", k, len(names))
         color = read_color(frames.folder / motion.PICTURES / name)
         write_png(images / names[k], lenses[camera].apply(color))
+        mask = mask_file(frames.folder / motion.MASKS, name)
+        if mask.is_file():
+            (folder / MASKS).mkdir(exist_ok=True)
+            straightened = lenses[camera].apply(read_color(mask)[..., 0])
+            write_png(mask_file(folder / MASKS, names[k]), np.where(straightened >= KEPT, 255, 0).astype(np.uint8))
     say("pictures", len(names), len(names))
     straight = [lenses[camera].intrinsic for camera in found.cameras]
     write_colmap_model(folder / SPARSE, _straightened(found, tuple(names), straight))
@@ -55,10 +62,14 @@ def straighten(
     return {"pictures": len(names), "sizes": [list(size) for size in sizes]}
 
 
-def estimate(folder: Path, say: ReportProgress, *, undistorted: Made, seed: int, device: Any) -> dict[str, Any]:
-    """Depth of each straightened picture."""
+def estimate(
+    folder: Path, say: ReportProgress, going: Path, *, undistorted: Made, seed: int, device: Any
+) -> dict[str, Any]:
+    """Depth of each straightened picture; what is found of one stays in `going` until all is."""
     model, pictures, cameras = open_straightened(undistorted)
-    where = {"device": device, "folder": folder / MAPS, "progress": say}
+    places = [mask_file(undistorted.folder / MASKS, path.name) for path in pictures]
+    masks = [place if place.is_file() else None for place in places]
+    where = {"device": device, "folder": folder / MAPS, "masks": masks, "going": going, "progress": say}
     maps = mvs.estimate_depth_maps(pictures, cameras, model, seed=seed, **where)
     return {"pictures": len(maps), "share": _mean_share(maps)}
 
@@ -75,16 +86,16 @@ def fuse_points(folder: Path, say: ReportProgress, *, undistorted: Made, depth: 
 
 
 def make_mesh(
-    folder: Path, say: ReportProgress, *, undistorted: Made, fused: Made, units: Units, device: Any
+    folder: Path, say: ReportProgress, *, model: Made, undistorted: Made, fused: Made, units: Units, device: Any
 ) -> dict[str, Any]:
     """The surface through the depth that was kept, without small parts in the air, and the poses."""
-    model, pictures, _ = open_straightened(undistorted)
+    straight, pictures, _ = open_straightened(undistorted)
     where = {"device": device, "progress": say}
     whole = mvs.fuse(mvs.DepthMaps.open(fused.folder / MAPS), pictures, to="tsdf", **where)
     assert isinstance(whole, TriangleMesh)
-    kept, fit = without_floaters(whole), fit_units(units, model)
+    kept, fit = without_floaters(whole), fit_units(units, motion.read_model(model))
     mesh = kept.transform(fit.T_world_model)
-    placed = model.transform(fit.T_world_model)
+    placed = straight.transform(fit.T_world_model)
     write_triangle_mesh(folder / MESH, mesh)
     write_colmap_model(folder / SPARSE, placed)
     for name, form in ((POSES_LOG, "log"), (POSES_TUM, "tum")):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -13,9 +14,13 @@ from ...cameras.picture_names import meant_pictures
 from ...cameras.trajectory import read_lines
 from ...core.checks import check_positive, shown
 from ...core.errors import FileError, FilePath
-from ...core.records import digest_of_file
+from ...core.records import digest_of, digest_of_file
 from ...files.models.sfm_model import SfmModel
+from ...pcd.geodesy import WorldFrame
 from ...registration.trajectories.similarity import fit_to_positions, read_positions, scale_from_known
+from ...registration.trajectories.up_direction import UpDirection, turn_upright, up_direction
+from ..sfm.picture_places import PicturePlaces
+from .georeference import NotSettledError, PlacesFit, attitudes_of, fit_places, places_of
 
 FEWEST = 3  # known places that settle a similarity
 DOUBTED = 0.05  # of the places' extent, between the places known and those found
@@ -26,15 +31,23 @@ METRES = "metres"
 OF_POSES = "of the poses given"
 UNKNOWN = "arbitrary: give --scale, --known or --align for metres"
 
+EXIF, NONE = "exif", "none"  # for `align`, beside a file
+
 
 @dataclass(frozen=True, eq=False)
 class Units:
-    """What is known of the size of things; at most one of the three.
+    """What is known of the size of things and of their place; at most one of scale, known and align.
+
+    Where nothing is given, the places that pictures tell (GPS of EXIF and XMP) are used if they settle size and turn,
+    and else the model is turned upright where its cameras tell what is up.
 
     Attributes:
         scale: Metres in a unit of the model.
         known: Two pictures, and the distance of their cameras [m].
-        align: File of known camera places: poses (.log, .txt, .tum: by the pictures' numbers), or lines `name x y z`.
+        align: File of known camera places: poses (.log, .txt, .tum: by the pictures' numbers), or lines `name x y z`;
+            "exif" for the places that pictures tell, poor where they settle nothing; "none" for the frame in which the
+            model was found.
+        places: What pictures tell; None has `reconstruct` read it from the folder.
 
     Raises:
         TypeError: Not numbers, or not two names.
@@ -50,9 +63,11 @@ class Units:
     scale: float | None = None
     known: tuple[str, str, float] | None = None
     align: FilePath | None = None
+    places: PicturePlaces | None = None
 
     def __post_init__(self):
         given = [name for name in ("scale", "known", "align") if getattr(self, name) is not None]
+        given = [name for name in given if name != "align" or self._word != NONE]
         if len(given) > 1:
             raise ValueError(f"{given[1]}: {given[0]} is given too, and each of them settles the unit; give one")
         if self.scale is not None:
@@ -60,24 +75,46 @@ class Units:
         if self.known is not None:
             first, second, metres = _check_known(self.known)
             object.__setattr__(self, "known", (first, second, check_positive("known", metres)))
-        if self.align is not None:
-            read_lines(self.align)
+        if self.file is not None:
+            read_lines(self.file)
+        if not isinstance(self.places, PicturePlaces | None):
+            raise TypeError(f"places: expected PicturePlaces, got {type(self.places).__name__}")
+
+    @property
+    def _word(self) -> str | None:
+        """What `align` is where it is no file."""
+        return self.align if isinstance(self.align, str) and self.align in (EXIF, NONE) else None
+
+    @property
+    def file(self) -> FilePath | None:
+        """The file of `align`, where it is one."""
+        return None if self._word is not None else self.align
+
+    @property
+    def uses_places(self) -> bool:
+        """Whether the places that pictures tell may settle the unit."""
+        return self._word == EXIF or (self.align is None and self.scale is None and self.known is None)
 
     @property
     def settings(self) -> dict[str, Any]:
         """What decides the outcome, in JSON's types."""
-        align = None if self.align is None else digest_of_file(self.align)
-        return {"scale": self.scale, "known": None if self.known is None else list(self.known), "align": align}
+        align = self._word if self.file is None else digest_of_file(self.file)
+        told = {"scale": self.scale, "known": None if self.known is None else list(self.known), "align": align}
+        if self.places is not None and (self.places.places or self.places.attitudes) and align in (None, EXIF):
+            told["places"] = digest_of(self.places.to_json())
+        return told
 
     def check_names(self, names: Sequence[str]) -> None:
         """Hold that the pictures that `known` and `align` name are there.
 
         Raises:
-            ValueError: One of the two of `known` is not, or both are the same.
+            ValueError: One of the two of `known` is not, or both are the same; too few tell their place for "exif".
             FileError: Too few of those of `align` are, or a line that makes no sense.
         """
-        if self.align is not None:
-            _positions(self.align, names, "that were taken")
+        if self.file is not None:
+            _positions(self.file, names, "that were taken")
+        if self._word == EXIF:
+            _check_told(self.places, names)
         if self.known is None:
             return
         first, second = (picture_named(name, names) for name in self.known[:2])
@@ -110,9 +147,12 @@ class Fit:
         T_world_model: A similarity, float64 [4, 4].
         units: "metres", "arbitrary", or "of the poses given" where they were and nothing else is known.
         scale: Metres in a unit of the model; 1 where nobody knows.
-        by: What settled it: "scale", "known", "align", "cameras", or None.
-        places: With `align`, how the known places agree with those found.
+        by: What settled it: "scale", "known", "align", "exif", "cameras", or None.
+        places: With the file of `align`, how the known places agree with those found.
         poor: Why it is doubted, or None.
+        gps: How the places that pictures tell fit, where they settled it.
+        up: What is up in the model, where that was asked.
+        remarks: What is to be known of it.
     """
 
     T_world_model: NDArray[np.float64]
@@ -121,20 +161,54 @@ class Fit:
     by: str | None
     places: KnownPlaces | None = None
     poor: str | None = None
+    gps: PlacesFit | None = None
+    up: UpDirection | None = None
+    remarks: tuple[str, ...] = ()
+
+    @property
+    def frame(self) -> WorldFrame | None:
+        """The coordinates on the Earth; None where they are not known."""
+        return None if self.gps is None else self.gps.frame
+
+    @property
+    def is_upright(self) -> bool:
+        """Whether z is up."""
+        return self.gps is not None or (self.up is not None and self.up.direction is not None)
+
+    @property
+    def comments(self) -> list[str]:
+        """Lines for the headers of files."""
+        return [f"units {self.units}", *([] if self.frame is None else [f"frame {self.frame}"])]
 
     def to_json(self) -> dict[str, Any]:
         """All but the similarity and the doubt, in JSON's types."""
-        told = {"units": self.units, "scale": self.scale, "by": self.by}
+        told: dict[str, Any] = {"units": self.units, "scale": self.scale, "by": self.by}
+        if self.gps is not None:
+            told["gps"] = self.gps.to_json()
+        if self.up is not None and self.up.direction is not None:
+            told["up"] = {"by": self.up.by, "sigma_degrees": self.up.sigma}
+        if self.remarks:
+            told["remarks"] = list(self.remarks)
         if (known := self.places) is not None:
             told |= {"places": known.count, "left_out": list(known.left_out)}
             told |= {"rms_m": known.rms_m, "extent_m": known.extent_m}
         return told
 
     def __str__(self) -> str:
+        upright = ", upright" if self.is_upright else ""
+        return "\n".join([self._line() + upright, *self.remarks])
+
+    def _line(self) -> str:
         if self.units == ARBITRARY:
             return UNKNOWN
         if self.units == OF_POSES:
             return "those of the poses that were given"
+        if (gps := self.gps) is not None:
+            line = f"metres by GPS of {len(gps.names)} pictures, {gps.horizontal_rms:.3g} m off in plan"
+            line += "" if math.isnan(gps.vertical_rms) else f" and {gps.vertical_rms:.3g} m in height"
+            line += f" (rms); size to {100 * gps.scale_sigma:.2g} %, up to {gps.tilt_sigma:.2g} degrees"
+            line += f"; without {', '.join(gps.left_out)}" if gps.left_out else ""
+            return f"{line}\n{gps.frame}"
         line = f"metres by --{self.by}: {self.scale:.6g} m a unit of the model"
         if (known := self.places) is not None:
             line += f"; {known.count} places, {known.rms_m:.3g} m off (rms)"
@@ -153,8 +227,38 @@ def fit_units(units: Units, model: SfmModel) -> Fit:
         ValueError: A picture that is not in the model, or that is at the place of the other.
         FileError: Too few known places, or all of them on a line.
     """
-    if units.align is not None:
-        return _aligned(units.align, model)
+    if (path := units.file) is not None:
+        return _aligned(path, model)
+    if units.align == NONE:
+        return _of_lengths(units, model)
+    attitudes = {} if units.places is None else attitudes_of(units.places, model.names)
+    up = up_direction(model, attitudes)
+    if units.uses_places and units.places is not None and len(units.places):
+        try:
+            gps = fit_places(model, units.places, up)
+            doubt = gps.why_doubted()
+        except NotSettledError as error:
+            gps, doubt = None, str(error)
+        remarks = tuple(units.places.remarks())
+        if gps is not None and (doubt is None or units.align == EXIF):
+            return Fit(gps.T_world_model, METRES, gps.scale, EXIF, poor=doubt, gps=gps, up=up, remarks=remarks)
+        told = f"GPS of the pictures is not used: {doubt}"
+        poor = told if units.align == EXIF else None
+        return _upright(replace(_of_lengths(units, model), poor=poor, remarks=(*remarks, told)), up)
+    return _upright(_of_lengths(units, model), up)
+
+
+def _upright(fit: Fit, up: UpDirection) -> Fit:
+    """The same turned so that z is up, where that is known."""
+    if up.direction is None:
+        return replace(fit, up=up)
+    turn = np.eye(4)
+    turn[:3, :3] = turn_upright(up.direction)
+    return replace(fit, T_world_model=turn @ fit.T_world_model, up=up)
+
+
+def _of_lengths(units: Units, model: SfmModel) -> Fit:
+    """By a factor, or by a distance, or nothing."""
     if units.known is not None:
         first, second, metres = units.known
         a, b = (model.names[picture_named(name, model.names, " in the model")] for name in (first, second))
@@ -227,3 +331,15 @@ def _positions(path: FilePath, names: Sequence[str], where: str) -> dict[str, ND
         reason = f"gives the places of {len(positions)} pictures {where}; {FEWEST} or more settle size and position"
         raise FileError(path, reason, remedy=f"Name pictures as they are named, such as {names[0]}")
     return positions
+
+
+def _check_told(places: PicturePlaces | None, names: Sequence[str]) -> None:
+    if places is None:
+        raise ValueError('align: "exif" is of the photographs in a folder; a video tells no places')
+    count = len(places_of(places, tuple(names)))
+    if count < FEWEST:
+        refused = "; ".join(places.remarks())
+        raise ValueError(
+            f'align: "exif": {count} of {len(names)} pictures tell where they were taken; {FEWEST} or more settle size '
+            f"and position{'. ' + refused if refused else ''}"
+        )

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from scipy.spatial import KDTree
 
 from ...core.checks import (
     LARGEST_NUMBER,
@@ -105,8 +106,8 @@ def register_nonrigid(
         The result; look at `poor`, and at `is_rigid`.
 
     Raises:
-        TypeError, ValueError: No clouds, too few points, numbers out of range, or landmarks that are not finite or lie
-            off the source; or no point of the source near the target.
+        TypeError, ValueError: No clouds, too few points, numbers out of range, or landmarks that are not finite, lie
+            off the source or contradict each other; or no point of the source near the target.
         DeviceError: Clouds on different devices.
 
     Notes:
@@ -206,7 +207,24 @@ def _check_landmarks(landmarks: Any, low: Array, high: Array, spacing: float) ->
             f"landmarks[0]: place {k} lies {off[k]:g} m outside of the source's box; "
             "give places on the source first, in its world coordinates"
         )
-    return here, check_finite("landmarks[1]", there)
+    check_finite("landmarks[1]", there)
+    _refuse_contradictions(here, there, spacing)
+    return here, there
+
+
+def _refuse_contradictions(here: Array, there: Array, spacing: float) -> None:
+    """Two places less than a node spacing apart bend by the same nodes: they do not come to belong one more apart."""
+    if len(here) < 2:
+        return
+    a, b = KDTree(here).query_pairs(spacing, output_type="ndarray").reshape(-1, 2).T
+    before, after = (np.linalg.norm(places[a] - places[b], axis=1) for places in (here, there))
+    if (after - before > spacing).any():
+        k = int((after - before).argmax())
+        raise ValueError(
+            f"landmarks: places {min(a[k], b[k])} and {max(a[k], b[k])} are {before[k]:g} m apart and belong "
+            f"{after[k]:g} m apart, which no bend of nodes {spacing:g} m apart does; leave one of them out, or give a "
+            "smaller node_spacing"
+        )
 
 
 class _Bending:
@@ -221,6 +239,9 @@ class _Bending:
             for cloud in (source, target)
         )
         self.spacing, self.reach, self.pins = spacing, reach, pins
+        low, high = source.device_bounds()
+        # what lies on the target is judged at the scale of the body where nodes are farther apart
+        self.grain = min(spacing, float(np.linalg.norm(np.asarray(high) - np.asarray(low))) / NODES_ACROSS)
         if init is None and len(pins[0]) >= 3:
             init = fit_pose(*pins)
         method = TransformationEstimationPointToPlane()
@@ -304,7 +325,7 @@ class _Bending:
         values = np.array(download(residuals))  # sync
         values[values < 0] = np.nan
         paired = np.isfinite(values)
-        near = paired & (np.nan_to_num(values, nan=np.inf) <= 0.1 * self.spacing)
+        near = paired & (np.nan_to_num(values, nan=np.inf) <= 0.1 * self.grain)
         rmse = float(np.sqrt((values[paired] ** 2).mean())) if paired.any() else float("nan")
         return values, float(near.sum()) / max(self.source.search_tree().count, 1), rmse
 
@@ -313,7 +334,7 @@ class _Bending:
         deformation = Deformation(self.graph, self.source.origin, self.target.origin)
         warped = deformation.transform(self.source)
         reached = find_nearest(PointTree(warped.points_about(self.target.origin)), self.tree.source)
-        covered = _share_within(reached, 0.5 * self.spacing, self.tree.count)
+        covered = _share_within(reached, 0.5 * self.grain, self.tree.count)
         strains = quantiles_of(measure_strain(self.graph, self.around), [0.9])
         volumes = deformation.volumes(self.source)
         finite = volumes[np.isfinite(volumes)]

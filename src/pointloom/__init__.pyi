@@ -52,8 +52,10 @@ from .meshing.mesh.surface_result import SurfaceResult as SurfaceResult
 from .meshing.scene.raycasting_scene import RaycastingScene as RaycastingScene
 from .meshing.volume.distance_field import DistanceField as DistanceField
 from .meshing.volume.occupancy import OccupancyGrid as OccupancyGrid
+from .meshing.volume.paged_volume import PagedTSDFVolume as PagedTSDFVolume
 from .meshing.volume.splat_fusion import fuse_splats as fuse_splats
 from .meshing.volume.tsdf import TSDFVolume as TSDFVolume
+from .meshing.volume.vdb_files import write_vdb as write_vdb
 from .meshing.volume.volume_fusion import fuse_volumes as fuse_volumes
 from .meshing.mesh.voxel_grid import VoxelGrid as VoxelGrid
 from .pcd.boxes import AxisAlignedBoundingBox as AxisAlignedBoundingBox
@@ -130,10 +132,12 @@ from .files.bags.pieces import RecordingWarning as RecordingWarning
 from .files.bags.recording import RecordedMessage as RecordedMessage
 from .files.bags.recording import Recording as Recording
 from .files.bags.recording import open_recording as open_recording
+from .files.bags.transforms import RecordedTransforms as RecordedTransforms
 from .files.frames.recordings import FrameRecorder as FrameRecorder
 from .files.frames.recordings import record_frames as record_frames
 from .files.frames.rgbd_sources import RGBDSource as RGBDSource
 from .files.frames.rgbd_sources import frames_from as frames_from
+from .cameras.panoramas import Panorama as Panorama
 from .cameras.trajectory import Trajectory as Trajectory
 from .cameras.trajectory import read_trajectory as read_trajectory
 from .cameras.trajectory import write_trajectory as write_trajectory

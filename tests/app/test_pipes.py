@@ -13,6 +13,7 @@ from click.testing import CliRunner, Result
 import pointloom as loom
 from pointloom.app.shell import pipes
 from pointloom.app.shell.cli import cli
+from pointloom.files.bags import recording
 from pointloom.files.meshes import tables
 from pointloom.files.points.formats import READERS, WRITTEN
 
@@ -35,6 +36,7 @@ def start(*words: object, **streams) -> subprocess.Popen:
 def test_the_extensions_of_pipes_are_those_of_files():
     meshes = [suffix for suffix in tables.MESHES if suffix != ".ply"]
     assert sorted(pipes.READ) == sorted(suffix[1:] for suffix in [*READERS, *meshes])
+    assert sorted(pipes.RECORDINGS) == sorted(recording._READERS)
     assert sorted(pipes.WRITTEN) == sorted(suffix[1:] for suffix in [*WRITTEN, *meshes])
 
 

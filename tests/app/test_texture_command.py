@@ -9,7 +9,7 @@ import pointloom as loom
 from pointloom.core.wording import to_json
 from pointloom.data.scenes.room import write_room_sequence
 from pointloom.files.frames.datasets import open_dataset
-from pointloom.files.pictures.image_files import read_color
+from pointloom.files.pictures.image_files import read_color, write_png
 
 from .commands import answer, names_in, poor_answer, refusal, run
 
@@ -124,3 +124,27 @@ def test_frames_without_color_are_refused(scan, tmp_path):
     for path in (tmp_path / "grey").glob("*.color.png"):
         path.unlink()
     assert "no colour" in refusal("texture", scan / "bare.ply", tmp_path / "grey", "-o", tmp_path / "out.ply")
+
+
+def test_pictures_of_a_model_give_a_texture(tmp_path):
+    from ..meshing.picture_scenes import CAMERA, wall_scene
+
+    scene = wall_scene((0.8, 1.1, 1.0))
+    loom.write_triangle_mesh(tmp_path / "wall.ply", scene.mesh)
+    names = [f"{k}.png" for k in range(3)]
+    model = loom.SfmModel(names, [loom.CameraModel.from_intrinsic(CAMERA)] * 3, np.array(scene.extrinsics))
+    for sparse, images in (("project/sparse/0", "project/images"), ("work/mesh/sparse", "work/undistorted/images")):
+        (tmp_path / images).mkdir(parents=True)
+        (tmp_path / sparse).parent.mkdir(parents=True, exist_ok=True)
+        for name, picture in zip(names, scene.pictures, strict=True):
+            write_png(tmp_path / images / name, picture)
+        loom.write_colmap_model(tmp_path / sparse, model)
+    words = ["texture", tmp_path / "wall.ply"]
+    report = answer(*words, tmp_path / "project", "-o", tmp_path / "a.glb", "--size", "256", "--device", "cpu")
+    assert report["layout"] == "model" and report["pictures"] == 3 and report["size"] == 256
+    assert report["poor"] is None and report["seen"] > 0.3 * report["triangles"]
+    assert answer(*words, tmp_path / "work", "-o", tmp_path / "b.glb", "--size", "256", "--device", "cpu")["files"]
+    assert (tmp_path / "a.glb").read_bytes() == (tmp_path / "b.glb").read_bytes()
+    assert loom.read_triangle_mesh(tmp_path / "a.glb").textures[0].shape == (256, 256, 3)
+    refused = run(*words, tmp_path / "project", "-o", tmp_path / "c.glb", "--method", "rigid")
+    assert refused.exit_code == 2 and "--method is for RGB-D frames" in refused.stderr

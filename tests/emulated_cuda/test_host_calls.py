@@ -46,6 +46,9 @@ MORE = {
     "up to 20,000 colours, of which a legend shows the mean": ("render, values",),
     "which part of a mesh lies in which is asked of NumPy": ("mesh, repair", "mesh, sheets"),
     "numbers of each patch": ("detect_planar_patches",),
+    "the best samples of each batch, the sums of each fit": (
+        *("segment_sphere", "segment_cylinder", "segment_cone", "segment_torus", "detect_shapes", "fit_shape"),
+    ),
 }
 
 

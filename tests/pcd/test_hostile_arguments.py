@@ -311,16 +311,27 @@ loom.project_to_utm(cloud=lonlat, epsg=32632)
 loom.utm_epsg(cloud=lonlat)
 loom.write_trajectory(path="trajectory.tum", trajectory=trajectory, format="tum", intrinsic=camera)
 loom.write_triangle_mesh(path="mesh.ply", mesh=mesh, up="y")
+loom.write_vdb(path="field.vdb", volume=distance_field)
 loom.read_color(path="nowhere.png")
 loom.read_depth(path="nowhere.png")
 loom.read_pinhole_camera_intrinsic(path="nowhere.json")
 loom.read_trajectory(path="nowhere.log")
+loom.Panorama(width=32, height=16, side=8, device="cpu")
+panorama.apply(picture=sphere)
 loom.SelectionPolygonVolume.from_json(path="nowhere.json")
 volume.to_json(path="volume.json")
 loom.OccupancyGrid.load(path="nowhere.npz", device="cpu")
 occupancy_filled.save(path="grid.npz")
 loom.TSDFVolume.load(path="nowhere.npz", device="cpu")
 tsdf_filled.save(path="volume.npz")
+loom.PagedTSDFVolume(folder="pages", voxel_size=0.1, truncation=0.4, max_blocks=50, page_blocks=4, device="cpu", overwrite=True)
+loom.PagedTSDFVolume.load(folder="nowhere", max_blocks=50, device="cpu")
+paged().integrate(depth=depth, intrinsic=camera, extrinsic=pose, color=color, depth_scale=1000.0, depth_max=3.0)
+paged().integrate_points(points=points, origin=[0.0, 0.0, 1.0], carve=True, min_range=0.0, max_range=50.0)
+paged_filled.extract_parts(weight_threshold=0.5)
+paged_filled.extract_point_cloud(weight_threshold=0.5)
+paged_filled.extract_triangle_mesh(weight_threshold=0.5)
+paged_filled.ray_cast(intrinsic=camera, extrinsic=pose, depth_min=0.1, depth_max=3.0, weight_threshold=0.5)
 """  # noqa: E501
 
 
@@ -345,6 +356,9 @@ def things() -> dict[str, Any]:
     def tsdf() -> Any:
         return loom.TSDFVolume(voxel_size=0.1)
 
+    def paged() -> Any:
+        return loom.PagedTSDFVolume(tempfile.mkdtemp(), voxel_size=0.1)
+
     def occupancy() -> Any:
         return loom.OccupancyGrid(voxel_size=0.1)
 
@@ -352,6 +366,8 @@ def things() -> dict[str, Any]:
     seen.insert_scan(points, [0.5, 0.5, 0.5])
     filled = tsdf()
     filled.integrate(depth, camera, np.eye(4), color)
+    paged_filled = paged()
+    paged_filled.integrate(depth, camera, np.eye(4), color)
     corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
     mapped = loom.TriangleMesh(points, triangles, triangle_uvs=[[0, 0], [1, 0], [0, 1]] * 2)
     painted = loom.TriangleMesh.create_plane(create_uv_map=True)
@@ -363,7 +379,7 @@ def things() -> dict[str, Any]:
     stream = loom.frames_from(pictures, camera)
     lens = loom.CameraModel("SIMPLE_RADIAL", 16, 12, [10.0, 8.5, 6.5, -0.1])
     return dict(
-        splats=splats, lens=lens, straightened=loom.Undistortion(lens),
+        sphere=np.zeros((16, 32, 3), np.uint8), panorama=loom.Panorama(32, 16), splats=splats, lens=lens, straightened=loom.Undistortion(lens),
         model=loom.SfmModel(["a", "b", "c"], [lens] * 3, poses, points, observations=[[0, 1]], pixels=[[1, 2]]),
         bytes3=(255 * colors).astype(np.uint8),
         pictures=pictures, stream=stream, frame=next(iter(stream)), latest=loom.LatestFrames(stream),
@@ -376,7 +392,8 @@ def things() -> dict[str, Any]:
         mask=row < 20, box=loom.AxisAlignedBoundingBox([0.1] * 3, [0.9] * 3),
         turned=loom.OrientedBoundingBox([0.5] * 3, np.eye(3), [1.0] * 3), search=loom.NearestNeighborSearch(cloud),
         rgbd=loom.RGBDImage(color, depth), volume=loom.SelectionPolygonVolume(corners, "Z", 0.0, 1.0), tsdf=tsdf,
-        occupancy=occupancy, occupancy_filled=seen, tsdf_filled=filled, mapped=mapped, mesh=mesh, triangles=triangles,
+        occupancy=occupancy, occupancy_filled=seen, tsdf_filled=filled, paged=paged, paged_filled=paged_filled,
+        mapped=mapped, mesh=mesh, triangles=triangles,
         corner_uvs=np.zeros((3 * len(triangles), 2)), material_ids=np.zeros(len(triangles), int),
         picture=np.zeros((4, 4, 3), np.uint8), painted=painted, outline=[[1, 0], [2, 0], [2, 1], [1, 1]],
         shell=loom.TriangleMesh(
@@ -396,10 +413,11 @@ HOMES = {
     "cloud": "PointCloud", "search": "NearestNeighborSearch", "box": "AxisAlignedBoundingBox",
     "turned": "OrientedBoundingBox", "camera": "PinholeCameraIntrinsic", "volume": "SelectionPolygonVolume",
     "occupancy()": "OccupancyGrid", "occupancy_filled": "OccupancyGrid",
+    "paged()": "PagedTSDFVolume", "paged_filled": "PagedTSDFVolume",
     "tsdf()": "TSDFVolume", "tsdf_filled": "TSDFVolume", "mesh": "TriangleMesh", "mapped": "TriangleMesh",
     "painted": "TriangleMesh", "shell": "TriangleMesh", "scene": "RaycastingScene", "latest": "LatestFrames",
     "recorder()": "FrameRecorder", "segments": "LineSet", "lens": "CameraModel", "model": "SfmModel",
-    "straightened": "Undistortion", "splats": "GaussianSplats", "distance_field": "DistanceField",
+    "straightened": "Undistortion", "panorama": "Panorama", "splats": "GaussianSplats", "distance_field": "DistanceField",
 }  # fmt: skip
 # Results, which operations make; errors; and what takes device arrays, being no part of what users call.
 LEFT_OUT = {"ConvexHull", "VisibleSurface", "DatasetError", "FileError", "DeviceError", "PointloomError"} | {
@@ -429,6 +447,9 @@ LEFT_OUT |= {"reconstruct", "ReconstructionResult"}  # and these
 LEFT_OUT |= {"Recording", "RecordedMessage", "Recording.choose_topic", "Recording.messages", "Recording.scans"}
 LEFT_OUT |= {"ImuReadings", "Recording.frames"}  # a result; tests/files/test_recorded_frames.py has it
 LEFT_OUT |= {"Recording.imu", "Recording.trajectory"}  # tests/files/test_recorded_motions.py has them
+# tests/files/test_recorded_transforms.py has them
+LEFT_OUT |= {"Recording.transforms", "RecordedTransforms", "RecordedTransforms.lookup", "RecordedTransforms.span"}
+LEFT_OUT |= {"Recording.header_at"}  # for code that reads messages by place
 LEFT_OUT |= {"Recording.rows_of", "Recording.bytes_at", "Recording.content_at"}  # for code that reads messages by place
 LEFT_OUT |= {"read_cameras"}  # tests/files/test_camera_files.py has it
 LEFT_OUT |= {"TriangleMesh.vertices_at", "DistanceField.from_device_voxels"}  # takes device arrays

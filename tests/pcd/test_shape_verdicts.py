@@ -8,6 +8,8 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.kernels.lang import float32
+from pointloom.kernels.memory import download, upload
 from pointloom.kernels.segmentation.shape_fit import frame_of
 from pointloom.kernels.segmentation.shape_models import PLANE
 from pointloom.kernels.segmentation.shape_rivals import Band, count_band
@@ -51,5 +53,6 @@ def test_points_beside_a_plane_are_counted_within_its_box_by_distance_and_by_nor
     found = Found(PLANE, replace(search.fitter.fit(PLANE, plane, search.rows), shape=plane), search.rows)
     frame = frame_of(np.array([0.0, 0.0, 1.0]))
     ends = np.array([[0.0, 0.0, 0.0], [1.0, 1.0, 0.0]]) @ frame.T
-    band = count_band(search, found, np.array([ends.min(axis=0), ends.max(axis=0)]), 0.01, 0.9)
+    box = upload(np.concatenate([ends.min(axis=0), ends.max(axis=0)]).astype(np.float32), float32, search.device)
+    band = Band(*download(count_band(search, found, box, 0.01, 0.9)).tolist())
     assert band == Band(on=100, beside=200, on_facing=75, beside_facing=150)

@@ -61,6 +61,13 @@ def test_its_steps_are_those_of_the_paper(device, kind):
     np.testing.assert_array_equal(found.warped.points, again.warped.points)
 
 
+@pytest.mark.parametrize("count", [4, 7, 8, 9, 17])
+def test_each_number_of_points_is_weighed_whole(device, count):
+    body, scan = lumpy(count, 0), swayed(lumpy(count + 1, 1))
+    found = drift(loom.PointCloud(body, device=device), loom.PointCloud(scan, device=device), max_iteration=2)
+    np.testing.assert_allclose(found.warped.points, steps_in_numpy(body, scan, "rigid", 2)[0], atol=2e-6)
+
+
 def test_trees_find_what_all_pairs_do(device, monkeypatch):
     body, scan = lumpy(400, 0) * FLAT, turned(lumpy(500, 1) * FLAT)
     clouds = loom.PointCloud(body, device=device), loom.PointCloud(scan, device=device)

@@ -211,6 +211,67 @@ def test_a_few_steps_are_the_same_everywhere(device):
     assert found.iterations == 4 and found.rmse < found.rigid_rmse
 
 
+def test_landmarks_that_contradict_each_other_are_named(device, swaying):
+    body, scan, _ = swaying
+    clouds = loom.PointCloud(body, device=device), loom.PointCloud(scan, device=device)
+    places, belong = body[[5, 80, 5]], np.array([[0.5, 0, 0], [0, 0.5, 0], [-0.5, 0, 0]])
+    with pytest.raises(ValueError, match=r"landmarks: places 0 and 2 are 0 m apart and belong 1 m apart"):
+        bend(*clouds, landmarks=(places, belong))
+
+
+def test_fewer_nodes_than_parts_are_told(device):
+    ball = lumpy(300, 0)
+    body = np.vstack([ball, np.add(lumpy(300, 1), [4, 0, 0])])
+    apart = np.vstack([ball, np.add(lumpy(300, 1), [5, 1, 0])])  # one part went elsewhere; there is one node for both
+    clouds = loom.PointCloud(body, device=device), loom.PointCloud(apart, device=device)
+    found = bend(*clouds, node_spacing=20.0, max_distance=0.5, init=np.eye(4), stiffness=[1.0], max_iteration=3)
+    assert len(found.deformation) == 1
+    assert "lies on the other" in found.poor
+
+
+def test_a_body_that_would_be_stretched_is_told(device):
+    body = tube(400, 0)
+    scan = body * [1, 1, 1.6]
+    pins = body[::8], scan[::8]
+    found = bend(
+        loom.PointCloud(body, device=device),
+        loom.PointCloud(scan, device=device),
+        node_spacing=0.4,
+        landmarks=pins,
+        stiffness=[0.1],
+        max_iteration=5,
+    )
+    assert "the body would be stretched by" in found.poor
+
+
+def test_a_step_takes_a_turn_at_once(device):
+    body = lumpy(200, 0)
+    c, s = np.cos(0.2), np.sin(0.2)
+    turned = body @ np.array([[c, -s, 0], [s, c, 0], [0, 0, 1.0]]).T
+    found = bend(
+        loom.PointCloud(body, device=device),
+        loom.PointCloud(turned + ABOVE, device=device),  # no pairs: landmarks are all there is
+        init=np.eye(4),
+        node_spacing=0.9,
+        max_distance=0.1,
+        landmarks=(body[::4], turned[::4]),
+        stiffness=[1.0],
+        max_iteration=1,
+    )
+    # what a step of Gauss and Newton leaves of a turn is of its second order
+    assert errors_of(found, turned).max() < 0.2**2
+
+
+def test_the_far_side_of_a_thin_body_is_no_partner(device):
+    x, y = np.random.default_rng(0).uniform(-1, 1, (2, 500))
+    up, down = np.tile([[0, 0, 1.0]], (500, 1)), np.tile([[0, 0, -1.0]], (500, 1))
+    sheet = np.column_stack([x, y, 0.05 * np.sin(3 * x)])
+    front = loom.PointCloud(sheet, normals=up, device=device)
+    back = loom.PointCloud(sheet - [0, 0, 0.05], normals=down, device=device)
+    found = bend(front, back, init=np.eye(4), node_spacing=0.9, stiffness=[10.0], max_iteration=1)
+    assert (found.correspondences == -1).all()
+
+
 def test_bad_input_is_told(device, swaying):
     body, scan, _ = swaying
     cloud, other = loom.PointCloud(body, device=device), loom.PointCloud(scan, device=device)

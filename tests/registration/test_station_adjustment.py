@@ -1,13 +1,17 @@
 """Adjusting stations: standard deviations are what errors are, wrong observations are named, and nothing else is."""
 
+import dataclasses
+
 import numpy as np
 import pytest
 from scipy.special import chdtri
+from scipy.stats import binom
 
 from pointloom.registration.rigid import invert_pose, make_pose, rotation_of
 from pointloom.registration.stations.adjustment import Observed, adjust
 from pointloom.registration.stations.observations import ControlPoint, StationPair, TargetObservation
-from pointloom.registration.stations.snooping import snoop
+from pointloom.registration.stations.pairs import _clustered
+from pointloom.registration.stations.snooping import FALSE_ALARM, snoop
 
 PLACES = np.array([[0, 0, 0], [9, 1, 0.2], [17, -2, 0.1], [18, 8, 0.3], [8, 9, -0.2], [-1, 10, 0.1]])
 LINKS = [(1, 0), (2, 1), (3, 2), (4, 3), (5, 4), (0, 5), (4, 1)]
@@ -83,6 +87,72 @@ def test_right_surveys_raise_no_alarm():
         _, observed, first = survey(seed, level=True)
         alarms += bool(snoop(first, observed, level=True, reference=0)[2])
     assert alarms <= 1
+
+
+@pytest.mark.slow
+def test_alarms_are_as_rare_as_said():
+    surveys = 240
+    alarms = sum(
+        bool(snoop(first, observed, level=True, reference=0)[2])
+        for _, observed, first in (survey(seed, level=True) for seed in range(surveys))
+    )
+    assert alarms <= binom.ppf(0.999, surveys, FALSE_ALARM)
+
+
+def test_a_small_slip_is_found():
+    _, observed, first = survey(6, level=True)
+    slipped = dataclasses.replace(observed.targets[3], position=np.asarray(observed.targets[3].position) + 8 * SEEN)
+    targets = [*observed.targets[:3], slipped, *observed.targets[4:]]
+    outliers = snoop(first, Observed(observed.pairs, targets, observed.control), level=True, reference=0)[2]
+    assert [one.group.observation for one in outliers] == [slipped]
+
+
+def test_pairs_that_say_too_much_of_themselves_are_widened():
+    _, observed, first = survey(7, level=True)
+    sure = [dataclasses.replace(pair, information=9 * pair.information) for pair in observed.pairs]
+    _, left, _ = snoop(first, Observed(sure, observed.targets, observed.control), level=True, reference=0)
+    assert 1.2 < left.pair_factor < 5
+
+
+def test_the_factor_of_pairs_is_of_standard_deviations():
+    _, observed, first = survey(8, level=True, control=False)
+    once = adjust(first, Observed(observed.pairs), level=True)
+    thrice = adjust(first, Observed(observed.pairs, pair_factor=3.0), level=True)
+    np.testing.assert_allclose(thrice.covariances, 9 * once.covariances, rtol=1e-6, atol=1e-15)
+
+
+def test_redundancy_is_rows_less_what_they_determine():
+    _, observed, first = survey(9, level=True, control=False)
+    found = adjust(first, Observed(observed.pairs), level=True)
+    assert found.redundancy == 4 * len(LINKS) - 4 * (len(PLACES) - 1)
+
+
+def test_a_test_is_how_much_the_squares_fall_without_its_observation():
+    _, observed, first = survey(10, level=True)
+    found = adjust(first, observed, level=True)
+    for group in found.groups[:3] + found.groups[-2:]:
+        without = adjust(found.poses, observed.without(group), level=True)
+        np.testing.assert_allclose(group.statistic, found.squares - without.squares, rtol=1e-3)
+
+
+def test_too_few_blocks_tell_nothing():
+    rng = np.random.default_rng(0)
+    J, r, places = rng.normal(size=(400, 4)), rng.normal(0, 0.01, 400), rng.uniform(0, 10, (400, 3))
+    assert _clustered(J, r, np.ones(400), places, 2.0).any()
+    assert not _clustered(J, r, np.ones(400), places, 6.0).any()  # eight blocks
+
+
+def test_information_is_what_errors_of_blocks_show():
+    sizes = []
+    for seed in range(40):
+        rng = np.random.default_rng(seed)
+        places = rng.uniform(0, 10, (3000, 3))
+        key = (np.floor(places / 2) @ [25, 5, 1]).astype(int)
+        J = rng.normal(size=(3000, 4)) + rng.normal(size=(125, 4))[key]
+        r = 0.01 * rng.normal(size=125)[key]  # what neighbours have in common
+        error = np.linalg.solve(J.T @ J, J.T @ r)
+        sizes.append(error @ _clustered(J, r, np.ones(3000), places, 2.0) @ error)
+    assert 2.5 < np.mean(sizes) < 6.0  # of four unknowns, with covariances of 125 blocks
 
 
 def test_exchanged_names_are_named():

@@ -9,7 +9,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.core.errors import FileError
-from pointloom.drawing.render.geometries import Style
+from pointloom.drawing.render.styles import Style
 from pointloom.drawing.render.view import fit_view
 from pointloom.drawing.viewer.coloring_choice import ColoringChoice
 from pointloom.drawing.viewer.copc_tree import CopcTree

@@ -13,7 +13,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.core.errors import PointloomError
-from pointloom.drawing.render.geometries import Style
+from pointloom.drawing.render.styles import Style
 from pointloom.drawing.viewer import calls
 from pointloom.drawing.viewer.calls import Calls
 from pointloom.drawing.viewer.camera import view_of

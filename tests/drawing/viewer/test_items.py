@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.drawing.render.geometries import Style
+from pointloom.drawing.render.styles import Style
 from pointloom.drawing.render.view import fit_view
 from pointloom.drawing.viewer.camera import camera_of, reach_of, view_of
 from pointloom.drawing.viewer.coloring_choice import ColoringChoice, choices_of

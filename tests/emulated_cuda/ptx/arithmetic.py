@@ -209,6 +209,15 @@ def dot_halves(f: FunctionTranslator, i: Instruction) -> str | None:
     return f.set(i.operands[0], "u32", f"dp2a({a}, {b}, {c}, {0 if 'lo' in i else 16})")
 
 
+@translates("dp4a", pure=True)
+def dot_bytes(f: FunctionTranslator, i: Instruction) -> str | None:
+    if i.kinds != ["u32", "u32"]:  # the compiler makes it of products of uint8
+        return None
+    a, b, c = (f.value(token, "u32") for token in i.operands[1:])
+    products = " + ".join(f"(({a} >> {k}) & 255u) * (({b} >> {k}) & 255u)" for k in (0, 8, 16, 24))
+    return f.set(i.operands[0], "u32", f"{c} + {products}")
+
+
 # ------------------------------------------------------------------------------------------------ comparisons
 
 

@@ -10,7 +10,7 @@ from pointloom.kernels.lang import float32, launch, uint8, vec4
 from pointloom.kernels.memory import download, empty, upload
 from pointloom.kernels.stereo.brightness import resize_brightness_kernel
 from pointloom.kernels.stereo.inverse_planes import refine_planes_kernel
-from pointloom.kernels.stereo.patch_costs import BAD, Reference, Sources
+from pointloom.kernels.stereo.patch_costs import BAD, Reference, Sources, patch_on
 from pointloom.kernels.stereo.patch_match import Turn, spread_planes, start_planes
 from pointloom.kernels.stereo.plane_results import finish_planes
 
@@ -43,7 +43,7 @@ def problem(device: str, count: int = 1, hidden: int = -1):
     layout = [(WIDTH, HEIGHT, (1 + k) * WIDTH * HEIGHT) for k in range(count)]
     maps = upload(np.tile(np.float32([0.5, 0, 0, 0]), (WIDTH * HEIGHT, 1)), vec4, where)
     sources = Sources(there, there, back, layout, [(WIDTH, HEIGHT, 0)] * count, values, maps)
-    return Reference(WIDTH, HEIGHT, 0, LENS, (0.2, 1.0), FOCAL * BASELINE, PATCH, where), sources
+    return Reference(WIDTH, HEIGHT, 0, LENS, (0.2, 1.0), FOCAL * BASELINE, patch_on(PATCH, where)), sources
 
 
 def planes_of(w: float, device: str):

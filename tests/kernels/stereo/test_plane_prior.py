@@ -7,7 +7,7 @@ import numpy as np
 from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import float32, vec4
 from pointloom.kernels.memory import download, upload
-from pointloom.kernels.stereo.patch_costs import Reference, Sources
+from pointloom.kernels.stereo.patch_costs import Reference, Sources, patch_on
 from pointloom.kernels.stereo.patch_match import start_planes
 from pointloom.kernels.stereo.plane_prior import judge_places, take_priors
 
@@ -32,7 +32,7 @@ def half_plain(device: str):
     maps = upload(table(TRUE, 0.0), vec4, where)
     sources = Sources(there, there, back, [(WIDTH, HEIGHT, WIDTH * HEIGHT)], [(WIDTH, HEIGHT, 0)], values, maps)
     lens = (FOCAL, FOCAL, 29.5, 14.5)
-    return Reference(WIDTH, HEIGHT, 0, lens, (0.2, 1.0), FOCAL * BASELINE, PATCH, where), sources
+    return Reference(WIDTH, HEIGHT, 0, lens, (0.2, 1.0), FOCAL * BASELINE, patch_on(PATCH, where)), sources
 
 
 def table(w: float, last: float) -> np.ndarray:

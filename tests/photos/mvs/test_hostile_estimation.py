@@ -19,7 +19,7 @@ loom.mvs.PosedCamera(intrinsic=lens, T_camera_world=pose)
 loom.mvs.SparsePoints(points=points, observations=observations)
 loom.mvs.DepthMap(depth=depth, normals=normals, confidence=depth)
 loom.mvs.DepthMaps(cameras=cameras, sources=sources, maps=[one, one], folder=None)
-loom.mvs.estimate_depth_maps(pictures=pictures, cameras=cameras, sparse=sparse, sources=sources, seed=0, device="cpu", folder=None, device_bytes=1000, progress=None)
+loom.mvs.estimate_depth_maps(pictures=pictures, cameras=cameras, sparse=sparse, sources=sources, masks=None, seed=0, device="cpu", folder=None, going=None, device_bytes=1000, progress=None)
 """  # noqa: E501
 TABLE = {name.removeprefix("mvs."): call for name, call in read_table(CALLS, {}).items()}
 

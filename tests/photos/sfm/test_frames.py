@@ -73,9 +73,25 @@ def test_where_each_frame_is_at_another_place_all_are_taken(panned):
     assert chosen == list(range(chosen[0], len(far))) and chosen[0] <= frame_picker.NEAR
 
 
-def test_a_still_camera_gives_a_frame_now_and_then(panned):
-    still = picked([panned[0]] * 100, max_gap=30)
-    assert 3 <= len(still.chosen) <= 4 and max(np.diff(still.chosen)) <= 32
+def test_a_camera_that_stands_still_gives_one_frame(panned):
+    rng = np.random.default_rng(0)
+    noisy = [np.clip(panned[0] + rng.normal(0, 4, panned[0].shape), 0, 255).astype(np.uint8) for _ in range(100)]
+    for k, frame in enumerate(noisy):
+        frame[40:100, k : k + 25] = 128  # somebody walks by
+    picker = picked(noisy, max_gap=30)
+    assert len(picker.chosen) == 1 and picker.still == 3
+    moved = picked([*noisy, *panned], max_gap=30)  # and then goes on
+    assert len(moved.chosen) >= 8 and sum(n < 100 for n in moved.chosen) <= 2
+
+
+def test_a_camera_that_goes_straight_ahead_or_rolls_slowly_is_not_still(panned):
+    wide = Image.fromarray(np.concatenate([panned[0], panned[39]], axis=1)).resize((320, 240))
+    inner = [wide.crop((k / 3, k / 4, 320 - k / 3, 240 - k / 4)) for k in range(100)]
+    rolled = [wide.rotate(0.1 * k, Image.Resampling.BICUBIC).crop((60, 45, 260, 195)) for k in range(100)]
+    for frames in (inner, rolled):
+        grey = [np.asarray(frame.resize((160, 120), Image.Resampling.BILINEAR)) for frame in frames]
+        picker = picked(grey, max_gap=30)
+        assert len(picker.chosen) >= 3 and max(np.diff(picker.chosen)) <= 32 and picker.still == 0
 
 
 def test_black_and_blank_frames_are_left_out(panned):
@@ -283,12 +299,12 @@ def test_photographs_that_cannot_be_used_are_named(panned, tmp_path):
     whole = (source / "view 1.png").read_bytes()
     (source / "view 1.png").write_bytes(whole[: len(whole) // 2])
     (source / "view 2.png").write_bytes(b"")
-    (source / "wall.heic").write_bytes(b"heic")
+    (source / "wall.nef").write_bytes(b"nef")
     write_pictures(source, [np.zeros((48, 64), np.uint8)], ["lens cap.png"])
     choice = loom.sfm.choose_frames(source, tmp_path / "out")
     assert choice.names == ("view 0.png", "view 3.png")
     assert set(choice.left_out) == {"view 1.png", "view 2.png", "lens cap.png"}
-    assert "3 pictures cannot be used and left out" in choice.remarks[0] and "wall.heic" in choice.remarks[1]
+    assert "3 pictures cannot be used and left out" in choice.remarks[0] and "wall.nef" in choice.remarks[1]
 
 
 def test_photographs_of_several_sizes_are_told(panned, tmp_path):
@@ -302,8 +318,8 @@ def test_a_folder_without_a_picture_that_can_be_used_is_refused(panned, tmp_path
     (tmp_path / "in").mkdir()
     with pytest.raises(loom.FileError, match="holds no picture"):
         loom.sfm.choose_frames(tmp_path / "in", tmp_path / "out")
-    (tmp_path / "in" / "a.heic").write_bytes(b"")
-    with pytest.raises(loom.FileError, match=r"there are 1 of .heic, which are not read. Convert them"):
+    (tmp_path / "in" / "a.nef").write_bytes(b"")
+    with pytest.raises(loom.FileError, match=r"there are 1 of .nef, which are not read. Convert them"):
         loom.sfm.choose_frames(tmp_path / "in", tmp_path / "out")
     (tmp_path / "in" / "a.png").write_bytes(b"png")
     with pytest.raises(loom.FileError, match=r"none of 1 picture can be used: a\.png"):

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.photos.sfm import features, matches
+from pointloom.photos.sfm import features, mapping, matches
 
 from .conftest import COUNT, FEATURES, write_pictures
 from .scene import FOCAL, HEIGHT, WIDTH, picture, walk
@@ -207,3 +207,28 @@ def test_a_model_may_be_judged_without_colmap(stages):
         pixels=model.pixels[model.observations[:, 1] < 30],
     )
     assert "only 30 points were found" in loom.sfm.judge_model(few, COUNT).poor
+
+
+def test_all_at_once_and_one_by_one_come_to_the_same_cameras(stages, tmp_path):
+    found = loom.sfm.map_pictures(stages.pictures, stages.matches_db, tmp_path / "g", mapper="global")
+    loom.sfm.map_pictures(stages.pictures, stages.matches_db, tmp_path / "h", mapper="global")
+    assert found.model is not None and found.model.names == stages.result.model.names
+    for name in ("cameras.bin", "images.bin", "points3D.bin"):
+        assert (tmp_path / "g" / name).read_bytes() == (tmp_path / "h" / name).read_bytes()
+    apart = [
+        np.linalg.norm(model.centers[:, None] - model.centers[None], axis=2)
+        for model in (found.model, stages.result.model)
+    ]
+    scale = (apart[0] * apart[1]).sum() / (apart[0] ** 2).sum()
+    assert np.abs(scale * apart[0] - apart[1]).max() < 0.01 * apart[1].max()
+
+
+def test_a_mapper_is_chosen_by_how_many_pictures_there_are(monkeypatch, stages, tmp_path):
+    jobs = []
+    monkeypatch.setattr(
+        mapping, "run_job", lambda job, *rest, **limits: jobs.append(job) or ({"sizes": [], "cameras": {}}, 0)
+    )
+    for many in (8, 7):
+        monkeypatch.setattr(mapping, "MANY_PICTURES", many)
+        loom.sfm.map_pictures(stages.pictures, stages.matches_db, tmp_path / str(many))
+    assert [job["mapper"] for job in jobs] == ["incremental", "global"]

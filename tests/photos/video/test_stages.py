@@ -111,6 +111,46 @@ def test_another_version_of_a_stage_makes_it_again(tmp_path):
     assert ran == [1, 2]
 
 
+def test_what_another_version_made_is_made_again_and_told(tmp_path):
+    def run(**code):
+        return Job(tmp_path).chain.run(Stage("first", lambda folder, say: {}, code=code))
+
+    assert run(pointloom="1.0").outdated == "" and run(pointloom="1.0").kept
+    newer = run(pointloom="1.1")
+    assert not newer.kept and newer.outdated == "pointloom 1.0, now 1.1"
+    other = Job(tmp_path).chain.run(Stage("first", lambda folder, say: {}, {"a": 1}, code={"pointloom": "1.1"}))
+    assert not other.kept and other.outdated == ""  # a setting was changed, and no version
+
+
+def test_a_stage_that_goes_on_finds_what_it_left_of_the_same(tmp_path):
+    seen = []
+
+    def make(folder, say, going, *, fail):
+        seen.append(sorted(path.name for path in going.iterdir() if path.name.isdigit()))
+        (going / str(len(seen))).write_text("so far")
+        if fail:
+            raise KeyboardInterrupt
+        (folder / "text").write_text("whole")
+        return {}
+
+    def run(fail, setting=1, resume=True):
+        chain = Job(tmp_path, resume=resume).chain
+        chain.run(Stage("first", lambda *given: make(*given, fail=fail), {"setting": setting}, goes_on=True))
+
+    for fail, setting in ((True, 1), (True, 1), (True, 2), (False, 2)):
+        if fail:
+            with pytest.raises(KeyboardInterrupt):
+                run(fail, setting)
+        else:
+            run(fail, setting)
+    assert seen == [[], ["1"], [], ["3"]]
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["first", "records"]
+    with pytest.raises(KeyboardInterrupt):
+        run(True, 3)
+    Job(tmp_path, resume=False)
+    assert not (tmp_path / "first.going").exists()
+
+
 def test_without_resume_all_is_made_anew(tmp_path):
     Job(tmp_path).run()
     job = Job(tmp_path, resume=False)

@@ -95,7 +95,7 @@ def empty_mesh(straight, tmp_path, units):
     where = {"undistorted": straight, "device": "cpu"}
     fused = surface.fuse_points(tmp_path / "fused", say_nothing, depth=depth, **where)
     return fused, surface.make_mesh(
-        tmp_path / "mesh", say_nothing, fused=made(tmp_path / "fused"), units=units, **where
+        tmp_path / "mesh", say_nothing, model=straight, fused=made(tmp_path / "fused"), units=units, **where
     )
 
 

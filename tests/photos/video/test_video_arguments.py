@@ -16,15 +16,27 @@ from pointloom.photos.video.settings import Settings
 from ...app.commands import names_in
 from ...hostile import faults_of, missing_from, public_arguments, read_table
 
-CALLS = """
+PLACING = 'masks=None, camera_model="SIMPLE_RADIAL", pairs="auto", max_features=500, panorama=False, mapper="auto"'
+CALLS = f"""
 loom.video.reconstruct(source=film, settings=settings, outputs=outputs, work=work, device="cpu", progress=None)
-loom.video.Settings(max_frames=30, max_size=320, intrinsic=None, units=units, seed=0, cameras=None)
-loom.video.Units(scale=2.0, known=None, align=None)
+loom.video.Settings(max_frames=30, max_size=320, intrinsic=None, units=units, seed=0, cameras=None, {PLACING})
+loom.video.Units(scale=2.0, known=None, align=None, places=None)
+loom.video.WorldFrame(latitude=47.5, longitude=8.25, altitude=430.0)
+frame.to_enu(places=[[47.5, 8.25, 430.0]])
+frame.to_geodetic(points=[[1.0, 2.0, 3.0]])
+frame.to_utm(points=[[1.0, 2.0, 3.0]], epsg=32632)
 loom.video.Outputs(mesh="room.ply", cloud="cloud.ply", trajectory="poses.log", picture="room.png")
 """
-TABLE = {name.removeprefix("video."): call for name, call in read_table(CALLS, {}).items()}
-RESULTS = {"Fit", "KnownPlaces", "StageReport", "VideoFigures", "VideoResult"}
-INSIDE = {"Outputs.check", "Outputs.write", "Units.check_names", "Settings.read_posed", "Settings.digest_of_cameras"}
+TABLE = {name.removeprefix("video."): call for name, call in read_table(CALLS, {"frame": "WorldFrame"}).items()}
+RESULTS = {"Fit", "PlacesFit", "KnownPlaces", "StageReport", "VideoFigures", "VideoResult"}
+INSIDE = {
+    "PlacesFit.why_doubted",
+    "Outputs.check",
+    "Outputs.write",
+    "Units.check_names",
+    "Settings.read_posed",
+    "Settings.digest_of_cameras",
+}
 
 
 def test_the_table_names_every_argument_of_every_public_call():
@@ -36,7 +48,7 @@ def things(quick, film, tmp_path, monkeypatch) -> dict[str, Any]:
     monkeypatch.chdir(tmp_path)  # where a string of digits is a good name of a folder
     settings, outputs = loom.video.Settings(), loom.video.Outputs()
     named = {"loom": loom, "film": film, "settings": settings, "outputs": outputs, "units": loom.video.Units()}
-    return named | {"work": None}
+    return named | {"work": None, "frame": loom.video.WorldFrame(47.5, 8.25, 430.0)}
 
 
 @pytest.mark.parametrize("name", TABLE)

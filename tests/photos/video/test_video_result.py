@@ -91,14 +91,14 @@ def test_a_result_cannot_be_changed(quick, film, tmp_path, monkeypatch):
 @pytest.mark.parametrize(
     ("name", "after", "recorded"),
     [
-        ("frames", [], {"source", "max_frames"}),
-        ("features", ["frames"], {"camera", "seed"}),
-        ("matches", ["frames", "features"], {"seed"}),
-        ("model", ["frames", "matches"], {"fixed", "seed"}),
+        ("frames", [], {"source", "max_frames", "panorama"}),
+        ("features", ["frames"], {"camera", "camera_model", "max_features", "panorama", "seed"}),
+        ("matches", ["frames", "features"], {"pairs", "seed"}),
+        ("model", ["frames", "matches"], {"fixed", "mapper", "seed"}),
         ("undistorted", ["frames", "model"], {"max_size"}),
         ("depth", ["undistorted"], {"seed"}),
         ("fused", ["undistorted", "depth"], set()),
-        ("mesh", ["undistorted", "fused"], {"units"}),
+        ("mesh", ["model", "undistorted", "fused"], {"units"}),
     ],
 )
 def test_a_stage_is_made_from_what_its_signature_asks_for(tmp_path, name, after, recorded):

@@ -1,0 +1,100 @@
+"""coherent_point_drift beside pycpd: a body of 2,000 and 10,000 points, turned or swayed, the same steps of both.
+
+pycpd keeps a row of all targets for each source in several arrays of float64, and for a field solves a system of all
+sources, so few steps are timed at 10,000 points; they are the dearest ones of ours, whose later steps meet near points
+alone.
+"""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from bending import OUTLIERS, STIFFNESS, WIDTH, body, moved
+from contest import OURS, Contestant, Operation, timed
+
+APART = 2e-6  # of the body's size: ours brings sources and results to float32
+
+
+@dataclass(frozen=True)
+class Drifting:
+    """A body, where it is to come to, how it may move, and the steps that are taken."""
+
+    source: np.ndarray
+    target: np.ndarray
+    kind: str
+    steps: int
+
+
+def drifting(count: int, kind: str, steps: int) -> Callable[[], Drifting]:
+    return functools.partial(_drifting, count, kind, steps)
+
+
+def _drifting(count: int, kind: str, steps: int) -> Drifting:
+    return Drifting(body(count, 0), moved(body(count, 1), kind), kind, steps)
+
+
+def prepare_pointloom(scene: Drifting, device: str) -> Callable[[], Any]:
+    import pointloom as loom
+
+    source, target = (loom.PointCloud(points, device=device) for points in (scene.source, scene.target))
+    options: dict[str, Any] = {"outliers": OUTLIERS, "width": WIDTH, "stiffness": STIFFNESS, "tolerance": 1e-300}
+    drift = loom.registration.coherent_point_drift
+    return lambda: drift(source, target, kind=scene.kind, max_iteration=scene.steps, **options).warped.points
+
+
+def prepare_pycpd(scene: Drifting, device: str) -> Callable[[], Any]:
+    import pycpd
+
+    center = scene.source.mean(axis=0)
+    radius = np.sqrt(((scene.source - center) ** 2).sum(axis=1).mean())
+    field: dict[str, Any] = {"alpha": STIFFNESS, "beta": WIDTH} if scene.kind == "deformable" else {}
+    method = getattr(pycpd, f"{scene.kind.capitalize()}Registration")
+    given = {"X": (scene.target - center) / radius, "Y": (scene.source - center) / radius, "w": OUTLIERS}
+
+    def call() -> np.ndarray:
+        found = method(**given, max_iterations=scene.steps, tolerance=0, **field)
+        found.register()
+        return found.TY * radius + center
+
+    return call
+
+
+def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
+    np.testing.assert_allclose(ours, theirs, rtol=0, atol=APART, err_msg=f"the points are not where {peer} leaves them")
+
+
+CONTESTANTS = (
+    Contestant(OURS, prepare_pointloom, np.asarray, ("cpu", "cuda")),
+    Contestant("pycpd", prepare_pycpd, np.asarray),
+)
+RIGID = Operation(
+    name="drift_rigid",
+    scenes={"2k, 10 steps": drifting(2000, "rigid", 10), "10k, 3 steps": drifting(10_000, "rigid", 3)},
+    quick={"300, 10 steps": drifting(300, "rigid", 10)},
+    contestants=CONTESTANTS,
+    check=check,
+    memory_size="2k, 10 steps",
+)
+DEFORMABLE = Operation(
+    name="drift_deformable",
+    scenes={"2k, 10 steps": drifting(2000, "deformable", 10), "10k, 2 steps": drifting(10_000, "deformable", 2)},
+    quick={"300, 10 steps": drifting(300, "deformable", 10)},
+    contestants=CONTESTANTS,
+    check=check,
+    memory_size="2k, 10 steps",
+)
+OPERATIONS = (RIGID, DEFORMABLE)
+
+
+@timed(RIGID)
+def test_drift_rigid(turn) -> None:
+    turn()
+
+
+@timed(DEFORMABLE)
+def test_drift_deformable(turn) -> None:
+    turn()

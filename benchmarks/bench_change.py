@@ -1,0 +1,100 @@
+"""M3C2 between two epochs of a bumpy surface, search structures included: normals of one radius, then cylinders.
+
+py4dgeo's epochs are made anew for each call, so that its trees are built in the timed region, as ours are.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import scenes
+from contest import OURS, Contestant, Operation, Trial, anew, thread_count, timed, waiting
+
+RAISED = 0.02  # [m] that half of the second epoch lies higher
+ERROR = 0.001  # of registration [m]
+Epochs = tuple[np.ndarray, np.ndarray, np.ndarray, float]
+
+
+def epochs(count: int, cores: int) -> Any:
+    """Two samplings of the surface, half of the second raised; core points of a third; a radius with some 30 points.
+
+    py4dgeo may leave out a point that is a core point itself, so that none is.
+    """
+
+    def make() -> Epochs:
+        first, second = (scenes.bumpy_surface(count, seed=seed) for seed in (0, 1))
+        second[second[:, 0] > second[:, 0].mean(), 2] += RAISED
+        span = np.ptp(first[:, :2], axis=0)
+        radius = float(np.sqrt(30 * span.prod() / (np.pi * count)))
+        return first, second, scenes.bumpy_surface(cores, seed=2), radius
+
+    return make
+
+
+def prepare_pointloom(scene: Epochs, device: str) -> Any:
+    import pointloom as loom
+
+    first, second, cores = (loom.PointCloud(points, device=device) for points in scene[:3])
+    radius = scene[3]
+
+    def measure(pair: Any) -> Any:
+        return loom.change.m3c2(
+            *pair, core_points=cores, normal_radii=radius, cylinder_radius=radius, max_distance=10 * radius,
+            registration_error=ERROR,
+        )  # fmt: skip
+
+    return Trial(waiting(measure, device, "warp"), setup=lambda: (anew(first), anew(second)))
+
+
+def prepare_py4dgeo(scene: Epochs, device: str) -> Any:
+    import py4dgeo
+
+    py4dgeo.set_num_threads(thread_count())
+    first, second, cores, radius = scene
+
+    def measure(pair: Any) -> Any:
+        m3c2 = py4dgeo.M3C2(
+            epochs=pair, corepoints=cores, normal_radii=[radius], cyl_radius=radius, max_distance=10 * radius,
+            registration_error=ERROR,
+        )  # fmt: skip
+        return m3c2.run()
+
+    return Trial(measure, setup=lambda: (py4dgeo.Epoch(first), py4dgeo.Epoch(second)))
+
+
+def facts(found: Any) -> tuple[np.ndarray, np.ndarray]:
+    """Distances and limits of ours."""
+    return found.distances, found.level_of_detection
+
+
+def peer_facts(found: Any) -> tuple[np.ndarray, np.ndarray]:
+    distances, uncertainties = found
+    return np.asarray(distances), np.asarray(uncertainties["lodetection"])
+
+
+def check(ours: Any, theirs: Any, peer: str) -> None:
+    """The same distances and limits at nearly all core points; a point on a cylinder's edge may fall either way."""
+    for mine, other, tolerance in zip(ours, theirs, (1e-6, 1e-6), strict=True):
+        assert (np.isfinite(mine) == np.isfinite(other)).mean() > 0.999, f"{peer} has numbers elsewhere"
+        near = np.abs(mine - other) < tolerance
+        assert near[np.isfinite(mine) & np.isfinite(other)].mean() > 0.999, f"other distances than {peer}'s"
+
+
+M3C2 = Operation(
+    name="m3c2",
+    scenes={"200k": epochs(200_000, 200_000), "1M, 100k cores": epochs(1_000_000, 100_000)},
+    quick={"50k": epochs(50_000, 10_000)},
+    contestants=(
+        Contestant(OURS, prepare_pointloom, facts, ("cpu", "cuda")),
+        Contestant("py4dgeo", prepare_py4dgeo, peer_facts),
+    ),
+    check=check,
+    memory_size="200k",
+)
+OPERATIONS = (M3C2,)
+
+
+@timed(M3C2)
+def test_m3c2(turn) -> None:
+    turn()

@@ -1,0 +1,86 @@
+"""The incremental and the global mapper of COLMAP on the same matches: pictures placed, errors, CPU seconds.
+
+    POINTLOOM_DATA=<folder> python benchmarks/sfm_mappers.py WORK [SET ...]
+
+SET is room, fountain, redkitchen or sceaux, all where none is named. WORK is a new folder. Features are found in
+pictures of up to 1000 pixels, 2048 at most of each. Errors are those of `sfm_accuracy.py`, of camera centres after the
+best similarity; of Sceaux there is no truth, and the cameras of both mappers are held against each other.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import resource
+import shutil
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import sfm_accuracy
+
+import pointloom as loom
+
+sfm_accuracy.ROOM_FRAMES, sfm_accuracy.STRIDE = 18, 10
+
+
+def sceaux(work: Path, data: Path | None) -> tuple[Path, dict[str, np.ndarray], dict[str, Any], dict[str, Any]]:
+    assert data is not None
+    shutil.copytree(data / "images", work / "pictures", ignore=lambda _, names: [n for n in names if n[-4:] != ".JPG"])
+    return work / "pictures", {}, {}, {}
+
+
+SETS = {
+    "room": (sfm_accuracy.room, None),
+    "fountain": (sfm_accuracy.fountain, "mvs-fountain-p11"),
+    "fountain, its lens unknown": (sfm_accuracy.fountain, "mvs-fountain-p11"),
+    "redkitchen": (sfm_accuracy.redkitchen, "rgbd-7scenes-redkitchen"),
+    "sceaux": (sceaux, "mvs-sceaux"),
+}
+
+
+def cpu_seconds() -> float:
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+def main() -> None:
+    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    arguments.add_argument("work", type=Path)
+    arguments.add_argument("sets", nargs="*")
+    given = arguments.parse_args()
+    given.work.mkdir(parents=True)
+    print("| pictures | mapper | placed | centres, rms of the extent | directions | reprojection | CPU s |")
+    for name in given.sets or SETS:
+        compare(name, given.work / name.replace(",", "").replace(" ", "-"))
+
+
+def compare(name: str, work: Path) -> None:
+    make, folder = SETS[name]
+    work.mkdir()
+    data = None if folder is None else Path(os.environ["POINTLOOM_DATA"]) / folder
+    pictures, truth, options, _ = make(work, data)
+    intrinsic = None if "unknown" in name else options.get("intrinsic")
+    loom.sfm.find_features(pictures, work / "f.db", intrinsic=intrinsic, max_size=1000, max_features=2048)
+    loom.sfm.match(work / "f.db", work / "m.db", pairs="auto")
+    for mapper in ("incremental", "global"):
+        before = cpu_seconds()
+        fixed = {"fix_intrinsic": intrinsic is not None, "mapper": mapper}
+        result = loom.sfm.map_pictures(pictures, work / "m.db", work / mapper, **fixed)
+        spent, model = cpu_seconds() - before, result.model
+        if model is None:
+            print(f"| {name} | {mapper} | none | | | | {spent:.0f} |", flush=True)
+            continue
+        if not truth:
+            truth = dict(zip(model.names, model.T_world_camera, strict=True))
+        kept = [k for k, each in enumerate(model.names) if each in truth]
+        errors = sfm_accuracy.camera_errors(model, truth) if len(kept) == len(model) else {}
+        share, turn = (100 * errors.get("share_of_extent", np.nan)), errors.get("mean_degrees", np.nan)
+        placed, error = f"{len(model)} of {result.verdict.picture_count}", result.verdict.error
+        print(
+            f"| {name} | {mapper} | {placed} | {share:.3f} % | {turn:.3f} | {error:.2f} px | {spent:.0f} |", flush=True
+        )
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,221 @@
+"""Textures of made scenes whose colours are known: steps at seams, and errors, with and without levelling.
+
+    python benchmarks/texture_seams.py [--scene owl] [--device cpu] [--picture out.png]
+
+The pictures are what a camera sees of a mesh with known colours, each with an exposure of its own (0.8 to 1.2), darker
+towards its corners (by a quarter), with noise of 1 of 255; the poses that are handed over are off by 0.05 degrees and a
+thousandth of the distance. Contestants are the mean over pictures (`project_images_to_albedo` on xatlas's charts), and
+`texture_from_pictures` with less and with all of its levelling.
+
+A step is the difference of colours at both sides of an edge of the mesh whose sides lie at different places of the
+texture, at eight places of each such edge, bilinear, in the mean of three channels. An error is that of the texture at
+20,000 places of the surface, after one gain for all of it. Seconds are of the processor, compiling included in the
+first.
+"""
+
+from __future__ import annotations
+
+import argparse
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import pointloom as loom
+
+PLACES = 8  # of an edge
+POINTS = 20_000
+SIZE = 2048
+Colors = Callable[[NDArray[np.float64]], NDArray[np.float64]]
+
+
+@dataclass
+class Scene:
+    """A mesh, what colour it has where, pictures of it, and poses that are nearly right."""
+
+    name: str
+    mesh: Any
+    colors: Colors
+    pictures: list[NDArray[np.uint8]]
+    camera: Any
+    extrinsics: list[NDArray[np.float64]]
+
+
+def painted(length: float) -> Colors:
+    """Colours that change over a length [m], over a quarter of it, and at sharp lines."""
+
+    def colors(p: NDArray[np.float64]) -> NDArray[np.float64]:
+        x, y, z = np.moveaxis(np.asarray(p, np.float64) * (2 * np.pi / length), -1, 0)
+        slow = np.sin(x + 0.7 * y) + np.cos(y - 0.4 * z) + np.sin(z + 0.3 * x)
+        fine = np.sin(4 * x + z) * np.cos(3.7 * y - x) + np.sin(4.3 * z + y)
+        line = np.tanh(6 * np.sin(0.9 * x + 0.5 * y + 0.8 * z))
+        shades = [0.45 + 0.08 * slow + 0.05 * fine + 0.08 * line, 0.42 - 0.07 * slow + 0.05 * fine]
+        return np.stack([*shades, 0.40 + 0.05 * np.sin(x - z) - 0.05 * fine - 0.06 * line], -1)
+
+    return colors
+
+
+def owl() -> Scene:
+    """The owl from 16 places all round."""
+    mesh = loom.data.object_mesh().simplify_quadric_decimation(20_000)
+    poses = ring(16, 0.6, (0.15, 0.7))
+    return photographed(
+        "owl", mesh, painted(0.08), poses, 0.6, loom.PinholeCameraIntrinsic(640, 480, 720, 720, 319.5, 239.5)
+    )
+
+
+def room() -> Scene:
+    """The furnished room from 24 places in it."""
+    from pointloom.data.scenes.room_paths import round_pose
+
+    poses = np.array([round_pose(k / 24) for k in range(24)])
+    return photographed(
+        "room",
+        loom.data.room_mesh(),
+        painted(0.5),
+        poses,
+        2.0,
+        loom.PinholeCameraIntrinsic(640, 480, 400, 400, 319.5, 239.5),
+    )
+
+
+SCENES = {"owl": owl, "room": room}
+
+
+def ring(count: int, distance: float, heights: tuple[float, ...]) -> NDArray[np.float64]:
+    from pointloom.data.made import views
+
+    return views.ring(count, distance, heights)
+
+
+def photographed(
+    name: str, mesh: Any, colors: Colors, poses: NDArray[np.float64], distance: float, camera: Any
+) -> Scene:
+    """Pictures of a mesh with exposures of their own, dark corners and noise, and poses a little off."""
+    rng, scene = np.random.default_rng(0), loom.RaycastingScene()
+    scene.add_triangles(mesh.vertices.astype(np.float32), mesh.triangles)
+    v, u = np.mgrid[: camera.height, : camera.width]
+    rays = np.stack([(u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy, np.ones(u.shape)], -1)
+    far = ((rays[..., :2] ** 2).sum(-1) / (rays[0, 0, :2] ** 2).sum())[..., None]
+    pictures, extrinsics = [], []
+    for T in poses:
+        ways = rays @ T[:3, :3].T
+        met = scene.cast_rays(np.concatenate([np.broadcast_to(T[:3, 3], ways.shape), ways], -1))["t_hit"]
+        seen = np.isfinite(met)[..., None]
+        shade = colors(T[:3, 3] + ways * np.where(seen, met[..., None], 0.0)) * seen
+        exposed = shade * rng.uniform(0.8, 1.2) * (1 - 0.25 * far) * 255 + rng.normal(0, 1, shade.shape)
+        pictures.append(np.clip(np.rint(exposed), 0, 255).astype(np.uint8))
+        extrinsics.append(shaken(rng, distance) @ np.linalg.inv(T))
+    return Scene(name, mesh, colors, pictures, camera, extrinsics)
+
+
+def shaken(rng: np.random.Generator, distance: float) -> NDArray[np.float64]:
+    """A small motion: 0.05 degrees, and a thousandth of the distance, along each axis in the deviation."""
+    T, (a, b, c) = np.eye(4), rng.normal(0, np.radians(0.05), 3)
+    cross = np.array([[0, -c, b], [c, 0, -a], [-b, a, 0]])
+    left, _, right = np.linalg.svd(np.eye(3) + cross)
+    T[:3, :3], T[:3, 3] = left @ right, rng.normal(0, 0.001 * distance, 3)
+    return T
+
+
+def texture_at(picture: NDArray[np.uint8], uvs: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Colours at texture coordinates [n, 2], bilinear, 0..255."""
+    height, width = picture.shape[:2]
+    x = np.clip(uvs[:, 0] * width - 0.5, 0, width - 1)
+    y = np.clip((1 - uvs[:, 1]) * height - 0.5, 0, height - 1)
+    i, j = np.minimum(x.astype(int), width - 2), np.minimum(y.astype(int), height - 2)
+    s, t, p = (x - i)[:, None], (y - j)[:, None], picture.astype(np.float64)
+    upper = p[j, i] * (1 - s) + p[j, i + 1] * s
+    return upper * (1 - t) + (p[j + 1, i] * (1 - s) + p[j + 1, i + 1] * s) * t
+
+
+def seam_steps(mesh: Any, shown: NDArray[np.bool_] | None = None) -> NDArray[np.float64]:
+    """The steps at all places of edges whose sides lie at different places of the texture, 0..255.
+
+    Args:
+        mesh: With one texture, its vertices one where they are at one place.
+        shown: Triangles that count, bool [t]; None for all.
+    """
+    triangles, uvs = np.asarray(mesh.triangles), np.asarray(mesh.triangle_uvs, np.float64).reshape(-1, 3, 2)
+    keep = np.ones(len(triangles), bool) if shown is None else shown
+    begin, end = triangles[:, [0, 1, 2]].reshape(-1), triangles[:, [1, 2, 0]].reshape(-1)
+    at_begin, at_end = uvs[:, [0, 1, 2]].reshape(-1, 2), uvs[:, [1, 2, 0]].reshape(-1, 2)
+    low = begin < end
+    keys = np.where(low, begin, end).astype(np.int64) * (triangles.max() + 1) + np.where(low, end, begin)
+    first, last = np.where(low[:, None], at_begin, at_end), np.where(low[:, None], at_end, at_begin)
+    order = np.argsort(keys, kind="stable")
+    order = order[np.repeat(keep, 3)[order]]
+    pairs = np.flatnonzero(keys[order][1:] == keys[order][:-1])
+    here, there = order[pairs], order[pairs + 1]
+    apart = (np.abs(first[here] - first[there]) + np.abs(last[here] - last[there])).max(1) > 1e-6
+    here, there, steps = here[apart], there[apart], []
+    for k in range(PLACES):
+        share = (k + 0.5) / PLACES
+        colors = [texture_at(mesh.textures[0], first[h] * (1 - share) + last[h] * share) for h in (here, there)]
+        steps.append(np.abs(colors[0] - colors[1]).mean(1))
+    return np.concatenate(steps) if len(here) else np.zeros(0)
+
+
+def color_errors(mesh: Any, colors: Colors, shown: NDArray[np.bool_]) -> NDArray[np.float64]:
+    """Errors of the texture at places of the triangles that count, 0..255, after one gain."""
+    rng, triangles = np.random.default_rng(1), np.asarray(mesh.triangles)
+    corners = np.asarray(mesh.vertices)[triangles]
+    areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) * shown
+    rows = rng.choice(len(triangles), POINTS, p=areas / areas.sum())
+    shares = rng.dirichlet((1, 1, 1), POINTS)
+    points = (corners[rows] * shares[..., None]).sum(1)
+    uvs = (np.asarray(mesh.triangle_uvs, np.float64).reshape(-1, 3, 2)[rows] * shares[..., None]).sum(1)
+    found, truth = texture_at(mesh.textures[0], uvs), 255 * colors(points)
+    return np.abs(found * ((found * truth).sum() / (found**2).sum()) - truth).mean(1)
+
+
+def measure(scene: Scene, device: str) -> dict[str, Any]:
+    """The meshes of all contestants, printed as a table."""
+    mesh, maps = scene.mesh.to(device), loom.color_map
+    given = (scene.pictures, scene.camera, scene.extrinsics)
+    ways: dict[str, dict[str, Any]] = {
+        "one picture each": {"exposures": False, "seam_levelling": False, "local_levelling": False},
+        "at one exposure": {"seam_levelling": False, "local_levelling": False},
+        "and vertices shifted": {"local_levelling": False},
+        "and strips blended": {},
+        "without exposures": {"exposures": False},
+    }
+    found, shown = {}, None
+    print(f"{scene.name}: {len(mesh):,} triangles, {len(scene.pictures)} pictures, {mesh.device}")
+    print(f"{'':28}{'charts':>8}{'step mean':>11}{'95 %':>7}{'error mean':>12}{'95 %':>7}{'seconds':>9}")
+    for name, how in ways.items():
+        begin = time.process_time()
+        result = maps.texture_from_pictures(mesh, *given, size=SIZE, **how)
+        seconds = time.process_time() - begin
+        shown, found[name] = result.views >= 0, result.mesh
+        _print(name, result.chart_count, result.mesh, scene, shown, seconds)
+    print(result)
+    begin = time.process_time()
+    mean = mesh.compute_uvatlas(SIZE, gutter=4).project_images_to_albedo(*given, tex_size=SIZE)
+    _print("mean over pictures", None, mean, scene, shown, time.process_time() - begin)
+    return found | {"mean over pictures": mean}
+
+
+def _print(name: str, charts: int | None, mesh: Any, scene: Scene, shown: Any, seconds: float) -> None:
+    steps, errors = seam_steps(mesh, shown), color_errors(mesh, scene.colors, shown)
+    counted = "" if charts is None else f"{charts:,}"
+    figures = (
+        f"{steps.mean():11.2f}{np.quantile(steps, 0.95):7.2f}{errors.mean():12.2f}{np.quantile(errors, 0.95):7.2f}"
+    )
+    print(f"{name:28}{counted:>8}{figures}{seconds:9.1f}", flush=True)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--scene", choices=[*SCENES, "all"], default="all")
+    parser.add_argument("--device", default="cpu")
+    chosen = parser.parse_args()
+    for name in SCENES if chosen.scene == "all" else [chosen.scene]:
+        measure(SCENES[name](), chosen.device)
+
+
+if __name__ == "__main__":
+    main()

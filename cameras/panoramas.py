@@ -1,0 +1,108 @@
+"""Pictures of all directions (360 degrees, equirectangular) as those of six cameras, the faces of a cube."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..core.checks import check_count, check_numeric
+from ..core.devices import resolve_device
+from ..kernels.images.sphere import find_sphere_places
+from ..kernels.images.undistortion import read_places
+from ..kernels.lang import mat33d, uint8
+from ..kernels.memory import download, upload
+from .camera import PinholeCameraIntrinsic
+
+FACES = ("front", "right", "back", "left", "up", "down")
+SMALLEST, LARGEST = 8, 16384  # sides of a face [px]
+# The axes of each face's camera (x right, y down, z forward) as columns, in the frame of the front one.
+_TURNS = np.array(
+    [
+        [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
+        [[0, 0, 1], [0, 1, 0], [-1, 0, 0]],
+        [[-1, 0, 0], [0, 1, 0], [0, 0, -1]],
+        [[0, 0, -1], [0, 1, 0], [1, 0, 0]],
+        [[1, 0, 0], [0, 0, -1], [0, 1, 0]],
+        [[1, 0, 0], [0, 0, 1], [0, -1, 0]],
+    ],
+    np.float64,
+)
+
+
+class Panorama:
+    """What cuts pictures of all directions of one size into the faces of a cube: the places are found once.
+
+    Args:
+        width: Of the pictures [px]; twice their height.
+        height: Of the pictures [px].
+        side: Of the faces [px]; None for as many pixels an angle as the picture has along its horizon.
+        device: Where they are cut; None for the CPU.
+
+    Attributes:
+        intrinsic: The camera of every face: 90 degrees wide.
+        turns: The rotation from each face's camera to the front one's, shape [6, 3, 3], in the order of `names`.
+        names: "front", "right", "back", "left", "up", "down".
+
+    Raises:
+        TypeError, ValueError: A number out of range, or a picture that is not twice as wide as high.
+
+    Notes:
+        8 B of device memory a pixel of the faces. Pixels are mixed of four; the same bits on every device.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> panorama = loom.Panorama(64, 32)
+        >>> faces = panorama.apply(np.full((32, 64, 3), 90, np.uint8))
+        >>> faces.shape, panorama.intrinsic.fx, int(faces.min())
+        ((6, 20, 20, 3), 10.0, 90)
+    """
+
+    names = FACES
+
+    def __init__(self, width: int, height: int, *, side: int | None = None, device: Any = None):
+        check_count("width", width, minimum=SMALLEST)
+        check_count("height", height, minimum=SMALLEST // 2)
+        if abs(width - 2 * height) > 2:
+            raise ValueError(
+                f"width: expected twice the height of {height}, as pictures of all directions have, got {width}"
+            )
+        if side is None:
+            side = min(max(round(width / math.pi), SMALLEST), LARGEST)
+        check_count("side", side, minimum=SMALLEST, maximum=LARGEST, because="no sphere has more pixels")
+        self.width, self.height, self.side = int(width), int(height), int(side)
+        self.device, self.turns = resolve_device(device), _TURNS.copy()
+        middle = (self.side - 1) / 2
+        self.intrinsic = PinholeCameraIntrinsic(self.side, self.side, self.side / 2, self.side / 2, middle, middle)
+        turns = upload(_TURNS, mat33d, self.device)
+        self._places = find_sphere_places(self.side, self.side / 2, turns, self.width, self.height, self.device)
+
+    def apply(self, picture: ArrayLike) -> NDArray[np.uint8]:
+        """The faces of a picture.
+
+        Args:
+            picture: uint8 [height, width, 3] or [height, width].
+
+        Returns:
+            uint8 [6, side, side, 3] or [6, side, side].
+
+        Raises:
+            TypeError: Not uint8.
+            ValueError: Another shape.
+        """
+        image = check_numeric("picture", picture)
+        if image.dtype != np.uint8:
+            raise TypeError(f"picture: expected uint8, got {image.dtype}; scale it to 0..255 and round")
+        if image.ndim not in (2, 3) or (image.ndim == 3 and image.shape[2] != 3):
+            raise ValueError(f"picture: expected shape [h, w] or [h, w, 3], got {list(image.shape)}")
+        if image.shape[:2] != (self.height, self.width):
+            found = f"{image.shape[1]} x {image.shape[0]}"
+            raise ValueError(f"picture: expected {self.width} x {self.height} pixels, got {found}")
+        channels = image.shape[2] if image.ndim == 3 else 1
+        ring = np.concatenate([image[:, -1:], image, image[:, :1]], axis=1).reshape(-1, channels)
+        pixels = upload(np.ascontiguousarray(ring), uint8, self.device)
+        faces = read_places(pixels, self.width + 2, self.height, 1, self._places)
+        shape = (len(FACES), self.side, self.side, *((3,) if image.ndim == 3 else ()))
+        return np.array(download(faces)).reshape(shape)  # sync

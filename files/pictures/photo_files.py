@@ -1,0 +1,193 @@
+"""Photographs of kinds beside PNG and JPEG: HEIC, TIFF, WebP and DNG, decoded by packages whose errors become ours.
+
+TIFF and WebP are Pillow's. HEIC wants pi-heif (libheif and libde265; where somebody installed pillow-heif, that does as
+well), DNG rawpy (LibRaw): `pip install "pointloom[photos]"`. Each is loaded where such a file is read. Decoders of raw
+files take what is missing for black, so the extent of a DNG's pixels is held against the file's length before. Colour
+profiles are not applied.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import importlib
+import io
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image, TiffImagePlugin, WebPImagePlugin
+
+from ...core.errors import FileError, FilePath
+from ...core.paths import path_of
+from ..foreign import foreign_errors, import_for
+from .image_files import PIXEL_LIMIT, PictureHeader
+from .raw_extents import check_extents
+
+# The kind of a file, by its name's ending.
+KINDS = {".heic": "heif", ".heif": "heif", ".tif": "tiff", ".tiff": "tiff", ".webp": "webp", ".dng": "dng"}
+EXTRA = "photos"
+
+_ORIENTATION, _INNER = 0x0112, 0x8769  # EXIF's tags: how it lies, where more stands
+_DEEP_GREY = ("I;16", "I;16B", "I;16L", "I;16N")
+_NUMBERS = ("F", "I", "LAB")  # modes of Pillow that are no colours, or that it cannot make RGB of
+
+
+def is_photo(path: FilePath) -> bool:
+    """Whether a file is of one of these kinds, by the ending of its name."""
+    return Path(path).suffix.lower() in KINDS
+
+
+def read_photo_header(path: FilePath) -> PictureHeader:
+    """The size and kind of a photograph, as `read_photo` gives it; no pixel is decoded.
+
+    Raises:
+        FileError: Unreadable, damaged, of another kind, too large, or the package for its kind is missing.
+    """
+    kind = KINDS[Path(path).suffix.lower()]
+    if kind == "dng":
+        with _opened_raw(path) as raw:
+            sizes = raw.sizes
+            return _checked(path, PictureHeader(kind, sizes.width, sizes.height, 3, 8))
+    with _opened(path, kind) as picture:
+        return _header_of(path, kind, picture)
+
+
+def read_photo(path: FilePath) -> tuple[NDArray[np.uint8] | NDArray[np.uint16], int]:
+    """The pixels of a photograph, and how they lie.
+
+    Returns:
+        Colours of shape [h, w, 3], uint8, or 16-bit grey [h, w], uint16; and the orientation that is left to be
+        applied, as EXIF numbers it. HEIC is decoded upright.
+
+    Raises:
+        FileError: As of `read_photo_header`.
+    """
+    kind = KINDS[Path(path).suffix.lower()]
+    if kind == "dng":
+        return _develop(path), orientation_of(read_exif(path))
+    with _opened(path, kind) as picture:
+        _header_of(path, kind, picture)
+        with foreign_errors(path, "damaged picture"):
+            picture.load()  # turns a TIFF upright, and then says no more that it is not
+        orientation = orientation_of(picture.getexif())
+        if picture.mode in _DEEP_GREY:
+            return np.array(picture).astype(np.uint16), orientation
+        picture.info.pop("transparency", None)
+        return np.array(picture.convert("RGB")), orientation
+
+
+def read_alpha(path: FilePath) -> NDArray[np.uint8] | None:
+    """The transparency of a TIFF or WebP picture as `read_photo` lays it, shape [h, w]; None where it has none.
+
+    Raises:
+        FileError: As of `read_photo_header`.
+    """
+    kind = KINDS[Path(path).suffix.lower()]
+    if kind == "dng":
+        return None
+    with _opened(path, kind) as picture:
+        _header_of(path, kind, picture)
+        if picture.mode not in ("RGBA", "LA", "PA"):
+            return None
+        with foreign_errors(path, "damaged picture"):
+            return np.array(picture.convert("RGBA"))[..., 3]
+
+
+def read_exif(path: FilePath) -> Image.Exif:
+    """What EXIF says of a picture of any kind; empty where it says nothing, or nothing that makes sense.
+
+    Of HEIC and of an upright TIFF it says that it lies as `read_photo` gives it.
+    """
+    kind = KINDS.get(Path(path).suffix.lower())
+    exif = Image.Exif()
+    # EXIF is written by all sorts of programs; what makes no sense says nothing
+    with contextlib.suppress(Exception):
+        if kind in ("dng", "tiff"):  # what EXIF is made of
+            exif.load(b"Exif\0\0" + path_of(path).read_bytes())
+            exif.get_ifd(_INNER)
+            if kind == "tiff":
+                exif.pop(_ORIENTATION, None)  # Pillow turns the pixels
+        elif kind is None:
+            with Image.open(path) as picture:
+                exif = picture.getexif()
+                exif.get_ifd(_INNER)  # while the file is open
+        else:
+            with _opened(path, kind) as picture:
+                exif = picture.getexif()
+                exif.get_ifd(_INNER)
+    return exif
+
+
+def orientation_of(exif: Image.Exif) -> int:
+    """How a picture lies: 1 upright, or unknown."""
+    with contextlib.suppress(Exception):
+        orientation = int(exif.get(_ORIENTATION, 1))
+        return orientation if 1 <= orientation <= 8 else 1
+    return 1
+
+
+def plain_number(value: Any) -> str:
+    """A number of EXIF to four digits; nothing where it is none, or 0, which says that it is unknown."""
+    try:
+        number = float(value)
+    except (TypeError, ValueError, ZeroDivisionError):
+        return ""
+    return f"{number:.4g}" if 0 < number < math.inf else ""
+
+
+def _header_of(path: FilePath, kind: str, picture: Image.Image) -> PictureHeader:
+    if picture.mode in _NUMBERS:
+        reason = f"expected a picture of 8 or 16 bits, got one of kind {picture.mode}"
+        raise FileError(path, reason, remedy="Convert it to PNG or JPEG")
+    is_deep = picture.mode in _DEEP_GREY
+    channels = 1 if picture.mode in ("L", "1", *_DEEP_GREY) else 3
+    return _checked(path, PictureHeader(kind, *picture.size, channels, 16 if is_deep else 8))
+
+
+def _checked(path: FilePath, header: PictureHeader) -> PictureHeader:
+    if not 0 < header.width * header.height <= PIXEL_LIMIT:
+        reason = f"expected 1 to {PIXEL_LIMIT} pixels, got {header.width} x {header.height}"
+        raise FileError(path, reason, where="header")
+    return header
+
+
+def _opened(path: FilePath, kind: str) -> Any:
+    """A picture by its own class, from the bytes of its file; closed by `with`."""
+    plugins = {"tiff": TiffImagePlugin.TiffImageFile, "webp": WebPImagePlugin.WebPImageFile}
+    plugin = plugins.get(kind) or _heif(path).HeifImageFile
+    with foreign_errors(path, "damaged picture, or none of its kind"):
+        return plugin(io.BytesIO(_bytes_of(path)))
+
+
+def _heif(path: FilePath) -> Any:
+    """The package that decodes HEIC: pi-heif, or pillow-heif where that is what there is."""
+    for name in ("pi_heif", "pillow_heif"):
+        with contextlib.suppress(ImportError):
+            return importlib.import_module(name)
+    return import_for(path, "pi_heif", EXTRA)
+
+
+def _bytes_of(path: FilePath) -> bytes:
+    try:
+        data = path_of(path).read_bytes()
+    except OSError as error:
+        raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+    if not data:
+        raise FileError(path, "empty", where="byte 0", remedy="Fetch or write the file again")
+    return data
+
+
+def _opened_raw(path: FilePath) -> Any:
+    rawpy = import_for(path, "rawpy", EXTRA)
+    data = _bytes_of(path)
+    check_extents(path, data)
+    with foreign_errors(path, "damaged picture, or none of its kind"):
+        return rawpy.imread(io.BytesIO(data))
+
+
+def _develop(path: FilePath) -> NDArray[np.uint8]:
+    """A raw picture as colours of 8 bits, by the camera's white balance, as it is stored; no brightness is guessed."""
+    with _opened_raw(path) as raw, foreign_errors(path, "damaged picture"):
+        return raw.postprocess(use_camera_wb=True, user_flip=0, no_auto_bright=True, output_bps=8)

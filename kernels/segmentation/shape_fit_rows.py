@@ -1,0 +1,231 @@
+"""Fits of several shapes at once, each over rows of its own: where each stands, and the sums that its step asks for.
+
+Lukacs, Martin and Marshall 1998: slopes of true distances with each unknown of a shape, their products added up over
+the rows of a fit. 9 B a row and fit, about 150 operations in float64.
+"""
+
+from ..lang import (
+    array,
+    dot,
+    float64,
+    func,
+    int32,
+    kernel,
+    reduction,
+    segment_reduction,
+    sqrt,
+    struct,
+    tid,
+    uint8,
+    vec3,
+    vec3d,
+    vector,
+)
+from .plane_samples import sampled_point
+from .shape_models import CONE, CYLINDER, PLANE, TORUS, eight, measure
+
+SQUARES, COUNT, PLACES = 35, 36, 37  # in the sums: squared distances, rows, places along u, v and the axis
+SELECT, BEGIN, STEP, ENDED = range(4)  # what the sums of this turn are for
+fit_sums = vector(40, float64)
+place_sums = vector(9, float64)
+
+
+@struct
+class ShapeFits:
+    """Some fits, and where each stands.
+
+    Attributes:
+        rows, jobs: Of each element the row of its point and its fit, int32 [m].
+        mask: 1 where the element counts, uint8 [m].
+        kinds: Of `shape_models`, int32 [k].
+        shapes, offers: What was accepted last, and what the sums are asked for, float64 [k, 8].
+        frames: Of what is offered, u, v and the axis, vec3d [k, 3].
+        sums: Of the accepted shapes, [k].
+        dampings, longest: The damping, and the longest part of the step that is offered [m], float64 [k].
+        phases, steps, rounds, most_rounds: SELECT to ENDED; steps of this fit; fits done, and at most, int32 [k].
+        bests, best_sums, best_counts: Of the rounds that with the most rows on the fitted shape; -1 of none.
+        live: 1 while a fit goes on, int32 [k].
+        running: 1 while any does, int32 [1].
+    """
+
+    rows: array(dtype=int32)
+    jobs: array(dtype=int32)
+    mask: array(dtype=uint8)
+    kinds: array(dtype=int32)
+    shapes: array(dtype=float64, ndim=2)
+    offers: array(dtype=float64, ndim=2)
+    frames: array(dtype=vec3d, ndim=2)
+    sums: array(dtype=fit_sums)
+    dampings: array(dtype=float64)
+    longest: array(dtype=float64)
+    phases: array(dtype=int32)
+    steps: array(dtype=int32)
+    rounds: array(dtype=int32)
+    most_rounds: array(dtype=int32)
+    bests: array(dtype=float64, ndim=2)
+    best_sums: array(dtype=fit_sums)
+    best_counts: array(dtype=int32)
+    live: array(dtype=int32)
+    running: array(dtype=int32)
+
+
+@struct
+class FitRules:
+    """What ends a fit, and what makes a row one of a shape.
+
+    Attributes:
+        size: How far the points reach [m].
+        gain: A step that gains less of the squared distances ends a fit.
+        hopeless: A mean squared distance [m^2] beyond which a fit is given up after some steps; 0 for none.
+        threshold, cosine: Of the rows on a shape: distance [m], and least cosine between normals.
+        smallest, largest: Radius [m] of a sphere, a cylinder, a torus (its tube's, its ring's).
+    """
+
+    size: float64
+    gain: float64
+    hopeless: float64
+    threshold: float64
+    cosine: float64
+    smallest: float64
+    largest: float64
+
+
+@func
+def place_in(shapes: array(dtype=float64, ndim=2), k: int) -> vec3d:
+    """The place of a shape."""
+    return vec3d(shapes[k, 0], shapes[k, 1], shapes[k, 2])
+
+
+@func
+def axis_in(shapes: array(dtype=float64, ndim=2), k: int) -> vec3d:
+    """The direction of a shape."""
+    return vec3d(shapes[k, 3], shapes[k, 4], shapes[k, 5])
+
+
+@func
+def slopes(kind: int, p: vec3d, a: vec3d, u: vec3d, v: vec3d, r: float64, s: float64, x: vec3d) -> eight:
+    """How the distance of x changes with each unknown, and the distance last."""
+    y = x - p
+    h = dot(y, a)
+    across = y - a * h
+    q = sqrt(dot(across, across))
+    e = vec3d(0.0, 0.0, 0.0)
+    if q > 0.0:
+        e = across / q
+    m = measure(kind, p, a, r, s, x)
+    g = vec3d(m[1], m[2], m[3])
+    lever = float64(0.0)
+    first = float64(-1.0)
+    second = float64(0.0)
+    if kind == PLANE:
+        lever = q * 1.0
+    if kind == CYLINDER:
+        lever = -h
+    if kind == CONE:
+        lever = -(r * h + s * q)
+        first = -(q * s + h * r)
+    if kind == TORUS:
+        middle = q - r
+        rho = sqrt(middle * middle + h * h)
+        if rho > 0.0:
+            lever = h * r / rho
+            first = -middle / rho
+        second = float64(-1.0)
+    return eight(-dot(g, u), -dot(g, v), -dot(g, a), lever * dot(e, u), lever * dot(e, v), first, second, m[0])
+
+
+@func
+def sums_at(fits: ShapeFits, k: int, x: vec3d, weight: float64) -> fit_sums:
+    """A row's products on and above the diagonal times its weight, its count, and where it lies in the frame."""
+    p = place_in(fits.offers, k)
+    u = fits.frames[k, 0]
+    v = fits.frames[k, 1]
+    a = fits.frames[k, 2]
+    j = slopes(fits.kinds[k], p, a, u, v, fits.offers[k, 6], fits.offers[k, 7], x)
+    total = fit_sums(0.0)
+    at = 0
+    for row in range(8):
+        for column in range(row, 8):
+            total[at] = j[row] * j[column] * weight
+            at += 1
+    total[COUNT] = 1.0
+    total[PLACES] = dot(x - p, u)
+    total[PLACES + 1] = dot(x - p, v)
+    total[PLACES + 2] = dot(x - p, a)
+    return total
+
+
+@segment_reduction
+def add_fit_rows(points: array(dtype=vec3), center: vec3d, fits: ShapeFits) -> fit_sums:
+    """A row's part of the sums of its fit at what is offered."""
+    t = tid()
+    total = fit_sums(0.0)
+    if fits.mask[t] != 0:
+        k = fits.jobs[t]
+        x = sampled_point(points, fits.rows[t], center)
+        total = sums_at(fits, k, x, float64(1.0))
+    return total
+
+
+@segment_reduction
+def add_weighted_fit_rows(
+    points: array(dtype=vec3), weights: array(dtype=float64), center: vec3d, fits: ShapeFits
+) -> fit_sums:
+    """The same, each row's products times the weight of its point."""
+    t = tid()
+    total = fit_sums(0.0)
+    if fits.mask[t] != 0:
+        k = fits.jobs[t]
+        x = sampled_point(points, fits.rows[t], center)
+        total = sums_at(fits, k, x, weights[fits.rows[t]])
+    return total
+
+
+@reduction
+def add_places(points: array(dtype=vec3), rows: array(dtype=int32), center: vec3d) -> place_sums:
+    """A point about the middle, and the products of its coordinates on and above the diagonal."""
+    i = tid()
+    x = sampled_point(points, rows[i], center)
+    return place_sums(
+        x[0], x[1], x[2], x[0] * x[0], x[0] * x[1], x[0] * x[2], x[1] * x[1], x[1] * x[2], x[2] * x[2]
+    )  # fmt: skip
+
+
+@kernel
+def list_fit_rows_kernel(rows: array(dtype=int32), fits: ShapeFits):
+    """The same rows for each of some fits, all of them counted."""
+    i = tid()
+    fits.rows[i] = rows[i % rows.shape[0]]
+    fits.jobs[i] = i // rows.shape[0]
+    fits.mask[i] = uint8(1)
+
+
+@func
+def is_on(
+    kind: int, p: vec3d, a: vec3d, r: float64, s: float64, x: vec3d, n: vec3, threshold: float64, cosine: float64
+) -> int:
+    """1 where a point with a normal of any length is one of a shape."""
+    m = measure(kind, p, a, r, s, x)
+    size = sqrt(float64(dot(n, n)))
+    facing = abs(m[1] * float64(n[0]) + m[2] * float64(n[1]) + m[3] * float64(n[2]))
+    inside = 0
+    if abs(m[0]) < threshold and facing >= cosine * size:
+        inside = 1
+    return inside
+
+
+@kernel
+def select_fit_rows_kernel(
+    points: array(dtype=vec3), normals: array(dtype=vec3), center: vec3d, rules: FitRules, fits: ShapeFits
+):
+    """Choose the rows of fits that are to: those on the shape."""
+    t = tid()
+    k = fits.jobs[t]
+    if fits.phases[k] == SELECT:
+        row = fits.rows[t]
+        x = sampled_point(points, row, center)
+        p = place_in(fits.offers, k)
+        a = axis_in(fits.offers, k)
+        r = fits.offers[k, 6]
+        s = fits.offers[k, 7]
+        fits.mask[t] = uint8(is_on(fits.kinds[k], p, a, r, s, x, normals[row], rules.threshold, rules.cosine))

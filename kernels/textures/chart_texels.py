@@ -1,0 +1,258 @@
+"""The texels of an atlas of charts: what each chart's picture shows there, shifted so that charts agree at seams.
+
+A texel belongs to the triangle that has its centre; two rings about each chart belong to a neighbour's, whose plane
+goes on there, so that bilinear values at a chart's edge are of the picture and not of the background. Where a texel
+lies on the surface it is looked up in the triangle's picture, in the mean of up to 4 x 4 places where texels are larger
+than pixels, and takes the shifts of the corners (seam_levels.py) by its place between them.
+"""
+
+import numpy as np
+
+from ..algebra.transform import narrow
+from ..array_types import Array1, Bytes, Points, Vectors
+from ..arrays.prefix_sum import exclusive_scan
+from ..lang import (
+    array,
+    atomic_min,
+    ceil,
+    float64,
+    floor,
+    func,
+    int32,
+    kernel,
+    launch,
+    length,
+    struct,
+    tid,
+    uint8,
+    vec2,
+    vec3,
+    vec3d,
+    vec3i,
+)
+from ..memory import empty, full, zeros
+from ..rays.triangle_voxels import widened_corners
+from .atlas_colors import (
+    NO_TRIANGLE,
+    Atlas,
+    claim_texels_kernel,
+    count_rows_kernel,
+    round_texels_kernel,
+    side_of,
+    spread_texels_kernel,
+    texel_corners,
+)
+from .exposures import Exposures
+from .posed_pictures import PosedPictures
+from .seam_levels import Seams, picture_color
+
+RINGS = 2  # of texels about a chart that its triangles go on in
+OUTSIDE = 1.5  # a triangle's plane goes on so far beyond its corners, in shares of them
+MOST_SAMPLES = 4  # a side of a texel
+NOWHERE = 1 << 20  # texels from any seam
+
+
+@struct
+class ChartTexels:
+    """The texels of a texture and whose they are.
+
+    Attributes:
+        atlas: Triangles in the texture.
+        owners: The triangle of each texel, int32 [size^2], NO_TRIANGLE for none.
+        rings: 0 for texels that lie in their triangles, int32 [size^2].
+        colors: 0..255, vec3d [size^2].
+        steps: Texels from a seam, int32 [size^2], NOWHERE for none.
+    """
+
+    atlas: Atlas
+    owners: array(dtype=int32)
+    rings: array(dtype=int32)
+    colors: array(dtype=vec3d)
+    steps: array(dtype=int32)
+
+    def __init__(self, uvs: Array1[vec2], size: int) -> None:
+        """One sync."""
+        device, count, triangles = uvs.device, size * size, uvs.size // 3
+        self.atlas, self.size = Atlas(uvs, size, size), size
+        rows_of_each, owners = empty(triangles, int32, device), full(count, NO_TRIANGLE, int32, device)
+        launch(count_rows_kernel, triangles, [self.atlas, rows_of_each])
+        rows, total = exclusive_scan(rows_of_each)  # sync
+        launch(claim_texels_kernel, total, [self.atlas, rows, owners])
+        self.rings, wider = zeros(count, int32, device), full(count, NO_TRIANGLE, int32, device)
+        launch(claim_edges_kernel, triangles, [self.atlas, wider])
+        launch(take_spare_kernel, count, [wider, owners, self.rings])
+        for ring in range(RINGS):
+            launch(widen_owners_kernel, count, [size, owners, ring + 1, wider, self.rings])
+            owners, wider = wider, owners
+        self.owners = owners
+        self.colors, self.steps = zeros(count, vec3d, device), full(count, NOWHERE, int32, device)
+
+
+@func
+def side_of_corner(a: vec3d, b: vec3d, c: vec3d, side: int) -> vec3d:
+    """One of three corners, counted round."""
+    corner = a
+    if side % 3 == 1:
+        corner = b
+    if side % 3 == 2:
+        corner = c
+    return corner
+
+
+@kernel
+def claim_edges_kernel(atlas: Atlas, spare: array(dtype=int32)):
+    """The lowest triangle whose edges pass each texel, for triangles too small or thin to have any texel's centre."""
+    i = tid()
+    a, b, c = texel_corners(atlas, i)
+    if side_of(a, b, c[0], c[1]) != 0.0:
+        for side in range(3):
+            begin = side_of_corner(a, b, c, side)
+            way = side_of_corner(a, b, c, side + 1) - begin
+            count = int(ceil(2.0 * length(way))) + 1
+            for k in range(count):
+                place = begin + way * (float64(k) / float64(count))
+                x = min(max(int(floor(place[0])), 0), atlas.width - 1)
+                y = min(max(int(floor(place[1])), 0), atlas.height - 1)
+                atomic_min(spare, y * atlas.width + x, i)
+
+
+@kernel
+def take_spare_kernel(spare: array(dtype=int32), owners: array(dtype=int32), rings: array(dtype=int32)):
+    """Texels of no triangle belong to one whose edges pass them."""
+    i = tid()
+    if owners[i] == NO_TRIANGLE and spare[i] != NO_TRIANGLE:
+        owners[i] = spare[i]
+        rings[i] = 1
+
+
+@kernel
+def widen_owners_kernel(
+    size: int, owners: array(dtype=int32), ring: int, wider: array(dtype=int32), rings: array(dtype=int32)
+):
+    """Texels beside owned ones belong to the lowest triangle of these."""
+    i = tid()
+    owner = owners[i]
+    if owner == NO_TRIANGLE:
+        for row in range(max(i // size - 1, 0), min(i // size + 1, size - 1) + 1):
+            for column in range(max(i % size - 1, 0), min(i % size + 1, size - 1) + 1):
+                owner = min(owner, owners[row * size + column])
+        if owner != NO_TRIANGLE:
+            rings[i] = ring
+    wider[i] = owner
+
+
+@func
+def shares_at(atlas: Atlas, t: int, x: float64, y: float64) -> vec3d:
+    """The shares of a triangle's corners at a place of the texture, not far outside."""
+    a, b, c = texel_corners(atlas, t)
+    whole = side_of(a, b, c[0], c[1])
+    limit = float64(OUTSIDE)
+    second = float64(0.0)
+    third = float64(0.0)
+    if whole != 0.0:
+        second = min(max(side_of(c, a, x, y) / whole, 1.0 - limit), limit)
+        third = min(max(side_of(a, b, x, y) / whole, 1.0 - limit), limit)
+    return vec3d(1.0 - second - third, second, third)
+
+
+@func
+def point_at(shares: vec3d, t: vec3i, vertices: array(dtype=vec3)) -> vec3d:
+    """A place on the surface."""
+    a, b, c = widened_corners(vertices, t)
+    return a * shares[0] + b * shares[1] + c * shares[2]
+
+
+@func
+def shift_at(shares: vec3d, t: int, seams: Seams, shifts: array(dtype=vec3d)) -> vec3d:
+    """The shift of a triangle's picture at a place."""
+    first = shifts[seams.nodes[3 * t]] * shares[0]
+    return first + shifts[seams.nodes[3 * t + 1]] * shares[1] + shifts[seams.nodes[3 * t + 2]] * shares[2]
+
+
+@kernel
+def paint_texels_kernel(
+    texels: ChartTexels,
+    vertices: array(dtype=vec3),
+    seams: Seams,
+    pictures: PosedPictures,
+    exposures: Exposures,
+    shifts: array(dtype=vec3d),
+    scale: float64,
+    vertex_colors: array(dtype=vec3),
+    plain: vec3d,
+):
+    """The colour of each texel: of its picture, or of the vertices, or plain."""
+    i = tid()
+    owner = texels.owners[i]
+    color = plain
+    if owner != NO_TRIANGLE:
+        view = seams.views[owner]
+        width = texels.atlas.width
+        x = float64(i % width)
+        y = float64(i // width)
+        t = seams.triangles[owner]
+        shares = shares_at(texels.atlas, owner, x + 0.5, y + 0.5)
+        if view >= 0:
+            n = min(int(ceil(1.0 / scale - 1.0e-6)), int(MOST_SAMPLES))
+            color = shift_at(shares, owner, seams, shifts)
+            for k in range(n * n):
+                at_x = x + (float64(k % n) + 0.5) / float64(n)
+                at_y = y + (float64(k // n) + 0.5) / float64(n)
+                place = point_at(shares_at(texels.atlas, owner, at_x, at_y), t, vertices)
+                color += picture_color(place, view, pictures, exposures) / float64(n * n)
+        elif vertex_colors.shape[0] > 0:
+            color = 255.0 * point_at(shares, t, vertex_colors)
+    texels.colors[i] = color
+
+
+@kernel
+def finish_texels_kernel(texels: ChartTexels, picture: array(dtype=vec3), marks: array(dtype=uint8)):
+    """Colours in 0..1, and 1 where a texel is a triangle's."""
+    i = tid()
+    picture[i] = narrow(texels.colors[i] / 255.0)
+    marks[i] = uint8(1 if texels.owners[i] != NO_TRIANGLE else 0)
+
+
+def paint_texels(
+    texels: ChartTexels,
+    vertices: Points,
+    seams: Seams,
+    pictures: PosedPictures,
+    exposures: Exposures,
+    shifts: Array1[vec3d],
+    scale: float,
+    vertex_colors: Vectors | None,
+    plain: np.ndarray,
+) -> None:
+    """The colours of all texels.
+
+    Args:
+        texels: ChartTexels.
+        vertices, seams, pictures, exposures: Of the mesh.
+        shifts: Of the seams' unknowns, vec3d.
+        scale: Texels a pixel.
+        vertex_colors: vec3 [m], 0..1, for triangles without a picture; None for plain ones.
+        plain: Their colour, 0..1.
+    """
+    device, count = vertices.device, texels.size * texels.size
+    colors = empty(0, vec3, device) if vertex_colors is None else vertex_colors
+    background = vec3d(*(255.0 * float(level) for level in plain))
+    launch(
+        paint_texels_kernel,
+        count,
+        [texels, vertices, seams, pictures, exposures, shifts, float(scale), colors, background],
+    )
+
+
+def finish_texels(texels: ChartTexels, gutter: int) -> Bytes:
+    """The texture, uint8 [3 size^2]; texels about charts repeat them as far as the gutter goes."""
+    device, count, size = texels.owners.device, texels.size * texels.size, texels.size
+    picture, marks = empty(count, vec3, device), empty(count, uint8, device)
+    launch(finish_texels_kernel, count, [texels, picture, marks])
+    wider, wider_marks = empty(count, vec3, device), empty(count, uint8, device)
+    for _ in range(gutter - RINGS):
+        launch(spread_texels_kernel, count, [size, size, picture, marks, wider, wider_marks])
+        picture, wider, marks, wider_marks = wider, picture, wider_marks, marks
+    pixels = empty(3 * count, uint8, device)
+    launch(round_texels_kernel, count, [picture, pixels])
+    return pixels

@@ -1,0 +1,224 @@
+"""Charts of a mesh: triangles that hang together by edges and take the same picture, cut out of it as it shows them.
+
+A chart's box is the whole pixels about its corners, settled by atomic minima and maxima of whole numbers. Where the
+boxes go is the host's matter; then each corner has the place in its box that it has in its picture. Triangles without a
+picture share one spot of plain colour, or have a cell each where the mesh has colours to draw. 40 B a triangle.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ..array_types import Array1, Indices, Integers, LongIntegers, Points, Triangles
+from ..arrays.prefix_sum import exclusive_scan, offsets_of
+from ..arrays.sort import positions
+from ..arrays.union_find import flatten_sets_kernel, unite
+from ..lang import (
+    array,
+    atomic_max,
+    atomic_min,
+    ceil,
+    float64,
+    floor,
+    int32,
+    int64,
+    kernel,
+    launch,
+    struct,
+    tid,
+    uint8,
+    vec2,
+    vec3,
+    vec3i,
+    vec4i,
+)
+from ..memory import download, empty, full, upload, zeros
+from ..meshes.mesh_components import count_roots_kernel, label_chosen_kernel
+from ..meshes.mesh_topology import pair_edges_kernel, sorted_edges
+from .posed_pictures import PosedPictures, project_vertex
+
+FAR = 1 << 30
+
+
+class Cells(NamedTuple):
+    """Where triangles without a picture go: a grid of cells at the foot of the texture.
+
+    Attributes:
+        top: Its first row of texels.
+        columns: Cells in a row.
+        side: Texels a cell, with its border; 0 where all share one.
+    """
+
+    top: int
+    columns: int
+    side: int
+
+
+@struct
+class Charts:
+    """The charts of a mesh.
+
+    Attributes:
+        labels: The chart of each triangle, int64 [t]; t for triangles without a picture.
+        lows, highs: First and last column and row of each chart in its picture, int32 [2 c].
+        views: The picture of each, int32 [c].
+    """
+
+    labels: array(dtype=int64)
+    lows: array(dtype=int32)
+    highs: array(dtype=int32)
+    views: array(dtype=int32)
+
+    def __init__(self, labels: LongIntegers, count: int) -> None:
+        device = labels.device
+        self.labels, self.count = labels, count
+        self.lows, self.highs = full(2 * count, FAR, int32, device), full(2 * count, -FAR, int32, device)
+        self.views = zeros(count, int32, device)
+
+    def boxes(self) -> np.ndarray:
+        """First column and row, and how many, of each chart: int64 [c, 4]; two syncs."""
+        low = download(self.lows).reshape(-1, 2).astype(np.int64)  # sync
+        high = download(self.highs).reshape(-1, 2).astype(np.int64)  # sync
+        return np.concatenate([low, high - low + 1], 1)
+
+
+@kernel
+def unite_alike_kernel(
+    twins: array(dtype=int32), views: array(dtype=int32), parents: array(dtype=int32), chosen: array(dtype=uint8)
+):
+    """Make one set of triangles that meet and take the same picture; and mark those that take one."""
+    i = tid()
+    face = i // 3
+    twin = twins[i]
+    if twin > i and views[face] >= 0:
+        if views[twin // 3] == views[face]:
+            unite(parents, face, twin // 3)
+    if i % 3 == 0:
+        chosen[face] = uint8(1 if views[face] >= 0 else 0)
+
+
+@kernel
+def bound_charts_kernel(
+    vertices: array(dtype=vec3),
+    triangles: array(dtype=vec3i),
+    views: array(dtype=int32),
+    pictures: PosedPictures,
+    charts: Charts,
+):
+    """The box of each chart in its picture: extremes of whole numbers; all its triangles name the same picture."""
+    i = tid()
+    view = views[i]
+    if view >= 0:
+        chart = int(charts.labels[i])
+        charts.views[chart] = view
+        for k in range(3):
+            place = project_vertex(vertices[triangles[i][k]], view, pictures)
+            atomic_min(charts.lows, 2 * chart, int(floor(place[0])))
+            atomic_min(charts.lows, 2 * chart + 1, int(floor(place[1])))
+            atomic_max(charts.highs, 2 * chart, int(ceil(place[0])))
+            atomic_max(charts.highs, 2 * chart + 1, int(ceil(place[1])))
+
+
+@kernel
+def mark_blind_kernel(views: array(dtype=int32), marks: array(dtype=int32)):
+    """1 for the triangles that no picture shows."""
+    i = tid()
+    marks[i] = 1 if views[i] < 0 else 0
+
+
+@kernel
+def place_corners_kernel(
+    vertices: array(dtype=vec3),
+    triangles: array(dtype=vec3i),
+    views: array(dtype=int32),
+    pictures: PosedPictures,
+    charts: Charts,
+    places: array(dtype=int32),
+    scale: float64,
+    blind: array(dtype=int32),
+    cells: vec4i,
+    uvs: array(dtype=vec2),
+):
+    """Texture coordinates of a triangle's corners; cells are top row, columns, texels a cell, and texels a side."""
+    i = tid()
+    view = views[i]
+    size = float64(cells[3])
+    for k in range(3):
+        x = float64(0.0)
+        y = float64(0.0)
+        if view >= 0:
+            chart = int(charts.labels[i])
+            place = project_vertex(vertices[triangles[i][k]], view, pictures)
+            x = (place[0] - float64(charts.lows[2 * chart])) * scale + float64(places[2 * chart]) + 0.5
+            y = (place[1] - float64(charts.lows[2 * chart + 1])) * scale + float64(places[2 * chart + 1]) + 0.5
+        elif cells[2] == 0:
+            x = 2.0
+            y = float64(cells[0]) + 2.0
+        else:
+            x = float64(blind[i] % cells[1] * cells[2]) + 1.5
+            y = float64(cells[0] + blind[i] // cells[1] * cells[2]) + 1.5
+            if k == 1:
+                x += float64(cells[2] - 3)
+            if k == 2:
+                y += float64(cells[2] - 3)
+        uvs[3 * i + k] = vec2(float(x / size), float(1.0 - y / size))
+
+
+def find_twins(triangles: Triangles, vertex_count: int) -> Indices:
+    """The half-edge beyond each, int32 [3 t]; -1 at a border, and where more than two triangles meet."""
+    device, count = triangles.device, 3 * triangles.size
+    keys, order = sorted_edges(triangles, vertex_count)
+    twins, findings = empty(count, int32, device), zeros(4, int32, device)
+    launch(pair_edges_kernel, count, [triangles, keys, order, twins, findings])
+    return twins
+
+
+def cut_charts(
+    vertices: Points, triangles: Triangles, twins: Indices, views: Indices, pictures: PosedPictures
+) -> Charts:
+    """The charts of triangles that take pictures `views`, int32 [t], -1 for none; one sync."""
+    device, count = triangles.device, triangles.size
+    parents, chosen = positions(count, device), empty(count, uint8, device)
+    launch(unite_alike_kernel, 3 * count, [twins, views, parents, chosen])
+    launch(flatten_sets_kernel, count, [parents])
+    roots, labels = empty(count, int32, device), empty(count, int64, device)
+    launch(count_roots_kernel, count, [parents, chosen, roots])
+    numbers, total = exclusive_scan(roots)  # sync
+    launch(label_chosen_kernel, count, [parents, chosen, numbers, labels])
+    charts = Charts(labels, total)
+    launch(bound_charts_kernel, count, [vertices, triangles, views, pictures, charts])
+    return charts
+
+
+def place_corners(
+    vertices: Points,
+    triangles: Triangles,
+    views: Indices,
+    pictures: PosedPictures,
+    charts: Charts,
+    places: np.ndarray,
+    scale: float,
+    cells: Cells,
+    size: int,
+) -> Array1[vec2]:
+    """Texture coordinates of all corners, vec2 [3 t].
+
+    Args:
+        vertices, triangles, views, pictures, charts: As of `cut_charts`.
+        places: The texel of each chart's first pixel, int [c, 2].
+        scale: Texels a pixel.
+        cells: For triangles without a picture.
+        size: Texels a side.
+    """
+    device, count = triangles.device, triangles.size
+    marks, uvs = empty(count, int32, device), empty(3 * count, vec2, device)
+    launch(mark_blind_kernel, count, [views, marks])
+    blind: Integers = offsets_of(marks)
+    where = upload(np.asarray(places).reshape(-1), int32, device)
+    grid = vec4i(cells.top, cells.columns, cells.side, size)
+    launch(
+        place_corners_kernel,
+        count,
+        [vertices, triangles, views, pictures, charts, where, float(scale), blind, grid, uvs],
+    )
+    return uvs

@@ -1,0 +1,142 @@
+"""Pictures in which a triangle has another colour than in most: somebody who walked by, a highlight.
+
+One thread a triangle. It begins at the colour that is nearest to all others, with those within three median distances
+of it, and then, ten times at most, takes the Gaussian of those that are in, and in those that it holds likely
+(Waechter, Moehrle and Goesele 2014, section 3.3; there the first Gaussian is that of all colours, which holds no
+single one of less than a dozen unlikely). Where fewer than four are in, all stay. Colours count as known to two grey
+levels. n^2 distances a triangle of n pictures, 13 B a pair.
+"""
+
+from ..array_types import Mask
+from ..lang import array, float64, func, kernel, launch, length, tid, uint8, vec3, vec3d, vector
+from ..memory import empty
+from .face_views import FaceViews
+
+FEWEST = 4  # pictures among which one can be told to be wrong
+UNLIKELY = 10.23  # squared distance in deviations: exp(-x / 2) is 6e-3, the paper's
+KNOWN = 6.0e-5  # variance that is always added: two grey levels, in 0..1
+NEAR = 3.0  # median distances from the middle within which the first are
+LEAST = 0.02  # [0..1] and this at least, five grey levels
+TURNS = 10
+
+moments = vector(10, float64)  # count, sums, and sums of products: xx, xy, xz, yy, yz, zz
+
+
+@func
+def wide(c: vec3) -> vec3d:
+    """A colour in 64 bits."""
+    return vec3d(float64(c[0]), float64(c[1]), float64(c[2]))
+
+
+@func
+def find_middle(first: int, last: int, colors: array(dtype=vec3)) -> int:
+    """The colour of a run that is nearest to all of them together."""
+    middle = first
+    least = float64(-1.0)
+    for i in range(first, last):
+        total = float64(0.0)
+        for j in range(first, last):
+            total += length(wide(colors[i]) - wide(colors[j]))
+        if least < 0.0 or total < least:
+            least = total
+            middle = i
+    return middle
+
+
+@func
+def median_distance(middle: int, first: int, last: int, colors: array(dtype=vec3)) -> float64:
+    """The median distance of a run's colours from one of them: of an even number the lower one."""
+    found = float64(0.0)
+    for i in range(first, last):
+        distance = length(wide(colors[i]) - wide(colors[middle]))
+        rank = 0
+        for j in range(first, last):
+            other = length(wide(colors[j]) - wide(colors[middle]))
+            if other < distance or (other == distance and j < i):
+                rank += 1
+        if rank == (last - first - 1) // 2:
+            found = distance
+    return found
+
+
+@func
+def moments_of(first: int, last: int, colors: array(dtype=vec3), keep: array(dtype=uint8)) -> moments:
+    """Sums over the colours of a run that are in."""
+    sums = moments(0.0)
+    for k in range(first, last):
+        if keep[k] != 0:
+            c = wide(colors[k])
+            part = moments(1.0, c[0], c[1], c[2], c[0] * c[0], c[0] * c[1], c[0] * c[2], c[1] * c[1], c[1] * c[2], 0.0)
+            part[9] = c[2] * c[2]
+            sums += part
+    return sums
+
+
+@func
+def squared_deviations(c: vec3, sums: moments) -> float64:
+    """The squared distance of a colour from a Gaussian's middle, in its deviations."""
+    n = sums[0]
+    x = float64(c[0]) - sums[1] / n
+    y = float64(c[1]) - sums[2] / n
+    z = float64(c[2]) - sums[3] / n
+    known = float64(KNOWN)
+    xx = sums[4] / n - (sums[1] / n) * (sums[1] / n) + known
+    xy = sums[5] / n - (sums[1] / n) * (sums[2] / n)
+    xz = sums[6] / n - (sums[1] / n) * (sums[3] / n)
+    yy = sums[7] / n - (sums[2] / n) * (sums[2] / n) + known
+    yz = sums[8] / n - (sums[2] / n) * (sums[3] / n)
+    zz = sums[9] / n - (sums[3] / n) * (sums[3] / n) + known
+    a = yy * zz - yz * yz
+    b = xz * yz - xy * zz
+    c0 = xy * yz - xz * yy
+    d = xx * zz - xz * xz
+    e = xy * xz - xx * yz
+    f = xx * yy - xy * xy
+    whole = xx * a + xy * b + xz * c0
+    return (a * x * x + d * y * y + f * z * z + 2.0 * (b * x * y + c0 * x * z + e * y * z)) / whole
+
+
+@kernel
+def keep_likely_kernel(views: FaceViews, keep: array(dtype=uint8)):
+    """1 for the pictures in which a triangle has the colour that it has in most."""
+    i = tid()
+    first = views.starts[i]
+    last = views.starts[i + 1]
+    if last - first < FEWEST:
+        for k in range(first, last):
+            keep[k] = uint8(1)
+        return
+    middle = find_middle(first, last, views.colors)
+    reach = max(float64(NEAR) * median_distance(middle, first, last, views.colors), float64(LEAST))
+    count = 0
+    for k in range(first, last):
+        is_in = 0
+        if length(wide(views.colors[k]) - wide(views.colors[middle])) <= reach:
+            is_in = 1
+        keep[k] = uint8(is_in)
+        count += is_in
+    changed = 1
+    turn = 0
+    while turn < TURNS and changed == 1 and count >= FEWEST:
+        sums = moments_of(first, last, views.colors, keep)
+        changed = 0
+        count = 0
+        for k in range(first, last):
+            is_in = 0
+            if squared_deviations(views.colors[k], sums) <= float64(UNLIKELY):
+                is_in = 1
+            if int(keep[k]) != is_in:
+                changed = 1
+            keep[k] = uint8(is_in)
+            count += is_in
+        turn += 1
+    if count < FEWEST:
+        for k in range(first, last):
+            keep[k] = uint8(1)
+
+
+def keep_likely(views: FaceViews) -> Mask:
+    """The pairs whose colour is likely, uint8 [k]."""
+    keep = empty(views.count, uint8, views.device)
+    launch(keep_likely_kernel, views.starts.size - 1, [views, keep])
+    return keep

@@ -1,0 +1,189 @@
+"""Pictures brought to one exposure: for each, and each channel, a factor and how it grows towards the corners.
+
+Of each two pictures that show a triangle, the logarithms of its colour, plus gain + bend r^2, should be the same (r is
+the distance from the middle of the picture, 1 at the corners: lenses are darker there). In logarithms no noise draws
+the factors down. Colours that are nearly black or clipped say nothing. Gains are drawn to 1 a little, which keeps the
+mean and pictures that share nothing with others, bends to their mean, since it is mostly one lens. The sums that this
+least-squares problem is made of are over pairs of pictures at each triangle, and of whole numbers, logarithms among
+them, so that atomics may add them in any order. The problem itself, two unknowns a picture, is solved on the host: some
+(2 n)^3 operations a channel.
+
+Source: Brown and Lowe, "Automatic Panoramic Image Stitching using Invariant Features", IJCV 2007, section 6, for gains;
+here of logarithms, with bends, and from triangles.
+"""
+
+import numpy as np
+
+from ..algebra.transform import narrow
+from ..array_types import Array1, Points, Triangles
+from ..lang import (
+    array,
+    atomic_add,
+    float64,
+    floor,
+    func,
+    int32,
+    int64,
+    kernel,
+    launch,
+    struct,
+    tid,
+    vec3,
+    vec3d,
+    vec3i,
+)
+from ..memory import download, empty, upload, zeros
+from ..rays.triangle_voxels import widened_corners
+from .face_views import FaceViews
+from .posed_pictures import PosedPictures, project_vertex
+
+LEVELS = 1024  # of a colour as a whole number
+FINE = 4096  # of a logarithm as a whole number
+NUMBERS = 9
+DARKEST, BRIGHTEST = 0.05, 0.97  # colours beyond say nothing of the exposure
+DRAWN = 1.0e-3  # to a gain of 1 and no bend: of what a picture shares with others, in the mean
+ALIKE = 0.1  # of bends to their mean, likewise
+STRONGEST = 0.7  # of bends: a factor of two in the corners
+MOST_VIEWS = 32  # of a triangle, the first of its pictures: what more would add is known then
+
+
+@struct
+class Exposures:
+    """What colours of pictures are multiplied by: gain times exp(bend r^2), of which four terms are taken.
+
+    Attributes:
+        gains, bends: vec3d [n], by channel.
+    """
+
+    gains: array(dtype=vec3d)
+    bends: array(dtype=vec3d)
+
+    def __init__(self, gains: Array1[vec3d], bends: Array1[vec3d]) -> None:
+        self.gains, self.bends = gains, bends
+
+
+@func
+def squared_reach(u: float64, v: float64, image: int, pictures: PosedPictures) -> float64:
+    """The squared distance from the middle of a picture, 1 at its corners."""
+    size = pictures.sizes[image]
+    width = 0.5 * float64(size[0])
+    height = 0.5 * float64(size[1])
+    x = u + 0.5 - width
+    y = v + 0.5 - height
+    return (x * x + y * y) / (width * width + height * height)
+
+
+@func
+def as_whole(share: float64) -> int64:
+    """A share of one as a whole number of levels."""
+    return int64(floor(share * float64(int64(LEVELS)) + 0.5))
+
+
+@func
+def exposed(color: vec3d, u: float64, v: float64, image: int, pictures: PosedPictures, exposures: Exposures) -> vec3d:
+    """A colour of a picture at the exposure of all."""
+    reach = squared_reach(u, v, image, pictures)
+    gain = exposures.gains[image]
+    shown = vec3d(0.0, 0.0, 0.0)
+    for channel in range(3):
+        x = exposures.bends[image][channel] * reach
+        shown[channel] = (
+            color[channel] * gain[channel] * (1.0 + x * (1.0 + x / 2.0 * (1.0 + x / 3.0 * (1.0 + x / 4.0))))
+        )
+    return shown
+
+
+@kernel
+def measure_reaches_kernel(
+    vertices: array(dtype=vec3),
+    triangles: array(dtype=vec3i),
+    views: FaceViews,
+    pictures: PosedPictures,
+    reaches: array(dtype=int32),
+):
+    """How far from the middle each of its pictures shows a triangle: the square, as a whole number."""
+    i = tid()
+    a, b, c = widened_corners(vertices, triangles[i])
+    center = narrow((a + b + c) / 3.0)
+    for k in range(views.starts[i], views.starts[i + 1]):
+        place = project_vertex(center, views.views[k], pictures)
+        square = squared_reach(place[0], place[1], views.views[k], pictures)
+        reaches[k] = int(as_whole(square))
+
+
+@func
+def logarithm(share: float64, table: array(dtype=int32)) -> int64:
+    """The logarithm of a colour as a whole number; 0 where it says nothing, which no other is."""
+    level = min(max(int(as_whole(share)), 0), LEVELS)
+    return int64(table[level])
+
+
+@kernel
+def sum_differences_kernel(
+    views: FaceViews, reaches: array(dtype=int32), table: array(dtype=int32), count: int, sums: array(dtype=int64)
+):
+    """Add what each two pictures' colours say at each triangle: sums of whole numbers, in any order.
+
+    Nine numbers a channel and two pictures, of which the lower one comes first: how many triangles; r^2 in either, its
+    squares and product; the difference d of logarithms, and d r^2 for either.
+    """
+    i = tid()
+    first = views.starts[i]
+    last = min(views.starts[i + 1], first + MOST_VIEWS)
+    for k in range(first, last):
+        for j in range(k + 1, last):
+            p = int64(reaches[k])
+            q = int64(reaches[j])
+            for channel in range(3):
+                a = logarithm(float64(views.colors[k][channel]), table)
+                b = logarithm(float64(views.colors[j][channel]), table)
+                if a != 0 and b != 0:
+                    at = ((channel * count + views.views[k]) * count + views.views[j]) * NUMBERS
+                    atomic_add(sums, at, int64(1))
+                    atomic_add(sums, at + 1, p)
+                    atomic_add(sums, at + 2, p * p)
+                    atomic_add(sums, at + 3, q)
+                    atomic_add(sums, at + 4, q * q)
+                    atomic_add(sums, at + 5, p * q)
+                    atomic_add(sums, at + 6, a - b)
+                    atomic_add(sums, at + 7, (a - b) * p)
+                    atomic_add(sums, at + 8, (a - b) * q)
+
+
+def plain_exposures(pictures: PosedPictures) -> Exposures:
+    """Pictures as they are."""
+    ones, device = np.ones((pictures.count, 3)), pictures.device
+    return Exposures(upload(ones, vec3d, device), zeros(pictures.count, vec3d, device))
+
+
+def find_exposures(vertices: Points, triangles: Triangles, views: FaceViews, pictures: PosedPictures) -> Exposures:
+    """Factors that make pictures agree about the triangles that they share; one sync."""
+    device, n = vertices.device, pictures.count
+    levels = np.arange(LEVELS + 1)
+    tells = (levels >= DARKEST * LEVELS) & (levels <= BRIGHTEST * LEVELS)
+    table = upload(np.where(tells, np.rint(FINE * np.log(np.maximum(levels, 2))), 0), int32, device)
+    reaches, sums = empty(views.count, int32, device), zeros(3 * n * n * NUMBERS, int64, device)
+    launch(measure_reaches_kernel, triangles.size, [vertices, triangles, views, pictures, reaches])
+    launch(sum_differences_kernel, triangles.size, [views, reaches, table, n, sums])
+    units = np.array([1, LEVELS, LEVELS**2, LEVELS, LEVELS**2, LEVELS**2, FINE, FINE * LEVELS, FINE * LEVELS], float)
+    every = download(sums).reshape(3, n, n, NUMBERS) / units  # sync
+    solved = np.array([_solve(channel) for channel in every])
+    gains, bends = np.exp(solved[:, 0]).T, np.clip(solved[:, 1], -STRONGEST, STRONGEST).T
+    return Exposures(*(upload(np.ascontiguousarray(part), vec3d, device) for part in (gains, bends)))
+
+
+def _solve(sums: np.ndarray) -> np.ndarray:
+    """Logarithms of gains, and bends, [2, n] of one channel, of sums [n, n, 9]."""
+    n, rows = len(sums), np.arange(len(sums))
+    A, b = np.zeros((2, n, 2, n)), np.zeros((2, n))
+    for (x, y), own, other in (((0, 0), 0, 0), ((0, 1), 1, 3), ((1, 0), 1, 3), ((1, 1), 2, 4)):
+        A[x, rows, y, rows] += sums[..., own].sum(axis=1) + sums[..., other].sum(axis=0)
+    for (x, y), k in (((0, 0), 0), ((0, 1), 3), ((1, 0), 1), ((1, 1), 5)):
+        A[x, :, y, :] -= sums[..., k]
+        A[y, :, x, :] -= sums[..., k].T
+    b[0] = sums[..., 6].sum(axis=0) - sums[..., 6].sum(axis=1)
+    b[1] = sums[..., 8].sum(axis=0) - sums[..., 7].sum(axis=1)
+    weight = A[0, rows, 0, rows].mean() + 1e-9
+    A[0, rows, 0, rows] += DRAWN * weight
+    A[1, :, 1, :] += ALIKE * weight * (np.eye(n) - 1 / n) + DRAWN * weight * np.eye(n)
+    return np.linalg.solve(A.reshape(2 * n, 2 * n), b.reshape(-1)).reshape(2, n)

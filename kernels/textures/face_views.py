@@ -1,0 +1,316 @@
+"""Which pictures show which triangles, how well, and in what colour: what a picture is chosen by for each triangle.
+
+A picture shows a triangle where it has all its corners and its centre, the mesh hides none of them (a ray each), and
+the triangle is seen from before, no flatter than 75 degrees. How well is the integral of the slope of brightness over
+the triangle there (Gal et al. 2010, which Waechter et al. take): area times mean slope, with half a grey level a pixel
+added, so that of plain triangles the larger is the better one; a tenth of it where a corner lies beside an edge of the
+mesh, as its own depth tells, since there a small error of the pose shows something else. One thread a pair walks over
+the triangle's pixels, at most some 4096 of them, on a coarser grid where it has more.
+
+Source: Waechter, Moehrle and Goesele, "Let There Be Color!", ECCV 2014, section 3.
+"""
+
+from collections.abc import Callable, Iterator
+
+from ..algebra.transform import narrow
+from ..array_types import Doubles, Indices, Integers, Mask, Points, Triangles, Vectors
+from ..arrays.concatenation import concatenate_rows
+from ..arrays.prefix_sum import exclusive_scan
+from ..lang import (
+    array,
+    ceil,
+    cross,
+    dot,
+    float64,
+    floor,
+    func,
+    int32,
+    kernel,
+    launch,
+    length,
+    sqrt,
+    struct,
+    tid,
+    uint8,
+    vec3,
+    vec3d,
+    vec3i,
+)
+from ..memory import copy, empty
+from ..rays.scene_trees import SceneTrees
+from ..rays.triangle_voxels import widened_corners
+from .atlas_colors import side_of
+from .hidden_vertices import drop_hidden, render_depth
+from .posed_pictures import PosedPictures, camera_place, color_at, is_inside, pixel, project_vertex
+from .surface_texels import BESIDE, mark_steps_kernel
+from .vertex_views import Sightings, list_sightings, see_in_frame
+
+FLATTEST = 0.258819  # cosine of the angle of view: 75 degrees, as the paper has it
+MARGIN = 1.0  # [px] at a picture's border that shows nothing, so that bilinear values have neighbours
+MOST_SAMPLES = 4096.0  # pixels of a triangle that are looked at, in the mean of its box
+DOUBTED = 0.1  # of its worth has a picture that shows a triangle beside an edge of the mesh
+PLAIN = 0.002  # [1 / px] of brightness, half a grey level: what a triangle without any slope counts
+
+
+@struct
+class FaceViews:
+    """The pictures that may colour each triangle.
+
+    Attributes:
+        starts: int32 [t + 1], where each triangle's pictures begin.
+        views: The pictures, ascending for each triangle, int32 [k].
+        qualities: How well each shows it, float64 [k].
+        colors: Its mean colour there, 0..1, vec3 [k].
+        count: Pairs k.
+    """
+
+    starts: array(dtype=int32)
+    views: array(dtype=int32)
+    qualities: array(dtype=float64)
+    colors: array(dtype=vec3)
+
+    def __init__(self, starts: Integers, views: Indices, qualities: Doubles, colors: Vectors) -> None:
+        self.starts, self.views, self.qualities, self.colors = starts, views, qualities, colors
+        self.count, self.device = views.size, views.device
+
+
+@kernel
+def place_centers_kernel(vertices: array(dtype=vec3), triangles: array(dtype=vec3i), centers: array(dtype=vec3)):
+    """The centre of each triangle."""
+    i = tid()
+    a, b, c = widened_corners(vertices, triangles[i])
+    centers[i] = narrow((a + b + c) / 3.0)
+
+
+@func
+def facing(vertices: array(dtype=vec3), t: vec3i, eye: vec3d) -> float64:
+    """The cosine of the angle between a triangle's normal and the way from its centre to an eye; 0 without area."""
+    a, b, c = widened_corners(vertices, t)
+    n = cross(b - a, c - a)
+    way = eye - (a + b + c) / 3.0
+    scale = length(n) * length(way)
+    cosine = float64(0.0)
+    if scale > 0.0:
+        cosine = dot(n, way) / scale
+    return cosine
+
+
+@func
+def inside_margin(p: vec3, image: int, pictures: PosedPictures) -> int:
+    """1 where a picture has a point, its outermost pixels excluded."""
+    place = project_vertex(p, image, pictures)
+    inside = 0
+    if place[2] > 0.0:
+        inside = is_inside(place[0], place[1], image, float64(MARGIN), pictures)
+    return inside
+
+
+@kernel
+def mask_faces_kernel(
+    vertices: array(dtype=vec3),
+    triangles: array(dtype=vec3i),
+    image: int,
+    pictures: PosedPictures,
+    seen: array(dtype=uint8),
+    mask: array(dtype=uint8),
+):
+    """1 for the triangles that a picture shows whole and from before; seen are vertices, then centres."""
+    i = tid()
+    t = triangles[i]
+    found = 0
+    if seen[t[0]] != 0 and seen[t[1]] != 0 and seen[t[2]] != 0 and seen[vertices.shape[0] + i] != 0:
+        eye = camera_place(image, pictures)
+        inside = inside_margin(vertices[t[0]], image, pictures) + inside_margin(vertices[t[1]], image, pictures)
+        inside += inside_margin(vertices[t[2]], image, pictures)
+        if inside == 3:
+            if facing(vertices, t, eye) > float64(FLATTEST):
+                found = 1
+    mask[i] = uint8(found)
+
+
+@func
+def slope_at(u: int, v: int, image: int, pictures: PosedPictures) -> float64:
+    """The length of the slope of brightness at a pixel [1 / px], by central differences."""
+    size = pictures.sizes[image]
+    left = size[2] + v * size[0] + max(u - 1, 0)
+    right = size[2] + v * size[0] + min(u + 1, size[0] - 1)
+    top = size[2] + max(v - 1, 0) * size[0] + u
+    bottom = size[2] + min(v + 1, size[1] - 1) * size[0] + u
+    x = 0.5 * (float64(pictures.brightness[right]) - float64(pictures.brightness[left]))
+    y = 0.5 * (float64(pictures.brightness[bottom]) - float64(pictures.brightness[top]))
+    return sqrt(x * x + y * y)
+
+
+@func
+def pixel_color(u: int, v: int, image: int, pictures: PosedPictures) -> vec3d:
+    """The colour of a pixel, 0..255."""
+    size = pictures.sizes[image]
+    at = size[2] + v * size[0] + u
+    red = float64(int(pictures.pixels[at, 0]))
+    green = float64(int(pictures.pixels[at, 1]))
+    return vec3d(red, green, float64(int(pictures.pixels[at, 2])))
+
+
+@func
+def flat(place: pixel) -> vec3d:
+    """A pixel's place without its depth."""
+    return vec3d(place[0], place[1], 0.0)
+
+
+@func
+def beside_step(u: float64, v: float64, image: int, pictures: PosedPictures, steps: array(dtype=uint8)) -> int:
+    """1 where the mesh's depth steps within two pixels of a place in a picture."""
+    size = pictures.sizes[image]
+    column = int(floor(u + 0.5))
+    row = int(floor(v + 0.5))
+    found = 0
+    for y in range(max(row - BESIDE, 0), min(row + BESIDE, size[1] - 1) + 1):
+        for x in range(max(column - BESIDE, 0), min(column + BESIDE, size[0] - 1) + 1):
+            if steps[size[2] + y * size[0] + x] != 0:
+                found = 1
+    return found
+
+
+@kernel
+def measure_views_kernel(
+    vertices: array(dtype=vec3),
+    triangles: array(dtype=vec3i),
+    sightings: Sightings,
+    pictures: PosedPictures,
+    steps: array(dtype=uint8),
+    views: array(dtype=int32),
+    qualities: array(dtype=float64),
+    colors: array(dtype=vec3),
+):
+    """The picture of each pair, in the order of triangles, how well it shows its triangle, and in what colour."""
+    i = tid()
+    pair = sightings.order[i]
+    image = sightings.images[pair]
+    t = triangles[sightings.vertices[pair]]
+    a = flat(project_vertex(vertices[t[0]], image, pictures))
+    b = flat(project_vertex(vertices[t[1]], image, pictures))
+    c = flat(project_vertex(vertices[t[2]], image, pictures))
+    doubled = side_of(a, b, c[0], c[1])
+    turn = float64(1.0)
+    if doubled < 0.0:
+        turn = -1.0
+    left = int(ceil(min(a[0], min(b[0], c[0]))))
+    right = int(floor(max(a[0], max(b[0], c[0]))))
+    top = int(ceil(min(a[1], min(b[1], c[1]))))
+    bottom = int(floor(max(a[1], max(b[1], c[1]))))
+    room = float64(max(right - left + 1, 1)) * float64(max(bottom - top + 1, 1))
+    stride = max(int(ceil(sqrt(room / float64(MOST_SAMPLES)))), 1)
+    count = float64(0.0)
+    slope = float64(0.0)
+    color = vec3d(0.0, 0.0, 0.0)
+    v = top
+    while v <= bottom:
+        y = float64(v)
+        u = left
+        while u <= right:
+            x = float64(u)
+            least = min(side_of(a, b, x, y) * turn, min(side_of(b, c, x, y) * turn, side_of(c, a, x, y) * turn))
+            if least >= 0.0:
+                count += 1.0
+                slope += slope_at(u, v, image, pictures)
+                color += pixel_color(u, v, image, pictures)
+            u += stride
+        v += stride
+    x = (a[0] + b[0] + c[0]) / 3.0
+    y = (a[1] + b[1] + c[1]) / 3.0
+    if count == 0.0:
+        count = 1.0
+        slope = slope_at(int(floor(x + 0.5)), int(floor(y + 0.5)), image, pictures)
+        color = color_at(x, y, image, pictures)
+    views[i] = image
+    quality = 0.5 * abs(doubled) * (slope / count + float64(PLAIN))
+    beside = beside_step(a[0], a[1], image, pictures, steps) + beside_step(b[0], b[1], image, pictures, steps)
+    beside += beside_step(c[0], c[1], image, pictures, steps) + beside_step(x, y, image, pictures, steps)
+    if beside > 0:
+        quality = quality * float64(DOUBTED)
+    qualities[i] = quality
+    colors[i] = narrow(color / (255.0 * count))
+
+
+@kernel
+def count_kept_kernel(starts: array(dtype=int32), keep: array(dtype=uint8), counts: array(dtype=int32)):
+    """How many of its pictures each triangle keeps."""
+    i = tid()
+    count = 0
+    for k in range(starts[i], starts[i + 1]):
+        if keep[k] != 0:
+            count += 1
+    counts[i] = count
+
+
+@kernel
+def copy_kept_kernel(before: FaceViews, keep: array(dtype=uint8), after: FaceViews):
+    """The pictures that each triangle keeps, in their order."""
+    i = tid()
+    place = after.starts[i]
+    for k in range(before.starts[i], before.starts[i + 1]):
+        if keep[k] != 0:
+            after.views[place] = before.views[k]
+            after.qualities[place] = before.qualities[k]
+            after.colors[place] = before.colors[k]
+            place += 1
+
+
+class FaceLooks:
+    """Looks at a mesh's triangles in one picture after the other.
+
+    Args:
+        vertices, triangles: Device arrays of vec3 [m] and vec3i [t].
+        pictures: PosedPictures.
+        trees: Of the mesh, as `plant_trees` gives them.
+        farthest: Points farther away are not shown [m].
+    """
+
+    def __init__(
+        self, vertices: Points, triangles: Triangles, pictures: PosedPictures, trees: SceneTrees, farthest: float
+    ) -> None:
+        self.vertices, self.triangles, self.pictures, self.trees = vertices, triangles, pictures, trees
+        self.farthest = float(farthest)
+        centers = empty(triangles.size, vec3, vertices.device)
+        launch(place_centers_kernel, triangles.size, [vertices, triangles, centers])
+        self.points = concatenate_rows([vertices, centers])
+        self.steps = empty(pictures.pixels.shape[0], uint8, vertices.device)
+
+    def mask(self, image: int) -> Mask:
+        """The triangles that a picture shows, uint8 [t]."""
+        points, pictures = self.points, self.pictures
+        seen = see_in_frame(points, image, pictures, self.farthest)
+        drop_hidden(points, image, pictures, self.trees, seen)
+        depth = render_depth(image, pictures, self.trees)
+        marks, (width, height, first) = empty(depth.size, uint8, depth.device), pictures.layout[image].tolist()
+        launch(mark_steps_kernel, depth.size, [depth, width, height, marks])
+        copy(self.steps, marks, count=marks.size, offset=first)
+        mask = empty(self.triangles.size, uint8, seen.device)
+        launch(mask_faces_kernel, mask.size, [self.vertices, self.triangles, image, pictures, seen, mask])
+        return mask
+
+    def views(self, say: Callable[[int], None]) -> FaceViews:
+        """The pictures of all triangles; says how many pictures were looked at. A few syncs."""
+        sightings = list_sightings(self._masks(say))  # sync
+        device, count = self.vertices.device, sightings.count
+        views, qualities = empty(count, int32, device), empty(count, float64, device)
+        colors = empty(count, vec3, device)
+        given = [self.vertices, self.triangles, sightings, self.pictures, self.steps, views, qualities, colors]
+        launch(measure_views_kernel, count, given)
+        return FaceViews(sightings.starts, views, qualities, colors)
+
+    def _masks(self, say: Callable[[int], None]) -> Iterator[Mask]:
+        for image in range(self.pictures.count):
+            say(image)
+            yield self.mask(image)
+
+
+def keep_views(views: FaceViews, keep: Mask) -> FaceViews:
+    """The pairs of a mask uint8 [k]; one sync."""
+    faces, device = views.starts.size - 1, views.device
+    counts = empty(faces, int32, device)
+    launch(count_kept_kernel, faces, [views.starts, keep, counts])
+    starts, total = exclusive_scan(counts)  # sync
+    kept = FaceViews(starts, empty(total, int32, device), empty(total, float64, device), empty(total, vec3, device))
+    launch(copy_kept_kernel, faces, [views, keep, kept])
+    return kept

@@ -1,0 +1,238 @@
+"""Colours beside seams changed until both sides meet, in strips of 20 texels.
+
+What shifts of vertices leave at seams, since colours change along an edge, goes here: at a seam both sides
+take the mean of both, and from there the change fades, harmonically (the Laplace equation is Poisson's for an unchanged
+gradient: Perez et al. 2003), to nothing at the strip's other border. It is solved by conjugate gradients, 80 B a texel
+of the strips and turn. Source: Waechter, Moehrle and Goesele 2014, section 4.2.
+"""
+
+from ..array_types import Array1, Indices, Points
+from ..arrays.conjugate_gradients import ConjugateGradients, Gradients
+from ..arrays.select import number_rows_kernel, positions_of
+from ..lang import array, dot, float64, func, int32, kernel, launch, length, tid, uint8, vec2d, vec3, vec3d
+from ..memory import copy, empty, zeros
+from ..meshes.mesh_topology import next_corner
+from .atlas_colors import NO_TRIANGLE, texel_corners
+from .chart_texels import NOWHERE, RINGS, ChartTexels, point_at, shares_at, side_of_corner
+from .exposures import Exposures
+from .posed_pictures import PosedPictures
+from .seam_levels import Seams, is_seam, node_beyond, picture_color
+
+ON_SEAM = 0.75  # [texels] from a seam within which a chart's texel lies on it
+REACH = 4.0  # [texels] and one of its rings
+STRIP = 20  # texels from a seam over which a change fades, the paper's
+SOLVED = 1.0e-8
+MOST_TURNS = 400
+
+
+@func
+def on_segment(a: vec3d, b: vec3d, x: float64, y: float64) -> float64:
+    """The share of the way from a to b at which a place lies nearest."""
+    way = b - a
+    squared = dot(way, way)
+    share = float64(0.0)
+    if squared > 0.0:
+        share = min(max(dot(vec3d(x, y, 0.0) - a, way) / squared, 0.0), 1.0)
+    return share
+
+
+@func
+def nearest_seam(texels: ChartTexels, seams: Seams, owner: int, x: float64, y: float64) -> vec3d:
+    """The half-edge of a triangle on a seam that is nearest to a place, how far it is, and the share on its way."""
+    a, b, c = texel_corners(texels.atlas, owner)
+    found = vec3d(-1.0, 1.0e9, 0.0)
+    for side in range(3):
+        if is_seam(3 * owner + side, seams) == 1:
+            begin = side_of_corner(a, b, c, side)
+            end = side_of_corner(a, b, c, side + 1)
+            share = on_segment(begin, end, x, y)
+            distance = length(begin * (1.0 - share) + end * share - vec3d(x, y, 0.0))
+            if distance < found[1]:
+                found = vec3d(float64(3 * owner + side), distance, share)
+    return found
+
+
+@kernel
+def aim_at_seams_kernel(
+    texels: ChartTexels,
+    vertices: array(dtype=vec3),
+    seams: Seams,
+    pictures: PosedPictures,
+    exposures: Exposures,
+    shifts: array(dtype=vec3d),
+    changes: array(dtype=vec3d),
+):
+    """What texels on a seam change by: half the way to the other side's colour at the same place.
+
+    The nearest seam edge is that of the texel's triangle or of one within two texels.
+    """
+    i = tid()
+    changes[i] = vec3d(0.0, 0.0, 0.0)
+    if texels.owners[i] == NO_TRIANGLE:
+        return
+    if seams.views[texels.owners[i]] < 0:
+        return
+    size = texels.atlas.width
+    x = float64(i % size) + 0.5
+    y = float64(i // size) + 0.5
+    reach = float64(ON_SEAM)
+    if texels.rings[i] > 0:
+        reach = float64(REACH)
+    nearest = vec3d(-1.0, reach, 0.0)
+    last = -1
+    for row in range(max(i // size - RINGS, 0), min(i // size + RINGS, size - 1) + 1):
+        for column in range(max(i % size - RINGS, 0), min(i % size + RINGS, size - 1) + 1):
+            owner = texels.owners[row * size + column]
+            if owner != NO_TRIANGLE and owner != last:
+                last = owner
+                seam = nearest_seam(texels, seams, owner, x, y)
+                if seam[0] >= 0.0 and seam[1] < nearest[1]:
+                    nearest = seam
+    if nearest[0] >= 0.0:
+        h = int(nearest[0])
+        t = seams.triangles[h // 3]
+        place = point_at(shares_at(texels.atlas, h // 3, x, y), t, vertices)
+        first = shifts[node_beyond(h, t[h % 3], seams)] * (1.0 - nearest[2])
+        other = first + shifts[node_beyond(h, t[next_corner(h) % 3], seams)] * nearest[2]
+        other += picture_color(place, seams.views[seams.twins[h] // 3], pictures, exposures)
+        own = shifts[seams.nodes[h]] * (1.0 - nearest[2]) + shifts[seams.nodes[next_corner(h)]] * nearest[2]
+        own += picture_color(place, seams.views[h // 3], pictures, exposures)
+        changes[i] = 0.5 * (other + own) - texels.colors[i]
+        texels.steps[i] = 0
+
+
+@func
+def neighbor_texel(i: int, k: int, size: int) -> int:
+    """The texel left, right, above or below; -1 beyond the border."""
+    x = i % size
+    y = i // size
+    found = -1
+    if k == 0 and x > 0:
+        found = i - 1
+    if k == 1 and x < size - 1:
+        found = i + 1
+    if k == 2 and y > 0:
+        found = i - size
+    if k == 3 and y < size - 1:
+        found = i + size
+    return found
+
+
+@kernel
+def spread_steps_kernel(texels: ChartTexels, seams: Seams, step: int, free: array(dtype=uint8)):
+    """Texels beside those of the step before take this one; at any time only those write that have none."""
+    i = tid()
+    owner = texels.owners[i]
+    if owner != NO_TRIANGLE and texels.steps[i] == NOWHERE:
+        if seams.views[owner] >= 0:
+            found = 0
+            for k in range(4):
+                j = neighbor_texel(i, k, texels.atlas.width)
+                if j >= 0:
+                    if texels.steps[j] == step - 1:
+                        found = 1
+            if found == 1:
+                texels.steps[i] = step
+                free[i] = uint8(1)
+
+
+@kernel
+def begin_strips_kernel(
+    texels: ChartTexels,
+    seams: Seams,
+    free: array(dtype=int32),
+    changes: array(dtype=vec3d),
+    weights: array(dtype=float64),
+    state: Gradients,
+):
+    """The diagonal, and the right side: what neighbours on a seam change by."""
+    i = tid()
+    texel = free[i]
+    weight = float64(0.0)
+    right = vec3d(0.0, 0.0, 0.0)
+    for k in range(4):
+        j = neighbor_texel(texel, k, texels.atlas.width)
+        if j >= 0:
+            owner = texels.owners[j]
+            if owner != NO_TRIANGLE:
+                if seams.views[owner] >= 0:
+                    weight += 1.0
+                    if texels.steps[j] == 0:
+                        right += changes[j]
+    weights[i] = weight
+    state.residual[i] = right
+
+
+@kernel
+def map_strips_kernel(
+    texels: ChartTexels,
+    free: array(dtype=int32),
+    numbers: array(dtype=int32),
+    weights: array(dtype=float64),
+    state: Gradients,
+):
+    """The product of the Laplacian and the search direction."""
+    i = tid()
+    total = weights[i] * state.search[i]
+    for k in range(4):
+        j = neighbor_texel(free[i], k, texels.atlas.width)
+        if j >= 0:
+            if texels.steps[j] > 0 and texels.steps[j] < NOWHERE:
+                total -= state.search[numbers[j]]
+    state.image[i] = total
+
+
+@kernel
+def weigh_strips_kernel(weights: array(dtype=float64), state: Gradients):
+    """The residual by the diagonal."""
+    i = tid()
+    state.forces[i] = state.residual[i] / weights[i]
+
+
+@kernel
+def change_free_kernel(free: array(dtype=int32), solution: array(dtype=vec3d), changes: array(dtype=vec3d)):
+    """What the texels of strips change by."""
+    i = tid()
+    changes[free[i]] = solution[i]
+
+
+@kernel
+def add_changes_kernel(texels: ChartTexels, changes: array(dtype=vec3d)):
+    """Change the colours."""
+    i = tid()
+    texels.colors[i] = texels.colors[i] + changes[i]
+
+
+def blend_strips(
+    texels: ChartTexels,
+    vertices: Points,
+    seams: Seams,
+    pictures: PosedPictures,
+    exposures: Exposures,
+    shifts: Array1[vec3d],
+) -> None:
+    """Change the colours of texels near seams until both sides agree there; a few syncs."""
+    device, count = vertices.device, texels.size * texels.size
+    changes, free = empty(count, vec3d, device), zeros(count, uint8, device)
+    launch(aim_at_seams_kernel, count, [texels, vertices, seams, pictures, exposures, shifts, changes])
+    for step in range(1, STRIP + 1):
+        launch(spread_steps_kernel, count, [texels, seams, step, free])
+    rows: Indices = positions_of(free)  # sync
+    if rows.size:
+        numbers, weights = empty(count, int32, device), empty(rows.size, float64, device)
+        launch(number_rows_kernel, rows.size, [rows, numbers])
+        state = Gradients(zeros(rows.size, vec3d, device), SOLVED, MOST_TURNS, zeros(1, vec2d, device))
+
+        def apply() -> None:
+            launch(map_strips_kernel, rows.size, [texels, rows, numbers, weights, state])
+
+        def weigh() -> None:
+            launch(weigh_strips_kernel, rows.size, [weights, state])
+
+        launch(begin_strips_kernel, rows.size, [texels, seams, rows, changes, weights, state])
+        descent = ConjugateGradients(state, apply, weigh)
+        descent.weigh()
+        copy(state.unit, state.remains, count=1)
+        descent.descend()
+        launch(change_free_kernel, rows.size, [rows, state.solution, changes])
+    launch(add_changes_kernel, count, [texels, changes])

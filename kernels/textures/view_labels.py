@@ -1,0 +1,270 @@
+"""One picture for each triangle: what it costs there, and a price wherever two that meet take different ones (Potts).
+
+Energy: the sum of the costs of all triangles and of the price of each edge between two different pictures. All of it is
+whole numbers, so that it has the same bits everywhere, and is compared exactly.
+
+Min-sum belief propagation, all messages at once: each triangle tells each neighbour what each of the neighbour's
+pictures would cost beyond its best, the price at most. A message is the mean of the new one and the last (odd turns
+round up, even ones down, so that what is settled stays). On trees this ends at the least energy; on others it is close.
+Then triangles change to their cheapest picture as long as that lowers the energy: in each turn those that win more than
+their neighbours, so that no two that meet change at once and each change lowers the energy.
+
+One thread a half-edge and turn: 4 B read and written a message, three messages a pair of triangle and picture.
+
+Source: Waechter, Moehrle and Goesele 2014, section 3.2; Felzenszwalb and Huttenlocher, "Efficient Belief Propagation
+for Early Vision", IJCV 2006, for Potts messages.
+"""
+
+from ..array_types import Indices, Integers
+from ..arrays.prefix_sum import sum_counts
+from ..arrays.quantiles import quantiles_of
+from ..lang import array, atomic_add, float64, floor, func, int32, kernel, launch, loop_while, struct, tid
+from ..memory import empty, full, zeros
+from .face_views import FaceViews
+
+UNIT = 1 << 16  # of cost: what a triangle costs that is not shown at all
+BEST = 0.995  # quantile of how well pictures show triangles, from which on one costs nothing
+FAR = 1 << 30
+TURNS = 120  # of messages: how many triangles far one is heard
+MOST_CHANGES = 4096
+
+
+@struct
+class LabelGraph:
+    """Triangles with the pictures that each may take, and those that meet.
+
+    Args:
+        starts: int32 [t + 1], where each triangle's pictures begin.
+        views: Pictures, ascending for each triangle, int32 [k].
+        costs: What each costs, int32 [k], 0 to UNIT.
+        twins: The half-edge beyond each, int32 [3 t]; -1 for none.
+        price: Of an edge between two pictures, at least 0.
+    """
+
+    starts: array(dtype=int32)
+    views: array(dtype=int32)
+    costs: array(dtype=int32)
+    twins: array(dtype=int32)
+    price: int
+
+    def __init__(self, starts: Integers, views: Indices, costs: Integers, twins: Indices, price: int) -> None:
+        self.starts, self.views, self.costs, self.twins, self.price = starts, views, costs, twins, int(price)
+        self.count, self.device = starts.size - 1, starts.device
+
+
+@kernel
+def cost_views_kernel(qualities: array(dtype=float64), best: float64, costs: array(dtype=int32)):
+    """What a picture costs: nothing from the best on, a unit where it shows nothing."""
+    i = tid()
+    share = float64(1.0)
+    if best > 0.0:
+        share = min(qualities[i] / best, 1.0)
+    costs[i] = int(floor((1.0 - share) * float64(UNIT) + 0.5))
+
+
+@kernel
+def believe_kernel(graph: LabelGraph, messages: array(dtype=int32), beliefs: array(dtype=int32)):
+    """What a picture costs a triangle by all that it is told."""
+    i = tid()
+    beliefs[i] = graph.costs[i] + messages[3 * i] + messages[3 * i + 1] + messages[3 * i + 2]
+
+
+@kernel
+def tell_kernel(
+    graph: LabelGraph, beliefs: array(dtype=int32), messages: array(dtype=int32), parity: int, told: array(dtype=int32)
+):
+    """What a triangle is told through one of its edges, for each of its pictures."""
+    i = tid()
+    first = graph.starts[i // 3]
+    last = graph.starts[i // 3 + 1]
+    side = i % 3
+    twin = graph.twins[i]
+    begin = 0
+    end = 0
+    if twin >= 0:
+        begin = graph.starts[twin // 3]
+        end = graph.starts[twin // 3 + 1]
+    other = twin % 3
+    least = int(FAR)
+    for j in range(begin, end):
+        least = min(least, beliefs[j] - messages[3 * j + other])
+    j = begin
+    for k in range(first, last):
+        message = 0
+        if end > begin:
+            while j < end and graph.views[j] < graph.views[k]:
+                j += 1
+            message = graph.price
+            if j < end and graph.views[j] == graph.views[k]:
+                message = min(message, beliefs[j] - messages[3 * j + other] - least)
+        told[3 * k + side] = (messages[3 * k + side] + message + parity) // 2
+
+
+@kernel
+def take_best_kernel(graph: LabelGraph, beliefs: array(dtype=int32), labels: array(dtype=int32)):
+    """The pair of each triangle with the least belief, the first of equals; -1 for a triangle that has none."""
+    i = tid()
+    label = -1
+    least = int(FAR)
+    for k in range(graph.starts[i], graph.starts[i + 1]):
+        if beliefs[k] < least:
+            least = beliefs[k]
+            label = k
+    labels[i] = label
+
+
+@func
+def view_beyond(graph: LabelGraph, labels: array(dtype=int32), h: int) -> int:
+    """The picture of the triangle beyond a half-edge; -1 where there is none."""
+    view = -1
+    if graph.twins[h] >= 0:
+        label = labels[graph.twins[h] // 3]
+        if label >= 0:
+            view = graph.views[label]
+    return view
+
+
+@func
+def price_at(graph: LabelGraph, view: int, a: int, b: int, c: int) -> int:
+    """What a picture's edges to the three beyond cost."""
+    count = 0
+    if a >= 0 and a != view:
+        count += 1
+    if b >= 0 and b != view:
+        count += 1
+    if c >= 0 and c != view:
+        count += 1
+    return count * graph.price
+
+
+@kernel
+def weigh_changes_kernel(
+    graph: LabelGraph, labels: array(dtype=int32), gains: array(dtype=int32), better: array(dtype=int32)
+):
+    """What a triangle wins by its cheapest picture, as its neighbours are."""
+    i = tid()
+    gains[i] = 0
+    better[i] = labels[i]
+    if labels[i] >= 0:
+        a = view_beyond(graph, labels, 3 * i)
+        b = view_beyond(graph, labels, 3 * i + 1)
+        c = view_beyond(graph, labels, 3 * i + 2)
+        now = graph.costs[labels[i]] + price_at(graph, graph.views[labels[i]], a, b, c)
+        for k in range(graph.starts[i], graph.starts[i + 1]):
+            gain = now - graph.costs[k] - price_at(graph, graph.views[k], a, b, c)
+            if gain > gains[i]:
+                gains[i] = gain
+                better[i] = k
+
+
+@kernel
+def change_kernel(
+    graph: LabelGraph,
+    gains: array(dtype=int32),
+    better: array(dtype=int32),
+    labels: array(dtype=int32),
+    changes: array(dtype=int32),
+):
+    """Triangles that win more than all beyond their edges change, of equals the lower one; a sum of ones."""
+    i = tid()
+    if gains[i] > 0:
+        most = 1
+        for side in range(3):
+            twin = graph.twins[3 * i + side]
+            if twin >= 0:
+                j = twin // 3
+                if gains[j] > gains[i] or (gains[j] == gains[i] and j < i):
+                    most = 0
+        if most == 1:
+            labels[i] = better[i]
+            atomic_add(changes, 0, 1)
+
+
+@kernel
+def end_changes_kernel(changes: array(dtype=int32), running: array(dtype=int32)):
+    """Go on where any has changed, up to a number of turns."""
+    i = tid()
+    changes[1] = changes[1] + 1
+    running[i] = 0
+    if changes[0] > 0 and changes[1] < MOST_CHANGES:
+        running[i] = 1
+    changes[0] = 0
+
+
+@kernel
+def count_energy_kernel(graph: LabelGraph, labels: array(dtype=int32), energies: array(dtype=int32)):
+    """A triangle's cost, and the price of its edges to triangles of higher numbers."""
+    i = tid()
+    energy = 0
+    if labels[i] >= 0:
+        energy = graph.costs[labels[i]]
+        for side in range(3):
+            view = view_beyond(graph, labels, 3 * i + side)
+            if graph.twins[3 * i + side] // 3 > i and view >= 0 and view != graph.views[labels[i]]:
+                energy += graph.price
+    energies[i] = energy
+
+
+@kernel
+def name_views_kernel(views: array(dtype=int32), labels: array(dtype=int32), named: array(dtype=int32)):
+    """The picture of each triangle; -1 for none."""
+    i = tid()
+    view = -1
+    if labels[i] >= 0:
+        view = views[labels[i]]
+    named[i] = view
+
+
+def cost_views(views: FaceViews) -> Integers:
+    """What each pair costs, int32 [k]; one sync."""
+    costs = empty(views.count, int32, views.device)
+    best = quantiles_of(views.qualities, [BEST])[0] if views.count else 0.0  # sync
+    launch(cost_views_kernel, views.count, [views.qualities, best, costs])
+    return costs
+
+
+def energy_of(graph: LabelGraph, labels: Indices) -> int:
+    """The energy of a choice; one sync."""
+    energies = empty(graph.count, int32, graph.device)
+    launch(count_energy_kernel, graph.count, [graph, labels, energies])
+    return int(sum_counts(energies))  # sync
+
+
+def improve(graph: LabelGraph, labels: Indices) -> None:
+    """Change the pictures of triangles, one by one, as long as that lowers the energy."""
+    count, device = graph.count, graph.device
+    gains, better = empty(count, int32, device), empty(count, int32, device)
+    changes, running = zeros(2, int32, device), full(1, 1, int32, device)
+
+    def turn() -> None:
+        launch(weigh_changes_kernel, count, [graph, labels, gains, better])
+        launch(change_kernel, count, [graph, gains, better, labels, changes])
+        launch(end_changes_kernel, 1, [changes, running])
+
+    loop_while(running, turn)
+
+
+def choose_labels(graph: LabelGraph, turns: int = TURNS) -> Indices:
+    """A pair for each triangle, int32 [t], -1 where it has none: of low energy, and no single change lowers it."""
+    pairs, device = graph.views.size, graph.device
+    messages, told, beliefs = (
+        zeros(3 * pairs, int32, device),
+        empty(3 * pairs, int32, device),
+        empty(pairs, int32, device),
+    )
+    for turn in range(turns):
+        launch(believe_kernel, pairs, [graph, messages, beliefs])
+        launch(tell_kernel, 3 * graph.count, [graph, beliefs, messages, turn % 2, told])
+        messages, told = told, messages
+    launch(believe_kernel, pairs, [graph, messages, beliefs])
+    labels = empty(graph.count, int32, device)
+    launch(take_best_kernel, graph.count, [graph, beliefs, labels])
+    improve(graph, labels)
+    return labels
+
+
+def name_views(graph: LabelGraph, labels: Indices) -> Indices:
+    """The picture of each triangle, int32 [t]; -1 for none."""
+    named = empty(graph.count, int32, graph.device)
+    launch(name_views_kernel, graph.count, [graph.views, labels, named])
+    return named

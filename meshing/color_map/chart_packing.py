@@ -1,0 +1,115 @@
+"""Rectangles side by side on a square: where the charts of a mesh go in its texture."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...kernels.textures.charts import Cells
+
+CELL = 6  # texels a side of a triangle that no picture shows: 3 of its legs, the rest about it
+SPOT = 4  # texels a side of what all of them share
+MOST_CELLS = 0.5  # of the texture for such triangles; beyond, all share a spot
+STEP = 64  # texels: sizes that are found are multiples of it
+FINER, TRIES = 0.5**7, 40  # to which share the scale is known; scales tried
+
+
+@dataclass(frozen=True)
+class Packing:
+    """Where everything goes.
+
+    Attributes:
+        size: Texels a side.
+        scale: Texels a pixel, 1 at most.
+        places: The texel of each chart's first pixel, int64 [c, 2].
+        cells: Of triangles that no picture shows.
+    """
+
+    size: int
+    scale: float
+    places: NDArray[np.int64]
+    cells: Cells
+
+
+def pack_charts(
+    boxes: NDArray[np.int64], blind: int, has_colors: bool, padding: int, size: int | None, largest: int
+) -> Packing:
+    """Lay out charts in rows, the highest first.
+
+    Args:
+        boxes: First column and row, and how many, of each chart, [c, 4].
+        blind: Triangles that no picture shows.
+        has_colors: Whether these have colours to draw.
+        padding: Texels about each chart.
+        size: Texels a side; None for as few as take all at one texel a pixel, up to `largest`.
+
+    Raises:
+        ValueError: No room even for charts of a few texels.
+    """
+    extents = boxes[:, 2:]
+    if size is not None:
+        return _largest_scale(extents, blind, has_colors, padding, size)
+    area = float(((extents + 2 * padding).prod(axis=1)).sum()) + blind * CELL * CELL * has_colors
+    side = math.ceil(max(math.sqrt(area), (extents.max(initial=1) + 2 * padding), STEP) / STEP) * STEP
+    while side < largest:
+        found = _pack(extents, blind, has_colors, padding, side, 1.0)
+        if found is not None:
+            return found
+        side += max(STEP, side // 20 // STEP * STEP)
+    return _largest_scale(extents, blind, has_colors, padding, largest)
+
+
+def _largest_scale(extents: NDArray[np.int64], blind: int, has_colors: bool, padding: int, size: int) -> Packing:
+    best = _pack(extents, blind, has_colors, padding, size, 1.0)
+    low, high = 0.0, 1.0
+    for _ in range(TRIES):
+        if best is not None and high - low < FINER * high:
+            return best
+        scale = (low + high) / 2
+        found = _pack(extents, blind, has_colors, padding, size, scale)
+        if found is None:
+            high = scale
+        else:
+            low, best = scale, found
+    if best is not None:
+        return best
+    have = f"its {len(extents):,} charts, with {padding} texels about each"
+    raise ValueError(f"size: {size} x {size} texels are too few for the mesh: {have}; take more, or more smoothness")
+
+
+def _pack(
+    extents: NDArray[np.int64], blind: int, has_colors: bool, padding: int, size: int, scale: float
+) -> Packing | None:
+    """Rows of charts at a scale; None where there is no room."""
+    cells, floor = _cells(blind, has_colors, padding, size)
+    sides = np.ceil((extents - 1) * scale).astype(np.int64) + 1 + 2 * padding
+    if (sides > size).any() or float(sides.prod(axis=1).sum()) > size * floor:
+        return None
+    order = np.lexsort((np.arange(len(sides)), -sides[:, 0], -sides[:, 1]))
+    corners = [(0, 0)] * len(sides)
+    x = y = height = 0
+    for k, (width, rows) in zip(order.tolist(), sides[order].tolist(), strict=True):
+        if x + width > size:
+            x, y, height = 0, y + height, 0
+        if not height:
+            height = rows
+        corners[k] = (x, y)
+        x += width
+    if y + height > floor:
+        return None
+    places = np.array(corners, np.int64).reshape(-1, 2) + padding
+    return Packing(size, scale, places, cells)
+
+
+def _cells(blind: int, has_colors: bool, padding: int, size: int) -> tuple[Cells, int]:
+    """The cells at the foot of the texture, and the rows above them."""
+    if not blind:
+        return Cells(0, 1, 0), size
+    columns = max(size // CELL, 1)
+    rows = -(-blind // columns) * CELL
+    if has_colors and rows <= MOST_CELLS * size:
+        return Cells(size - rows, columns, CELL), size - rows - padding
+    return Cells(size - SPOT, 1, 0), size - SPOT - padding

@@ -1,0 +1,98 @@
+"""Pictures that a mesh is to be coloured by, with cameras and poses in any of the forms that they come in."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.undistortion import Undistortion
+from ...core.checks import check_list, check_name
+from ...core.errors import FileError
+from ...core.progress import ReportProgress
+from ...files.models.sfm_model import SfmModel
+from ...files.pictures.image_files import read_color
+from ..mesh.posed_images import Names, PosedImages, check_images
+
+NAMES = Names("pictures", "cameras", "T_camera_world")
+
+
+def take_pictures(pictures: Any, cameras: Any, poses: Any, device: Any, say: ReportProgress) -> PosedImages:
+    """Pictures on a device with a pinhole camera and a pose each.
+
+    Args:
+        pictures: Arrays uint8 [h, w, 3], RGBDImages, or files, one a camera; of an SfmModel the folder of its pictures
+            too.
+        cameras: A PinholeCameraIntrinsic, a list of them, a list of cameras that know their poses, or an SfmModel,
+            whose pictures are straightened where its lenses are bent.
+        poses: T_camera_world [n, 4, 4]; None where the cameras know them.
+        device: Of the mesh.
+        say: Told of each picture.
+
+    Raises:
+        TypeError, ValueError: As of `texture_from_pictures`.
+        FileError: A picture that is not there, or cannot be read.
+    """
+    if isinstance(cameras, SfmModel):
+        if poses is not None:
+            raise ValueError("T_camera_world: the model has the poses; leave it out")
+        return _take_model(pictures, cameras, device, say)
+    listed = check_list("pictures", pictures, "pictures")
+    if poses is None:
+        known = [] if isinstance(cameras, PinholeCameraIntrinsic) else check_list("cameras", cameras, "cameras")
+        if not known or not all(hasattr(c, "T_camera_world") and hasattr(c, "intrinsic") for c in known):
+            raise ValueError("T_camera_world: expected a pose [4, 4] for each picture, world to camera, got None")
+        poses, cameras = [c.T_camera_world for c in known], [c.intrinsic for c in known]
+    images = []
+    for k, picture in enumerate(listed):
+        say("pictures", k, len(listed))
+        images.append(read_color(picture) if isinstance(picture, str | os.PathLike) else picture)
+    say("pictures", len(listed), len(listed))
+    given = check_list("T_camera_world", getattr(poses, "poses", poses), "poses")
+    return check_images(NAMES, images, cameras, given, device)
+
+
+def _take_model(pictures: Any, model: SfmModel, device: Any, say: ReportProgress) -> PosedImages:
+    if not len(model):
+        raise ValueError("cameras: the model has no pictures")
+    listed = (
+        _files_of(pictures, model)
+        if isinstance(pictures, str | os.PathLike)
+        else list(check_list("pictures", pictures, "pictures"))
+    )
+    if len(listed) != len(model):
+        raise ValueError(f"pictures: {len(listed)} pictures, but the model has {len(model)}; give one a name of it")
+    lenses = {lens: Undistortion(lens, device=device) for lens in dict.fromkeys(model.cameras) if not _is_plain(lens)}
+    images, cameras = [], []
+    for k, (picture, lens) in enumerate(zip(listed, model.cameras, strict=True)):
+        say("pictures", k, len(listed))
+        image = read_color(picture) if isinstance(picture, str | os.PathLike) else np.asarray(picture)
+        if lens in lenses:
+            try:
+                image = lenses[lens].apply(image)
+            except (TypeError, ValueError) as error:
+                raise type(error)(f"pictures[{k}] ({model.names[k]}): {error}") from error
+            cameras.append(lenses[lens].intrinsic)
+        else:
+            cameras.append(lens.intrinsic)
+        images.append(image)
+    say("pictures", len(listed), len(listed))
+    return check_images(NAMES, images, cameras, list(model.T_camera_world), device)
+
+
+def _is_plain(lens: Any) -> bool:
+    return lens.model in ("PINHOLE", "SIMPLE_PINHOLE")
+
+
+def _files_of(folder: str | os.PathLike[str], model: SfmModel) -> list[Path]:
+    """The files of a model's pictures in a folder."""
+    place = Path(check_name("pictures", os.fspath(folder)))
+    files = [place / name for name in model.names]
+    missing = [file for file in files if not file.is_file()]
+    if missing:
+        reason = f"is not there, which is one of {len(missing)} of the model's {len(files)} pictures that are missing"
+        raise FileError(missing[0], reason, remedy="Give the folder that the model's names are of")
+    return files

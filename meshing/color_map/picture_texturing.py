@@ -1,0 +1,214 @@
+"""A texture cut out of posed pictures, each triangle from the best, without seams: `texture_from_pictures`."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import warp as wp
+
+from ...core.checks import check_color, check_count, check_positive, check_progress
+from ...core.progress import ReportProgress
+from ...kernels.arrays.sort import positions
+from ...kernels.memory import check_room, download
+from ...kernels.meshes.merge_vertices import find_equal_vertices, rename_corners
+from ...kernels.textures.chart_texels import ChartTexels, finish_texels, paint_texels
+from ...kernels.textures.charts import cut_charts, find_twins, place_corners
+from ...kernels.textures.color_outliers import keep_likely
+from ...kernels.textures.exposures import Exposures, find_exposures, plain_exposures
+from ...kernels.textures.face_views import FaceLooks, FaceViews, keep_views
+from ...kernels.textures.hidden_vertices import plant_trees
+from ...kernels.textures.posed_pictures import PosedPictures
+from ...kernels.textures.seam_levels import SeamLevels, Seams
+from ...kernels.textures.seam_strips import blend_strips
+from ...kernels.textures.view_labels import UNIT, LabelGraph, choose_labels, cost_views, energy_of, name_views
+from ..mesh.mesh import TriangleMesh
+from ..mesh.posed_images import PosedImages
+from .chart_packing import Packing, pack_charts
+from .picture_sources import take_pictures
+from .pictured_mesh import PicturedMesh
+from .results import NothingSeenError
+
+PADDING = 4  # texels about each chart: two of its picture, two of their colours
+MOST_SIZE = 16384  # texels a side
+LARGEST = 8192  # and where nobody asked for a size
+TEXEL_BYTES = 120
+MOST_SMOOTHNESS = 1000.0
+PLAIN = (0.5, 0.5, 0.5)
+
+
+def texture_from_pictures(
+    mesh: TriangleMesh,
+    pictures: Any,
+    cameras: Any,
+    T_camera_world: Any = None,
+    *,
+    size: int | None = None,
+    smoothness: float = 1.0,
+    outliers: bool = True,
+    exposures: bool = True,
+    seam_levelling: bool = True,
+    local_levelling: bool = True,
+    depth_max: float = np.inf,
+    plain: Any = PLAIN,
+    progress: ReportProgress | None = None,
+) -> PicturedMesh:
+    """Give a mesh a texture that is cut out of posed pictures: each triangle from the best, without seams.
+
+    Of the pictures that show a triangle whole, from before and with nothing in between, the one counts most where it is
+    large and sharp, and neighbours take the same where that costs little. Pictures that differ at their seams, since
+    light and exposure do, are shifted until they agree. Triangles keep the sharpness of one picture, where the mean
+    over pictures (`TriangleMesh.project_images_to_albedo`) blurs what poses do not make meet. The pictures cost nothing
+    beside what they show; poses stay as they are (`run_rigid_optimizer` moves them).
+
+    Args:
+        mesh: In the frame of the poses, its triangles facing the cameras.
+        pictures: uint8 [h, w, 3], RGBDImages with colours, or files, one a pose. Of an SfmModel also the folder that
+            its names are of.
+        cameras: One PinholeCameraIntrinsic, or one a picture; or cameras that know their poses, as `mvs.PosedCamera`;
+            or an SfmModel, as of `read_colmap_model`, whose lenses are straightened where they are bent.
+        T_camera_world: Poses [n, 4, 4], world to camera; None where the cameras know them.
+        size: Texels a side of the texture; charts are made smaller where they have to be. None takes as many as
+            pictures have pixels, up to 8192.
+        smoothness: What an edge between two pictures costs, in units of what the best picture of a triangle is worth.
+        outliers: Leave pictures out where a triangle has another colour than in most of at least four.
+        exposures: Bring pictures to one exposure first: a factor for each channel, which may grow towards the corners,
+            by the triangles that they share.
+        seam_levelling: Shift the colours of charts, by vertices, so that they agree at seams.
+        local_levelling: Change colours in strips of 20 texels beside seams until both sides meet.
+        depth_max: Farther away pictures show nothing [unit of the poses].
+        plain: The colour of triangles that no picture shows where the mesh has no vertex colours, 0..1.
+        progress: Called with the stage ("pictures", "views", "choice", "seams", "texture"), how many of its steps are
+            done, and how many there are, 0 where nobody knows.
+
+    Returns:
+        A PicturedMesh: the mesh with its texture, which picture each triangle has, figures, and `poor`.
+
+    Raises:
+        TypeError: Not a TriangleMesh, not pictures or cameras.
+        ValueError: A mesh without triangles, pictures, cameras and poses of different number or size, a pose that is no
+            rigid motion, a number out of range, a size without room for all charts.
+        NothingSeenError: No picture shows a triangle. It is a ValueError.
+        FileError: A picture that cannot be read.
+        MemoryError: The device has no room for the texture.
+
+    Notes:
+        The same bits from run to run on one device. 7 B of memory a pixel, 120 B a texel, some 30 B a pair of triangle
+        and picture. Vertices at one place count as one. Colours are shifted, not scaled, so what one picture has at a
+        higher contrast it keeps. Waechter, Moehrle and Goesele, "Let There Be Color!", ECCV 2014; what differs stands
+        in the docstrings of kernels/textures.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> mesh = loom.TriangleMesh([[-0.1, -0.1, 1], [0.1, -0.1, 1], [0, 0.1, 1]], [[0, 2, 1]])
+        >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+        >>> green = np.full((48, 64, 3), (0, 255, 0), np.uint8)
+        >>> found = loom.color_map.texture_from_pictures(mesh, [green], camera, [np.eye(4)])
+        >>> found.views.tolist(), found.mesh.textures[0].shape
+        ([0], (64, 64, 3))
+    """
+    if not isinstance(mesh, TriangleMesh):
+        raise TypeError(f"mesh: expected a TriangleMesh, got {type(mesh).__name__}")
+    if not len(mesh):
+        raise ValueError("mesh: it has no triangles, which a texture needs")
+    if size is not None:
+        because = "the texture and what it is made from would not fit; take fewer texels"
+        size = check_count("size", size, minimum=16, maximum=MOST_SIZE, because=because)
+    price = check_positive("smoothness", smoothness, allow_zero=True, maximum=MOST_SMOOTHNESS)
+    farthest = depth_max if depth_max == np.inf else check_positive("depth_max", depth_max)
+    background, say = check_color("plain", plain), check_progress(progress)
+    images = take_pictures(pictures, cameras, T_camera_world, mesh.device, say)
+    choice = _choose(mesh, images, price, (outliers, exposures), farthest, say)
+    say("seams", 0, 0)
+    levels = SeamLevels(mesh.array("vertices"), choice.seams, choice.pictures, choice.exposures)
+    before = levels.mean_step()
+    if seam_levelling:
+        levels.solve()
+    after = levels.mean_step() if seam_levelling else before
+    say("texture", 0, 0)
+    textured, packing, charts, drew = _paint(mesh, choice, levels, size, background, local_levelling)
+    views = download(choice.seams.views).copy()
+    counts = {"chart_count": charts, "pair_count": choice.pairs, "outlier_count": choice.outliers}
+    figures = {"energy": choice.energy, "step_before": before, "step": after, "turns": levels.turns}
+    how = {"size": packing.size, "scale": packing.scale, "drew_colors": drew}
+    return PicturedMesh(textured, views, choice.pictures.count, **counts, **figures, **how)
+
+
+# ------------------------------------------------------------------------------------------------ internals
+
+
+@dataclass(frozen=True, eq=False)
+class _Choice:
+    """Which picture each triangle takes.
+
+    Attributes:
+        pictures: On the device.
+        exposures: Of the pictures.
+        seams: With the triangles, their neighbours and pictures.
+        pairs: Of triangles and pictures that show them.
+        outliers: Pairs that were left out.
+        energy: Of the choice.
+    """
+
+    pictures: PosedPictures
+    exposures: Exposures
+    seams: Seams
+    pairs: int
+    outliers: int
+    energy: float
+
+
+def _choose(
+    mesh: TriangleMesh,
+    images: PosedImages,
+    smoothness: float,
+    wanted: tuple[bool, bool],
+    farthest: float,
+    say: ReportProgress,
+) -> _Choice:
+    outliers, exposures = wanted
+    vertices = mesh.array("vertices")
+    owners = find_equal_vertices(vertices)
+    triangles = rename_corners(mesh.array("triangles"), owners, positions(vertices.size, mesh.device))
+    pictures = images.pictures(mesh.origin, 0)
+    looks = FaceLooks(vertices, triangles, pictures, plant_trees(vertices, triangles), farthest)
+    all_views = looks.views(lambda done: say("views", done, pictures.count))
+    if not all_views.count:
+        raise NothingSeenError(
+            "pictures: none shows a triangle of the mesh; check that the poses are world to camera, in the frame of "
+            "the mesh, that its triangles face the cameras, and that it lies within depth_max"
+        )
+    say("choice", 0, 0)
+    views: FaceViews = keep_views(all_views, keep_likely(all_views)) if outliers else all_views
+    found = find_exposures(vertices, triangles, views, pictures) if exposures else plain_exposures(pictures)
+    twins = find_twins(triangles, vertices.size)
+    graph = LabelGraph(views.starts, views.views, cost_views(views), twins, round(smoothness * UNIT))
+    labels = choose_labels(graph)
+    energy = energy_of(graph, labels) / UNIT
+    seams = Seams(triangles, twins, name_views(graph, labels), pictures.count, vertices.size)
+    return _Choice(pictures, found, seams, all_views.count, all_views.count - views.count, energy)
+
+
+def _paint(
+    mesh: TriangleMesh, choice: _Choice, levels: SeamLevels, size: int | None, plain: Any, blend: bool
+) -> tuple[TriangleMesh, Packing, int, bool]:
+    """The mesh with its texture, how that is laid out, how many charts there are, and whether vertex colours show."""
+    vertices, seams, pictures = mesh.array("vertices"), choice.seams, choice.pictures
+    charts = cut_charts(vertices, seams.triangles, seams.twins, seams.views, pictures)
+    colors: wp.array | None = mesh.array("vertex_colors") if mesh.vertex_colors is not None else None
+    blind = int((download(seams.views) < 0).sum())  # sync
+    packing = pack_charts(charts.boxes(), blind, colors is not None, PADDING, size, LARGEST)
+    side = packing.size
+    check_room(mesh.device, side * side * TEXEL_BYTES, f"size: a texture of {side} x {side} texels")
+    where = (packing.places, packing.scale, packing.cells, side)
+    uvs = place_corners(vertices, seams.triangles, seams.views, pictures, charts, *where)
+    texels = ChartTexels(uvs, side)
+    paint_texels(texels, vertices, seams, pictures, choice.exposures, levels.shifts, packing.scale, colors, plain)
+    if blend:
+        blend_strips(texels, vertices, seams, pictures, choice.exposures, levels.shifts)
+    picture = download(finish_texels(texels, PADDING)).reshape(side, side, 3)  # sync
+    without = mesh.with_arrays(triangle_uvs=None, triangle_material_ids=None, vertex_colors=None)
+    textured = without.with_arrays(triangle_uvs=uvs)
+    textured.textures = (picture.copy(),)
+    return textured, packing, charts.count, bool(blind and colors is not None and packing.cells.side)

@@ -1,0 +1,215 @@
+"""The folder of a volume that is paged to disk: pages, and the list of those that were saved.
+
+A page is an NPZ archive of the blocks of one cube of blocks, named by a running number; it is never written to again.
+`volume.npz` lists the pages that a volume consisted of when it was last saved. It is replaced whole, and only then are
+pages removed that it does not list: whatever ends a process, the folder holds what was saved last.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import weakref
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.atomic import atomic_write
+from ...core.errors import FileError, FilePath
+from ...core.paths import path_of
+from ...core.work_folder import held
+from ...files.points.archives import Arrays, Expected, read_archive, rows_of, write_archive
+from ...kernels.arrays.block_keys import BIAS
+from ...kernels.volumes.tsdf_blocks import BLOCK_VOXELS, block_box, box_keys
+
+LIST = "volume.npz"
+FORMAT, PAGE_FORMAT = b"pointloom paged TSDF volume 1", b"pointloom TSDF page 1"
+MOST_SIDE = 1024  # blocks along a cube
+
+Keys = NDArray[np.int64]
+
+
+class Page(NamedTuple):
+    """A page on disk: the number of its file, and the keys of its blocks."""
+
+    number: int
+    keys: Keys
+
+
+class Saved(NamedTuple):
+    """What a list says.
+
+    Attributes:
+        told: The arrays of the volume itself: sizes, origin, frame_count, has_color.
+        side: Blocks along a cube.
+        pages: By cube.
+    """
+
+    told: Arrays
+    side: int
+    pages: dict[int, Page]
+
+
+def cubes_of(keys: Keys, side: int) -> Keys:
+    """The cube of each block, as a key like a block's."""
+    x, y, z = np.floor_divide(block_box(keys), side).T
+    return box_keys(x, y, z)
+
+
+class PageFolder:
+    """The pages of a volume on disk; one process works in it at a time.
+
+    Args:
+        path: The folder; made where it is missing.
+        overwrite: Whether a volume that lies there is removed.
+        is_new: Whether there must be none.
+
+    Raises:
+        FileError: It holds something else, or a volume that may not be replaced; or another process works in it.
+    """
+
+    def __init__(self, path: FilePath, *, is_new: bool, overwrite: bool = False):
+        self.path = path_of(path)
+        if is_new:
+            self._check_free(overwrite)
+            self.path.mkdir(exist_ok=True)
+        elif not (self.path / LIST).is_file():
+            raise FileError(path, f"holds no paged volume: there is no {LIST}")
+        stack = contextlib.ExitStack()
+        stack.enter_context(held(self.path))
+        self._release = weakref.finalize(self, stack.close)
+        self._last = max((int(file.stem) for file in self._files()), default=0)
+
+    def _check_free(self, overwrite: bool) -> None:
+        if self.path.exists() and not self.path.is_dir():
+            raise FileError(self.path, "is not a folder", remedy="Give the name of a folder")
+        if not self.path.absolute().parent.is_dir():
+            raise FileError(self.path, f"the folder {self.path.parent} does not exist", remedy="Make the folder first")
+        if self.path.is_dir() and any(file not in self._unfinished() for file in self.path.iterdir()):
+            if not (self.path / LIST).is_file():
+                raise FileError(self.path, f"holds other files: there is no {LIST}", remedy="Give another folder")
+            if not overwrite:
+                remedy = "Go on with it by PagedTSDFVolume.load, or give overwrite=True to begin anew"
+                raise FileError(self.path, "holds a volume already", remedy=remedy)
+
+    def close(self) -> None:
+        """Let other processes work in the folder."""
+        self._release()
+
+    def _files(self) -> list[Path]:
+        return [file for file in self.path.glob("[0-9]*.npz") if file.stem.isdigit()]
+
+    def _unfinished(self) -> list[Path]:
+        """What processes were writing when they were killed."""
+        return [*self.path.glob(".*.npz.*.part")]
+
+    def _place(self, number: int) -> Path:
+        return self.path / f"{number:08d}.npz"
+
+    def write(self, arrays: Mapping[str, NDArray[Any]]) -> Page:
+        """Write a page of blocks, whole or not at all."""
+        number = self._last + 1
+        with atomic_write(self._place(number), overwrite=False) as file:
+            np.savez(file, format=np.frombuffer(PAGE_FORMAT, np.uint8), **arrays)  # type: ignore[arg-type]
+        self._last = number
+        return Page(number, np.array(arrays["keys"]))
+
+    def read(self, page: Page) -> Arrays:
+        """The arrays of a page.
+
+        Raises:
+            FileError: It is missing, damaged, or of another volume.
+        """
+        path = self._place(page.number)
+        arrays = read_archive(path, PAGE_FORMAT, "page of a volume", "PagedTSDFVolume", _page_arrays, _fault_of_page)
+        if not np.array_equal(arrays["keys"], page.keys):
+            raise FileError(path, f"holds other blocks than {LIST} says", remedy="The file was changed")
+        del arrays["format"]
+        return arrays
+
+    def save(self, told: Arrays, side: int, pages: Mapping[int, Page]) -> None:
+        """Write the list of the pages that a volume is, and remove all others."""
+        listed = sorted(pages.items())
+        none = np.zeros(0, np.int64)
+        arrays = {
+            "side": np.array(side),
+            "cubes": np.array([cube for cube, _ in listed], np.int64),
+            "numbers": np.array([page.number for _, page in listed], np.int64),
+            "counts": np.array([len(page.keys) for _, page in listed], np.int64),
+            "keys": np.concatenate([none, *(page.keys for _, page in listed)]),
+        }
+        write_archive(self.path / LIST, FORMAT, told | arrays, overwrite=True)
+        kept = {page.number for page in pages.values()}
+        for file in self._files():
+            if int(file.stem) not in kept:
+                file.unlink(missing_ok=True)
+        for file in self._unfinished():
+            file.unlink(missing_ok=True)
+
+    def saved(self) -> Saved:
+        """What was saved last.
+
+        Raises:
+            FileError: The list is damaged.
+        """
+        arrays = read_archive(
+            self.path / LIST, FORMAT, "list of pages", "PagedTSDFVolume.save", _listed, _fault_of_list
+        )
+        ends = np.cumsum(arrays["counts"])[:-1]
+        keys = np.split(arrays["keys"], ends) if len(arrays["cubes"]) else []
+        rows = zip(arrays["cubes"].tolist(), arrays["numbers"].tolist(), keys, strict=True)
+        told = {name: arrays[name] for name in ("sizes", "origin", "frame_count", "has_color")}
+        return Saved(told, int(arrays["side"]), {cube: Page(number, blocks) for cube, number, blocks in rows})
+
+
+def _page_arrays(arrays: Arrays) -> Expected:
+    blocks = rows_of(arrays, "keys")
+    expected: dict[str, tuple[Any, tuple[int, ...]]] = {
+        "keys": (np.int64, (blocks,)),
+        "ranks": (np.int64, (blocks,)),
+        "distances": (np.float32, (blocks, BLOCK_VOXELS)),
+        "weights": (np.uint16, (blocks, BLOCK_VOXELS)),
+    }
+    if "colors" in arrays:
+        expected["colors"] = (np.uint16, (blocks, BLOCK_VOXELS, 3))
+    return expected
+
+
+def _fault_of_page(arrays: Arrays) -> str:
+    return "" if (np.abs(arrays["distances"]) <= 1).all() else "distances: not all in -1..1"
+
+
+def _listed(arrays: Arrays) -> Expected:
+    pages = rows_of(arrays, "cubes")
+    return {
+        "sizes": (np.float64, (2,)),
+        "origin": (np.float64, (3,)),
+        "frame_count": (np.int64, ()),
+        "has_color": (np.bool_, (2,)),
+        "side": (np.int64, ()),
+        "cubes": (np.int64, (pages,)),
+        "numbers": (np.int64, (pages,)),
+        "counts": (np.int64, (pages,)),
+        "keys": (np.int64, (rows_of(arrays, "keys"),)),
+    }
+
+
+def _fault_of_list(arrays: Arrays) -> str:
+    """What no list says, or nothing."""
+    voxel_size, truncation = arrays["sizes"].tolist()
+    keys, counts, side = arrays["keys"], arrays["counts"], int(arrays["side"])
+    if not (0 < voxel_size <= truncation < np.inf):
+        return f"sizes: expected 0 < voxel size <= truncation, got {voxel_size} and {truncation}"
+    if not np.isfinite(arrays["origin"]).all() or int(arrays["frame_count"]) < 0:
+        return "origin, frame_count: not finite, or negative"
+    if not 1 <= side <= MOST_SIDE or (counts < 1).any() or counts.sum() != len(keys):
+        return "side, counts: out of range"
+    if len(np.unique(arrays["numbers"])) != len(counts) or (arrays["numbers"] < 1).any():
+        return "numbers: repeated, or below 1"
+    if len(keys) and (keys.min() < 0 or np.abs(block_box(keys)).max() > BIAS - 2 or len(np.unique(keys)) != len(keys)):
+        return "keys: blocks out of range or repeated"
+    if not np.array_equal(np.repeat(arrays["cubes"], counts), cubes_of(keys, side)):
+        return "cubes: other blocks lie in them"
+    return ""

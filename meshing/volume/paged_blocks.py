@@ -1,0 +1,251 @@
+"""The blocks of a paged volume that are on the device, and which cubes of blocks come and go."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.errors import FileError
+from ...kernels.lang import int64
+from ...kernels.memory import download, upload
+from ...kernels.volumes.scan_rays import ScanRays, passed_blocks
+from ...kernels.volumes.tsdf_blocks import BLOCK_VOXELS, block_box
+from ...kernels.volumes.voxel_blocks import VoxelBlocks
+from .page_files import Keys, Page, PageFolder, Saved, cubes_of
+from .tsdf import TSDFVolume, _Frames
+
+SPARE = 4  # of `max_blocks` a quarter is left free where cubes have to go, so that not each frame moves some
+
+
+@dataclass
+class _Held:
+    """Which blocks are on the device; replaced as one, so that whatever interrupts it leaves the volume whole.
+
+    Attributes:
+        blocks: Those on the device.
+        ranks: The first of them have these numbers in the order in which blocks came into the volume; those behind
+            count on from `total`.
+        total: Blocks that the volume had then.
+        away: Cubes that are on disk alone.
+        clean: Cubes on the device whose page says the same.
+        index: The blocks of `away`, without voxels, once it was asked for.
+    """
+
+    blocks: VoxelBlocks
+    ranks: Keys
+    total: int
+    away: dict[int, Page]
+    clean: dict[int, Page]
+    index: VoxelBlocks | None = field(default=None)
+
+
+class PagedBlocks(TSDFVolume):
+    """A TSDFVolume of which up to `max_blocks` are on the device, and cubes of them that are not needed on disk.
+
+    A cube is on the device whole or not at all. What a frame touches is brought before it is folded in; cubes that
+    were touched longest ago go, into a page of their own where they changed.
+
+    Args:
+        folder: Of the pages.
+        side: Blocks along a cube.
+        max_blocks: On the device.
+        sizes: Further arguments of TSDFVolume.
+    """
+
+    _held: _Held
+
+    def __init__(self, folder: PageFolder, side: int, max_blocks: int, **sizes: Any):
+        self.folder, self.side, self.max_blocks = folder, side, max_blocks
+        self._used: dict[int, int] = {}
+        self._turn = 0
+        super().__init__(**sizes)
+
+    def adopt(self, saved: Saved) -> None:
+        """Take over what was saved; all of it is on disk."""
+        count = int(saved.told["frame_count"])
+        self._frames = _Frames(count, saved.told["origin"] if count else None, bool(saved.told["has_color"][1]))
+        total = sum(len(page.keys) for page in saved.pages.values())
+        self._held = _Held(self._held.blocks, np.zeros(0, np.int64), total, dict(saved.pages), {})
+
+    def _keep(self, blocks: VoxelBlocks) -> None:
+        self._device_frames = None
+        self._held = _Held(blocks, np.zeros(0, np.int64), 0, {}, {})
+
+    @property
+    def _blocks(self) -> VoxelBlocks:  # type: ignore[override]
+        return self._held.blocks
+
+    @property
+    def total(self) -> int:
+        """Blocks of the whole volume."""
+        return self._held.blocks.count + sum(len(page.keys) for page in self._held.away.values())
+
+    @property
+    def cubes(self) -> list[int]:
+        """All cubes with blocks, ascending."""
+        return sorted({*self._held.away, *np.unique(self._cubes_here()).tolist()})
+
+    def arrays(self) -> dict[str, NDArray[Any]]:
+        """What is on the device, a row a block."""
+        held = self._held
+        count = held.blocks.count
+        new = held.total + np.arange(count - len(held.ranks))
+        found: dict[str, NDArray[Any]] = {
+            "keys": self._keys_here(),
+            "ranks": np.concatenate([held.ranks, new]),
+            "distances": download(held.blocks.distances)[: count * BLOCK_VOXELS].reshape(count, BLOCK_VOXELS),
+            "weights": download(held.blocks.weights)[: count * BLOCK_VOXELS].reshape(count, BLOCK_VOXELS),
+        }
+        if self.has_color and self._frames.colored:
+            colors = download(held.blocks.colors)[: count * BLOCK_VOXELS]
+            found["colors"] = colors.reshape(count, BLOCK_VOXELS, 3)
+        return found
+
+    def all_arrays(self) -> dict[str, NDArray[Any]]:
+        """All blocks, in the order in which they came into the volume."""
+        parts = [self.arrays(), *(self.folder.read(page) for page in self._held.away.values())]
+        together = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+        return _rows(together, np.argsort(together["ranks"]))
+
+    def bring_box(self, low: NDArray[Any], high: NDArray[Any]) -> None:
+        """Have all blocks between two on the device.
+
+        Raises:
+            ValueError: More than `max_blocks`.
+            FileError: A page cannot be read or written.
+        """
+        keys = np.concatenate([self._keys_here(), *(page.keys for page in self._held.away.values())])
+        blocks = block_box(keys)
+        inside = ((blocks >= low) & (blocks <= high)).all(axis=1)
+        self.bring(keys[inside], changing=False, what="the view", remedy="give more, or a smaller depth_max")
+
+    def page(self, cube: int) -> dict[str, NDArray[Any]]:
+        """The blocks of a cube that is on disk alone."""
+        return self.folder.read(self._held.away[cube])
+
+    def is_away(self, cube: int) -> bool:
+        """Whether a cube is on disk alone."""
+        return cube in self._held.away
+
+    def save_pages(self) -> None:
+        """Write what changed, then the list of all pages."""
+        arrays, held = self.arrays(), self._held
+        cubes = cubes_of(arrays["keys"], self.side)
+        for cube in np.unique(cubes).tolist():
+            if cube not in held.clean:
+                held.clean[cube] = self.folder.write(_rows(arrays, np.flatnonzero(cubes == cube)))
+        told = {
+            "sizes": np.array([self.voxel_size, self.truncation]),
+            "origin": self.origin,
+            "frame_count": np.array(self.frame_count),
+            "has_color": np.array([self.has_color, self._settled.colored]),
+        }
+        self.folder.save(told, self.side, held.away | held.clean)
+
+    def bring(self, keys: Keys, *, changing: bool, what: str, remedy: str) -> None:
+        """Have the cubes of some blocks on the device, and with `changing` room for those blocks that are new.
+
+        Raises:
+            ValueError: More than `max_blocks`.
+            FileError: A page cannot be read or written; the volume stays as it was.
+        """
+        held, here = self._held, self._keys_here()
+        wanted = np.unique(cubes_of(keys, self.side))
+        coming = [cube for cube in wanted.tolist() if cube in held.away]
+        inside = np.isin(cubes_of(here, self.side), wanted)
+        known = [here[inside], *(held.away[cube].keys for cube in coming)]
+        needed = sum(map(len, known))
+        if changing:
+            needed += int((~np.isin(keys, np.concatenate(known))).sum())
+        if needed > self.max_blocks:
+            reason = f"{what} needs {needed:,} blocks at once, more than max_blocks, {self.max_blocks:,}"
+            raise ValueError(f"{reason}; {remedy}")
+        self._turn += 1
+        self._used |= dict.fromkeys(wanted.tolist(), self._turn)
+        others = len(here) - int(inside.sum())
+        if coming or needed + others > self.max_blocks:
+            self._exchange(coming, self._leaving(wanted, needed))
+        if changing:
+            for cube in wanted.tolist():
+                self._held.clean.pop(cube, None)
+            room = self._held.blocks
+            if needed + others > room.keys.size and 2 * room.keys.size > self.max_blocks:
+                room.make_room(self.max_blocks)
+
+    def _leaving(self, wanted: Keys, needed: int) -> list[int]:
+        """The cubes that go: those used longest ago, where all have no room beside what is needed."""
+        cubes, counts = np.unique(self._cubes_here(), return_counts=True)
+        others = {c: n for c, n in zip(cubes.tolist(), counts.tolist(), strict=True) if c not in set(wanted.tolist())}
+        left, leaving = sum(others.values()), []
+        if needed + left <= self.max_blocks:
+            return []
+        for cube in sorted(others, key=lambda cube: (self._used.get(cube, 0), cube)):
+            if needed + left <= self.max_blocks - self.max_blocks // SPARE:
+                break
+            leaving.append(cube)
+            left -= others[cube]
+        return leaving
+
+    def _exchange(self, coming: list[int], leaving: list[int]) -> None:
+        """Put the blocks on the device together anew."""
+        arrays, held = self.arrays(), self._held
+        cubes, away, clean = cubes_of(arrays["keys"], self.side), dict(held.away), dict(held.clean)
+        total = held.total + len(cubes) - len(held.ranks)
+        for cube in leaving:
+            page = clean.pop(cube, None)
+            away[cube] = page or self.folder.write(_rows(arrays, np.flatnonzero(cubes == cube)))
+        parts = [_rows(arrays, np.flatnonzero(~np.isin(cubes, leaving)))]
+        for cube in coming:
+            clean[cube] = away.pop(cube)
+            parts.append(self.folder.read(clean[cube]))
+            if parts[-1].keys() != arrays.keys():
+                raise FileError(self.folder.path, f"page {clean[cube].number} is of another volume")
+        together = {name: np.concatenate([part[name] for part in parts]) for name in arrays}
+        blocks = blocks_of(together, self._held.blocks, self.max_blocks)
+        self._held = _Held(blocks, together["ranks"], total, away, clean)
+        if self._next is not None:
+            self._next = (blocks.frame_count + 1, self._next[1])
+
+    def _keys_here(self) -> Keys:
+        blocks = self._held.blocks
+        return np.array(download(blocks.keys)[: blocks.count])
+
+    def _cubes_here(self) -> Keys:
+        return cubes_of(self._keys_here(), self.side)
+
+    def _kept(self, keys: Any) -> Any:
+        if keys.size:
+            remedy = "give more, a smaller depth_max, or larger voxels"
+            self.bring(np.array(download(keys)), changing=True, what="the frame", remedy=remedy)  # sync
+        return keys
+
+    def _fold_scan(self, rays: ScanRays, carve: bool) -> int:
+        held = self._held
+        if carve and rays.points.size and held.away:
+            if held.index is None:
+                known = np.sort(np.concatenate([page.keys for page in held.away.values()]))
+                held.index = held.blocks.without_voxels(upload(known, int64, self.device))
+            passed = [np.array(download(passed_blocks(rays, blocks))) for blocks in (held.blocks, held.index)]
+            remedy = "give more, a max_range, or carve=False"
+            self.bring(np.concatenate(passed), changing=False, what="what rays pass", remedy=remedy)
+        return super()._fold_scan(rays, carve)
+
+
+def blocks_of(arrays: dict[str, NDArray[Any]], like: VoxelBlocks, room: int = 0) -> VoxelBlocks:
+    """Blocks on the device, of arrays with a row a block, with room for so many."""
+    blocks = VoxelBlocks(like.voxel_size, like.truncation, like.has_color, like.device)
+    blocks.make_room(room)
+    blocks.fill({name: _flat(name, values) for name, values in arrays.items() if name != "ranks"})
+    return blocks
+
+
+def _flat(name: str, values: NDArray[Any]) -> NDArray[Any]:
+    shape = (-1, 3) if name == "colors" else (-1,)
+    return np.ascontiguousarray(values).reshape(shape)
+
+
+def _rows(arrays: dict[str, NDArray[Any]], rows: NDArray[np.int64]) -> dict[str, NDArray[Any]]:
+    return {name: values[rows] for name, values in arrays.items()}

@@ -1,0 +1,141 @@
+"""The surface of a paged volume, cube by cube, with the bits and in the order that one volume in memory gives it.
+
+What a cube's surface needs are its blocks and one layer around them. A vertex belongs to an edge of the grid and a
+triangle to a cell: by the number of their block and their place in it they are put into one order.
+"""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from collections.abc import Iterator
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...kernels.memory import download
+from ...kernels.volumes.block_rows import SeenBlocks
+from ...kernels.volumes.block_surface import EDGES, BlockSurface
+from ...kernels.volumes.tsdf_blocks import ROWS, block_box, box_keys
+from .page_files import cubes_of
+from .paged_blocks import PagedBlocks, blocks_of
+
+Rows = NDArray[np.int64]
+_AROUND = np.array([[x, y, z] for x in (-1, 0, 1) for y in (-1, 0, 1) for z in (-1, 0, 1)])
+
+
+class CubeSurface(NamedTuple):
+    """What of the surface lies in a cube.
+
+    Attributes:
+        vertices: float32 [n, 3] [m], about the volume's origin.
+        colors, normals: float32 [n, 3], or None.
+        edges: The number of each vertex' edge, which orders it among those of the volume, int64 [n].
+        triangles: int32 [t, 3].
+        owners: The number of the block of each triangle's cell, int64 [t].
+    """
+
+    vertices: NDArray[np.float32]
+    colors: NDArray[np.float32] | None
+    normals: NDArray[np.float32] | None
+    edges: Rows
+    triangles: NDArray[np.int32]
+    owners: Rows
+
+
+class CubeReader:
+    """The surface of each cube of a volume, which is not changed meanwhile.
+
+    Args:
+        volume: The volume.
+        threshold: Voxels seen by more frames than this count.
+        as_points: Whether edges make points with normals, rather than cells triangles.
+    """
+
+    def __init__(self, volume: PagedBlocks, threshold: float, *, as_points: bool):
+        self._volume, self._threshold, self._as_points = volume, threshold, as_points
+        self._here = volume.arrays()
+        self._cubes_here = cubes_of(self._here["keys"], volume.side)
+        self._pages: OrderedDict[int, dict[str, NDArray[Any]]] = OrderedDict()
+        self._all = set(volume.cubes)
+
+    def __iter__(self) -> Iterator[CubeSurface]:
+        for cube in self._volume.cubes:
+            yield self._surface_of(cube)
+
+    def _surface_of(self, cube: int) -> CubeSurface:
+        volume = self._volume
+        low = block_box(np.array([cube]))[0] * volume.side
+        high = low + volume.side
+        arrays = self._around(cube, low, high)
+        surface = BlockSurface(
+            SeenBlocks(blocks_of(arrays, volume._blocks), self._threshold),
+            not self._as_points,
+            None if self._as_points else (low, high),
+        )
+        places, shades, slopes = surface.vertices(volume.has_frame_colors, self._as_points)
+        keys, at = (download(array) for array in surface.vertex_edges())
+        order = np.argsort(arrays["keys"])
+        ranks = arrays["ranks"][order[np.searchsorted(arrays["keys"], keys, sorter=order)]]
+        told = [None if rows is None else download(rows).reshape(-1, 3) for rows in (shades, slopes)]
+        vertices, edges = download(places).reshape(-1, 3), ranks * EDGES + at
+        if self._as_points:
+            own = cubes_of(keys, volume.side) == cube
+            told, none = [None if rows is None else rows[own] for rows in told], np.zeros((0, 3), np.int32)
+            return CubeSurface(vertices[own], told[0], told[1], edges[own], none, np.zeros(0, np.int64))
+        firsts = download(surface.offsets)[surface.rows :][::ROWS]
+        owners = np.repeat(arrays["ranks"], np.diff(firsts))
+        triangles = download(surface.triangles()).reshape(-1, 3)
+        return CubeSurface(vertices, told[0], told[1], edges, triangles, owners)
+
+    def _around(self, cube: int, low: Rows, high: Rows) -> dict[str, NDArray[Any]]:
+        """The blocks of a cube and the layer around it, in the order in which they came into the volume."""
+        first = low - 1 if self._as_points else low
+        parts = []
+        for beside in _AROUND if self._as_points else _AROUND[(_AROUND >= 0).all(axis=1)]:
+            x, y, z = low // self._volume.side + beside
+            key = int(box_keys(x, y, z))
+            if key not in self._all:
+                continue
+            arrays = self._blocks_of(key)
+            blocks = block_box(arrays["keys"])
+            rows = np.flatnonzero(((blocks >= first) & (blocks <= high)).all(axis=1))
+            parts.append({name: values[rows] for name, values in arrays.items()})
+        together = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+        order = np.argsort(together["ranks"])
+        return {name: values[order] for name, values in together.items()}
+
+    def _blocks_of(self, cube: int) -> dict[str, NDArray[Any]]:
+        if not self._volume.is_away(cube):
+            rows = np.flatnonzero(self._cubes_here == cube)
+            return {name: values[rows] for name, values in self._here.items()}
+        if cube not in self._pages:
+            self._pages[cube] = self._volume.page(cube)
+            held = sum(len(page["keys"]) for page in self._pages.values())
+            while held > self._volume.max_blocks and len(self._pages) > 1:
+                held -= len(self._pages.popitem(last=False)[1]["keys"])
+        self._pages.move_to_end(cube)
+        return self._pages[cube]
+
+
+def joined(surfaces: Iterator[CubeSurface]) -> CubeSurface:
+    """The surface of the volume: each vertex once, all in the order of one volume in memory."""
+    parts = list(surfaces)
+    if not parts:
+        none = np.zeros((0, 3), np.float32)
+        return CubeSurface(none, none, none, np.zeros(0, np.int64), none.astype(np.int32), np.zeros(0, np.int64))
+    edges, first, numbers = np.unique(
+        np.concatenate([part.edges for part in parts]), return_index=True, return_inverse=True
+    )
+    starts = np.cumsum([0, *(len(part.edges) for part in parts)])[:-1]
+    triangles = np.concatenate([part.triangles + start for part, start in zip(parts, starts, strict=True)])
+    owners = np.concatenate([part.owners for part in parts])
+    order = np.argsort(owners, kind="stable")
+    triangles = numbers.reshape(-1)[triangles[order]].astype(np.int32)
+
+    def rows(name: str) -> Any:
+        if getattr(parts[0], name) is None:
+            return None
+        return np.concatenate([getattr(part, name) for part in parts])[first]
+
+    return CubeSurface(rows("vertices"), rows("colors"), rows("normals"), edges, triangles, owners[order])

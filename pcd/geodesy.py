@@ -1,0 +1,221 @@
+"""Places on the Earth on the host, in float64: degrees, metres from its middle, metres about a place, UTM.
+
+WGS 84's ellipsoid throughout. ETRS89, NAD83 and GDA2020 differ from it by up to two metres of datum, and nothing is
+shifted. Heights are passed on as they are, whether they count from the ellipsoid or from the sea.
+
+Source: Bowring 1985 (from the middle of the Earth to degrees, repeated until it stands still); Karney 2011, equations 7
+to 21 and 35 (UTM and back).
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..core.checks import check_count, check_finite, check_number, check_rows
+from .geographic import krueger_series
+
+Array = NDArray[np.float64]
+
+RADIUS, FLATTENING = 6378137.0, 1 / 298.257223563  # [m] of WGS 84
+NORTHERN, SOUTHERN = 32600, 32700  # EPSG's codes of UTM's zones, which count from 1 to 60
+HIGHEST = 1e5  # [m] from the ellipsoid: what anybody photographs from, and far below where the formulas end
+
+_SQUARED = FLATTENING * (2 - FLATTENING)  # eccentricity squared
+_SCALE, _EASTING, _SOUTHERN_NORTHING = 0.9996, 5.0e5, 1.0e7  # of UTM, [m]
+_THIRD = FLATTENING / (2 - FLATTENING)
+_RECTIFYING = RADIUS / (1 + _THIRD) * (1 + _THIRD**2 / 4 + _THIRD**4 / 64 + _THIRD**6 / 256)
+_TURNS = 8  # each is worth three digits or more: to float64's last one and beyond
+
+
+@dataclass(frozen=True)
+class WorldFrame:
+    """Metres east, north and up about a place on the Earth.
+
+    Args:
+        latitude, longitude: Of the origin [degrees].
+        altitude: Of the origin [m], from wherever altitudes count.
+
+    Raises:
+        TypeError: No numbers.
+        ValueError: No place on the Earth.
+
+    Example:
+        >>> import pointloom as loom
+        >>> frame = loom.video.WorldFrame(47.5, 8.25, 430.0)
+        >>> frame.epsg, frame.to_enu([[47.501, 8.25, 430.0]]).round(2).tolist()
+        (32632, [[0.0, 111.19, -0.0]])
+    """
+
+    latitude: float
+    longitude: float
+    altitude: float = 0.0
+
+    def __post_init__(self):
+        for name, most in (("latitude", 90.0), ("longitude", 180.0), ("altitude", HIGHEST)):
+            value = check_number(name, getattr(self, name))
+            if abs(value) > most:
+                raise ValueError(f"{name}: expected {-most:g}..{most:g}, got {value:g}")
+            object.__setattr__(self, name, value)
+
+    @property
+    def epsg(self) -> int:
+        """EPSG's code of the UTM zone of the origin."""
+        return utm_zone(self.latitude, self.longitude)
+
+    @cached_property
+    def _turn(self) -> Array:
+        """East, north and up as rows."""
+        a, b = math.radians(self.latitude), math.radians(self.longitude)
+        sa, ca, sb, cb = math.sin(a), math.cos(a), math.sin(b), math.cos(b)
+        return np.array([[-sb, cb, 0.0], [-sa * cb, -sa * sb, ca], [ca * cb, ca * sb, sa]])
+
+    @cached_property
+    def _middle(self) -> Array:
+        return geocentric(np.array([[self.latitude, self.longitude, self.altitude]]))[0]
+
+    def to_enu(self, places: ArrayLike) -> Array:
+        """Metres east, north and up.
+
+        Args:
+            places: Latitude, longitude [degrees] and altitude [m], shape [n, 3].
+
+        Raises:
+            ValueError: Not of that shape, or no place on the Earth.
+        """
+        return (geocentric(places) - self._middle) @ self._turn.T
+
+    def to_geodetic(self, points: ArrayLike) -> Array:
+        """Latitude, longitude [degrees] and altitude [m].
+
+        Args:
+            points: Metres east, north and up, shape [n, 3].
+
+        Raises:
+            ValueError: Not of that shape, or not finite.
+        """
+        metres = check_finite("points", check_rows("points", points, 3).astype(np.float64))
+        return geodetic(metres @ self._turn + self._middle)
+
+    def to_utm(self, points: ArrayLike, epsg: int | None = None) -> Array:
+        """Easting, northing and altitude [m].
+
+        Args:
+            points: Metres east, north and up, shape [n, 3].
+            epsg: The zone, 32601..32660 or 32701..32760; None for that of the origin.
+
+        Raises:
+            ValueError: Not of that shape, not finite, or another code.
+        """
+        return utm(self.to_geodetic(points), self.epsg if epsg is None else epsg)
+
+    def __str__(self) -> str:
+        ns, ew = "NS"[self.latitude < 0], "EW"[self.longitude < 0]
+        place = f"{abs(self.latitude):.7f} {ns} {abs(self.longitude):.7f} {ew}"
+        return f"metres east, north and up of {place} at {self.altitude:.2f} m; EPSG:{self.epsg}"
+
+
+def geocentric(places: ArrayLike) -> Array:
+    """Metres from the middle of the Earth, [n, 3], of latitude, longitude [degrees] and altitude [m].
+
+    Raises:
+        ValueError: Not of that shape, or no place on the Earth.
+    """
+    rows = check_finite("places", check_rows("places", places, 3).astype(np.float64))
+    if (np.abs(rows) > (90.0, 360.0, HIGHEST)).any():
+        wrong = rows[np.flatnonzero((np.abs(rows) > (90.0, 360.0, HIGHEST)).any(axis=1))[0]]
+        raise ValueError(f"places: expected latitude, longitude [degrees] and altitude [m], got {wrong.tolist()}")
+    a, b, height = np.radians(rows[:, 0]), np.radians(rows[:, 1]), rows[:, 2]
+    across = RADIUS / np.sqrt(1 - _SQUARED * np.sin(a) ** 2)
+    level = (across + height) * np.cos(a)
+    return np.stack([level * np.cos(b), level * np.sin(b), ((1 - _SQUARED) * across + height) * np.sin(a)], axis=1)
+
+
+def geodetic(points: Array) -> Array:
+    """Latitude, longitude [degrees] and altitude [m], [n, 3], of metres from the middle of the Earth."""
+    x, y, z = points.T
+    level = np.hypot(x, y)
+    minor = RADIUS * (1 - FLATTENING)
+    reduced = np.arctan2(z * RADIUS, level * minor)  # of the place on the ellipsoid, to begin with
+    second = _SQUARED / (1 - _SQUARED)
+    latitude = reduced
+    for _ in range(_TURNS):
+        latitude = np.arctan2(
+            z + second * minor * np.sin(reduced) ** 3, level - _SQUARED * RADIUS * np.cos(reduced) ** 3
+        )
+        reduced = np.arctan2((1 - FLATTENING) * np.sin(latitude), np.cos(latitude))
+    sine = np.sin(latitude)
+    height = level * np.cos(latitude) + z * sine - RADIUS * np.sqrt(1 - _SQUARED * sine**2)
+    return np.stack([np.degrees(latitude), np.degrees(np.arctan2(y, x)), height], axis=1)
+
+
+def utm_zone(latitude: float, longitude: float) -> int:
+    """EPSG's code of the zone of a place, 6 degrees wide everywhere, at Norway too."""
+    zone = min(int((longitude + 180) // 6) + 1, 60)
+    return (NORTHERN if latitude >= 0 else SOUTHERN) + zone
+
+
+def utm(places: Array, epsg: int) -> Array:
+    """Easting, northing and altitude [m] of latitude, longitude [degrees] and altitude [m], [n, 3].
+
+    Raises:
+        ValueError: Another code than 32601..32660 and 32701..32760.
+    """
+    meridian, south = _zone_of(epsg)
+    e = math.sqrt(_SQUARED)
+    turned = np.radians((places[:, 1] - meridian + 180) % 360 - 180)
+    tau = np.tan(np.radians(places[:, 0]))
+    sigma = np.sinh(e * np.arctanh(e * tau / np.hypot(1, tau)))
+    conformal = tau * np.hypot(1, sigma) - sigma * np.hypot(1, tau)
+    xi, eta = np.arctan2(conformal, np.cos(turned)), np.arcsinh(np.sin(turned) / np.hypot(conformal, np.cos(turned)))
+    dx, dy = _bent(xi, eta)
+    factor = _SCALE * _RECTIFYING
+    return np.stack([_EASTING + factor * (eta + dy), south + factor * (xi + dx), places[:, 2]], axis=1)
+
+
+def from_utm(points: Array, epsg: int) -> Array:
+    """Latitude, longitude [degrees] and altitude [m] of easting, northing and altitude [m], [n, 3].
+
+    Raises:
+        ValueError: Another code than 32601..32660 and 32701..32760, or metres that lie in no zone.
+    """
+    meridian, south = _zone_of(epsg)
+    if (np.abs(points[:, 0] - _EASTING) > 1e6).any() or (points[:, 1] < -1e4).any() or (points[:, 1] > 1.001e7).any():
+        raise ValueError(f"points: easting and northing of EPSG:{epsg} expected [m], got {points[0, :2].tolist()}")
+    factor, e = _SCALE * _RECTIFYING, math.sqrt(_SQUARED)
+    eta0, xi0 = (points[:, 0] - _EASTING) / factor, (points[:, 1] - south) / factor
+    xi, eta = xi0, eta0
+    for _ in range(_TURNS):
+        dx, dy = _bent(xi, eta)
+        xi, eta = xi0 - dx, eta0 - dy
+    conformal = np.sin(xi) / np.hypot(np.sinh(eta), np.cos(xi))
+    longitude = meridian + np.degrees(np.arctan2(np.sinh(eta), np.cos(xi)))
+    tau = conformal / (1 - _SQUARED)
+    for _ in range(_TURNS):  # Newton, Karney's equations 19 to 21
+        sigma = np.sinh(e * np.arctanh(e * tau / np.hypot(1, tau)))
+        found = tau * np.hypot(1, sigma) - sigma * np.hypot(1, tau)
+        step = (1 + (1 - _SQUARED) * tau**2) / ((1 - _SQUARED) * np.hypot(1, tau) * np.hypot(1, found))
+        tau = tau + (conformal - found) * step
+    return np.stack([np.degrees(np.arctan(tau)), (longitude + 180) % 360 - 180, points[:, 2]], axis=1)
+
+
+def _bent(xi: Array, eta: Array) -> tuple[Array, Array]:
+    """What Krueger's series adds."""
+    dx, dy = np.zeros_like(xi), np.zeros_like(eta)
+    for j, alpha in enumerate(krueger_series(_THIRD), start=1):
+        dx = dx + alpha * np.sin(2 * j * xi) * np.cosh(2 * j * eta)
+        dy = dy + alpha * np.cos(2 * j * xi) * np.sinh(2 * j * eta)
+    return dx, dy
+
+
+def _zone_of(epsg: int) -> tuple[float, float]:
+    """The meridian [degrees] and the northing of the equator [m] of a zone."""
+    code = check_count("epsg", epsg)
+    zone = code % 100
+    if code - zone not in (NORTHERN, SOUTHERN) or not 1 <= zone <= 60:
+        raise ValueError(f"epsg: expected 32601..32660 or 32701..32760, got {epsg}")
+    return 6.0 * zone - 183.0, _SOUTHERN_NORTHING if code > SOUTHERN else 0.0

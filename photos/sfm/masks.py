@@ -1,0 +1,227 @@
+"""Masks of pictures: what of each is to be left out, as a file beside each picture that COLMAP reads too.
+
+A mask is a grey PNG of the picture's size, black where the picture is left out, under COLMAP's name: IMG_1.jpg.png of
+IMG_1.jpg.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+from ...core.errors import DatasetError, FileError, FilePath
+from ...files.pictures.image_files import decode_texture, read_color, read_picture_header, write_png
+from ...files.pictures.photo_files import is_photo, read_alpha
+from .frame_choice import FrameChoice
+from .picture_folder import UPRIGHT, list_photographs, read_orientation, upright
+from .picture_writing import counted, some_of
+
+ALPHA = "alpha"
+FOLDER = "_masks"  # behind the name of the folder of pictures
+
+MakeMask = Callable[[NDArray[np.uint8], str], Any]
+_KEPT = 128  # brightness from which a pixel of a mask counts as white
+_LEAST = 0.001  # of a picture that has to be left of it
+_ENDINGS = (".png", ".jpg", ".jpeg")
+
+
+def check_masks(masks: Any) -> FilePath | MakeMask | None:
+    """Masks as they may be given.
+
+    Raises:
+        TypeError: Neither a path, "alpha" nor a function.
+        DatasetError: No folder.
+    """
+    if masks is None or callable(masks):
+        return masks
+    if not isinstance(masks, str | os.PathLike):
+        raise TypeError(f'masks: expected a folder, "alpha" or a function, got {type(masks).__name__}')
+    if masks != ALPHA and not Path(masks).is_dir():
+        raise DatasetError(masks, "is no folder", remedy="Give the folder of the masks, IMG_1.jpg.png of IMG_1.jpg")
+    return masks
+
+
+def mask_folder(pictures: Path) -> Path:
+    """Where the masks of a folder of chosen pictures lie."""
+    return pictures.with_name(pictures.name + FOLDER)
+
+
+def mask_file(folder: Path, name: str) -> Path:
+    """Where the mask of a picture lies, as COLMAP looks for it."""
+    return folder / f"{name}.png"
+
+
+def read_mask(path: FilePath, size: tuple[int, int]) -> NDArray[np.bool_]:
+    """Which pixels of a picture count, shape [h, w].
+
+    Args:
+        path: A PNG or JPEG file; white counts.
+        size: Width and height of the picture [px].
+
+    Raises:
+        FileError: Damaged, or of another size.
+    """
+    header = read_picture_header(path)
+    if (header.width, header.height) != size:
+        reason = f"is {header.width} x {header.height}, its picture {size[0]} x {size[1]} pixels"
+        raise FileError(path, reason, remedy="Make masks of the size of their pictures")
+    return read_color(path).max(axis=2) >= _KEPT
+
+
+def write_masks(choice: FrameChoice, source: Path, pictures: Path, masks: FilePath | MakeMask) -> FrameChoice:
+    """Write the masks of chosen pictures, and take away the pictures that theirs hide.
+
+    Args:
+        choice: What was chosen.
+        source: The video or folder that it was chosen from.
+        pictures: Where the chosen pictures lie; the masks go beside it.
+        masks: As of `choose_frames`.
+
+    Returns:
+        The choice without the pictures that are hidden, with a remark where masks are missing.
+
+    Raises:
+        FileError: No picture has a mask, one is of another size, or all pictures are hidden.
+    """
+    folder = mask_folder(pictures)
+    places = list_photographs(source)[0] if source.is_dir() else []
+    kept, hidden, missing = [], {}, []
+    for k, (name, number) in enumerate(zip(choice.names, choice.numbers, strict=True)):
+        origin = places[number] if places else None
+        header = read_picture_header(pictures / name)
+        mask = _mask_of(masks, pictures / name, origin, (header.width, header.height))
+        if mask is None:
+            missing.append(name)
+        elif mask.mean() < _LEAST:
+            hidden[name if origin is None else origin.name] = "its mask hides all of it"
+            (pictures / name).unlink()
+            continue
+        else:
+            write_png(mask_file(folder, name), np.where(mask, 255, 0).astype(np.uint8))
+        kept.append(k)
+    return _without_hidden(choice, source, masks, kept, hidden, missing)
+
+
+def _without_hidden(
+    choice: FrameChoice, source: Path, masks: Any, kept: list[int], hidden: dict[str, str], missing: list[str]
+) -> FrameChoice:
+    if not kept:
+        raise FileError(source, f"none of {counted(len(hidden), 'picture')} is left: masks hide all of them")
+    if len(missing) == len(kept):
+        where = "their masks would be" if masks == ALPHA or callable(masks) else f"there is no mask in {masks}"
+        reason = "no picture has a channel of transparency" if masks == ALPHA else f"{where}, as {missing[0]}.png"
+        reason = "the function gave no mask of any picture" if callable(masks) else reason
+        raise DatasetError(source, reason, remedy="Name masks as their pictures: IMG_1.jpg.png, or IMG_1.png")
+    remarks = []
+    if hidden:
+        remarks.append(f"{counted(len(hidden), 'picture')} left out, whose masks hide all: {some_of(list(hidden))}")
+    if missing:
+        remarks.append(f"{counted(len(missing), 'picture')} without a mask, taken whole: {some_of(missing)}")
+    return dataclasses.replace(
+        choice,
+        names=tuple(choice.names[k] for k in kept),
+        numbers=tuple(choice.numbers[k] for k in kept),
+        left_out=choice.left_out | hidden,
+        remarks=(*choice.remarks, *remarks),
+    )
+
+
+def _mask_of(masks: Any, picture: Path, origin: Path | None, size: tuple[int, int]) -> NDArray[np.bool_] | None:
+    """The mask of a picture as it was written; None where there is none."""
+    if callable(masks):
+        return _of_function(masks, picture, origin, size)
+    if masks == ALPHA:
+        alpha = None if origin is None else _alpha_of(origin)
+        return None if origin is None or alpha is None else _fitted(origin, alpha >= _KEPT, origin, size)
+    for name in dict.fromkeys((*(() if origin is None else (origin.name, origin.stem)), picture.name, picture.stem)):
+        for ending in _ENDINGS:
+            place = Path(masks) / f"{name}{ending}"
+            if place.is_file():
+                return _fitted(place, read_color(place).max(axis=2) >= _KEPT, origin, size)
+    return None
+
+
+def _of_function(make: MakeMask, picture: Path, origin: Path | None, size: tuple[int, int]) -> NDArray[np.bool_] | None:
+    name = picture.name if origin is None else origin.name
+    try:
+        given = make(read_color(picture), name)
+    except Exception as error:
+        raise ValueError(f"masks({name}): the function raised {type(error).__name__}: {error}") from error
+    if given is None:
+        return None
+    mask = np.asarray(given)
+    if mask.ndim != 2 or mask.dtype not in (np.bool_, np.uint8):
+        raise TypeError(f"masks({name}): expected bool or uint8 [h, w], got {mask.dtype} {list(mask.shape)}")
+    if mask.shape != (size[1], size[0]):
+        raise ValueError(f"masks({name}): expected shape {[size[1], size[0]]}, got {list(mask.shape)}")
+    return mask if mask.dtype == np.bool_ else mask >= _KEPT
+
+
+def _alpha_of(path: Path) -> NDArray[np.uint8] | None:
+    """How opaque a picture is, as it is stored; None where it does not say."""
+    if is_photo(path):
+        return read_alpha(path)
+    header = read_picture_header(path)
+    if header.kind != "png" or header.channels not in (2, 4) or header.bits != 8:
+        return None
+    return decode_texture(path, path.read_bytes())[..., 3]
+
+
+def _fitted(place: Path, mask: NDArray[np.bool_], origin: Path | None, size: tuple[int, int]) -> NDArray[np.bool_]:
+    """A mask as its picture was written: turned as that, and scaled as that.
+
+    One that is drawn on the stored picture is turned with it; one that has the shape of the picture upright alone is
+    taken for one of that.
+    """
+    orientation = UPRIGHT if origin is None else read_orientation(origin)
+    turned = upright(mask, orientation)
+    for each in (turned, mask):
+        height, width = each.shape
+        if abs(width * size[1] - height * size[0]) <= max(width, height) and width >= size[0]:
+            if (width, height) == size:
+                return np.ascontiguousarray(each)
+            grey = Image.fromarray(np.where(each, 255, 0).astype(np.uint8))
+            return np.asarray(grey.resize(size, Image.Resampling.BOX)) >= _KEPT
+    reason = f"is a mask of {mask.shape[1]} x {mask.shape[0]}, its picture {size[0]} x {size[1]} pixels"
+    raise FileError(place, reason, remedy="Make masks of the size of their pictures")
+
+
+def check_mask_files(pictures: Sequence[Path], folder: Path) -> dict[str, Path]:
+    """The masks of pictures by the pictures' names, of those that have one.
+
+    Raises:
+        DatasetError: None of them has one.
+        FileError: A mask is of another size than its picture, or hides all of it.
+    """
+    found: dict[str, Path] = {}
+    for path in pictures:
+        place = mask_file(folder, path.name)
+        if not place.is_file():
+            continue
+        header = read_picture_header(path)
+        if read_mask(place, (header.width, header.height)).mean() < _LEAST:
+            raise FileError(place, "hides all of its picture", remedy=f"Leave out {path.name}, or its mask")
+        found[path.name] = place
+    if not found:
+        reason = f"holds no mask of a picture, such as {pictures[0].name}.png"
+        raise DatasetError(folder, reason, remedy="Name masks as their pictures, with .png behind")
+    return found
+
+
+def complete_masks(pictures: Sequence[Path], masks: dict[str, Path], folder: Path) -> None:
+    """Write a mask for each picture, white where there is none: COLMAP passes over pictures without."""
+    folder.mkdir()
+    for path in pictures:
+        place = mask_file(folder, path.name)
+        if path.name in masks:
+            place.write_bytes(masks[path.name].read_bytes())
+        else:
+            header = read_picture_header(path)
+            write_png(place, np.full((header.height, header.width), 255, np.uint8))

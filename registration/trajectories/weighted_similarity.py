@@ -1,0 +1,179 @@
+"""The similarity of a model to positions of different worth: weights along each axis, up, and known lengths.
+
+What satellites tell is two to three times better in plan than in height, what a surveyor tells a hundred times better
+than either; what cameras tell of up settles what positions on a line leave open. All are rows of one least squares
+problem over scale, rotation and translation, solved by Gauss-Newton from a place that consensus found.
+
+Source: Triggs et al. 1999, section 4 (weighted least squares); Fischler and Bolles 1981 (consensus).
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..rigid import rotation_of, skew, skews
+from .up_direction import turn_upright
+
+Array = NDArray[np.float64]
+
+TURNS = 50  # of Gauss-Newton; five are usual
+PAIRS = 4000  # tried, of pairs of cameras
+STILL = 1e-12  # of a step: nothing moves any more
+OPEN = 1e-14  # of the largest eigenvalue, below which a motion is not determined
+
+
+@dataclass(frozen=True, eq=False)
+class Rows:
+    """What is known of a model's place in the world.
+
+    Attributes:
+        source: Places in the model, shape [n, 3].
+        target: The same in the world, shape [n, 3] [m].
+        sigma: Standard deviation of each coordinate, shape [n, 3] [m]; infinite where one is not known.
+        up: What is up in the model, shape [3], or None.
+        up_sigma: Of that [rad].
+        lengths: Known lengths as rows of (in the model, [m], standard deviation [m]), shape [m, 3].
+    """
+
+    source: Array
+    target: Array
+    sigma: Array
+    up: Array | None = None
+    up_sigma: float = math.inf
+    lengths: Array = field(default_factory=lambda: np.zeros((0, 3)))
+
+
+@dataclass(frozen=True, eq=False)
+class WeightedFit:
+    """The similarity that fits rows best.
+
+    Attributes:
+        T: T_world_model, float64 [4, 4].
+        scale: World units a unit of the model.
+        scale_sigma: Standard deviation of the scale, as a share of it.
+        tilt_sigma, yaw_sigma: Of the rotation about level axes (the larger), and about up [degrees].
+    """
+
+    T: Array
+    scale: float
+    scale_sigma: float
+    tilt_sigma: float
+    yaw_sigma: float
+
+
+class UndeterminedError(ValueError):
+    """What is known leaves scale, rotation or position open."""
+
+
+def fit_rows(rows: Rows, T: Array) -> WeightedFit:
+    """The similarity that fits rows best, from one that is near.
+
+    Raises:
+        UndeterminedError: They leave it open.
+    """
+    scale = float(np.cbrt(np.linalg.det(T[:3, :3])))
+    R = T[:3, :3] / scale
+    middle = rows.source.mean(axis=0)
+    x, weights = rows.source - middle, 1 / rows.sigma
+    shift = T[:3, :3] @ middle + T[:3, 3]
+    anchor = rows.target.mean(axis=0)
+    place, y = shift - anchor, rows.target - anchor
+    normal = np.eye(7)
+    for _ in range(TURNS):
+        J, r = _system(rows, scale, R, place, x, y, weights)
+        unit = np.linalg.norm(J, axis=0)
+        unit[unit == 0] = 1.0
+        normal = J.T @ J
+        values = np.linalg.eigvalsh(normal / np.outer(unit, unit))
+        if not values[0] > OPEN * values[-1]:
+            raise UndeterminedError("what is known leaves scale, rotation or position open")
+        step = -np.linalg.solve(normal / np.outer(unit, unit), (J / unit).T @ r) / unit
+        step[:4] *= min(1.0, 0.5 / float(np.abs(step[:4]).max() + 1e-300))
+        scale *= math.exp(step[0])
+        R = rotation_of(step[1:4]) @ R
+        place = place + step[4:]
+        if np.abs(step[:4]).max() < STILL and np.abs(step[4:]).max() < STILL * (1 + np.abs(y).max()):
+            break
+    U, _, Vt = np.linalg.svd(R)  # what rounding of many turns leaves
+    R = U @ Vt
+    found = np.eye(4)
+    found[:3, :3], found[:3, 3] = scale * R, place + anchor - scale * R @ middle
+    sigmas = np.sqrt(np.diag(np.linalg.inv(normal)))
+    degrees = np.degrees(sigmas[1:4])
+    return WeightedFit(found, scale, float(sigmas[0]), float(degrees[:2].max()), float(degrees[2]))
+
+
+def _system(
+    rows: Rows, scale: float, R: Array, place: Array, x: Array, y: Array, weights: Array
+) -> tuple[Array, Array]:
+    """Derivatives by log scale, rotation from the left and translation, [k, 7], and residuals, over their sigmas."""
+    turned = scale * x @ R.T
+    J = np.zeros((len(x), 3, 7))
+    J[:, :, 0] = turned
+    J[:, :, 1:4] = -skews(turned)
+    J[:, :, 4:] = np.eye(3)
+    blocks = [(J * weights[:, :, None]).reshape(-1, 7)]
+    gaps = [((turned + place - y) * weights).reshape(-1)]
+    if rows.up is not None and math.isfinite(rows.up_sigma):
+        up = R @ rows.up
+        block = np.zeros((3, 7))
+        block[:, 1:4] = -skew(up)
+        blocks.append(block / rows.up_sigma)
+        gaps.append((up - (0.0, 0.0, 1.0)) / rows.up_sigma)
+    for length, metres, sigma in rows.lengths.tolist():
+        blocks.append(np.array([[scale * length / sigma, 0, 0, 0, 0, 0, 0]]))
+        gaps.append(np.array([(scale * length - metres) / sigma]))
+    return np.concatenate(blocks), np.concatenate(gaps)
+
+
+def fit_level(source: Array, target: Array, up: Array, *, seed: int = 0) -> Array:
+    """The similarity that keeps `up` up and that most places agree with: scale, turn about up and translation.
+
+    Args:
+        source: In the model, shape [n, 3].
+        target: In the world, shape [n, 3] [m]; heights may be NaN.
+        up: What is up in the model, of length 1.
+        seed: Of the pairs that are tried, where there are too many to try all.
+
+    Returns:
+        T_world_model [4, 4], by the median of distances in plan.
+
+    Raises:
+        UndeterminedError: No two places lie apart.
+    """
+    turn = turn_upright(up)
+    s = source @ turn.T
+    a, b = s[:, 0] + 1j * s[:, 1], target[:, 0] + 1j * target[:, 1]
+    i, j = _pairs(len(a), seed).T
+    with np.errstate(all="ignore"):
+        k = (b[j] - b[i]) / (a[j] - a[i])
+        shift = b[i] - k * a[i]
+        gaps = np.sort(np.abs(k[:, None] * a + shift[:, None] - b), axis=1)
+    share = gaps[:, len(a) // 2]
+    size = np.abs(k)
+    share[~(np.isfinite(share) & np.isfinite(size) & (size > 1e-12))] = np.inf
+    best = int(np.argmin(share))
+    if not math.isfinite(share[best]):
+        raise UndeterminedError("the places do not lie apart")
+    scale, angle = float(size[best]), float(np.angle(k[best]))
+    c, n = math.cos(angle), math.sin(angle)
+    T = np.eye(4)
+    T[:3, :3] = scale * np.array([[c, -n, 0], [n, c, 0], [0, 0, 1]]) @ turn
+    heights = target[:, 2] - scale * s[:, 2]
+    height = float(np.nanmedian(heights)) if np.isfinite(heights).any() else 0.0
+    T[:3, 3] = shift[best].real, shift[best].imag, height
+    return T
+
+
+def _pairs(count: int, seed: int) -> NDArray[np.int64]:
+    """All pairs, or some at random."""
+    if math.comb(count, 2) <= PAIRS:
+        return np.array(list(itertools.combinations(range(count), 2)))
+    rng = np.random.Generator(np.random.PCG64(seed))
+    pairs = rng.integers(0, count, (PAIRS, 2))
+    return pairs[pairs[:, 0] != pairs[:, 1]]

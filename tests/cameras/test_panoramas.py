@@ -1,0 +1,61 @@
+"""Faces of a cube show what a picture of all directions shows there, without a seam."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+
+WIDTH, HEIGHT = 256, 128
+
+
+def colors(rays: np.ndarray) -> np.ndarray:
+    """A smooth colour of each direction, [..., 3]."""
+    unit = rays / np.linalg.norm(rays, axis=-1, keepdims=True)
+    return 127.5 + 90 * np.sin(3 * unit + [0.3, 1.1, 2.0])
+
+
+def sphere() -> np.ndarray:
+    row, column = np.mgrid[:HEIGHT, :WIDTH]
+    across, down = ((column + 0.5) / WIDTH - 0.5) * 2 * np.pi, ((row + 0.5) / HEIGHT - 0.5) * np.pi
+    rays = np.stack([np.sin(across) * np.cos(down), np.sin(down), np.cos(across) * np.cos(down)], axis=-1)
+    return np.rint(colors(rays)).astype(np.uint8)
+
+
+def rays_of(lens: loom.PinholeCameraIntrinsic) -> np.ndarray:
+    v, u = np.mgrid[: lens.height, : lens.width]
+    return np.stack([(u - lens.cx) / lens.fx, (v - lens.cy) / lens.fy, np.ones(u.shape)], axis=-1)
+
+
+def test_each_face_shows_its_directions(device):
+    panorama = loom.Panorama(WIDTH, HEIGHT, device=device)
+    faces = panorama.apply(sphere())
+    assert faces.shape == (6, 81, 81, 3) and panorama.intrinsic.fx == 40.5  # 90 degrees
+    for face, turn in zip(faces, panorama.turns, strict=True):
+        expected = colors(rays_of(panorama.intrinsic) @ turn.T)
+        assert np.abs(face - expected).max() < 2.5
+
+
+def test_faces_are_named_by_where_they_look():
+    panorama = loom.Panorama(WIDTH, HEIGHT)
+    forward = dict(zip(panorama.names, panorama.turns[:, :, 2].tolist(), strict=True))
+    assert forward["right"] == [1, 0, 0] and forward["up"] == [0, -1, 0] and forward["back"] == [0, 0, -1]
+    assert np.allclose(np.linalg.det(panorama.turns), 1)
+    grey = panorama.apply(sphere()[..., 0])
+    assert np.array_equal(grey, panorama.apply(sphere())[..., 0])
+
+
+def test_what_is_no_picture_of_all_directions_is_refused():
+    with pytest.raises(ValueError, match="width: expected twice the height of 100"):
+        loom.Panorama(160, 100)
+    with pytest.raises(ValueError, match="side: expected a whole number >= 8"):
+        loom.Panorama(WIDTH, HEIGHT, side=4)
+    panorama = loom.Panorama(WIDTH, HEIGHT)
+    for wrong, error in [
+        (np.zeros((HEIGHT, WIDTH)), TypeError),
+        (np.zeros((WIDTH, HEIGHT), np.uint8), ValueError),
+        (np.zeros((HEIGHT, WIDTH, 4), np.uint8), ValueError),
+    ]:
+        with pytest.raises(error, match="picture: expected"):
+            panorama.apply(wrong)

@@ -1,0 +1,81 @@
+"""One picture for each triangle: energies beside exact ones, by trying all and by the least cut."""
+
+import itertools
+
+import numpy as np
+import pytest
+import warp as wp
+from scipy.sparse import csr_matrix
+from scipy.sparse.csgraph import maximum_flow
+
+from pointloom.kernels.lang import int32, vec3i
+from pointloom.kernels.memory import download, upload
+from pointloom.kernels.textures.charts import find_twins
+from pointloom.kernels.textures.view_labels import UNIT, LabelGraph, choose_labels, energy_of
+
+
+def make_graph(triangles, costs, price, place):
+    """A graph of a mesh whose triangles may take the pictures with a cost of 0 or more."""
+    shown = costs >= 0
+    starts = np.concatenate([[0], np.cumsum(shown.sum(1))])
+    twins = find_twins(upload(triangles, vec3i, place), int(triangles.max()) + 1)
+    numbers = (starts, np.nonzero(shown)[1], costs[shown])
+    return LabelGraph(*(upload(part, int32, place) for part in numbers), twins, price)
+
+
+def energy_by_hand(triangles, costs, price, views):
+    edges = {}
+    for t, corners in enumerate(triangles.tolist()):
+        for k in range(3):
+            edges.setdefault(frozenset((corners[k], corners[(k + 1) % 3])), []).append(t)
+    met = [pair for pair in edges.values() if len(pair) == 2]
+    return sum(costs[t, v] for t, v in enumerate(views)) + price * sum(views[a] != views[b] for a, b in met), met
+
+
+def grid(columns, rows):
+    place = np.arange((columns + 1) * (rows + 1)).reshape(rows + 1, columns + 1)
+    a, b, c, d = (part.ravel() for part in (place[:-1, :-1], place[:-1, 1:], place[1:, 1:], place[1:, :-1]))
+    return np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)])
+
+
+@pytest.mark.parametrize("price", [0, 0.2, 0.6])
+def test_a_strip_of_triangles_takes_the_pictures_of_least_energy(device, rng, price):
+    """Its graph is a tree, on which what triangles tell each other is exact."""
+    place, triangles = (
+        wp.get_device(device),
+        np.array([(t, t + 1, t + 2) if t % 2 else (t + 1, t, t + 2) for t in range(7)]),
+    )
+    costs = rng.integers(0, UNIT, (7, 3))
+    costs[rng.random(costs.shape) < 0.2] = -1
+    costs[:, 0] = np.maximum(costs[:, 0], 0)
+    graph = make_graph(triangles, costs, round(price * UNIT), place)
+    labels = choose_labels(graph)
+    choices = itertools.product(*(np.flatnonzero(row >= 0) for row in costs))
+    best = min(energy_by_hand(triangles, costs, graph.price, views)[0] for views in choices)
+    assert energy_of(graph, labels) == best
+    views = download(graph.views)[download(labels)]
+    assert energy_by_hand(triangles, costs, graph.price, views)[0] == best
+
+
+@pytest.mark.parametrize("price", [0.1, 0.3, 0.8])
+def test_two_pictures_of_a_grid_come_within_a_hundredth_of_the_least_cut(device, rng, price):
+    place, triangles = wp.get_device(device), grid(12, 9)
+    costs = rng.integers(0, UNIT, (len(triangles), 2))
+    graph = make_graph(triangles, costs, round(price * UNIT), place)
+    found = energy_of(graph, choose_labels(graph))
+    count = len(triangles)
+    _, met = energy_by_hand(triangles, costs, 0, np.zeros(count, int))
+    capacity = np.zeros((count + 2, count + 2), np.int32)
+    capacity[count, :count], capacity[:count, count + 1] = costs[:, 1], costs[:, 0]
+    for a, b in met:
+        capacity[a, b] = capacity[b, a] = graph.price
+    least = maximum_flow(csr_matrix(capacity), count, count + 1).flow_value
+    assert least <= found <= 1.01 * least
+
+
+def test_triangles_without_a_picture_stay_without_and_cost_nothing(device):
+    place, triangles = wp.get_device(device), grid(2, 1)
+    costs = np.array([[5, 9], [-1, -1], [9, 5], [5, 5]])
+    graph = make_graph(triangles, costs, 100, place)
+    labels = choose_labels(graph)
+    assert download(labels)[1] == -1 and energy_of(graph, labels) <= 5 + 9 + 5

@@ -1,0 +1,241 @@
+"""A volume whose blocks lie on disk has the bits of one in memory, and what was saved outlives the process."""
+
+import copy
+import os
+import pickle
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.kernels.memory import download
+
+CAMERA = loom.PinholeCameraIntrinsic(40, 30, 40.0, 40.0, 19.5, 14.5)
+SIZES = {"voxel_size": 0.025, "truncation": 0.075}
+
+
+def frame(k):
+    """Depth [m], colours and T_camera_world of a camera that goes along a wall and comes back."""
+    random = np.random.default_rng(k)
+    x = 0.8 * (k if k < 6 else 11 - k)
+    pose = np.eye(4)
+    pose[:3, 3] = -x, 0.02 * k, 0.0
+    depth = (1.0 + 0.2 * np.sin(np.arange(40) / 5 + x) + random.normal(0, 0.004, (30, 40))).astype(np.float32)
+    return depth, random.integers(0, 255, (30, 40, 3)).astype(np.uint8), pose
+
+
+def walk(volume, frames=range(12), color=True):
+    for k in frames:
+        depth, shades, pose = frame(k)
+        volume.integrate(depth, CAMERA, pose, color=shades if color else None)
+    return volume
+
+
+def paged(folder, device, max_blocks=190, **more):
+    return loom.PagedTSDFVolume(folder, **SIZES, max_blocks=max_blocks, page_blocks=3, device=device, **more)
+
+
+def bits_of(volume):
+    return {name: np.array(values) for name, values in volume._downloaded().items()}
+
+
+def assert_same_bits(one, other):
+    one, other = bits_of(one), bits_of(other)
+    assert one.keys() == other.keys()
+    for name, values in one.items():
+        np.testing.assert_array_equal(values, other[name], err_msg=name)
+
+
+@pytest.mark.parametrize("color", [True, False])
+def test_a_paged_volume_has_the_bits_of_one_in_memory(device, tmp_path, color):
+    whole = walk(loom.TSDFVolume(**SIZES, color=color, device=device), color=color)
+    with walk(paged(tmp_path / "v", device, color=color), color=color) as volume:
+        assert volume.block_count == whole.block_count > 2 * volume.max_blocks
+        assert volume.resident_block_count <= volume.max_blocks and volume.frame_count == 12
+        assert len([*(tmp_path / "v").iterdir()]) > 3
+        assert_same_bits(volume.to_volume(), whole)
+        for ours, theirs in (
+            (volume.extract_triangle_mesh(1), whole.extract_triangle_mesh(1)),
+            (volume.extract_point_cloud(1), whole.extract_point_cloud(1)),
+        ):
+            assert ours.device_arrays.keys() == theirs.device_arrays.keys()
+            for name in theirs.device_arrays:
+                one, other = download(ours.device_arrays[name]), download(theirs.device_arrays[name])
+                np.testing.assert_array_equal(one, other, err_msg=name)
+        mesh = whole.extract_triangle_mesh(1)
+        assert len(mesh) > 1000
+        parts = [*volume.extract_parts(1)]
+        assert len(parts) > 3 and sum(map(len, parts)) == len(mesh)
+        corners = np.sort(np.concatenate([part.vertices[part.triangles].reshape(-1, 9) for part in parts]), axis=0)
+        np.testing.assert_array_equal(corners, np.sort(mesh.vertices[mesh.triangles].reshape(-1, 9), axis=0))
+
+
+def test_rays_of_a_scan_carve_what_lies_on_disk(device, tmp_path):
+    side = np.linspace(-0.6, 0.6, 31)
+    wall = np.stack([np.repeat(side, 31), np.tile(side, 31)], axis=1)
+    whole = loom.TSDFVolume(**SIZES, color=False, device=device)
+    with paged(tmp_path / "v", device, 200, color=False) as volume:
+        for far in (1.0, 1.8):  # a wall on each of four sides, then one behind each
+            for quarter in range(4):
+                cosine, sine = [1, 0, -1, 0][quarter], [0, 1, 0, -1][quarter]
+                turn = np.array([[cosine, -sine, 0], [sine, cosine, 0], [0, 0, 1]])
+                points = np.column_stack([np.full(961, far), wall]) @ turn.T
+                place = turn @ [0.3, 0.0, 0.0]
+                count = volume.integrate_points(points, place)
+                assert count == whole.integrate_points(points, place)
+        assert volume.block_count > 1.5 * volume.max_blocks
+        assert_same_bits(volume.to_volume(), whole)
+        weights = bits_of(whole)["weights"]
+        assert (weights == 2).sum() > 1000  # voxels of the near walls that the second round passed
+        with pytest.raises(ValueError, match=r"what rays pass needs .* give more, a max_range, or carve=False"):
+            volume.integrate_points(np.concatenate([points, -points, points @ turn, -points @ turn]), [0.0, 0.0, 0.0])
+        assert_same_bits(volume.to_volume(), whole)
+
+
+def test_a_view_brings_the_cubes_before_the_camera(device, tmp_path):
+    whole = walk(loom.TSDFVolume(**SIZES, device=device))
+    with walk(paged(tmp_path / "v", device, 250)) as volume:
+        for k in (0, 5):
+            view = {"depth_max": 1.3, "weight_threshold": 0}
+            ours = volume.ray_cast(CAMERA, frame(k)[2], **view)
+            theirs = whole.ray_cast(CAMERA, frame(k)[2], **view)
+            assert (theirs.depth > 0).sum() > 500
+            np.testing.assert_array_equal(ours.depth, theirs.depth)
+            np.testing.assert_array_equal(ours.normals, theirs.normals)
+        with pytest.raises(ValueError, match=r"the view needs .* more than max_blocks, 250; give more, or a smaller"):
+            volume.ray_cast(CAMERA, frame(3)[2], depth_max=40.0)
+        assert_same_bits(volume.to_volume(), whole)
+
+
+def test_work_goes_on_where_it_was_saved(device, tmp_path):
+    whole = walk(loom.TSDFVolume(**SIZES, device=device))
+    with walk(paged(tmp_path / "v", device), range(7)) as volume:
+        volume.save()
+        walk(volume, range(7, 12))  # and is not saved
+    with loom.PagedTSDFVolume.load(tmp_path / "v", max_blocks=190, device=device) as volume:
+        assert volume.frame_count == 7 and volume.resident_block_count == 0
+        assert_same_bits(walk(volume, range(7, 12)).to_volume(), whole)
+        volume.save()
+        listed = len([*(tmp_path / "v").glob("0*.npz")])
+    with loom.PagedTSDFVolume.load(tmp_path / "v", device=device) as volume:
+        assert listed == len(volume._volume.cubes)  # what was left of the first run is gone
+        assert_same_bits(volume.to_volume(), whole)
+        np.testing.assert_array_equal(volume.extract_triangle_mesh(1).vertices, whole.extract_triangle_mesh(1).vertices)
+
+
+def test_a_frame_that_needs_more_than_there_is_room_for_is_refused(device, tmp_path):
+    with paged(tmp_path / "v", device, 40) as volume:
+        with pytest.raises(ValueError, match=r"the frame needs .* blocks at once, more than max_blocks, 40; give more"):
+            walk(volume, [0])
+        assert volume.block_count == 0 and volume.frame_count == 0
+
+
+def test_a_page_that_cannot_be_written_leaves_the_volume_as_it_was(device, tmp_path, monkeypatch):
+    with walk(paged(tmp_path / "v", device), range(3)) as volume:
+        before = bits_of(volume.to_volume())
+
+        def refuse(*_, **__):
+            raise loom.FileError("page", "cannot be written: no space left")
+
+        with monkeypatch.context() as patch:
+            patch.setattr(volume._volume.folder, "write", refuse)
+            with pytest.raises(loom.FileError, match="no space"):
+                walk(volume, range(3, 12))
+        done = volume.frame_count
+        assert 3 <= done < 12 and before["keys"].size
+        whole = walk(loom.TSDFVolume(**SIZES, device=device))
+        assert_same_bits(walk(volume, range(done, 12)).to_volume(), whole)
+
+
+def test_damaged_pages_and_lists_are_named(device, tmp_path):
+    with walk(paged(tmp_path / "v", device)) as volume:
+        volume.save()
+    page = sorted((tmp_path / "v").glob("0*.npz"))[0]
+    data = page.read_bytes()
+    middle = len(data) // 2
+    page.write_bytes(data[:middle] + bytes([data[middle] ^ 1]) + data[middle + 1 :])
+    with loom.PagedTSDFVolume.load(tmp_path / "v", device=device) as volume:
+        with pytest.raises(loom.FileError, match=page.name):
+            volume.to_volume()
+        page.unlink()
+        with pytest.raises(loom.FileError, match="no such file"):
+            volume.extract_triangle_mesh()
+    other = sorted((tmp_path / "v").glob("0*.npz"))[0]
+    page.write_bytes(other.read_bytes())
+    volume = loom.PagedTSDFVolume.load(tmp_path / "v", device=device)
+    with volume, pytest.raises(loom.FileError, match=r"holds other blocks than volume\.npz says"):
+        volume.to_volume()
+    listing = tmp_path / "v" / "volume.npz"
+    listing.write_bytes(listing.read_bytes()[:-30])
+    with pytest.raises(loom.FileError, match=r"volume\.npz"):
+        loom.PagedTSDFVolume.load(tmp_path / "v")
+
+
+def test_folders_are_kept(device, tmp_path):
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine" / "note.txt").write_text("mine")
+    with pytest.raises(loom.FileError, match="holds other files"):
+        paged(tmp_path / "mine", device, overwrite=True)
+    with pytest.raises(loom.FileError, match="does not exist"):
+        paged(tmp_path / "no" / "v", device)
+    with pytest.raises(loom.FileError, match="holds no paged volume"):
+        loom.PagedTSDFVolume.load(tmp_path / "mine")
+    with walk(paged(tmp_path / "v", device), range(3)) as volume:
+        volume.save()
+        with pytest.raises(loom.FileError, match="another run works in it"):
+            loom.PagedTSDFVolume.load(tmp_path / "v")
+    with pytest.raises(loom.FileError, match="holds a volume already"):
+        paged(tmp_path / "v", device)
+    assert [path.name for path in (tmp_path / "mine").iterdir()] == ["note.txt"]
+    with paged(tmp_path / "v", device, overwrite=True) as volume:
+        assert volume.block_count == 0 and len([*(tmp_path / "v").iterdir()]) == 1
+        for make in (copy.copy, copy.deepcopy, pickle.dumps):
+            with pytest.raises(TypeError, match="cannot be copied or pickled"):
+                make(volume)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("at", [3, 17, 40, 64])
+def test_a_process_that_is_killed_leaves_what_it_saved(tmp_path, at):
+    """Killed at some write of a file: `load` finds the frames of the last `save`, and the rest can be done again."""
+    program = f"""
+import os, signal, sys
+sys.path.insert(0, {str(Path.cwd())!r})
+from tests.meshing.test_paged_volume import frame, paged, walk
+import pointloom.meshing.volume.page_files as files
+written = 0
+def counting(function):
+    def call(*arguments, **more):
+        global written
+        written += 1
+        if written == {at}:
+            os.kill(os.getpid(), signal.SIGKILL)
+        return function(*arguments, **more)
+    return call
+os.replace = counting(os.replace)
+os.link = counting(os.link)
+files.Path.unlink = counting(files.Path.unlink)
+volume = paged({str(tmp_path / "v")!r}, "cpu")
+for k in range(12):
+    walk(volume, [k])
+    if k % 2:
+        volume.save()
+        print(k + 1, flush=True)
+"""
+    environment = os.environ | {"PYTHONPATH": str(Path.cwd() / "src")}
+    command = [sys.executable, "-c", program]
+    done = subprocess.run(command, capture_output=True, text=True, env=environment)
+    assert done.returncode == -signal.SIGKILL, done.stderr
+    said = int((done.stdout.split() or ["0"])[-1])
+    with loom.PagedTSDFVolume.load(tmp_path / "v", max_blocks=190) as volume:
+        assert volume.frame_count in (said, said + 2)
+        assert_same_bits(volume.to_volume(), walk(loom.TSDFVolume(**SIZES), range(volume.frame_count)))
+        walk(volume, range(volume.frame_count, 12))
+        assert_same_bits(volume.to_volume(), walk(loom.TSDFVolume(**SIZES)))
+        volume.save()
+        left = {file.name for file in (tmp_path / "v").iterdir()}
+        assert len(left) == 1 + len(volume._volume.cubes)  # nothing of the process that was killed

@@ -1,0 +1,184 @@
+"""texture_from_pictures: each triangle from one picture, charts that agree at seams, and what is refused."""
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.files.pictures.image_files import write_png
+
+from .picture_scenes import CAMERA, sampled, steps_of, wall_colors, wall_mesh, wall_scene
+
+texture = loom.color_map.texture_from_pictures
+GAINS = (0.8, 1.2, 0.95)
+NO_LEVELLING = {"exposures": False, "seam_levelling": False, "local_levelling": False}
+MIDDLE = np.full(3, 1 / 3)
+
+
+def errors_of(found):
+    """The error in the middle of each triangle that a picture shows, after one gain."""
+    rows = np.flatnonzero(found.views >= 0)
+    centers = np.asarray(found.mesh.vertices)[np.asarray(found.mesh.triangles)[rows]].mean(1)
+    truth = 255 * wall_colors(centers[:, 0], centers[:, 1])
+    colors = np.array([sampled(found.mesh, row, MIDDLE) for row in rows])
+    return np.abs(colors * (colors * truth).sum() / (colors**2).sum() - truth)
+
+
+def test_a_triangle_has_the_colours_of_the_place(device):
+    scene = wall_scene(device=device)
+    found = texture(scene.mesh, scene.pictures, CAMERA, scene.extrinsics)
+    assert found.seen_share > 0.3 and found.used_count >= 2 and found.chart_count >= 2 and found.poor is None
+    assert errors_of(found).max() < 2.5  # half a level of rounding, twice, and what bilinear values smooth
+    assert found.mesh.vertex_colors is None and found.mesh.textures[0].shape == (found.size, found.size, 3)
+    assert f"{found.chart_count}" in str(found) and found.to_json()["seen"] == found.seen_count
+
+
+@pytest.mark.parametrize(
+    ("options", "mean", "most"),
+    [
+        ({"exposures": False, "seam_levelling": False}, 1.0, 3.0),
+        ({"exposures": False}, 1.0, 3.0),
+        ({"seam_levelling": False, "local_levelling": False}, 1.0, 3.0),
+        ({}, 1.0, 3.0),
+    ],
+)
+def test_each_levelling_takes_seams_away(device, options, mean, most):
+    scene = wall_scene(GAINS, device)
+    given = (scene.mesh, scene.pictures, CAMERA, scene.extrinsics)
+    plain = texture(*given, **NO_LEVELLING)
+    before = steps_of(plain.mesh, plain.views)
+    assert before.mean() > 15 and plain.step == plain.step_before
+    found = texture(*given, **options)
+    steps = steps_of(found.mesh, found.views)
+    assert len(steps) == len(before) and steps.mean() < mean and steps.max() < most
+
+
+def test_shifts_of_vertices_alone_leave_a_tenth_of_a_seam_that_is_a_constant(device):
+    scene = wall_scene((1.0, 1.0, 1.0), device)
+    pictures = [
+        np.clip(picture + step, 0, 255).astype(np.uint8)
+        for picture, step in zip(scene.pictures, (0, 40, 10), strict=True)
+    ]
+    options = {"exposures": False, "local_levelling": False}
+    found = texture(scene.mesh, pictures, CAMERA, scene.extrinsics, **options)
+    assert found.step_before > 5 and found.step < 0.1 * found.step_before
+    assert steps_of(found.mesh, found.views).mean() < 0.1 * found.step_before
+
+
+def test_one_exposure_brings_pictures_to_the_colours_of_the_place(device):
+    scene = wall_scene(GAINS, device)
+    found = texture(scene.mesh, scene.pictures, CAMERA, scene.extrinsics)
+    without = texture(scene.mesh, scene.pictures, CAMERA, scene.extrinsics, exposures=False)
+    assert errors_of(found).mean() < 0.5 * errors_of(without).mean()
+
+
+def test_a_picture_that_shows_something_else_is_left_out(device):
+    scene = wall_scene((1.0,) * 5, device)
+    poses = [scene.extrinsics[2]] * 5
+    pictures = [scene.pictures[2]] * 4 + [scene.pictures[2].copy()]
+    pictures[4][:, :, :] = (255, 0, 0)
+    pictures[4][np.arange(72) % 8 < 4] = (120, 0, 0)  # with more slopes than the others
+    found = texture(scene.mesh, pictures, CAMERA, poses, exposures=False)
+    assert 4 not in found.views and found.outlier_count == found.pair_count // 5
+    kept = texture(scene.mesh, pictures, CAMERA, poses, exposures=False, outliers=False)
+    assert (kept.views[kept.views >= 0] == 4).all() and kept.outlier_count == 0
+
+
+def test_what_hides_a_triangle_keeps_its_picture_away(device):
+    wall, board = wall_mesh(device=device), wall_mesh(3, device=device)
+    before = loom.TriangleMesh(0.25 * np.asarray(board.vertices) - (0, 0, 0.3), board.triangles, device=device)
+    scene = wall_scene((1.0,), device)
+    found = texture(wall + before, scene.pictures, CAMERA, scene.extrinsics)
+    seen = found.views >= 0
+    centers = np.asarray(wall.vertices)[wall.triangles].mean(1)
+    behind = (np.abs(centers[:, :2]) < 0.2).all(1)
+    assert not seen[: len(wall)][behind].any() and seen[len(wall) :].all()
+
+
+def test_triangles_that_look_away_are_seen_by_nobody(device):
+    scene = wall_scene((1.0,), device)
+    turned = loom.TriangleMesh(scene.mesh.vertices, np.asarray(scene.mesh.triangles)[:, ::-1], device=device)
+    with pytest.raises(loom.color_map.NothingSeenError, match="none shows a triangle"):
+        texture(turned, scene.pictures, CAMERA, scene.extrinsics)
+
+
+def test_triangles_without_a_picture_have_the_vertices_colours_or_are_plain(device):
+    scene = wall_scene((1.0,), device)
+    colored = scene.mesh.with_arrays()
+    colored.vertex_colors = np.tile((0.2, 0.6, 0.4), (len(np.asarray(scene.mesh.vertices)), 1))
+    for mesh, color, drew in ((colored, (51, 153, 102), True), (scene.mesh, (255, 0, 255), False)):
+        found = texture(mesh, scene.pictures, CAMERA, scene.extrinsics, plain=(1, 0, 1))
+        blind = np.flatnonzero(found.views < 0)
+        assert len(blind) and found.drew_colors is drew
+        assert all(np.abs(sampled(found.mesh, row, MIDDLE) - color).max() <= 1 for row in blind)
+
+
+def test_a_small_texture_holds_all_charts_at_a_smaller_scale():
+    scene = wall_scene()
+    given = (scene.mesh, scene.pictures, CAMERA, scene.extrinsics)
+    found, small = texture(*given), texture(*given, size=64)
+    assert found.scale == 1.0 and small.scale < 0.6 and small.mesh.textures[0].shape == (64, 64, 3)
+    assert errors_of(small).mean() < 2
+    with pytest.raises(ValueError, match="size: 16 x 16 texels are too few"):
+        texture(*given, size=16, smoothness=0.0)
+
+
+def test_a_model_of_structure_from_motion_brings_cameras_and_files(tmp_path):
+    scene = wall_scene(GAINS)
+    names = [f"{k}.png" for k in range(3)]
+    for name, picture in zip(names, scene.pictures, strict=True):
+        write_png(tmp_path / name, picture)
+    lens = loom.CameraModel.from_intrinsic(CAMERA)
+    model = loom.SfmModel(names, [lens] * 3, np.array(scene.extrinsics))
+    expected = texture(scene.mesh, scene.pictures, CAMERA, scene.extrinsics)
+    for pictures in (tmp_path, [tmp_path / name for name in names], scene.pictures):
+        found = texture(scene.mesh, pictures, model)
+        assert np.array_equal(found.mesh.textures[0], expected.mesh.textures[0])
+    posed = [loom.mvs.PosedCamera(CAMERA, T) for T in scene.extrinsics]
+    assert np.array_equal(texture(scene.mesh, scene.pictures, posed).views, expected.views)
+    (tmp_path / "1.png").unlink()
+    with pytest.raises(loom.FileError, match="one of 1 of the model's 3 pictures that are missing"):
+        texture(scene.mesh, tmp_path, model)
+
+
+@pytest.mark.parametrize("ending", [".obj", ".glb"])
+def test_files_hold_the_texture_for_other_programs(tmp_path, ending):
+    trimesh = pytest.importorskip("trimesh")
+    scene = wall_scene(GAINS)
+    found = texture(scene.mesh, scene.pictures, CAMERA, scene.extrinsics)
+    loom.write_triangle_mesh(tmp_path / f"wall{ending}", found.mesh)
+    read = trimesh.load(tmp_path / f"wall{ending}", force="mesh", process=False)
+    assert len(read.faces) == len(scene.mesh)
+    material = read.visual.material
+    picture = material.image if ending == ".obj" else material.baseColorTexture
+    assert np.array_equal(np.asarray(picture.convert("RGB")), found.mesh.textures[0])
+
+
+def test_bad_input_is_named():
+    scene = wall_scene()
+    mesh, pictures, poses = scene
+    nan = [*poses[:2], np.full((4, 4), np.nan)]
+    small = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+    bare = loom.TriangleMesh(mesh.vertices, np.zeros((0, 3), int))
+    for error, match, given in (
+        (TypeError, "mesh: expected a TriangleMesh", (None, pictures, CAMERA, poses)),
+        (ValueError, "mesh: it has no triangles", (bare, pictures, CAMERA, poses)),
+        (ValueError, r"pictures\[0\]: .*64 x 48", (mesh, pictures, small, poses)),
+        (ValueError, r"T_camera_world\[2\]", (mesh, pictures, CAMERA, nan)),
+        (ValueError, "T_camera_world: 2 poses, but 3 pictures", (mesh, pictures, CAMERA, poses[:2])),
+        (ValueError, "T_camera_world: expected a pose", (mesh, pictures, CAMERA, None)),
+        (ValueError, "pictures: expected at least one", (mesh, [], CAMERA, [])),
+        (TypeError, "pictures", (mesh, 7, CAMERA, poses)),
+    ):
+        with pytest.raises(error, match=match):
+            texture(*given)
+    for name, value in (
+        ("size", 8),
+        ("smoothness", -1.0),
+        ("smoothness", np.nan),
+        ("depth_max", 0),
+        ("plain", (2, 0, 0)),
+    ):
+        with pytest.raises(ValueError, match=name):
+            texture(mesh, pictures, CAMERA, poses, **{name: value})
+    with pytest.raises(loom.color_map.NothingSeenError):
+        texture(mesh, pictures, CAMERA, poses, depth_max=0.5)

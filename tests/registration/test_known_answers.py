@@ -1,0 +1,199 @@
+"""ICP with chosen freedom beside answers that others' tests and minimisers know.
+
+- PCL (BSD), test/registration/test_registration.cpp: bun0 onto bun4, 50 steps, mean squared distance below 0.001.
+- PCL, test/registration/test_registration_api.cpp: TransformationEstimationPointToPlane(LLS) finds the pose that moved
+  a quadric of 21 x 21 points to 1e-3 an entry; its normals are not those of the surface, and need not be.
+- PCL, registration/warp_point_rigid_3d.h: x, y and the turn about z alone, here minimised by SciPy.
+- libpointmatcher (BSD), pointmatcher/ErrorMinimizers/PointToPlane.cpp: `force2D` and `force4DOF`, rows of
+  (z x p) . n beside n, weighted; and the closed form of 2D and 4D point-to-point (Horn 1987 about one axis).
+
+The reference solutions are written anew in NumPy; nothing of the library is in them.
+"""
+
+import numpy as np
+import pytest
+from scipy.optimize import least_squares
+from scipy.spatial import cKDTree
+from scipy.spatial.transform import Rotation
+
+import pointloom as loom
+
+from .icp_clouds import KINDS, PLANE, on
+from .poses import as_pose
+
+reg = loom.registration
+LONG = reg.ICPConvergenceCriteria(0, 0, 60)
+PLANAR, LEVEL = ("x", "y", "yaw"), ("x", "y", "z", "yaw")
+ALL = ("roll", "pitch", "yaw", "x", "y", "z")
+QUADRIC_POSE = np.array(  # of PCL's test, rounded there to four digits
+    [[0.9938, 0.0988, 0.0517, 0.1], [-0.0997, 0.9949, 0.0149, -0.2], [-0.05, -0.02, 0.9986, 0.3], [0, 0, 0, 1]]
+)
+
+
+def turned(T, points):
+    return points @ T[:3, :3].T + T[:3, 3]
+
+
+def yawed(x, y, z, yaw):
+    """The pose of PCL's WarpPointRigid3D, with a height."""
+    T = np.eye(4)
+    T[:2, :2] = [[np.cos(yaw), -np.sin(yaw)], [np.sin(yaw), np.cos(yaw)]]
+    T[:3, 3] = x, y, z
+    return T
+
+
+def quadric():
+    """PCL's test cloud: places, and normals of another surface."""
+    x, y = (grid.ravel() for grid in np.meshgrid(np.arange(-5, 5.1, 0.5), np.arange(-5, 5.1, 0.5), indexing="ij"))
+    normals = np.column_stack([-0.2 * x - 0.2, 0.6 * y - 0.2, np.ones_like(x)])
+    points = np.column_stack([x, y, 0.1 * x * x + 0.2 * x * y - 0.3 * y + 1])
+    return points, normals / np.linalg.norm(normals, axis=1)[:, None]
+
+
+@pytest.fixture(scope="module")
+def bunny(data):
+    """PCL's two scans, the second with normals of ten points."""
+    source, target = (loom.read_point_cloud(data / "pcl-tests" / "test" / f"bun{k}.pcd") for k in (0, 4))
+    return source, target.estimate_normals(max_nn=10)
+
+
+@pytest.fixture(scope="module")
+def level_pair():
+    """The quadric, a tenth denser than its motion, turned about z and shifted, with noise; and weights."""
+    rng = np.random.default_rng(4)
+    points, normals = quadric()
+    T = yawed(0.05, -0.04, 0.06, 0.02)
+    target = loom.PointCloud(turned(T, points) + 0.01 * rng.normal(size=points.shape), normals=normals @ T[:3, :3].T)
+    return loom.PointCloud(points), target, rng.uniform(0.1, 3.0, len(points))
+
+
+def pairs_of(result):
+    return np.asarray(result.correspondence_set).T
+
+
+def mean_square(source, target, T):
+    """PCL's getFitnessScore: the mean squared distance to the nearest point."""
+    return float((cKDTree(target).query(turned(T, source))[0] ** 2).mean())
+
+
+# --------------------------------------------------------------------------------------------------- PCL
+
+
+@pytest.mark.parametrize("free", [None, ALL])
+@pytest.mark.parametrize("kind", ["point", "plane"])
+def test_pcls_bunny_lies_on_its_other_scan_as_pcls_test_asks(device, bunny, kind, free):
+    source, target = on(device, *bunny)
+    rules = reg.ICPConvergenceCriteria(1e-8, 1e-8, 50)
+    before = mean_square(source.points, target.points, np.eye(4))
+    prior = None if free is None else reg.Prior(np.eye(4), sigma_translation=1e3)  # so that the other step runs
+    found = reg.registration_icp(source, target, 1.0, None, KINDS[kind], rules, free=free, prior=prior)
+    assert mean_square(source.points, target.points, found.transformation) < min(0.001, before / 2)
+
+
+def test_generalised_icp_of_pcls_bunny_is_as_near_as_pcls_test_asks(device, bunny):
+    """PCL, GeneralizedIterativeClosestPoint: below 0.0001."""
+    source, target = on(device, *bunny)
+    rules = reg.ICPConvergenceCriteria(1e-8, 1e-8, 50)
+    found = reg.registration_icp(source, target, 1.0, None, KINDS["generalised"], rules)
+    assert mean_square(source.points, target.points, found.transformation) < 1e-4
+
+
+@pytest.mark.parametrize("shown", [QUADRIC_POSE, yawed(0.1, -0.2, 0.3, -0.1)], ids=["as PCL's", "level"])
+def test_pcls_quadric_is_found_where_it_was_moved(device, shown):
+    """In six ways by PCL's pose, in four by one that does not tilt; PCL is given the pairs, which are found here, from
+    where two thirds of the way are done."""
+    points, normals = quadric()
+    T = shown.copy()
+    u, _, v = np.linalg.svd(shown[:3, :3])
+    T[:3, :3] = u @ v
+    target = loom.PointCloud(turned(T, points), normals=normals @ T[:3, :3].T, device=device)
+    init = as_pose(Rotation.from_matrix(T[:3, :3]).as_rotvec() * 2 / 3, T[:3, 3] * 2 / 3)
+    free = ALL if shown is QUADRIC_POSE else LEVEL
+    prior = reg.Prior(init, sigma_translation=1e4)
+    given = {"free": free, "prior": prior}
+    found = reg.registration_icp(loom.PointCloud(points, device=device), target, 1.0, init, PLANE, LONG, **given)
+    np.testing.assert_allclose(found.transformation, shown, atol=1e-3)
+    assert np.abs(found.transformation - init).max() > 0.03
+
+
+@pytest.mark.parametrize("kind", ["point", "plane"])
+def test_three_free_motions_are_pcls_warp_point_rigid_3d(device, level_pair, kind):
+    source, target = on(device, *level_pair[:2])
+    init = yawed(0.0, 0.0, 0.03, 0.0)
+    found = reg.registration_icp(source, target, 0.4, init, KINDS[kind], LONG, free=PLANAR)
+    i, j = pairs_of(found)
+    moved = turned(init, source.points[i])
+
+    def residuals(x):
+        d = turned(yawed(x[0], x[1], 0.0, x[2]), moved) - target.points[j]
+        return d.ravel() if kind == "point" else (d * target.normals[j]).sum(axis=1)
+
+    best = least_squares(residuals, np.zeros(3), xtol=1e-15, ftol=1e-15, gtol=1e-15).x
+    np.testing.assert_allclose(found.transformation, yawed(best[0], best[1], 0.03, best[2]), atol=1e-7)
+    assert abs(best[2]) > 0.01
+
+
+# ------------------------------------------------------------------------------------------ libpointmatcher
+
+
+def by_rows(source, target, normals, weights, motions):
+    """libpointmatcher's minimiser, again and again on fixed pairs: weighted rows of (z x p) . n beside n."""
+    T = np.eye(4)
+    for _ in range(60):
+        p = turned(T, source)
+        rows = np.column_stack([p[:, 0] * normals[:, 1] - p[:, 1] * normals[:, 0], normals])[:, motions]
+        r = ((p - target) * normals).sum(axis=1)
+        x = np.zeros(4)
+        x[motions] = np.linalg.solve(rows.T @ (weights[:, None] * rows), -rows.T @ (weights * r))
+        T = yawed(*x[1:], x[0]) @ T
+    return T
+
+
+@pytest.mark.parametrize(("free", "motions"), [(LEVEL, [0, 1, 2, 3]), (PLANAR, [0, 1, 2])], ids=["4DOF", "2D"])
+@pytest.mark.parametrize("weighted", [False, True])
+def test_level_motions_are_libpointmatchers_weighted_point_to_plane(device, level_pair, free, motions, weighted):
+    """`force4DOF`; and x, y, yaw of a cloud in space, whose rows keep the normals' heights that `force2D` drops."""
+    source, target = on(device, *level_pair[:2])
+    weights = level_pair[2] if weighted else np.ones(len(source))
+    given = {"weights": weights} if weighted else {}
+    found = reg.registration_icp(source, target, 0.4, None, PLANE, LONG, free=free, **given)
+    i, j = pairs_of(found)
+    wanted = by_rows(source.points[i], target.points[j], target.normals[j], weights[i], motions)
+    np.testing.assert_allclose(found.transformation, wanted, atol=1e-7)
+    if weighted:  # which does tell
+        other = by_rows(source.points[i], target.points[j], target.normals[j], np.ones(len(i)), motions)
+        assert np.abs(other - wanted).max() > 1e-5
+
+
+def test_force_2d_is_icp_of_flat_clouds(device):
+    """`force2D` drops heights altogether: as three free motions do where normals lie in the plane."""
+    rng = np.random.default_rng(2)
+    turn = np.linspace(0, 2 * np.pi, 400, endpoint=False)
+    radius = 2 + 0.4 * np.sin(3 * turn) + 0.2 * np.cos(5 * turn)
+    wall = np.column_stack([radius * np.cos(turn), radius * np.sin(turn), rng.uniform(0, 0.01, 400)])
+    along = np.roll(wall, -1, axis=0)[:, :2] - np.roll(wall, 1, axis=0)[:, :2]
+    normals = np.column_stack([along[:, 1], -along[:, 0], np.zeros(400)])
+    normals /= np.linalg.norm(normals, axis=1)[:, None]
+    T = yawed(0.02, -0.03, 0.0, 0.01)
+    target = loom.PointCloud(turned(T, wall), normals=normals @ T[:3, :3].T, device=device)
+    source = loom.PointCloud(wall, device=device)
+    found = reg.registration_icp(source, target, 0.5, None, PLANE, LONG, free=PLANAR)
+    i, j = pairs_of(found)
+    wanted = by_rows(source.points[i], target.points[j], target.normals[j], np.ones(len(i)), [0, 1, 2])
+    np.testing.assert_allclose(found.transformation, wanted, atol=1e-7)
+    np.testing.assert_allclose(found.transformation, T, atol=1e-5)  # the applied pose
+
+
+def test_level_point_to_point_is_the_closed_form(device, level_pair):
+    """Horn 1987 about one axis: the angle of the sums of products about the means, as PCL's 2D estimation has it."""
+    source, target = on(device, *level_pair[:2])
+    found = reg.registration_icp(source, target, 0.4, None, KINDS["point"], LONG, free=LEVEL)
+    i, j = pairs_of(found)
+    p, q = source.points[i], target.points[j]
+    a, b = p - p.mean(axis=0), q - q.mean(axis=0)
+    yaw = np.arctan2((a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]).sum(), (a[:, :2] * b[:, :2]).sum())
+    wanted = yawed(0, 0, 0, yaw)
+    wanted[:3, 3] = q.mean(axis=0) - wanted[:3, :3] @ p.mean(axis=0)
+    np.testing.assert_allclose(found.transformation, wanted, atol=1e-9)
+    six = reg.registration_icp(source, target, 0.4, as_pose([0, 0, 0]), KINDS["point"], LONG).transformation
+    assert np.abs(six - wanted).max() > 1e-5  # with six ways it tilts after the noise
