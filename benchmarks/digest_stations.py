@@ -16,7 +16,7 @@ def surveyed(d: Scenes) -> list[Any]:
     ground = np.column_stack([x, y, 0.5 * np.sin(1.5 * x) * np.cos(y) + 0.3 * np.sin(2 * y + x)])
     scans = [loom().PointCloud(ground[k::3] - place, device=d.device) for k, place in enumerate(PLACES)]
     rough = np.tile(np.eye(4), (3, 1, 1))
-    rough[:, :3, 3] = PLACES + [[0, 0, 0], [0.05, 0, 0], [0, 0.05, 0]]
+    rough[:, :3, 3] = np.add(PLACES, [[0, 0, 0], [0.05, 0, 0], [0, 0.05, 0]])
     spots = {"A": [1.0, 1.0, 0.5], "B": [-1.0, 0.5, 0.2]}
     seen = [
         reg().TargetObservation(k, name, np.subtract(at, place))
