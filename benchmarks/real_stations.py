@@ -4,8 +4,8 @@
 
 No terrestrial set with a surveyor's truth is here. In its place stand the Stanford bunny's range scans (poses by ICP of
 its authors), views of a kitchen by a depth camera (poses of KinectFusion, which are known to some centimetres), and
-five LiDAR maps of a street (poses of a graph of others). Rough poses are theirs, put off at random. Errors are of stations'
-positions against theirs, relative to the reference station.
+five LiDAR maps of a street (poses of a graph of others). Rough poses are theirs, put off at random. Errors are of
+stations' positions against theirs, relative to the reference station.
 """
 
 from __future__ import annotations
