@@ -87,11 +87,8 @@ def main() -> None:
     parser.add_argument("--bodies", nargs="+", default=list(BODIES))
     options = parser.parse_args()
     folder = Path(os.environ.get("POINTLOOM_DATA", "."))
-    print(
-        "| body | bend | surface, rigid | surface | 95 % | points | CPU [s] | verdict |",
-        "|---|---|---|---|---|---|---|---|",
-        sep="\n",
-    )
+    print("| body | bend | surface, rigid | surface | 95 % | points | CPU [s] | verdict |")
+    print("|---|---|---|---|---|---|---|---|")
     for name in options.bodies:
         path = folder / BODIES[name]
         if not path.exists():

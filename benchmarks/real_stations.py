@@ -3,9 +3,9 @@
     POINTLOOM_DATA=<folder> python benchmarks/real_stations.py       # some minutes; the table of docs/stations.md
 
 No terrestrial set with a surveyor's truth is here. In its place stand the Stanford bunny's range scans (poses by ICP of
-its authors), views of a kitchen by a depth camera (poses of KinectFusion, known to some centimetres), and five LiDAR
-maps of a street (poses of a graph of others). Rough poses are theirs, put off at random. Errors are of stations'
-positions against theirs, relative to the reference station.
+its authors), views of a kitchen by a depth camera (poses of KinectFusion, which are known to some centimetres), and
+five LiDAR maps of a street (poses of a graph of others). Rough poses are theirs, put off at random. Errors are of
+stations' positions against theirs, relative to the reference station.
 """
 
 from __future__ import annotations
@@ -108,8 +108,7 @@ def main() -> None:
     options = parser.parse_args()
     folder = Path(os.environ.get("POINTLOOM_DATA", "."))
     print(
-        "| set | placed | pairs | rough | errors, median [mm] | largest | said | sigma0 | taken out "
-        "| CPU [s] | verdict |"
+        "| set | placed | pairs | rough [mm] | off, median | largest | said | sigma0 | taken out | CPU [s] | verdict |"
     )
     print("|---|---|---|---|---|---|---|---|---|---|---|")
     for name in options.sets:

@@ -42,6 +42,7 @@ MORE = {
     "a step is solved on the host, 248 bytes each": ("rgbd odometry",),
     "nodes of the control grid": ("SLAC",),
     "a step of a field of k Gaussians is solved on the host, 8 k^2 bytes each": ("coherent_point_drift",),
+    "covariances of pairs come of float64 rows of thinned matches, on the host": ("register_stations",),
     "what pages are sent": ("detail tree",),
     "up to 20,000 colours, of which a legend shows the mean": ("render, values",),
     "which part of a mesh lies in which is asked of NumPy": ("mesh, repair", "mesh, sheets"),

@@ -379,7 +379,8 @@ def things() -> dict[str, Any]:
     stream = loom.frames_from(pictures, camera)
     lens = loom.CameraModel("SIMPLE_RADIAL", 16, 12, [10.0, 8.5, 6.5, -0.1])
     return dict(
-        sphere=np.zeros((16, 32, 3), np.uint8), panorama=loom.Panorama(32, 16), splats=splats, lens=lens, straightened=loom.Undistortion(lens),
+        sphere=np.zeros((16, 32, 3), np.uint8), panorama=loom.Panorama(32, 16),
+        splats=splats, lens=lens, straightened=loom.Undistortion(lens),
         model=loom.SfmModel(["a", "b", "c"], [lens] * 3, poses, points, observations=[[0, 1]], pixels=[[1, 2]]),
         bytes3=(255 * colors).astype(np.uint8),
         pictures=pictures, stream=stream, frame=next(iter(stream)), latest=loom.LatestFrames(stream),
@@ -417,7 +418,8 @@ HOMES = {
     "tsdf()": "TSDFVolume", "tsdf_filled": "TSDFVolume", "mesh": "TriangleMesh", "mapped": "TriangleMesh",
     "painted": "TriangleMesh", "shell": "TriangleMesh", "scene": "RaycastingScene", "latest": "LatestFrames",
     "recorder()": "FrameRecorder", "segments": "LineSet", "lens": "CameraModel", "model": "SfmModel",
-    "straightened": "Undistortion", "panorama": "Panorama", "splats": "GaussianSplats", "distance_field": "DistanceField",
+    "straightened": "Undistortion", "panorama": "Panorama",
+    "splats": "GaussianSplats", "distance_field": "DistanceField",
 }  # fmt: skip
 # Results, which operations make; errors; and what takes device arrays, being no part of what users call.
 LEFT_OUT = {"ConvexHull", "VisibleSurface", "DatasetError", "FileError", "DeviceError", "PointloomError"} | {

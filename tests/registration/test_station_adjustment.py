@@ -12,6 +12,7 @@ from pointloom.registration.stations.adjustment import Observed, adjust
 from pointloom.registration.stations.observations import ControlPoint, StationPair, TargetObservation
 from pointloom.registration.stations.pairs import _clustered
 from pointloom.registration.stations.snooping import FALSE_ALARM, snoop
+from pointloom.registration.stations.stations import _placed_rightly
 
 PLACES = np.array([[0, 0, 0], [9, 1, 0.2], [17, -2, 0.1], [18, 8, 0.3], [8, 9, -0.2], [-1, 10, 0.1]])
 LINKS = [(1, 0), (2, 1), (3, 2), (4, 3), (5, 4), (0, 5), (4, 1)]
@@ -67,6 +68,7 @@ def test_errors_are_as_large_as_the_standard_deviations_say(level, control):
         squares, redundancy = squares + found.squares, redundancy + found.redundancy
         errors = errors_of(found.poses, truth, level)
         begin = 0 if control else 1  # the reference has none
+        assert control or np.abs(found.covariances[0]).max() < 1e-12
         sums += sum(e @ np.linalg.solve(C, e) for e, C in zip(errors[begin:], found.covariances[begin:], strict=True))
     assert chdtri(redundancy, 0.995) < squares < chdtri(redundancy, 0.005)
     # stations' errors depend on each other, which widens the band of their sum: at most as if all were one
@@ -133,6 +135,13 @@ def test_a_test_is_how_much_the_squares_fall_without_its_observation():
     for group in found.groups[:3] + found.groups[-2:]:
         without = adjust(found.poses, observed.without(group), level=True)
         np.testing.assert_allclose(group.statistic, found.squares - without.squares, rtol=1e-3)
+
+
+def test_a_pair_that_puts_stations_elsewhere_than_their_positions_is_not_used():
+    pair = StationPair(1, 0, make_pose(np.eye(3), [4.0, 0, 0]), np.eye(6))
+    there = np.array([[0.0, 0, 0], [5.5, 0, 0]])
+    assert not _placed_rightly(pair, there, 2.0).reason
+    assert "4.00 m apart, their positions 5.50 m" in _placed_rightly(pair, there, 1.0).reason
 
 
 def test_too_few_blocks_tell_nothing():
