@@ -391,7 +391,7 @@ class Kernel(_Launched):
 
     def make(self, place: str) -> Any:
         """Warp's kernel."""
-        if place == ("cuda" if self.for_cpu else "cpu" if self.for_cuda else ""):
+        if place and place == ("cuda" if self.for_cpu else "cpu" if self.for_cuda else ""):
             raise TypeError(f"{self.name} is {'the CPU' if self.for_cpu else 'CUDA'}'s alone")
         home = place if place == "cpu" or self.for_cuda else ""
         return warp_compiler.make_kernel(self.function, _is_builtin, home, self.most_registers)

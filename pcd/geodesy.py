@@ -47,8 +47,8 @@ class WorldFrame:
     Example:
         >>> import pointloom as loom
         >>> frame = loom.video.WorldFrame(47.5, 8.25, 430.0)
-        >>> frame.epsg, frame.to_enu([[47.501, 8.25, 430.0]]).round(2).tolist()
-        (32632, [[0.0, 111.19, -0.0]])
+        >>> frame.epsg, frame.to_enu([[47.501, 8.25, 430.0]])[0, 1].round(2).item()
+        (32632, 111.19)
     """
 
     latitude: float

@@ -32,6 +32,13 @@ class SplatPicture:
         median_depth: float32 [h, w], the depth behind which half of the light is left [m]; 0 where more than half is.
         normals: float32 [h, w, 3], the mean of the splats' shortest axes, of length 1, in the camera's frame and
             towards it; 0 where nothing is seen.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> ball = loom.GaussianSplats([[0, 0, 2]], [[0.1] * 3], [[1, 0, 0, 0]], [0.9], [[1, 0, 0]])
+        >>> seen = ball.rasterize(loom.PinholeCameraIntrinsic(64, 48, 50.0, 50.0, 31.5, 23.5), np.eye(4))
+        >>> seen.color.shape, bool(seen.opacity.max() > 0.8)
+        ((48, 64, 3), True)
     """
 
     color: NDArray[np.float32]
@@ -130,7 +137,7 @@ class Pictured:
             >>> disc = loom.GaussianSplats([[0, 0, 2]], [[1, 1, 0.01]], [[1, 0, 0, 0]], [0.9], [[1, 0, 0]])
             >>> camera = loom.PinholeCameraIntrinsic(64, 48, 50.0, 50.0, 31.5, 23.5)
             >>> picture = disc.rasterize(camera, np.eye(4))
-            >>> picture.depth[24, 32], picture.normals[24, 32].tolist()
+            >>> picture.depth[24, 32].item(), picture.normals[24, 32].tolist()
             (2.0, [0.0, 0.0, -1.0])
         """
         if not isinstance(intrinsic, PinholeCameraIntrinsic):

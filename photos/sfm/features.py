@@ -12,7 +12,6 @@ from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.camera_models import CameraModel
 from ...core.atomic import check_writable
 from ...core.checks import check_count, check_name, check_progress, check_seed, shown
-from ...core.devices import resolve_device
 from ...core.errors import DatasetError, FileError, FilePath
 from ...core.progress import ReportProgress
 from ...core.timing import Clock
@@ -21,7 +20,7 @@ from .colmap_jobs import MAX_SECONDS, count_rows, database_in_the_making, open_d
 from .frames import check_option
 from .limited_process import check_limits, free_memory
 from .masks import check_mask_files, complete_masks
-from .own_features import FINDERS, find_own
+from .own_features import device_of, find_own
 from .picture_folder import UPRIGHT, check_place, is_grey_16, list_pictures, read_lens, read_orientation, scaled_size
 
 # Those of COLMAP's whose numbers can be found from pictures alone.
@@ -146,38 +145,43 @@ def find_features(
     check_option("kind", kind, FEATURE_KINDS)
     check_use_gpu(use_gpu)
     check_seed(seed)
-    target_device = resolve_device(device) if check_option("finder", finder, FINDERS) == "pointloom" else None
-    if target_device is not None and kind != "sift":
-        raise ValueError(f"finder: pointloom finds SIFT features, not {kind}")
+    target_device = device_of(finder, device, kind)
     _check_intrinsic(intrinsic)
     limits = check_limits(max_seconds, max_memory)
     folder, target = check_place("pictures", pictures), check_writable(check_place("database", database))
     groups = _groups(folder, by_lens=intrinsic is None)
-    job: dict[str, Any] = {"stage": "features", "pictures": os.fspath(folder.resolve()), "seed": int(seed)}
+    job: dict[str, Any] = {
+        "stage": "features",
+        "pictures": os.fspath(folder.resolve()),
+        "seed": int(seed),
+        "kind": kind,
+    }
     job |= {"groups": [_group(size, names, camera_model, intrinsic) for (size, _), names in groups.items()]}
-    threads = threads_for([size for size, _ in groups], max_size, limits["max_memory"] or free_memory())
-    job |= {"kind": kind, "gpu": use_gpu if target_device is None else False}
-    job |= {"max_size": int(max_size), "max_features": int(max_features), "threads": threads}
+    job |= {"threads": threads_for([size for size, _ in groups], max_size, limits["max_memory"] or free_memory())}
+    job |= {"max_size": int(max_size), "max_features": int(max_features), "gpu": use_gpu and target_device is None}
     found = None if masks is None else _checked_masks(masks, folder)
     count = sum(len(names) for names in groups.values())
     with database_in_the_making(target) as part:
         say("features", 0, count)
         if target_device is not None:
             job["found"] = os.fspath(part.parent / "found")
-            todo = [(size, names) for (size, _), names in groups.items()]
             common = {"masks": found or {}, "limits": limits, "device": target_device, "progress": say}
-            find_own(folder, todo, Path(job["found"]), max_size=max_size, max_features=max_features, **common)
+            find_own(folder, groups, Path(job["found"]), max_size=max_size, max_features=max_features, **common)
         poll = lambda: say("features", min(count_rows(part, "keypoints"), count), count)  # noqa: E731
-        if found is not None:
-            complete_masks(list_pictures(folder), found, part.with_name("masks"))
-        job |= {"masks": None if found is None else os.fspath(part.with_name("masks"))}
+        job |= {"masks": None if found is None else _masks_beside(part, folder, found)}
         done, peak = run_job(job | {"database": os.fspath(part)}, folder, poll=poll, **limits)
         names, counts = _features_of(part)
-        on_gpu = bool(done.get("gpu", False))
     say("features", count, count)
-    sizes = _counted_sizes(groups)
     clock.stop("features")
-    return FeatureReport(os.fspath(target), names, counts, sizes, clock.seconds["features"], peak, len(groups), on_gpu)
+    seconds, sizes, on_gpu = clock.seconds["features"], _counted_sizes(groups), bool(done.get("gpu", False))
+    return FeatureReport(os.fspath(target), names, counts, sizes, seconds, peak, len(groups), on_gpu)
+
+
+def _masks_beside(database: Path, pictures: Path, masks: dict[str, Path]) -> str:
+    """A mask for each picture, in a new folder beside the database that is being made."""
+    folder = database.with_name("masks")
+    complete_masks(list_pictures(pictures), masks, folder)
+    return os.fspath(folder)
 
 
 def _counted_sizes(groups: dict[Group, list[str]]) -> dict[tuple[int, int], int]:

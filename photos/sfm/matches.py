@@ -12,10 +12,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...core.atomic import check_writable
 from ...core.checks import check_count, check_progress, check_seed
-from ...core.devices import resolve_device
 from ...core.errors import FilePath
 from ...core.progress import ReportProgress
 from ...core.timing import Clock
@@ -23,7 +23,7 @@ from .colmap_jobs import MAX_SECONDS, count_rows, database_in_the_making, open_d
 from .features import check_use_gpu, usable_cores
 from .frames import check_option
 from .limited_process import check_limits
-from .own_features import FINDERS, match_own, pairs_of
+from .own_features import device_of, match_own, pairs_of
 from .picture_folder import check_place
 from .retrieval import NEIGHBOURS, pairs_that_look_alike
 
@@ -126,25 +126,21 @@ def match(
     check_count("neighbours", neighbours, maximum=_MOST_NEIGHBOURS, because='pairs="exhaustive" takes all')
     check_use_gpu(use_gpu)
     check_seed(seed)
-    target_device = resolve_device(device) if check_option("finder", finder, FINDERS) == "pointloom" else None
     limits = check_limits(max_seconds, max_memory)
     source, target = check_place("database", database), check_writable(check_place("matches", matches))
     with open_database(source) as connection:
         (count,) = connection.execute("SELECT count(*) FROM images").fetchone()
     kind = _kind_of(source)
-    if target_device is not None and kind != "sift":
-        raise ValueError(f"finder: pointloom matches SIFT features, and these are {kind}")
+    target_device = device_of(finder, device, kind)
     pairs = _settled(pairs, kind, count)
     job: dict[str, Any] = {"stage": "matches", "pairs": pairs, "overlap": int(overlap), "seed": int(seed)}
     job |= {"threads": usable_cores(), "gpu": use_gpu if target_device is None else False, "kind": kind}
     with database_in_the_making(target) as part:
         shutil.copyfile(source, part)
+        listed = _listed_pairs(source, pairs, overlap, neighbours, seed)
         if pairs in ("retrieval", MIXED):
-            listed = np.array(_chosen_pairs(source, pairs, overlap, neighbours, seed), np.int64).reshape(-1, 2)
             job |= {"list": os.fspath(part.with_name("pairs.txt"))}
             Path(job["list"]).write_text("".join(f"{a} {b}\n" for a, b in listed), encoding="ascii")
-        else:
-            listed = pairs_of(source, pairs, overlap)
         pair_count = len(listed)
         say("pairs", 0, pair_count)
         if target_device is not None:
@@ -186,23 +182,14 @@ def _kind_of(database: Path) -> str:
     return "aliked" if types - {_SIFT, None} else "sift"
 
 
-def _in_a_row(count: int, overlap: int) -> list[tuple[int, int]]:
-    """Pairs of pictures that are 1, 2, 4, ... apart."""
-    return [(i, i + (1 << power)) for power in range(overlap) for i in range(count - (1 << power))]
-
-
-def _chosen_pairs(database: Path, pairs: str, overlap: int, neighbours: int, seed: int) -> list[tuple[int, int]]:
-    """The pairs of a list, by the numbers of their pictures."""
-    with open_database(database) as connection:
-        numbers = [number for (number,) in connection.execute("SELECT image_id FROM images ORDER BY name")]
+def _listed_pairs(database: Path, pairs: str, overlap: int, neighbours: int, seed: int) -> NDArray[np.int64]:
+    """The numbers of the pictures of all pairs, [p, 2]."""
+    if pairs not in ("retrieval", MIXED):
+        return pairs_of(database, pairs, overlap)
     chosen = set(pairs_that_look_alike(database, neighbours, seed=seed))
     if pairs == MIXED:
-        chosen |= {(min(pair), max(pair)) for pair in _numbered(numbers, _in_a_row(len(numbers), overlap))}
-    return sorted(chosen)
-
-
-def _numbered(numbers: list[int], places: list[tuple[int, int]]) -> list[tuple[int, int]]:
-    return [(numbers[i], numbers[j]) for i, j in places]
+        chosen |= {(int(a), int(b)) for a, b in pairs_of(database, "sequential", overlap)}
+    return np.array(sorted(chosen), np.int64).reshape(-1, 2)
 
 
 @contextlib.contextmanager

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...core.devices import resolve_device
 from ...core.errors import FileError
 from ...core.progress import ReportProgress
 from ...core.timing import Clock
@@ -17,6 +18,7 @@ from ...files.pictures.image_files import read_color
 from ...kernels.keypoints.sift import BYTES_A_PIXEL
 from .colmap_jobs import open_database
 from .feature_rays import DESCRIPTOR, table_of
+from .frames import check_option
 from .keypoints import KeypointFinder, Keypoints, match_descriptors
 from .limited_process import free_memory
 from .masks import read_mask
@@ -28,9 +30,23 @@ _PAIRS_AT_ONCE = 64
 _MOST_AT_ONCE = 2**20  # features in the first pictures of the pairs that are matched at once
 
 
+def device_of(finder: Any, device: Any, kind: str) -> Any:
+    """Where our own kernels find or match features of a kind; None where COLMAP does.
+
+    Raises:
+        TypeError, ValueError: No such finder; features that are not SIFT's.
+        DeviceError: No such device.
+    """
+    if check_option("finder", finder, FINDERS) != "pointloom":
+        return None
+    if kind != "sift":
+        raise ValueError(f"finder: pointloom finds and matches SIFT features, not {kind}")
+    return resolve_device(device)
+
+
 def find_own(
     folder: Path,
-    groups: list[tuple[tuple[int, int], list[str]]],
+    groups: Mapping[tuple[tuple[int, int], Any], list[str]],
     place: Path,
     *,
     max_size: int,
@@ -44,7 +60,7 @@ def find_own(
 
     Args:
         folder: Of the pictures.
-        groups: Their size (width, height) and names.
+        groups: Their names by size (width, height) and lens.
         place: A new folder for the files.
         max_size: The longer side at which features are found [px].
         max_features: Of a picture.
@@ -57,9 +73,9 @@ def find_own(
         FileError: A damaged picture, or a limit is passed.
     """
     place.mkdir()
-    count, done, clock = sum(len(names) for _, names in groups), 0, Clock()
+    count, done, clock = sum(map(len, groups.values())), 0, Clock()
     finders: dict[tuple[int, int], KeypointFinder] = {}
-    for size, names in groups:
+    for (size, _), names in groups.items():
         scaled = scaled_size(size, max_size)
         if scaled not in finders:
             _check_memory(folder, scaled, limits["max_memory"])
