@@ -150,15 +150,10 @@ def find_features(
     limits = check_limits(max_seconds, max_memory)
     folder, target = check_place("pictures", pictures), check_writable(check_place("database", database))
     groups = _groups(folder, by_lens=intrinsic is None)
-    job: dict[str, Any] = {
-        "stage": "features",
-        "pictures": os.fspath(folder.resolve()),
-        "seed": int(seed),
-        "kind": kind,
-    }
-    job |= {"groups": [_group(size, names, camera_model, intrinsic) for (size, _), names in groups.items()]}
+    job = _job_of(folder, groups, camera_model, intrinsic) | {"seed": int(seed), "kind": kind}
     job |= {"threads": threads_for([size for size, _ in groups], max_size, limits["max_memory"] or free_memory())}
-    job |= {"max_size": int(max_size), "max_features": int(max_features), "gpu": use_gpu and target_device is None}
+    job |= {"max_size": int(max_size), "max_features": int(max_features)}
+    job |= {"gpu": use_gpu if target_device is None else False}
     found = None if masks is None else _checked_masks(masks, folder)
     count = sum(len(names) for names in groups.values())
     with database_in_the_making(target) as part:
@@ -175,6 +170,12 @@ def find_features(
     clock.stop("features")
     seconds, sizes, on_gpu = clock.seconds["features"], _counted_sizes(groups), bool(done.get("gpu", False))
     return FeatureReport(os.fspath(target), names, counts, sizes, seconds, peak, len(groups), on_gpu)
+
+
+def _job_of(folder: Path, groups: dict[Group, list[str]], camera_model: str, intrinsic: Any) -> dict[str, Any]:
+    """Which pictures there are, and the cameras of their groups."""
+    cameras = [_group(size, names, camera_model, intrinsic) for (size, _), names in groups.items()]
+    return {"stage": "features", "pictures": os.fspath(folder.resolve()), "groups": cameras}
 
 
 def _masks_beside(database: Path, pictures: Path, masks: dict[str, Path]) -> str:
