@@ -23,6 +23,7 @@ CANVAS_BOX = """() => {
     return width > 0 ? { x, y, width, height } : null;
 }"""
 PATIENCE = 90.0  # [s]; only a test that fails waits so long, and a busy machine is no failure
+SENDS_CLICKS = "document.getElementById('picture').classList.contains('clicks')"
 SOME_FRAMES = """() => new Promise((done) => {
     const start = performance.now();
     let frames = 0;

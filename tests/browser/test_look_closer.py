@@ -10,7 +10,7 @@ import numpy as np
 import pointloom as loom
 from pointloom.drawing.viewer.tools.picking import project
 
-from .pixels import count_pixels, picture, wait_until
+from .pixels import SENDS_CLICKS, count_pixels, picture, wait_until, wait_until_still
 
 GREEN, ORANGE = (44, 160, 44), (255, 127, 14)  # of ground, and of what is unclassified
 UTM = np.array([412_345.0, 5_412_345.0, 300.0])
@@ -52,7 +52,9 @@ class Visitor:
     def start(self, key: str, label: str) -> None:
         self.page.keyboard.press(key)
         self.until(lambda: self.box.tool is not None and self.box.tool.label == label)
-        self.page.get_by_text(self.box.tool.hint).first.wait_for()  # the page has it all
+        self.page.get_by_text(self.box.tool.hint).first.wait_for()
+        self.until(lambda: self.page.evaluate(SENDS_CLICKS))
+        wait_until_still(self.page)  # the camera may have moved
 
 
 def test_labels_are_painted_and_taken_back_by_keys(open_page):

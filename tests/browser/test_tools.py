@@ -13,10 +13,9 @@ import pointloom as loom
 from pointloom.drawing.viewer.tools.picking import project
 from pointloom.drawing.viewer.viewer import Viewer
 
-from .pixels import count_pixels, wait_for_picture, wait_until, wait_until_still
+from .pixels import SENDS_CLICKS, count_pixels, wait_for_picture, wait_until, wait_until_still
 
 BLUE, RED, MARK = (0, 0, 255), (255, 0, 0), (230, 60, 20)
-SENDS_CLICKS = "document.getElementById('picture').classList.contains('clicks')"
 UTM = np.array([412_345.0, 5_412_345.0, 300.0])
 EVIL = "<img src=x onerror=document.title='evil'> [a](javascript:b) {1+1}"
 

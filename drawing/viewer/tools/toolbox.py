@@ -117,17 +117,18 @@ class Toolbox:
         with self._top:
             self._controls = gui.add_folder(None)
         self._top.visible = True
+        self._client.scene.on_click(self._on_click)  # before the hint, which says that one may click
         try:
             self.stage.say(kind.hint)
             with self._controls:
                 tool.start()
         except BaseException:
+            self._client.scene.remove_click_callback(self._on_click)
             self._controls.remove()
             self._controls = None
             raise
         self.tool = tool
         self._buttons[kind].color = ACTIVE
-        self._client.scene.on_click(self._on_click)
 
     def stop(self) -> None:
         """End the tool, and take all of it out of the page."""
