@@ -126,8 +126,9 @@ def orthophoto(
 
     Notes:
         Vertices are projected in float64, and kept about the middle of the mesh in float32: within 500 m of it to 0.03
-        mm. 9 B of memory a cell for the result, 24 MB for the rays, which go in strips of rows; the tree takes some 50 B
-        a triangle. Of surfaces at one height the triangle of the lowest number is seen. The same bits from run to run.
+        mm. 9 B of memory a cell for the result, 24 MB for the rays, which go in strips of rows; some 50 B a triangle.
+        Of surfaces at one height the triangle of the lowest number is seen. The same bits from run to run.
+
         A colour is that of one place, not the mean over a cell: make cells no larger than what the texture shows.
 
     Example:

@@ -123,9 +123,10 @@ def test_a_texture_is_read_between_its_pixels(device):
     picture = rng.integers(0, 256, (8, 12, 4)).astype(np.uint8)  # alpha of pictures is not read
     mesh = loom.TriangleMesh(
         np.array([[0, 0, 1], [12, 0, 1], [12, 8, 3], [0, 8, 3]]) + PLACE, [[0, 1, 2], [0, 2, 3]], device=device,
-        triangle_uvs=[[0, 0], [1, 0], [1, 1], [0, 0], [1, 1], [0, 1]], textures=[picture], vertex_colors=np.ones((4, 3)),
+        triangle_uvs=[[0, 0], [1, 0], [1, 1], [0, 0], [1, 1], [0, 1]], textures=[picture],
+        vertex_colors=np.ones((4, 3)),
     )  # fmt: skip
-    area = np.concatenate([PLACE[:2], PLACE[:2] + (12, 8)])
+    area = (500_000, 5_400_000, 500_012, 5_400_008)
     whole = loom.orthophoto(mesh, 1.0, bounds=area)
     np.testing.assert_array_equal(whole.colors[..., :3], picture[..., :3])  # a cell a pixel, the first row in the north
     assert (whole.colors[..., 3] == 255).all()
