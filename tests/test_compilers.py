@@ -19,7 +19,8 @@ DEAR = {"slam, DenseSLAM", "run_system"}  # what they are made of has lines of i
 # What Taichi compiles for ten to forty seconds after a change, as it writes out each call of a function. In `make test`
 # their results on Warp are held against NumPy and Open3D.
 DEAR |= {"scene, closest points and signs", "rays, all queries", "alpha_shape", "alpha_shape, several"}
-DEAR |= {"from_point_cloud_ball_pivoting", "from_point_cloud_ball_pivoting, radii"}
+DEAR |= {"from_point_cloud_ball_pivoting", "from_point_cloud_ball_pivoting, radii", "mvs, fuse"}
+DEAR |= {"mesh, triangles that meet", "mesh, metrics and error map", "mesh, texture_from_pictures"}
 
 
 def lines(names):
