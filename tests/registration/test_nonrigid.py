@@ -42,7 +42,6 @@ def test_the_surface_of_a_body_comes_to_where_it_was_bent(device, swaying):
 
 
 @LONG
-@pytest.mark.slow
 def test_landmarks_keep_points_from_sliding_along_the_surface(device, swaying):
     body, scan, truth = swaying
     clouds = loom.PointCloud(body, device=device), loom.PointCloud(scan, device=device)
