@@ -84,9 +84,11 @@ def test_levelled_stations_stay_level():
 
 
 def test_right_surveys_raise_no_alarm():
-    for seed in range(4):  # of many, test_alarms_are_as_rare_as_said
+    alarms = 0
+    for seed in range(10):
         _, observed, first = survey(seed, level=True)
-        assert not snoop(first, observed, level=True, reference=0)[2]
+        alarms += bool(snoop(first, observed, level=True, reference=0)[2])
+    assert alarms <= 1
 
 
 @pytest.mark.slow
