@@ -2,8 +2,7 @@
 
 `make test` is `pytest -m "not slow" --compilers warp`, `make test-all` is pytest without these. A test that takes
 `device` and is marked `both_compilers` runs on both in either: the tests of the compilers themselves. That Taichi makes
-of each operation what Warp makes of it is the claim of tests/test_compilers.py, which runs in either too. CI runs
-`make test-all` with `--compilers kernels`: on both what is in tests/kernels too, where kernels meet all that they may.
+of each operation what Warp makes of it is the claim of tests/test_compilers.py, which runs in either too.
 
 Taichi is optional. Where it is not installed, what is marked `taichi` or has a parameter that says Taichi is left out;
 one that is installed and does not import is no reason to leave out anything.
@@ -34,10 +33,7 @@ DEAREST = (
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption(
-        OPTION,
-        choices=("both", "kernels", "warp"),
-        default="both",
-        help="CPU compilers of tests that are not of the compilers; kernels: both in tests/kernels, Warp elsewhere",
+        OPTION, choices=("both", "warp"), default="both", help="CPU compilers of tests that are not of the compilers"
     )
 
 
@@ -48,10 +44,7 @@ def places_of(config: pytest.Config, definition: pytest.Item) -> list[str]:
 
 def runs_on_both(config: pytest.Config, item: pytest.Item) -> bool:
     """Whether a test that takes `device` has runs on either compiler."""
-    chosen = config.getoption(OPTION)
-    if chosen == "both" or item.get_closest_marker("both_compilers") is not None:
-        return True
-    return chosen == "kernels" and TESTS / "kernels" in item.path.parents
+    return config.getoption(OPTION) == "both" or item.get_closest_marker("both_compilers") is not None
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:

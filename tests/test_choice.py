@@ -145,21 +145,7 @@ def test_make_and_the_mutants_choose_alike_and_ci_runs_all():
     assert shlex.split(re.search(r"^QUICK := (.*)$", makefile, flags=re.MULTILINE)[1]) == list(QUICK)
     commands = dict(re.findall(r"^([a-z-]+): \$\(TEST\) ##.*\n\t@(.*)$", makefile, flags=re.MULTILINE))
     assert commands["test"] == "$(PYTEST) $(QUICK) $(ARGS)" and commands["test-all"] == "$(PYTEST) $(ARGS)"
-    assert (ROOT / ".ci" / "run").read_text().rstrip().endswith("\nrun test-all ARGS='--compilers kernels'")
-
-
-def test_on_both_compilers_ci_runs_the_tests_of_kernels_and_of_the_compilers():
-    for chosen, path, marked, expected in (
-        ("both", "pcd/test_x.py", False, True),
-        ("kernels", "kernels/icp/test_x.py", False, True),
-        ("kernels", "pcd/test_x.py", False, False),
-        ("kernels", "pcd/test_x.py", True, True),
-        ("warp", "kernels/icp/test_x.py", False, False),
-        ("warp", "kernels/icp/test_x.py", True, True),
-    ):
-        config = SimpleNamespace(getoption=lambda _, chosen=chosen: chosen)
-        item = SimpleNamespace(path=choice.TESTS / path, get_closest_marker=lambda _, marked=marked: marked or None)
-        assert choice.runs_on_both(config, item) is expected, (chosen, path, marked)
+    assert (ROOT / ".ci" / "run").read_text().rstrip().endswith("\nrun test-all")
 
 
 @pytest.mark.parametrize(
