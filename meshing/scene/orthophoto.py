@@ -137,8 +137,8 @@ def orthophoto(
         >>> made = loom.orthophoto(ground, 1.0, frame=loom.video.WorldFrame(47.5, 8.25, 430.0))
         >>> made.heights.crs, round(float(np.nanmax(made.heights.values)), 3)
         ('EPSG:32632', 431.0)
-        >>> loom.orthophoto(ground, 1.0).colors[0, 0].tolist()
-        [16, 16, 223, 255]
+        >>> loom.orthophoto(ground, 1.0).colors[1, 0].tolist()
+        [0, 16, 239, 255]
     """
     if not isinstance(mesh, TriangleMesh):
         raise TypeError(f"mesh: expected a TriangleMesh, got {type(mesh).__name__}")
