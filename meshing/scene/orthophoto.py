@@ -206,7 +206,9 @@ def _surfaces_of(mesh: TriangleMesh, vertices: Any) -> list[tuple[int, Surface]]
     found: list[tuple[int, Surface]] = []
     numbers = [EVERY]
     if "triangle_uvs" in arrays and mesh.textures:
-        numbers = [0] if "triangle_material_ids" not in arrays else np.unique(mesh.triangle_material_ids).tolist()
+        numbers = (
+            [0] if "triangle_material_ids" not in arrays else np.unique(np.asarray(mesh.triangle_material_ids)).tolist()
+        )
     for number in numbers:
         if 0 <= number < len(mesh.textures):
             pixels = np.ascontiguousarray(mesh.textures[number][:, :, :3])
