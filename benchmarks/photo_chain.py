@@ -1,4 +1,4 @@
-"""The chain from photographs to a mesh on sets that chose none of its constants: what is placed, how well, at what cost.
+"""The chain from photographs to a mesh on sets that chose none of its constants: what is placed, how well, the cost.
 
     python benchmarks/photo_chain.py WORK [--only drone] [--size 480] [--colmap] [--output results.json]
     python benchmarks/photo_chain.py WORK --only temple --data $POINTLOOM_DATA
@@ -24,8 +24,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from photo_sets import PLACE, SETS, PhotoSet
 from photo_real import REAL, RealSet
+from photo_sets import PLACE, SETS, PhotoSet
 from photo_writing import seen_points, write_set
 from sfm_accuracy import camera_errors, fit_similarity
 
@@ -203,7 +203,17 @@ def main() -> None:
         report: dict[str, Any] = {}
         for job in ("run", "textured", *(["colmap"] if given.colmap else [])):
             begin = time.monotonic()
-            command = [sys.executable, __file__, str(given.work), "--only", name, "--size", str(given.size), "--job", job]
+            command = [
+                sys.executable,
+                __file__,
+                str(given.work),
+                "--only",
+                name,
+                "--size",
+                str(given.size),
+                "--job",
+                job,
+            ]
             code = subprocess.run(command, check=False, env=os.environ).returncode
             file = given.work / name / f"{job}.json"
             report[job] = json.loads(file.read_text()) if code == 0 else {"exit": code}

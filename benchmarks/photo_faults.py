@@ -2,10 +2,11 @@
 
     python benchmarks/photo_faults.py WORK --kills 20 [--seed 0]
 
-Eight pictures of the drone of photo_sets.py, which tell where they were taken, with masks, as `pointloom video --work
---resume`. The command gets SIGKILL after a random time; what is left is gone on with, until it is done, and begun anew
-until there were as many kills as asked for. Each result is held against that of a run without kills, byte for byte:
-mesh, cloud, poses and every file of the stages but COLMAP's database (rows in another order) and records (times).
+Eight pictures of the country of photo_sets.py from the air, which tell where they were taken, with masks, as
+`pointloom video --work --resume`. The command gets SIGKILL after a random time; what is left is gone on with, until it
+is done, and begun anew until there were as many kills as asked for. Each result is held against that of a run without
+kills, byte for byte: mesh, cloud, poses and every file of the stages but COLMAP's database (rows in another order) and
+records (times).
 """
 
 from __future__ import annotations
@@ -25,23 +26,27 @@ from pathlib import Path
 
 import numpy as np
 import psutil
-from photo_sets import drone
+from photo_sets import View, drone
 from photo_writing import write_set
 from PIL import Image
 
-COUNT = 8  # pictures
+from pointloom.data.made.views import look_at
+
+COUNT, STEP = 8, 12.0  # pictures, and [degrees] from one to the next
 MOST_RUNS = 60
 MARK = "POINTLOOM_PHOTO_FAULTS"
-OPTIONS = ["--max-size", "96", "--max-features", "800", "--force", "--resume", "--json"]
+OPTIONS = ["--max-size", "96", "--max-features", "1500", "--force", "--resume", "--json"]
 STAGES = ("frames", "features", "matches", "model", "undistorted", "depth", "fused", "mesh")
 LOOSE = re.compile(r"(features|matches)/.*database\.db|records/|report\.json|video\.json")  # rows, times
 GONE = 20.0  # [s] in which children of a killed run have to end
 
 
 def write(folder: Path) -> None:
-    """Pictures of the oblique round, and masks that leave out a strip below and a block."""
+    """Pictures of an oblique round, and masks that leave out a strip below and a block."""
     photos = drone()
-    photos.views = photos.views[-COUNT:]
+    turns = np.radians(STEP * np.arange(COUNT))
+    eyes = np.column_stack([48 * np.cos(turns), 48 * np.sin(turns), 42 + 3 * np.sin(9 * turns)])
+    photos.views = [View(look_at(eye), 560, 30) for eye in eyes]
     write_set(photos, folder)
     (folder / "masks").mkdir()
     for k, name in enumerate(photos.names):
@@ -53,18 +58,18 @@ def write(folder: Path) -> None:
 def begin(folder: Path, work: Path, out: Path) -> subprocess.Popen[bytes]:
     outputs = ["-o", out / "mesh.ply", "--cloud", out / "cloud.ply", "--trajectory", out / "poses.log"]
     command = [sys.executable, "-m", "pointloom", "video", folder / "pictures", "--masks", folder / "masks"]
-    with (out / "log").open("wb") as log:
+    with (out / "log").open("wb") as log, (out / "errors").open("wb") as errors:
         return subprocess.Popen(
             [*map(str, command), *map(str, outputs), "--work", str(work), *OPTIONS],
             stdout=log,
-            stderr=log,
+            stderr=errors,
             env=os.environ | {MARK: str(out)},
         )
 
 
 def digests(work: Path, out: Path) -> dict[str, str]:
     files = [path for path in work.rglob("*") if path.is_file() and not LOOSE.search(str(path.relative_to(work)))]
-    files += [path for path in out.iterdir() if path.name != "log"]
+    files += [path for path in out.iterdir() if path.name not in ("log", "errors")]
     base = {work: "work", out: "out"}
     named = {f"{base[top]}/{p.relative_to(top)}": p for top in base for p in files if p.is_relative_to(top)}
     return {name: hashlib.sha256(path.read_bytes()).hexdigest() for name, path in sorted(named.items())}

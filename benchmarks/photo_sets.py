@@ -61,8 +61,14 @@ class View:
 
     T_world_camera: Array
     focal: float
-    film: int  # focal length of 35 mm film, in EXIF [mm]
+    film: int  # that of a lens which sees as much across the diagonal of 35 mm film, in EXIF, in whole mm
     portrait: bool = False  # the sensor is turned, and EXIF tells it
+
+    @property
+    def sensor(self) -> Array:
+        """T_world_camera of the picture as it is stored: a turn of 90 degrees clockwise shows it upright."""
+        turn = np.array([[0.0, -1, 0, 0], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
+        return self.T_world_camera @ turn if self.portrait else self.T_world_camera
 
 
 @dataclass
@@ -132,12 +138,6 @@ def box(low: Any, high: Any) -> Any:
     return loom.TriangleMesh.create_box(*size).translate(np.asarray(low, float))
 
 
-def camera(focal: float) -> Any:
-    return loom.CameraModel(
-        "SIMPLE_RADIAL", WIDTH, HEIGHT, [focal, WIDTH / 2, HEIGHT / 2, BEND]
-    )
-
-
 # ------------------------------------------------------------------------------------------------- sets
 
 
@@ -158,12 +158,13 @@ def turntable(seed: int = 0) -> PhotoSet:
     for side in (-1, 1):
         handle = loom.TriangleMesh.create_torus(0.04, 0.009, 40, 16).rotate(_about("x", 90))
         stage.add(handle.translate([0.1 * side, 0, 0.02]), grain((0.6, 0.62, 0.4), 0.7, 0.02))
-    stage.add(loom.TriangleMesh.create_cylinder(0.085, 0.02, 60, 1).translate([0, 0, -0.13]), grain((0.5, 0.35, 0.3), 0.7, 0.03))
-    away, rise = 0.62, math.radians(24)
-    views = [
-        View(look_at([away * math.cos(a) * math.cos(rise), away * math.sin(a) * math.cos(rise), away * math.sin(rise)]), 820, 46)
-        for a in np.linspace(0, 2 * np.pi, 25)[:-1]
-    ]  # fmt: skip
+    stage.add(
+        loom.TriangleMesh.create_cylinder(0.085, 0.02, 60, 1).translate([0, 0, -0.13]),
+        grain((0.5, 0.35, 0.3), 0.7, 0.03),
+    )
+    away, rise = 0.62 * math.cos(math.radians(24)), 0.62 * math.sin(math.radians(24))
+    turns = np.linspace(0, 2 * np.pi, 25)[:-1]
+    views = [View(look_at([away * math.cos(a), away * math.sin(a), rise]), 820, 44) for a in turns]
     return PhotoSet("turntable", stage, views, (0.001, 0.003), masked=True)
 
 
@@ -187,7 +188,7 @@ def facade(seed: int = 0) -> PhotoSet:
     for k in range(18):
         eye = np.array([2.0 + 23.0 * k / 17, -6.5, 1.6]) + rng.normal(0, 0.08, 3)
         ahead = (3.0, -3.0, 0.5)[k % 3]
-        views.append(View(look_at(eye, eye + [ahead, 6.5, 2.2 + rng.normal(0, 0.1)]), 430, 24))
+        views.append(View(look_at(eye, np.add(eye, [ahead, 6.5, 2.2 + rng.normal(0, 0.1)])), 430, 23))
     return PhotoSet("facade", stage, views, (0.02, 0.05))
 
 
@@ -220,29 +221,33 @@ def drone(seed: int = 0) -> PhotoSet:
         for i in range(4):
             eye = np.array([(-24 + 16 * i) * (1 if j % 2 else -1), -24 + 16 * j, 47]) + rng.normal(0, 0.6, 3)
             tilt = rng.normal(0, 0.02, 2)
-            views.append(View(_down(eye, tilt, math.pi * (j % 2)), 560, 31))
+            views.append(View(_down(eye, tilt, math.pi * (j % 2)), 560, 30))
     for a in np.linspace(0, 2 * np.pi, 9)[:-1]:
         eye = np.array([48 * math.cos(a), 48 * math.sin(a), 42]) + rng.normal(0, 0.6, 3)
-        views.append(View(look_at(eye, rng.normal(0, 2, 3)), 560, 31))
+        views.append(View(look_at(eye, rng.normal(0, 2, 3)), 560, 30))
     return PhotoSet("drone", stage, views, (0.15, 0.5), places=True)
 
 
 def telephone(seed: int = 0) -> PhotoSet:
-    """A still life on a table by two lenses of a telephone, 26 and 52 mm, every third picture held upright."""
+    """A still life on a table by two lenses of a telephone, 25 and 50 mm, every third picture held upright."""
     rng, stage = np.random.default_rng(seed), Stage()
     stage.add(box((-0.6, -0.45, -0.05), (0.6, 0.45, 0)), grain((0.66, 0.48, 0.32), 0.6, 0.08, 5))
     stage.add(box((-2, 1.2, -0.8), (2, 1.25, 1.2)), grain((0.75, 0.74, 0.66), 0.4, 0.25, 5))
     stage.add(box((-0.38, 0.05, 0), (-0.14, 0.22, 0.3)), grain((0.3, 0.42, 0.62), 0.7, 0.05, 5))
     stage.add(box((0.1, 0.1, 0), (0.42, 0.3, 0.12)), grain((0.7, 0.3, 0.28), 0.7, 0.05, 5))
-    stage.add(loom.TriangleMesh.create_sphere(0.09, 40).translate([0.24, 0.18, 0.21]), grain((0.85, 0.7, 0.3), 0.6, 0.04))
-    stage.add(loom.TriangleMesh.create_cylinder(0.06, 0.24, 60, 1).translate([0.05, -0.15, 0.12]), grain((0.4, 0.6, 0.45), 0.7, 0.04))
-    stage.add(loom.TriangleMesh.create_torus(0.09, 0.03, 60, 30).translate([-0.2, -0.18, 0.03]), grain((0.6, 0.4, 0.6), 0.7, 0.03))
+    ball = loom.TriangleMesh.create_sphere(0.09, 40).translate([0.24, 0.18, 0.21])
+    tin = loom.TriangleMesh.create_cylinder(0.06, 0.24, 60, 1).translate([0.05, -0.15, 0.12])
+    tyre = loom.TriangleMesh.create_torus(0.09, 0.03, 60, 30).translate([-0.2, -0.18, 0.03])
+    for mesh, color in ((ball, (0.85, 0.7, 0.3)), (tin, (0.4, 0.6, 0.45)), (tyre, (0.6, 0.4, 0.6))):
+        stage.add(mesh, grain(color, 0.7, 0.04))
     views = []
     for k, a in enumerate(np.radians(np.linspace(-160, -20, 20))):
         tele = k % 2 == 1
         away = 1.15 if tele else 0.85
         eye = np.array([away * math.cos(a), away * math.sin(a), 0.55 + 0.06 * (k % 3)]) + rng.normal(0, 0.015, 3)
-        views.append(View(look_at(eye, (0.0, 0.05, 0.08)), 924 if tele else 462, 52 if tele else 26, portrait=k % 3 == 2))
+        views.append(
+            View(look_at(eye, (0.0, 0.05, 0.08)), 924 if tele else 462, 50 if tele else 25, portrait=k % 3 == 2)
+        )
     return PhotoSet("telephone", stage, views, (0.003, 0.01))
 
 
@@ -269,7 +274,7 @@ def room(seed: int = 0) -> PhotoSet:
     for k in range(24):
         a = 2 * math.pi * k / 24
         eye = np.array([-0.7 * math.cos(a), -0.55 * math.sin(a), 1.45]) + rng.normal(0, 0.03, 3)
-        views.append(View(look_at(eye, eye + [math.cos(a), math.sin(a), -0.28 + 0.12 * (k % 2)]), 400, 22))
+        views.append(View(look_at(eye, np.add(eye, [math.cos(a), math.sin(a), -0.28 + 0.12 * (k % 2)])), 400, 22))
     return PhotoSet("room", stage, views, (0.02, 0.05))
 
 

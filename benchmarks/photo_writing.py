@@ -37,17 +37,9 @@ def write_set(photos: PhotoSet, folder: Path, seed: int = 0) -> None:
             mask = seen.reshape(HEIGHT, 2, WIDTH, 2).mean((1, 3)) > 0.5
             Image.fromarray((255 * mask).astype(np.uint8)).save(folder / "masks" / f"{name}.png")
         picture = _sensor(colors, gain, rng)
-        turned = np.rot90(picture, 1) if view.portrait else picture
         exif, xmp = _told(view, photos.places, rng)
         more = {"xmp": xmp} if xmp else {}
-        Image.fromarray(np.ascontiguousarray(turned)).save(
-            folder / "pictures" / name, exif=exif, quality=QUALITY, **more
-        )
-
-
-def size_of(view: View) -> tuple[int, int]:
-    """Width and height of a picture as it is shown [px]."""
-    return (WIDTH, HEIGHT)
+        Image.fromarray(picture).save(folder / "pictures" / name, exif=exif, quality=QUALITY, **more)
 
 
 def rays_of(view: View, step: float, offset: float) -> tuple[Array, Array]:
@@ -57,7 +49,7 @@ def rays_of(view: View, step: float, offset: float) -> tuple[Array, Array]:
     flat = bent.copy()
     for _ in range(20):
         flat = bent / (1 + BEND * (flat**2).sum(-1, keepdims=True))
-    T = view.T_world_camera
+    T = view.sensor
     ways = np.concatenate([flat, np.ones((*flat.shape[:2], 1))], -1) @ T[:3, :3].T
     return np.concatenate([np.broadcast_to(T[:3, 3], ways.shape), ways], -1), flat
 
@@ -69,7 +61,7 @@ def render(stage: Stage, scene: Any, view: View, finer: int) -> tuple[Array, NDA
     seen = np.isfinite(met["t_hit"])
     points = rays[..., :3] + rays[..., 3:] * np.where(seen, met["t_hit"], 0)[..., None]
     colors = np.broadcast_to(SKY, points.shape).copy()
-    light = view.T_world_camera[:3, :3] @ [-0.45, -0.6, -0.66] if stage.still_light else LIGHT
+    light = view.sensor[:3, :3] @ [-0.45, -0.6, -0.66] if stage.still_light else LIGHT
     normals = met["primitive_normals"].astype(float)
     normals *= -np.sign((normals * rays[..., 3:]).sum(-1, keepdims=True))
     shade = stage.shaded + (1 - stage.shaded) * np.clip(normals @ light, 0, 1)
@@ -107,8 +99,9 @@ def _told(view: View, places: bool, rng: np.random.Generator) -> tuple[Image.Exi
     told = view.T_world_camera[:3, 3] + rng.normal(0, 1, 3) * GPS_NOISE
     latitude, longitude, altitude = loom.video.WorldFrame(*PLACE).to_geodetic(told[None])[0]
     exif.get_ifd(0x8825).update(
-        {1: "N", 2: _degrees(latitude), 3: "E", 4: _degrees(longitude), 5: b"\0", 6: IFDRational(round(altitude * 1000), 1000)}
-    )  # fmt: skip
+        {1: "N", 2: _degrees(latitude), 3: "E", 4: _degrees(longitude)}
+        | {5: b"\0", 6: IFDRational(round(altitude * 1000), 1000)}
+    )
     return exif, _xmp(view.T_world_camera[:3, :3], rng)
 
 
@@ -142,7 +135,7 @@ def seen_points(photos: PhotoSet, cell: float) -> Array:
     points = points[np.unique(np.floor(points / cell).astype(np.int64), axis=0, return_index=True)[1]]
     counts = np.zeros(len(points), int)
     for view in photos.views:
-        T = np.linalg.inv(view.T_world_camera)
+        T = np.linalg.inv(view.sensor)
         local = points @ T[:3, :3].T + T[:3, 3]
         flat = local[:, :2] / np.maximum(local[:, 2:], 1e-9)
         pixel = view.focal * flat * (1 + BEND * (flat**2).sum(1, keepdims=True)) + (WIDTH / 2, HEIGHT / 2)
