@@ -74,19 +74,19 @@ def compared(photos: Any, result: Any) -> dict[str, Any]:
     report: dict[str, Any] = {"centers": camera_errors(model, poses)}
     true = np.array([poses[name][:3, 3] for name in model.names])
     scale, R, t = fit_similarity(model.centers, true)
-    if getattr(photos, "places", False):
-        scale, R, t = 1.0, np.eye(3), np.zeros(3)
-        frame = result.fit.frame if result.fit is not None else None
-        report["world"] = None if frame is None else in_world(model, poses, result, frame)
-        if frame is not None:
-            t = loom.video.WorldFrame(*PLACE).to_enu(frame.to_geodetic(np.zeros((1, 3))))[0]
+    frames = {"mesh": (scale, R, t)}
+    if getattr(photos, "places", False) and result.fit is not None and result.fit.frame is not None:
+        frame, world = result.fit.frame, loom.video.WorldFrame(*PLACE)
+        report["world"] = in_world(model, poses, frame)
+        frames["mesh in the world"] = 1.0, np.eye(3), world.to_enu(frame.to_geodetic(np.zeros((1, 3))))[0]
     if result.mesh is not None and isinstance(photos, PhotoSet):
-        mesh = result.mesh.vertices * scale @ R.T + t
-        report["mesh"] = mesh_errors(photos, loom.TriangleMesh(mesh, result.mesh.triangles))
+        for which, (s, R, t) in frames.items():
+            moved = loom.TriangleMesh(s * result.mesh.vertices @ R.T + t, result.mesh.triangles)
+            report[which] = mesh_errors(photos, moved)
     return report
 
 
-def in_world(model: Any, poses: dict[str, Any], result: Any, frame: Any) -> dict[str, Any]:
+def in_world(model: Any, poses: dict[str, Any], frame: Any) -> dict[str, Any]:
     """Errors of a model in metres east, north, up, without any fit."""
     true = np.array([poses[name] for name in model.names])
     found = loom.video.WorldFrame(*PLACE).to_enu(frame.to_geodetic(model.centers))
