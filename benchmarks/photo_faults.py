@@ -3,10 +3,10 @@
     python benchmarks/photo_faults.py WORK --kills 20 [--seed 0]
 
 Eight pictures of the country of photo_sets.py from the air, which tell where they were taken, with masks, as
-`pointloom video --work --resume`. The command gets SIGKILL after a random time; what is left is gone on with, until it
-is done, and begun anew until there were as many kills as asked for. Each result is held against that of a run without
-kills, byte for byte: mesh, cloud, poses and every file of the stages but COLMAP's database (rows in another order) and
-records (times).
+`pointloom video --work --resume`. The command gets SIGKILL after a random time, or soon after a random stage has begun;
+what is left is gone on with, until it is done, and begun anew until there were as many kills as asked for. Each result
+is held against that of a run without kills, byte for byte: mesh, cloud, poses and every file of the stages but COLMAP's
+database (rows in another order) and records (times).
 """
 
 from __future__ import annotations
@@ -38,6 +38,7 @@ MARK = "POINTLOOM_PHOTO_FAULTS"
 OPTIONS = ["--max-size", "96", "--max-features", "1500", "--force", "--resume", "--json"]
 STAGES = ("frames", "features", "matches", "model", "undistorted", "depth", "fused", "mesh")
 LOOSE = re.compile(r"(features|matches)/.*database\.db|records/|report\.json|video\.json")  # rows, times
+LATE = 1.5  # [s] after a stage has begun, in the mean, half of the kills come; the others come at any time
 GONE = 20.0  # [s] in which children of a killed run have to end
 
 
@@ -96,12 +97,15 @@ def attack(folder: Path, base: Path, mean: float, chance: random.Random, most: i
     shutil.rmtree(base, ignore_errors=True)
     out.mkdir(parents=True)
     for _ in range(MOST_RUNS):
-        process, wait = begin(folder, work, out), chance.expovariate(1 / mean)
-        if tell["kills"] >= most:
-            wait = 1e9
-        end = time.monotonic() + wait
+        ahead = [stage for stage in STAGES if not (work / "records" / f"{stage}.json").is_file()]
+        begun = work / f"{chance.choice(ahead or STAGES)}.part" if chance.random() < 0.5 else None
+        wait = chance.expovariate(1 / mean) if begun is None else chance.expovariate(1 / LATE)
+        process = begin(folder, work, out)
+        while begun is not None and process.poll() is None and not begun.is_dir():
+            time.sleep(0.003)
+        end = time.monotonic() + (wait if tell["kills"] < most else 1e9)
         while process.poll() is None and time.monotonic() < end:
-            time.sleep(0.01)
+            time.sleep(0.003)
         if process.poll() is not None:
             tell["exit codes not 0"] += process.returncode != 0
             return (out / "log").read_text()
