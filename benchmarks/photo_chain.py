@@ -33,6 +33,7 @@ import pointloom as loom
 from pointloom.drawing.render.picture_files import save_picture
 
 SAMPLES = 100_000
+FITS = 40  # steps of closest points
 SIZE = 480  # of pictures of which depth is found [px]
 
 
@@ -83,6 +84,10 @@ def compared(photos: Any, result: Any) -> dict[str, Any]:
         for which, (s, R, t) in frames.items():
             moved = loom.TriangleMesh(s * result.mesh.vertices @ R.T + t, result.mesh.triangles)
             report[which] = mesh_errors(photos, moved)
+        s, R, t = frames["mesh"]
+        report["mesh by itself"] = mesh_errors(
+            photos, by_itself(photos, s * result.mesh.vertices @ R.T + t, result.mesh)
+        )
     return report
 
 
@@ -105,6 +110,18 @@ def in_world(model: Any, poses: dict[str, Any], frame: Any) -> dict[str, Any]:
 def by_name(model: Any) -> Any:
     """The same model with the names of the truth: pictures may have been written anew with other endings."""
     return loom.SfmModel([Path(name).stem for name in model.names], model.cameras, model.T_camera_world)
+
+
+def by_itself(photos: PhotoSet, vertices: Any, mesh: Any) -> Any:
+    """The mesh after the similarity that brings itself, not its cameras, nearest to the truth (closest points)."""
+    scene, rows = photos.stage.scene(), np.linspace(0, len(vertices) - 1, 20_000).astype(int)
+    for _ in range(FITS):
+        near = scene.compute_closest_points(vertices[rows].astype(np.float32))["points"].astype(float)
+        off = np.linalg.norm(near - vertices[rows], axis=1)
+        kept = off < np.quantile(off, 0.9)
+        s, R, t = fit_similarity(vertices[rows][kept], near[kept])
+        vertices = s * vertices @ R.T + t
+    return loom.TriangleMesh(vertices, mesh.triangles)
 
 
 def mesh_errors(photos: PhotoSet, mesh: Any) -> dict[str, Any]:
