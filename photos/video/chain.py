@@ -39,7 +39,7 @@ KNOWN_STAGES: dict[str, Callable[..., Mapping[str, Any]]] = STAGES | {
 }
 
 # Raised where a stage begins to make something else of the same between two releases.
-VERSIONS = {"frames": 2, "matches": 2, "model": 2, "depth": 2}
+VERSIONS = {"frames": 2, "matches": 2, "model": 2, "depth": 2, "fused": 2}
 OF_COLMAP = ("features", "matches", "model")
 COLMAP_PACKAGES = ("pycolmap", "pycolmap-cuda12")
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -67,11 +68,10 @@ def estimate(
 ) -> dict[str, Any]:
     """Depth of each straightened picture; what is found of one stays in `going` until all is."""
     model, pictures, cameras = open_straightened(undistorted)
-    places = [mask_file(undistorted.folder / MASKS, path.name) for path in pictures]
-    masks = [place if place.is_file() else None for place in places]
+    masks = _masks_of(undistorted, pictures)
     where = {"device": device, "folder": folder / MAPS, "masks": masks, "going": going, "progress": say}
     maps = mvs.estimate_depth_maps(pictures, cameras, model, seed=seed, **where)
-    return {"pictures": len(maps), "share": _mean_share(maps)}
+    return {"pictures": len(maps), "share": mean_share(maps, masks)}
 
 
 def fuse_points(folder: Path, say: ReportProgress, *, undistorted: Made, depth: Made, device: Any) -> dict[str, Any]:
@@ -82,7 +82,7 @@ def fuse_points(folder: Path, say: ReportProgress, *, undistorted: Made, depth: 
     cloud = mvs.fuse(maps, pictures, to="points", **where)
     assert isinstance(cloud, PointCloud)
     write_point_cloud(folder / CLOUD, cloud)
-    return {"share": _mean_share(maps), "points": len(cloud)}
+    return {"share": mean_share(maps, _masks_of(undistorted, pictures)), "points": len(cloud)}
 
 
 def make_mesh(
@@ -144,6 +144,16 @@ def _straightened(model: SfmModel, names: tuple[str, ...], cameras: list[Pinhole
     return replace(model, names=names, cameras=pinholes, **kept)
 
 
-def _mean_share(maps: Any) -> float:
-    """The mean share of pixels that have depth."""
-    return float(np.mean([each.share for each in maps])) if len(maps) else 0.0
+def _masks_of(undistorted: Made, pictures: list[Path]) -> list[Path | None]:
+    """The mask of each straightened picture; None where there is none."""
+    places = [mask_file(undistorted.folder / MASKS, path.name) for path in pictures]
+    return [place if place.is_file() else None for place in places]
+
+
+def mean_share(maps: Iterable[mvs.DepthMap], masks: Sequence[Path | None]) -> float:
+    """The mean share of pixels that have depth, of those that masks leave: no depth is looked for in the others."""
+    shares = []
+    for each, mask in zip(maps, masks, strict=True):
+        left = 1.0 if mask is None else float((read_color(mask)[..., 0] >= KEPT).mean())
+        shares.append(each.share / left if left else 0.0)
+    return float(np.mean(shares)) if shares else 0.0

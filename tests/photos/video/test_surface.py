@@ -116,6 +116,16 @@ def test_poses_beside_the_mesh_carry_the_numbers_of_their_pictures_and_its_unit(
     np.testing.assert_allclose(model.centers[:, 0], expected, atol=1e-9)
 
 
+def test_of_a_masked_picture_the_share_counts_what_the_mask_leaves(tmp_path):
+    Image.fromarray(np.repeat(np.array([[255, 0, 0, 0]], np.uint8), 3, axis=0)).save(tmp_path / "small.png")
+    Image.fromarray(np.zeros((3, 4), np.uint8)).save(tmp_path / "hidden.png")
+    depth = np.zeros((3, 4))
+    depth[:2, 0] = 1.0  # 2 of the 3 pixels that are left, 2 of 12 of all
+    one, none = (mvs.DepthMap(z, np.zeros((3, 4, 3)), np.zeros((3, 4))) for z in (depth, 0 * depth))
+    assert surface.mean_share([one], [tmp_path / "small.png"]) == pytest.approx(2 / 3)
+    assert surface.mean_share([one, none], [None, tmp_path / "hidden.png"]) == pytest.approx(1 / 12)
+
+
 def test_small_parts_in_the_air_go():
     corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]], float)
     mesh = loom.TriangleMesh(

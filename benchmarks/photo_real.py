@@ -1,0 +1,70 @@
+"""Real sets of photographs for photo_chain.py, with as much truth as they have."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+from real_data import real_data
+
+LONGEST = 1024  # [px] that large pictures are made smaller to
+
+
+@dataclass
+class RealSet:
+    """Pictures, and the poses of some.
+
+    Attributes:
+        poses: T_world_camera by the name of the picture without its ending.
+    """
+
+    pictures: list[Path]
+    poses: dict[str, NDArray[np.float64]]
+
+    def write(self, folder: Path) -> None:
+        (folder / "pictures").mkdir(parents=True)
+        for path in self.pictures:
+            with Image.open(path) as picture:
+                if max(picture.size) <= LONGEST:
+                    shutil.copy(path, folder / "pictures")
+                    continue
+                told: Any = picture.getexif()
+                picture.thumbnail((LONGEST, LONGEST), Image.Resampling.LANCZOS)
+                picture.save(folder / "pictures" / f"{path.stem}.jpg", quality=95, exif=told)
+
+
+def temple() -> RealSet:
+    """templeSparseRing (Seitz et al. 2006): 16 pictures before black, some 20 degrees apart."""
+    folder, poses = real_data("mvs-temple"), {}
+    for line in (folder / "templeSR_par.txt").read_text().splitlines()[1:]:
+        name, *numbers = line.split()
+        values = np.array(numbers, float)
+        T = np.eye(4)
+        T[:3, :3], T[:3, 3] = values[9:18].reshape(3, 3), values[18:]
+        poses[Path(name).stem] = np.linalg.inv(T)
+    return RealSet(sorted(folder.glob("*.png")), poses)
+
+
+def fountain() -> RealSet:
+    """fountain-P11 (Strecha et al. 2008): eleven pictures with poses by a laser scanner."""
+    folder, poses = real_data("mvs-fountain-p11"), {}
+    for path in sorted((folder / "gt_dense_cameras").glob("*.camera")):
+        values = np.array(path.read_text().split()[:24], float)
+        T = np.eye(4)
+        T[:3, :3], T[:3, 3] = values[12:21].reshape(3, 3), values[21:24]
+        poses[Path(path.stem).stem] = T
+    return RealSet(sorted((folder / "images").glob("*.jpg")), poses)
+
+
+def sceaux() -> RealSet:
+    """Sceaux Castle (openMVG): eleven pictures of a facade, without poses."""
+    return RealSet(sorted((real_data("mvs-sceaux") / "images").glob("*.JPG")), {})
+
+
+REAL: dict[str, Callable[[], RealSet]] = {"temple": temple, "fountain": fountain, "sceaux": sceaux}
