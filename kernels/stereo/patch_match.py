@@ -312,7 +312,7 @@ def spread_planes_kernel(
             limit = bound
             if is_last == 1:
                 limit = NO_COST
-            # The ways cost a tenth of the patches, and turn away most planes before those.
+            # The ways take few operations: where sources' surfaces speak against a plane, no patch is compared.
             ways, total = ways_of(x, y, candidate[0], first, last, limit, turn.geometric, order, weight, sources)
             rank = first
             while rank < last and total < limit:
