@@ -49,6 +49,8 @@ class Alignment(CompletedPath):
 
 
 ALIGN = "Known places of cameras: poses, or lines `name x y z` [m]; exif: GPS of the pictures; none: leave the frame."
+CONTROL = "Points with coordinates, marked in pictures: ODM's gcp_list.txt, or a CSV."
+BARS = "Known lengths between points that are marked in pictures, lines `bar A B metres`."
 MESH = "The mesh, .ply .obj .stl .off .glb .gltf; the points, .pcd .las .xyz ..."
 CAMERA_MODEL = "How the lens draws, COLMAP's name: OPENCV, OPENCV_FISHEYE ..."
 CAMERAS = "Known poses: Metashape's .xml, COLMAP's folder, transforms.json, Polycam, a trajectory."
@@ -80,6 +82,8 @@ CAMERAS = "Known poses: Metashape's .xml, COLMAP's folder, transforms.json, Poly
 @click.option("--scale", type=SCALE, metavar="F", help="Metres in a unit of the model.")
 @click.option("--known", type=KnownDistance(), metavar="A,B,M", help="Pictures A and B were taken M metres apart.")
 @click.option("--align", type=Alignment(path_type=Path), metavar="FILE|exif|none", help=ALIGN)
+@click.option("--control", type=FILE, metavar="FILE", help=CONTROL)
+@click.option("--scale-bars", type=FILE, metavar="FILE", help=BARS)
 @click.option("--masks", metavar="DIR|alpha", help="Leave out what is black in masks, or transparent in the pictures.")
 @click.option("--camera-model", metavar="NAME", default="SIMPLE_RADIAL", show_default=True, help=CAMERA_MODEL)
 @click.option(
@@ -107,6 +111,9 @@ CAMERAS = "Known poses: Metashape's .xml, COLMAP's folder, transforms.json, Poly
 @click.option("--panorama", is_flag=True, help="The pictures show all directions (360 degrees).")
 @click.option("--cloud", type=FILE, metavar="FILE", help="Write the fused points as well.")
 @click.option("--trajectory", type=FILE, metavar="POSES", help="Write the poses: .txt or .tum (TUM), .log.")
+@click.option("--ortho", type=FILE, metavar="TIF", help="Write the mesh from above, in UTM; wants GPS and --cell.")
+@click.option("--dem", type=FILE, metavar="TIF", help="Write its heights likewise.")
+@click.option("--cell", type=SCALE, metavar="M", help="The side of the cells of --ortho and --dem, in metres.")
 @click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, metavar="N", help="Of what is drawn.")
 @device_option()
 @picture_option()
@@ -123,9 +130,13 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
     depth              each picture matched with others, pixel by pixel
     fused, mesh        what several pictures agree on, as points and as a surface
 
-    The size of things cannot be seen in pictures: the unit is arbitrary unless --scale, --known or --align tells it,
-    or photographs tell where they were taken (GPS): then z is up, and the report has the origin and the UTM zone.
-    Pictures are named in --known and --align by their file or by the number of the frame.
+    The size of things cannot be seen in pictures: the unit is arbitrary unless --scale, --known, --align, --control or
+    --scale-bars tells it, or photographs tell where they were taken (GPS): then z is up, and the report has the origin
+    and the UTM zone. Pictures are named in --known, --align and --control by their file or by the number of the frame.
+
+    --control brings the model to surveyed points: three or more that are not on a line, each marked in two or more
+    pictures. Points named CHK... are check points, which are measured against alone. The residual of each point and
+    each scale bar is told; one that contradicts the others is left out and named, with exit code 3.
 
     With --work each stage's files stay, and --resume makes only what is missing or made from something else: another
     --max-size begins at undistorted, another --scale makes the mesh alone.
@@ -144,13 +155,20 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
     pointloom video photos/ -o room.ply --work stages --known IMG_0012,IMG_0040,1.5
     pointloom video walk.mp4 -o room.ply --work stages --resume --max-size 1280 --force
     pointloom video photos/ -o house.ply --cameras cameras.xml --cloud points.ply
+    pointloom video flight/ -o field.ply --ortho field.tif --dem heights.tif --cell 0.05
+    pointloom video flight/ -o site.ply --control gcp_list.txt --scale-bars bars.txt
     """
-    given = [name for name in ("scale", "known", "align") if options[name] not in (None, "none")]
+    bars = () if options["control"] is not None else ("scale_bars",)
+    given = [n for n in ("scale", "known", "align", "control", *bars) if options[n] not in (None, "none")]
+    given = [name.replace("_", "-") for name in given]
     if len(given) > 1:
         refuse(f"--{given[0]} and --{given[1]} both settle the unit; give one")
     if options["resume"] and options["work"] is None:
         refuse("--resume goes with --work, the folder of the earlier run")
-    refuse_same(output=output, **{name: options[name] for name in ("cloud", "trajectory", "picture")})
+    files = ("cloud", "trajectory", "picture", "ortho", "dem")
+    refuse_same(output=output, **{name: options[name] for name in files})
+    if (options["cell"] is None) == (options["ortho"] is not None or options["dem"] is not None):
+        refuse("--ortho and --dem go with --cell, the side of their cells in metres")
     from ...files.meshes.tables import MESHES
     from ...files.points.formats import WRITTEN
     from ...photos.video.job import reconstruct
@@ -158,16 +176,14 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
     from ...photos.video.settings import Settings
     from ...photos.video.units import Units
 
-    units = Units(**{name: options.pop(name) for name in ("scale", "known", "align")})
+    units = Units(**{name: options.pop(name) for name in ("scale", "known", "align", "control", "scale_bars")})
     names = ("max_frames", "max_size", "intrinsic", "seed", "cameras")
     names += ("masks", "camera_model", "pairs", "max_features", "panorama", "mapper")
     settings = Settings(units=units, **{name: options.pop(name) for name in names})
     points_alone = output.suffix.lower() in set(WRITTEN) - set(MESHES) and options["cloud"] is None
     if points_alone:
         options["cloud"] = output
-    outputs = Outputs(
-        None if points_alone else output, **{name: options.pop(name) for name in ("cloud", "trajectory", "picture")}
-    )
+    outputs = Outputs(None if points_alone else output, **{name: options.pop(name) for name in (*files, "cell")})
     with Progress() as progress:
         result = reconstruct(source, settings, outputs=outputs, overwrite=force, progress=progress, **options)
     return answer_with(result, result.source, as_json)
