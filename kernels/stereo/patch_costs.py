@@ -202,7 +202,6 @@ def correlation_cost(
         places = eight_places(0)
         along = eight(0.0)
         below = eight(0.0)
-        shown = eight(0.0)
         for k in range(LANES):
             dx = reference.patch[first + k]
             dy = reference.patch[count + first + k]
@@ -214,15 +213,21 @@ def correlation_cost(
             along[k] = u - float(column)
             below[k] = v - float(row)
             places[k] = there[2] + row * there[0] + column
+        here = eight(0.0)
+        beside = eight(0.0)
+        under = eight(0.0)
+        opposite = eight(0.0)
         for k in range(LANES):
             place = places[k]
             low = place + there[0]
-            a = sources.pictures[place]
-            c = sources.pictures[low]
-            top = a + (sources.pictures[place + 1] - a) * along[k]
-            shown[k] = top + ((c + (sources.pictures[low + 1] - c) * along[k]) - top) * below[k]
+            here[k] = sources.pictures[place]
+            beside[k] = sources.pictures[place + 1]
+            under[k] = sources.pictures[low]
+            opposite[k] = sources.pictures[low + 1]
         for k in range(LANES):
-            q = shown[k] - center
+            top = here[k] + (beside[k] - here[k]) * along[k]
+            shown = top + ((under[k] + (opposite[k] - under[k]) * along[k]) - top) * below[k]
+            q = shown - center
             wq = weights[first + k] * q
             means[k] = means[k] + wq
             squares[k] = squares[k] + wq * q

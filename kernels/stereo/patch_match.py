@@ -243,6 +243,31 @@ def weights_of(worths: eight, order: eight_places, count: int, most: int) -> tup
     return weight, chosen, total
 
 
+@func
+def ways_of(
+    x: int,
+    y: int,
+    w: float,
+    first: int,
+    last: int,
+    bound: float,
+    geometric: float,
+    order: eight_places,
+    weight: eight,
+    sources: Sources,
+) -> tuple[eight, float]:
+    """What the ways there and back cost in the sources of some ranks, and their weighted sum, up to the bound."""
+    ways = eight(0.0)
+    total = 0.0
+    if geometric > 0.0:
+        for rank in range(first, last):
+            if total < bound:
+                back = way_back(x, y, w, order[rank], sources)
+                ways[rank] = geometric * back[0]
+                total += weight[rank] * ways[rank]
+    return ways, total
+
+
 @kernel
 def spread_planes_kernel(
     turn: Turn, reference: Reference, sources: Sources, planes: array(dtype=vec4), costs: array(dtype=float32)
@@ -284,14 +309,15 @@ def spread_planes_kernel(
             last = chosen
         if is_tried == 1:
             found = eight(0.0)
-            total = 0.0
+            limit = bound
+            if is_last == 1:
+                limit = NO_COST
+            # The ways take few operations: where sources' surfaces speak against a plane, no patch is compared.
+            ways, total = ways_of(x, y, candidate[0], first, last, limit, turn.geometric, order, weight, sources)
             rank = first
-            while rank < last and (total < bound or is_last == 1):
+            while rank < last and total < limit:
                 c = patch_cost(x, y, candidate, order[rank], weights, rises, variance, reference, sources)
-                if turn.geometric > 0.0 and (total + weight[rank] * c < bound or is_last == 1):
-                    back = way_back(x, y, candidate[0], order[rank], sources)
-                    c += turn.geometric * back[0]
-                found[rank] = c
+                found[rank] = c + ways[rank]
                 total += weight[rank] * c
                 rank = rank + 1
             if is_last == 1 or total < bound:

@@ -149,6 +149,7 @@ def list_near_kernel(
     """Count the places about each sure pixel; or list them, where there are keys."""
     i = tid()
     count = int(0)
+    last = -1  # place that was met: most about a pixel are one, which need no look at all that lie before
     if judged[i][1] > 0.0:
         rows = int(2 * AROUND + 1)
         for r in range(rows):
@@ -158,7 +159,8 @@ def list_near_kernel(
             for c in range(columns):
                 dx = c - reach
                 place = place_near(i, dx, dy, width, labels, numbers)
-                if place >= 0:
+                if place >= 0 and place != last:
+                    last = place
                     if is_first(i, dx, dy, place, width, labels, numbers):
                         if keys.shape[0] > 0:
                             keys[offsets[i] + count] = (int64(place) << int64(PIXEL_BITS)) | int64(i)

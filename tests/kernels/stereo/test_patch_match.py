@@ -120,6 +120,21 @@ def test_planes_spread_to_the_truth_past_a_source_that_shows_something_else(devi
     assert np.median(found[..., 3]) < 0.1  # the hidden source, whose cost is 1, has no say
 
 
+def test_costs_that_are_kept_are_those_of_the_planes_that_are_kept(device):
+    where = resolve_device(device)
+    reference, sources = problem(device, count=3, hidden=1)
+    rng = np.random.default_rng(2)
+    table = np.tile(np.float32([0.5, 0, 0, 0]), (WIDTH * HEIGHT, 1))
+    table[:, 0] += rng.uniform(-0.1, 0.1, len(table)).astype(np.float32)
+    planes, given = upload(table, vec4, where), {"seed": 0, "is_given": True, "geometric": 0.1, "chosen": 2}
+    costs = start_planes(reference, sources, planes, **given)
+    for color in (0, 1):
+        spread_planes(Turn(3, 0, color, 8, 4, 2, 0.3, 0.1, 0.8), reference, sources, planes, costs)
+    kept = np.array(download(costs))
+    assert (np.array(download(planes)).reshape(-1, 4)[:, 0] != table[:, 0]).mean() > 0.5
+    np.testing.assert_array_equal(kept, np.array(download(start_planes(reference, sources, planes, **given))))
+
+
 @pytest.mark.parametrize("slopes", [(0.0, 0.0), (0.004, -0.003)])
 def test_depth_and_normals_are_those_of_the_plane(device, slopes):
     where = resolve_device(device)

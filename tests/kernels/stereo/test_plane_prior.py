@@ -5,10 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from pointloom.core.devices import resolve_device
-from pointloom.kernels.lang import float32, vec4
+from pointloom.kernels.lang import float32, vec2, vec4
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.stereo.patch_costs import Reference, Sources, patch_on
 from pointloom.kernels.stereo.patch_match import start_planes
+from pointloom.kernels.stereo.plain_places import find_places
 from pointloom.kernels.stereo.plane_prior import judge_places, take_priors
 
 WIDTH, HEIGHT, FOCAL, BASELINE, SHIFT = 60, 30, 40.0, 0.2, 4
@@ -80,3 +81,15 @@ def test_plain_pixels_take_the_prior_and_textured_ones_take_it_only_where_it_fit
 def test_a_prior_without_weight_or_out_of_range_is_none(device):
     for prior, weight in ((TRUE, 0.0), (0.1, 1.0), (1.5, 1.0)):
         assert (after_priors(device, 0.3, prior, weight)[..., 0] == np.float32(0.3)).all()
+
+
+def test_a_sure_pixel_between_two_places_counts_once_for_each(device):
+    width, height, seam = 21, 18, 10
+    judged = np.zeros((height, width, 2), np.float32)
+    judged[:, :, 0] = 1.0
+    judged[:, seam] = (0.0, 1.0)
+    places = find_places(upload(judged.reshape(-1, 2), vec2, resolve_device(device)), width)
+    assert places is not None
+    pairs = np.array(download(places.pairs))
+    pixels = np.arange(height) * width + seam
+    np.testing.assert_array_equal(pairs, np.concatenate([pixels, (1 << 32) + pixels]))
