@@ -17,9 +17,10 @@ from ...app.commands import names_in
 from ...hostile import faults_of, missing_from, public_arguments, read_table
 
 PLACING = 'masks=None, camera_model="SIMPLE_RADIAL", pairs="auto", max_features=500, panorama=False, mapper="auto"'
+FINDER = 'finder="pointloom"'
 CALLS = f"""
 loom.video.reconstruct(source=film, settings=settings, outputs=outputs, work=work, device="cpu", progress=None)
-loom.video.Settings(max_frames=30, max_size=320, intrinsic=None, units=units, seed=0, cameras=None, {PLACING})
+loom.video.Settings(max_frames=30, max_size=320, intrinsic=None, units=units, seed=0, cameras=None, {PLACING}, {FINDER})
 loom.video.Units(scale=2.0, known=None, align=None, places=None)
 loom.video.WorldFrame(latitude=47.5, longitude=8.25, altitude=430.0)
 frame.to_enu(places=[[47.5, 8.25, 430.0]])
