@@ -106,15 +106,7 @@ def find_features(
 
 
 def match(
-    folder: Path,
-    say: ReportProgress,
-    *,
-    frames: Made,
-    features: Made,
-    pairs: str,
-    finder: str,
-    seed: int,
-    device: Any,
+    folder: Path, say: ReportProgress, *, frames: Made, features: Made, pairs: str, finder: str, seed: int, device: Any
 ) -> dict[str, Any]:
     """Which of it two pictures share."""
     options = {"pairs": pairs, "finder": finder, "device": device, "seed": seed, "progress": say}
