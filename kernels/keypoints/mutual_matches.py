@@ -15,11 +15,26 @@ import numpy as np
 from ..array_types import Device, Indices, Integers, Mask
 from ..arrays.select import positions_of
 from ..features.epipolar_matching import search_of
-from ..lang import array, float64, func, int32, kernel, launch, struct, tid, uint8, vec3i
+from ..lang import (
+    array,
+    float64,
+    func,
+    int8,
+    int32,
+    kernel,
+    launch,
+    sixteen_products,
+    struct,
+    tid,
+    uint8,
+    vec3i,
+)
 from ..memory import download, empty, upload
 from .descriptors import WIDTH
 
 NO_MATCH = -1
+BLOCK = 16  # descriptors that are multiplied with one at once
+PADDING = 0x40000000  # squared length where a block's descriptors end: farther than any
 FARTHEST = 0x7FFFFFFF  # beyond any squared distance of two descriptors
 
 
@@ -33,18 +48,32 @@ class Descriptors:
         device: Where to match.
 
     Attributes:
-        squares: Squared length of each descriptor, int32 [m].
+        first_blocks: The first block of each picture, and the number of all, int32 [n + 1].
+        blocks: Descriptors less 128, four numbers of one, four of the next: int8 [b, 16 x 128].
+        squares: Squared lengths in blocks, int32 [16 b].
+        offsets: Of each descriptor its squared length less 256 times its sum, int32 [m]: what is missing from the
+            squared distance to one of length s that has a product p with it in blocks is s - 2 p.
     """
 
     firsts: array(dtype=int32)
     descriptors: array(dtype=uint8, ndim=2)
+    first_blocks: array(dtype=int32)
+    blocks: array(dtype=int8, ndim=2)
     squares: array(dtype=int32)
+    offsets: array(dtype=int32)
 
     def __init__(self, firsts: np.ndarray, descriptors: np.ndarray, device: Device) -> None:
         self.device, self.host_firsts = device, firsts
         self.firsts, self.descriptors = upload(firsts, int32, device), upload(descriptors, uint8, device)
-        self.squares: Integers = empty(len(descriptors), int32, device)
-        launch(measure_descriptors_kernel, len(descriptors), [self.descriptors, self.squares])
+        counts = -(-(firsts[1:] - firsts[:-1]) // BLOCK)
+        first_blocks = np.concatenate([[0], np.cumsum(counts)])
+        owners = np.repeat(np.arange(len(counts)), counts)
+        self.first_blocks = upload(first_blocks, int32, device)
+        self.blocks = empty((len(owners), BLOCK * WIDTH), int8, device)
+        self.squares: Integers = empty(BLOCK * len(owners), int32, device)
+        self.offsets: Integers = empty(len(descriptors), int32, device)
+        arrays = [self.firsts, self.first_blocks, upload(owners, int32, device), self.descriptors]
+        launch(fill_blocks_kernel, self.squares.size, [*arrays, self.blocks, self.squares, self.offsets])
 
 
 @struct
@@ -69,29 +98,30 @@ class PictureSearches:
 
 
 @func
-def product_of(a: int, b: int, descriptors: array(dtype=uint8, ndim=2)) -> int:
-    """The inner product of two descriptors."""
-    total = int(0)
-    for k in range(WIDTH):
-        total += int(descriptors[a, k]) * int(descriptors[b, k])
-    return total
-
-
-@func
-def nearest_in(mine: int, first: int, last: int, features: Descriptors) -> vec3i:
-    """The nearest of the features from `first` up to `last`, its squared distance, and that of the second."""
+def nearest_in(mine: int, picture: int, features: Descriptors) -> vec3i:
+    """The nearest of the features of a picture, its squared distance, and that of the second."""
     best = int(NO_MATCH)
     least = int(FARTHEST)
     second = int(FARTHEST)
-    own = features.squares[mine]
-    for j in range(first, last):
-        sqdist = own + features.squares[j] - 2 * product_of(mine, j, features.descriptors)
-        if sqdist < least:
-            second = least
-            least = sqdist
-            best = j
-        else:
-            second = min(second, sqdist)
+    own = features.offsets[mine]
+    first = features.firsts[picture]
+    count = features.firsts[picture + 1] - first
+    begin = features.first_blocks[picture]
+    for block in range(begin, features.first_blocks[picture + 1]):
+        products = sixteen_products(features.descriptors, mine, features.blocks, block)
+        low = int(FARTHEST)
+        for lane in range(BLOCK):
+            low = min(low, own + features.squares[block * BLOCK + lane] - 2 * products[lane])
+        if low < second:
+            for lane in range(BLOCK):
+                j = (block - begin) * BLOCK + lane
+                sqdist = own + features.squares[block * BLOCK + lane] - 2 * products[lane]
+                if j < count and sqdist < least:
+                    second = least
+                    least = sqdist
+                    best = first + j
+                elif j < count:
+                    second = min(second, sqdist)
     return vec3i(best, least, second)
 
 
@@ -103,10 +133,36 @@ def is_clear(found: vec3i, searches: PictureSearches) -> bool:
 
 
 @kernel
-def measure_descriptors_kernel(descriptors: array(dtype=uint8, ndim=2), squares: array(dtype=int32)):
-    """Squared lengths."""
+def fill_blocks_kernel(
+    firsts: array(dtype=int32),
+    first_blocks: array(dtype=int32),
+    owners: array(dtype=int32),
+    descriptors: array(dtype=uint8, ndim=2),
+    blocks: array(dtype=int8, ndim=2),
+    squares: array(dtype=int32),
+    offsets: array(dtype=int32),
+):
+    """One place of a block: its descriptor and squared length, or padding where the picture has no more."""
     i = tid()
-    squares[i] = product_of(i, i, descriptors)
+    block = i // BLOCK
+    lane = i % BLOCK
+    picture = owners[block]
+    row = firsts[picture] + (block - first_blocks[picture]) * BLOCK + lane
+    square = int(0)
+    total = int(0)
+    inside = row < firsts[picture + 1]
+    for k in range(WIDTH):
+        value = int(0)
+        if inside:
+            value = int(descriptors[row, k])
+        total += value
+        square += value * value
+        blocks[block, k // 4 * 64 + lane * 4 + k % 4] = int8(value - 128)
+    if inside:
+        squares[i] = square
+        offsets[row] = square - 256 * total
+    else:
+        squares[i] = PADDING
 
 
 @kernel
@@ -118,7 +174,7 @@ def find_matches_kernel(
     s = search_of(i, searches.starts)
     mine = features.firsts[searches.pictures[s, 0]] + i - searches.starts[s]
     other = searches.pictures[s, 1]
-    found = nearest_in(mine, features.firsts[other], features.firsts[other + 1], features)
+    found = nearest_in(mine, other, features)
     matches[i] = found[0]
     clear[i] = uint8(1 if is_clear(found, searches) else 0)
 
@@ -137,7 +193,7 @@ def confirm_matches_kernel(
     s = search_of(thread, searches.starts)
     first = searches.pictures[s, 0]
     mine = features.firsts[first] + thread - searches.starts[s]
-    found = nearest_in(matches[thread], features.firsts[first], features.firsts[first + 1], features)
+    found = nearest_in(matches[thread], first, features)
     to = int(NO_MATCH)
     if found[0] == mine and is_clear(found, searches):
         to = matches[thread] - features.firsts[searches.pictures[s, 1]]

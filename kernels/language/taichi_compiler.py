@@ -369,7 +369,15 @@ def _builtins(ti: Any) -> dict[str, Any]:
     def bit_count(x):
         return ti.math.popcnt(x)
 
-    own = (*_by_kind(ti), dot, cross, outer, transpose, length, normalize, float_bits, bits_float, bit_count)
+    def sixteen_products(rows, row, blocks, block):
+        found = ti.Vector([0] * 16)
+        for k in range(128):
+            mine = ti.cast(rows[row, k], ti.i32)
+            for lane in ti.static(range(16)):
+                found[lane] += mine * ti.cast(blocks[block, k // 4 * 64 + 4 * lane + k % 4], ti.i32)
+        return found
+
+    own = (*_by_kind(ti), dot, cross, outer, transpose, length, normalize, float_bits, bits_float, bit_count, sixteen_products)
     named = {f.__name__: ti.func(f) for f in own}
     same = "floor ceil sqrt sin cos tan acos asin atan2 exp log pow".split()
     return named | {name: getattr(ti, name) for name in same}

@@ -123,7 +123,45 @@ def _load_six(numbers: wp.array(dtype=wp.float32), first: wp.int32) -> wp.types.
 def _load_nine(numbers: wp.array(dtype=wp.float32), first: wp.int32) -> wp.types.vector(9, wp.float32): ...  # type: ignore[valid-type]
 
 
+# What LLVM makes of the plain loop takes four times as long: it sees no sums of four products of bytes beside each other.
+@wp.func_native("""
+    const unsigned char* mine = bytes.data + (long long)row * 128;
+    const signed char* theirs = (const signed char*)blocks.data + (long long)block * 2048;
+    wp::vec_t<16, int> found;
+#if defined(__AVX512VNNI__) && !defined(__CUDA_ARCH__)
+    typedef int lanes __attribute__((vector_size(64), aligned(4), may_alias));
+    typedef unsigned char unsigned_bytes __attribute__((vector_size(64)));
+    typedef signed char signed_bytes __attribute__((vector_size(64)));
+    lanes sums[4] = {};
+    for (int k = 0; k < 32; k += 4)
+        for (int part = 0; part < 4; ++part) {
+            int four;
+            __builtin_memcpy(&four, mine + 4 * (k + part), 4);
+            lanes same = lanes{} + four;
+            lanes other = *(const lanes*)(theirs + 64 * (k + part));
+            sums[part] = __builtin_ia32_vpdpbusd512(sums[part], (unsigned_bytes)same, (signed_bytes)other);
+        }
+    lanes all = (sums[0] + sums[1]) + (sums[2] + sums[3]);
+    __builtin_memcpy(found.c, &all, sizeof(all));
+#else
+    for (int lane = 0; lane < 16; ++lane) found.c[lane] = 0;
+    for (int k = 0; k < 32; ++k)
+        for (int lane = 0; lane < 16; ++lane)
+            for (int part = 0; part < 4; ++part)
+                found.c[lane] += (int)mine[4 * k + part] * (int)theirs[64 * k + 4 * lane + part];
+#endif
+    return found;
+""")
+def _sixteen_products(
+    bytes: wp.array2d(dtype=wp.uint8),  # type: ignore[valid-type]
+    row: wp.int32,
+    blocks: wp.array2d(dtype=wp.int8),  # type: ignore[valid-type]
+    block: wp.int32,
+) -> wp.types.vector(16, wp.int32): ...  # type: ignore[valid-type]
+
+
 OWN = {
+    "sixteen_products": _sixteen_products,
     "float_bits": _float_bits,
     "bits_float": _bits_float,
     "lane": _lane,
