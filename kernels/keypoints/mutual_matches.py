@@ -12,7 +12,7 @@ lower number: the same matches on any device and number of threads.
 
 import numpy as np
 
-from ..array_types import Device, Indices, Integers, Mask
+from ..array_types import Array1, Device, Indices, Integers, Mask
 from ..arrays.select import positions_of
 from ..features.epipolar_matching import search_of
 from ..lang import (
@@ -34,6 +34,8 @@ from .descriptors import WIDTH
 
 NO_MATCH = -1
 BLOCK = 16  # descriptors that are multiplied with one at once
+ROWS = 8  # features that a thread looks for, with blocks that stay in the nearest cache
+TURN = 8  # blocks that it takes for all of them
 PADDING = 0x40000000  # squared length where a block's descriptors end: farther than any
 FARTHEST = 0x7FFFFFFF  # beyond any squared distance of two descriptors
 
@@ -81,40 +83,47 @@ class PictureSearches:
     """Pairs of pictures, one after the other.
 
     Attributes:
-        starts: Number of the first thread of each pair, and of all threads, int32 [p + 1].
+        starts: Number of the first feature of each pair's first picture, and of all of them, int32 [p + 1].
+        groups: The same of groups of features, int32 [p + 1].
         pictures: First and second picture of each, int32 [p, 2].
         ratio: Of the squared distances of the nearest and the second feature.
         most: Squared distance of a match.
     """
 
     starts: array(dtype=int32)
+    groups: array(dtype=int32)
     pictures: array(dtype=int32, ndim=2)
     ratio: float64
     most: int
 
     def __init__(self, starts: np.ndarray, pairs: np.ndarray, ratio: float, most: int, device: Device) -> None:
         self.starts, self.pictures = upload(starts, int32, device), upload(pairs, int32, device)
+        groups = np.concatenate([[0], np.cumsum(-(-(starts[1:] - starts[:-1]) // ROWS))])
+        self.groups, self.group_count = upload(groups, int32, device), int(groups[-1])
         self.ratio, self.most = float(ratio), int(most)
 
 
 @func
-def nearest_in(mine: int, picture: int, features: Descriptors) -> vec3i:
-    """The nearest of the features of a picture, its squared distance, and that of the second."""
-    best = int(NO_MATCH)
-    least = int(FARTHEST)
-    second = int(FARTHEST)
+def nearest_in(mine: int, picture: int, begin: int, end: int, before: vec3i, features: Descriptors) -> vec3i:
+    """The nearest feature of some blocks of a picture, its squared distance, and that of the second.
+
+    What was found in the blocks before is held against them.
+    """
+    best = before[0]
+    least = before[1]
+    second = before[2]
     own = features.offsets[mine]
     first = features.firsts[picture]
     count = features.firsts[picture + 1] - first
-    begin = features.first_blocks[picture]
-    for block in range(begin, features.first_blocks[picture + 1]):
+    origin = features.first_blocks[picture]
+    for block in range(begin, end):
         products = sixteen_products(features.descriptors, mine, features.blocks, block)
         low = int(FARTHEST)
         for lane in range(BLOCK):
             low = min(low, own + features.squares[block * BLOCK + lane] - 2 * products[lane])
         if low < second:
             for lane in range(BLOCK):
-                j = (block - begin) * BLOCK + lane
+                j = (block - origin) * BLOCK + lane
                 sqdist = own + features.squares[block * BLOCK + lane] - 2 * products[lane]
                 if j < count and sqdist < least:
                     second = least
@@ -167,16 +176,32 @@ def fill_blocks_kernel(
 
 @kernel
 def find_matches_kernel(
-    searches: PictureSearches, features: Descriptors, matches: array(dtype=int32), clear: array(dtype=uint8)
+    searches: PictureSearches,
+    features: Descriptors,
+    found: array(dtype=vec3i),
+    matches: array(dtype=int32),
+    clear: array(dtype=uint8),
 ):
-    """The nearest feature of the second picture, and whether it is a match."""
+    """The nearest features of the second picture to a group of the first's, and whether they are matches."""
     i = tid()
-    s = search_of(i, searches.starts)
-    mine = features.firsts[searches.pictures[s, 0]] + i - searches.starts[s]
+    s = search_of(i, searches.groups)
+    to = searches.starts[s] + (i - searches.groups[s]) * ROWS
+    count = min(searches.starts[s + 1] - to, ROWS)
+    mine = features.firsts[searches.pictures[s, 0]] + to - searches.starts[s]
     other = searches.pictures[s, 1]
-    found = nearest_in(mine, other, features)
-    matches[i] = found[0]
-    clear[i] = uint8(1 if is_clear(found, searches) else 0)
+    begin = features.first_blocks[other]
+    end = features.first_blocks[other + 1]
+    for k in range(count):
+        found[to + k] = vec3i(NO_MATCH, FARTHEST, FARTHEST)
+    turns = (end - begin + TURN - 1) // TURN
+    for turn in range(turns):
+        first = begin + turn * TURN
+        last = min(first + TURN, end)
+        for k in range(count):
+            found[to + k] = nearest_in(mine + k, other, first, last, found[to + k], features)
+    for k in range(count):
+        matches[to + k] = found[to + k][0]
+        clear[to + k] = uint8(1 if is_clear(found[to + k], searches) else 0)
 
 
 @kernel
@@ -193,7 +218,9 @@ def confirm_matches_kernel(
     s = search_of(thread, searches.starts)
     first = searches.pictures[s, 0]
     mine = features.firsts[first] + thread - searches.starts[s]
-    found = nearest_in(matches[thread], first, features)
+    begin = features.first_blocks[first]
+    end = features.first_blocks[first + 1]
+    found = nearest_in(matches[thread], first, begin, end, vec3i(NO_MATCH, FARTHEST, FARTHEST), features)
     to = int(NO_MATCH)
     if found[0] == mine and is_clear(found, searches):
         to = matches[thread] - features.firsts[searches.pictures[s, 1]]
@@ -218,7 +245,8 @@ def match_mutually(features: Descriptors, pairs: np.ndarray, *, ratio: float, mo
     searches = PictureSearches(starts, pairs, ratio, most, device)
     matches: Integers = empty(int(starts[-1]), int32, device)
     clear: Mask = empty(matches.size, uint8, device)
-    launch(find_matches_kernel, matches.size, [searches, features, matches, clear])
+    found: Array1[vec3i] = empty(matches.size, vec3i, device)
+    launch(find_matches_kernel, searches.group_count, [searches, features, found, matches, clear])
     threads: Indices = positions_of(clear)  # sync
     mutual: Integers = empty(threads.size, int32, device)
     launch(confirm_matches_kernel, threads.size, [searches, features, threads, matches, mutual])
@@ -226,5 +254,5 @@ def match_mutually(features: Descriptors, pairs: np.ndarray, *, ratio: float, mo
     mine, to = mine[to != NO_MATCH], to[to != NO_MATCH]
     rows = np.searchsorted(mine, starts)
     both = np.stack([mine, to], axis=1).astype(np.int64)
-    found = [both[a:b] for a, b in zip(rows[:-1].tolist(), rows[1:].tolist(), strict=True)]
-    return [part - [[first, 0]] for part, first in zip(found, starts[:-1].tolist(), strict=True)]
+    parts = [both[a:b] for a, b in zip(rows[:-1].tolist(), rows[1:].tolist(), strict=True)]
+    return [part - [[first, 0]] for part, first in zip(parts, starts[:-1].tolist(), strict=True)]
