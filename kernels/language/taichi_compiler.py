@@ -377,6 +377,7 @@ def _builtins(ti: Any) -> dict[str, Any]:
                 found[lane] += mine * ti.cast(blocks[block, k // 4 * 64 + 4 * lane + k % 4], ti.i32)
         return found
 
+    sixteen_products.__annotations__ = {"rows": ti.template(), "blocks": ti.template()}
     own = (*_by_kind(ti), dot, cross, outer, transpose, length, normalize, float_bits, bits_float, bit_count, sixteen_products)
     named = {f.__name__: ti.func(f) for f in own}
     same = "floor ceil sqrt sin cos tan acos asin atan2 exp log pow".split()
