@@ -15,20 +15,7 @@ import numpy as np
 from ..array_types import Array1, Device, Indices, Integers, Mask
 from ..arrays.select import positions_of
 from ..features.epipolar_matching import search_of
-from ..lang import (
-    array,
-    float64,
-    func,
-    int8,
-    int32,
-    kernel,
-    launch,
-    sixteen_products,
-    struct,
-    tid,
-    uint8,
-    vec3i,
-)
+from ..lang import array, float64, func, int8, int32, kernel, launch, sixteen_products, struct, tid, uint8, vec3i
 from ..memory import download, empty, upload
 from .descriptors import WIDTH
 

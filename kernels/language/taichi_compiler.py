@@ -378,7 +378,19 @@ def _builtins(ti: Any) -> dict[str, Any]:
         return found
 
     sixteen_products.__annotations__ = {"rows": ti.template(), "blocks": ti.template()}
-    own = (*_by_kind(ti), dot, cross, outer, transpose, length, normalize, float_bits, bits_float, bit_count, sixteen_products)
+    own = (
+        *_by_kind(ti),
+        dot,
+        cross,
+        outer,
+        transpose,
+        length,
+        normalize,
+        float_bits,
+        bits_float,
+        bit_count,
+        sixteen_products,
+    )
     named = {f.__name__: ti.func(f) for f in own}
     same = "floor ceil sqrt sin cos tan acos asin atan2 exp log pow".split()
     return named | {name: getattr(ti, name) for name in same}
