@@ -20,6 +20,7 @@ from typing import Any
 import warp as wp
 
 from .arguments import taichi_arguments
+from .byte_products import sixteen_products_for
 from .cache_folders import cache_folder, is_writable, temporary_cache
 from .cpu_pool import default_thread_count
 from .device_lock import lock
@@ -369,29 +370,8 @@ def _builtins(ti: Any) -> dict[str, Any]:
     def bit_count(x):
         return ti.math.popcnt(x)
 
-    def sixteen_products(rows, row, blocks, block):
-        found = ti.Vector([0] * 16)
-        for k in range(128):
-            mine = ti.cast(rows[row, k], ti.i32)
-            for lane in ti.static(range(16)):
-                found[lane] += mine * ti.cast(blocks[block, k // 4 * 64 + 4 * lane + k % 4], ti.i32)
-        return found
-
-    sixteen_products.__annotations__ = {"rows": ti.template(), "blocks": ti.template()}
-    own = (
-        *_by_kind(ti),
-        dot,
-        cross,
-        outer,
-        transpose,
-        length,
-        normalize,
-        float_bits,
-        bits_float,
-        bit_count,
-        sixteen_products,
-    )
-    named = {f.__name__: ti.func(f) for f in own}
+    own = (*_by_kind(ti), dot, cross, outer, transpose, length, normalize, float_bits, bits_float, bit_count)
+    named = {f.__name__: ti.func(f) for f in (*own, sixteen_products_for(ti))}
     same = "floor ceil sqrt sin cos tan acos asin atan2 exp log pow".split()
     return named | {name: getattr(ti, name) for name in same}
 

@@ -142,17 +142,17 @@ def test_stages_of_videos_pass_the_finder_on(monkeypatch, tmp_path, finder):
 
 
 def test_known_poses_take_the_finder_too(monkeypatch, walked, tmp_path):
-    class Seen(Exception):
+    class SeenError(Exception):
         pass
 
     def noted(*_, **options):
-        raise Seen(options["finder"])
+        raise SeenError(options["finder"])
 
     monkeypatch.setattr(triangulation, "find_features", noted)
     folder = write_pictures(tmp_path / "p", walked[:2])
     camera = loom.CameraModel("PINHOLE", WIDTH, HEIGHT, [FOCAL, FOCAL, WIDTH / 2, HEIGHT / 2])
     model = loom.SfmModel(["view 0", "view 1"], [camera] * 2, np.array(walk(8)[:2]))
-    with pytest.raises(Seen, match="pointloom"):
+    with pytest.raises(SeenError, match="pointloom"):
         loom.sfm.triangulate(folder, model, finder="pointloom", device="cpu")
     with pytest.raises(ValueError, match="finder"):
         loom.sfm.triangulate(folder, model, finder="best")
