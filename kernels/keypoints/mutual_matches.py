@@ -7,9 +7,9 @@ somebody's match, few of them where two pictures show different things.
 
 One thread takes eight features of one picture of a pair and walks the blocks of the other, eight at a time for all of
 them. It reads 128 B of each feature of the other picture a feature, of which sixteen are multiplied at once
-(language/byte_products.py): 1.4 ns for two descriptors on a core with AVX-512 VNNI, 1.7 with AVX2. Signed bytes, 128 less
-than the numbers, are what the CPU multiplies with unsigned ones: the sum of a descriptor makes up for it. Ties go to the
-lower number: the same matches on any device and number of threads.
+(language/byte_products.py): 1.4 ns for two descriptors on a core with AVX-512 VNNI, 1.7 with AVX2. Signed bytes, 128
+less than the numbers, are what the CPU multiplies with unsigned ones: the sum of a descriptor makes up for it. Ties go
+to the lower number: the same matches on any device and number of threads.
 
 Not made: one pass for both directions. The way back is a sixth of the time on the fountain, and a pass for both would
 keep two minima of each column.
