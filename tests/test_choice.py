@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import re
 import shlex
 import subprocess
@@ -17,6 +18,7 @@ import pointloom as loom
 from . import choice
 from .cpu_seconds import CpuSeconds
 from .mutants.run import QUICK
+from .products import each_pair
 
 ROOT = Path(__file__).resolve().parents[1]
 
@@ -184,6 +186,18 @@ def test_rooms_share_a_process(tmp_path):
     ran = re.findall(r"^\[(gw\d)\].* PASSED (\S+)/\w+\.py::", done.stdout, flags=re.MULTILINE)
     assert len(ran) == 5 * len(files), done.stdout
     assert len(set(ran)) == len(rooms)
+
+
+def test_in_make_test_each_two_values_of_parameters_meet():
+    values = {"a": [1, 2, 3], "b": "xyz", "c": [None, 0.5], "d": [True]}
+    made = each_pair(**{name: list(those) for name, those in values.items()})
+    assert made["argnames"] == tuple(values)
+    assert [case.values for case in made["argvalues"]] == list(itertools.product(*values.values()))
+    quick = [case.values for case in made["argvalues"] if not case.marks]
+    assert len(quick) == 9 and all(case.marks in ((), (pytest.mark.slow,)) for case in made["argvalues"])
+    for first, second in itertools.combinations(range(len(values)), 2):
+        met = {(case[first], case[second]) for case in quick}
+        assert met == {*itertools.product(*(list(values.values())[k] for k in (first, second)))}
 
 
 def test_the_dearest_rooms_are_there():

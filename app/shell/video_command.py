@@ -49,6 +49,8 @@ class Alignment(CompletedPath):
 
 
 ALIGN = "Known places of cameras: poses, or lines `name x y z` [m]; exif: GPS of the pictures; none: leave the frame."
+CONTROL = "Points with coordinates, marked in pictures: ODM's gcp_list.txt, or a CSV."
+BARS = "Known lengths between points that are marked in pictures, lines `bar A B metres`."
 MESH = "The mesh, .ply .obj .stl .off .glb .gltf; the points, .pcd .las .xyz ..."
 CAMERA_MODEL = "How the lens draws, COLMAP's name: OPENCV, OPENCV_FISHEYE ..."
 CAMERAS = "Known poses: Metashape's .xml, COLMAP's folder, transforms.json, Polycam, a trajectory."
@@ -80,6 +82,8 @@ CAMERAS = "Known poses: Metashape's .xml, COLMAP's folder, transforms.json, Poly
 @click.option("--scale", type=SCALE, metavar="F", help="Metres in a unit of the model.")
 @click.option("--known", type=KnownDistance(), metavar="A,B,M", help="Pictures A and B were taken M metres apart.")
 @click.option("--align", type=Alignment(path_type=Path), metavar="FILE|exif|none", help=ALIGN)
+@click.option("--control", type=FILE, metavar="FILE", help=CONTROL)
+@click.option("--scale-bars", type=FILE, metavar="FILE", help=BARS)
 @click.option("--masks", metavar="DIR|alpha", help="Leave out what is black in masks, or transparent in the pictures.")
 @click.option("--camera-model", metavar="NAME", default="SIMPLE_RADIAL", show_default=True, help=CAMERA_MODEL)
 @click.option(
@@ -133,9 +137,13 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
     depth              each picture matched with others, pixel by pixel
     fused, mesh        what several pictures agree on, as points and as a surface
 
-    The size of things cannot be seen in pictures: the unit is arbitrary unless --scale, --known or --align tells it,
-    or photographs tell where they were taken (GPS): then z is up, and the report has the origin and the UTM zone.
-    Pictures are named in --known and --align by their file or by the number of the frame.
+    The size of things cannot be seen in pictures: the unit is arbitrary unless --scale, --known, --align, --control or
+    --scale-bars tells it, or photographs tell where they were taken (GPS): then z is up, and the report has the origin
+    and the UTM zone. Pictures are named in --known, --align and --control by their file or by the number of the frame.
+
+    --control brings the model to surveyed points: three or more that are not on a line, each marked in two or more
+    pictures. Points named CHK... are check points, which are measured against alone. The residual of each point and
+    each scale bar is told; one that contradicts the others is left out and named, with exit code 3.
 
     With --work each stage's files stay, and --resume makes only what is missing or made from something else: another
     --max-size begins at undistorted, another --scale makes the mesh alone.
@@ -155,8 +163,11 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
     pointloom video walk.mp4 -o room.ply --work stages --resume --max-size 1280 --force
     pointloom video photos/ -o house.ply --cameras cameras.xml --cloud points.ply
     pointloom video flight/ -o field.ply --ortho field.tif --dem heights.tif --cell 0.05
+    pointloom video flight/ -o site.ply --control gcp_list.txt --scale-bars bars.txt
     """
-    given = [name for name in ("scale", "known", "align") if options[name] not in (None, "none")]
+    bars = () if options["control"] is not None else ("scale_bars",)
+    given = [n for n in ("scale", "known", "align", "control", *bars) if options[n] not in (None, "none")]
+    given = [name.replace("_", "-") for name in given]
     if len(given) > 1:
         refuse(f"--{given[0]} and --{given[1]} both settle the unit; give one")
     if options["resume"] and options["work"] is None:
@@ -172,7 +183,7 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
     from ...photos.video.settings import Settings
     from ...photos.video.units import Units
 
-    units = Units(**{name: options.pop(name) for name in ("scale", "known", "align")})
+    units = Units(**{name: options.pop(name) for name in ("scale", "known", "align", "control", "scale_bars")})
     names = ("max_frames", "max_size", "intrinsic", "seed", "cameras")
     names += ("masks", "camera_model", "pairs", "max_features", "panorama", "mapper", "finder")
     settings = Settings(units=units, **{name: options.pop(name) for name in names})

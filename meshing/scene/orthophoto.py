@@ -137,8 +137,8 @@ def orthophoto(
         >>> made = loom.orthophoto(ground, 1.0, frame=loom.video.WorldFrame(47.5, 8.25, 430.0))
         >>> made.heights.crs, round(float(np.nanmax(made.heights.values)), 3)
         ('EPSG:32632', 431.0)
-        >>> loom.orthophoto(ground, 1.0).colors[0, 0].tolist()
-        [16, 16, 223, 255]
+        >>> loom.orthophoto(ground, 1.0).colors[1, 0].tolist()
+        [0, 16, 239, 255]
     """
     if not isinstance(mesh, TriangleMesh):
         raise TypeError(f"mesh: expected a TriangleMesh, got {type(mesh).__name__}")
@@ -206,7 +206,9 @@ def _surfaces_of(mesh: TriangleMesh, vertices: Any) -> list[tuple[int, Surface]]
     found: list[tuple[int, Surface]] = []
     numbers = [EVERY]
     if "triangle_uvs" in arrays and mesh.textures:
-        numbers = [0] if "triangle_material_ids" not in arrays else np.unique(mesh.triangle_material_ids).tolist()
+        numbers = (
+            [0] if "triangle_material_ids" not in arrays else np.unique(np.asarray(mesh.triangle_material_ids)).tolist()
+        )
     for number in numbers:
         if 0 <= number < len(mesh.textures):
             pixels = np.ascontiguousarray(mesh.textures[number][:, :, :3])

@@ -25,6 +25,7 @@ from ..sfm.picture_folder import check_place
 from ..sfm.picture_places import read_picture_places
 from . import motion, surface
 from .chain import KNOWN_STAGES, STAGES, Given, run_to, settings_of_stages
+from .control_checks import check_control
 from .outputs import Outputs
 from .result import StageReport, VideoFigures, VideoResult
 from .settings import Settings
@@ -137,6 +138,7 @@ def _run(
     stages = STAGES if settings.cameras is None else KNOWN_STAGES
     frames = run_to("frames", chain, given, stages)
     settings.units.check_names(motion.picture_names(frames))
+    check_control(settings.units.ground, frames, source)
     found = run_to("model", chain, given, stages)
     mesh = cloud = model = fit = None
     figures = VideoFigures.of_stages(chain.made)

@@ -117,13 +117,13 @@ class Outputs:
             ValueError: The cells would be too many; that it is all of them shows when the mesh is there.
         """
         if self._maps and fit.frame is None:
-            raise self._no_place("the places that the pictures tell do not settle where the model lies on the Earth")
+            raise self._no_place("what is known does not settle where the model lies on the Earth")
         if self.cell is not None and len(points):
             low, high = np.percentile(points[:, :2], (5, 95), axis=0)  # few points are far off
             grid_over(low, high, np.zeros(2), self.cell)
 
     def _no_place(self, reason: str) -> FileError:
-        remedy = "Give a folder of photographs with GPS, and --align exif; or leave --ortho and --dem out"
+        remedy = "Give a folder of photographs with GPS, or --control in a known system; or leave --ortho and --dem out"
         return FileError(self._maps[0], f"is a map, and {reason}", remedy=remedy)
 
     def write(self, result: VideoResult, *, overwrite: bool) -> tuple[str, ...]:

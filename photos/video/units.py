@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -20,7 +20,11 @@ from ...pcd.geodesy import WorldFrame
 from ...registration.trajectories.similarity import fit_to_positions, read_positions, scale_from_known
 from ...registration.trajectories.up_direction import UpDirection, turn_upright, up_direction
 from ..sfm.picture_places import PicturePlaces
+from .control import fit_control
+from .control_files import ground_of
+from .control_report import ControlFit
 from .georeference import NotSettledError, PlacesFit, attitudes_of, fit_places, places_of
+from .ground_control import GroundControl
 
 FEWEST = 3  # known places that settle a similarity
 DOUBTED = 0.05  # of the places' extent, between the places known and those found
@@ -36,7 +40,7 @@ EXIF, NONE = "exif", "none"  # for `align`, beside a file
 
 @dataclass(frozen=True, eq=False)
 class Units:
-    """What is known of the size of things and of their place; at most one of scale, known and align.
+    """What is known of the size of things and of their place; at most one of scale, known, align, and control.
 
     Where nothing is given, the places that pictures tell (GPS of EXIF and XMP) are used if they settle size and turn,
     and else the model is turned upright where its cameras tell what is up.
@@ -48,10 +52,14 @@ class Units:
             "exif" for the places that pictures tell, poor where they settle nothing; "none" for the frame in which the
             model was found.
         places: What pictures tell; None has `reconstruct` read it from the folder.
+        control: Ground control, or its file, as `read_ground_control` reads it: three or more points that pictures show
+            and whose coordinates are known. GPS of the pictures is measured against it and not used.
+        scale_bars: File of known lengths between points that pictures show; without `control` they set the size alone.
 
     Raises:
         TypeError: Not numbers, or not two names.
-        ValueError: A length that is not positive, or more than one of the three.
+        ValueError: A length that is not positive, or more than one of them; control points that are fewer than three
+            or on a line, without scale bars.
         FileError: A file that cannot be read.
 
     Example:
@@ -64,9 +72,14 @@ class Units:
     known: tuple[str, str, float] | None = None
     align: FilePath | None = None
     places: PicturePlaces | None = None
+    control: FilePath | GroundControl | None = None
+    scale_bars: FilePath | None = None
+    ground: GroundControl | None = field(default=None, init=False, repr=False)
 
     def __post_init__(self):
-        given = [name for name in ("scale", "known", "align") if getattr(self, name) is not None]
+        names = ("scale", "known", "align", "control", "scale_bars")
+        given = [name for name in names if getattr(self, name) is not None]
+        given = [name for name in given if name != "scale_bars" or "control" not in given]
         given = [name for name in given if name != "align" or self._word != NONE]
         if len(given) > 1:
             raise ValueError(f"{given[1]}: {given[0]} is given too, and each of them settles the unit; give one")
@@ -79,6 +92,7 @@ class Units:
             read_lines(self.file)
         if not isinstance(self.places, PicturePlaces | None):
             raise TypeError(f"places: expected PicturePlaces, got {type(self.places).__name__}")
+        object.__setattr__(self, "ground", ground_of(self.control, self.scale_bars))
 
     @property
     def _word(self) -> str | None:
@@ -93,11 +107,13 @@ class Units:
     @property
     def uses_places(self) -> bool:
         """Whether the places that pictures tell may settle the unit."""
-        return self._word == EXIF or (self.align is None and self.scale is None and self.known is None)
+        return self._word == EXIF or all(x is None for x in (self.align, self.scale, self.known, self.ground))
 
     @property
     def may_place(self) -> bool:
         """Whether they may tell where the model lies on the Earth."""
+        if self.ground is not None:
+            return bool(self.ground.crs) and not self.ground.why_open()
         return self.uses_places and self.places is not None and len(self.places.places) >= FEWEST
 
     @property
@@ -107,7 +123,7 @@ class Units:
         told = {"scale": self.scale, "known": None if self.known is None else list(self.known), "align": align}
         if self.places is not None and (self.places.places or self.places.attitudes) and align in (None, EXIF):
             told["places"] = digest_of(self.places.to_json())
-        return told
+        return told if self.ground is None else told | {"control": self.ground.digest()}
 
     def check_names(self, names: Sequence[str]) -> None:
         """Hold that the pictures that `known` and `align` name are there.
@@ -152,12 +168,13 @@ class Fit:
         T_world_model: A similarity, float64 [4, 4].
         units: "metres", "arbitrary", or "of the poses given" where they were and nothing else is known.
         scale: Metres in a unit of the model; 1 where nobody knows.
-        by: What settled it: "scale", "known", "align", "exif", "cameras", or None.
+        by: What settled it: "scale", "known", "align", "exif", "control", "scale_bars", "cameras", or None.
         places: With the file of `align`, how the known places agree with those found.
         poor: Why it is doubted, or None.
         gps: How the places that pictures tell fit, where they settled it.
         up: What is up in the model, where that was asked.
         remarks: What is to be known of it.
+        control: How ground control and scale bars fit, where they settled it.
     """
 
     T_world_model: NDArray[np.float64]
@@ -169,27 +186,37 @@ class Fit:
     gps: PlacesFit | None = None
     up: UpDirection | None = None
     remarks: tuple[str, ...] = ()
+    control: ControlFit | None = None
 
     @property
     def frame(self) -> WorldFrame | None:
         """The coordinates on the Earth; None where they are not known."""
+        if self.control is not None:
+            return self.control.frame
         return None if self.gps is None else self.gps.frame
 
     @property
     def is_upright(self) -> bool:
         """Whether z is up."""
+        if self.control is not None and self.control.is_placed:
+            return True
         return self.gps is not None or (self.up is not None and self.up.direction is not None)
 
     @property
     def comments(self) -> list[str]:
         """Lines for the headers of files."""
-        return [f"units {self.units}", *([] if self.frame is None else [f"frame {self.frame}"])]
+        lines = [f"units {self.units}", *([] if self.frame is None else [f"frame {self.frame}"])]
+        if self.control is not None and self.control.origin.any():
+            lines.append(f"origin {' '.join(f'{value:.10g}' for value in self.control.origin)}")
+        return lines
 
     def to_json(self) -> dict[str, Any]:
         """All but the similarity and the doubt, in JSON's types."""
         told: dict[str, Any] = {"units": self.units, "scale": self.scale, "by": self.by}
         if self.gps is not None:
             told["gps"] = self.gps.to_json()
+        if self.control is not None:
+            told["control"] = self.control.to_json()
         if self.up is not None and self.up.direction is not None:
             told["up"] = {"by": self.up.by, "sigma_degrees": self.up.sigma}
         if self.remarks:
@@ -200,14 +227,16 @@ class Fit:
         return told
 
     def __str__(self) -> str:
-        upright = ", upright" if self.is_upright else ""
-        return "\n".join([self._line() + upright, *self.remarks])
+        first, *more = self._line().split("\n")
+        return "\n".join([first + ", upright" * self.is_upright, *more, *self.remarks])
 
     def _line(self) -> str:
         if self.units == ARBITRARY:
             return UNKNOWN
         if self.units == OF_POSES:
             return "those of the poses that were given"
+        if self.control is not None:
+            return str(self.control)
         if (gps := self.gps) is not None:
             line = f"metres by GPS of {len(gps.names)} pictures, {gps.horizontal_rms:.3g} m off in plan"
             line += "" if math.isnan(gps.vertical_rms) else f" and {gps.vertical_rms:.3g} m in height"
@@ -234,6 +263,8 @@ def fit_units(units: Units, model: SfmModel) -> Fit:
     """
     if (path := units.file) is not None:
         return _aligned(path, model)
+    if units.ground is not None:
+        return _by_ground(units, units.ground, model)
     if units.align == NONE:
         return _of_lengths(units, model)
     attitudes = {} if units.places is None else attitudes_of(units.places, model.names)
@@ -251,6 +282,21 @@ def fit_units(units: Units, model: SfmModel) -> Fit:
         poor = told if units.align == EXIF else None
         return _upright(replace(_of_lengths(units, model), poor=poor, remarks=(*remarks, told)), up)
     return _upright(_of_lengths(units, model), up)
+
+
+def _by_ground(units: Units, ground: GroundControl, model: SfmModel) -> Fit:
+    """By control points, or by scale bars alone; by what else is known, and poor, where they settle nothing."""
+    try:
+        found = fit_control(model, ground, units.places)
+    except NotSettledError as error:
+        without = fit_units(replace(units, control=None, scale_bars=None), model)
+        why = "; ".join(each for each in (f"ground control is not used: {error}", without.poor) if each)
+        return replace(without, poor=why)
+    fit = Fit(found.T_world_model, METRES, found.scale, "control" if found.is_placed else "scale_bars", poor=found.poor)
+    fit = replace(fit, control=found)
+    if found.is_placed or units.align == NONE:
+        return fit
+    return _upright(fit, up_direction(model, {} if units.places is None else attitudes_of(units.places, model.names)))
 
 
 def _upright(fit: Fit, up: UpDirection) -> Fit:

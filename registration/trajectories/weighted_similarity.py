@@ -57,6 +57,8 @@ class WeightedFit:
         scale: World units a unit of the model.
         scale_sigma: Standard deviation of the scale, as a share of it.
         tilt_sigma, yaw_sigma: Of the rotation about level axes (the larger), and about up [degrees].
+        covariance: Of log scale, rotation from the left [rad] and translation at `middle`, shape [7, 7].
+        middle: The mean of the places, in the model, shape [3].
     """
 
     T: Array
@@ -64,6 +66,17 @@ class WeightedFit:
     scale_sigma: float
     tilt_sigma: float
     yaw_sigma: float
+    covariance: Array
+    middle: Array
+
+    def of(self, places: Array) -> Array:
+        """Where it brings places of the model, [n, 3]."""
+        return places @ self.T[:3, :3].T + self.T[:3, 3]
+
+    def covariance_of(self, places: Array) -> Array:
+        """How sure it is of where it brings places of the model, [n, 3, 3], which themselves are taken for sure."""
+        J = _derivatives((places - self.middle) @ self.T[:3, :3].T)
+        return J @ self.covariance @ J.transpose(0, 2, 1)
 
 
 class UndeterminedError(ValueError):
@@ -103,9 +116,10 @@ def fit_rows(rows: Rows, T: Array) -> WeightedFit:
     R = U @ Vt
     found = np.eye(4)
     found[:3, :3], found[:3, 3] = scale * R, place + anchor - scale * R @ middle
-    sigmas = np.sqrt(np.diag(np.linalg.inv(normal)))
+    covariance = np.linalg.inv(normal)
+    sigmas = np.sqrt(np.diag(covariance))
     degrees = np.degrees(sigmas[1:4])
-    return WeightedFit(found, scale, float(sigmas[0]), float(degrees[:2].max()), float(degrees[2]))
+    return WeightedFit(found, scale, float(sigmas[0]), float(degrees[:2].max()), float(degrees[2]), covariance, middle)
 
 
 def _system(
@@ -113,10 +127,7 @@ def _system(
 ) -> tuple[Array, Array]:
     """Derivatives by log scale, rotation from the left and translation, [k, 7], and residuals, over their sigmas."""
     turned = scale * x @ R.T
-    J = np.zeros((len(x), 3, 7))
-    J[:, :, 0] = turned
-    J[:, :, 1:4] = -skews(turned)
-    J[:, :, 4:] = np.eye(3)
+    J = _derivatives(turned)
     blocks = [(J * weights[:, :, None]).reshape(-1, 7)]
     gaps = [((turned + place - y) * weights).reshape(-1)]
     if rows.up is not None and math.isfinite(rows.up_sigma):
@@ -129,6 +140,15 @@ def _system(
         blocks.append(np.array([[scale * length / sigma, 0, 0, 0, 0, 0, 0]]))
         gaps.append(np.array([(scale * length - metres) / sigma]))
     return np.concatenate(blocks), np.concatenate(gaps)
+
+
+def _derivatives(turned: Array) -> Array:
+    """Of places by log scale, rotation from the left and translation, [n, 3, 7]."""
+    J = np.zeros((len(turned), 3, 7))
+    J[:, :, 0] = turned
+    J[:, :, 1:4] = -skews(turned)
+    J[:, :, 4:] = np.eye(3)
+    return J
 
 
 def fit_level(source: Array, target: Array, up: Array, *, seed: int = 0) -> Array:

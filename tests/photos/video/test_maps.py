@@ -69,14 +69,14 @@ def test_maps_lie_where_the_pictures_say(quick, film, tmp_path):
 )
 def test_maps_that_cannot_be_placed_are_refused_before_any_work(quick, film, tmp_path, settings):
     pytest.importorskip("rasterio")
-    with pytest.raises(loom.FileError, match=r"ortho\.tif: is a map, and nothing will tell.* --align exif"):
+    with pytest.raises(loom.FileError, match=r"ortho\.tif: is a map, and nothing will tell.* --control"):
         loom.video.reconstruct(film, settings, outputs=outputs(tmp_path))
     assert (quick.ran, names_in(tmp_path)) == ([], ["walk.mp4"])
 
 
 def test_places_that_settle_nothing_are_refused_before_the_long_work(quick, film, tmp_path):
     pytest.importorskip("rasterio")
-    with pytest.raises(loom.FileError, match=r"ortho\.tif: is a map, and the places .* do not settle"):
+    with pytest.raises(loom.FileError, match=r"ortho\.tif: is a map, and what is known does not settle"):
         loom.video.reconstruct(film, told(places_of(level=False)), outputs=outputs(tmp_path))  # on a line
     assert (quick.ran, names_in(tmp_path)) == (STAGES[:4], ["walk.mp4"])
 

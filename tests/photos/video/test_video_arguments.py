@@ -17,12 +17,16 @@ from ...app.commands import names_in
 from ...hostile import faults_of, missing_from, public_arguments, read_table
 
 PLACING = 'masks=None, camera_model="SIMPLE_RADIAL", pairs="auto", max_features=500, panorama=False, mapper="auto"'
-FINDER = 'finder="pointloom"'
+PLACING += ', finder="pointloom"'
 MAPS = 'ortho="ortho.tif", dem="dem.tif", cell=0.1'
 CALLS = f"""
 loom.video.reconstruct(source=film, settings=settings, outputs=outputs, work=work, device="cpu", progress=None)
-loom.video.Settings(max_frames=30, max_size=320, intrinsic=None, units=units, seed=0, cameras=None, {PLACING}, {FINDER})
-loom.video.Units(scale=2.0, known=None, align=None, places=None)
+loom.video.Settings(max_frames=30, max_size=320, intrinsic=None, units=units, seed=0, cameras=None, {PLACING})
+loom.video.Units(scale=2.0, known=None, align=None, places=None, control=None, scale_bars=None)
+loom.video.GroundControl(points=[point], marks=marks, bars=[bar], crs="EPSG:32632", checks=["A"], path="gcp.txt")
+loom.video.ControlMark(point="A", picture="a.jpg", pixel=[3.0, 4.0], where="line 3")
+loom.video.ScaleBar(a="A", b="B", metres=1.5, sigma=0.01)
+loom.video.read_ground_control(path=gcp, scale_bars=None)
 loom.video.WorldFrame(latitude=47.5, longitude=8.25, altitude=430.0)
 frame.to_enu(places=[[47.5, 8.25, 430.0]])
 frame.to_geodetic(points=[[1.0, 2.0, 3.0]])
@@ -31,6 +35,7 @@ loom.video.Outputs(mesh="room.ply", cloud="cloud.ply", trajectory="poses.log", p
 """
 TABLE = {name.removeprefix("video."): call for name, call in read_table(CALLS, {"frame": "WorldFrame"}).items()}
 RESULTS = {"Fit", "PlacesFit", "KnownPlaces", "StageReport", "VideoFigures", "VideoResult"}
+RESULTS |= {"ControlFit", "ControlResidual", "BarResidual", "GpsGaps"}
 INSIDE = {
     "PlacesFit.why_doubted",
     "Outputs.check",
@@ -52,6 +57,12 @@ def things(quick, film, tmp_path, monkeypatch) -> dict[str, Any]:
     monkeypatch.chdir(tmp_path)  # where a string of digits is a good name of a folder
     settings, outputs = loom.video.Settings(), loom.video.Outputs()
     named = {"loom": loom, "film": film, "settings": settings, "outputs": outputs, "units": loom.video.Units()}
+    gcp = tmp_path / "gcp.txt"
+    gcp.write_text("EPSG:32632\n447000 5260000 410 320 240 a.jpg A\n")
+    point = loom.registration.ControlPoint("A", [447000.0, 5260000.0, 410.0])
+    marks = [loom.video.ControlMark(name, "a.jpg", [3.0, 4.0]) for name in "AB"]
+    bar = loom.video.ScaleBar("A", "B", 1.5)
+    named |= {"gcp": gcp, "point": point, "marks": marks, "bar": bar}
     return named | {"work": None, "frame": loom.video.WorldFrame(47.5, 8.25, 430.0)}
 
 

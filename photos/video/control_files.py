@@ -1,0 +1,266 @@
+"""Files of ground control and of scale bars: points, where pictures show them, and lengths between them.
+
+Two forms, each for both. Lists of words: a first line with the coordinate system ("local" for none), then
+`x y z column row picture [name]` for each mark, which is ODM's `gcp_list.txt`; lines of one place are one point. And a
+CSV with a head: `name,x,y,z,picture,column,row`, in any order, with `sigma` and `sigma_z` [m] and `use` (control,
+check) where they are known; places are told once or on each line, `# crs EPSG:25832` says in which system.
+In both `bar A B metres [sigma]` is a known length between two points, and `mark NAME picture column row` shows a point
+without a place. Points named "check" or, as in ODM, "CHK", with no letter behind, are check points.
+
+Columns and rows count from the upper left corner of the picture, so that the middle of the first pixel is 0.5, 0.5.
+"""
+
+from __future__ import annotations
+
+import csv
+import math
+import re
+from pathlib import Path
+from typing import Any
+
+from ...core.errors import FileError, FilePath
+from ...core.paths import path_of
+from ...registration.stations.observations import ControlPoint
+from ..sfm.picture_folder import check_place
+from .ground_control import ControlMark, GroundControl, ScaleBar
+
+CONTROL_SIGMA = 0.02  # [m] where nothing is told
+SIGMAS = (1e-6, 1e3)  # [m] that make sense
+MOST_BYTES = 1 << 24
+HALF_PIXEL = 0.5
+LOCAL = ("", "local", "none")
+
+_CHECK = re.compile(r"(check|chk)(?![a-z])", re.IGNORECASE)
+_COLUMNS = ("name", "picture", "column", "row")
+_FORM = "Lines are `x y z column row picture [name]`, after a first one with the coordinate system, such as EPSG:32632"
+
+
+def read_ground_control(path: FilePath | None, *, scale_bars: FilePath | None = None) -> GroundControl:
+    """Points whose place is known, where pictures show them, and known lengths.
+
+    Args:
+        path: ODM's `gcp_list.txt`, or a CSV with the columns name, x, y, z, picture, column, row (docs/video.md); None
+            with scale bars alone.
+        scale_bars: A file with lengths, `bar A B metres [sigma]`, and marks of their ends that the other lacks.
+
+    Raises:
+        TypeError: No path.
+        ValueError: Neither is given.
+        FileError: Unreadable, a line of another form, a point at two places or marked twice in a picture, a bar to a
+            point that nothing shows, a coordinate system that is none, or places that cannot be in it.
+
+    Example:
+        >>> from pathlib import Path
+        >>> import pointloom as loom
+        >>> lines = ["EPSG:32632", "447000 5260000 410 320 240 a.jpg A", "447000 5260000 410 100 240 b.jpg A"]
+        >>> _ = Path("gcp.txt").write_text("\\n".join(lines))
+        >>> loom.video.read_ground_control("gcp.txt")
+        GroundControl(1 point, 2 marks, EPSG:32632)
+    """
+    if path is None and scale_bars is None:
+        raise ValueError("path: expected a file of control points or of scale bars, got None")
+    found = _Found()
+    for each, is_bars in ((path, False), (scale_bars, True)):
+        if each is not None:
+            found.path = path_of(each)
+            _read(found, is_bars=is_bars)
+    return found.control()
+
+
+def ground_of(control: Any, scale_bars: Any) -> GroundControl | None:
+    """Ground control of what `Units` is given, once it can settle something; None of nothing.
+
+    Raises:
+        TypeError, ValueError: No path, bars beside GroundControl, or too few points.
+        FileError: As `read_ground_control`, or too few points.
+    """
+    if control is None and scale_bars is None:
+        return None
+    if isinstance(control, GroundControl):
+        if scale_bars is not None:
+            raise ValueError("scale_bars: goes with the file of control; GroundControl has bars of its own")
+        found, path = control, None
+    else:
+        for name, value in (("control", control), ("scale_bars", scale_bars)):
+            if value is not None:
+                check_place(name, value)
+        found, path = read_ground_control(control, scale_bars=scale_bars), control
+    if not found.bars and (why := found.why_open()):
+        raise ValueError(f"control: {why}") if path is None else FileError(path, f"holds {why}")
+    return found
+
+
+def _read(found: _Found, *, is_bars: bool) -> None:
+    lines = _lines_of(found.path)
+    content = [(number, line) for number, line in lines if line and not line.startswith("#")]
+    if not content:
+        raise FileError(found.path, "has no line", remedy=_FORM)
+    head = [word.strip().lower() for word in content[0][1].split(",")]
+    before = len(found.bars)
+    if "name" in head and "picture" in head:
+        _parse_csv(found, lines)
+    else:
+        _parse_words(found, content)
+    if is_bars and len(found.bars) == before:
+        raise FileError(found.path, "holds no scale bar", remedy="Write lines `bar A B metres [sigma]`")
+
+
+def _lines_of(place: Path) -> list[tuple[int, str]]:
+    try:
+        if place.stat().st_size > MOST_BYTES:
+            raise FileError(place, f"is larger than {MOST_BYTES >> 20} MiB, which no list of control points is")
+        text = place.read_text(encoding="utf-8-sig")
+    except OSError as error:
+        reason = "does not exist" if isinstance(error, FileNotFoundError) else error.strerror or "cannot be read"
+        raise FileError(place, reason) from None
+    except UnicodeDecodeError:
+        raise FileError(place, "is no text in UTF-8", remedy="Save the list as text") from None
+    return [(number, line.strip()) for number, line in enumerate(text.splitlines(), start=1)]
+
+
+class _Found:
+    """What was read so far."""
+
+    path: Path
+
+    def __init__(self):
+        self.crs: str | None = None
+        self.places: dict[str, tuple[float, ...]] = {}
+        self.sigmas: dict[str, tuple[float, float, float]] = {}
+        self.checks: dict[str, bool] = {}
+        self.marks: dict[tuple[str, str], ControlMark] = {}
+        self.bars: list[ScaleBar] = []
+
+    def fail(self, line: int, reason: str, remedy: str = "") -> FileError:
+        return FileError(self.path, reason, where=f"line {line}", remedy=remedy)
+
+    def numbers(self, line: int, words: list[str], what: str, remedy: str = "") -> list[float]:
+        try:
+            values = [float(word) for word in words]
+        except ValueError:
+            values = [math.nan]
+        if not all(math.isfinite(value) and abs(value) < 1e9 for value in values):
+            raise self.fail(line, f"expected {what}, got {' '.join(words)[:60]!r}", remedy)
+        return values
+
+    def add_place(self, line: int, name: str, words: list[str], remedy: str = "") -> None:
+        place = tuple(self.numbers(line, words, "x, y and z", remedy))
+        if self.places.setdefault(name, place) != place:
+            raise self.fail(line, f"the point {name!r} stands at two places", "Give each point a name of its own")
+
+    def add_sigma(self, line: int, name: str, plan: str, height: str) -> None:
+        values = self.numbers(line, [plan or height, height or plan], "standard deviations [m]")
+        if not all(SIGMAS[0] <= value <= SIGMAS[1] for value in values):
+            raise self.fail(line, f"expected standard deviations of {SIGMAS[0]:g}..{SIGMAS[1]:g} m, got {values}")
+        self.sigmas[name] = values[0], values[0], values[1]
+
+    def add_use(self, line: int, name: str, use: str) -> None:
+        if use.lower() not in ("control", "check"):
+            raise self.fail(line, f"expected control or check as the use, got {use!r}")
+        self.checks[name] = use.lower() == "check"
+
+    def add_mark(self, line: int, name: str, picture: str, words: list[str]) -> None:
+        column, row = self.numbers(line, words, "column and row [px]")
+        if (name, picture) in self.marks:
+            raise self.fail(line, f"{name!r} is marked twice in {picture}", "Keep one of the marks")
+        if max(abs(column), abs(row)) >= 1e6 or not picture:
+            raise self.fail(line, f"expected a picture, column and row [px], got {picture!r}, {column:g}, {row:g}")
+        pixel = column - HALF_PIXEL, row - HALF_PIXEL
+        where = f"{self.path} (line {line})"
+        self.marks[name, picture] = ControlMark(name, picture, pixel, where)  # pyright: ignore[reportArgumentType]
+
+    def add_word_line(self, line: int, words: list[str]) -> bool:
+        """Take `bar` and `mark` lines; says whether it was one."""
+        word = words[0].lower()
+        if word == "bar":
+            if len(words) not in (4, 5):
+                raise self.fail(line, f"expected `bar A B metres [sigma]`, got {len(words)} words")
+            values = self.numbers(line, words[3:], "a length [m]")
+            try:
+                self.bars.append(ScaleBar(words[1], words[2], *values))
+            except ValueError as error:
+                raise self.fail(line, str(error)) from None
+        elif word == "mark":
+            if len(words) != 5:
+                raise self.fail(line, f"expected `mark NAME picture column row`, got {len(words)} words")
+            self.add_mark(line, words[1], words[2], words[3:])
+        return word in ("bar", "mark")
+
+    def control(self) -> GroundControl:
+        if not self.marks:
+            raise FileError(self.path, "marks no point in a picture", remedy=_FORM)
+        points = [
+            ControlPoint(name, place, self.sigmas.get(name, (CONTROL_SIGMA,) * 3))
+            for name, place in self.places.items()
+        ]
+        checks = [name for name in self.places if self.checks.get(name, bool(_CHECK.match(name)))]
+        crs = self.crs or ""
+        try:
+            crs = "" if crs.lower() in LOCAL else crs
+            return GroundControl(points, list(self.marks.values()), self.bars, crs, checks, str(self.path))  # pyright: ignore[reportArgumentType]
+        except FileError:
+            raise
+        except ValueError as error:
+            raise FileError(self.path, str(error)) from None
+
+
+def _parse_words(found: _Found, lines: list[tuple[int, str]]) -> None:
+    """A line with the coordinate system, then one for each mark."""
+    crs = None
+    names: dict[tuple[str, ...], str] = {}
+    for number, line in lines:
+        words = line.split()
+        if found.add_word_line(number, words):
+            continue
+        if crs is None:
+            if len(words) >= 6 and _are_numbers(words[:5]):
+                raise found.fail(number, "is a mark, and no line before it tells the coordinate system", _FORM)
+            crs = line
+            found.crs = crs
+            continue
+        if len(words) < 6:
+            raise found.fail(number, f"expected 6 words or more, got {len(words)}", _FORM)
+        name = words[6] if len(words) > 6 else names.setdefault(tuple(words[:3]), f"point {len(names) + 1}")
+        found.add_place(number, name, words[:3], _FORM)
+        found.add_mark(number, name, words[5], words[3:5])
+
+
+def _are_numbers(words: list[str]) -> bool:
+    return all(re.fullmatch(r"[-+.\deE]+", word) for word in words)
+
+
+def _parse_csv(found: _Found, lines: list[tuple[int, str]]) -> None:
+    """Lines with a head."""
+    head: list[str] | None = None
+    for number, line in lines:
+        if match := re.match(r"#\s*crs\b[\s:=]*(.*)", line, re.IGNORECASE):
+            found.crs = match[1].strip()
+        if not line or line.startswith("#"):
+            continue
+        words = [word.strip() for word in next(csv.reader([line]))]
+        if head is None:
+            head = [word.lower() for word in words]
+            if missing := [name for name in _COLUMNS if name not in head]:
+                raise found.fail(number, f"the head lacks {', '.join(missing)}")
+            continue
+        parts = [word for word in words if word] if len(words) > 1 else line.split()
+        if parts and found.add_word_line(number, parts):
+            continue
+        row = dict(zip(head, words, strict=False))
+        name = row.get("name", "")
+        if len(words) > len(head) or not name:
+            raise found.fail(
+                number, f"expected {len(head)} fields and a name among them, got {len(words)}: {line[:60]!r}"
+            )
+        _add_row(found, number, name, row)
+
+
+def _add_row(found: _Found, number: int, name: str, row: dict[str, str]) -> None:
+    if any(row.get(axis) for axis in "xyz"):
+        found.add_place(number, name, [row.get(axis, "") for axis in "xyz"])
+    if row.get("sigma") or row.get("sigma_z"):
+        found.add_sigma(number, name, row.get("sigma", ""), row.get("sigma_z", ""))
+    if row.get("use"):
+        found.add_use(number, name, row["use"])
+    if row.get("picture"):
+        found.add_mark(number, name, row["picture"], [row.get("column", ""), row.get("row", "")])

@@ -1,0 +1,241 @@
+"""How ground control fits: residuals of points and scale bars, how sure the similarity is, in JSON and in words."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...pcd.geodesy import WorldFrame
+from .ground_control import ScaleBar
+
+Array = NDArray[np.float64]
+
+CONTROL, CHECK, UNUSED = "control", "check", "unused"
+
+
+@dataclass(frozen=True, eq=False)
+class ControlResidual:
+    """How a point of ground control fits.
+
+    Attributes:
+        name: Its name.
+        use: "control", "check", or "unused".
+        residual: Found less known, shape [3] [m], east, north and up; None without a place.
+        sigma: Standard deviation that this is expected to have, of mark, known place and similarity, shape [3] [m].
+        pixels: Root mean square distance of its marks [px]; NaN without a place.
+        views: Pictures whose marks it rests on.
+        remark: Why it is not used, or which marks are not.
+    """
+
+    name: str
+    use: str
+    residual: Array | None
+    sigma: Array | None
+    pixels: float
+    views: int
+    remark: str = ""
+
+    def to_json(self) -> dict[str, Any]:
+        """The figures in JSON's types."""
+        return {
+            "name": self.name,
+            "use": self.use,
+            "residual_m": None if self.residual is None else self.residual.round(6).tolist(),
+            "sigma_m": None if self.sigma is None else self.sigma.round(6).tolist(),
+            "rms_px": number_or_none(self.pixels),
+            "views": self.views,
+            "remark": self.remark,
+        }
+
+    def __str__(self) -> str:
+        if self.residual is None:
+            return f"{self.name}: {self.use}, {self.remark}"
+        gap = " ".join(f"{value:+.3f}" for value in self.residual)
+        more = f"; {self.remark}" if self.remark else ""
+        return f"{self.name}: {self.use}, {gap} m, {self.pixels:.2f} px in {self.views} pictures{more}"
+
+
+@dataclass(frozen=True, eq=False)
+class BarResidual:
+    """How a scale bar fits.
+
+    Attributes:
+        bar: The bar.
+        found: Its length after the fit [m]; NaN where an end has no place.
+        sigma: Standard deviation of found less known, of marks and known length [m].
+        use: "control", "check", or "unused".
+        remark: Why it is not used.
+    """
+
+    bar: ScaleBar
+    found: float
+    sigma: float
+    use: str
+    remark: str = ""
+
+    @property
+    def error(self) -> float:
+        """Found less known [m]."""
+        return self.found - self.bar.metres
+
+    def to_json(self) -> dict[str, Any]:
+        """The figures in JSON's types."""
+        return {
+            "a": self.bar.a,
+            "b": self.bar.b,
+            "metres": self.bar.metres,
+            "found_m": number_or_none(self.found),
+            "error_m": number_or_none(self.error),
+            "sigma_m": number_or_none(self.sigma),
+            "use": self.use,
+            "remark": self.remark,
+        }
+
+    def __str__(self) -> str:
+        more = f"; {self.remark}" if self.remark else ""
+        off = f", {1000 * self.error:+.1f} mm" if math.isfinite(self.found) else ""
+        return f"{self.bar}: {self.use}, {self.bar.metres:g} m{off}{more}"
+
+
+@dataclass(frozen=True, eq=False)
+class GpsGaps:
+    """How far the places that pictures tell are from where ground control says that they are.
+
+    Attributes:
+        names: The pictures.
+        residuals: Found less told, east, north and up, shape [n, 3] [m]; NaN where no altitude is told.
+    """
+
+    names: tuple[str, ...]
+    residuals: Array
+
+    @property
+    def shift(self) -> Array:
+        """The median along each axis [m]; NaN of heights where none are told."""
+        known = np.isfinite(self.residuals).any(axis=0)
+        return np.array([np.nanmedian(self.residuals[:, k]) if known[k] else np.nan for k in range(3)])
+
+    @property
+    def horizontal_rms(self) -> float:
+        """Root mean square in plan [m]."""
+        return math.sqrt(float((self.residuals[:, :2] ** 2).sum(axis=1).mean()))
+
+    def to_json(self) -> dict[str, Any]:
+        """The figures in JSON's types."""
+        rows = [[number_or_none(round(value, 4)) for value in row] for row in self.residuals.tolist()]
+        return {
+            "places": len(self.names),
+            "horizontal_rms_m": self.horizontal_rms,
+            "shift_m": [number_or_none(round(value, 4)) for value in self.shift.tolist()],
+            "residuals_m": dict(zip(self.names, rows, strict=True)),
+        }
+
+    def __str__(self) -> str:
+        shift = " ".join("?" if math.isnan(value) else f"{value:+.2f}" for value in self.shift)
+        plan = f"{self.horizontal_rms:.3g} m off in plan (rms), {shift} m (median)"
+        return f"GPS of {len(self.names)} pictures, not used: {plan}"
+
+
+@dataclass(frozen=True, eq=False)
+class ControlFit:
+    """How ground control fits; printed, it is what the command says of it.
+
+    Attributes:
+        frame: The coordinates on the Earth, metres about the median point; None where the system is not known.
+        crs: The coordinate system of the points as it was given, "" where there is none.
+        origin: What was taken from coordinates without a system, shape [3] [m]; zeros where they are small.
+        T_world_model: The similarity, float64 [4, 4].
+        scale: Metres in a unit of the model.
+        scale_sigma: Standard deviation of the scale, as a share.
+        tilt_sigma, yaw_sigma: Of up, and of north [degrees]; NaN with lengths alone.
+        misfit: How many times farther off the control points are than they are told to be sure; NaN with lengths alone.
+        points, bars: How each fits.
+        is_placed: Whether the frame is that of the points; with lengths alone it is the model's own.
+        gps: How the places that pictures tell fit it, which are not used.
+        poor: What is wrong, and what to do about it, or None.
+        remarks: What is to be known of it.
+    """
+
+    frame: WorldFrame | None
+    crs: str
+    origin: Array
+    T_world_model: Array
+    scale: float
+    scale_sigma: float
+    tilt_sigma: float
+    yaw_sigma: float
+    misfit: float
+    points: tuple[ControlResidual, ...]
+    bars: tuple[BarResidual, ...]
+    is_placed: bool
+    gps: GpsGaps | None = None
+    poor: str | None = None
+    remarks: tuple[str, ...] = ()
+
+    def rms(self, use: str) -> float:
+        """Root mean square distance of the points of a use, "control" or "check" [m]; NaN where there are none."""
+        return rms_of([point.residual for point in self.points if point.use == use])
+
+    def to_json(self) -> dict[str, Any]:
+        """The figures in JSON's types."""
+        where = {} if self.frame is None else {"origin": origin_of(self.frame), "epsg": self.frame.epsg}
+        return where | {
+            "crs": self.crs,
+            "local_origin_m": self.origin.tolist(),
+            "control_rms_m": number_or_none(self.rms(CONTROL)),
+            "check_rms_m": number_or_none(self.rms(CHECK)),
+            "misfit": number_or_none(self.misfit),
+            "scale_sigma": self.scale_sigma,
+            "tilt_sigma_degrees": number_or_none(self.tilt_sigma),
+            "yaw_sigma_degrees": number_or_none(self.yaw_sigma),
+            "points": [point.to_json() for point in self.points],
+            "bars": [bar.to_json() for bar in self.bars],
+            "gps": None if self.gps is None else self.gps.to_json(),
+        }
+
+    def __str__(self) -> str:
+        return "\n".join(self._lines())
+
+    def _lines(self) -> list[str]:
+        counts = [
+            f"{count} {what} point{'s' * (count != 1)}, {self.rms(use):.3g} m off (rms)"
+            for use, what in ((CONTROL, "control"), (CHECK, "check"))
+            if (count := sum(point.use == use for point in self.points))
+        ]
+        if bars := sum(bar.use == CONTROL for bar in self.bars):
+            counts.append(f"{bars} scale bar{'s' * (bars != 1)}")
+        sure = f"size to {100 * self.scale_sigma:.2g} %"
+        sure += f", up to {self.tilt_sigma:.2g} degrees, north to {self.yaw_sigma:.2g}" if self.is_placed else ""
+        lines = [f"metres by {', '.join(counts)}; {sure}"]
+        lines += [f"  {row}" for row in (*self.points, *self.bars)]
+        if self.gps is not None:
+            lines.append(str(self.gps))
+        lines += self.remarks
+        if self.frame is not None:
+            lines.append(f"{self.frame}" + (f"; points in {self.crs}" if self.crs != f"EPSG:{self.frame.epsg}" else ""))
+        elif self.is_placed:
+            lines.append(
+                "in the points' own coordinates" + (f" less {self.origin.tolist()}" if self.origin.any() else "")
+            )
+        return lines
+
+
+def origin_of(frame: WorldFrame) -> dict[str, float]:
+    """The origin of a frame in JSON's types."""
+    return {"latitude": frame.latitude, "longitude": frame.longitude, "altitude": frame.altitude}
+
+
+def rms_of(gaps: Sequence[Array | None]) -> float:
+    """Root mean square length; NaN of none."""
+    known = [gap for gap in gaps if gap is not None]
+    return math.sqrt(float(np.mean([gap @ gap for gap in known]))) if known else math.nan
+
+
+def number_or_none(value: float) -> float | None:
+    """For JSON, which has no NaN."""
+    return value if math.isfinite(value) else None

@@ -1,0 +1,136 @@
+"""Known lengths between marked points: how they fit a model, which contradict the rest, and the size they give."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .control_blunders import ROUGH
+from .control_report import CHECK, CONTROL, UNUSED, BarResidual
+from .ground_control import GroundControl, ScaleBar
+from .marked_points import MarkedPoint
+
+Array = NDArray[np.float64]
+
+DOUBTED = 0.01  # of a bar's length: what is nearer than that contradicts nothing, however sure it is told to be
+FEWEST_TO_TELL = 3  # bars that tell which of them is wrong
+
+
+@dataclass(frozen=True, eq=False)
+class Bars:
+    """Scale bars with the ends that pictures show.
+
+    Attributes:
+        bars: The bars.
+        ends: Where their ends lie in the model, a pair each; None where one has no place.
+        checks: Which are measured against alone.
+        wrong: Which contradict the rest.
+        reasons: Why there is no place, or "".
+    """
+
+    bars: tuple[ScaleBar, ...]
+    ends: tuple[tuple[MarkedPoint, MarkedPoint] | None, ...]
+    checks: tuple[bool, ...]
+    wrong: tuple[bool, ...]
+    reasons: tuple[str, ...]
+
+    @classmethod
+    def of(cls, control: GroundControl, found: dict[str, MarkedPoint]) -> Bars:
+        """The bars of ground control, with the ends that were found."""
+        pairs = [(found[bar.a], found[bar.b]) for bar in control.bars]
+        reasons = ["; ".join(f"{p.name}: {p.reason}" for p in pair if p.place is None) for pair in pairs]
+        ends = tuple(None if reason else pair for pair, reason in zip(pairs, reasons, strict=True))
+        checks = tuple(bar.a in control.checks or bar.b in control.checks for bar in control.bars)
+        return cls(control.bars, ends, checks, (False,) * len(ends), tuple(reasons))
+
+    @property
+    def used(self) -> list[int]:
+        """Which of them say how large the model is."""
+        rows = zip(self.ends, self.checks, self.wrong, strict=True)
+        return [k for k, (ends, check, wrong) in enumerate(rows) if ends is not None and not check and not wrong]
+
+    @property
+    def any(self) -> bool:
+        """Whether one can be used."""
+        return bool(self.used)
+
+    def length(self, k: int) -> float:
+        """Of a bar in the model; NaN without ends."""
+        pair = self.ends[k]
+        if pair is None or pair[0].place is None or pair[1].place is None:
+            return math.nan
+        return float(np.linalg.norm(pair[1].place - pair[0].place))
+
+    def sigma(self, k: int, T: Array) -> float:
+        """Standard deviation of found less known [m]: of the length that is told, and of both ends' marks."""
+        pair = self.ends[k]
+        if pair is None or pair[0].place is None or pair[1].place is None:
+            return math.nan
+        along = (pair[1].place - pair[0].place) / self.length(k)
+        scale = float(np.cbrt(np.linalg.det(T[:3, :3])))
+        of_marks = scale**2 * float(along @ (pair[0].covariance + pair[1].covariance) @ along)
+        return math.sqrt(self.bars[k].sigma ** 2 + of_marks)
+
+    def rows(self, T: Array) -> Array:
+        """What is used as rows for `fit_rows`, [m, 3]."""
+        return np.array([[self.length(k), self.bars[k].metres, self.sigma(k, T)] for k in self.used]).reshape(-1, 3)
+
+    def agreeing(self, T: Array) -> Bars:
+        """The same once those that contradict a similarity are marked as wrong."""
+        far = tuple(k in self.used and self._is_far(k, T) for k in range(len(self.bars)))
+        return replace(self, wrong=tuple(a or b for a, b in zip(self.wrong, far, strict=True)))
+
+    def residuals(self, T: Array) -> tuple[BarResidual, ...]:
+        """How each fits."""
+        scale = float(np.cbrt(np.linalg.det(T[:3, :3])))
+        rows = []
+        for k, bar in enumerate(self.bars):
+            use = CHECK if self.checks[k] else UNUSED if self.wrong[k] else CONTROL
+            use, remark = (
+                (UNUSED, self.reasons[k]) if self.reasons[k] else (use, "contradicts the rest" * self.wrong[k])
+            )
+            rows.append(BarResidual(bar, scale * self.length(k), self.sigma(k, T), use, remark))
+        return tuple(rows)
+
+    def why_doubted(self, T: Array) -> str:
+        """Which bars contradict the rest, or each other; "" where none do."""
+        scale = float(np.cbrt(np.linalg.det(T[:3, :3])))
+
+        def told(rows: list[int]) -> str:
+            found = [f"{self.bars[k]} is {scale * self.length(k):.4g} m, told {self.bars[k].metres:g} m" for k in rows]
+            return ", ".join(found)
+
+        if wrong := [k for k, is_wrong in enumerate(self.wrong) if is_wrong]:
+            return f"scale bars contradict the rest and were left out, {told(wrong)}: check their lengths and marks"
+        if off := [k for k in self.used if self._is_far(k, T)]:
+            return f"scale bars contradict each other, {told(off)}: check their lengths and marks"
+        return ""
+
+    def _is_far(self, k: int, T: Array) -> bool:
+        scale = float(np.cbrt(np.linalg.det(T[:3, :3])))
+        gap = abs(scale * self.length(k) - self.bars[k].metres)
+        return gap > max(ROUGH * self.sigma(k, T), DOUBTED * self.bars[k].metres)
+
+
+def fit_bars(bars: Bars) -> tuple[Array, float, Bars]:
+    """The scale that lengths ask for, as a similarity; its standard deviation as a share; the bars that agree.
+
+    Args:
+        bars: With one or more that can be used.
+    """
+    scales = [bars.bars[k].metres / bars.length(k) for k in bars.used]
+    T = _scaled(float(np.median(scales)))
+    if len(scales) >= FEWEST_TO_TELL:
+        agree = bars.agreeing(T)
+        bars = agree if 2 * len(agree.used) > len(scales) else bars
+    found, metres, sigma = bars.rows(T).T
+    T = _scaled(float((found * metres / sigma**2).sum() / (found**2 / sigma**2).sum()))
+    found, metres, sigma = bars.rows(T).T
+    return T, 1 / math.sqrt(float(((T[0, 0] * found / sigma) ** 2).sum())), bars
+
+
+def _scaled(scale: float) -> Array:
+    return np.diag([scale, scale, scale, 1.0])
