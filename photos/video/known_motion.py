@@ -78,10 +78,13 @@ def _write(
     return f"{path.stem}.png", camera
 
 
-def find_features(folder: Path, say: ReportProgress, *, frames: Made, seed: int) -> dict[str, Any]:
+def find_features(
+    folder: Path, say: ReportProgress, *, frames: Made, finder: str, seed: int, device: Any
+) -> dict[str, Any]:
     """What can be recognised in each picture."""
     pictures, database = frames.folder / PICTURES, folder / DATABASE
-    return sfm.find_features(pictures, database, seed=seed, progress=say).to_json()
+    options = {"finder": finder, "device": device, "seed": seed, "progress": say}
+    return sfm.find_features(pictures, database, **options).to_json()
 
 
 def match(folder: Path, say: ReportProgress, *, frames: Made, features: Made, device: Any) -> dict[str, Any]:

@@ -90,7 +90,9 @@ def find_features(
     camera_model: str,
     max_features: int,
     panorama: bool,
+    finder: str,
     seed: int,
+    device: Any,
 ) -> dict[str, Any]:
     """What can be recognised in each picture."""
     pictures, masks = frames.folder / PICTURES, frames.folder / MASKS
@@ -98,13 +100,17 @@ def find_features(
         side = read_picture_header(pictures / picture_names(frames)[0]).width
         intrinsic = PinholeCameraIntrinsic(side, side, side / 2, side / 2, (side - 1) / 2, (side - 1) / 2)
     options = {"camera_model": camera_model, "max_features": max_features, "masks": masks if masks.is_dir() else None}
-    found = sfm.find_features(pictures, folder / DATABASE, intrinsic=intrinsic, seed=seed, progress=say, **options)
+    options |= {"intrinsic": intrinsic, "finder": finder, "device": device, "seed": seed, "progress": say}
+    found = sfm.find_features(pictures, folder / DATABASE, **options)
     return found.to_json()
 
 
-def match(folder: Path, say: ReportProgress, *, frames: Made, features: Made, pairs: str, seed: int) -> dict[str, Any]:
+def match(
+    folder: Path, say: ReportProgress, *, frames: Made, features: Made, pairs: str, finder: str, seed: int, device: Any
+) -> dict[str, Any]:
     """Which of it two pictures share."""
-    return sfm.match(features.folder / DATABASE, folder / DATABASE, pairs=pairs, seed=seed, progress=say).to_json()
+    options = {"pairs": pairs, "finder": finder, "device": device, "seed": seed, "progress": say}
+    return sfm.match(features.folder / DATABASE, folder / DATABASE, **options).to_json()
 
 
 def map_pictures(

@@ -211,10 +211,14 @@ def dot_halves(f: FunctionTranslator, i: Instruction) -> str | None:
 
 @translates("dp4a", pure=True)
 def dot_bytes(f: FunctionTranslator, i: Instruction) -> str | None:
-    if i.kinds != ["u32", "u32"]:  # the compiler makes it of products of uint8
+    if len(i.kinds) != 2 or not {"u32", "s32"}.issuperset(i.kinds):  # the compiler makes it of products of bytes
         return None
     a, b, c = (f.value(token, "u32") for token in i.operands[1:])
-    products = " + ".join(f"(({a} >> {k}) & 255u) * (({b} >> {k}) & 255u)" for k in (0, 8, 16, 24))
+
+    def byte(value: str, kind: str, k: int) -> str:
+        return f"(u32)(signed char)({value} >> {k})" if kind == "s32" else f"(({value} >> {k}) & 255u)"
+
+    products = " + ".join(f"{byte(a, i.kinds[0], k)} * {byte(b, i.kinds[1], k)}" for k in (0, 8, 16, 24))
     return f.set(i.operands[0], "u32", f"{c} + {products}")
 
 

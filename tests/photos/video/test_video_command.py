@@ -71,6 +71,8 @@ def test_the_summary_says_what_became_of_the_pictures(quick, film, output):
         (["--max-frames", "4"], STAGES),
         (["--max-frames", "100"], ["frames"]),
         (["--seed", "1"], ["features", "matches", "model", "depth", "fused", "mesh"]),
+        (["--finder", "pointloom"], ["features", "matches", "model"]),
+        (["--finder", "colmap"], []),
         (["--picture", "room.png"], []),
     ],
 )

@@ -92,8 +92,8 @@ def test_a_result_cannot_be_changed(quick, film, tmp_path, monkeypatch):
     ("name", "after", "recorded"),
     [
         ("frames", [], {"source", "max_frames", "panorama"}),
-        ("features", ["frames"], {"camera", "camera_model", "max_features", "panorama", "seed"}),
-        ("matches", ["frames", "features"], {"pairs", "seed"}),
+        ("features", ["frames"], {"camera", "camera_model", "finder", "max_features", "panorama", "seed"}),
+        ("matches", ["frames", "features"], {"finder", "pairs", "seed"}),
         ("model", ["frames", "matches"], {"fixed", "mapper", "seed"}),
         ("undistorted", ["frames", "model"], {"max_size"}),
         ("depth", ["undistorted"], {"seed"}),
