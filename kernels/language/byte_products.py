@@ -17,7 +17,7 @@ import warp as wp
     const unsigned char* mine = bytes.data + (long long)row * 128;
     const signed char* theirs = (const signed char*)blocks.data + (long long)block * 2048;
     wp::vec_t<16, int> found;
-#if defined(__AVX512VNNI__) && !defined(__CUDA_ARCH__)
+#if defined(__AVX512VNNI__) && __clang_major__ == 22 && !defined(__CUDA_ARCH__)  // whose built-ins have these types
     typedef int lanes __attribute__((vector_size(64), aligned(1), may_alias));
     typedef unsigned char unsigned_bytes __attribute__((vector_size(64)));
     typedef signed char signed_bytes __attribute__((vector_size(64)));
@@ -32,7 +32,7 @@ import warp as wp
         }
     lanes all = (sums[0] + sums[1]) + (sums[2] + sums[3]);
     __builtin_memcpy(found.c, &all, sizeof(all));
-#elif defined(__AVX512BW__) && !defined(__CUDA_ARCH__)
+#elif defined(__AVX512BW__) && __clang_major__ == 22 && !defined(__CUDA_ARCH__)
     typedef int lanes __attribute__((vector_size(64), may_alias));
     typedef long long quads __attribute__((vector_size(64)));
     typedef short shorts __attribute__((vector_size(64)));
