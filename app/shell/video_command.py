@@ -51,6 +51,7 @@ class Alignment(CompletedPath):
 ALIGN = "Known places of cameras: poses, or lines `name x y z` [m]; exif: GPS of the pictures; none: leave the frame."
 MESH = "The mesh, .ply .obj .stl .off .glb .gltf; the points, .pcd .las .xyz ..."
 CAMERA_MODEL = "How the lens draws, COLMAP's name: OPENCV, OPENCV_FISHEYE ..."
+TRAINING = "Write a folder that gsplat, 3DGS and nerfstudio train from."
 CAMERAS = "Known poses: Metashape's .xml, COLMAP's folder, transforms.json, Polycam, a trajectory."
 
 
@@ -107,6 +108,7 @@ CAMERAS = "Known poses: Metashape's .xml, COLMAP's folder, transforms.json, Poly
 @click.option("--panorama", is_flag=True, help="The pictures show all directions (360 degrees).")
 @click.option("--cloud", type=FILE, metavar="FILE", help="Write the fused points as well.")
 @click.option("--trajectory", type=FILE, metavar="POSES", help="Write the poses: .txt or .tum (TUM), .log.")
+@click.option("--training", type=FILE, metavar="DIR", help=TRAINING)
 @click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, metavar="N", help="Of what is drawn.")
 @device_option()
 @picture_option()
@@ -144,13 +146,14 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
     pointloom video photos/ -o room.ply --work stages --known IMG_0012,IMG_0040,1.5
     pointloom video walk.mp4 -o room.ply --work stages --resume --max-size 1280 --force
     pointloom video photos/ -o house.ply --cameras cameras.xml --cloud points.ply
+    pointloom video photos/ -o house.ply --training scene
     """
     given = [name for name in ("scale", "known", "align") if options[name] not in (None, "none")]
     if len(given) > 1:
         refuse(f"--{given[0]} and --{given[1]} both settle the unit; give one")
     if options["resume"] and options["work"] is None:
         refuse("--resume goes with --work, the folder of the earlier run")
-    refuse_same(output=output, **{name: options[name] for name in ("cloud", "trajectory", "picture")})
+    refuse_same(output=output, **{name: options[name] for name in ("cloud", "trajectory", "picture", "training")})
     from ...files.meshes.tables import MESHES
     from ...files.points.formats import WRITTEN
     from ...photos.video.job import reconstruct
@@ -166,7 +169,8 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
     if points_alone:
         options["cloud"] = output
     outputs = Outputs(
-        None if points_alone else output, **{name: options.pop(name) for name in ("cloud", "trajectory", "picture")}
+        None if points_alone else output,
+        **{name: options.pop(name) for name in ("cloud", "trajectory", "picture", "training")},
     )
     with Progress() as progress:
         result = reconstruct(source, settings, outputs=outputs, overwrite=force, progress=progress, **options)

@@ -8,6 +8,7 @@ from dataclasses import dataclass, fields
 from pathlib import Path
 
 from ...cameras.pose_files import check_trajectory_output, write_poses
+from ...core.atomic import check_folder
 from ...core.errors import FileError, FilePath
 from ...core.outputs import check_output
 from ...drawing.render.picture_files import check_picture
@@ -20,6 +21,8 @@ from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_files import mesh_table
 from ...pcd.cloud import PointCloud
 from ..sfm.picture_folder import check_place
+from ..sfm.training_folder import TRANSFORMS, TrainingFolder, write_training_folder
+from .motion import MASKS, PICTURES
 from .result import VideoResult
 from .surface import poses_of
 
@@ -33,6 +36,8 @@ class Outputs:
         cloud: Of the fused points.
         trajectory: Of the poses, .log, .txt or .tum (TUM's format).
         picture: Of the mesh, .png.
+        training: A folder that gsplat, 3DGS and nerfstudio train from, as `sfm.write_training_folder` writes it: the
+            pictures at their full size, straightened, in the frame of the mesh.
 
     Raises:
         TypeError, ValueError: No path; the error names it.
@@ -47,6 +52,7 @@ class Outputs:
     cloud: FilePath | None = None
     trajectory: FilePath | None = None
     picture: FilePath | None = None
+    training: FilePath | None = None
 
     def __post_init__(self):
         for field in fields(self):
@@ -67,6 +73,8 @@ class Outputs:
             check_trajectory_output(self.trajectory, overwrite=overwrite)
         if self.picture is not None:
             check_picture(self.picture, overwrite=overwrite)
+        if self.training is not None:
+            check_folder(self.training, TRANSFORMS, overwrite=overwrite)
         taken: set[Path] = set()
         for path in self._all():
             if Path(path).resolve() in taken:
@@ -92,8 +100,26 @@ class Outputs:
             draw_scene(self.picture, result.mesh, path.poses, overwrite=overwrite)
         return tuple(os.fspath(each) for each in self._all())
 
+    def write_training(self, result: VideoResult, frames: Path, *, overwrite: bool) -> TrainingFolder | None:
+        """Write the folder to train from, where one is asked for.
+
+        Args:
+            result: With a model.
+            frames: What the stage of that name left: the pictures of the model, and their masks.
+            overwrite: Replace such a folder.
+
+        Raises:
+            FileError: It cannot be written.
+        """
+        if self.training is None or result.model is None:
+            return None
+        masks = frames / MASKS
+        given = {"masks": masks if masks.is_dir() else None, "device": result.device, "overwrite": overwrite}
+        return write_training_folder(self.training, result.model, frames / PICTURES, **given)
+
     def _all(self) -> Iterator[FilePath]:
-        return (path for path in (self.mesh, self.cloud, self.trajectory, self.picture) if path is not None)
+        paths = (self.mesh, self.cloud, self.trajectory, self.picture, self.training)
+        return (path for path in paths if path is not None)
 
 
 def _write_mesh(path: FilePath, mesh: TriangleMesh, comments: list[str], *, overwrite: bool) -> None:

@@ -25,7 +25,7 @@ loom.video.WorldFrame(latitude=47.5, longitude=8.25, altitude=430.0)
 frame.to_enu(places=[[47.5, 8.25, 430.0]])
 frame.to_geodetic(points=[[1.0, 2.0, 3.0]])
 frame.to_utm(points=[[1.0, 2.0, 3.0]], epsg=32632)
-loom.video.Outputs(mesh="room.ply", cloud="cloud.ply", trajectory="poses.log", picture="room.png")
+loom.video.Outputs(mesh="room.ply", cloud="cloud.ply", trajectory="poses.log", picture="room.png", training="scene")
 """
 TABLE = {name.removeprefix("video."): call for name, call in read_table(CALLS, {"frame": "WorldFrame"}).items()}
 RESULTS = {"Fit", "PlacesFit", "KnownPlaces", "StageReport", "VideoFigures", "VideoResult"}
@@ -33,6 +33,7 @@ INSIDE = {
     "PlacesFit.why_doubted",
     "Outputs.check",
     "Outputs.write",
+    "Outputs.write_training",
     "Units.check_names",
     "Settings.read_posed",
     "Settings.digest_of_cameras",
