@@ -84,6 +84,8 @@ def find_features(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[
         reader.default_focal_length_factor = FISHEYE_FACTOR if is_fisheye(group["model"]) else FOCAL_FACTOR
         options = {"camera_mode": pycolmap.CameraMode.SINGLE, "image_names": group["names"]}
         pycolmap.import_images(job["database"], job["pictures"], options=reader, **options)
+        if group["doubted"]:
+            _forget_focal_length(pycolmap, job["database"], group, reader.default_focal_length_factor)
     if "found" in job:
         _writer()["write_features"](pycolmap, job)
         return {}
@@ -95,6 +97,17 @@ def find_features(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[
     options["device"] = pycolmap.Device.cuda if extraction.use_gpu else pycolmap.Device.cpu
     pycolmap.extract_features(job["database"], job["pictures"], image_names=names, **options)
     return {"gpu": extraction.use_gpu}
+
+
+def _forget_focal_length(pycolmap: Any, path: str, group: dict[str, Any], factor: float) -> None:
+    """Have the camera of a group begin as if EXIF told no focal length."""
+    with pycolmap.Database.open(path) as database:
+        camera = database.read_camera(database.read_image_with_name(group["names"][0]).camera_id)
+        params = list(camera.params)
+        for index in camera.focal_length_idxs():
+            params[index] = factor * max(camera.width, camera.height)
+        camera.params, camera.has_prior_focal_length = params, False
+        database.update_camera(camera)
 
 
 def is_fisheye(model: str) -> bool:

@@ -57,7 +57,8 @@ class VideoFigures:
         """The figures in what the stages told, which is what their records hold."""
         frames, model = made["frames"].told, made["model"].told
         verdict = Verdict.from_json(model)
-        taken = frames["frames"], frames["kept"], (*frames["remarks"], *verdict.remarks)
+        features = made["features"].told.get("remarks", ()) if "features" in made else ()
+        taken = frames["frames"], frames["kept"], (*frames["remarks"], *features, *verdict.remarks)
         placed = verdict, tuple(model["cameras"]), model["turned"]
         if "mesh" not in made:
             return cls(*taken, *placed)
