@@ -58,7 +58,11 @@ class VideoFigures:
         frames, model = made["frames"].told, made["model"].told
         verdict = Verdict.from_json(model)
         features = made["features"].told.get("remarks", ()) if "features" in made else ()
-        taken = frames["frames"], frames["kept"], (*frames["remarks"], *features, *verdict.remarks)
+        taken = (
+            frames["frames"],
+            frames["kept"],
+            (*frames["remarks"], *features, *model.get("remarks", ()), *verdict.remarks),
+        )
         placed = verdict, tuple(model["cameras"]), model["turned"]
         if "mesh" not in made:
             return cls(*taken, *placed)

@@ -9,6 +9,7 @@ from PIL import Image
 import pointloom as loom
 from pointloom.data.scenes.room_paths import look_along
 from pointloom.data.scenes.room_video import room_video_poses
+from pointloom.photos.sfm.sphere_pictures import with_all_faces
 from pointloom.photos.video import motion
 
 from ..sfm.conftest import has_pycolmap, write_pictures
@@ -50,6 +51,29 @@ def test_a_picture_of_a_lens_is_none_of_all_directions(tmp_path):
         motion.take_frames(tmp_path / "out", quiet, source=source, max_frames=9, masks=None, panorama=True)
     with pytest.raises(ValueError, match="panorama: faces of a cube have a lens that is known"):
         loom.video.Settings(panorama=True, camera_model="OPENCV_FISHEYE")
+
+
+def test_faces_that_were_not_placed_stand_where_the_others_of_their_picture_say():
+    rng = np.random.default_rng(0)
+    panorama = loom.Panorama(64, 32)
+    camera = loom.CameraModel.from_intrinsic(panorama.intrinsic)
+    names = [f"my_sphere_{k}_{face}.jpg" for k in range(3) for face in panorama.names]
+    poses = []
+    for _ in range(3):
+        front, center = np.linalg.qr(rng.normal(size=(3, 3)))[0], rng.normal(size=3)
+        front *= np.sign(np.linalg.det(front))
+        for turn in panorama.turns:  # from the face's camera to the front one's
+            T = np.eye(4)
+            T[:3, :3] = turn.T @ front
+            T[:3, 3] = -T[:3, :3] @ center
+            poses.append(T)
+    kept = [k for k in range(18) if k not in (2, 5, 6, 7) and k < 12]  # of the last picture none is placed
+    some = loom.SfmModel([names[k] for k in kept], [camera] * len(kept), [poses[k] for k in kept], points=np.eye(3))
+    whole, added = with_all_faces(some, names)
+    assert sorted(added) == sorted(names[k] for k in (2, 5, 6, 7)) and len(whole) == 12
+    for name, T in zip(whole.names, whole.T_camera_world, strict=True):
+        np.testing.assert_allclose(T, poses[names.index(name)], atol=1e-12)
+    assert with_all_faces(whole, names) == (whole, [])
 
 
 def off_truth(model, centers) -> np.ndarray:
