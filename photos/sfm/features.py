@@ -161,8 +161,7 @@ def find_features(
     doubts = {} if intrinsic is not None else _doubts(folder, groups)
     job = _job_of(folder, groups, camera_model, intrinsic, doubts) | {"seed": int(seed), "kind": kind}
     job |= {"threads": threads_for([size for size, _ in groups], max_size, limits["max_memory"] or free_memory())}
-    job |= {"max_size": int(max_size), "max_features": int(max_features)}
-    job |= {"gpu": use_gpu if target_device is None else False}
+    job |= {"max_size": int(max_size), "max_features": int(max_features), "gpu": target_device is None and use_gpu}
     found = None if masks is None else _checked_masks(masks, folder)
     count = sum(len(names) for names in groups.values())
     with database_in_the_making(target) as part:
@@ -177,9 +176,12 @@ def find_features(
         names, counts = _features_of(part)
     say("features", count, count)
     clock.stop("features")
-    seconds, sizes, on_gpu = clock.seconds["features"], _counted_sizes(groups), bool(done.get("gpu", False))
-    told = tuple(f"EXIF's focal length of {name} is not believed: {reason}" for name, reason in doubts.items())
-    return FeatureReport(os.fspath(target), names, counts, sizes, seconds, peak, len(groups), on_gpu, told)
+    told = clock.seconds["features"], peak, len(groups), bool(done.get("gpu", False)), _told_doubts(doubts)
+    return FeatureReport(os.fspath(target), names, counts, _counted_sizes(groups), *told)
+
+
+def _told_doubts(doubts: dict[str, str]) -> tuple[str, ...]:
+    return tuple(f"EXIF's focal length of {name} is not believed: {reason}" for name, reason in doubts.items())
 
 
 def _doubts(folder: Path, groups: dict[Group, list[str]]) -> dict[str, str]:

@@ -85,17 +85,18 @@ def off_truth(model, centers) -> np.ndarray:
 @pytest.mark.slow
 @pytest.mark.skipif(not has_pycolmap(), reason="pycolmap is not installed")
 def test_pictures_of_all_directions_are_placed_where_they_were_taken(tmp_path):
-    centers = room_video_poses(30)[:8, :3, 3]
-    spheres = spheres_from([look_along(center, (1.0, 0.15, 0.0)) for center in centers], 320)
-    source = write_pictures(tmp_path / "in", spheres, [f"{k}.png" for k in range(8)])
+    centers = room_video_poses(30)[:10, :3, 3]
+    spheres = spheres_from([look_along(center, (1.0, 0.15, 0.0)) for center in centers], 384)
+    source = write_pictures(tmp_path / "in", spheres, [f"{k}.png" for k in range(10)])
     (tmp_path / "out").mkdir()
-    told = motion.take_frames(tmp_path / "out", quiet, source=source, max_frames=9, masks=None, panorama=True)
-    side = Image.open(tmp_path / "out" / motion.PICTURES / "0_front.jpg").width
-    lens = loom.PinholeCameraIntrinsic(side, side, side / 2, side / 2, (side - 1) / 2, (side - 1) / 2)
+    told = motion.take_frames(tmp_path / "out", quiet, source=source, max_frames=10, masks=None, panorama=True)
+    lens = loom.Panorama(768, 384).intrinsic
     result = loom.sfm.reconstruct(tmp_path / "out" / motion.PICTURES, tmp_path / "work", intrinsic=lens)
-    assert told["kept"] == 48 and result.model is not None and len(result.model) >= 36
-    off = off_truth(result.model, np.array([centers[int(name[0])] for name in result.model.names]))
-    assert np.sqrt(np.mean(off**2)) < 0.01, off  # 2.5 mm; the walk is 1.8 m long
+    assert told["kept"] == 60 and result.model is not None and len(result.model) >= 45
+    whole, _ = with_all_faces(result.model, told["names"])
+    assert len(whole) == 60
+    off = off_truth(whole, np.array([centers[int(name[0])] for name in whole.names]))
+    assert np.sqrt(np.mean(off**2)) < 0.01, off  # 3 mm; the walk is 2.2 m long
 
 
 @pytest.mark.slow
