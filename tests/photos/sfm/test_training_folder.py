@@ -75,6 +75,8 @@ def test_points_lie_in_the_straight_pictures_where_the_lens_saw_them(tmp_path, k
     assert {camera.model for camera in found.cameras} == {"PINHOLE"}
     np.testing.assert_array_equal(found.colors, model.colors)
     assert len(found.observations) > 0.8 * len(model.observations)
+    sizes = np.array([(camera.width, camera.height) for camera in found.cameras])[found.observations[:, 0]]
+    assert ((found.pixels >= -0.5) & (found.pixels <= sizes - 0.5)).all()
     straight = loom.Undistortion(model.cameras[0], max_size=max_size).intrinsic
     for k, camera in enumerate(found.cameras):
         with Image.open(scene / "images" / found.names[k]) as picture:
