@@ -47,7 +47,7 @@ setup-runtime: $(RUNTIME) ## Make .venv with what pointloom itself needs
 test: $(TEST) ## Run the tests that take a moment each, most of them on one CPU compiler (some minutes)
 	@$(PYTEST) $(QUICK) $(ARGS)
 
-test-all: $(TEST) ## Run all tests on all compilers, as CI does (some twenty minutes)
+test-all: $(TEST) ## Run all tests on all compilers (half an hour; CI: ARGS="--compilers kernels")
 	@$(PYTEST) $(ARGS)
 
 # Folders whose tests use the device; ARGS may name others.

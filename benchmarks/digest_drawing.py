@@ -43,6 +43,19 @@ def seen_of_splats(d: Any) -> list[Any]:
     return [seen.color, seen.opacity, seen.depth, seen.median_depth, seen.normals, np.asarray(picture)]
 
 
+def map_of(d: Any) -> list[Any]:
+    """Maps of the ball by its vertices' colours, in UTM, and of a sheet by two textures."""
+    ball, rng = d.ball.compute_vertex_normals(), np.random.default_rng(0)
+    ball.vertex_colors = np.abs(ball.vertex_normals)
+    side = float(np.ptp(ball.vertices[:, 0])) / 40
+    sheet = loom().TriangleMesh(
+        [[0, 0, 0], [9, 0, 1], [9, 9, 2], [0, 9, 1]], [[0, 1, 2], [0, 2, 3]], triangle_uvs=rng.random((6, 2)),
+        triangle_material_ids=[1, 0], textures=list(rng.integers(0, 256, (2, 16, 16, 3), np.uint8)), device=d.device,
+    )  # fmt: skip
+    made = [loom().orthophoto(ball, side, frame=loom().video.WorldFrame(47.5, 8.25)), loom().orthophoto(sheet, 0.3)]
+    return [[each.colors, each.heights.values] for each in made]
+
+
 DRAWN: dict[str, Callable[[Any], Any]] = {
     "render, cloud": lambda d: [drawn(d.surface.facing), drawn(d.surface.cloud, point_size=3, background="black")],
     "render, values": lambda d: drawn(
@@ -53,6 +66,7 @@ DRAWN: dict[str, Callable[[Any], Any]] = {
         [{"geometry": d.ball, "opacity": 0.4}, d.surface.cloud], background="transparent"
     ),
     "splats, drawn": lambda d: seen_of_splats(d),
+    "orthophoto": lambda d: map_of(d),
     "render, scene": lambda d: drawn(
         scene_of(d), labels=[("here", [0, 0, 0])], mesh_show_wireframe=True, scale_bar=True
     ),

@@ -1,4 +1,4 @@
-"""GeoTIFF files that appear whole or not at all."""
+"""GeoTIFF files that appear whole or not at all: values and where they were filled, or pictures."""
 
 from __future__ import annotations
 
@@ -14,6 +14,12 @@ from ..core.atomic import check_writable
 from ..core.errors import FileError, FilePath
 
 BLOCK = 256  # cells along a side of a block
+ENDINGS = (".tif", ".tiff")
+_VALUES = {"dtype": "float32", "count": 2, "predictor": 3, "interleave": "band"}
+_PICTURE = {
+    "dtype": "uint8", "count": 4, "predictor": 2, "interleave": "pixel", "photometric": "RGB",
+    "alpha": "non-premultiplied",
+}  # fmt: skip
 _MAPS = {
     "driver": "COG", "blocksize": BLOCK, "compress": "deflate", "predictor": "yes", "bigtiff": "if_safer",
     "overviews": "ignore_existing", "overview_resampling": "average", "num_threads": 1,
@@ -30,8 +36,11 @@ def geotiff(
     *,
     overwrite: bool,
     for_maps: bool = False,
+    is_picture: bool = False,
 ) -> Iterator[Any]:
-    """A GeoTIFF of two bands to write blocks to, which takes its name when all is written.
+    """A GeoTIFF to write blocks to, which takes its name when all is written.
+
+    It has two bands of float32, values and 1 where they were filled; or red, green, blue and alpha of uint8.
 
     Args:
         path: The file.
@@ -41,25 +50,23 @@ def geotiff(
         told: What has the `kind`, the `crs` and the `nodata`.
         overwrite: Whether an existing file may be replaced.
         for_maps: Whether it has overviews, in the order of a Cloud Optimized GeoTIFF; it is written twice for it.
+        is_picture: Whether it has colours and alpha; `told` needs no `kind` and no `nodata` then.
 
     Raises:
         FileError: As `Raster.write`.
     """
-    path = check_writable(path, overwrite=overwrite)
-    if path.suffix.lower() not in (".tif", ".tiff"):
-        raise FileError(path, "is no name of a GeoTIFF", remedy="End it in .tif")
-    rasterio = _rasterio(path)
+    path, rasterio = check_geotiff(path, overwrite=overwrite)
     part, first = (path.with_name(f".{path.name}.{uuid.uuid4().hex}.part") for _ in range(2))
     profile = {
-        "driver": "GTiff", "dtype": "float32", "count": 2, "height": shape[0], "width": shape[1], "crs": told.crs,
+        "driver": "GTiff", "height": shape[0], "width": shape[1], "crs": told.crs,
         "transform": rasterio.Affine(cell, 0.0, corner[0], 0.0, -cell, corner[1] + shape[0] * cell),
-        "nodata": told.nodata, "tiled": True, "blockxsize": BLOCK, "blockysize": BLOCK, "compress": "deflate",
-        "predictor": 3, "BIGTIFF": "IF_SAFER", "interleave": "band",
+        "tiled": True, "blockxsize": BLOCK, "blockysize": BLOCK, "compress": "deflate", "BIGTIFF": "IF_SAFER",
+        **(_PICTURE if is_picture else {"nodata": told.nodata} | _VALUES),
     }  # fmt: skip
     try:
         with rasterio.open(first if for_maps else part, "w", **profile) as file:
-            file.set_band_description(1, told.kind)
-            file.set_band_description(2, "filled")
+            for band, name in enumerate(() if is_picture else (told.kind, "filled"), start=1):
+                file.set_band_description(band, name)
             yield file
         if for_maps:
             _check_blocks(rasterio, first)
@@ -79,6 +86,18 @@ def geotiff(
     finally:
         part.unlink(missing_ok=True)
         first.unlink(missing_ok=True)
+
+
+def check_geotiff(path: FilePath, *, overwrite: bool) -> tuple[Path, Any]:
+    """Hold that a GeoTIFF can be written; gives its path, and rasterio.
+
+    Raises:
+        FileError: Another ending, a place that cannot be written, or no rasterio.
+    """
+    place = check_writable(path, overwrite=overwrite)
+    if place.suffix.lower() not in ENDINGS:
+        raise FileError(place, "is no name of a GeoTIFF", remedy="End it in .tif")
+    return place, _rasterio(place)
 
 
 def _check_blocks(rasterio: Any, part: Path) -> None:

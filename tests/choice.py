@@ -2,7 +2,8 @@
 
 `make test` is `pytest -m "not slow" --compilers warp`, `make test-all` is pytest without these. A test that takes
 `device` and is marked `both_compilers` runs on both in either: the tests of the compilers themselves. That Taichi makes
-of each operation what Warp makes of it is the claim of tests/test_compilers.py, which runs in either too.
+of each operation what Warp makes of it is the claim of tests/test_compilers.py, which runs in either too. CI runs
+`make test-all` with `--compilers kernels`: on both what is in tests/kernels too, where kernels meet all that they may.
 
 Taichi is optional. Where it is not installed, what is marked `taichi` or has a parameter that says Taichi is left out;
 one that is installed and does not import is no reason to leave out anything.
@@ -25,7 +26,7 @@ TESTS = Path(__file__).parent
 # Groups of tests that take longest, the longest first, so that the last ones to be handed out are short. By the
 # seconds of `make test`: only the order counts, and folders that are not named come behind these.
 DEAREST = (
-    "scale", "pcd", "registration", "test_compilers.py", "meshing", "drawing/viewer", "files", "app",
+    "registration", "pcd", "test_compilers.py", "scale", "meshing", "drawing/viewer", "files", "app",
     "kernels/language", "photos/sfm", "photos/depth", "rgbd/slam", "test_doctests.py", "kernels/reconstruction",
     "test_blocks.py", "rgbd/reconstruction", "drawing/render", "bridge", "test_imports.py", "kernels",
 )  # fmt: skip
@@ -33,7 +34,10 @@ DEAREST = (
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption(
-        OPTION, choices=("both", "warp"), default="both", help="CPU compilers of tests that are not of the compilers"
+        OPTION,
+        choices=("both", "kernels", "warp"),
+        default="both",
+        help="CPU compilers of tests that are not of the compilers; kernels: both in tests/kernels, Warp elsewhere",
     )
 
 
@@ -44,7 +48,10 @@ def places_of(config: pytest.Config, definition: pytest.Item) -> list[str]:
 
 def runs_on_both(config: pytest.Config, item: pytest.Item) -> bool:
     """Whether a test that takes `device` has runs on either compiler."""
-    return config.getoption(OPTION) == "both" or item.get_closest_marker("both_compilers") is not None
+    chosen = config.getoption(OPTION)
+    if chosen == "both" or item.get_closest_marker("both_compilers") is not None:
+        return True
+    return chosen == "kernels" and TESTS / "kernels" in item.path.parents
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:

@@ -20,8 +20,9 @@ from .files.test_recorded_transforms import robot as recorded_robot
 from .registration.bent_fragments import BentRoom
 
 SLOW = {
-    "app/shell/SKILL.md", "docs/frames.md", "docs/logging.md", "docs/meshes.md", "docs/reconstruction.md",
-    "docs/recordings.md", "docs/slac.md", "docs/slam.md", "docs/submaps.md", "docs/surfaces.md",
+    "app/shell/SKILL.md", "docs/bending.md", "docs/change.md", "docs/frames.md", "docs/fusion-at-scale.md",
+    "docs/logging.md", "docs/meshes.md", "docs/reconstruction.md", "docs/recordings.md", "docs/slac.md", "docs/slam.md",
+    "docs/submaps.md", "docs/surfaces.md", "docs/terrain.md",
 }  # fmt: skip
 FRAMES = 12
 

@@ -424,7 +424,7 @@ def test_an_interrupted_run_ends_at_once_and_says_so():
         while "(1 of 2)" not in process.stderr.readline():
             assert process.poll() is None
         process.send_signal(signal.SIGINT)
-        out, rest = process.communicate(timeout=60)
+        out, rest = process.communicate(timeout=300)
     assert process.returncode == 130
     assert rest.splitlines()[-1] == "Interrupted: no table, and nothing is kept."
     assert "Traceback" not in rest and out == ""

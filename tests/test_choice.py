@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import re
 import shlex
 import subprocess
@@ -17,6 +18,7 @@ import pointloom as loom
 from . import choice
 from .cpu_seconds import CpuSeconds
 from .mutants.run import QUICK
+from .products import each_pair
 
 ROOT = Path(__file__).resolve().parents[1]
 
@@ -143,7 +145,21 @@ def test_make_and_the_mutants_choose_alike_and_ci_runs_all():
     assert shlex.split(re.search(r"^QUICK := (.*)$", makefile, flags=re.MULTILINE)[1]) == list(QUICK)
     commands = dict(re.findall(r"^([a-z-]+): \$\(TEST\) ##.*\n\t@(.*)$", makefile, flags=re.MULTILINE))
     assert commands["test"] == "$(PYTEST) $(QUICK) $(ARGS)" and commands["test-all"] == "$(PYTEST) $(ARGS)"
-    assert (ROOT / ".ci" / "run").read_text().rstrip().endswith("\nrun test-all")
+    assert (ROOT / ".ci" / "run").read_text().rstrip().endswith("\nrun test-all ARGS='--compilers kernels'")
+
+
+def test_on_both_compilers_ci_runs_the_tests_of_kernels_and_of_the_compilers():
+    for chosen, path, marked, expected in (
+        ("both", "pcd/test_x.py", False, True),
+        ("kernels", "kernels/icp/test_x.py", False, True),
+        ("kernels", "pcd/test_x.py", False, False),
+        ("kernels", "pcd/test_x.py", True, True),
+        ("warp", "kernels/icp/test_x.py", False, False),
+        ("warp", "kernels/icp/test_x.py", True, True),
+    ):
+        config = SimpleNamespace(getoption=lambda _, chosen=chosen: chosen)
+        item = SimpleNamespace(path=choice.TESTS / path, get_closest_marker=lambda _, marked=marked: marked or None)
+        assert choice.runs_on_both(config, item) is expected, (chosen, path, marked)
 
 
 @pytest.mark.parametrize(
@@ -184,6 +200,18 @@ def test_rooms_share_a_process(tmp_path):
     ran = re.findall(r"^\[(gw\d)\].* PASSED (\S+)/\w+\.py::", done.stdout, flags=re.MULTILINE)
     assert len(ran) == 5 * len(files), done.stdout
     assert len(set(ran)) == len(rooms)
+
+
+def test_in_make_test_each_two_values_of_parameters_meet():
+    values = {"a": [1, 2, 3], "b": "xyz", "c": [None, 0.5], "d": [True]}
+    made = each_pair(**{name: list(those) for name, those in values.items()})
+    assert made["argnames"] == tuple(values)
+    assert [case.values for case in made["argvalues"]] == list(itertools.product(*values.values()))
+    quick = [case.values for case in made["argvalues"] if not case.marks]
+    assert len(quick) == 9 and all(case.marks in ((), (pytest.mark.slow,)) for case in made["argvalues"])
+    for first, second in itertools.combinations(range(len(values)), 2):
+        met = {(case[first], case[second]) for case in quick}
+        assert met == {*itertools.product(*(list(values.values())[k] for k in (first, second)))}
 
 
 def test_the_dearest_rooms_are_there():

@@ -20,6 +20,14 @@ DEAR = {"slam, DenseSLAM", "run_system"}  # what they are made of has lines of i
 # their results on Warp are held against NumPy and Open3D.
 DEAR |= {"scene, closest points and signs", "rays, all queries", "alpha_shape", "alpha_shape, several"}
 DEAR |= {"from_point_cloud_ball_pivoting", "from_point_cloud_ball_pivoting, radii"}
+# Whose own kernels take Taichi a second and a half or more to load, compiled before.
+DEAR |= {"color_map", "demo, video", "detect_planar_patches", "mvs, estimate_depth_maps, plain wall", "mvs, fuse"}
+DEAR |= {"region_growing", "rgbd odometry", "sfm.detect_keypoints, match_keypoints"}
+DEAR |= {
+    f"mesh, {name}" for name in ("cleaned", "metrics and error map", "remesh_isotropic", "repair", "seams", "sheets")
+}
+DEAR |= {f"mesh, {name}" for name in ("simplify_quadric_decimation", "texture_from_pictures", "topology")}
+DEAR |= {"mesh, triangles that meet"}
 
 
 def lines(names):

@@ -23,7 +23,20 @@ MODULES = sorted(
 )
 
 
-@pytest.mark.parametrize("name", ["pointloom", *MODULES])
+# Over a second of CPU; tests of the same names hold what they do.
+DEAR = {
+    "pointloom.data.made.objects", "pointloom.meshing.volume.splat_fusion", "pointloom.scale.estimate",
+    "pointloom.registration.deformable.nonrigid", "pointloom.scale.jobs.fusion",
+}  # fmt: skip
+
+
+def test_what_is_dear_is_there():
+    assert {*MODULES} >= DEAR
+
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=pytest.mark.slow if name in DEAR else ()) for name in ["pointloom", *MODULES]]
+)
 def test_the_examples_of_a_module_run(name, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)  # for examples that write files
     module = importlib.import_module(name)

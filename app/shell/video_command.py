@@ -109,6 +109,9 @@ CAMERAS = "Known poses: Metashape's .xml, COLMAP's folder, transforms.json, Poly
 @click.option("--cloud", type=FILE, metavar="FILE", help="Write the fused points as well.")
 @click.option("--trajectory", type=FILE, metavar="POSES", help="Write the poses: .txt or .tum (TUM), .log.")
 @click.option("--training", type=FILE, metavar="DIR", help=TRAINING)
+@click.option("--ortho", type=FILE, metavar="TIF", help="Write the mesh from above, in UTM; wants GPS and --cell.")
+@click.option("--dem", type=FILE, metavar="TIF", help="Write its heights likewise.")
+@click.option("--cell", type=SCALE, metavar="M", help="The side of the cells of --ortho and --dem, in metres.")
 @click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, metavar="N", help="Of what is drawn.")
 @device_option()
 @picture_option()
@@ -147,13 +150,17 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
     pointloom video walk.mp4 -o room.ply --work stages --resume --max-size 1280 --force
     pointloom video photos/ -o house.ply --cameras cameras.xml --cloud points.ply
     pointloom video photos/ -o house.ply --training scene
+    pointloom video flight/ -o field.ply --ortho field.tif --dem heights.tif --cell 0.05
     """
     given = [name for name in ("scale", "known", "align") if options[name] not in (None, "none")]
     if len(given) > 1:
         refuse(f"--{given[0]} and --{given[1]} both settle the unit; give one")
     if options["resume"] and options["work"] is None:
         refuse("--resume goes with --work, the folder of the earlier run")
-    refuse_same(output=output, **{name: options[name] for name in ("cloud", "trajectory", "picture", "training")})
+    files = ("cloud", "trajectory", "picture", "training", "ortho", "dem")
+    refuse_same(output=output, **{name: options[name] for name in files})
+    if (options["cell"] is None) == (options["ortho"] is not None or options["dem"] is not None):
+        refuse("--ortho and --dem go with --cell, the side of their cells in metres")
     from ...files.meshes.tables import MESHES
     from ...files.points.formats import WRITTEN
     from ...photos.video.job import reconstruct
@@ -168,10 +175,7 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
     points_alone = output.suffix.lower() in set(WRITTEN) - set(MESHES) and options["cloud"] is None
     if points_alone:
         options["cloud"] = output
-    outputs = Outputs(
-        None if points_alone else output,
-        **{name: options.pop(name) for name in ("cloud", "trajectory", "picture", "training")},
-    )
+    outputs = Outputs(None if points_alone else output, **{name: options.pop(name) for name in (*files, "cell")})
     with Progress() as progress:
         result = reconstruct(source, settings, outputs=outputs, overwrite=force, progress=progress, **options)
     return answer_with(result, result.source, as_json)

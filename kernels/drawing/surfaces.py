@@ -94,6 +94,25 @@ def read_texture(u: float, v: float, surface: Surface) -> vec3:
 
 
 @func
+def mix_corners(triangle: int, wa: float, wb: float, wc: float, surface: Surface) -> vec3:
+    """The colour at the place of a triangle with these weights of its corners, without light."""
+    color = surface.plain
+    if surface.texture_width > 0:
+        ta = surface.uvs[3 * triangle]
+        tb = surface.uvs[3 * triangle + 1]
+        tc = surface.uvs[3 * triangle + 2]
+        x = ta[0] * wa + tb[0] * wb + tc[0] * wc
+        y = ta[1] * wa + tb[1] * wb + tc[1] * wc
+        color = read_texture(x, y, surface)
+    elif surface.colors.shape[0] > 0:
+        a = surface.colors[surface.triangles[3 * triangle]]
+        b = surface.colors[surface.triangles[3 * triangle + 1]]
+        c = surface.colors[surface.triangles[3 * triangle + 2]]
+        color = clamp_color(a * wa + b * wb + c * wc)
+    return color
+
+
+@func
 def distance_to_edge(edge: vec3, ray: vec3, view: View) -> float:
     """How far from the line where an edge function is zero a ray meets the picture [cells]."""
     x = edge[0] / float(view.camera.fx)
@@ -130,16 +149,7 @@ def color_of(triangle: int, column: float, row: float, view: View, surface: Surf
         wb = min(max(u / total, 0.0), 1.0)
         wc = min(max(v / total, 0.0), 1.0 - wb)
         wa = 1.0 - wb - wc
-    color = surface.plain
-    if surface.texture_width > 0:
-        ta = surface.uvs[3 * triangle]
-        tb = surface.uvs[3 * triangle + 1]
-        tc = surface.uvs[3 * triangle + 2]
-        x = ta[0] * wa + tb[0] * wb + tc[0] * wc
-        y = ta[1] * wa + tb[1] * wb + tc[1] * wc
-        color = read_texture(x, y, surface)
-    elif surface.colors.shape[0] > 0:
-        color = clamp_color(surface.colors[ia] * wa + surface.colors[ib] * wb + surface.colors[ic] * wc)
+    color = mix_corners(triangle, wa, wb, wc, surface)
     if surface.edges == 1:
         distance = min(distance_to_edge(edge_b, ray, view), distance_to_edge(edge_c, ray, view))
         distance = min(distance, distance_to_edge(facing - edge_b - edge_c, ray, view)) / float(SAMPLES)

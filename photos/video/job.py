@@ -67,8 +67,9 @@ def reconstruct(
 
     Raises:
         TypeError, ValueError: An argument out of range, or a picture that `known` names and that is not there.
-        FileError: A source that is no video or folder of pictures, an output that cannot be written, a work folder that
-            holds an earlier run, without `resume`. What stages finished stays there.
+        FileError: A source that is no video or folder of pictures, an output that cannot be written, maps of a
+            model that nothing places on the Earth, a work folder that holds an earlier run, without `resume`. What
+            stages finished stays there.
         DeviceError: No such device.
 
     Notes:
@@ -85,6 +86,7 @@ def reconstruct(
     where, say = resolve_device(device), check_progress(progress)
     content = motion.digest_of_source(source)
     settings = _with_places(settings, source)
+    outputs.check_units(settings.units)
     if resume and work is None:
         raise ValueError("resume: goes with work, the folder of the earlier run")
     with _work_folder(work, outputs, resume=resume, overwrite=overwrite) as root:
@@ -92,7 +94,7 @@ def reconstruct(
         (root / REPORT).unlink(missing_ok=True)  # of an earlier run: it would tell of files that are made again
         chain = Chain(root, tuple(STAGES), resume=resume, progress=say)
         given = settings_of_stages(source, content, settings, where)
-        result = _run(chain, given, settings, source=os.fspath(source), work=work, device=where)
+        result = _run(chain, given, settings, outputs, source=os.fspath(source), work=work, device=where)
         if result.mesh is not None:
             training = outputs.write_training(result, chain.made["frames"].folder, overwrite=overwrite)
             result = replace(result, files=outputs.write(result, overwrite=overwrite), training=training)
@@ -123,7 +125,14 @@ def _with_places(settings: Settings, source: FilePath) -> Settings:
 
 
 def _run(
-    chain: Chain, given: Mapping[str, Given], settings: Settings, *, source: str, work: FilePath | None, device: Any
+    chain: Chain,
+    given: Mapping[str, Given],
+    settings: Settings,
+    outputs: Outputs,
+    *,
+    source: str,
+    work: FilePath | None,
+    device: Any,
 ) -> VideoResult:
     """Run the stages as far as they lead, and read what they leave."""
     stages = STAGES if settings.cameras is None else KNOWN_STAGES
@@ -139,6 +148,7 @@ def _run(
         fit = fit if settings.cameras is None else fit_as_given(fit)
         reasons += [] if fit.poor is None else [fit.poor]
         model = model.transform(fit.T_world_model)
+        outputs.check_fit(fit, model.points)
         surface_made = run_to("mesh", chain, given, stages)
         figures = VideoFigures.of_stages(chain.made)
         reasons += figures.why_depth_poor()

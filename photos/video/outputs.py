@@ -1,4 +1,4 @@
-"""What the job leaves outside its own folder: the mesh, and on request the cloud, the poses, a picture."""
+"""What the job leaves outside its own folder: the mesh, and on request the cloud, the poses, a picture, maps."""
 
 from __future__ import annotations
 
@@ -7,8 +7,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass, fields
 from pathlib import Path
 
+import numpy as np
+from numpy.typing import NDArray
+
 from ...cameras.pose_files import check_trajectory_output, write_poses
 from ...core.atomic import check_folder
+from ...core.checks import check_positive
 from ...core.errors import FileError, FilePath
 from ...core.outputs import check_output
 from ...drawing.render.picture_files import check_picture
@@ -19,12 +23,16 @@ from ...files.points.ply import write_ply, write_ply_mesh
 from ...files.points.point_cloud import table_of
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_files import mesh_table
+from ...meshing.scene.orthophoto import orthophoto
+from ...meshing.scene.plan_grid import grid_over
 from ...pcd.cloud import PointCloud
+from ...pcd.geotiff import check_geotiff
 from ..sfm.picture_folder import check_place
 from ..sfm.training_folder import TRANSFORMS, TrainingFolder, write_training_folder
 from .motion import MASKS, PICTURES
 from .result import VideoResult
 from .surface import poses_of
+from .units import Fit, Units
 
 
 @dataclass(frozen=True)
@@ -38,9 +46,13 @@ class Outputs:
         picture: Of the mesh, .png.
         training: A folder that gsplat, 3DGS and nerfstudio train from, as `sfm.write_training_folder` writes it: the
             pictures at their full size, straightened, in the frame of the mesh.
+        ortho: The mesh from above in its colours, a GeoTIFF (.tif) in UTM, as `loom.orthophoto` makes it. Such maps
+            want photographs that tell where they were taken, and `cell`.
+        dem: Its heights likewise.
+        cell: The side of the cells of both [m].
 
     Raises:
-        TypeError, ValueError: No path; the error names it.
+        TypeError, ValueError: No path, or no length; `cell` without maps or maps without it; the error names it.
 
     Example:
         >>> import pointloom as loom
@@ -53,11 +65,20 @@ class Outputs:
     trajectory: FilePath | None = None
     picture: FilePath | None = None
     training: FilePath | None = None
+    ortho: FilePath | None = None
+    dem: FilePath | None = None
+    cell: float | None = None
 
     def __post_init__(self):
         for field in fields(self):
-            if getattr(self, field.name) is not None:
+            if field.name != "cell" and getattr(self, field.name) is not None:
                 check_place(field.name, getattr(self, field.name))
+        if self.cell is not None:
+            object.__setattr__(self, "cell", check_positive("cell", self.cell))
+        if self._maps and self.cell is None:
+            raise ValueError("cell: goes with ortho and dem, whose cells have some side [m]; give it")
+        if self.cell is not None and not self._maps:
+            raise ValueError("cell: goes with ortho or dem; give one of them, or leave it out")
 
     def check(self, *, overwrite: bool) -> None:
         """Hold that all can be written, before any work.
@@ -75,11 +96,43 @@ class Outputs:
             check_picture(self.picture, overwrite=overwrite)
         if self.training is not None:
             check_folder(self.training, TRANSFORMS, overwrite=overwrite)
+        for path in self._maps:
+            check_geotiff(path, overwrite=overwrite)
         taken: set[Path] = set()
         for path in self._all():
             if Path(path).resolve() in taken:
                 raise FileError(path, "is given for two outputs", remedy="Give each a name of its own")
             taken.add(Path(path).resolve())
+
+    def check_units(self, units: Units) -> None:
+        """Hold that what is known of places may tell where maps lie, before any work.
+
+        Raises:
+            FileError: It cannot.
+        """
+        if self._maps and not units.may_place:
+            raise self._no_place("nothing will tell where the model lies on the Earth")
+
+    def check_fit(self, fit: Fit, points: NDArray[np.float64]) -> None:
+        """Hold that maps can be made, before the long work.
+
+        Args:
+            fit: Where the model lies.
+            points: Of the model in that frame, shape [n, 3].
+
+        Raises:
+            FileError: Nobody knows where it lies on the Earth.
+            ValueError: The cells would be too many; that it is all of them shows when the mesh is there.
+        """
+        if self._maps and fit.frame is None:
+            raise self._no_place("the places that the pictures tell do not settle where the model lies on the Earth")
+        if self.cell is not None and len(points):
+            low, high = np.percentile(points[:, :2], (5, 95), axis=0)  # few points are far off
+            grid_over(low, high, np.zeros(2), self.cell)
+
+    def _no_place(self, reason: str) -> FileError:
+        remedy = "Give a folder of photographs with GPS, and --align exif; or leave --ortho and --dem out"
+        return FileError(self._maps[0], f"is a map, and {reason}", remedy=remedy)
 
     def write(self, result: VideoResult, *, overwrite: bool) -> tuple[str, ...]:
         """Write what a result with a mesh holds; gives the names of the files.
@@ -98,6 +151,12 @@ class Outputs:
             write_poses(self.trajectory, path, overwrite=overwrite)
         if self.picture is not None:
             draw_scene(self.picture, result.mesh, path.poses, overwrite=overwrite)
+        if self.cell is not None:
+            made = orthophoto(result.mesh, self.cell, frame=result.fit.frame)
+            if self.ortho is not None:
+                made.write(self.ortho, overwrite=overwrite)
+            if self.dem is not None:
+                made.heights.write(self.dem, overwrite=overwrite)
         return tuple(os.fspath(each) for each in self._all())
 
     def write_training(self, result: VideoResult, frames: Path, *, overwrite: bool) -> TrainingFolder | None:
@@ -117,8 +176,12 @@ class Outputs:
         given = {"masks": masks if masks.is_dir() else None, "device": result.device, "overwrite": overwrite}
         return write_training_folder(self.training, result.model, frames / PICTURES, **given)
 
+    @property
+    def _maps(self) -> list[FilePath]:
+        return [path for path in (self.ortho, self.dem) if path is not None]
+
     def _all(self) -> Iterator[FilePath]:
-        paths = (self.mesh, self.cloud, self.trajectory, self.picture, self.training)
+        paths = (self.mesh, self.cloud, self.trajectory, self.picture, self.training, self.ortho, self.dem)
         return (path for path in paths if path is not None)
 
 

@@ -96,6 +96,11 @@ class Units:
         return self._word == EXIF or (self.align is None and self.scale is None and self.known is None)
 
     @property
+    def may_place(self) -> bool:
+        """Whether they may tell where the model lies on the Earth."""
+        return self.uses_places and self.places is not None and len(self.places.places) >= FEWEST
+
+    @property
     def settings(self) -> dict[str, Any]:
         """What decides the outcome, in JSON's types."""
         align = self._word if self.file is None else digest_of_file(self.file)

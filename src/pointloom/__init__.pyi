@@ -49,6 +49,8 @@ from .meshing.mesh.simplified_mesh import simplify_mesh as simplify_mesh
 from .meshing.mesh.smoothed_mesh import SmoothedMesh as SmoothedMesh
 from .meshing.mesh.smoothed_mesh import smooth_mesh as smooth_mesh
 from .meshing.mesh.surface_result import SurfaceResult as SurfaceResult
+from .meshing.scene.orthophoto import Orthophoto as Orthophoto
+from .meshing.scene.orthophoto import orthophoto as orthophoto
 from .meshing.scene.raycasting_scene import RaycastingScene as RaycastingScene
 from .meshing.volume.distance_field import DistanceField as DistanceField
 from .meshing.volume.occupancy import OccupancyGrid as OccupancyGrid

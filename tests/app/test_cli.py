@@ -58,7 +58,7 @@ heavy = {{"numpy", "scipy", "warp", "taichi", "PIL", "rich"}}
 print(json.dumps(sorted(heavy & {{name.partition(".")[0] for name in sys.modules}})), file=sys.stderr)
 """
     process = start(program)
-    stdout, stderr = process.communicate(timeout=60)
+    stdout, stderr = process.communicate(timeout=300)
     assert process.returncode == 0, stderr
     assert json.loads(stderr) == []
     assert stdout.count("Usage: pointloom") == 1 + len(COMMANDS)
@@ -343,7 +343,7 @@ main()
         assert process.stderr.readline() == "writing\n"
         assert len(names_in(tmp_path)) == len(before) + 1  # the part under its temporary name
         process.send_signal(number)
-        stdout, stderr = process.communicate(timeout=60)
+        stdout, stderr = process.communicate(timeout=300)
     assert process.returncode == code
     assert stdout == ""
     assert "Traceback" not in stderr
@@ -364,7 +364,7 @@ runpy.run_module("pointloom", run_name="__main__", alter_sys=True)
     with process:
         assert process.stdout.readline() == "loading\n"
         process.send_signal(signal.SIGINT)
-        _, stderr = process.communicate(timeout=60)
+        _, stderr = process.communicate(timeout=300)
     assert (process.returncode, stderr) == (130, "interrupted\n")
 
 
@@ -379,13 +379,13 @@ group.CompileNotice.__enter__ = interrupt
 cli.main()
 """
     process = start(program, "--version")
-    _, stderr = process.communicate(timeout=60)
+    _, stderr = process.communicate(timeout=300)
     assert (process.returncode, stderr) == (130, "interrupted\n")
 
 
 def test_the_package_runs_as_a_module():
     process = start('import runpy; runpy.run_module("pointloom", run_name="__main__", alter_sys=True)', "--version")
-    stdout, stderr = process.communicate(timeout=60)
+    stdout, stderr = process.communicate(timeout=300)
     assert (process.returncode, stderr) == (0, "")
     assert stdout.split()[-1] == loom.__version__
 

@@ -79,7 +79,7 @@ def test_bash_itself_completes(folder):
     script += "COMP_WORDS=(pointloom clean s); COMP_CWORD=2; _pointloom_completion pointloom 2>&1\n"
     script += 'printf "%s\\n" "${COMPREPLY[@]}"'
     environment = os.environ | {"PATH": f"{folder}:{os.environ['PATH']}", "PYTHONPATH": str(ROOT / "src")}
-    told = subprocess.run([bash, "-c", script], capture_output=True, text=True, env=environment, timeout=60)
+    told = subprocess.run([bash, "-c", script], capture_output=True, text=True, env=environment, timeout=300)
     words = [line for line in told.stdout.splitlines() if "compopt" not in line]
     assert words == ["scan.LAZ", "scan.ply", "scans"], told
 

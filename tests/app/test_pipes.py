@@ -124,7 +124,7 @@ def test_a_terminal_is_no_pipe(cloud, words, end):
     words = [str(cloud) if word == "CLOUD" else word for word in words]
     stdin, stdout = (theirs, subprocess.PIPE) if end == "input" else (subprocess.DEVNULL, theirs)
     process = start(*words, stdin=stdin, stdout=stdout)
-    _, stderr = process.communicate(timeout=60)
+    _, stderr = process.communicate(timeout=300)
     os.close(theirs)
     os.close(ours)
     assert process.returncode == 2
@@ -142,7 +142,7 @@ def test_a_terminal_is_no_pipe(cloud, words, end):
 def test_a_full_disk_behind_standard_output_is_one_line(cloud, words):
     with Path("/dev/full").open("wb") as full:
         process = start(*(cloud if word == "CLOUD" else word for word in words), stdout=full)
-        _, stderr = process.communicate(timeout=60)
+        _, stderr = process.communicate(timeout=300)
     assert process.returncode == 1
     assert stderr.decode().splitlines()[-1] == "error: standard output: No space left on device"
     assert b"Traceback" not in stderr
@@ -155,7 +155,7 @@ def test_a_reader_that_has_enough_is_told_nothing(cloud):
     os.close(read)
     process = start("info", cloud, "--json", stdout=write)
     os.close(write)
-    _, stderr = process.communicate(timeout=60)
+    _, stderr = process.communicate(timeout=300)
     assert (process.returncode, stderr) == (1, b"")
 
 

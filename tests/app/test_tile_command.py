@@ -236,7 +236,7 @@ def test_ctrl_c_ends_in_one_line_and_the_next_run_goes_on(job, how):
             time.sleep(0.05)
         time.sleep(0.1)
         process.send_signal(signal.SIGINT)
-        stdout, stderr = process.communicate(timeout=60)
+        stdout, stderr = process.communicate(timeout=300)
         assert (process.returncode, stdout, stderr.strip()) == (130, "", "interrupted")
         after = answer("tile", "status", "job")
         assert after["running"] == after["aside"] == 0 and after["done"] >= before["done"]

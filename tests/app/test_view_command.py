@@ -91,7 +91,7 @@ def test_pictures_and_pages_need_no_server(cloud, tmp_path):
     )
     environment = os.environ | {"PYTHONPATH": str(ROOT / "src")}
     done = subprocess.run(
-        [sys.executable, "-c", program], cwd=tmp_path, env=environment, capture_output=True, text=True, timeout=60
+        [sys.executable, "-c", program], cwd=tmp_path, env=environment, capture_output=True, text=True, timeout=300
     )
     assert done.returncode == 0, done.stderr
     assert done.stderr == ""
@@ -244,7 +244,7 @@ def test_the_page_is_told_on_stderr_and_ctrl_c_frees_the_port(cloud):
     with socket.create_connection(("127.0.0.1", port), timeout=5):
         pass
     process.send_signal(signal.SIGINT)
-    out, err = process.communicate(timeout=60)
+    out, err = process.communicate(timeout=300)
     assert (process.returncode, out, err.strip()) == (130, "", "interrupted")
     with socket.create_server(("127.0.0.1", port)):
         pass
@@ -281,7 +281,7 @@ def test_json_tells_the_address_and_nothing_else(cloud):
     while lines[-1].rstrip() != "}":
         lines.append(process.stdout.readline())
     process.send_signal(signal.SIGTERM)
-    assert process.communicate(timeout=60)[0] == ""
+    assert process.communicate(timeout=300)[0] == ""
     report = json.loads("".join(lines))
     assert report["url"].startswith("http://127.0.0.1:")
     assert report["geometries"] == [{"name": "cloud.ply", "kind": "PointCloud", "points": 500}]

@@ -23,7 +23,7 @@ def cloud():
 
 def test_the_import_is_as_light_as_that_of_the_package():
     program = "import sys, pointloom.open3d; print({'warp', 'numpy', 'scipy', 'open3d'} & set(sys.modules))"
-    answer = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True, timeout=60)
+    answer = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True, timeout=300)
     assert answer.stdout.strip() == "set()"
 
 

@@ -221,7 +221,7 @@ def press(control, value=None):
     for callback in handle._callbacks:
         callback(SimpleNamespace(client_id=0, value=value, target=handle))
     control._controls._calls.call(0, done.set)
-    assert done.wait(20)
+    assert done.wait(60)
 
 
 def test_actions_of_draw_are_buttons_that_call_with_the_window(box, window):

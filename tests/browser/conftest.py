@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, ConsoleMessage, Error, Page, sync_playwright
+from playwright.sync_api import Browser, ConsoleMessage, Error, Page, expect, sync_playwright
 
 import pointloom as loom
 
@@ -53,6 +53,7 @@ def browser() -> Iterator[Browser]:
     path = os.environ.get("POINTLOOM_CHROMIUM") or next(filter(None, map(shutil.which, NAMES)), None)
     if path is None:
         pytest.exit(MISSING, returncode=1)
+    expect.set_options(timeout=1000 * PATIENCE)  # 5 s else, which a busy machine may take
     with sync_playwright() as playwright:
         chromium = playwright.chromium.launch(executable_path=path, args=FLAGS, chromium_sandbox=False)
         yield chromium
@@ -166,12 +167,12 @@ def visit(program: Program, open_page: Callable[..., Page]) -> Callable[..., Pag
         page = open_page(program.url, width=width, height=height, faults=faults)
         page.locator(OPEN).wait_for(state="attached")
         signs: list[Any] = []
-        wait_until(page, program.pages.get_clients, lambda: "the program knows of no page", seconds=20)
+        wait_until(page, program.pages.get_clients, lambda: "the program knows of no page")
         clients = program.pages.get_clients()
         client = clients[max(clients)]
         client.on_sign(signs.append)
         client.ask_for_sign()
-        wait_until(page, lambda: signs, lambda: "the page does not answer", seconds=20)
+        wait_until(page, lambda: signs, lambda: "the page does not answer")
         return page
 
     return visit_one

@@ -59,7 +59,7 @@ class Program:
     def wait_for(self, page: Page, kind: str, value: Any) -> None:
         """Until a page has said this."""
         tell = lambda: f"{kind} {value!r} among {self.said}"  # noqa: E731
-        wait_until(page, lambda: (kind, value) in self.said[-1:], tell, seconds=20)
+        wait_until(page, lambda: (kind, value) in self.said[-1:], tell)
 
 
 def control(page: Page, handle: Any) -> Any:

@@ -4,7 +4,7 @@ import numpy as np
 
 import pointloom as loom
 
-from .pixels import count_pixels
+from .pixels import count_pixels, wait_until
 
 SETTLED = "html[data-settled='true']"
 
@@ -57,8 +57,8 @@ def test_a_live_frame_covers_its_still_while_the_viewer_lives_and_the_still_is_s
     page = open_page(foreign_page, width=700, height=800, faults=False)
     page.evaluate(SHOW, cell)
     page.wait_for_timeout(1000)  # for the browser's own page of a server that is gone
+    wait_until(page, lambda: count_pixels(picture_of(page), BRICK, 60) > 3000, lambda: "the still is not seen")
     assert not page.evaluate(IS_LIVE)
-    assert count_pixels(picture_of(page), BRICK, 60) > 3000
 
 
 def picture_of(page):

@@ -74,7 +74,7 @@ def test_the_panel_and_what_colours_mean_lie_beside_the_picture(program, visit):
     expect(page.locator("#side")).to_be_hidden()
     page.keyboard.press("t")
     bar.remove()
-    wait_until(page, lambda: page.locator(".colorbar").count() == 0, lambda: "still there", seconds=20)
+    wait_until(page, lambda: page.locator(".colorbar").count() == 0, lambda: "still there")
 
 
 def test_dark_follows_the_reader_where_the_ground_is_not_the_programs(program, visit):
@@ -88,7 +88,7 @@ def test_dark_follows_the_reader_where_the_ground_is_not_the_programs(program, v
     program.pages.set_background(np.array(WHITE) / 255, own=True)
     wait_for_picture(page, lambda image: not dark(image))
     page.keyboard.press("d")
-    wait_until(page, lambda: picture(page, panels=True)[20, 300].mean() > 200, lambda: "still dark", seconds=20)
+    wait_until(page, lambda: picture(page, panels=True)[20, 300].mean() > 200, lambda: "still dark")
 
 
 def test_progress_hint_and_notices_are_told(program, visit):

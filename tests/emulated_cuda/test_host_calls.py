@@ -47,6 +47,7 @@ MORE = {
     "blocks on their way to a disk and back, and into a file": ("tsdf, paged", "write_vdb"),
     "up to 20,000 colours, of which a legend shows the mean": ("render, values",),
     "which part of a mesh lies in which is asked of NumPy": ("mesh, repair", "mesh, sheets"),
+    "vertices are projected on the host, in float64": ("orthophoto",),
     "numbers of each patch": ("detect_planar_patches",),
     "the best samples of each batch, the sums of each fit": (
         *("segment_sphere", "segment_cylinder", "segment_cone", "segment_torus", "detect_shapes", "fit_shape"),

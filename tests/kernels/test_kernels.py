@@ -18,7 +18,8 @@ def device_code(kind):
                 yield f"{found.name}.{name}", value
 
 
-@pytest.mark.parametrize("kind", [Kernel, Reduction, Func, Loop])
+# Each kernel is checked at its first use, too, and by `make check-cuda`.
+@pytest.mark.parametrize("kind", [pytest.param(Kernel, marks=pytest.mark.slow), Reduction, Func, Loop])
 def test_everything_is_in_the_language(kind):
     for _, value in device_code(kind):
         value.settle()

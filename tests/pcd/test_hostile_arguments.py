@@ -312,6 +312,8 @@ loom.utm_epsg(cloud=lonlat)
 loom.write_trajectory(path="trajectory.tum", trajectory=trajectory, format="tum", intrinsic=camera)
 loom.write_triangle_mesh(path="mesh.ply", mesh=mesh, up="y")
 loom.write_vdb(path="field.vdb", volume=distance_field)
+loom.orthophoto(mesh=mesh, cell=0.1, frame=world, epsg=32632, corner=[0.0, 0.5], bounds=None, crs=None)
+photo.write(path="ortho.tif")
 loom.read_color(path="nowhere.png")
 loom.read_depth(path="nowhere.png")
 loom.read_pinhole_camera_intrinsic(path="nowhere.json")
@@ -400,6 +402,7 @@ def things() -> dict[str, Any]:
         shell=loom.TriangleMesh(
             40 * np.vstack([np.eye(3), [[-1, -1, -1]]]), [[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]
         ),
+        world=loom.video.WorldFrame(47.5, 8.25), photo=loom.orthophoto(painted, 0.5),
         line_ends=np.array([[0, 1], [1, 2]]), line_colors=np.eye(2, 3),
         segments=loom.LineSet(points, [[0, 1], [1, 2]]),
         field=rng.normal(size=(4, 4, 4)), poses=poses, times=np.arange(3.0), ids=np.arange(3)[:, None],
@@ -411,7 +414,7 @@ def things() -> dict[str, Any]:
 
 
 HOMES = {
-    "cloud": "PointCloud", "search": "NearestNeighborSearch", "box": "AxisAlignedBoundingBox",
+    "photo": "Orthophoto", "cloud": "PointCloud", "search": "NearestNeighborSearch", "box": "AxisAlignedBoundingBox",
     "turned": "OrientedBoundingBox", "camera": "PinholeCameraIntrinsic", "volume": "SelectionPolygonVolume",
     "occupancy()": "OccupancyGrid", "occupancy_filled": "OccupancyGrid",
     "paged()": "PagedTSDFVolume", "paged_filled": "PagedTSDFVolume",
@@ -437,6 +440,7 @@ LEFT_OUT |= {  # other names of what the table has
     if name.startswith("create_from_") and hasattr(kind, name.removeprefix("create_"))
 }
 LEFT_OUT |= {"RayHits", "SplatPicture", "Shape", "ShapeSurface", "DetectedShapes", "BoxShape", "Stations"}  # results
+LEFT_OUT |= {"Orthophoto"}  # a result
 LEFT_OUT |= {"find_boxes"}  # tests/pcd/test_shape_boxes.py has it
 LEFT_OUT |= {"record"}  # tests/drawing/recording has it
 # tests/drawing/render has them

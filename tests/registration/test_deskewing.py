@@ -28,7 +28,7 @@ def skew_scan(world, twist, shares) -> np.ndarray:
     return np.array(seen).reshape(-1, 4)[:, :3]
 
 
-@settings(max_examples=40, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=20, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.tuples(*[small] * 6), st.floats(1e-3, 1e9), st.floats(-1e6, 1e6), st.integers(2, 9))
 def test_a_scan_is_as_if_taken_at_its_end(device, tolerances, twist, unit, start, count):
     rng = np.random.default_rng(count)

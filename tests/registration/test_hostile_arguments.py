@@ -178,9 +178,21 @@ def test_the_good_arguments_are_taken(call):
 
 
 CASES = [(call, name) for call, (_, names) in TABLE.items() for name, good in names.items() if good != "True"]
+# Values that it takes run a whole registration each; of its other arguments no hostile value is taken, or few are.
+DEAR = {
+    ("register_stations", name) for name in ("rough", "voxel_size", "overlap", "position_sigma", "level_sigma", "seed")
+}
 
 
-@pytest.mark.parametrize(("call", "argument"), CASES)
+def marked(values, dear):
+    assert {*values} >= dear
+    return [
+        pytest.param(*np.atleast_1d(value).tolist(), marks=pytest.mark.slow if value in dear else ())
+        for value in values
+    ]
+
+
+@pytest.mark.parametrize(("call", "argument"), marked(CASES, DEAR))
 def test_a_hostile_value_is_refused_by_name(call, argument):
     function, expressions = TABLE[call]
     values = things()
@@ -198,7 +210,7 @@ def test_a_hostile_value_is_refused_by_name(call, argument):
 CLOUDS = ("source", "target")
 
 
-@pytest.mark.parametrize("call", calls_of_clouds(TABLE, CLOUDS))
+@pytest.mark.parametrize("call", marked(calls_of_clouds(TABLE, CLOUDS), {"register_stations"}))
 def test_a_hostile_cloud_is_answered_without_a_warning(call):
     faults = faults_of_clouds(TABLE[call], CLOUDS, things())
     assert not faults, "\n".join(faults)

@@ -5,6 +5,7 @@ import pytest
 
 import pointloom as loom
 
+from ..products import each_pair
 from .dense_icp import MOTIONS, DenseICP, motion
 from .icp_clouds import KINDS, PLANE, back, on, wavy
 from .poses import as_pose
@@ -31,10 +32,14 @@ def some_information(rng, rank=6):
     return A @ A.T
 
 
-@pytest.mark.parametrize("noise", [0.05, None])
-@pytest.mark.parametrize("kind", ["plane", "point", "scaled"])
-@pytest.mark.parametrize("free", [None, ("x", "y", "z", "yaw"), ("roll", "pitch", "yaw", "x")])
-@pytest.mark.parametrize("rank", [6, 2])
+@pytest.mark.parametrize(
+    **each_pair(
+        free=[None, ("x", "y", "z", "yaw"), ("roll", "pitch", "yaw", "x")],
+        kind=["plane", "point", "scaled"],
+        noise=[0.05, None],
+        rank=[6, 2],
+    )
+)
 def test_the_pose_is_that_of_dense_least_squares(device, pair, free, kind, noise, rank, rng):
     """The prior lies beside the truth, so that both pull."""
     source, target = on(device, *pair)

@@ -52,6 +52,7 @@ def test_landmarks_keep_points_from_sliding_along_the_surface(device, swaying):
 
 
 @LONG
+@pytest.mark.slow
 def test_a_tube_is_twisted_and_a_ball_breathes(device):
     for body, scan, truth in (
         (tube(COUNT, 0), twisted(tube(COUNT, 1)), twisted(tube(COUNT, 0))),
@@ -105,6 +106,7 @@ def test_what_did_not_bend_is_told(device, swaying):
 
 
 @LONG
+@pytest.mark.slow
 def test_a_bend_far_from_zero_is_the_same(device, swaying):
     body, scan, _ = swaying
     here = bend(loom.PointCloud(body, device=device), loom.PointCloud(scan, device=device))

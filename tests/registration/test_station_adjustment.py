@@ -56,7 +56,7 @@ def errors_of(found, truth, level):
     return errors[:, [2, 3, 4, 5]] if level else errors
 
 
-@pytest.mark.parametrize("control", [True, False], ids=["control", "free"])
+@pytest.mark.parametrize("control", [pytest.param(True, marks=pytest.mark.slow), False], ids=["control", "free"])
 @pytest.mark.parametrize("level", [True, pytest.param(False, marks=pytest.mark.slow)], ids=["level", "six degrees"])
 def test_errors_are_as_large_as_the_standard_deviations_say(level, control):
     seeds, squares, redundancy, sums, size = 12, 0.0, 0, 0.0, 4 if level else 6

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 import pointloom as loom
 from pointloom.files.points.las import read_las
@@ -13,6 +14,9 @@ from pointloom.scale.manifest import Manifest
 STEP = 1e-7  # [m] below what float32 tells apart here, so that files hold means and moved points to the bit
 CORNER = np.array([500_000.0, 4_000_000.0, 100.0])
 SIDE = 40.0
+# Sides of tiles [m], quick ones first: 4 tiles with points on their borders and corner (and slivers), all in one;
+# more tiles of both kinds, whose cost is that of each tile.
+SIZES = [20.0, 100.0, *(pytest.param(size, marks=pytest.mark.slow) for size in (10.0, 17.3))]
 
 
 def survey(folder, *, count=6000, files=2, suffix=".laz", seed=0):

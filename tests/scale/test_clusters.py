@@ -67,7 +67,9 @@ def files(tmp_path_factory):
     return survey(tmp_path_factory.mktemp("survey"), count=3000)
 
 
-@pytest.mark.parametrize("size", [8.1, 10.0, 100.0])
+@pytest.mark.parametrize(
+    "size", [14.0, 20.0, 100.0, *(pytest.param(size, marks=pytest.mark.slow) for size in (8.1, 10.0))]
+)
 @pytest.mark.parametrize("step", [DBSCAN, EUCLIDEAN], ids=lambda step: step["step"])
 def test_labels_of_tiles_of_any_size_are_those_of_one_machine(files, tmp_path, step, size):
     labels = check(files, [step], tmp_path / "job", size=size)
@@ -183,7 +185,7 @@ def test_what_a_tile_left_is_held_against_the_manifest(files, tmp_path, monkeypa
     assert not [*(tmp_path / "job" / "joined").iterdir()]
 
 
-@pytest.mark.parametrize("most", [2, 7, 100])
+@pytest.mark.parametrize("most", [2, *(pytest.param(most, marks=pytest.mark.slow) for most in (7, 100))])
 @pytest.mark.parametrize("step", [DBSCAN, EUCLIDEAN], ids=lambda step: step["step"])
 def test_however_few_clusters_are_sorted_at_a_time_their_order_is_the_same(files, tmp_path, monkeypatch, step, most):
     monkeypatch.setattr(label_join, "MOST_RANKED", most)

@@ -12,9 +12,7 @@ from pointloom.files.table import PointTable
 from pointloom.scale import work_tile
 from pointloom.scale.epochs import read_epoch
 
-from .scenes import CORNER, in_memory, rows_of, survey, tiled, whole_cloud
-
-SIZES = [17.3, 10.0, 100.0]
+from .scenes import CORNER, SIZES, in_memory, rows_of, survey, tiled, whole_cloud
 
 
 @pytest.fixture(scope="module")
@@ -118,7 +116,7 @@ def test_m3c2_of_tiles_is_that_of_one_machine(files, later, tmp_path, size):
     same(found, expected, *ATTRIBUTES)
 
 
-@pytest.mark.parametrize("size", [17.3, 100.0])
+@pytest.mark.parametrize("size", [20.0, pytest.param(17.3, marks=pytest.mark.slow)])
 def test_m3c2_at_thinned_core_points_behind_another_step(files, later, tmp_path, size):
     steps = [
         {"step": "voxel_down_sample", "voxel_size": 0.3},

@@ -30,7 +30,7 @@ def moved(*rings):
     return [(ring + CORNER[:2]).tolist() for ring in rings]
 
 
-@pytest.mark.parametrize("size", [6.0, 20.0, 100.0])
+@pytest.mark.parametrize("size", [20.0, 100.0, pytest.param(6.0, marks=pytest.mark.slow)])
 def test_points_in_polygons_are_those_of_one_machine(files, tmp_path, size):
     told = geojson(moved(OUTER, HOLE), moved(OTHER))
     for invert in (False, True):

@@ -9,7 +9,7 @@ from pointloom.files.table import PointTable
 from pointloom.scale import work_tile
 from pointloom.scale.manifest import NOT_LAID, Manifest
 
-from .scenes import CORNER, SIDE, STEP, finished, in_memory, plan_of, rows_of, survey, tiled, whole_cloud
+from .scenes import CORNER, SIDE, SIZES, STEP, finished, in_memory, plan_of, rows_of, survey, tiled, whole_cloud
 
 MIDDLE = (CORNER + np.array([SIDE / 2, SIDE / 2, 0])).tolist()
 CHAINS = {
@@ -39,11 +39,9 @@ def files(tmp_path_factory):
     return survey(tmp_path_factory.mktemp("survey"))
 
 
-@pytest.mark.parametrize("size", [17.3, 10.0, 100.0])
+@pytest.mark.parametrize("size", SIZES)
 @pytest.mark.parametrize("chain", CHAINS)
 def test_tiles_of_any_size_give_the_bits_of_one_machine(files, tmp_path, chain, size):
-    if size == 10.0 and chain == "a chain":
-        size = 20.0  # a quarter of the tiles, corners still on points
     found, plan = tiled(files, CHAINS[chain], tmp_path / "job", size=size)
     expected = in_memory(whole_cloud(files, np.array(plan["origin"])), CHAINS[chain], plan["voxel_corner"])
     assert len(expected) > 0
@@ -61,7 +59,7 @@ def test_points_that_are_equally_near_are_why_tiles_share_a_curve(files, tmp_pat
 
 def test_a_halo_that_is_too_small_is_doubled(files, tmp_path, monkeypatch):
     steps = CHAINS["normals of the nearest"]
-    loom.scale.plan_tiles(files, steps, tmp_path / "job", size=10.0)
+    loom.scale.plan_tiles(files, steps, tmp_path / "job", size=20.0)
     monkeypatch.setattr("pointloom.scale.plan.Plan.__init__", _with_small_guesses(work_tile.Plan.__init__))
     assert loom.scale.run_tiles(tmp_path / "job").is_finished
     found = finished(tmp_path / "job")
@@ -83,7 +81,7 @@ def test_without_the_certificate_a_small_halo_gives_another_answer(files, tmp_pa
     steps = CHAINS["normals of the nearest"]
     monkeypatch.setattr("pointloom.scale.plan.Plan.__init__", _with_small_guesses(work_tile.Plan.__init__))
     monkeypatch.setattr(work_tile, "_certify", lambda *_: None)
-    found, plan = tiled(files, steps, tmp_path / "job", size=10.0)
+    found, plan = tiled(files, steps, tmp_path / "job", size=20.0)
     expected = in_memory(whole_cloud(files, np.array(plan["origin"])), steps, plan["voxel_corner"])
     assert not np.array_equal(rows_of(found), rows_of(expected))
 

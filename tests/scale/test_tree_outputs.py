@@ -229,6 +229,13 @@ def test_tiles_have_an_index_and_an_overview(job, merged, has_crs, tmp_path):
     assert 0 < len(coarse.read().points) < len(merged.points) and finest <= 0.2 < 2 * finest
 
 
+@pytest.mark.parametrize(
+    "has_crs",
+    [True, pytest.param(False, marks=pytest.mark.slow)],
+    ids=["utm", "nowhere"],
+    indirect=True,
+    scope="module",
+)
 @pytest.mark.parametrize("output", ["tiles", "3dtiles", "potree"])
 def test_a_folder_appears_whole_or_not_at_all(job, tmp_path, output, monkeypatch):
     (tmp_path / "mine").mkdir()

@@ -18,6 +18,8 @@ from pointloom.drawing.viewer.link.client import PageClient
 from pointloom.drawing.viewer.link.hub import PROTOCOL
 from pointloom.drawing.viewer.server import ViewerServer
 
+PATIENCE = 60.0  # [s]; only a test that fails waits so long, and a busy machine is no failure
+
 HELLO = {"say": "hello", "size": [800, 600], "version": 1}
 CAMERA = {
     "say": "camera", "position": [0.0, 0.0, 3.0], "rotation": [1, 0, 0, 0, -1, 0, 0, 0, -1], "fov": 1.0,
@@ -37,7 +39,7 @@ def get(
 
     Without a path it is the page's, with its token.
     """
-    line = http.client.HTTPConnection("127.0.0.1", server.port, timeout=10)
+    line = http.client.HTTPConnection("127.0.0.1", server.port, timeout=PATIENCE)
     try:
         line.putrequest(
             method, with_token(server) if path is None else path, skip_host="Host" in headers, skip_accept_encoding=True
@@ -53,7 +55,7 @@ def get(
 
 def send_raw(server: ViewerServer, data: bytes) -> bytes:
     """What the server answers to these bytes before it hangs up."""
-    with socket.create_connection(("127.0.0.1", server.port), timeout=10) as line:
+    with socket.create_connection(("127.0.0.1", server.port), timeout=PATIENCE) as line:
         answer = b""
         with contextlib.suppress(ConnectionError):
             line.sendall(data)
@@ -105,7 +107,7 @@ def silent_line(server: ViewerServer, name: str = "127.0.0.1", port: int = 0, bu
     host = f"{name}:{port or server.port}"
     line = socket.socket()
     line.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, buffer)
-    line.settimeout(10)
+    line.settimeout(PATIENCE)
     line.connect(("127.0.0.1", server.port))
     hello = json.dumps(HELLO).encode()
     frame = bytes([0x81, 0x80 | len(hello), 0, 0, 0, 0]) + hello  # text, masked by zeros
@@ -124,7 +126,7 @@ def say(line: ClientConnection, message: dict[str, Any]) -> None:
     line.send(json.dumps(message))
 
 
-def hear(line: ClientConnection, seconds: float = 5.0) -> list[dict[str, Any]]:
+def hear(line: ClientConnection, seconds: float = PATIENCE) -> list[dict[str, Any]]:
     """The operations of the next message, arrays in place of their numbers."""
     raw = line.recv(timeout=seconds)
     assert isinstance(raw, bytes)
@@ -144,7 +146,7 @@ def hear(line: ClientConnection, seconds: float = 5.0) -> list[dict[str, Any]]:
 ARRAYS = {"positions", "colors", "normals", "indices", "uvs", "texture", "poses", "image", "data"}
 
 
-def hear_until(line: ClientConnection, name: str, seconds: float = 5.0, **fields: Any) -> dict[str, Any]:
+def hear_until(line: ClientConnection, name: str, seconds: float = PATIENCE, **fields: Any) -> dict[str, Any]:
     """The next operation of this name, with these fields; those of its message that come before it are let go."""
     end = time.monotonic() + seconds
     while True:
@@ -153,7 +155,7 @@ def hear_until(line: ClientConnection, name: str, seconds: float = 5.0, **fields
                 return op
 
 
-def wait_until(claim: Callable[[], bool], seconds: float = 5.0) -> None:
+def wait_until(claim: Callable[[], bool], seconds: float = PATIENCE) -> None:
     """Return once the claim holds."""
     end = time.monotonic() + seconds
     while not claim():

@@ -196,7 +196,7 @@ def page_in(viewer: Any, size: tuple[int, int] = (800, 600)) -> Iterator[Page]:
         worker = page.client.worker
         visitor.leave()
         if worker._thread is not None:
-            worker._thread.join(10)
+            worker._thread.join(60)
 
 
 def page_alone(size: tuple[int, int] = (1000, 800)) -> Page:

@@ -24,7 +24,7 @@ ROOT = Path(__file__).resolve().parents[3]
 UTM = np.array([500_000.0, 5_600_000.0, 300.0])
 
 
-def wait_until(claim, seconds=30.0):
+def wait_until(claim, seconds=60.0):
     """Of a machine that may have much else to do, or kernels to load."""
     wait_for(claim, seconds)
 
@@ -166,7 +166,7 @@ def test_ctrl_c_ends_a_script_s_wait_and_the_script_goes_on(tmp_path):
     assert process.stderr.readline().startswith("viewer: http://127.0.0.1:")
     time.sleep(0.2)
     process.send_signal(signal.SIGINT)
-    out, err = process.communicate(timeout=60)
+    out, err = process.communicate(timeout=300)
     assert (process.returncode, out, err) == (0, "", "went on True\n")
 
 

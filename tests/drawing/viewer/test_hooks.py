@@ -117,7 +117,7 @@ class Stand(Hooks):
         """All that was asked for is done."""
         done = threading.Event()
         self._calls().call(7, done.set)
-        assert done.wait(10)
+        assert done.wait(60)
 
 
 @pytest.fixture
@@ -416,7 +416,7 @@ def test_frames_run_in_the_thread_of_the_pages_until_the_end(stand):
 
 
 def until(claim):
-    wait_until(claim, 30.0)
+    wait_until(claim)
 
 
 class Told:

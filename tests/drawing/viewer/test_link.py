@@ -222,14 +222,14 @@ def test_batches_of_two_threads_are_neither_torn_nor_mixed_up(delivery, scene):
         with delivery.atomic():
             node.set(size=5)
             inside.set()
-            done.wait(5)
+            done.wait(60)
             node.set(opacity=0.5)
 
     node = scene.add_points(POINTS)
     page.read_all()
     thread = threading.Thread(target=other)
     thread.start()
-    inside.wait(5)
+    assert inside.wait(60)
     node.set(size=6)  # newer than that of the batch that is not complete
     assert page.read_all() == []
     done.set()
@@ -253,13 +253,13 @@ def test_large_batches_that_wait_go_one_by_one_and_joined_ones_together(delivery
 
 def test_callbacks_run_in_order_in_one_thread_and_no_more_wait_than_may():
     worker, gate, seen = Worker("test-worker"), threading.Event(), []
-    worker.run(gate.wait, 5)
+    worker.run(gate.wait, 60)
     taken = [worker.run(seen.append, number) for number in range(MOST_WAITING + 10)]
     assert worker.run(seen.append, "end", always=True)
     worker.end()
     assert not worker.run(seen.append, "late")
     gate.set()
-    worker._thread.join(5)
+    worker._thread.join(60)
     assert sum(taken) in (MOST_WAITING - 1, MOST_WAITING)
     assert seen == [*range(sum(taken)), "end"]
 
@@ -267,12 +267,12 @@ def test_callbacks_run_in_order_in_one_thread_and_no_more_wait_than_may():
 def test_of_several_moves_that_wait_the_last_is_told():
     worker, gate, seen = Worker("test-worker"), threading.Event(), []
     hear = seen.append
-    worker.run(gate.wait, 5)
+    worker.run(gate.wait, 60)
     for number in range(1000):
         worker.run(hear, number, about="camera")
     worker.end()
     gate.set()
-    worker._thread.join(5)
+    worker._thread.join(60)
     assert seen == [999]
 
 

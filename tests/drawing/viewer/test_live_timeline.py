@@ -212,13 +212,13 @@ def test_a_page_drags_the_time_line_and_is_told_the_newest(viewer):
         say(line, HELLO)
         control = hear_until(line, "control", 30.0, kind="timeline")
         say(line, {"say": "value", "id": control["id"], "value": 1})
-        wait_until(lambda: shown(viewer) == STORY[1], 30.0)
+        wait_until(lambda: shown(viewer) == STORY[1])
         viewer.set_time(4)
         assert hear_until(line, "setcontrol", 30.0, id=control["id"], max=4.0)["max"] == 4
         for wrong in ("1", -100, 1e9, None, True):  # what is no number is passed over, others are brought within
             say(line, {"say": "value", "id": control["id"], "value": wrong})
         say(line, {"say": "value", "id": control["id"], "value": 4})
-        wait_until(lambda: viewer.timeline.is_live and viewer.timeline._control.value == 4, 30.0)
+        wait_until(lambda: viewer.timeline.is_live and viewer.timeline._control.value == 4)
     assert shown(viewer) == STORY[3]
 
 

@@ -33,7 +33,7 @@ def test_wait_ends_a_while_after_the_last_page_has_gone(shown, capfd):
     with visitor_of(shown.server):
         wait_until(lambda: shown.sessions)
         assert not waiting.over.wait(0.5)
-    assert waiting.over.wait(3)
+    assert waiting.over.wait(60)
     ending = f"ending in 0.4 s (open {shown.url} again to stay, Ctrl-C ends now)"
     assert capfd.readouterr() == ("", f"the last page has closed; {ending}\n")
 
@@ -42,14 +42,14 @@ def test_a_page_that_is_loaded_again_keeps_the_wait_going_however_slow_the_line(
     with visitor_of(shown.server):
         wait_until(lambda: shown.sessions)
     wait_until(lambda: not shown.sessions)
-    waiting = Waiting(shown, 0.6)
-    for _ in range(3):  # the page is asked for, and its websocket does not come for long
-        assert not waiting.over.wait(0.4)
+    waiting = Waiting(shown, 1.2)
+    for _ in range(2):  # the page is asked for, and its websocket does not come for long
+        assert not waiting.over.wait(0.7)
         assert get(shown.server)[0] == 200
     with visitor_of(shown.server):
         wait_until(lambda: "a page is open again" in told(capfd))
-        assert not waiting.over.wait(0.7)
-    assert waiting.over.wait(3)
+        assert not waiting.over.wait(1.3)
+    assert waiting.over.wait(60)
 
 
 def test_who_is_turned_away_at_the_door_is_no_page(shown):
@@ -58,7 +58,7 @@ def test_who_is_turned_away_at_the_door_is_no_page(shown):
     assert get(shown.server, "/favicon.ico")[0] == 404
     assert shown.server.last_request == before
     get(shown.server)
-    assert shown.server.last_request > before and time.monotonic() - shown.server.last_request < 5
+    assert shown.server.last_request > before and time.monotonic() - shown.server.last_request < 60
 
 
 def stand_in(seen):

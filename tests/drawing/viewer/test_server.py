@@ -54,7 +54,7 @@ def free_port() -> int:
 def test_it_listens_on_this_machine_alone(server):
     other = "127.0.0.2"  # is this machine's too, and would reach whoever listens on every address
     with pytest.raises(ConnectionRefusedError):
-        socket.create_connection((other, server.port), timeout=5)
+        socket.create_connection((other, server.port), timeout=60)
     assert server.url == f"http://127.0.0.1:{server.port}/?token={server.pages.token}"
     assert not server.exposed
     assert server.moved_from is None
@@ -248,7 +248,7 @@ def test_a_page_of_another_version_is_told_to_load_again(server):
     for offered, version in ((["pointloom.0"], 1), (["pointloom.2"], 2), (["pointloom.1"], 2)):
         with line_of(server, subprotocols=offered) as line, pytest.raises(ConnectionClosed) as ended:
             say(line, {**HELLO, "version": version})
-            line.recv(timeout=5)
+            line.recv(timeout=60)
         assert ended.value.rcvd.code == 4001
 
 
@@ -284,7 +284,7 @@ def test_closing_frees_the_port_at_once(free_port):
                 server.close()
                 with pytest.raises(ConnectionClosed):
                     while True:
-                        line.recv(timeout=5)
+                        line.recv(timeout=60)
 
 
 def test_closing_twice_is_no_error_and_what_is_closed_says_so(capfd):
@@ -312,7 +312,7 @@ def test_closing_frees_the_memory():
         with page_of(server) as line:
             hear(line)
         died = weakref.ref(server.pages)
-    deadline = time.monotonic() + 5
+    deadline = time.monotonic() + 60
     while died() is not None and time.monotonic() < deadline:
         time.sleep(0.02)
         gc.collect()
@@ -335,7 +335,7 @@ def test_pages_are_told_what_was_sent_last_before_they_are_sent_away():
         server.close()
         assert hear_until(line, "end")["text"] == "The program has ended"
         with pytest.raises(ConnectionClosed) as ended:
-            line.recv(timeout=5)
+            line.recv(timeout=60)
         assert ended.value.rcvd.code == 1001
 
 
@@ -357,12 +357,12 @@ def test_a_child_keeps_neither_the_port_nor_a_page(free_port):
             assert hear_until(line, "node", kind="label")["text"] == "still here"
             server.close()
             with pytest.raises(ConnectionClosed):
-                line.recv(timeout=5)
-            deaf.settimeout(5)
+                line.recv(timeout=60)
+            deaf.settimeout(60)
             while deaf.recv(1 << 16):  # to its end, which a copy of the line would keep from coming
                 pass
             with pytest.raises(ConnectionRefusedError):
-                socket.create_connection(("127.0.0.1", free_port), timeout=5)
+                socket.create_connection(("127.0.0.1", free_port), timeout=60)
             with ViewerServer(port=free_port) as second:
                 assert second.port == free_port
                 assert is_well(second)
@@ -374,7 +374,7 @@ def test_a_child_keeps_neither_the_port_nor_a_page(free_port):
 def run_python(script: str, **settings) -> subprocess.CompletedProcess[str]:
     source = textwrap.dedent(script)
     return subprocess.run(
-        [sys.executable, "-W", "error", "-c", source], capture_output=True, text=True, timeout=60, **settings
+        [sys.executable, "-W", "error", "-c", source], capture_output=True, text=True, timeout=300, **settings
     )
 
 

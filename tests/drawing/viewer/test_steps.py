@@ -147,8 +147,8 @@ def test_a_large_cloud_is_shown_in_part_while_its_levels_are_built(small_steps, 
         assert line_of(shown) == "100 of 60,000 points"
         wait_until(lambda: page.others("progress")[-1].text == "a first look; preparing all points of cloud")
         may_go.set()
-        wait_until(lambda: stream_of(shown) is not stream and 10_000 < stream_of(shown).drawn <= 20_000, 30.0)
-        wait_until(lambda: stream._nodes == [], 30.0)
+        wait_until(lambda: stream_of(shown) is not stream and 10_000 < stream_of(shown).drawn <= 20_000)
+        wait_until(lambda: stream._nodes == [])
         assert page.others("progress")[-1].text == ""
 
 
@@ -159,7 +159,7 @@ def test_levels_of_what_was_replaced_meanwhile_are_let_go(small_steps, rng, monk
         shown.add("cloud", loom.PointCloud(rng.random((5000, 3))))
         shown.update("cloud", loom.PointCloud(rng.random((50, 3))))
         may_go.set()
-        wait_until(lambda: "pointloom-levels" not in feeders(), 30.0)
+        wait_until(lambda: "pointloom-levels" not in feeders())
         assert shown.items["cloud"].tree is None
         wait_until(lambda: stream_of(shown).drawn == 50)
 

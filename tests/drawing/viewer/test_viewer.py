@@ -11,7 +11,7 @@ import pytest
 import pointloom as loom
 from pointloom.core.errors import FileError, PointloomError
 from pointloom.drawing.render.view import View
-from pointloom.drawing.viewer import scene
+from pointloom.drawing.viewer import scene, sessions
 from pointloom.drawing.viewer.keys import KEYS
 from pointloom.drawing.viewer.sessions import Session
 from pointloom.drawing.viewer.viewer import Viewer
@@ -25,7 +25,7 @@ SQUARE = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
 FACES = [[0, 1, 2], [0, 2, 3]]
 
 
-def wait_until(claim, seconds=30.0):
+def wait_until(claim, seconds=60.0):
     """Of a machine that may have much else to do, or kernels to load."""
     wait_for(claim, seconds)
 
@@ -381,7 +381,7 @@ def test_updates_come_from_several_threads(shown, page, rng):
     for thread in threads:
         thread.start()
     for thread in threads:
-        thread.join(20)
+        thread.join(60)
     assert failed == []
     for k in range(3):
         node = node_of(shown, page, f"cloud {k}")
@@ -503,7 +503,8 @@ def test_a_page_that_goes_in_the_midst_of_updates_does_no_harm(shown, rng):
     wait_until(lambda: not shown.sessions)
 
 
-def test_the_camera_rests_a_quarter_of_a_second_after_it_moved(shown, page, rng):
+def test_the_camera_rests_a_while_after_it_moved(shown, page, rng, monkeypatch):
+    monkeypatch.setattr(sessions, "REST", 1.0)  # so long that a busy machine lets no motion come so late
     shown.add("cloud", cloud_of(rng.random((50, 3))))
     session, seen = session_of(shown), []
     session.rest(lambda view: seen.append((time.monotonic(), view)))
@@ -512,9 +513,8 @@ def test_the_camera_rests_a_quarter_of_a_second_after_it_moved(shown, page, rng)
         time.sleep(0.05)
     last = time.monotonic()
     wait_until(lambda: seen)
-    time.sleep(0.4)
     ((at, view),) = seen
-    assert at - last > 0.1
+    assert at - last > 0.5
     assert view.T_world_camera[0, 3] - shown.frame.origin[0] == pytest.approx(9)
 
 

@@ -333,11 +333,11 @@ def test_ctrl_c_ends_a_program_in_the_midst_of_launches():
         time.sleep(0.2)
         process.send_signal(signal.SIGINT)
         try:
-            _, errors = process.communicate(timeout=20)
+            _, errors = process.communicate(timeout=60)
         except subprocess.TimeoutExpired:
             process.send_signal(signal.SIGINT)
             try:
-                _, errors = process.communicate(timeout=20)
+                _, errors = process.communicate(timeout=60)
                 assert "Exception ignored in: <function array.__del__" in errors
             finally:
                 process.kill()

@@ -116,7 +116,7 @@ def test_the_turn_of_a_process_that_is_killed_ends(tmp_path):
         with KernelFolder(sys.argv[1]).turn():
             os.kill(os.getpid(), signal.SIGKILL)
     """
-    done = subprocess.run([sys.executable, "-c", textwrap.dedent(program), str(tmp_path)], timeout=60)
+    done = subprocess.run([sys.executable, "-c", textwrap.dedent(program), str(tmp_path)], timeout=300)
     assert done.returncode == -signal.SIGKILL
     assert is_free(tmp_path)
 

@@ -209,6 +209,7 @@ def test_a_model_may_be_judged_without_colmap(stages):
     assert "only 30 points were found" in loom.sfm.judge_model(few, COUNT).poor
 
 
+@pytest.mark.slow
 def test_all_at_once_and_one_by_one_come_to_the_same_cameras(stages, tmp_path):
     found = loom.sfm.map_pictures(stages.pictures, stages.matches_db, tmp_path / "g", mapper="global")
     loom.sfm.map_pictures(stages.pictures, stages.matches_db, tmp_path / "h", mapper="global")

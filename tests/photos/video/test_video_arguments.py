@@ -17,6 +17,7 @@ from ...app.commands import names_in
 from ...hostile import faults_of, missing_from, public_arguments, read_table
 
 PLACING = 'masks=None, camera_model="SIMPLE_RADIAL", pairs="auto", max_features=500, panorama=False, mapper="auto"'
+MAPS = 'ortho="ortho.tif", dem="dem.tif", cell=0.1'
 CALLS = f"""
 loom.video.reconstruct(source=film, settings=settings, outputs=outputs, work=work, device="cpu", progress=None)
 loom.video.Settings(max_frames=30, max_size=320, intrinsic=None, units=units, seed=0, cameras=None, {PLACING})
@@ -25,13 +26,15 @@ loom.video.WorldFrame(latitude=47.5, longitude=8.25, altitude=430.0)
 frame.to_enu(places=[[47.5, 8.25, 430.0]])
 frame.to_geodetic(points=[[1.0, 2.0, 3.0]])
 frame.to_utm(points=[[1.0, 2.0, 3.0]], epsg=32632)
-loom.video.Outputs(mesh="room.ply", cloud="cloud.ply", trajectory="poses.log", picture="room.png", training="scene")
+loom.video.Outputs(mesh="room.ply", cloud="c.ply", trajectory="p.log", picture="room.png", training="scene", {MAPS})
 """
 TABLE = {name.removeprefix("video."): call for name, call in read_table(CALLS, {"frame": "WorldFrame"}).items()}
 RESULTS = {"Fit", "PlacesFit", "KnownPlaces", "StageReport", "VideoFigures", "VideoResult"}
 INSIDE = {
     "PlacesFit.why_doubted",
     "Outputs.check",
+    "Outputs.check_fit",
+    "Outputs.check_units",
     "Outputs.write",
     "Outputs.write_training",
     "Units.check_names",

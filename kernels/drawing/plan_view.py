@@ -1,0 +1,163 @@
+"""A mesh straight from above: the triangle seen at each cell's centre of a grid, its height and its colour.
+
+One thread a cell and a ray down, whose first triangle is the highest there (rays/ray_hits.py). The height is that of
+the triangle at the ray, in float64 from its stored corners, and not the ray's parameter, whose float32 would count from
+above everything. Cells that see nothing are NaN in height and nothing in alpha: no cell is made of its neighbours.
+
+Between the walks 16 B a cell lie on the device, of a strip of rows at a time; 8 B of it come to the host.
+"""
+
+from ..algebra.transform import widen
+from ..array_types import Array1, Bytes, Device, Indices, Integers, Points, Scalars
+from ..lang import (
+    INFINITY,
+    NAN,
+    array,
+    float32,
+    float64,
+    floor,
+    int32,
+    isfinite,
+    kernel,
+    launch,
+    struct,
+    tid,
+    uint8,
+    vec2,
+    vec3,
+    vec3i,
+)
+from ..memory import empty, zeros
+from ..rays.ray_casting import BEFORE, NO_ID
+from ..rays.ray_hits import next_hit
+from ..rays.scene_trees import SceneTrees
+from .shading import clamp_color
+from .surfaces import Surface, mix_corners
+
+CHANNELS = 4
+OPAQUE = 255
+
+
+@struct
+class PlanCells:
+    """A grid of square cells, row by row from its high y.
+
+    Attributes:
+        left, top: Its low x and high y, about the origin of the vertices [m].
+        cell: The side of a cell [m].
+        columns: Cells in a row.
+        above: Where rays begin: no vertex is higher.
+    """
+
+    left: float64
+    top: float64
+    cell: float64
+    columns: int
+    above: float
+
+    def __init__(self, left: float, top: float, cell: float, columns: int, above: float) -> None:
+        self.left, self.top, self.cell, self.columns, self.above = left, top, cell, columns, above
+
+
+@struct
+class SeenTriangles:
+    """What cells see.
+
+    Attributes:
+        triangles: int32, NO_ID for nothing.
+        weights: vec2, of the triangle's second and third corner.
+    """
+
+    triangles: array(dtype=int32)
+    weights: array(dtype=vec2)
+
+    def __init__(self, count: int, device: Device) -> None:
+        self.triangles, self.weights = empty(count, int32, device), empty(count, vec2, device)
+
+
+@kernel
+def look_down_kernel(cells: PlanCells, first_row: int, trees: SceneTrees, seen: SeenTriangles):
+    """The highest triangle at the centre of each cell, from a row on."""
+    i = tid()
+    row = first_row + i // cells.columns
+    column = i % cells.columns
+    x = cells.left + (float64(column) + 0.5) * cells.cell
+    y = cells.top - (float64(row) + 0.5) * cells.cell
+    o = vec3(float(x), float(y), cells.above)
+    met = next_hit(o, vec3(0.0, 0.0, -1.0), 0.0, INFINITY, float64(BEFORE), NO_ID, 0, trees)
+    triangle = int(NO_ID)
+    if isfinite(met[0]):
+        triangle = trees.order[int(met[2])]
+    seen.triangles[i] = triangle
+    seen.weights[i] = vec2(float(met[3]), float(met[4]))
+
+
+@kernel
+def measure_heights_kernel(
+    seen: SeenTriangles,
+    vertices: array(dtype=vec3),
+    triangles: array(dtype=vec3i),
+    origin: float64,
+    heights: array(dtype=float32),
+):
+    """The height of what each cell sees; NaN of nothing."""
+    i = tid()
+    height = float(NAN)
+    if seen.triangles[i] >= 0:
+        t = triangles[seen.triangles[i]]
+        w = seen.weights[i]
+        a = widen(vertices[t[0]])
+        b = widen(vertices[t[1]])
+        c = widen(vertices[t[2]])
+        height = float(origin + a[2] + (b[2] - a[2]) * float64(w[0]) + (c[2] - a[2]) * float64(w[1]))
+    heights[i] = height
+
+
+@kernel
+def color_cells_kernel(
+    seen: SeenTriangles, surface: Surface, materials: array(dtype=int32), number: int, colors: array(dtype=uint8)
+):
+    """Red, green, blue and an alpha of 255 of the cells that see a triangle of a material; the others stay."""
+    i = tid()
+    triangle = seen.triangles[i]
+    wanted = 0
+    if triangle >= 0:
+        wanted = 1
+        if number >= 0:
+            wanted = 1 if materials[triangle] == number else 0
+    if wanted == 1:
+        w = seen.weights[i]
+        color = clamp_color(mix_corners(triangle, 1.0 - w[0] - w[1], w[0], w[1], surface))
+        for k in range(3):
+            colors[CHANNELS * i + k] = uint8(int(floor(255.0 * color[k] + 0.5)))
+        colors[CHANNELS * i + 3] = uint8(OPAQUE)
+
+
+def look_down(cells: PlanCells, first_row: int, rows: int, trees: SceneTrees) -> SeenTriangles:
+    """What the cells of some rows see."""
+    count = rows * cells.columns
+    seen = SeenTriangles(count, trees.device)
+    launch(look_down_kernel, count, [cells, first_row, trees, seen])
+    return seen
+
+
+def heights_of(seen: SeenTriangles, vertices: Points, triangles: Array1[vec3i], origin: float) -> Scalars:
+    """The heights of what is seen, float32 [n], of vertices about an origin of that height; NaN of nothing."""
+    heights = empty(seen.triangles.size, float32, vertices.device)
+    launch(measure_heights_kernel, heights.size, [seen, vertices, triangles, origin, heights])
+    return heights
+
+
+def colors_of(seen: SeenTriangles, surfaces: list[tuple[int, Surface]], materials: Indices | Integers) -> Bytes:
+    """The colours of what is seen, uint8 [4 n], red, green, blue and alpha.
+
+    Args:
+        seen: What is seen.
+        surfaces: Numbers of materials, and the look of the triangles that have it; a negative number for all.
+        materials: int32, the number of each triangle; of any size where all have one look.
+    """
+    device, count = seen.triangles.device, seen.triangles.size
+    colors = zeros(CHANNELS * count, uint8, device)
+    for number, surface in surfaces:
+        launch(color_cells_kernel, count, [seen, surface, materials, number, colors])
+    return colors

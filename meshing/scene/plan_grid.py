@@ -1,0 +1,105 @@
+"""The cells of a map: square, counted from a corner that is fixed in space, no more than fit."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...kernels.terrain.cells import check_cell_numbers
+
+MOST_CELLS = 2**28
+MOST_ALONG = 2**24  # cells along a side: rows are looked at whole
+BYTES = 9  # of memory a cell: a colour, a height, and whether it was filled
+DIGITS = 2  # of a length that is proposed
+LONGEST = 1e12  # a number that is told with all its digits
+SLACK = 1e-9  # of a cell: a bound that was meant as a cell's is one
+
+Array = NDArray[np.float64]
+Cells = tuple[Array, Array]  # the number of the first along x and y, and how many
+
+
+@dataclass(frozen=True, eq=False)
+class PlanGrid:
+    """Square cells over an area.
+
+    Attributes:
+        corner: The low x and y, float64 [2].
+        cell: The side of a cell.
+        shape: Rows and columns.
+    """
+
+    corner: Array
+    cell: float
+    shape: tuple[int, int]
+
+
+def grid_over(low: Array, high: Array, corner: Array, cell: float) -> PlanGrid:
+    """The half-open cells that hold everything from a low to a high x and y, both included.
+
+    Raises:
+        ValueError: More than MOST_CELLS or MOST_ALONG, or so far from the corner that float64 does not part them.
+    """
+
+    def cells_of(side: float) -> Cells:
+        first = np.floor((low - corner) / side)
+        return first, np.floor((high - corner) / side) - first + 1
+
+    return _grid_of(cells_of, corner, cell)
+
+
+def grid_within(box: Array, corner: Array, cell: float) -> PlanGrid:
+    """The cells of a box (x0, y0, x1, y1), which ends at cells or within them.
+
+    Raises:
+        ValueError: As `grid_over`.
+    """
+
+    def cells_of(side: float) -> Cells:
+        first, last = np.floor((box[:2] - corner) / side + SLACK), np.ceil((box[2:] - corner) / side - SLACK)
+        return first, np.maximum(last - first, 1.0)
+
+    return _grid_of(cells_of, corner, cell)
+
+
+def _grid_of(cells_of: Callable[[float], Cells], corner: Array, cell: float) -> PlanGrid:
+    with np.errstate(over="ignore", invalid="ignore"):  # more cells than float64 holds are too many, too
+        first, counts = cells_of(cell)
+        if not _fits(counts):
+            columns, rows, gigabytes = map(_counted, (*counts, counts[0] * counts[1] * BYTES / 1e9))
+            raise ValueError(
+                f"cell: {cell:g} makes {columns} x {rows} cells, {gigabytes} GB, and 2^28 is the most; "
+                f"{_what_fits(cells_of, cell, counts)}, or take smaller bounds"
+            )
+    check_cell_numbers(first, counts)
+    return PlanGrid(corner + first * cell, cell, (int(counts[1]), int(counts[0])))
+
+
+def _fits(counts: Array) -> bool:
+    return bool(counts[0] * counts[1] <= MOST_CELLS and counts.max() <= MOST_ALONG)
+
+
+def _what_fits(cells_of: Callable[[float], Cells], cell: float, counts: Array) -> str:
+    """A cell of few digits that makes few enough, in words."""
+    larger = cell
+    for _ in range(8):  # the first one fits, but for a cell more at the rims
+        share = max(math.sqrt(float(counts[0])) * math.sqrt(float(counts[1]) / MOST_CELLS), counts.max() / MOST_ALONG)
+        if not math.isfinite(larger * share):
+            break
+        larger = _rounded_up(larger * max(share, 1.001))
+        counts = cells_of(larger)[1]
+        if _fits(counts):
+            return f"a cell of {larger:g} fits"
+    return "take larger cells"
+
+
+def _counted(number: float) -> str:
+    return f"{number:,.0f}" if number < LONGEST else f"{number:.1e}"
+
+
+def _rounded_up(length: float) -> float:
+    step = 10.0 ** (math.floor(math.log10(length)) + 1 - DIGITS)
+    return math.ceil(length / step) * step

@@ -1,0 +1,44 @@
+"""Parameters of dear tests: all combinations in `make test-all`, in `make test` so many that each two values meet."""
+
+from __future__ import annotations
+
+import itertools
+from typing import Any
+
+import pytest
+
+
+def each_pair(**values: list[Any]) -> dict[str, Any]:
+    """Arguments of `pytest.mark.parametrize`: all combinations, `slow` but for few in which every two values meet.
+
+    A fault that one value shows, or two together, so shows in the few; what takes three waits for the rest.
+
+    Args:
+        values: By the name of each parameter, what it may be.
+    """
+    combinations = list(itertools.product(*(range(len(those)) for those in values.values())))
+    few = set(_few(combinations))
+    return {
+        "argnames": tuple(values),
+        "argvalues": [
+            pytest.param(
+                *(those[k] for those, k in zip(values.values(), places, strict=True)),
+                marks=() if places in few else pytest.mark.slow,
+            )
+            for places in combinations
+        ],
+    }
+
+
+def _few(combinations: list[tuple[int, ...]]) -> list[tuple[int, ...]]:
+    """Combinations one by one, each the first that has most pairs which those before it have not."""
+    left = set().union(*map(_pairs, combinations))
+    few = []
+    while left:
+        few.append(max(combinations, key=lambda places: len(_pairs(places) & left)))
+        left -= _pairs(few[-1])
+    return few
+
+
+def _pairs(places: tuple[int, ...]) -> set[tuple[tuple[int, int], ...]]:
+    return set(itertools.combinations(enumerate(places), min(2, len(places))))
