@@ -144,6 +144,15 @@ def test_straight_pictures_are_copied_and_turned_or_other_ones_are_not(tmp_path)
     assert told.straightened_count == 1
 
 
+def test_what_lies_outside_of_the_straight_pictures_is_seen_by_none(tmp_path):
+    camera = loom.CameraModel("OPENCV_FISHEYE", *SIZE, LENSES["OPENCV_FISHEYE"])
+    corner, middle = camera.unproject([[0.0, 0.0], [48.0, 32.0]]) * 2
+    seen = {"observations": [[0, 0], [0, 1]], "pixels": [[0.0, 0.0], [48.0, 32.0]]}
+    model = loom.SfmModel(["a.png"], [camera], np.eye(4)[None], points=[corner, middle], **seen)
+    loom.sfm.write_training_folder(tmp_path / "scene", model, [np.zeros((SIZE[1], SIZE[0], 3), np.uint8)])
+    assert loom.read_colmap_model(tmp_path / "scene" / "sparse" / "0").observations.tolist() == [[0, 1]]
+
+
 def test_names_that_differ_by_folder_or_case_alone_stay_apart(tmp_path):
     _, scene = written(tmp_path, model_of(names=("day 1/a.jpg", "day 2/a.jpg", "day 2/A.png")))
     names = sorted(path.name for path in (scene / "images").iterdir())
