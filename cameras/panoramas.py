@@ -19,7 +19,7 @@ from .camera import PinholeCameraIntrinsic
 FACES = ("front", "right", "back", "left", "up", "down")
 SMALLEST, LARGEST = 8, 16384  # sides of a face [px]
 # The axes of each face's camera (x right, y down, z forward) as columns, in the frame of the front one.
-_TURNS = np.array(
+TURNS = np.array(
     [
         [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
         [[0, 0, 1], [0, 1, 0], [-1, 0, 0]],
@@ -73,10 +73,10 @@ class Panorama:
             side = min(max(round(width / math.pi), SMALLEST), LARGEST)
         check_count("side", side, minimum=SMALLEST, maximum=LARGEST, because="no sphere has more pixels")
         self.width, self.height, self.side = int(width), int(height), int(side)
-        self.device, self.turns = resolve_device(device), _TURNS.copy()
+        self.device, self.turns = resolve_device(device), TURNS.copy()
         middle = (self.side - 1) / 2
         self.intrinsic = PinholeCameraIntrinsic(self.side, self.side, self.side / 2, self.side / 2, middle, middle)
-        turns = upload(_TURNS, mat33d, self.device)
+        turns = upload(TURNS, mat33d, self.device)
         self._places = find_sphere_places(self.side, self.side / 2, turns, self.width, self.height, self.device)
 
     def apply(self, picture: ArrayLike) -> NDArray[np.uint8]:

@@ -1,8 +1,8 @@
 """Buckets: the rows of a file that knows no windows, laid on disk by tile in one pass, compressed.
 
 A file's folder appears under its name when all of its rows are in it. Each tile that has rows has a file of blocks:
-rows as they lie in an uncompressed LAS file, packed by LASzip where it knows the format and the rows are many, and their
-numbers in the file.
+rows as they lie in an uncompressed LAS file, packed by LASzip where it knows the format and the rows are many, and
+their numbers in the file.
 A block says which part of the plane it covers, so that a neighbour's halo reads few of them.
 """
 

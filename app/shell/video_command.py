@@ -53,6 +53,7 @@ CONTROL = "Points with coordinates, marked in pictures: ODM's gcp_list.txt, or a
 BARS = "Known lengths between points that are marked in pictures, lines `bar A B metres`."
 MESH = "The mesh, .ply .obj .stl .off .glb .gltf; the points, .pcd .las .xyz ..."
 CAMERA_MODEL = "How the lens draws, COLMAP's name: OPENCV, OPENCV_FISHEYE ..."
+TRAINING = "Write a folder that gsplat, 3DGS and nerfstudio train from."
 CAMERAS = "Known poses: Metashape's .xml, COLMAP's folder, transforms.json, Polycam, a trajectory."
 
 
@@ -118,6 +119,7 @@ CAMERAS = "Known poses: Metashape's .xml, COLMAP's folder, transforms.json, Poly
 @click.option("--panorama", is_flag=True, help="The pictures show all directions (360 degrees).")
 @click.option("--cloud", type=FILE, metavar="FILE", help="Write the fused points as well.")
 @click.option("--trajectory", type=FILE, metavar="POSES", help="Write the poses: .txt or .tum (TUM), .log.")
+@click.option("--training", type=FILE, metavar="DIR", help=TRAINING)
 @click.option("--ortho", type=FILE, metavar="TIF", help="Write the mesh from above, in UTM; wants GPS and --cell.")
 @click.option("--dem", type=FILE, metavar="TIF", help="Write its heights likewise.")
 @click.option("--cell", type=SCALE, metavar="M", help="The side of the cells of --ortho and --dem, in metres.")
@@ -162,6 +164,7 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
     pointloom video photos/ -o room.ply --work stages --known IMG_0012,IMG_0040,1.5
     pointloom video walk.mp4 -o room.ply --work stages --resume --max-size 1280 --force
     pointloom video photos/ -o house.ply --cameras cameras.xml --cloud points.ply
+    pointloom video photos/ -o house.ply --training scene
     pointloom video flight/ -o field.ply --ortho field.tif --dem heights.tif --cell 0.05
     pointloom video flight/ -o site.ply --control gcp_list.txt --scale-bars bars.txt
     """
@@ -172,7 +175,7 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
         refuse(f"--{given[0]} and --{given[1]} both settle the unit; give one")
     if options["resume"] and options["work"] is None:
         refuse("--resume goes with --work, the folder of the earlier run")
-    files = ("cloud", "trajectory", "picture", "ortho", "dem")
+    files = ("cloud", "trajectory", "picture", "training", "ortho", "dem")
     refuse_same(output=output, **{name: options[name] for name in files})
     if (options["cell"] is None) == (options["ortho"] is not None or options["dem"] is not None):
         refuse("--ortho and --dem go with --cell, the side of their cells in metres")

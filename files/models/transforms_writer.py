@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+from collections.abc import Mapping, Sequence
 from pathlib import PurePosixPath
 from typing import Any
 
@@ -53,13 +54,33 @@ def write_transforms(path: str | os.PathLike[str], model: SfmModel, *, pictures:
         raise ValueError("model: expected at least one picture, got none")
     if not isinstance(pictures, str) or pictures:
         check_name("pictures", pictures)
+    write_content(path, model, pictures=pictures)
+
+
+def write_content(
+    path: str | os.PathLike[str],
+    model: SfmModel,
+    *,
+    pictures: str,
+    masks: Sequence[str] | None = None,
+    more: Mapping[str, Any] | None = None,
+) -> None:
+    """As `write_transforms`, of arguments that are right.
+
+    Args:
+        path, model, pictures: Likewise.
+        masks: The file of each picture's mask as seen from there; None for no masks.
+        more: What else is to stand in the file.
+    """
     place = path_of(path)
     lenses = [_lens(camera) for camera in model.cameras]
-    frames = []
+    frames: list[dict[str, Any]] = []
     for name, lens, T in zip(model.names, lenses, model.T_world_camera, strict=True):
         file = str(PurePosixPath(pictures, *PurePosixPath(name.replace(os.sep, "/")).parts)) if pictures else name
         frames.append({"file_path": file, **lens, "transform_matrix": (T @ AXES).tolist()})
-    content: dict[str, Any] = {"camera_model": lenses[0]["camera_model"], "frames": frames}
+    for frame, mask in zip(frames, masks or (), strict=False):
+        frame["mask_path"] = mask
+    content: dict[str, Any] = {"camera_model": lenses[0]["camera_model"], **(more or {}), "frames": frames}
     if len(model.points):
         cloud = PointCloud(model.points, colors=model.colors)
         write_point_cloud(place.with_name(POINTS), cloud)

@@ -15,6 +15,8 @@ from .picture_places import PicturePlace as PicturePlace
 from .picture_places import PicturePlaces as PicturePlaces
 from .picture_places import read_picture_places as read_picture_places
 from .reconstruction import reconstruct as reconstruct
+from .training_folder import TrainingFolder as TrainingFolder
+from .training_folder import write_training_folder as write_training_folder
 from .triangulation import TriangulationResult as TriangulationResult
 from .triangulation import triangulate as triangulate
 from .verdict import Verdict as Verdict

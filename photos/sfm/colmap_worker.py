@@ -13,6 +13,7 @@ COLMAP itself says goes to standard error.
 
 from __future__ import annotations
 
+import contextlib
 import ctypes
 import json
 import os
@@ -20,6 +21,7 @@ import runpy
 import signal
 import sys
 import tempfile
+from collections.abc import Iterator
 from pathlib import Path
 from typing import IO, Any
 
@@ -27,6 +29,9 @@ from typing import IO, Any
 # have 0.7 to 0.9 in videos. With COLMAP's own 1.2 it placed 47 of 99 frames of a room, with a focal length a
 # third too large; with this all of them.
 FOCAL_FACTOR = 0.85
+# Of lenses whose pixels follow the angle and not its tangent: that of 125 degrees over the longer side, between action
+# cameras and half a sphere. With 0.85 none of the pictures of one with 0.5 could be placed.
+FISHEYE_FACTOR = 0.45
 
 NO_CUDA = "this pycolmap was built without CUDA; pip uninstall pycolmap, then pip install pycolmap-cuda12"
 NO_NETWORKS = (
@@ -76,9 +81,11 @@ def find_features(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[
     for group in job["groups"]:
         reader = pycolmap.ImageReaderOptions()
         reader.camera_model, reader.camera_params = group["model"], group["params"]
-        reader.default_focal_length_factor = FOCAL_FACTOR
+        reader.default_focal_length_factor = FISHEYE_FACTOR if is_fisheye(group["model"]) else FOCAL_FACTOR
         options = {"camera_mode": pycolmap.CameraMode.SINGLE, "image_names": group["names"]}
         pycolmap.import_images(job["database"], job["pictures"], options=reader, **options)
+        if group["doubted"]:
+            _forget_focal_length(pycolmap, job["database"], group, reader.default_focal_length_factor)
     if "found" in job:
         _writer()["write_features"](pycolmap, job)
         return {}
@@ -90,6 +97,22 @@ def find_features(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[
     options["device"] = pycolmap.Device.cuda if extraction.use_gpu else pycolmap.Device.cpu
     pycolmap.extract_features(job["database"], job["pictures"], image_names=names, **options)
     return {"gpu": extraction.use_gpu}
+
+
+def _forget_focal_length(pycolmap: Any, path: str, group: dict[str, Any], factor: float) -> None:
+    """Have the camera of a group begin as if EXIF told no focal length."""
+    with pycolmap.Database.open(path) as database:
+        camera = database.read_camera(database.read_image_with_name(group["names"][0]).camera_id)
+        params = list(camera.params)
+        for index in camera.focal_length_idxs():
+            params[index] = factor * max(camera.width, camera.height)
+        camera.params, camera.has_prior_focal_length = params, False
+        database.update_camera(camera)
+
+
+def is_fisheye(model: str) -> bool:
+    """Whether a lens of COLMAP's draws angles and not their tangents."""
+    return "FISHEYE" in model or model == "FOV"
 
 
 def on_gpu(pycolmap: Any, job: dict[str, Any]) -> bool:
@@ -136,6 +159,31 @@ def _choose_kind(pycolmap: Any, options: Any, kind: str) -> None:
 
 def match(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[str, Any]:
     """Match pairs of pictures, and keep those that one motion of the camera explains."""
+    with _guesses_told(pycolmap, job):
+        return _match(pycolmap, job)
+
+
+@contextlib.contextmanager
+def _guesses_told(pycolmap: Any, job: dict[str, Any]) -> Iterator[None]:
+    """Let the focal lengths that fisheyes begin with count as told, for a while.
+
+    COLMAP 4.2 keeps no pair of a fisheye whose focal length nobody told, as a fundamental matrix says nothing of it,
+    and places no picture of one. Where mapping begins is near enough to tell matches that fit from others.
+    """
+    with pycolmap.Database.open(job["database"]) as database:
+        cameras = database.read_all_cameras()
+    guessed = [camera for camera in cameras if is_fisheye(camera.model.name) and not camera.has_prior_focal_length]
+    for told in (True, False):
+        if guessed:
+            with pycolmap.Database.open(job["database"]) as database:
+                for camera in guessed:
+                    camera.has_prior_focal_length = told
+                    database.update_camera(camera)
+        if told:
+            yield
+
+
+def _match(pycolmap: Any, job: dict[str, Any]) -> dict[str, Any]:
     matching = pycolmap.FeatureMatchingOptions()
     matching.num_threads, matching.use_gpu = job["threads"], on_gpu(pycolmap, job)
     _choose_kind(pycolmap, matching, job["kind"])
@@ -193,7 +241,8 @@ def map_pictures(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[s
 
 def _mapped(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> list[Any]:
     """The models that COLMAP makes of a database, the one with the most pictures first."""
-    found = (_map_globally if job["mapper"] == "global" else _map_incrementally)(pycolmap, job, answers)
+    with _guesses_told(pycolmap, job):
+        found = (_map_globally if job["mapper"] == "global" else _map_incrementally)(pycolmap, job, answers)
     # The number of a model settles which of two of one size it is.
     return [model for _, model in sorted(found.items(), key=lambda item: (-item[1].num_reg_images(), item[0]))]
 

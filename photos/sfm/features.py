@@ -17,6 +17,7 @@ from ...core.progress import ReportProgress
 from ...core.timing import Clock
 from ...files.pictures.image_files import read_picture_header
 from .colmap_jobs import MAX_SECONDS, count_rows, database_in_the_making, open_database, run_job
+from .exif_checks import doubt_of_focal
 from .frames import check_option
 from .limited_process import check_limits, free_memory
 from .masks import check_mask_files, complete_masks
@@ -51,6 +52,7 @@ class FeatureReport:
         peak_bytes: The most memory that COLMAP was seen to hold [B].
         camera_count: Cameras that the pictures are taken for: one for each size and lens that EXIF tells.
         on_gpu: Whether COLMAP found them on a GPU.
+        remarks: What EXIF tells of lenses and is not believed.
     """
 
     database: str
@@ -61,6 +63,7 @@ class FeatureReport:
     peak_bytes: int
     camera_count: int = 1
     on_gpu: bool = False
+    remarks: tuple[str, ...] = ()
 
     @property
     def poor_names(self) -> tuple[str, ...]:
@@ -72,7 +75,12 @@ class FeatureReport:
         sizes = [{"width": w, "height": h, "count": count} for (w, h), count in self.sizes.items()]
         lists = {"names": list(self.names), "counts": list(self.counts), "poor_names": list(self.poor_names)}
         fields = {"database": self.database, "seconds": self.seconds, "peak_bytes": self.peak_bytes}
-        return fields | lists | {"sizes": sizes, "camera_count": self.camera_count, "on_gpu": self.on_gpu}
+        return (
+            fields
+            | lists
+            | {"sizes": sizes, "camera_count": self.camera_count, "on_gpu": self.on_gpu}
+            | {"remarks": list(self.remarks)}
+        )
 
 
 def find_features(
@@ -150,10 +158,10 @@ def find_features(
     limits = check_limits(max_seconds, max_memory)
     folder, target = check_place("pictures", pictures), check_writable(check_place("database", database))
     groups = _groups(folder, by_lens=intrinsic is None)
-    job = _job_of(folder, groups, camera_model, intrinsic) | {"seed": int(seed), "kind": kind}
+    doubts = {} if intrinsic is not None else _doubts(folder, groups)
+    job = _job_of(folder, groups, camera_model, intrinsic, doubts) | {"seed": int(seed), "kind": kind}
     job |= {"threads": threads_for([size for size, _ in groups], max_size, limits["max_memory"] or free_memory())}
-    job |= {"max_size": int(max_size), "max_features": int(max_features)}
-    job |= {"gpu": use_gpu if target_device is None else False}
+    job |= {"max_size": int(max_size), "max_features": int(max_features), "gpu": target_device is None and use_gpu}
     found = None if masks is None else _checked_masks(masks, folder)
     count = sum(len(names) for names in groups.values())
     with database_in_the_making(target) as part:
@@ -168,13 +176,28 @@ def find_features(
         names, counts = _features_of(part)
     say("features", count, count)
     clock.stop("features")
-    seconds, sizes, on_gpu = clock.seconds["features"], _counted_sizes(groups), bool(done.get("gpu", False))
-    return FeatureReport(os.fspath(target), names, counts, sizes, seconds, peak, len(groups), on_gpu)
+    told = clock.seconds["features"], peak, len(groups), bool(done.get("gpu", False)), _told_doubts(doubts)
+    return FeatureReport(os.fspath(target), names, counts, _counted_sizes(groups), *told)
 
 
-def _job_of(folder: Path, groups: dict[Group, list[str]], camera_model: str, intrinsic: Any) -> dict[str, Any]:
+def _told_doubts(doubts: dict[str, str]) -> tuple[str, ...]:
+    return tuple(f"EXIF's focal length of {name} is not believed: {reason}" for name, reason in doubts.items())
+
+
+def _doubts(folder: Path, groups: dict[Group, list[str]]) -> dict[str, str]:
+    """Why EXIF's focal length is not believed, by the first picture of each group of which that is so."""
+    found = {names[0]: doubt_of_focal(folder / names[0], size) for (size, _), names in groups.items()}
+    return {name: reason for name, reason in found.items() if reason is not None}
+
+
+def _job_of(
+    folder: Path, groups: dict[Group, list[str]], camera_model: str, intrinsic: Any, doubts: dict[str, str]
+) -> dict[str, Any]:
     """Which pictures there are, and the cameras of their groups."""
-    cameras = [_group(size, names, camera_model, intrinsic) for (size, _), names in groups.items()]
+    cameras = [
+        _group(size, names, camera_model, intrinsic) | {"doubted": names[0] in doubts}
+        for (size, _), names in groups.items()
+    ]
     return {"stage": "features", "pictures": os.fspath(folder.resolve()), "groups": cameras}
 
 

@@ -20,7 +20,7 @@ from ...core.errors import DatasetError, FileError, FilePath
 from ...files.pictures.image_files import decode_texture, read_color, read_picture_header, write_png
 from ...files.pictures.photo_files import is_photo, read_alpha
 from .frame_choice import FrameChoice
-from .picture_folder import UPRIGHT, list_photographs, read_orientation, upright
+from .picture_folder import UPRIGHT, list_photographs, read_orientation, read_stored, upright
 from .picture_writing import counted, some_of
 
 ALPHA = "alpha"
@@ -30,6 +30,7 @@ MakeMask = Callable[[NDArray[np.uint8], str], Any]
 _KEPT = 128  # brightness from which a pixel of a mask counts as white
 _LEAST = 0.001  # of a picture that has to be left of it
 _ENDINGS = (".png", ".jpg", ".jpeg")
+_BACK = {6: 8, 8: 6}  # EXIF's orientations that undo each other; the others undo themselves
 
 
 def check_masks(masks: Any) -> FilePath | MakeMask | None:
@@ -99,7 +100,7 @@ def write_masks(choice: FrameChoice, source: Path, pictures: Path, masks: FilePa
         mask = _mask_of(masks, pictures / name, origin, (header.width, header.height))
         if mask is None:
             missing.append(name)
-        elif mask.mean() < _LEAST:
+        elif hides_all(mask):
             hidden[name if origin is None else origin.name] = "its mask hides all of it"
             (pictures / name).unlink()
             continue
@@ -112,46 +113,98 @@ def write_masks(choice: FrameChoice, source: Path, pictures: Path, masks: FilePa
 def _without_hidden(
     choice: FrameChoice, source: Path, masks: Any, kept: list[int], hidden: dict[str, str], missing: list[str]
 ) -> FrameChoice:
-    if not kept:
-        raise FileError(source, f"none of {counted(len(hidden), 'picture')} is left: masks hide all of them")
-    if len(missing) == len(kept):
-        where = "their masks would be" if masks == ALPHA or callable(masks) else f"there is no mask in {masks}"
-        reason = "no picture has a channel of transparency" if masks == ALPHA else f"{where}, as {missing[0]}.png"
-        reason = "the function gave no mask of any picture" if callable(masks) else reason
-        raise DatasetError(source, reason, remedy="Name masks as their pictures: IMG_1.jpg.png, or IMG_1.png")
-    remarks = []
-    if hidden:
-        remarks.append(f"{counted(len(hidden), 'picture')} left out, whose masks hide all: {some_of(list(hidden))}")
-    if missing:
-        remarks.append(f"{counted(len(missing), 'picture')} without a mask, taken whole: {some_of(missing)}")
+    check_some_left(source, masks, list(hidden), missing, len(kept))
     return dataclasses.replace(
         choice,
         names=tuple(choice.names[k] for k in kept),
         numbers=tuple(choice.numbers[k] for k in kept),
         left_out=choice.left_out | hidden,
-        remarks=(*choice.remarks, *remarks),
+        remarks=(*choice.remarks, *told_of_masks(list(hidden), missing)),
     )
+
+
+def _check_found(source: Path, masks: Any, missing: list[str], count: int) -> None:
+    if len(missing) == count:
+        where = "their masks would be" if masks == ALPHA or callable(masks) else f"there is no mask in {masks}"
+        reason = "no picture has a channel of transparency" if masks == ALPHA else f"{where}, as {missing[0]}.png"
+        reason = "the function gave no mask of any picture" if callable(masks) else reason
+        raise DatasetError(source, reason, remedy="Name masks as their pictures: IMG_1.jpg.png, or IMG_1.png")
+
+
+def told_of_masks(hidden: list[str], missing: list[str]) -> list[str]:
+    """That masks hide pictures wholly, and that pictures have none."""
+    remarks = []
+    if hidden:
+        remarks.append(f"{counted(len(hidden), 'picture')} left out, whose masks hide all: {some_of(hidden)}")
+    if missing:
+        remarks.append(f"{counted(len(missing), 'picture')} without a mask, taken whole: {some_of(missing)}")
+    return remarks
+
+
+def hides_all(mask: NDArray[np.bool_]) -> bool:
+    """Whether next to nothing of a picture is left."""
+    return bool(mask.mean() < _LEAST)
+
+
+def check_some_left(source: Path, masks: Any, hidden: list[str], missing: list[str], kept: int) -> None:
+    """Hold that masks leave pictures, and that there are masks.
+
+    Raises:
+        FileError: They hide all, or there is none.
+    """
+    if not kept:
+        raise FileError(source, f"none of {counted(len(hidden), 'picture')} is left: masks hide all of them")
+    _check_found(source, masks, missing, kept)
 
 
 def _mask_of(masks: Any, picture: Path, origin: Path | None, size: tuple[int, int]) -> NDArray[np.bool_] | None:
     """The mask of a picture as it was written; None where there is none."""
     if callable(masks):
-        return _of_function(masks, picture, origin, size)
+        return _of_function(masks, read_color(picture), picture.name if origin is None else origin.name, size)
     if masks == ALPHA:
         alpha = None if origin is None else _alpha_of(origin)
         return None if origin is None or alpha is None else _fitted(origin, alpha >= _KEPT, origin, size)
-    for name in dict.fromkeys((*(() if origin is None else (origin.name, origin.stem)), picture.name, picture.stem)):
-        for ending in _ENDINGS:
-            place = Path(masks) / f"{name}{ending}"
-            if place.is_file():
-                return _fitted(place, read_color(place).max(axis=2) >= _KEPT, origin, size)
-    return None
+    place = _place_of(masks, (*(() if origin is None else (origin.name, origin.stem)), picture.name, picture.stem))
+    return None if place is None else _fitted(place, read_color(place).max(axis=2) >= _KEPT, origin, size)
 
 
-def _of_function(make: MakeMask, picture: Path, origin: Path | None, size: tuple[int, int]) -> NDArray[np.bool_] | None:
-    name = picture.name if origin is None else origin.name
+def mask_as_stored(masks: FilePath | MakeMask, picture: Path, size: tuple[int, int]) -> NDArray[np.bool_] | None:
+    """The mask of a picture that is taken as it is stored, and not turned; None where there is none.
+
+    Args:
+        masks: As of `choose_frames`; a function is given the picture as it is stored.
+        picture: A photograph.
+        size: Width and height of it [px].
+
+    Raises:
+        FileError: A mask of another size.
+        TypeError, ValueError: A function that gives no mask of this picture.
+    """
+    if callable(masks):
+        return _of_function(masks, read_stored(picture), picture.name, size)
+    if masks == ALPHA:
+        alpha = _alpha_of(picture)
+        return None if alpha is None else _fitted(picture, alpha >= _KEPT, None, size)
+    place = _place_of(masks, (picture.name, picture.stem))
+    if place is None:
+        return None
+    mask = read_color(place).max(axis=2) >= _KEPT
+    if (mask.shape[1], mask.shape[0]) != size:  # one that is drawn on the picture upright
+        mask = upright(mask, _BACK.get(turn := read_orientation(picture), turn))
+    return _fitted(place, mask, None, size)
+
+
+def _place_of(masks: FilePath, names: Sequence[str]) -> Path | None:
+    """The mask of a picture by one of its names."""
+    places = (Path(masks) / f"{name}{ending}" for name in dict.fromkeys(names) for ending in _ENDINGS)
+    return next((place for place in places if place.is_file()), None)
+
+
+def _of_function(
+    make: MakeMask, pixels: NDArray[np.uint8], name: str, size: tuple[int, int]
+) -> NDArray[np.bool_] | None:
     try:
-        given = make(read_color(picture), name)
+        given = make(pixels, name)
     except Exception as error:
         raise ValueError(f"masks({name}): the function raised {type(error).__name__}: {error}") from error
     if given is None:

@@ -15,6 +15,7 @@ from ...core.errors import FileError
 from ...core.progress import ReportProgress
 from ...files.pictures.image_files import PictureHeader
 from ...files.pictures.photo_files import is_photo, read_exif
+from .exif_checks import doubts_of_orientation
 from .frame_choice import FrameChoice
 from .frame_picker import is_blank, spaced, thumbnail
 from .picture_folder import (
@@ -36,6 +37,7 @@ _GREY = np.array([77, 150, 29], np.uint32)  # BT.601's weights, in 256ths
 _BITS = 8
 _TABLES = (0x8769, 0x8825)  # EXIF's tags of the lens, and of GPS
 _TOLD = (0x010F, 0x0110, 0x0132, *_TABLES)  # make, model, time
+_LONGEST_EXIF = 65_000  # bytes: a JPEG holds 65533
 _SUFFIXES = {"jpeg": ".jpg", "png": ".png"}
 
 
@@ -83,6 +85,7 @@ def choose_pictures(source: Path, wanted: Wanted, say: ReportProgress) -> FrameC
             _remarks(source, len(paths), len(chosen), left_out, sizes)
             + told_twice(second)
             + _lenses([paths[n] for n in numbers])
+            + doubts_of_orientation([paths[n] for n in numbers])
         ),
     )
 
@@ -133,7 +136,8 @@ def _exif_upright(path: Path) -> bytes:
     for tag in (tag for tag in exif if tag in _TOLD or not is_photo(path)):  # the rest of a DNG lays out its pixels
         kept[tag] = exif.get_ifd(tag) if tag in _TABLES else exif[tag]
     with contextlib.suppress(Exception):  # EXIF that makes no sense is no loss
-        return kept.tobytes() if len(kept) else b""
+        told = kept.tobytes() if len(kept) else b""
+        return told if len(told) <= _LONGEST_EXIF else b""
     return b""
 
 

@@ -9,7 +9,7 @@ import contextlib
 import math
 import os
 from collections.abc import Iterable
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -72,12 +72,14 @@ class PicturePlaces:
         attitudes: Yaw, pitch and roll by name, of pictures without a place too.
         refused: Why what a picture says is not believed, by its name.
         picture_count: How many pictures there are.
+        altitudes_refused: Altitudes that are not believed [m], by name; the place of such a picture counts without.
     """
 
     places: tuple[PicturePlace, ...]
     attitudes: dict[str, tuple[float, float, float]] = field(default_factory=dict)
     refused: dict[str, str] = field(default_factory=dict)
     picture_count: int = 0
+    altitudes_refused: dict[str, float] = field(default_factory=dict)
 
     def __len__(self) -> int:
         """How many pictures say where they were taken."""
@@ -105,7 +107,11 @@ class PicturePlaces:
     def remarks(self) -> list[str]:
         """What is to be told of pictures whose place is not believed."""
         said = [f"{name} ({reason})" for name, reason in self.refused.items()]
-        return [f"GPS of {counted(len(said), 'picture')} is not believed: {some_of(said)}"] if said else []
+        remarks = [f"GPS of {counted(len(said), 'picture')} is not believed: {some_of(said)}"] if said else []
+        said = [f"{name} ({metres:g} m)" for name, metres in self.altitudes_refused.items()]
+        if said:
+            remarks.append(f"the altitude of {counted(len(said), 'picture')} is not believed: {some_of(said)}")
+        return remarks
 
     def to_json(self) -> dict[str, Any]:
         """The same in JSON's types."""
@@ -114,6 +120,7 @@ class PicturePlaces:
             "attitudes": {name: list(angles) for name, angles in self.attitudes.items()},
             "refused": dict(self.refused),
             "picture_count": self.picture_count,
+            "altitudes_refused": dict(self.altitudes_refused),
         }
 
 
@@ -150,7 +157,7 @@ def read_picture_places(source: FilePath | Iterable[FilePath]) -> PicturePlaces:
         paths = list_pictures(check_place("source", source))
     else:
         paths = [check_place(f"source[{k}]", path) for k, path in enumerate(check_list("source", source, "paths"))]
-    places, attitudes, refused = [], {}, {}
+    places, attitudes, refused, heights = [], {}, {}, {}
     for path in paths:
         gps, xmp, turned = _read_head(path)
         if xmp.attitude is not None and not turned:
@@ -161,9 +168,12 @@ def read_picture_places(source: FilePath | Iterable[FilePath]) -> PicturePlaces:
             refused[path.name] = str(error)
             continue
         if place is not None:
+            if place.altitude is not None and not LOWEST <= place.altitude <= HIGHEST:
+                heights[path.name] = place.altitude
+                place = replace(place, altitude=None)
             places.append(place)
     kept = _without_far(places, refused)
-    return PicturePlaces(tuple(kept), attitudes, refused, len(paths))
+    return PicturePlaces(tuple(kept), attitudes, refused, len(paths), heights)
 
 
 def _read_head(path: Path) -> tuple[dict[int, Any], Xmp, bool]:
@@ -238,7 +248,7 @@ def _altitude(gps: dict[int, Any], xmp: Xmp) -> float | None:
         below = gps.get(_BELOW, b"\0")
         code = below[0] if isinstance(below, bytes) and below else _number(below)
         value = -abs(value) if code in (1, ord("1")) else value
-    return value if value is not None and LOWEST <= value <= HIGHEST else None
+    return value
 
 
 def _number(value: Any) -> float | None:

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
-from ...cameras.panoramas import Panorama
+from ...cameras.panoramas import FACES, TURNS, Panorama
 from ...core.errors import FileError
 from ...core.progress import ReportProgress
+from ...files.models.sfm_model import SfmModel
 from ...files.pictures.image_files import read_color, read_picture_header, write_png
 from .frame_picker import is_blank, thumbnail
 from .masks import mask_file
@@ -62,3 +64,48 @@ def cut_spheres(
             write_picture(pictures / written[-1], face)
     say("faces", len(names), len(names))
     return written
+
+
+def with_all_faces(model: SfmModel, names: Sequence[str]) -> tuple[SfmModel, list[str]]:
+    """The model with the faces that were not placed, of pictures of which another was: how they stand is known.
+
+    A face that looks straight down shares little with those of other pictures. It takes its place from the one that
+    sees most points, and sees none itself.
+
+    Args:
+        model: Of faces, by the names that `cut_spheres` gives.
+        names: All faces that there are.
+
+    Returns:
+        The model, and the names of those that were added.
+    """
+    counts = np.bincount(model.observations[:, 0], minlength=len(model))
+    best: dict[str, int] = {}
+    for k in np.argsort(-counts, kind="stable").tolist():
+        best.setdefault(_sphere_and_face(model.names[k])[0], k)
+    placed = set(model.names)
+    added = [name for name in names if name not in placed and _sphere_and_face(name)[0] in best]
+    poses = []
+    for name in added:
+        sphere, face = _sphere_and_face(name)
+        known = best[sphere]
+        T = np.eye(4)
+        T[:3, :3] = TURNS[face].T @ TURNS[_sphere_and_face(model.names[known])[1]] @ model.T_camera_world[known, :3, :3]
+        T[:3, 3] = -T[:3, :3] @ model.centers[known]
+        poses.append(T)
+    if not added:
+        return model, []
+    cameras = [model.cameras[best[_sphere_and_face(name)[0]]] for name in added]
+    whole = replace(
+        model,
+        names=(*model.names, *added),
+        cameras=(*model.cameras, *cameras),
+        T_camera_world=np.concatenate([model.T_camera_world, poses]),
+    )
+    return whole, added
+
+
+def _sphere_and_face(name: str) -> tuple[str, int]:
+    """The picture that a face is of, and which face."""
+    sphere, _, face = Path(name).stem.rpartition("_")
+    return sphere, FACES.index(face)

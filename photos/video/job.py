@@ -97,7 +97,8 @@ def reconstruct(
         given = settings_of_stages(source, content, settings, where)
         result = _run(chain, given, settings, outputs, source=os.fspath(source), work=work, device=where)
         if result.mesh is not None:
-            result = replace(result, files=outputs.write(result, overwrite=overwrite))
+            training = outputs.write_training(result, chain.made["frames"].folder, overwrite=overwrite)
+            result = replace(result, files=outputs.write(result, overwrite=overwrite), training=training)
         result = replace(result, peak_bytes=peak_bytes_of_all())
         if work is not None:
             _write_json(root / REPORT, result.to_json())

@@ -5,6 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from ...cameras.camera_models import MODELS, CameraModel
 from ...cameras.undistortion import Undistortion
 from ...core.errors import DatasetError, FilePath
@@ -12,11 +15,14 @@ from ...core.progress import ReportProgress
 from ...core.stages import Made
 from ...files.models.colmap import read_colmap_model, write_colmap_model
 from ...files.models.sfm_model import SfmModel
+from ...files.pictures.image_files import write_png
 from ...files.pictures.photo_files import is_photo
 from .. import sfm
+from ..mvs.picture_masks import KEPT
 from ..sfm.colmap_jobs import MAX_SECONDS
 from ..sfm.frame_picker import spaced
 from ..sfm.guided_matches import read_matches, write_matches
+from ..sfm.masks import MakeMask, check_some_left, hides_all, mask_as_stored, mask_file, told_of_masks
 from ..sfm.picture_choice import told_twice
 from ..sfm.picture_folder import UPRIGHT, list_photographs, read_header, read_orientation, read_stored
 from ..sfm.picture_writing import write_bytes, write_picture
@@ -24,14 +30,20 @@ from ..sfm.pose_check import PoseCheck
 from ..sfm.posed_pictures import with_poses
 from ..sfm.triangulation import match_posed, points_of
 from ..sfm.verdict import judge_model
-from .motion import DATABASE, MODEL, PICTURES, described, only_turned
+from .motion import DATABASE, MASKS, MODEL, PICTURES, described, only_turned
 from .settings import Settings
 
 CAMERAS, MATCHES = "cameras", "matches.npz"
 
 
 def take_pictures(
-    folder: Path, say: ReportProgress, *, source: FilePath, max_frames: int, posed: Settings
+    folder: Path,
+    say: ReportProgress,
+    *,
+    source: FilePath,
+    max_frames: int,
+    posed: Settings,
+    masks: FilePath | MakeMask | None = None,
 ) -> dict[str, Any]:
     """The pictures of a folder that have a pose, as they are stored: lenses belong to that, and not to turned ones."""
     if not Path(source).is_dir():
@@ -43,23 +55,80 @@ def take_pictures(
     chosen = spaced(list(range(len(found.paths))), max_frames)
     pictures = folder / PICTURES
     pictures.mkdir()
-    names, cameras, remarks = [], [], list(found.remarks)
-    if len(chosen) < len(found.paths):
-        remarks.append(f"{len(chosen)} of {len(found.paths)} pictures are taken, evenly by their names (max_frames)")
-    lenses: dict[CameraModel, Undistortion] = {}
+    names, cameras, kept, lenses = [], [], [], {}
+    hides = _Masks(Path(source), folder / MASKS, masks)
     for done, k in enumerate(chosen):
         say("write", done, len(chosen))
-        name, camera = _write(pictures, found.paths[k], found.model.cameras[k], lenses)
+        path, lens = found.paths[k], found.model.cameras[k]
+        mask = hides.mask_of(path, (lens.width, lens.height))
+        if mask is not None and hides_all(mask):
+            continue
+        name, camera = _write(pictures, path, lens, lenses)
+        if mask is not None:
+            hides.write(name, mask, lenses.get(lens))
         names.append(name)
         cameras.append(camera)
+        kept.append(k)
     say("write", len(chosen), len(chosen))
+    hides.check(len(names))
     if len({Path(name).stem for name in names}) < len(names):
         raise DatasetError(source, "holds pictures whose names differ by their ending alone", remedy="Rename them")
-    model = SfmModel(tuple(names), tuple(cameras), found.model.T_camera_world[chosen])
+    model = SfmModel(tuple(names), tuple(cameras), found.model.T_camera_world[kept])
     write_colmap_model(folder / CAMERAS, model)
+    remarks = [*found.remarks, *hides.remarks]
+    if len(chosen) < len(found.paths):
+        remarks.append(f"{len(chosen)} of {len(found.paths)} pictures are taken, evenly by their names (max_frames)")
     remarks += [f"not used, {line}" for line in given.left_out[:4]] + told_twice(second)
     missing = len(found.without_pose) * len(names) // len(found.paths)
     return {"kept": len(names), "frames": len(paths), "remarks": remarks, "missing": missing}
+
+
+class _Masks:
+    """The masks of pictures that are taken as they are stored, and what is told of them.
+
+    Args:
+        source: The folder of the pictures.
+        folder: Where masks are written.
+        masks: As of the settings.
+    """
+
+    def __init__(self, source: Path, folder: Path, masks: FilePath | MakeMask | None):
+        self.source, self.folder, self.masks = source, folder, masks
+        self.hidden: list[str] = []
+        self.missing: list[str] = []
+
+    def mask_of(self, picture: Path, size: tuple[int, int]) -> NDArray[np.bool_] | None:
+        """The mask of a picture as it is stored; None where it has none."""
+        if self.masks is None:
+            return None
+        mask = mask_as_stored(self.masks, picture, size)
+        if mask is None:
+            self.missing.append(picture.name)
+        elif hides_all(mask):
+            self.hidden.append(picture.name)
+        return mask
+
+    def write(self, name: str, mask: NDArray[np.bool_], lens: Undistortion | None) -> None:
+        """Write the mask of a picture that was written, straightened where that was."""
+        self.folder.mkdir(exist_ok=True)
+        shade = np.where(mask, 255, 0).astype(np.uint8)
+        if lens is not None:
+            shade = np.where(lens.apply(shade) >= KEPT, 255, 0).astype(np.uint8)
+        write_png(mask_file(self.folder, name), shade)
+
+    def check(self, kept: int) -> None:
+        """Hold that some pictures are left, and that one has a mask.
+
+        Raises:
+            FileError: It is not so.
+        """
+        if self.masks is not None:
+            check_some_left(self.source, self.masks, self.hidden, self.missing, kept)
+
+    @property
+    def remarks(self) -> list[str]:
+        """What is to be told."""
+        return told_of_masks(self.hidden, self.missing)
 
 
 def _write(
@@ -79,12 +148,12 @@ def _write(
 
 
 def find_features(
-    folder: Path, say: ReportProgress, *, frames: Made, finder: str, seed: int, device: Any
+    folder: Path, say: ReportProgress, *, frames: Made, max_features: int, finder: str, seed: int, device: Any
 ) -> dict[str, Any]:
-    """What can be recognised in each picture."""
-    pictures, database = frames.folder / PICTURES, folder / DATABASE
-    options = {"finder": finder, "device": device, "seed": seed, "progress": say}
-    return sfm.find_features(pictures, database, **options).to_json()
+    """What can be recognised in each picture, and is not masked."""
+    pictures, database, masks = frames.folder / PICTURES, folder / DATABASE, frames.folder / MASKS
+    options = {"max_features": max_features, "masks": masks if masks.is_dir() else None, "finder": finder}
+    return sfm.find_features(pictures, database, device=device, seed=seed, progress=say, **options).to_json()
 
 
 def match(folder: Path, say: ReportProgress, *, frames: Made, features: Made, device: Any) -> dict[str, Any]:

@@ -13,13 +13,14 @@ from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
 from ...core.records import digest_of, digest_of_file
 from ...core.stages import Made
-from ...files.models.colmap import read_colmap_model
+from ...files.models.colmap import read_colmap_model, write_colmap_model
 from ...files.models.sfm_model import SfmModel
 from ...files.pictures.image_files import read_picture_header
 from .. import sfm
 from ..sfm.masks import FOLDER, MakeMask, mask_folder
 from ..sfm.picture_folder import check_place
-from ..sfm.sphere_pictures import cut_spheres
+from ..sfm.picture_writing import counted, some_of
+from ..sfm.sphere_pictures import cut_spheres, with_all_faces
 from ..sfm.verdict import MIN_ANGLE, MIN_PARALLAX, Verdict
 
 PICTURES, DATABASE, MODEL = "pictures", "database.db", "sparse"
@@ -114,13 +115,28 @@ def match(
 
 
 def map_pictures(
-    folder: Path, say: ReportProgress, *, frames: Made, matches: Made, fixed_camera: bool, mapper: str, seed: int
+    folder: Path,
+    say: ReportProgress,
+    *,
+    frames: Made,
+    matches: Made,
+    fixed_camera: bool,
+    mapper: str,
+    panorama: bool,
+    seed: int,
 ) -> dict[str, Any]:
     """Where the pictures were taken, what the lens is like, and what the model is worth."""
     given = {"fix_intrinsic": fixed_camera, "mapper": mapper, "seed": seed, "progress": say}
     found = sfm.map_pictures(frames.folder / PICTURES, matches.folder / DATABASE, folder / MODEL, **given)
     cameras = () if found.model is None else tuple(dict.fromkeys(found.model.cameras))
-    told = {"missing": list(found.missing), "cameras": [described(camera) for camera in cameras]}
+    missing, remarks = list(found.missing), []
+    if panorama and found.model is not None:
+        whole, added = with_all_faces(found.model, picture_names(frames))
+        if added:
+            write_colmap_model(folder / MODEL, whole)
+            missing = [name for name in missing if name not in set(added)]
+            remarks.append(f"{counted(len(added), 'face')} placed by others of the same picture: {some_of(added)}")
+    told = {"missing": missing, "cameras": [described(camera) for camera in cameras], "remarks": remarks}
     return found.verdict.to_json() | told | {"turned": only_turned(found.verdict, cameras)}
 
 

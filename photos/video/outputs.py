@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.pose_files import check_trajectory_output, write_poses
+from ...core.atomic import check_folder
 from ...core.checks import check_positive
 from ...core.errors import FileError, FilePath
 from ...core.outputs import check_output
@@ -27,6 +28,8 @@ from ...meshing.scene.plan_grid import grid_over
 from ...pcd.cloud import PointCloud
 from ...pcd.geotiff import check_geotiff
 from ..sfm.picture_folder import check_place
+from ..sfm.training_folder import TRANSFORMS, TrainingFolder, write_training_folder
+from .motion import MASKS, PICTURES
 from .result import VideoResult
 from .surface import poses_of
 from .units import Fit, Units
@@ -41,6 +44,8 @@ class Outputs:
         cloud: Of the fused points.
         trajectory: Of the poses, .log, .txt or .tum (TUM's format).
         picture: Of the mesh, .png.
+        training: A folder that gsplat, 3DGS and nerfstudio train from, as `sfm.write_training_folder` writes it: the
+            pictures at their full size, straightened, in the frame of the mesh.
         ortho: The mesh from above in its colours, a GeoTIFF (.tif) in UTM, as `loom.orthophoto` makes it. Such maps
             want photographs that tell where they were taken, and `cell`.
         dem: Its heights likewise.
@@ -59,6 +64,7 @@ class Outputs:
     cloud: FilePath | None = None
     trajectory: FilePath | None = None
     picture: FilePath | None = None
+    training: FilePath | None = None
     ortho: FilePath | None = None
     dem: FilePath | None = None
     cell: float | None = None
@@ -88,6 +94,8 @@ class Outputs:
             check_trajectory_output(self.trajectory, overwrite=overwrite)
         if self.picture is not None:
             check_picture(self.picture, overwrite=overwrite)
+        if self.training is not None:
+            check_folder(self.training, TRANSFORMS, overwrite=overwrite)
         for path in self._maps:
             check_geotiff(path, overwrite=overwrite)
         taken: set[Path] = set()
@@ -151,12 +159,29 @@ class Outputs:
                 made.heights.write(self.dem, overwrite=overwrite)
         return tuple(os.fspath(each) for each in self._all())
 
+    def write_training(self, result: VideoResult, frames: Path, *, overwrite: bool) -> TrainingFolder | None:
+        """Write the folder to train from, where one is asked for.
+
+        Args:
+            result: With a model.
+            frames: What the stage of that name left: the pictures of the model, and their masks.
+            overwrite: Replace such a folder.
+
+        Raises:
+            FileError: It cannot be written.
+        """
+        if self.training is None or result.model is None:
+            return None
+        masks = frames / MASKS
+        given = {"masks": masks if masks.is_dir() else None, "device": result.device, "overwrite": overwrite}
+        return write_training_folder(self.training, result.model, frames / PICTURES, **given)
+
     @property
     def _maps(self) -> list[FilePath]:
         return [path for path in (self.ortho, self.dem) if path is not None]
 
     def _all(self) -> Iterator[FilePath]:
-        paths = (self.mesh, self.cloud, self.trajectory, self.picture, self.ortho, self.dem)
+        paths = (self.mesh, self.cloud, self.trajectory, self.picture, self.training, self.ortho, self.dem)
         return (path for path in paths if path is not None)
 
 

@@ -12,6 +12,7 @@ from ...core.wording import format_bounds, format_bytes, format_share
 from ...files.models.sfm_model import SfmModel
 from ...meshing.mesh.mesh import TriangleMesh
 from ...pcd.cloud import PointCloud
+from ..sfm.training_folder import TrainingFolder
 from ..sfm.verdict import Verdict
 from .units import ARBITRARY, UNKNOWN, Fit
 
@@ -56,7 +57,12 @@ class VideoFigures:
         """The figures in what the stages told, which is what their records hold."""
         frames, model = made["frames"].told, made["model"].told
         verdict = Verdict.from_json(model)
-        taken = frames["frames"], frames["kept"], (*frames["remarks"], *verdict.remarks)
+        features = made["features"].told.get("remarks", ()) if "features" in made else ()
+        taken = (
+            frames["frames"],
+            frames["kept"],
+            (*frames["remarks"], *features, *model.get("remarks", ()), *verdict.remarks),
+        )
         placed = verdict, tuple(model["cameras"]), model["turned"]
         if "mesh" not in made:
             return cls(*taken, *placed)
@@ -126,6 +132,7 @@ class VideoResult:
         files: Those that were written.
         work: The folder of the stages' files, where one was asked for.
         peak_bytes: The most memory that this process, or one that it waited for, has held [B].
+        training: What the folder to train from holds, and what was taken from its coordinates; None without one.
     """
 
     source: str
@@ -140,6 +147,7 @@ class VideoResult:
     files: tuple[str, ...]
     work: str | None
     peak_bytes: int
+    training: TrainingFolder | None = None
 
     @property
     def poor(self) -> str | None:
@@ -170,6 +178,7 @@ class VideoResult:
             "units": self.units,
             "fit": None if self.fit is None else self.fit.to_json(),
             "files": list(self.files),
+            "training": None if self.training is None else self.training.to_json(),
             "peak_bytes": self.peak_bytes,
             "poor": self.poor,
             "work": self.work,

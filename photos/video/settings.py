@@ -104,7 +104,6 @@ class Settings:
         if self.cameras is None:
             return
         for name, usual in (
-            ("masks", None),
             ("camera_model", "SIMPLE_RADIAL"),
             ("pairs", "auto"),
             ("panorama", False),

@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from ...cameras.camera import PinholeCameraIntrinsic
-from ...cameras.camera_models import CameraModel
 from ...cameras.picture_names import number_of
 from ...cameras.pose_files import trajectory_of
 from ...cameras.trajectory import Trajectory, write_trajectory
@@ -28,6 +25,7 @@ from ...pcd.cloud import PointCloud
 from .. import mvs
 from ..mvs.picture_masks import KEPT
 from ..sfm.masks import mask_file
+from ..sfm.straightened import straightened_model
 from . import motion
 from .units import Units, fit_units
 
@@ -58,7 +56,7 @@ def straighten(
             write_png(mask_file(folder / MASKS, names[k]), np.where(straightened >= KEPT, 255, 0).astype(np.uint8))
     say("pictures", len(names), len(names))
     straight = [lenses[camera].intrinsic for camera in found.cameras]
-    write_colmap_model(folder / SPARSE, _straightened(found, tuple(names), straight))
+    write_colmap_model(folder / SPARSE, straightened_model(found, names, straight))
     sizes = dict.fromkeys((camera.width, camera.height) for camera in straight)
     return {"pictures": len(names), "sizes": [list(size) for size in sizes]}
 
@@ -129,19 +127,6 @@ def without_floaters(mesh: TriangleMesh) -> TriangleMesh:
         return mesh
     _, _, areas = mesh.cluster_connected_triangles()
     return mesh.remove_small_components(min_area=FLOATER * float(areas.max()))
-
-
-def _straightened(model: SfmModel, names: tuple[str, ...], cameras: list[PinholeCameraIntrinsic]) -> SfmModel:
-    """The model as the straightened pictures show it."""
-    pixels = np.empty_like(model.pixels)
-    for k, (before, after) in enumerate(zip(model.cameras, cameras, strict=True)):
-        mine = model.observations[:, 0] == k
-        rays = before.unproject(model.pixels[mine])
-        pixels[mine] = rays[:, :2] * (after.fx, after.fy) + (after.cx, after.cy)
-    seen = np.isfinite(pixels).all(axis=1)  # a lens that was fitted to few points may have no inverse at its rim
-    pinholes = tuple(CameraModel.from_intrinsic(camera) for camera in cameras)
-    kept = {"observations": model.observations[seen], "pixels": pixels[seen]}
-    return replace(model, names=names, cameras=pinholes, **kept)
 
 
 def _masks_of(undistorted: Made, pictures: list[Path]) -> list[Path | None]:

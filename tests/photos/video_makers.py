@@ -186,3 +186,35 @@ def strong_lens(size=SIZE, model="OPENCV"):
         "OPENCV_FISHEYE": [0.5 * width, 0.5 * width, width / 2, height / 2, 0.02, -0.01, 0.0, 0.0],
     }
     return loom.CameraModel(model, width, height, params[model])
+
+
+def spheres_from(poses, height=256, *, finer=2) -> list[np.ndarray]:
+    """What cameras at these places see in all directions, equirectangular, uint8 [height, 2 height, 3] each.
+
+    Six pinholes of 90 degrees are rendered, `finer` times as dense, and read between their pixels.
+    """
+    side = finer * height // 2
+    faces = loom.Panorama(2 * height, height, side=side)
+    v, u = np.mgrid[:height, : 2 * height].reshape(2, -1)
+    longitude, latitude = (u + 0.5) / height * np.pi - np.pi, np.pi / 2 - (v + 0.5) / height * np.pi
+    across = np.cos(latitude)
+    rays = np.column_stack([across * np.sin(longitude), -np.sin(latitude), across * np.cos(longitude)])
+    made = []
+    for k, pose in enumerate(np.asarray(poses)):
+        light = np.random.default_rng(k).normal(0, 2, (len(u), 3))
+        forward = np.stack([rays @ turn[:, 2] for turn in faces.turns])
+        nearest = forward.argmax(axis=0)
+        for n, turn in enumerate(faces.turns):
+            mine = np.flatnonzero(nearest == n)
+            T = np.array(pose, np.float64)
+            T[:3, :3] = pose[:3, :3] @ turn
+            face = next(iter(room_views([T], faces.intrinsic, color_noise=0))).color.astype(np.float64)
+            seen = rays[mine] @ turn
+            x = seen[:, 0] / seen[:, 2] * faces.intrinsic.fx + faces.intrinsic.cx
+            y = seen[:, 1] / seen[:, 2] * faces.intrinsic.fy + faces.intrinsic.cy
+            i, j = (np.clip(np.floor(each).astype(int), 0, side - 2) for each in (x, y))
+            fx, fy = np.clip(x - i, 0, 1)[:, None], np.clip(y - j, 0, 1)[:, None]
+            upper, lower = ((face[row, i] * (1 - fx) + face[row, i + 1] * fx) for row in (j, j + 1))
+            light[mine] += upper * (1 - fy) + lower * fy
+        made.append(np.clip(np.rint(light), 0, 255).astype(np.uint8).reshape(height, 2 * height, 3))
+    return made

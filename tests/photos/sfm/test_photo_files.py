@@ -141,6 +141,17 @@ def test_what_is_cut_off_is_left_out_and_named(tmp_path, kind, share):
     assert kind != "dng" or choice.left_out["bad.dng"].split(":")[0] == ("cut off" if share else "empty")
 
 
+@pytest.mark.parametrize("tenths", range(1, 10))
+def test_a_dng_of_any_tenths_of_its_size_is_a_named_error(tmp_path, tenths):
+    pytest.importorskip("rawpy")
+    path = dng(tmp_path / "a.dng", mosaic())
+    data = path.read_bytes()
+    path.write_bytes(data[: len(data) * tenths // 10])
+    for read in (photo_files.read_photo_header, photo_files.read_photo):
+        with pytest.raises(loom.FileError, match=r"a\.dng: cut off"):
+            read(path)
+
+
 def test_what_a_name_promises_falsely_is_left_out(tmp_path):
     pytest.importorskip("pi_heif"), pytest.importorskip("rawpy")
     source = write_pictures(tmp_path / "in", [scene()], ["good.png"])

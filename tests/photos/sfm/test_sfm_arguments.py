@@ -30,6 +30,7 @@ loom.sfm.detect_keypoints(picture=grey, max_features=300, max_size=64, mask=seen
 loom.sfm.match_keypoints(a=keypoints, b=keypoints, max_ratio=0.8, max_distance=0.7, device="cpu")
 loom.sfm.judge_model(model=model, picture_count=3, model_sizes=[2, 1], focal=None, poses=None)
 loom.sfm.read_picture_places(source=pictures)
+loom.sfm.write_training_folder(folder=new(), model=model, pictures=[grey, grey], masks=[None, seen], max_size=64, shift=True, device="cpu", overwrite=True, progress=None)
 loom.sfm.triangulate(pictures=pictures, cameras=posed, max_size=640, max_features=500, {FINDER}, {LIMITS})
 """  # noqa: E501
 TABLE = {name.removeprefix("sfm."): call for name, call in read_table(CALLS, {}).items()}
@@ -38,6 +39,7 @@ RESULTS = {
     "Keypoints",
     "PicturePlace",
     "PicturePlaces",
+    "TrainingFolder",
     "TriangulationResult",
     "FeatureReport",
     "MatchReport",

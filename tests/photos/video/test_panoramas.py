@@ -7,7 +7,13 @@ import pytest
 from PIL import Image
 
 import pointloom as loom
+from pointloom.data.scenes.room_paths import look_along
+from pointloom.data.scenes.room_video import room_video_poses
+from pointloom.photos.sfm.sphere_pictures import with_all_faces
 from pointloom.photos.video import motion
+
+from ..sfm.conftest import has_pycolmap, write_pictures
+from ..video_makers import distorted_pictures, spheres_from, strong_lens
 
 
 def quiet(*_):
@@ -45,3 +51,64 @@ def test_a_picture_of_a_lens_is_none_of_all_directions(tmp_path):
         motion.take_frames(tmp_path / "out", quiet, source=source, max_frames=9, masks=None, panorama=True)
     with pytest.raises(ValueError, match="panorama: faces of a cube have a lens that is known"):
         loom.video.Settings(panorama=True, camera_model="OPENCV_FISHEYE")
+
+
+def test_faces_that_were_not_placed_stand_where_the_others_of_their_picture_say():
+    rng = np.random.default_rng(0)
+    panorama = loom.Panorama(64, 32)
+    camera = loom.CameraModel.from_intrinsic(panorama.intrinsic)
+    names = [f"my_sphere_{k}_{face}.jpg" for k in range(3) for face in panorama.names]
+    poses = []
+    for _ in range(3):
+        front, center = np.linalg.qr(rng.normal(size=(3, 3)))[0], rng.normal(size=3)
+        front *= np.sign(np.linalg.det(front))
+        for turn in panorama.turns:  # from the face's camera to the front one's
+            T = np.eye(4)
+            T[:3, :3] = turn.T @ front
+            T[:3, 3] = -T[:3, :3] @ center
+            poses.append(T)
+    kept = [k for k in range(18) if k not in (2, 5, 6, 7) and k < 12]  # of the last picture none is placed
+    some = loom.SfmModel([names[k] for k in kept], [camera] * len(kept), [poses[k] for k in kept], points=np.eye(3))
+    whole, added = with_all_faces(some, names)
+    assert sorted(added) == sorted(names[k] for k in (2, 5, 6, 7)) and len(whole) == 12
+    for name, T in zip(whole.names, whole.T_camera_world, strict=True):
+        np.testing.assert_allclose(T, poses[names.index(name)], atol=1e-12)
+    assert with_all_faces(whole, names) == (whole, [])
+
+
+def off_truth(model, centers) -> np.ndarray:
+    """How far cameras are from where they stood [m], after the similarity that fits them."""
+    fit = loom.registration.fit_to_positions(model, dict(zip(model.names, centers, strict=True)))
+    return np.linalg.norm(model.transform(fit.transformation).centers - centers, axis=1)
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not has_pycolmap(), reason="pycolmap is not installed")
+def test_pictures_of_all_directions_are_placed_where_they_were_taken(tmp_path):
+    centers = room_video_poses(30)[:10, :3, 3]
+    spheres = spheres_from([look_along(center, (1.0, 0.15, 0.0)) for center in centers], 384)
+    source = write_pictures(tmp_path / "in", spheres, [f"{k}.png" for k in range(10)])
+    (tmp_path / "out").mkdir()
+    told = motion.take_frames(tmp_path / "out", quiet, source=source, max_frames=10, masks=None, panorama=True)
+    lens = loom.Panorama(768, 384).intrinsic
+    result = loom.sfm.reconstruct(tmp_path / "out" / motion.PICTURES, tmp_path / "work", intrinsic=lens)
+    assert told["kept"] == 60 and result.model is not None and len(result.model) >= 45
+    whole, _ = with_all_faces(result.model, told["names"])
+    assert len(whole) == 60
+    off = off_truth(whole, np.array([centers[int(name[0])] for name in whole.names]))
+    assert np.sqrt(np.mean(off**2)) < 0.01, off  # 3 mm; the walk is 2.2 m long
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not has_pycolmap(), reason="pycolmap is not installed")
+@pytest.mark.parametrize("mapper", ["incremental", "global"])
+def test_pictures_of_a_fisheye_that_nobody_measured_are_placed_and_it_is_found(tmp_path, mapper):
+    poses, lens = room_video_poses(60)[:10], strong_lens((320, 240), "OPENCV_FISHEYE")
+    pictures = write_pictures(
+        tmp_path / "in", distorted_pictures(poses, lens, finer=1.5), [f"{k}.png" for k in range(10)]
+    )
+    result = loom.sfm.reconstruct(pictures, tmp_path / "work", camera_model="OPENCV_FISHEYE", mapper=mapper)
+    assert result.model is not None and len(result.model) == 10
+    assert result.model.cameras[0].params[0] == pytest.approx(160, rel=0.02)
+    off = off_truth(result.model, np.array([poses[int(name[0])][:3, 3] for name in result.model.names]))
+    assert np.sqrt(np.mean(off**2)) < 0.005, off

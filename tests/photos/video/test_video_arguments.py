@@ -31,7 +31,7 @@ loom.video.WorldFrame(latitude=47.5, longitude=8.25, altitude=430.0)
 frame.to_enu(places=[[47.5, 8.25, 430.0]])
 frame.to_geodetic(points=[[1.0, 2.0, 3.0]])
 frame.to_utm(points=[[1.0, 2.0, 3.0]], epsg=32632)
-loom.video.Outputs(mesh="room.ply", cloud="cloud.ply", trajectory="poses.log", picture="room.png", {MAPS})
+loom.video.Outputs(mesh="room.ply", cloud="c.ply", trajectory="p.log", picture="room.png", training="scene", {MAPS})
 """
 TABLE = {name.removeprefix("video."): call for name, call in read_table(CALLS, {"frame": "WorldFrame"}).items()}
 RESULTS = {"Fit", "PlacesFit", "KnownPlaces", "StageReport", "VideoFigures", "VideoResult"}
@@ -42,6 +42,7 @@ INSIDE = {
     "Outputs.check_fit",
     "Outputs.check_units",
     "Outputs.write",
+    "Outputs.write_training",
     "Units.check_names",
     "Settings.read_posed",
     "Settings.digest_of_cameras",

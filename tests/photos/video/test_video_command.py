@@ -7,6 +7,8 @@ import pytest
 
 import pointloom as loom
 from pointloom.core.work_folder import held
+from pointloom.files.pictures.image_files import write_png
+from pointloom.photos.video import chain, motion
 
 from ...app.commands import answer, names_in, poor_answer, refusal, run
 from .conftest import COUNT
@@ -45,6 +47,30 @@ def test_without_a_work_folder_nothing_is_left_but_the_outputs(quick, film, outp
     path = loom.read_trajectory(poses)
     assert path.ids[:, 0].tolist() == list(range(0, 80, 10))  # the frames' own numbers
     assert len(loom.read_point_cloud(cloud)) == 3
+
+
+def test_a_folder_to_train_from_is_written_beside_the_mesh_and_in_its_unit(quick, film, output, tmp_path, monkeypatch):
+    def take_frames(folder, say, *, source, max_frames):
+        (folder / motion.PICTURES).mkdir()
+        for number in range(0, 10 * COUNT, 10):
+            write_png(folder / motion.PICTURES / f"frame_{number:06d}.png", np.full((48, 64, 3), number, np.uint8))
+        return {"kept": COUNT, "frames": 80, "remarks": []}
+
+    monkeypatch.setitem(chain.STAGES, "frames", take_frames)
+    scene = tmp_path / "scene"
+    report = answer("video", film, "-o", output, "--training", scene, "--scale", 2.5)
+    assert report["files"] == [str(output), str(scene)]
+    assert report["training"]["picture_count"] == COUNT == len(names_in(scene / "images"))
+    model, twice = loom.read_colmap_model(scene / "sparse" / "0"), report["fit"]["scale"]
+    assert twice == 2.5
+    plain = answer("video", film, "-o", output, "--training", scene, "--force", "--align", "none")
+    assert plain["fit"]["scale"] == 1.0
+    np.testing.assert_allclose(model.centers, 2.5 * loom.read_colmap_model(scene / "sparse" / "0").centers, atol=1e-12)
+    (tmp_path / "other").mkdir()
+    (tmp_path / "other" / "notes.txt").write_text("mine")
+    assert "other: holds other files" in refusal(
+        "video", film, "-o", output, "--training", tmp_path / "other", "--force"
+    )
 
 
 def test_the_summary_says_what_became_of_the_pictures(quick, film, output):

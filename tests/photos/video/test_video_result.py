@@ -94,7 +94,7 @@ def test_a_result_cannot_be_changed(quick, film, tmp_path, monkeypatch):
         ("frames", [], {"source", "max_frames", "panorama"}),
         ("features", ["frames"], {"camera", "camera_model", "finder", "max_features", "panorama", "seed"}),
         ("matches", ["frames", "features"], {"finder", "pairs", "seed"}),
-        ("model", ["frames", "matches"], {"fixed", "mapper", "seed"}),
+        ("model", ["frames", "matches"], {"fixed", "mapper", "panorama", "seed"}),
         ("undistorted", ["frames", "model"], {"max_size"}),
         ("depth", ["undistorted"], {"seed"}),
         ("fused", ["undistorted", "depth"], set()),

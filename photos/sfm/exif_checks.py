@@ -1,0 +1,98 @@
+"""What EXIF says of a lens and of how a picture lies, held against itself: what contradicts itself is not believed."""
+
+from __future__ import annotations
+
+import contextlib
+import math
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+from ...core.errors import FilePath
+from ...files.pictures.photo_files import plain_number, read_exif
+from .picture_folder import ORIENTATION, read_header
+from .picture_writing import counted, some_of
+
+# Focal lengths over the longer side that a lens may have: a fisheye of half a sphere has 0.3, and mapping takes none
+# beyond 10, a telephoto of 360 mm on 35 mm film.
+SHORTEST, LONGEST = 0.2, 10.0
+SMALLEST_SENSOR, LARGEST_SENSOR = 2.0, 60.0  # [mm] across
+MOST_APART = 1.6  # factor between what two tags say: crops and ways to count film come to less
+FILM_DIAGONAL = math.hypot(36.0, 24.0)  # [mm]
+
+_EXIF, _FOCAL, _FILM, _ZOOM = 0x8769, 0x920A, 0xA405, 0xA404
+_ACROSS, _UNIT, _WIDTH, _HEIGHT = 0xA20E, 0xA210, 0xA002, 0xA003
+_MILLIMETRES = {2: 25.4, 3: 10.0, 4: 1.0, 5: 0.001}  # of a resolution's unit: inch, cm, mm, um
+_TURNED = range(5, 9)  # orientations that swap width and height
+
+
+def doubt_of_focal(path: FilePath, size: tuple[int, int]) -> str | None:
+    """Why the focal length that EXIF tells is not believed; None where it is, or tells none.
+
+    Args:
+        path: A picture.
+        size: Its width and height [px].
+    """
+    inner = _inner(path)
+    focal, film, zoom = (_number(inner, tag) for tag in (_FOCAL, _FILM, _ZOOM))
+    longer, diagonal = max(size), math.hypot(*size)
+    by_film = None if film is None else film / FILM_DIAGONAL * diagonal
+    sensor = _sensor_of(inner)
+    if by_film is not None and not SHORTEST <= by_film / longer <= LONGEST:
+        return f"{film:g} mm on 35 mm film are {by_film:.0f} px, which no lens has"
+    if focal is None or sensor is None:
+        return None
+    is_sensor = SMALLEST_SENSOR <= sensor <= LARGEST_SENSOR
+    if not is_sensor:  # the film's says enough
+        return None if by_film is not None else f"the sensor would be {sensor:.3g} mm wide"
+    by_sensor = focal / sensor * longer
+    if by_film is None:
+        return None if SHORTEST <= by_sensor / longer <= LONGEST else f"{focal:g} mm over a sensor of {sensor:.3g} mm"
+    apart = by_film / (by_sensor * max(zoom or 1.0, 1.0))
+    if not 1 / MOST_APART <= apart <= MOST_APART:
+        return f"that on film says {by_film:.0f} px, that of the sensor {by_sensor:.0f} px"
+    return None
+
+
+def _sensor_of(inner: dict[int, Any]) -> float | None:
+    """The width of the sensor [mm]; None where it is not told."""
+    across, width, unit = _number(inner, _ACROSS), _number(inner, _WIDTH), _number(inner, _UNIT)
+    step = _MILLIMETRES.get(int(unit)) if unit is not None else 25.4
+    return None if across is None or width is None or step is None else width / across * step
+
+
+def doubts_of_orientation(paths: Iterable[Path]) -> list[str]:
+    """What is to be told of pictures whose EXIF contradicts itself, or makes no sense, on how they lie."""
+    unknown, swapped = [], []
+    for path in paths:
+        exif = read_exif(path)
+        value: Any = exif.get(ORIENTATION, 1)
+        if not isinstance(value, int) or not 0 <= value <= 8:
+            unknown.append(path.name)
+        elif value in _TURNED:
+            with contextlib.suppress(Exception):
+                inner, header = _inner(path), read_header(path)
+                told = _number(inner, _WIDTH), _number(inner, _HEIGHT)
+                if told == (header.height, header.width) and header.width != header.height:
+                    swapped.append(path.name)
+    remarks = []
+    if unknown:
+        said = f"EXIF of {counted(len(unknown), 'picture')} tells no way to lie that there is"
+        remarks.append(f"{said}, taken as stored: {some_of(unknown)}")
+    if swapped:
+        said = "turned as EXIF says, though by the size that it tells they were turned before"
+        remarks.append(f"{counted(len(swapped), 'picture')} {said}: {some_of(swapped)}")
+    return remarks
+
+
+def _inner(path: FilePath) -> dict[int, Any]:
+    """EXIF's table of the lens; empty where it makes no sense."""
+    with contextlib.suppress(Exception):
+        return dict(read_exif(path).get_ifd(_EXIF))
+    return {}
+
+
+def _number(inner: dict[int, Any], tag: int) -> float | None:
+    """A number above 0 of a table; None where it is none."""
+    text = plain_number(inner.get(tag))
+    return float(text) if text else None

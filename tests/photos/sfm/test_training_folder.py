@@ -1,0 +1,278 @@
+"""Folders to train splats from: straight pictures, COLMAP's files and transforms.json say the same as the model."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+import pointloom as loom
+from pointloom.core.errors import FileError
+
+from .conftest import has_pycolmap
+
+SIZE = (96, 64)
+LENSES = {
+    "PINHOLE": [80.0, 82.0, 47.0, 33.0],
+    "OPENCV": [80.0, 82.0, 47.0, 33.0, -0.12, 0.02, 0.002, -0.001],
+    "OPENCV_FISHEYE": [50.0, 51.0, 47.0, 33.0, 0.02, -0.01, 0.001, 0.0],
+    "METASHAPE": [80.0, 0.4, -0.6, -0.05, 0.01, 0.0, 0.001, 0.0, 0.0, 1.0, 0.0],
+}
+UTM = np.array([465_123.25, 5_243_871.5, 431.0])
+
+
+def model_of(kind="OPENCV", *, origin=(0.0, 0.0, 0.0), names=("day 1/a.jpg", "day 2/b.jpg", "c.png")) -> loom.SfmModel:
+    """Three cameras and 60 points that they see, where the lens shows them."""
+    rng = np.random.default_rng(0)
+    camera = loom.CameraModel(kind, *SIZE, LENSES[kind])
+    poses = np.tile(np.eye(4), (3, 1, 1))
+    angle = 0.1
+    poses[1, :3, :3] = [[np.cos(angle), 0, np.sin(angle)], [0, 1, 0], [-np.sin(angle), 0, np.cos(angle)]]
+    poses[:, 0, 3] = -0.1 * np.arange(3)
+    points = np.column_stack([rng.uniform(-1.2, 1.2, 60), rng.uniform(-0.8, 0.8, 60), rng.uniform(2, 3, 60)])
+    pixels = np.concatenate([camera.project(points @ T[:3, :3].T + T[:3, 3]) for T in poses])
+    observations = np.array([(i, k) for i in range(3) for k in range(60)])
+    inside = ((pixels >= 0) & (pixels <= (SIZE[0] - 1, SIZE[1] - 1))).all(axis=1)
+    colors = rng.integers(0, 256, (60, 3), np.uint8)
+    seen = {"observations": observations[inside], "pixels": pixels[inside]}
+    model = loom.SfmModel(names, [camera] * 3, poses, points=points, colors=colors, **seen)
+    T = np.eye(4)
+    T[:3, 3] = origin
+    return model.transform(T)
+
+
+def photographs(folder: Path, model: loom.SfmModel) -> Path:
+    rng = np.random.default_rng(1)
+    for name in model.names:
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        Image.fromarray(rng.integers(0, 256, (SIZE[1], SIZE[0], 3), np.uint8)).save(path)
+    return folder
+
+
+def source_of(model: loom.SfmModel, name: str) -> int:
+    """Which of the model's pictures became one of the folder: sorted without folders they may stand otherwise."""
+    return [Path(each).stem for each in model.names].index(Path(name).stem)
+
+
+def written(tmp_path, model, **options):
+    pictures = photographs(tmp_path / "photos", model)
+    told = loom.sfm.write_training_folder(tmp_path / "scene", model, pictures, **options)
+    return told, tmp_path / "scene"
+
+
+@pytest.mark.parametrize("max_size", [None, 50])
+@pytest.mark.parametrize("kind", LENSES)
+def test_points_lie_in_the_straight_pictures_where_the_lens_saw_them(tmp_path, kind, max_size):
+    model = model_of(kind)
+    told, scene = written(tmp_path, model, max_size=max_size)
+    found = loom.read_colmap_model(scene / "sparse" / "0")
+    assert {camera.model for camera in found.cameras} == {"PINHOLE"}
+    np.testing.assert_array_equal(found.colors, model.colors)
+    assert len(found.observations) > 0.8 * len(model.observations)
+    sizes = np.array([(camera.width, camera.height) for camera in found.cameras])[found.observations[:, 0]]
+    assert ((found.pixels >= -0.5) & (found.pixels <= sizes - 0.5)).all()
+    straight = loom.Undistortion(model.cameras[0], max_size=max_size).intrinsic
+    for k, camera in enumerate(found.cameras):
+        with Image.open(scene / "images" / found.names[k]) as picture:
+            assert picture.size == (camera.width, camera.height) == (straight.width, straight.height)
+        assert (camera.intrinsic.cx, camera.intrinsic.cy) == pytest.approx((straight.cx, straight.cy), abs=1e-9)
+        mine = found.observations[found.observations[:, 0] == k, 1]
+        T, own = found.T_camera_world[k], source_of(model, found.names[k])
+        at = camera.project(found.points[mine] @ T[:3, :3].T + T[:3, 3])
+        # where the picture that the lens took has this very point, as the pinhole draws its ray
+        before = model.pixels[(model.observations[:, 0] == own) & np.isin(model.observations[:, 1], mine)]
+        rays = model.cameras[own].unproject(before)
+        expected = rays[:, :2] * (straight.fx, straight.fy) + (straight.cx, straight.cy)
+        assert np.abs(at - expected).max() < 0.05
+    assert found.errors[found.view_counts > 0].max() < 1e-3
+    assert told.straightened_count == (1 if kind != "PINHOLE" or max_size else 0) * 3
+    assert max(max(size) for size in told.sizes) <= (max_size or 200)
+
+
+@pytest.mark.parametrize("kind", ["PINHOLE", "OPENCV"])
+def test_transforms_and_colmap_s_files_say_the_same(tmp_path, kind):
+    _, scene = written(tmp_path, model_of(kind))
+    sparse, nerf = loom.read_colmap_model(scene / "sparse" / "0"), loom.read_cameras(scene / "transforms.json")
+    assert nerf.names == tuple(f"images/{name}" for name in sparse.names)
+    np.testing.assert_allclose(nerf.T_camera_world, sparse.T_camera_world, atol=1e-12)
+    assert [camera.intrinsic for camera in nerf.cameras] == [camera.intrinsic for camera in sparse.cameras]
+    cloud = loom.read_point_cloud(scene / "sparse_pc.ply")
+    np.testing.assert_allclose(cloud.points, sparse.points, atol=1e-6)
+
+
+def test_straightened_pixels_are_where_the_model_says(tmp_path):
+    """Pictures whose brightness is the column, and the row, show the points where the lens saw them."""
+    model = model_of("OPENCV")
+    v, u = np.mgrid[: SIZE[1], : SIZE[0]]
+    for axis, ramp in enumerate((u, v)):
+        pictures = [np.rint(ramp * 2.5).astype(np.uint8)] * 3
+        loom.sfm.write_training_folder(tmp_path / f"{axis}", model, pictures)
+        found, off = loom.read_colmap_model(tmp_path / f"{axis}" / "sparse" / "0"), []
+        for k, name in enumerate(found.names):
+            shown = loom.read_color(tmp_path / f"{axis}" / "images" / name)[..., 0] / 2.5
+            mine, first = (m.observations[:, 0] == n for m, n in ((found, k), (model, source_of(model, name))))
+            x, y = found.pixels[mine].T
+            i, j = np.floor(x).astype(int).clip(0, len(shown[0]) - 2), np.floor(y).astype(int).clip(0, len(shown) - 2)
+            read = (shown[j, i] * (1 - x + i) + shown[j, i + 1] * (x - i)) * (1 - y + j)
+            read += (shown[j + 1, i] * (1 - x + i) + shown[j + 1, i + 1] * (x - i)) * (y - j)
+            places = dict(zip(model.observations[first, 1].tolist(), model.pixels[first, axis].tolist(), strict=True))
+            off += (read - [places[point] for point in found.observations[mine, 1].tolist()]).tolist()
+        assert abs(np.mean(off)) < 0.05 and np.abs(off).max() < 0.4  # a step of grey is 0.4 px
+
+
+def test_straight_pictures_are_copied_and_turned_or_other_ones_are_not(tmp_path):
+    model = model_of("PINHOLE")
+    pictures = photographs(tmp_path / "photos", model)
+    exif = Image.Exif()
+    exif[0x0112] = 3
+    with Image.open(pictures / "day 2" / "b.jpg") as picture:
+        picture.save(pictures / "day 2" / "b.jpg", exif=exif)
+    with Image.open(pictures / "day 2" / "b.jpg") as picture:
+        pixels = np.array(picture)
+    told = loom.sfm.write_training_folder(tmp_path / "scene", model, pictures)
+    images = tmp_path / "scene" / "images"
+    assert sorted(path.name for path in images.iterdir()) == ["a.jpg", "b.png", "c.png"]
+    assert (images / "a.jpg").read_bytes() == (pictures / "day 1" / "a.jpg").read_bytes()
+    with Image.open(images / "b.png") as picture:
+        assert picture.getexif().get(0x0112, 1) == 1 and np.array_equal(np.array(picture), pixels)
+    assert told.straightened_count == 1
+
+
+def test_what_lies_outside_of_the_straight_pictures_is_seen_by_none(tmp_path):
+    camera = loom.CameraModel("OPENCV_FISHEYE", *SIZE, LENSES["OPENCV_FISHEYE"])
+    corner, middle = camera.unproject([[0.0, 0.0], [48.0, 32.0]]) * 2
+    seen = {"observations": [[0, 0], [0, 1]], "pixels": [[0.0, 0.0], [48.0, 32.0]]}
+    model = loom.SfmModel(["a.png"], [camera], np.eye(4)[None], points=[corner, middle], **seen)
+    loom.sfm.write_training_folder(tmp_path / "scene", model, [np.zeros((SIZE[1], SIZE[0], 3), np.uint8)])
+    assert loom.read_colmap_model(tmp_path / "scene" / "sparse" / "0").observations.tolist() == [[0, 1]]
+
+
+def test_names_that_differ_by_folder_or_case_alone_stay_apart(tmp_path):
+    _, scene = written(tmp_path, model_of(names=("day 1/a.jpg", "day 2/a.jpg", "day 2/A.png")))
+    names = sorted(path.name for path in (scene / "images").iterdir())
+    assert names == ["day 1_a.jpg.png", "day 2_A.png.png", "day 2_a.jpg.png"]
+    assert tuple(names) == loom.read_colmap_model(scene / "sparse" / "0").names
+    assert len({name.casefold() for name in names}) == 3
+
+
+@pytest.mark.parametrize("shift", [True, False])
+def test_utm_comes_near_zero_and_is_told_or_stays_exact(tmp_path, shift):
+    model = model_of("OPENCV", origin=UTM)
+    told, scene = written(tmp_path, model, shift=shift)
+    found, content = loom.read_colmap_model(scene / "sparse" / "0"), json.loads((scene / "transforms.json").read_text())
+    np.testing.assert_allclose(found.points + told.origin, model.points, atol=2e-9, rtol=0)
+    centers = model.centers[[source_of(model, name) for name in found.names]]
+    np.testing.assert_allclose(found.centers + told.origin, centers, atol=5e-9, rtol=0)
+    frames = np.array([frame["transform_matrix"] for frame in content["frames"]])
+    np.testing.assert_allclose(frames[:, :3, 3] + told.origin, centers, atol=5e-9, rtol=0)
+    if shift:
+        assert np.abs(found.centers).max() < 10 and "taken from all coordinates" in str(told)
+        applied = np.array(content["applied_transform"])
+        np.testing.assert_array_equal(applied, np.column_stack([np.eye(3), -np.array(told.origin)]))
+        assert content["applied_scale"] == 1
+    else:
+        assert told.origin == (0, 0, 0) and "applied_transform" not in content
+    assert loom.sfm.write_training_folder(tmp_path / "near", model_of(), tmp_path / "photos").origin == (0, 0, 0)
+
+
+def test_masks_go_along_straightened_and_every_picture_has_one(tmp_path):
+    model = model_of("OPENCV")
+    mask = np.zeros(SIZE[::-1], np.uint8)
+    mask[:, :47] = 255
+    (tmp_path / "masks" / "day 1").mkdir(parents=True)
+    Image.fromarray(mask).save(tmp_path / "masks" / "day 1" / "a.jpg.png")
+    told, scene = written(tmp_path, model, masks=tmp_path / "masks")
+    frames = json.loads((scene / "transforms.json").read_text())["frames"]
+    assert [frame["mask_path"] for frame in frames] == [f"masks/{name}.png" for name in ("a.png", "b.png", "c.png")]
+    first, second = (np.array(Image.open(scene / frame["mask_path"])) for frame in frames[:2])
+    lens = loom.read_colmap_model(scene / "sparse" / "0").cameras[0].intrinsic
+    middle = round(lens.cx)
+    assert first.shape == (lens.height, lens.width) and told.mask_count == 3
+    assert first[3:-3, 2 : middle - 1].min() == 255 and first[:, middle + 2 :].max() == 0 and second.min() == 255
+    given = loom.sfm.write_training_folder(tmp_path / "again", model, tmp_path / "photos", masks=[None, mask > 0, mask])
+    again = np.array(Image.open(tmp_path / "again" / "masks" / "a.png.png"))
+    assert given.mask_count == 3 and np.array_equal(again, first)
+
+
+def test_pictures_may_be_arrays_and_models_without_points(tmp_path):
+    model = model_of("OPENCV")
+    bare = loom.SfmModel(model.names, model.cameras, model.T_camera_world)
+    pictures = [np.full((SIZE[1], SIZE[0]), 90, np.uint8)] * 3
+    told = loom.sfm.write_training_folder(tmp_path / "scene", bare, pictures)
+    assert told.point_count == 0 and not (tmp_path / "scene" / "sparse_pc.ply").exists()
+    assert len(loom.read_colmap_model(tmp_path / "scene" / "sparse" / "0")) == 3
+
+
+def test_what_does_not_fit_is_named_and_nothing_is_written(tmp_path):
+    model = model_of("PINHOLE")
+    pictures = photographs(tmp_path / "photos", model)
+    write = loom.sfm.write_training_folder
+    for given, reason in (
+        (tmp_path / "nowhere", "c.png: does not exist"),
+        ([np.zeros((9, 9, 3), np.uint8)] * 3, r"pictures\[0\]: expected shape \[64, 96, 3\]"),
+        ([np.zeros((64, 96, 3), np.uint8)] * 2, "pictures: expected one for each of the 3"),
+        ([np.zeros((64, 96, 3))] * 3, r"pictures\[0\]: expected a path or uint8"),
+    ):
+        with pytest.raises((FileError, ValueError, TypeError), match=reason):
+            write(tmp_path / "scene", model, given)
+    with pytest.raises(FileError, match=r"holds no mask of a picture, such as c\.png\.png"):
+        write(tmp_path / "scene", model, pictures, masks=tmp_path / "photos")
+    Image.new("RGB", (50, 40)).save(pictures / "c.png")
+    with pytest.raises(FileError, match=r"c.png: is 50 x 40, its camera 96 x 64 pixels"):
+        write(tmp_path / "scene", model, pictures)
+    photographs(tmp_path / "photos", model)
+    data = (pictures / "day 2" / "b.jpg").read_bytes()
+    (pictures / "day 2" / "b.jpg").write_bytes(data[: len(data) // 2])
+    with pytest.raises(FileError, match=r"b.jpg"):
+        write(tmp_path / "scene", model, pictures)
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["photos"]
+
+
+def test_a_folder_of_this_kind_alone_is_replaced(tmp_path):
+    model = model_of("PINHOLE")
+    _, scene = written(tmp_path, model)
+    before = {path: path.read_bytes() for path in scene.rglob("*") if path.is_file()}
+    with pytest.raises(FileError, match="exists already"):
+        loom.sfm.write_training_folder(scene, model, tmp_path / "photos")
+    loom.sfm.write_training_folder(scene, model, tmp_path / "photos", overwrite=True)
+    assert {path: path.read_bytes() for path in scene.rglob("*") if path.is_file()} == before
+    with pytest.raises(FileError, match="holds other files"):
+        loom.sfm.write_training_folder(tmp_path / "photos", model, tmp_path / "photos", overwrite=True)
+
+
+PYCOLMAP = """
+import json, sys, numpy as np, pycolmap
+model = pycolmap.Reconstruction(sys.argv[1])
+out = {}
+for image in model.images.values():
+    points = [p for p in image.points2D if p.has_point3D()]
+    xyz = np.array([model.point3D(p.point3D_id).xyz for p in points])
+    off = image.camera.img_from_cam(image.cam_from_world() * xyz) - np.array([p.xy for p in points])
+    out[image.name] = [image.camera.model.name, image.camera.width, image.camera.height,
+                       list(image.camera.params), len(points), float(np.abs(off).max())]
+colors = [p.color.tolist() for _, p in sorted(model.points3D.items())]
+tracks = sum(p.track.length() for p in model.points3D.values())
+print(json.dumps([out, colors, tracks]))
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not has_pycolmap(), reason="pycolmap is not installed")
+def test_pycolmap_reads_the_folder_and_projects_the_points_where_they_are_seen(tmp_path):
+    model = model_of("OPENCV")
+    _, scene = written(tmp_path, model)
+    command = [sys.executable, "-c", PYCOLMAP, str(scene / "sparse" / "0")]
+    pictures, colors, tracks = json.loads(subprocess.run(command, check=True, capture_output=True).stdout)
+    straight = loom.Undistortion(model.cameras[0]).intrinsic
+    assert sorted(pictures) == ["a.png", "b.png", "c.png"] and colors == model.colors.tolist()
+    expected = [straight.fx, straight.fy, straight.cx + 0.5, straight.cy + 0.5]
+    for kind, width, height, params, count, off in pictures.values():
+        assert (kind, width, height, params) == ("PINHOLE", straight.width, straight.height, pytest.approx(expected))
+        assert count > 30 and off < 0.05
+    assert tracks == sum(count for *_, count, _ in pictures.values())
