@@ -167,9 +167,7 @@ def see_steps_kernel(places: SeamPlaces, colors: array(dtype=vec3d), steps: arra
 
 
 @kernel
-def begin_joins_kernel(
-    places: SeamPlaces, steps: array(dtype=vec3d), diagonal: array(dtype=float64), state: Gradients
-):
+def begin_joins_kernel(places: SeamPlaces, steps: array(dtype=vec3d), diagonal: array(dtype=float64), state: Gradients):
     """The diagonal of the matrix, and the right side."""
     i = tid()
     weight = float64(HOLD)

@@ -93,7 +93,13 @@ def mean_at_vertices_kernel(
 
 @func
 def both_sides(
-    h: int, place: vec3d, share: float64, seams: Seams, pictures: PosedPictures, exposures: Exposures, shifts: array(dtype=vec3d)
+    h: int,
+    place: vec3d,
+    share: float64,
+    seams: Seams,
+    pictures: PosedPictures,
+    exposures: Exposures,
+    shifts: array(dtype=vec3d),
 ) -> vec3d:
     """The mean colour of both sides of a seam edge at a place, with the shifts that they have at a share of it."""
     t = seams.triangles[h // 3]

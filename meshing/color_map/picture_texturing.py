@@ -125,7 +125,7 @@ def texture_from_pictures(
     levels = SeamLevels(mesh.array("vertices"), choice.seams, choice.pictures, choice.exposures)
     before = levels.mean_step()
     if seam_levelling:
-        levels.solve()
+        levels.solve(level=bool(exposures))
     say("texture", 0, 0)
     painted = _paint(mesh, choice, levels, size, background, local_levelling)
     views = download(choice.seams.views).copy()
