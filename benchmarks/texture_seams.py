@@ -9,10 +9,10 @@ thousandth of the distance. Contestants are the mean over pictures (`project_ima
 
 A step is the difference of colours at both sides of an edge of the mesh whose sides lie at different places of the
 texture, at eight places of each such edge, bilinear, in the mean of three channels. An error is that of the texture at
-20,000 places of the surface, after one gain for all of it. Sharpness is the contrast of the texture over a texel and a half
-along an edge of the triangle at each of these places, over that of the known colours at the same places: the sum over
-places of both contrasts' product by the sum of the known ones' squares, 1 for a texture that blurs nothing, beside seams
-(triangles with a corner on one) apart from all. Seconds are of the processor, compiling included in the first.
+20,000 places of the surface, after one gain for all of it. Sharpness is the contrast of the texture over a texel and a
+half along an edge of the triangle at each of these places, as a share of that of the known colours: the sum of both
+contrasts' products by that of the known ones' squares, 1 where nothing is blurred; in all, and of triangles with a
+corner on a seam. Seconds are of the processor, compiling included in the first.
 """
 
 from __future__ import annotations
@@ -224,9 +224,8 @@ def measure(scene: Scene, device: str) -> dict[str, Any]:
     }
     found, views = {}, np.zeros(0, np.int32)
     print(f"{scene.name}: {len(mesh):,} triangles, {len(scene.pictures)} pictures, {mesh.device}")
-    print(
-        f"{'':28}{'charts':>8}{'step mean':>11}{'95 %':>7}{'error mean':>12}{'95 %':>7}{'sharp':>7}{'beside':>8}{'seconds':>9}"
-    )
+    figures = f"{'step mean':>11}{'95 %':>7}{'error mean':>12}{'95 %':>7}{'sharp':>7}{'beside':>8}{'seconds':>9}"
+    print(f"{'':28}{'charts':>8}{figures}")
     for name, how in ways.items():
         begin = time.process_time()
         result = maps.texture_from_pictures(mesh, *given, size=SIZE, **how)

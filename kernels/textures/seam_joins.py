@@ -10,7 +10,7 @@ is least (Iwanicki, "Lighting technology of The Last of Us", SIGGRAPH 2013, for 
 at a seam are unknowns. Conjugate gradients, sums in fixed orders; some 200 B a place, 200 B a texel of these and turn.
 """
 
-from ..array_types import Array1, Bytes, Positions
+from ..array_types import Array1, Bytes
 from ..arrays.conjugate_gradients import ConjugateGradients, Gradients
 from ..arrays.prefix_sum import exclusive_scan, find_owner
 from ..arrays.quantiles import quantiles_of

@@ -77,7 +77,8 @@ def texture_from_pictures(
         exposures: Bring pictures to one exposure first: a factor for each channel, which may grow towards the corners,
             by the triangles that they share.
         seam_levelling: Shift the colours of charts, by vertices, so that they agree at seams.
-        local_levelling: Change colours in strips of 20 texels beside seams until both sides meet.
+        local_levelling: Change colours in strips of 20 texels beside seams until both sides meet, and single texels
+            there until both are drawn alike.
         depth_max: Farther away pictures show nothing [unit of the poses].
         plain: The colour of triangles that no picture shows where the mesh has no vertex colours, 0..1.
         progress: Called with the stage ("pictures", "views", "choice", "seams", "texture"), how many of its steps are
@@ -117,7 +118,7 @@ def texture_from_pictures(
         because = "the texture and what it is made from would not fit; take fewer texels"
         size = check_count("size", size, minimum=16, maximum=MOST_SIZE, because=because)
     price = check_positive("smoothness", smoothness, allow_zero=True, maximum=MOST_SMOOTHNESS)
-    farthest = depth_max if depth_max == np.inf else check_positive("depth_max", depth_max)
+    farthest = check_positive("depth_max", depth_max, allow_infinite=True)
     background, say = check_color("plain", plain), check_progress(progress)
     images = take_pictures(pictures, cameras, T_camera_world, mesh.device, say)
     choice = _choose(mesh, images, price, (outliers, exposures), farthest, say)

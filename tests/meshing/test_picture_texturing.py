@@ -6,6 +6,7 @@ import pytest
 import pointloom as loom
 from pointloom.files.pictures.image_files import write_png
 
+from ..hostile import faults_of
 from .picture_scenes import CAMERA, sampled, steps_of, wall_colors, wall_mesh, wall_scene
 
 texture = loom.color_map.texture_from_pictures
@@ -194,3 +195,25 @@ def test_bad_input_is_named():
             texture(mesh, pictures, CAMERA, poses, **{name: value})
     with pytest.raises(loom.color_map.NothingSeenError):
         texture(mesh, pictures, CAMERA, poses, depth_max=0.5)
+
+
+ARGUMENTS = {
+    "size": 256,
+    "smoothness": 1.0,
+    "outliers": True,
+    "exposures": True,
+    "seam_levelling": True,
+    "local_levelling": True,
+    "depth_max": 4.0,
+    "plain": (0.5, 0.5, 0.5),
+    "progress": None,
+}
+
+
+@pytest.mark.parametrize("argument", ["mesh", "pictures", "cameras", "T_camera_world", *ARGUMENTS])
+def test_a_hostile_value_is_refused_by_name(argument):
+    scene = wall_scene()
+    small = wall_mesh(5)
+    given = {"pictures": scene.pictures, "cameras": CAMERA, "T_camera_world": scene.extrinsics}
+    faults = faults_of(texture, {"mesh": small, **given, **ARGUMENTS}, argument)
+    assert not faults, "\n".join(faults)
