@@ -1,9 +1,10 @@
 """Colours beside seams changed until both sides meet, in strips of 20 texels.
 
 What shifts of vertices leave at seams, since colours change along an edge, goes here: at a seam both sides
-take the mean of both, bent so that where three and more pictures meet all take the mean of all, and from there the change fades, harmonically (the Laplace equation is Poisson's for an unchanged
-gradient: Perez et al. 2003), to nothing at the strip's other border. It is solved by conjugate gradients, 80 B a texel
-of the strips and turn. Source: Waechter, Moehrle and Goesele 2014, section 4.2.
+take the mean of both, bent so that where three and more pictures meet all take the mean of all. From there the change
+fades, harmonically (the Laplace equation is Poisson's for an unchanged gradient: Perez et al. 2003), to nothing at the
+strip's other border. It is solved by conjugate gradients, 80 B a texel of the strips and turn. How both sides are drawn
+is the matter of seam_joins.py. Source: Waechter, Moehrle and Goesele 2014, section 4.2.
 """
 
 from ..algebra.transform import widen
