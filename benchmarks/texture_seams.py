@@ -1,6 +1,6 @@
 """Textures of made scenes whose colours are known: steps at seams, and errors, with and without levelling.
 
-    python benchmarks/texture_seams.py [--scene owl] [--device cpu] [--picture out.png]
+    python benchmarks/texture_seams.py [--scene owl] [--device cpu]
 
 The pictures are what a camera sees of a mesh with known colours, each with an exposure of its own (0.8 to 1.2), darker
 towards its corners (by a quarter), with noise of 1 of 255; the poses that are handed over are off by 0.05 degrees and a
@@ -9,8 +9,10 @@ thousandth of the distance. Contestants are the mean over pictures (`project_ima
 
 A step is the difference of colours at both sides of an edge of the mesh whose sides lie at different places of the
 texture, at eight places of each such edge, bilinear, in the mean of three channels. An error is that of the texture at
-20,000 places of the surface, after one gain for all of it. Seconds are of the processor, compiling included in the
-first.
+20,000 places of the surface, after one gain for all of it. Sharpness is the contrast of the texture over a texel and a
+half along an edge of the triangle at each of these places, as a share of that of the known colours: the sum of both
+contrasts' products by that of the known ones' squares, 1 where nothing is blurred; in all, and of triangles with a
+corner on a seam. Seconds are of the processor, compiling included in the first.
 """
 
 from __future__ import annotations
@@ -28,6 +30,7 @@ import pointloom as loom
 
 PLACES = 8  # of an edge
 POINTS = 20_000
+ACROSS = 1.5  # texels over which contrast is measured
 SIZE = 2048
 Colors = Callable[[NDArray[np.float64]], NDArray[np.float64]]
 
@@ -159,17 +162,53 @@ def seam_steps(mesh: Any, shown: NDArray[np.bool_] | None = None) -> NDArray[np.
     return np.concatenate(steps) if len(here) else np.zeros(0)
 
 
-def color_errors(mesh: Any, colors: Colors, shown: NDArray[np.bool_]) -> NDArray[np.float64]:
-    """Errors of the texture at places of the triangles that count, 0..255, after one gain."""
+def places_on(mesh: Any, shown: NDArray[np.bool_]) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+    """Places of the triangles that count, as rows and shares of corners, evenly over their area."""
     rng, triangles = np.random.default_rng(1), np.asarray(mesh.triangles)
     corners = np.asarray(mesh.vertices)[triangles]
     areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) * shown
     rows = rng.choice(len(triangles), POINTS, p=areas / areas.sum())
-    shares = rng.dirichlet((1, 1, 1), POINTS)
-    points = (corners[rows] * shares[..., None]).sum(1)
-    uvs = (np.asarray(mesh.triangle_uvs, np.float64).reshape(-1, 3, 2)[rows] * shares[..., None]).sum(1)
-    found, truth = texture_at(mesh.textures[0], uvs), 255 * colors(points)
+    return rows, rng.dirichlet((1, 1, 1), POINTS)
+
+
+def colors_on(
+    mesh: Any, colors: Colors, rows: NDArray[np.int64], shares: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """The colours of the texture, and the known ones, at places, 0..255."""
+    corners = np.asarray(mesh.vertices)[np.asarray(mesh.triangles)[rows]]
+    uvs = np.asarray(mesh.triangle_uvs, np.float64).reshape(-1, 3, 2)[rows]
+    points, places = (corners * shares[..., None]).sum(1), (uvs * shares[..., None]).sum(1)
+    return texture_at(mesh.textures[0], places), 255 * colors(points)
+
+
+def color_errors(mesh: Any, colors: Colors, shown: NDArray[np.bool_]) -> NDArray[np.float64]:
+    """Errors of the texture at places of the triangles that count, 0..255, after one gain."""
+    found, truth = colors_on(mesh, colors, *places_on(mesh, shown))
     return np.abs(found * ((found * truth).sum() / (found**2).sum()) - truth).mean(1)
+
+
+def sharpness(mesh: Any, colors: Colors, shown: NDArray[np.bool_]) -> float:
+    """The contrast of the texture over `ACROSS` texels, as a share of that of the known colours; nan without places."""
+    if not shown.any():
+        return float("nan")
+    rows, shares = places_on(mesh, shown)
+    uvs = np.asarray(mesh.triangle_uvs, np.float64).reshape(-1, 3, 2)[rows] * mesh.textures[0].shape[0]
+    length = np.linalg.norm(uvs[:, 1] - uvs[:, 0], axis=1)
+    moved = shares + (ACROSS / np.maximum(length, ACROSS))[:, None] * np.array([-1.0, 1.0, 0.0])
+    inside = (moved >= 0).all(1)
+    here, there = (colors_on(mesh, colors, rows[inside], part[inside]) for part in (shares, moved))
+    drawn, known = there[0] - here[0], there[1] - here[1]
+    return float((drawn * known).sum() / (known**2).sum())
+
+
+def beside_seams(mesh: Any, views: NDArray[np.int32]) -> NDArray[np.bool_]:
+    """Triangles with a picture and a corner where another picture is taken too."""
+    triangles, count = np.asarray(mesh.triangles), len(np.asarray(mesh.vertices))
+    least, most = np.full(count, 1 << 30), np.full(count, -1)
+    for k in range(3):
+        np.minimum.at(least, triangles[views >= 0, k], views[views >= 0])
+        np.maximum.at(most, triangles[views >= 0, k], views[views >= 0])
+    return (views >= 0) & (least < most)[triangles].any(1)
 
 
 def measure(scene: Scene, device: str) -> dict[str, Any]:
@@ -183,27 +222,31 @@ def measure(scene: Scene, device: str) -> dict[str, Any]:
         "and strips blended": {},
         "without exposures": {"exposures": False},
     }
-    found, shown = {}, None
+    found, views = {}, np.zeros(0, np.int32)
     print(f"{scene.name}: {len(mesh):,} triangles, {len(scene.pictures)} pictures, {mesh.device}")
-    print(f"{'':28}{'charts':>8}{'step mean':>11}{'95 %':>7}{'error mean':>12}{'95 %':>7}{'seconds':>9}")
+    figures = f"{'step mean':>11}{'95 %':>7}{'error mean':>12}{'95 %':>7}{'sharp':>7}{'beside':>8}{'seconds':>9}"
+    print(f"{'':28}{'charts':>8}{figures}")
     for name, how in ways.items():
         begin = time.process_time()
         result = maps.texture_from_pictures(mesh, *given, size=SIZE, **how)
         seconds = time.process_time() - begin
-        shown, found[name] = result.views >= 0, result.mesh
-        _print(name, result.chart_count, result.mesh, scene, shown, seconds)
+        views, found[name] = result.views, result.mesh
+        _print(name, result.chart_count, result.mesh, scene, views, seconds)
     print(result)
     begin = time.process_time()
     mean = mesh.compute_uvatlas(SIZE, gutter=4).project_images_to_albedo(*given, tex_size=SIZE)
-    _print("mean over pictures", None, mean, scene, shown, time.process_time() - begin)
+    _print("mean over pictures", None, mean, scene, views, time.process_time() - begin)
     return found | {"mean over pictures": mean}
 
 
-def _print(name: str, charts: int | None, mesh: Any, scene: Scene, shown: Any, seconds: float) -> None:
+def _print(name: str, charts: int | None, mesh: Any, scene: Scene, views: Any, seconds: float) -> None:
+    shown = views >= 0
+    sharp, beside = (sharpness(mesh, scene.colors, part) for part in (shown, beside_seams(mesh, views)))
     steps, errors = seam_steps(mesh, shown), color_errors(mesh, scene.colors, shown)
     counted = "" if charts is None else f"{charts:,}"
     figures = (
         f"{steps.mean():11.2f}{np.quantile(steps, 0.95):7.2f}{errors.mean():12.2f}{np.quantile(errors, 0.95):7.2f}"
+        f"{sharp:7.2f}{beside:8.2f}"
     )
     print(f"{name:28}{counted:>8}{figures}{seconds:9.1f}", flush=True)
 

@@ -6,7 +6,8 @@ the other. The shifts g minimise
 
     sum over ends of seam edges (d + g_a - g_b)^2 + (1 / lambda) sum over edges within charts (g_v - g_w)^2
 
-and a pull to zero that is far weaker, so that the mean stays (Waechter, Moehrle and Goesele 2014, eq. 3; there the
+and a pull to zero that is far weaker, so that the mean stays, or holds shifts near their seams where pictures are at
+one exposure already (Waechter, Moehrle and Goesele 2014, eq. 3; there the
 differences are taken for each vertex, here for each edge, so that at a vertex of three pictures only colours along the
 same edge are compared). The three channels are one system, solved by conjugate gradients with the diagonal as
 preconditioner, in float64; sums run in fixed orders. A turn costs some 60 B a corner.
@@ -44,7 +45,8 @@ from .posed_pictures import PosedPictures, color_at, project_vertex
 
 SAMPLES = 32  # of an edge at most: one a pixel
 STIFFNESS = 5.0  # half of 1 / lambda, lambda 0.1 as in the paper: an edge within a chart counts for two triangles
-PULL = 1.0e-5  # towards no shift
+PULL = 1.0e-5  # towards no shift,
+PULL_LEVEL = 0.1  # and of pictures at one exposure: what still differs there, by poses, goes no farther than ten edges
 SOLVED = 1.0e-12  # of the squared residual that the solve begins with
 MOST_TURNS = 3000
 
@@ -177,10 +179,10 @@ def node_beyond(h: int, v: int, seams: Seams) -> int:
 
 
 @kernel
-def begin_levels_kernel(seams: Seams, weights: array(dtype=float64), state: Gradients):
+def begin_levels_kernel(seams: Seams, pull: float64, weights: array(dtype=float64), state: Gradients):
     """The diagonal of the matrix, and the right side, which is the residual of no shift."""
     i = tid()
-    weight = float64(PULL)
+    weight = pull
     right = vec3d(0.0, 0.0, 0.0)
     for j in range(seams.starts[i], seams.starts[i + 1]):
         h = seams.corners[j]
@@ -269,8 +271,8 @@ class SeamLevels:
         self.turns = 0
         launch(compare_sides_kernel, 3 * seams.triangles.size, [vertices, seams, pictures, exposures])
 
-    def solve(self) -> None:
-        """Find the shifts; one sync."""
+    def solve(self, *, level: bool = False) -> None:
+        """Find the shifts, `level` where pictures were brought to one exposure; one sync."""
         count, device = self.seams.count, self.vertices.device
         state = Gradients(self.shifts, SOLVED, MOST_TURNS, zeros(1, vec2d, device))
         weights = empty(count, float64, device)
@@ -281,7 +283,7 @@ class SeamLevels:
         def weigh() -> None:
             launch(weigh_levels_kernel, count, [weights, state])
 
-        launch(begin_levels_kernel, count, [self.seams, weights, state])
+        launch(begin_levels_kernel, count, [self.seams, PULL_LEVEL if level else PULL, weights, state])
         descent = ConjugateGradients(state, apply, weigh)
         descent.weigh()
         copy(state.unit, state.remains, count=1)

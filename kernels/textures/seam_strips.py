@@ -1,24 +1,26 @@
 """Colours beside seams changed until both sides meet, in strips of 20 texels.
 
 What shifts of vertices leave at seams, since colours change along an edge, goes here: at a seam both sides
-take the mean of both, and from there the change fades, harmonically (the Laplace equation is Poisson's for an unchanged
-gradient: Perez et al. 2003), to nothing at the strip's other border. It is solved by conjugate gradients, 80 B a texel
-of the strips and turn. Source: Waechter, Moehrle and Goesele 2014, section 4.2.
+take the mean of both, bent so that where three and more pictures meet all take the mean of all. From there the change
+fades, harmonically (the Laplace equation is Poisson's for an unchanged gradient: Perez et al. 2003), to nothing at the
+strip's other border. It is solved by conjugate gradients, 80 B a texel of the strips and turn. How both sides are drawn
+is the matter of seam_joins.py. Source: Waechter, Moehrle and Goesele 2014, section 4.2.
 """
 
-from ..array_types import Array1, Indices, Points
+from ..algebra.transform import widen
+from ..array_types import Array1, Indices, Points, Positions
 from ..arrays.conjugate_gradients import ConjugateGradients, Gradients
 from ..arrays.select import number_rows_kernel, positions_of
 from ..lang import array, dot, float64, func, int32, kernel, launch, length, tid, uint8, vec2d, vec3, vec3d
 from ..memory import copy, empty, zeros
-from ..meshes.mesh_topology import next_corner
+from ..meshes.mesh_topology import corner_vertex, next_corner
 from .atlas_colors import NO_TRIANGLE, texel_corners
 from .chart_texels import NOWHERE, RINGS, ChartTexels, point_at, shares_at, side_of_corner
 from .exposures import Exposures
 from .posed_pictures import PosedPictures
 from .seam_levels import Seams, is_seam, node_beyond, picture_color
 
-ON_SEAM = 0.75  # [texels] from a seam within which a chart's texel lies on it
+ON_SEAM = 1.5  # [texels] from a seam within which a chart's texel lies on it
 REACH = 4.0  # [texels] and one of its rings
 STRIP = 20  # texels from a seam over which a change fades, the paper's
 SOLVED = 1.0e-8
@@ -53,6 +55,85 @@ def nearest_seam(texels: ChartTexels, seams: Seams, owner: int, x: float64, y: f
 
 
 @kernel
+def mean_at_vertices_kernel(
+    vertices: array(dtype=vec3),
+    seams: Seams,
+    pictures: PosedPictures,
+    exposures: Exposures,
+    shifts: array(dtype=vec3d),
+    means: array(dtype=vec3d),
+):
+    """The mean colour of a vertex over all pictures that a triangle at it takes, shifts included.
+
+    One thread an unknown; those of a vertex lie side by side, and the first of them writes.
+    """
+    i = tid()
+    v = corner_vertex(seams.triangles, seams.corners[seams.starts[i]])
+    first = 1
+    if i > 0:
+        if corner_vertex(seams.triangles, seams.corners[seams.starts[i - 1]]) == v:
+            first = 0
+    if first == 1:
+        total = vec3d(0.0, 0.0, 0.0)
+        count = 0
+        k = i
+        more = 1
+        while more == 1:
+            corner = seams.corners[seams.starts[k]]
+            view = seams.views[corner // 3]
+            if view >= 0:
+                total += picture_color(widen(vertices[v]), view, pictures, exposures) + shifts[k]
+                count += 1
+            k += 1
+            more = 0
+            if k < seams.starts.shape[0] - 1:
+                if corner_vertex(seams.triangles, seams.corners[seams.starts[k]]) == v:
+                    more = 1
+        means[v] = total / float64(max(count, 1))
+
+
+@func
+def both_sides(
+    h: int,
+    place: vec3d,
+    share: float64,
+    seams: Seams,
+    pictures: PosedPictures,
+    exposures: Exposures,
+    shifts: array(dtype=vec3d),
+) -> vec3d:
+    """The mean colour of both sides of a seam edge at a place, with the shifts that they have at a share of it."""
+    t = seams.triangles[h // 3]
+    total = picture_color(place, seams.views[h // 3], pictures, exposures)
+    total += picture_color(place, seams.views[seams.twins[h] // 3], pictures, exposures)
+    begin = shifts[seams.nodes[h]] + shifts[node_beyond(h, t[h % 3], seams)]
+    end = shifts[seams.nodes[next_corner(h)]] + shifts[node_beyond(h, t[next_corner(h) % 3], seams)]
+    return 0.5 * (total + begin * (1.0 - share) + end * share)
+
+
+@func
+def seam_color(
+    h: int,
+    place: vec3d,
+    share: float64,
+    vertices: array(dtype=vec3),
+    seams: Seams,
+    pictures: PosedPictures,
+    exposures: Exposures,
+    shifts: array(dtype=vec3d),
+    means: array(dtype=vec3d),
+) -> vec3d:
+    """What both sides of a seam edge take: their mean, bent so that at either end it is that of all pictures there."""
+    t = seams.triangles[h // 3]
+    a = t[h % 3]
+    b = t[next_corner(h) % 3]
+    begin = means[a] - both_sides(h, widen(vertices[a]), float64(0.0), seams, pictures, exposures, shifts)
+    end = means[b] - both_sides(h, widen(vertices[b]), float64(1.0), seams, pictures, exposures, shifts)
+    color = both_sides(h, place, share, seams, pictures, exposures, shifts)
+    return color + begin * (1.0 - share) + end * share
+
+
+@kernel
 def aim_at_seams_kernel(
     texels: ChartTexels,
     vertices: array(dtype=vec3),
@@ -60,9 +141,10 @@ def aim_at_seams_kernel(
     pictures: PosedPictures,
     exposures: Exposures,
     shifts: array(dtype=vec3d),
+    means: array(dtype=vec3d),
     changes: array(dtype=vec3d),
 ):
-    """What texels on a seam change by: half the way to the other side's colour at the same place.
+    """What texels on a seam change by: to the colour that both sides take at the same place.
 
     The nearest seam edge is that of the texel's triangle or of one within two texels.
     """
@@ -90,14 +172,9 @@ def aim_at_seams_kernel(
                     nearest = seam
     if nearest[0] >= 0.0:
         h = int(nearest[0])
-        t = seams.triangles[h // 3]
-        place = point_at(shares_at(texels.atlas, h // 3, x, y), t, vertices)
-        first = shifts[node_beyond(h, t[h % 3], seams)] * (1.0 - nearest[2])
-        other = first + shifts[node_beyond(h, t[next_corner(h) % 3], seams)] * nearest[2]
-        other += picture_color(place, seams.views[seams.twins[h] // 3], pictures, exposures)
-        own = shifts[seams.nodes[h]] * (1.0 - nearest[2]) + shifts[seams.nodes[next_corner(h)]] * nearest[2]
-        own += picture_color(place, seams.views[h // 3], pictures, exposures)
-        changes[i] = 0.5 * (other + own) - texels.colors[i]
+        place = point_at(shares_at(texels.atlas, h // 3, x, y), seams.triangles[h // 3], vertices)
+        color = seam_color(h, place, nearest[2], vertices, seams, pictures, exposures, shifts, means)
+        changes[i] = color - texels.colors[i]
         texels.steps[i] = 0
 
 
@@ -214,7 +291,9 @@ def blend_strips(
     """Change the colours of texels near seams until both sides agree there; a few syncs."""
     device, count = vertices.device, texels.size * texels.size
     changes, free = empty(count, vec3d, device), zeros(count, uint8, device)
-    launch(aim_at_seams_kernel, count, [texels, vertices, seams, pictures, exposures, shifts, changes])
+    means: Positions = zeros(vertices.size, vec3d, device)
+    launch(mean_at_vertices_kernel, seams.count, [vertices, seams, pictures, exposures, shifts, means])
+    launch(aim_at_seams_kernel, count, [texels, vertices, seams, pictures, exposures, shifts, means, changes])
     for step in range(1, STRIP + 1):
         launch(spread_steps_kernel, count, [texels, seams, step, free])
     rows: Indices = positions_of(free)  # sync

@@ -20,6 +20,7 @@ from ...kernels.textures.exposures import Exposures, find_exposures, plain_expos
 from ...kernels.textures.face_views import FaceLooks, FaceViews, keep_views
 from ...kernels.textures.hidden_vertices import plant_trees
 from ...kernels.textures.posed_pictures import PosedPictures
+from ...kernels.textures.seam_joins import SeamPlaces, drawn_steps, join_seams
 from ...kernels.textures.seam_levels import SeamLevels, Seams
 from ...kernels.textures.seam_strips import blend_strips
 from ...kernels.textures.view_labels import UNIT, LabelGraph, choose_labels, cost_views, energy_of, name_views
@@ -76,7 +77,8 @@ def texture_from_pictures(
         exposures: Bring pictures to one exposure first: a factor for each channel, which may grow towards the corners,
             by the triangles that they share.
         seam_levelling: Shift the colours of charts, by vertices, so that they agree at seams.
-        local_levelling: Change colours in strips of 20 texels beside seams until both sides meet.
+        local_levelling: Change colours in strips of 20 texels beside seams until both sides meet, and single texels
+            there until both are drawn alike.
         depth_max: Farther away pictures show nothing [unit of the poses].
         plain: The colour of triangles that no picture shows where the mesh has no vertex colours, 0..1.
         progress: Called with the stage ("pictures", "views", "choice", "seams", "texture"), how many of its steps are
@@ -116,7 +118,7 @@ def texture_from_pictures(
         because = "the texture and what it is made from would not fit; take fewer texels"
         size = check_count("size", size, minimum=16, maximum=MOST_SIZE, because=because)
     price = check_positive("smoothness", smoothness, allow_zero=True, maximum=MOST_SMOOTHNESS)
-    farthest = depth_max if depth_max == np.inf else check_positive("depth_max", depth_max)
+    farthest = check_positive("depth_max", depth_max, allow_infinite=True)
     background, say = check_color("plain", plain), check_progress(progress)
     images = take_pictures(pictures, cameras, T_camera_world, mesh.device, say)
     choice = _choose(mesh, images, price, (outliers, exposures), farthest, say)
@@ -124,15 +126,15 @@ def texture_from_pictures(
     levels = SeamLevels(mesh.array("vertices"), choice.seams, choice.pictures, choice.exposures)
     before = levels.mean_step()
     if seam_levelling:
-        levels.solve()
-    after = levels.mean_step() if seam_levelling else before
+        levels.solve(level=bool(exposures))
     say("texture", 0, 0)
-    textured, packing, charts, drew = _paint(mesh, choice, levels, size, background, local_levelling)
+    painted = _paint(mesh, choice, levels, size, background, local_levelling)
     views = download(choice.seams.views).copy()
-    counts = {"chart_count": charts, "pair_count": choice.pairs, "outlier_count": choice.outliers}
-    figures = {"energy": choice.energy, "step_before": before, "step": after, "turns": levels.turns}
-    how = {"size": packing.size, "scale": packing.scale, "drew_colors": drew}
-    return PicturedMesh(textured, views, choice.pictures.count, **counts, **figures, **how)
+    counts = {"chart_count": painted.charts, "pair_count": choice.pairs, "outlier_count": choice.outliers}
+    mean, most = painted.steps if painted.steps is not None else (None, None)
+    figures = {"energy": choice.energy, "step_before": before, "step": mean, "step_95": most, "turns": levels.turns}
+    how = {"size": painted.packing.size, "scale": painted.packing.scale, "drew_colors": painted.drew_colors}
+    return PicturedMesh(painted.mesh, views, choice.pictures.count, **counts, **figures, **how)
 
 
 # ------------------------------------------------------------------------------------------------ internals
@@ -190,10 +192,28 @@ def _choose(
     return _Choice(pictures, found, seams, all_views.count, all_views.count - views.count, energy)
 
 
+@dataclass(frozen=True, eq=False)
+class _Painted:
+    """A mesh with its texture.
+
+    Attributes:
+        mesh: With the texture.
+        packing: How that is laid out.
+        charts: How many there are.
+        steps: Across seams of the finished texture, the mean and what 95 % are below, 0..255; None without seams.
+        drew_colors: Whether triangles without a picture have the colours of their vertices.
+    """
+
+    mesh: TriangleMesh
+    packing: Packing
+    charts: int
+    steps: tuple[float, float] | None
+    drew_colors: bool
+
+
 def _paint(
     mesh: TriangleMesh, choice: _Choice, levels: SeamLevels, size: int | None, plain: Any, blend: bool
-) -> tuple[TriangleMesh, Packing, int, bool]:
-    """The mesh with its texture, how that is laid out, how many charts there are, and whether vertex colours show."""
+) -> _Painted:
     vertices, seams, pictures = mesh.array("vertices"), choice.seams, choice.pictures
     charts = cut_charts(vertices, seams.triangles, seams.twins, seams.views, pictures)
     colors: wp.array | None = mesh.array("vertex_colors") if mesh.vertex_colors is not None else None
@@ -205,10 +225,15 @@ def _paint(
     uvs = place_corners(vertices, seams.triangles, seams.views, pictures, charts, *where)
     texels = ChartTexels(uvs, side)
     paint_texels(texels, vertices, seams, pictures, choice.exposures, levels.shifts, packing.scale, colors, plain)
+    places = SeamPlaces(texels, seams)
     if blend:
         blend_strips(texels, vertices, seams, pictures, choice.exposures, levels.shifts)
-    picture = download(finish_texels(texels, PADDING)).reshape(side, side, 3)  # sync
+        join_seams(places, texels.colors)
+    pixels = finish_texels(texels, PADDING)
+    steps = drawn_steps(places, pixels)
+    picture = download(pixels).reshape(side, side, 3)  # sync
     without = mesh.with_arrays(triangle_uvs=None, triangle_material_ids=None, vertex_colors=None)
     textured = without.with_arrays(triangle_uvs=uvs)
     textured.textures = (picture.copy(),)
-    return textured, packing, charts.count, bool(blind and colors is not None and packing.cells.side)
+    drew = bool(blind and colors is not None and packing.cells.side)
+    return _Painted(textured, packing, charts.count, steps, drew)
