@@ -160,6 +160,7 @@ def test_the_largest_model_is_kept_whichever_came_first(tmp_path):
     options = SimpleNamespace(mapper=SimpleNamespace(), triangulation=SimpleNamespace())
     found = {0: model(3), 1: model(30), 2: model(30), 3: model(7)}
     pycolmap = SimpleNamespace(IncrementalPipelineOptions=lambda: options, incremental_mapping=lambda *_, **__: found)
+    pycolmap.Database = SimpleNamespace(open=lambda _: contextlib.nullcontext(SimpleNamespace(read_all_cameras=list)))
     job = {"threads": 1, "seed": 5, "fixed_camera": True, "database": "", "pictures": "", "scratch": tmp_path}
     job |= {"model": tmp_path / "model", "mapper": "incremental"}
     done = colmap_worker.map_pictures(pycolmap, job, io.StringIO())

@@ -96,7 +96,8 @@ def test_masks_that_hide_all_or_are_missing_are_named(tmp_path):
 
 
 @pytest.mark.skipif(not has_pycolmap(), reason="pycolmap is not installed")
-def test_no_feature_of_a_posed_picture_lies_where_its_mask_is_black(tmp_path):
+@pytest.mark.parametrize("finder", ["colmap", "pointloom"])
+def test_no_feature_of_a_posed_picture_lies_where_its_mask_is_black(tmp_path, finder):
     walked = [picture(T) for T in walk(2)]
     write_pictures(tmp_path / "frames" / motion.PICTURES, walked, ["a.png", "b.png"])
     (tmp_path / "frames" / motion.MASKS).mkdir()
@@ -104,7 +105,8 @@ def test_no_feature_of_a_posed_picture_lies_where_its_mask_is_black(tmp_path):
         Image.fromarray(left_half(walked[0].shape)).save(tmp_path / "frames" / motion.MASKS / name)
     frames = SimpleNamespace(folder=tmp_path / "frames")
     (tmp_path / "out").mkdir()
-    known_motion.find_features(tmp_path / "out", silent, frames=frames, max_features=300, seed=0)
+    own = {"finder": finder, "seed": 0, "device": "cpu"}
+    known_motion.find_features(tmp_path / "out", silent, frames=frames, max_features=300, **own)
     with sqlite3.connect(tmp_path / "out" / motion.DATABASE) as database:
         rows = database.execute("SELECT data, rows, cols FROM keypoints").fetchall()
     for data, count, width in rows:
