@@ -1,7 +1,7 @@
 """The chain from photographs to a mesh on sets that chose none of its constants: what is placed, how well, the cost.
 
     python benchmarks/photo_chain.py WORK [--only drone] [--size 480] [--colmap] [--output results.json]
-    python benchmarks/photo_chain.py WORK --only temple --data $POINTLOOM_DATA
+    POINTLOOM_DATA=<folder> python benchmarks/photo_chain.py WORK --only temple
 
 Made sets (photo_sets.py) have exact truth; of real ones what there is: cameras of the temple and the fountain, none of
 sceaux. Each set runs in a process of its own, as `pointloom video` does with a work folder in WORK/<set>, and then

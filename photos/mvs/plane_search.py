@@ -60,7 +60,6 @@ class Phase:
         spread: Greatest change of a plane in the first turn [px in the sources], half of it in each further one.
         patch: Where its samples are from its middle: across and down [px], [n, 2].
         regions: Of eight whose planes a pixel tries.
-        trials: Changed planes that a pixel tries in a half-turn, up to four; the fourth may be anywhere.
         geometric: Weight of the distance to the sources' surfaces and back [1 / px].
         prior: Whether plain places take planes fitted to what is sure about them, at the end.
     """
@@ -70,7 +69,6 @@ class Phase:
     spread: float
     patch: NDArray[np.int64]
     regions: int = 8
-    trials: int = 4
     geometric: float = 0.0
     prior: bool = False
 
@@ -79,14 +77,14 @@ class Phase:
 # against ambiguity and take small ones, which do not spread the foreground beyond its edge. A second walk with the
 # sources' new depth does more than a second turn with their old. Priors want sure depth, that which sources agree on:
 # after the first of those, and after the second again, since patches of noise would have led pixels away from them.
-# Planes from anywhere are tried at the small sizes alone: at the whole one they cost CPU and found no more.
 PLAN = (
     Phase(0.25, turns=4, spread=1.0, patch=LARGE),
     Phase(0.5, turns=2, spread=0.6, patch=LARGE),
-    Phase(1.0, turns=1, spread=0.6, patch=MIDDLE, trials=3),
-    Phase(1.0, turns=1, spread=0.25, patch=SMALL, regions=4, trials=3, geometric=0.1, prior=True),
-    Phase(1.0, turns=1, spread=0.1, patch=DENSE, regions=4, trials=3, geometric=0.1, prior=True),
+    Phase(1.0, turns=1, spread=0.6, patch=MIDDLE),
+    Phase(1.0, turns=1, spread=0.25, patch=SMALL, regions=4, geometric=0.1, prior=True),
+    Phase(1.0, turns=1, spread=0.1, patch=DENSE, regions=4, geometric=0.1, prior=True),
 )
+TRIALS = 4  # changed planes that a pixel tries in a half-turn
 CHOSEN = 3  # sources that a pixel is compared with
 GOOD = 0.8  # cost below which a source fits
 
@@ -213,7 +211,7 @@ class _Walk:
         for number in range(phase.turns):
             for color in (0, 1):
                 turn = Turn(
-                    seed=seed, number=number, color=color, regions=phase.regions, trials=phase.trials, chosen=chosen,
+                    seed=seed, number=number, color=color, regions=phase.regions, trials=TRIALS, chosen=chosen,
                     spread=phase.spread * 0.5**number, geometric=phase.geometric, good=GOOD,
                 )  # fmt: skip
                 spread_planes(turn, reference, sources, planes, costs)

@@ -152,10 +152,11 @@ def _fitted(
     kept = agreeing(source, target, _sigmas(used, found, T))
     T = fit_pose(source[kept], target[kept], with_scaling=True)
     kept = agreeing(source, target, _sigmas(used, found, T))  # by weights that no wrong point has spoilt
-    for _ in range(TURNS):
-        sigma = _sigmas(used, found, T)
-        fit = fit_rows(Rows(source[kept], target[kept], sigma[kept]), T)
-        T = fit.T
+    sigma = _sigmas(used, found, T)
+    fit = fit_rows(Rows(source[kept], target[kept], sigma[kept]), T)
+    for _ in range(TURNS - 1):
+        sigma = _sigmas(used, found, fit.T)
+        fit = fit_rows(Rows(source[kept], target[kept], sigma[kept]), fit.T)
     return fit, kept, sigma
 
 

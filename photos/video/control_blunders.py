@@ -86,6 +86,7 @@ def _concentrated(
     source: Array, target: Array, sigma: Array, rows: NDArray[np.int64], most: int
 ) -> tuple[float, NDArray[np.int64]] | None:
     """What the best of the points leave, and which they are, from three of them; None where those lie on a line."""
+    off = np.zeros(len(source))
     for _ in range(TURNS):
         if is_straight(target[rows]) or is_straight(source[rows]):
             return None

@@ -117,8 +117,8 @@ class GpsGaps:
     @property
     def shift(self) -> Array:
         """The median along each axis [m]; NaN of heights where none are told."""
-        known = np.isfinite(self.residuals).any(axis=0)
-        return np.array([np.nanmedian(self.residuals[:, k]) if known[k] else np.nan for k in range(3)])
+        columns = self.residuals.T
+        return np.array([np.nanmedian(each) if np.isfinite(each).any() else np.nan for each in columns])
 
     @property
     def horizontal_rms(self) -> float:

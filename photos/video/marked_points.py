@@ -160,7 +160,8 @@ def _adjusted(model: SfmModel, seen: list[tuple[int, Array]], place: Array) -> t
     spread = math.sqrt(float((gaps**2).sum()) / max(2 * len(seen) - 3, 1))
     if not np.isfinite(spread):
         return None, normal
-    return place, max(spread, MARK_SIGMA) ** 2 * np.linalg.pinv(normal)
+    covariance = max(spread, MARK_SIGMA) ** 2 * np.linalg.pinv(normal)
+    return place, covariance.astype(np.float64)
 
 
 def _gaps(model: SfmModel, seen: list[tuple[int, Array]], place: Array) -> Array:

@@ -116,7 +116,7 @@ def fit_rows(rows: Rows, T: Array) -> WeightedFit:
     R = U @ Vt
     found = np.eye(4)
     found[:3, :3], found[:3, 3] = scale * R, place + anchor - scale * R @ middle
-    covariance = np.linalg.inv(normal)
+    covariance = np.linalg.inv(normal).astype(np.float64)
     sigmas = np.sqrt(np.diag(covariance))
     degrees = np.degrees(sigmas[1:4])
     return WeightedFit(found, scale, float(sigmas[0]), float(degrees[:2].max()), float(degrees[2]), covariance, middle)
