@@ -70,6 +70,7 @@ TAICHI_NAMES = {"taichi", "quadrants"}  # quadrants is Taichi's successor under 
 WARP_FILES = {
     "kernels/array_types.py",
     "kernels/language/arguments.py",
+    "kernels/language/byte_products.py",
     "kernels/launches.py",
     "kernels/lang.py",
     "kernels/language/casts.py",
