@@ -8,7 +8,6 @@ from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.spatial.transform import Rotation
 
 from ..core.checks import (
     check_list,
@@ -318,6 +317,8 @@ class GaussianSplats(Movable, Pictured):
     # ---------------------------------------------------------------------------------------------- internals
 
     def _mapped(self, name: str, T: NDArray[np.float64]) -> Self:
+        from scipy.spatial.transform import Rotation  # with scipy.sparse, which `draw` is not to wait for
+
         R, factor = similarity_of(name, T)
         moved = self._cloud.transform(T)
         arrays = moved.device_arrays
@@ -333,6 +334,8 @@ class GaussianSplats(Movable, Pictured):
 
     def _axes(self) -> NDArray[np.float64]:
         """Directions of the axes, the columns of [n, 3, 3]."""
+        from scipy.spatial.transform import Rotation  # with scipy.sparse, which `draw` is not to wait for
+
         return Rotation.from_quat(np.roll(self._cloud["rot"].astype(np.float64), -1, axis=1)).as_matrix()
 
     def _of_degree(self, degree: int) -> GaussianSplats:

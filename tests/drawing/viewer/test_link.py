@@ -252,8 +252,9 @@ def test_large_batches_that_wait_go_one_by_one_and_joined_ones_together(delivery
 
 
 def test_callbacks_run_in_order_in_one_thread_and_no_more_wait_than_may():
-    worker, gate, seen = Worker("test-worker"), threading.Event(), []
-    worker.run(gate.wait, 60)
+    worker, begun, gate, seen = Worker("test-worker"), threading.Event(), threading.Event(), []
+    worker.run(lambda: (begun.set(), gate.wait(60)))
+    assert begun.wait(60)  # what is at work waits no more
     taken = [worker.run(seen.append, number) for number in range(MOST_WAITING + 10)]
     assert worker.run(seen.append, "end", always=True)
     worker.end()
