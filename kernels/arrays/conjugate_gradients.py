@@ -24,7 +24,7 @@ from ..lang import (
     vec2d,
     vec3d,
 )
-from ..memory import empty, full, zeros
+from ..memory import copy, empty, full, zeros
 from .segment_blocks import SegmentBlocks
 
 
@@ -125,6 +125,13 @@ def turn_search_kernel(state: Gradients):
         state.running[0] = running
 
 
+@kernel
+def weigh_by_diagonal_kernel(diagonal: array(dtype=float64), state: Gradients):
+    """The residual by the diagonal of the matrix: Jacobi's preconditioner."""
+    i = tid()
+    state.forces[i] = state.residual[i] / diagonal[i]
+
+
 class ConjugateGradients:
     """Solves systems of one matrix, each from where the last one ended.
 
@@ -155,6 +162,12 @@ class ConjugateGradients:
         """Turn until the limit is reached; `weigh` comes before."""
         launch(begin_search_kernel, self.state.solution.size, [self.state])
         self._loop.run()
+
+    def solve(self) -> None:
+        """Weigh the residual, and turn until the limit times what remained at first is reached: `unit` becomes that."""
+        self.weigh()
+        copy(self.state.unit, self.state.remains, count=1)
+        self.descend()
 
     def run(self) -> None:
         """The same where `begin` comes before."""

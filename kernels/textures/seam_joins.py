@@ -11,7 +11,7 @@ at a seam are unknowns. Conjugate gradients, sums in fixed orders; some 200 B a 
 """
 
 from ..array_types import Array1, Bytes
-from ..arrays.conjugate_gradients import ConjugateGradients, Gradients
+from ..arrays.conjugate_gradients import ConjugateGradients, Gradients, weigh_by_diagonal_kernel
 from ..arrays.prefix_sum import exclusive_scan, find_owner
 from ..arrays.quantiles import quantiles_of
 from ..arrays.unique import UniqueKeys
@@ -35,7 +35,7 @@ from ..lang import (
     vec3d,
     vector,
 )
-from ..memory import copy, download, empty, zeros
+from ..memory import download, empty, zeros
 from ..meshes.mesh_edges import corner_at
 from ..meshes.mesh_topology import corner_vertex, next_corner
 from .atlas_colors import Atlas, texel_place
@@ -203,13 +203,6 @@ def map_joins_kernel(places: SeamPlaces, steps: array(dtype=vec3d), state: Gradi
 
 
 @kernel
-def weigh_joins_kernel(diagonal: array(dtype=float64), state: Gradients):
-    """The residual by the diagonal."""
-    i = tid()
-    state.forces[i] = state.residual[i] / diagonal[i]
-
-
-@kernel
 def change_joined_kernel(places: SeamPlaces, solution: array(dtype=vec3d), colors: array(dtype=vec3d)):
     """Change the texels that are drawn at seams."""
     i = tid()
@@ -230,14 +223,11 @@ def join_seams(places: SeamPlaces, colors: Array1[vec3d]) -> None:
         launch(map_joins_kernel, count, [places, steps, state])
 
     def weigh() -> None:
-        launch(weigh_joins_kernel, count, [diagonal, state])
+        launch(weigh_by_diagonal_kernel, count, [diagonal, state])
 
     launch(see_steps_kernel, places.place_count, [places, colors, steps])
     launch(begin_joins_kernel, count, [places, steps, diagonal, state])
-    descent = ConjugateGradients(state, apply, weigh)
-    descent.weigh()
-    copy(state.unit, state.remains, count=1)
-    descent.descend()
+    ConjugateGradients(state, apply, weigh).solve()
     launch(change_joined_kernel, count, [places, state.solution, colors])
 
 

@@ -15,7 +15,7 @@ preconditioner, in float64; sums run in fixed orders. A turn costs some 60 B a c
 
 from ..algebra.transform import widen
 from ..array_types import Indices, Points, Positions, Triangles
-from ..arrays.conjugate_gradients import ConjugateGradients, Gradients
+from ..arrays.conjugate_gradients import ConjugateGradients, Gradients, weigh_by_diagonal_kernel
 from ..arrays.unique import UniqueKeys
 from ..lang import (
     array,
@@ -37,7 +37,7 @@ from ..lang import (
     vec3i,
     vector,
 )
-from ..memory import copy, download, empty, zeros
+from ..memory import download, empty, zeros
 from ..meshes.mesh_edges import corner_at
 from ..meshes.mesh_topology import corner_vertex, next_corner
 from .exposures import Exposures, exposed
@@ -218,13 +218,6 @@ def map_levels_kernel(seams: Seams, weights: array(dtype=float64), state: Gradie
     state.image[i] = total
 
 
-@kernel
-def weigh_levels_kernel(weights: array(dtype=float64), state: Gradients):
-    """The residual by the diagonal."""
-    i = tid()
-    state.forces[i] = state.residual[i] / weights[i]
-
-
 @reduction
 def sum_steps(
     vertices: array(dtype=vec3), seams: Seams, pictures: PosedPictures, exposures: Exposures, shifts: array(dtype=vec3d)
@@ -281,13 +274,10 @@ class SeamLevels:
             launch(map_levels_kernel, count, [self.seams, weights, state])
 
         def weigh() -> None:
-            launch(weigh_levels_kernel, count, [weights, state])
+            launch(weigh_by_diagonal_kernel, count, [weights, state])
 
         launch(begin_levels_kernel, count, [self.seams, PULL_LEVEL if level else PULL, weights, state])
-        descent = ConjugateGradients(state, apply, weigh)
-        descent.weigh()
-        copy(state.unit, state.remains, count=1)
-        descent.descend()
+        ConjugateGradients(state, apply, weigh).solve()
         self.turns = int(download(state.turns)[0])  # sync
 
     def mean_step(self) -> float | None:

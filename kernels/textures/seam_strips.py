@@ -9,10 +9,10 @@ is the matter of seam_joins.py. Source: Waechter, Moehrle and Goesele 2014, sect
 
 from ..algebra.transform import widen
 from ..array_types import Array1, Indices, Points, Positions
-from ..arrays.conjugate_gradients import ConjugateGradients, Gradients
+from ..arrays.conjugate_gradients import ConjugateGradients, Gradients, weigh_by_diagonal_kernel
 from ..arrays.select import number_rows_kernel, positions_of
 from ..lang import array, dot, float64, func, int32, kernel, launch, length, tid, uint8, vec2d, vec3, vec3d
-from ..memory import copy, empty, zeros
+from ..memory import empty, zeros
 from ..meshes.mesh_topology import corner_vertex, next_corner
 from .atlas_colors import NO_TRIANGLE, texel_corners
 from .chart_texels import NOWHERE, RINGS, ChartTexels, point_at, shares_at, side_of_corner
@@ -260,13 +260,6 @@ def map_strips_kernel(
 
 
 @kernel
-def weigh_strips_kernel(weights: array(dtype=float64), state: Gradients):
-    """The residual by the diagonal."""
-    i = tid()
-    state.forces[i] = state.residual[i] / weights[i]
-
-
-@kernel
 def change_free_kernel(free: array(dtype=int32), solution: array(dtype=vec3d), changes: array(dtype=vec3d)):
     """What the texels of strips change by."""
     i = tid()
@@ -306,12 +299,9 @@ def blend_strips(
             launch(map_strips_kernel, rows.size, [texels, rows, numbers, weights, state])
 
         def weigh() -> None:
-            launch(weigh_strips_kernel, rows.size, [weights, state])
+            launch(weigh_by_diagonal_kernel, rows.size, [weights, state])
 
         launch(begin_strips_kernel, rows.size, [texels, seams, rows, changes, weights, state])
-        descent = ConjugateGradients(state, apply, weigh)
-        descent.weigh()
-        copy(state.unit, state.remains, count=1)
-        descent.descend()
+        ConjugateGradients(state, apply, weigh).solve()
         launch(change_free_kernel, rows.size, [rows, state.solution, changes])
     launch(add_changes_kernel, count, [texels, changes])
