@@ -27,6 +27,7 @@ GROUND, NOISE = (2,), (7, 18)  # classes of LAS
 REACH = 20  # cells, where no reach is given
 MOST_CELLS = 2**28
 BYTES = 32  # of memory a cell
+SLACK = 1e-9  # of a cell: a bound that was meant as a cell's is one
 
 
 def check_classes(classes: Any) -> tuple[int, ...] | None:
@@ -71,20 +72,26 @@ def window_of(points: Points, corner: Any, side: float, box: Any, origin: Any) -
         low, high, finite = bound_points(points)
         if not finite:
             raise ValueError("cloud: has no finite points; give the bounds of a raster without any")
-        first, shape = _cells_over(low, high, corner, side)
+        first, shape = cells_over(low, high, corner, side)
     else:
-        ends = (box.reshape(2, 2) - origin[:2] - corner) / side
-        first = np.floor(ends[0] + 1e-9)  # a bound that was meant as a cell's is one
-        shape = np.maximum(np.ceil(ends[1] - 1e-9) - first, 1.0)
+        first, shape = cells_within(box.reshape(2, 2) - origin[:2] - corner, side)
     _check_room(side, shape, points.device)
     check_cell_numbers(first, shape)
     return FixedCells(corner, side, first, shape)
 
 
-def _cells_over(low: Any, high: Any, corner: Any, side: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def cells_over(low: Any, high: Any, corner: Any, side: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """The half-open cells from a low to a high place, both included: the first along x and y, and how many."""
     with np.errstate(over="ignore", invalid="ignore"):  # more cells than float64 holds are too many, too
         first, last = (np.floor((end.astype(np.float64)[:2] - corner) / side) for end in (low, high))
         return first, last - first + 1
+
+
+def cells_within(ends: NDArray[np.float64], side: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """The cells of a box that ends at cells or within them, as `cells_over`: low and high x and y from the corner."""
+    with np.errstate(over="ignore", invalid="ignore"):
+        first = np.floor(ends[0] / side + SLACK)
+        return first, np.maximum(np.ceil(ends[1] / side - SLACK) - first, 1.0)
 
 
 def _check_room(side: float, shape: NDArray[np.float64], device: Any) -> None:
@@ -154,7 +161,7 @@ def ground_heights(ground: Points, window: FixedCells, method: str, reach: float
     nothing = full(window.size, NAN, float64, ground.device)
     if not finite:
         return nothing
-    first, shape = _cells_over(low, high, np.array([window.x0, window.y0]), window.cell)
+    first, shape = cells_over(low, high, np.array([window.x0, window.y0]), window.cell)
     rim = math.ceil(min(far / window.cell, 2.0**30))
     own, size = np.array([window.column0, window.row0]), np.array([window.columns, window.rows])
     rings = _rings(far, window.cell, (first, shape), (own, size))
@@ -215,10 +222,10 @@ def heights_above_ground(points: Points, ground: Points, corner: Any, side: floa
     low, high, finite = bound_points(ground)
     if not finite:
         return full(points.size, NAN, float64, points.device)
-    first, shape = _cells_over(low, high, corner, side)
+    first, shape = cells_over(low, high, corner, side)
     _check_room(side, shape, points.device)
     check_cell_numbers(first, shape)
     groups = CellGroups(ground, FixedCells(corner, side, first, shape))
     low, high, _ = bound_points(points)
-    own, size = _cells_over(low, high, corner, side)
+    own, size = cells_over(low, high, corner, side)
     return heights_above(points, groups, count, reach, _rings(reach, side, (first, shape), (own, size)))

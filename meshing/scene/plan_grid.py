@@ -5,18 +5,18 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...kernels.terrain.cells import check_cell_numbers
+from ...pcd.raster_cells import MOST_CELLS, cells_over, cells_within
 
-MOST_CELLS = 2**28
 MOST_ALONG = 2**24  # cells along a side: rows are looked at whole
 BYTES = 9  # of memory a cell: a colour, a height, and whether it was filled
 DIGITS = 2  # of a length that is proposed
 LONGEST = 1e12  # a number that is told with all its digits
-SLACK = 1e-9  # of a cell: a bound that was meant as a cell's is one
 
 Array = NDArray[np.float64]
 Cells = tuple[Array, Array]  # the number of the first along x and y, and how many
@@ -43,12 +43,7 @@ def grid_over(low: Array, high: Array, corner: Array, cell: float) -> PlanGrid:
     Raises:
         ValueError: More than MOST_CELLS or MOST_ALONG, or so far from the corner that float64 does not part them.
     """
-
-    def cells_of(side: float) -> Cells:
-        first = np.floor((low - corner) / side)
-        return first, np.floor((high - corner) / side) - first + 1
-
-    return _grid_of(cells_of, corner, cell)
+    return _grid_of(partial(cells_over, low, high, corner), corner, cell)
 
 
 def grid_within(box: Array, corner: Array, cell: float) -> PlanGrid:
@@ -57,12 +52,7 @@ def grid_within(box: Array, corner: Array, cell: float) -> PlanGrid:
     Raises:
         ValueError: As `grid_over`.
     """
-
-    def cells_of(side: float) -> Cells:
-        first, last = np.floor((box[:2] - corner) / side + SLACK), np.ceil((box[2:] - corner) / side - SLACK)
-        return first, np.maximum(last - first, 1.0)
-
-    return _grid_of(cells_of, corner, cell)
+    return _grid_of(partial(cells_within, box.reshape(2, 2) - corner), corner, cell)
 
 
 def _grid_of(cells_of: Callable[[float], Cells], corner: Array, cell: float) -> PlanGrid:
