@@ -23,6 +23,11 @@ def rotations_of(vectors: NDArray[np.float64]) -> Matrix:
     return np.eye(3) + first[:, None, None] * K + second[:, None, None] * (K @ K)
 
 
+def scale_of(T: Matrix) -> float:
+    """The scale of a similarity; negative of one that mirrors."""
+    return float(np.cbrt(np.linalg.det(T[:3, :3])))
+
+
 def rotation_of(vector: NDArray[np.float64]) -> Matrix:
     """The rotation about an axis by the vector's length [rad]."""
     return rotations_of(vector[None])[0]

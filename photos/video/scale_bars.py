@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from ...registration.rigid import scale_of
 from .control_blunders import ROUGH
 from .control_report import CHECK, CONTROL, UNUSED, BarResidual
 from .ground_control import GroundControl, ScaleBar
@@ -70,7 +71,7 @@ class Bars:
         if pair is None or pair[0].place is None or pair[1].place is None:
             return math.nan
         along = (pair[1].place - pair[0].place) / self.length(k)
-        scale = float(np.cbrt(np.linalg.det(T[:3, :3])))
+        scale = scale_of(T)
         of_marks = scale**2 * float(along @ (pair[0].covariance + pair[1].covariance) @ along)
         return math.sqrt(self.bars[k].sigma ** 2 + of_marks)
 
@@ -85,7 +86,7 @@ class Bars:
 
     def residuals(self, T: Array) -> tuple[BarResidual, ...]:
         """How each fits."""
-        scale = float(np.cbrt(np.linalg.det(T[:3, :3])))
+        scale = scale_of(T)
         rows = []
         for k, bar in enumerate(self.bars):
             use = CHECK if self.checks[k] else UNUSED if self.wrong[k] else CONTROL
@@ -97,7 +98,7 @@ class Bars:
 
     def why_doubted(self, T: Array) -> str:
         """Which bars contradict the rest, or each other; "" where none do."""
-        scale = float(np.cbrt(np.linalg.det(T[:3, :3])))
+        scale = scale_of(T)
 
         def told(rows: list[int]) -> str:
             found = [f"{self.bars[k]} is {scale * self.length(k):.4g} m, told {self.bars[k].metres:g} m" for k in rows]
@@ -110,7 +111,7 @@ class Bars:
         return ""
 
     def _is_far(self, k: int, T: Array) -> bool:
-        scale = float(np.cbrt(np.linalg.det(T[:3, :3])))
+        scale = scale_of(T)
         gap = abs(scale * self.length(k) - self.bars[k].metres)
         return gap > max(ROUGH * self.sigma(k, T), DOUBTED * self.bars[k].metres)
 

@@ -27,7 +27,7 @@ from ...core.watching import report, watched
 from ...pcd.cloud import PointCloud
 from ..given_pairs import check_cloud, check_clouds
 from ..result import RegistrationResult
-from ..rigid import nearest_rotation
+from ..rigid import nearest_rotation, scale_of
 from .constraint import Constraint, Prior, make_constraint
 from .doubts import DOUBTFUL, doubt
 from .estimation import TransformationEstimation, TransformationEstimationPointToPoint
@@ -258,7 +258,7 @@ def check_poses(name: str, pose: ArrayLike | None, method: TransformationEstimat
     scale = 1.0
     T = np.array(check_transformation(name, pose))
     if method.scales:
-        scale = float(np.cbrt(np.linalg.det(T[:3, :3])))
+        scale = scale_of(T)
         if scale <= 0:
             raise ValueError(f"{name}: expected a rotation with a scale, got a determinant of {scale**3:.3g}")
     check_rigid(name, np.block([[T[:3, :3] / scale, T[:3, 3:]], [T[3:]]]))

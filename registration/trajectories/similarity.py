@@ -28,7 +28,7 @@ from ...core.errors import FileError
 from ...core.known_names import nearest_name
 from ...core.paths import path_of
 from ...files.models.sfm_model import SfmModel
-from ..rigid import fit_pose
+from ..rigid import fit_pose, scale_of
 
 FEWEST = 3  # pairs that a similarity needs
 TRIPLES = 2000  # tried: with half of the pairs wrong one of eight is all right
@@ -168,7 +168,7 @@ def fit_to_positions(
     _check_spread("positions", source[inliers])
     residuals = _distances(source, target, T)
     rmse = math.sqrt(float((residuals[inliers] ** 2).mean()))
-    scale = float(np.cbrt(np.linalg.det(T[:3, :3])))
+    scale = scale_of(T)
     return SimilarityFit(T, scale, names, residuals, inliers, rmse, _uncertainty(scale * source[inliers], rmse))
 
 

@@ -19,7 +19,7 @@ from ...cameras.trajectory import Trajectory
 from ...core.checks import check_count, check_list, check_positive, shown
 from ...core.reports import Fields, Report
 from ...core.wording import plain
-from ..rigid import fit_pose, make_pose, nearest_rotation, rotation_of
+from ..rigid import fit_pose, make_pose, nearest_rotation, rotation_of, scale_of
 
 Matrix = NDArray[np.float64]
 
@@ -301,7 +301,7 @@ def _alignment(P: Matrix, Q: Matrix, align: bool | str | None, with_scale: bool)
     extent = math.sqrt(float((s * s).sum() * (t * t).sum()))
     if D[1] > STRAIGHT**2 * extent:
         T = fit_pose(source, target, with_scaling=with_scale)
-        return T, float(np.cbrt(np.linalg.det(T[:3, :3])))
+        return T, scale_of(T)
     if D[0] > STRAIGHT**2 * extent:
         R = fit_pose(source, target)[:3, :3]
         R = _turned_about(U[:, 0], Q[:, :3, :3], R @ P[:, :3, :3]) @ R

@@ -16,7 +16,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from ..rigid import rotation_of, skew, skews
+from ..rigid import rotation_of, scale_of, skew, skews
 from .up_direction import turn_upright
 
 Array = NDArray[np.float64]
@@ -89,7 +89,7 @@ def fit_rows(rows: Rows, T: Array) -> WeightedFit:
     Raises:
         UndeterminedError: They leave it open.
     """
-    scale = float(np.cbrt(np.linalg.det(T[:3, :3])))
+    scale = scale_of(T)
     R = T[:3, :3] / scale
     middle = rows.source.mean(axis=0)
     x, weights = rows.source - middle, 1 / rows.sigma
