@@ -13,6 +13,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from ...core.errors import FileError, FilePath
+from ...core.wording import few_of
 from ...registration.stations.observations import ControlPoint, TargetObservation
 
 _APART = re.compile(r"[;,\t]")
@@ -30,7 +31,7 @@ def read_targets(path: FilePath, stations: Sequence[str]) -> list[TargetObservat
     numbers |= {str(i): i for i in range(len(stations)) if str(i) not in numbers}
     for line, fields in _rows(path, words=2, numbers=(3, 4)):
         if fields[0] not in numbers:
-            known = ", ".join(stations[:5]) + (", ..." if len(stations) > 5 else "")
+            known = few_of(stations, 5)
             raise FileError(path, f"there is no station {fields[0]!r}; there are {known}", where=f"line {line}")
         x, y, z, *sigma = _numbers(path, line, fields[2:])
         options = {"sigma": sigma[0]} if sigma else {}

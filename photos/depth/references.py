@@ -15,6 +15,7 @@ from ...cameras.camera_models import CameraModel
 from ...core.checks import check_name, check_numeric, check_positive, shown
 from ...core.errors import FileError
 from ...core.paths import path_of
+from ...core.wording import few_of
 from ...files.models.colmap import read_colmap_model
 from ...files.models.sfm_model import SfmModel
 from ...files.pictures.image_files import read_depth
@@ -161,8 +162,9 @@ def _number_of(model: SfmModel, name: str) -> int:
         return model.index_of(name)
     matches = [number for number, other in enumerate(model.names) if Path(other).name == name]
     if len(matches) != 1:
-        some = ", ".join(model.names[:3]) + (", ..." if len(model) > 3 else "")
-        raise ValueError(f"align: the model has {len(matches) or 'no'} pictures {name!r}; it has {some or 'none'}")
+        raise ValueError(
+            f"align: the model has {len(matches) or 'no'} pictures {name!r}; it has {few_of(model.names, 3) or 'none'}"
+        )
     return matches[0]
 
 

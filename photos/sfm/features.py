@@ -75,12 +75,8 @@ class FeatureReport:
         sizes = [{"width": w, "height": h, "count": count} for (w, h), count in self.sizes.items()]
         lists = {"names": list(self.names), "counts": list(self.counts), "poor_names": list(self.poor_names)}
         fields = {"database": self.database, "seconds": self.seconds, "peak_bytes": self.peak_bytes}
-        return (
-            fields
-            | lists
-            | {"sizes": sizes, "camera_count": self.camera_count, "on_gpu": self.on_gpu}
-            | {"remarks": list(self.remarks)}
-        )
+        more = {"camera_count": self.camera_count, "on_gpu": self.on_gpu, "remarks": list(self.remarks)}
+        return fields | lists | {"sizes": sizes} | more
 
 
 def find_features(

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import dataclasses
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -27,7 +27,7 @@ ALPHA = "alpha"
 FOLDER = "_masks"  # behind the name of the folder of pictures
 
 MakeMask = Callable[[NDArray[np.uint8], str], Any]
-_KEPT = 128  # brightness from which a pixel of a mask counts as white
+KEPT = 128  # brightness from which a pixel of a mask counts as white
 _LEAST = 0.001  # of a picture that has to be left of it
 _ENDINGS = (".png", ".jpg", ".jpeg")
 _BACK = {6: 8, 8: 6}  # EXIF's orientations that undo each other; the others undo themselves
@@ -59,6 +59,17 @@ def mask_file(folder: Path, name: str) -> Path:
     return folder / f"{name}.png"
 
 
+def masks_in(folder: Path, names: Iterable[str]) -> list[Path | None]:
+    """The mask of each picture in a folder of masks; None where it has none."""
+    places = (mask_file(folder, name) for name in names)
+    return [place if place.is_file() else None for place in places]
+
+
+def write_mask(folder: Path, name: str, kept: NDArray[np.bool_]) -> None:
+    """Write the mask of a picture, white where that counts."""
+    write_png(mask_file(folder, name), np.where(kept, 255, 0).astype(np.uint8))
+
+
 def read_mask(path: FilePath, size: tuple[int, int]) -> NDArray[np.bool_]:
     """Which pixels of a picture count, shape [h, w].
 
@@ -73,7 +84,7 @@ def read_mask(path: FilePath, size: tuple[int, int]) -> NDArray[np.bool_]:
     if (header.width, header.height) != size:
         reason = f"is {header.width} x {header.height}, its picture {size[0]} x {size[1]} pixels"
         raise FileError(path, reason, remedy="Make masks of the size of their pictures")
-    return read_color(path).max(axis=2) >= _KEPT
+    return read_color(path).max(axis=2) >= KEPT
 
 
 def write_masks(choice: FrameChoice, source: Path, pictures: Path, masks: FilePath | MakeMask) -> FrameChoice:
@@ -105,7 +116,7 @@ def write_masks(choice: FrameChoice, source: Path, pictures: Path, masks: FilePa
             (pictures / name).unlink()
             continue
         else:
-            write_png(mask_file(folder, name), np.where(mask, 255, 0).astype(np.uint8))
+            write_mask(folder, name, mask)
         kept.append(k)
     return _without_hidden(choice, source, masks, kept, hidden, missing)
 
@@ -163,9 +174,9 @@ def _mask_of(masks: Any, picture: Path, origin: Path | None, size: tuple[int, in
         return _of_function(masks, read_color(picture), picture.name if origin is None else origin.name, size)
     if masks == ALPHA:
         alpha = None if origin is None else _alpha_of(origin)
-        return None if origin is None or alpha is None else _fitted(origin, alpha >= _KEPT, origin, size)
+        return None if origin is None or alpha is None else _fitted(origin, alpha >= KEPT, origin, size)
     place = _place_of(masks, (*(() if origin is None else (origin.name, origin.stem)), picture.name, picture.stem))
-    return None if place is None else _fitted(place, read_color(place).max(axis=2) >= _KEPT, origin, size)
+    return None if place is None else _fitted(place, read_color(place).max(axis=2) >= KEPT, origin, size)
 
 
 def mask_as_stored(masks: FilePath | MakeMask, picture: Path, size: tuple[int, int]) -> NDArray[np.bool_] | None:
@@ -184,11 +195,11 @@ def mask_as_stored(masks: FilePath | MakeMask, picture: Path, size: tuple[int, i
         return _of_function(masks, read_stored(picture), picture.name, size)
     if masks == ALPHA:
         alpha = _alpha_of(picture)
-        return None if alpha is None else _fitted(picture, alpha >= _KEPT, None, size)
+        return None if alpha is None else _fitted(picture, alpha >= KEPT, None, size)
     place = _place_of(masks, (picture.name, picture.stem))
     if place is None:
         return None
-    mask = read_color(place).max(axis=2) >= _KEPT
+    mask = read_color(place).max(axis=2) >= KEPT
     if (mask.shape[1], mask.shape[0]) != size:  # one that is drawn on the picture upright
         mask = upright(mask, _BACK.get(turn := read_orientation(picture), turn))
     return _fitted(place, mask, None, size)
@@ -214,7 +225,7 @@ def _of_function(
         raise TypeError(f"masks({name}): expected bool or uint8 [h, w], got {mask.dtype} {list(mask.shape)}")
     if mask.shape != (size[1], size[0]):
         raise ValueError(f"masks({name}): expected shape {[size[1], size[0]]}, got {list(mask.shape)}")
-    return mask if mask.dtype == np.bool_ else mask >= _KEPT
+    return mask if mask.dtype == np.bool_ else mask >= KEPT
 
 
 def _alpha_of(path: Path) -> NDArray[np.uint8] | None:
@@ -241,7 +252,7 @@ def _fitted(place: Path, mask: NDArray[np.bool_], origin: Path | None, size: tup
             if (width, height) == size:
                 return np.ascontiguousarray(each)
             grey = Image.fromarray(np.where(each, 255, 0).astype(np.uint8))
-            return np.asarray(grey.resize(size, Image.Resampling.BOX)) >= _KEPT
+            return np.asarray(grey.resize(size, Image.Resampling.BOX)) >= KEPT
     reason = f"is a mask of {mask.shape[1]} x {mask.shape[0]}, its picture {size[0]} x {size[1]} pixels"
     raise FileError(place, reason, remedy="Make masks of the size of their pictures")
 

@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...core.wording import few_of
 from ...files.models.sfm_model import SfmModel
 from ...files.points.scan_files import natural_key
 from .feature_rays import FeatureRays, focal_of
@@ -115,10 +116,9 @@ class PoseCheck:
                 "are: check the cameras and the size of the pictures"
             )
         if len(self.strays) > max(1, 0.1 * picture_count):
-            some = ", ".join(self.strays[:4]) + (", ..." if len(self.strays) > 4 else "")
             reasons.append(
-                f"the poses of {len(self.strays)} of {picture_count} pictures do not fit the others ({some}): they may "
-                "be of other pictures"
+                f"the poses of {len(self.strays)} of {picture_count} pictures do not fit the others "
+                f"({few_of(self.strays, 4)}): they may be of other pictures"
             )
         return reasons
 

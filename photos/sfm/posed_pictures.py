@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from ...core.errors import DatasetError, FileError, FilePath
+from ...core.wording import few_of
 from ...files.models.sfm_model import SfmModel
 from .picture_folder import OTHER_SUFFIXES, PHOTO_SUFFIXES, read_header
 
@@ -42,8 +43,7 @@ class PosedPictures:
             (self.without_picture, "poses have no picture"),
         ):
             if names:
-                some = ", ".join(names[:4]) + (", ..." if len(names) > 4 else "")
-                said.append(f"{len(names)} {what}: {some}")
+                said.append(f"{len(names)} {what}: {few_of(names, 4)}")
         return tuple(said)
 
 

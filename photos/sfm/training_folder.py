@@ -26,8 +26,7 @@ from ...core.reports import Fields, Report
 from ...files.models.colmap import write_colmap_model
 from ...files.models.sfm_model import SfmModel
 from ...files.models.transforms_writer import write_content
-from ...files.pictures.image_files import write_png
-from .masks import mask_file
+from .masks import write_mask
 from .picture_folder import check_place
 from .straightened import straightened_model
 from .training_pictures import find_masks, find_pictures, is_copied, new_names, straight_mask, unseen_of, write_straight
@@ -150,8 +149,7 @@ def write_training_folder(
             say("pictures", k, len(lenses))
             write_straight(part / IMAGES / names[k], given[k], lens, copied=copied[k])
             if with_masks:
-                kept = straight_mask(hidden[k], lens, unseen[lens.camera])
-                write_png(mask_file(part / MASKS, names[k]), np.where(kept, 255, 0).astype(np.uint8))
+                write_mask(part / MASKS, names[k], straight_mask(hidden[k], lens, unseen[lens.camera]))
         say("pictures", len(lenses), len(lenses))
         straight = [lens.intrinsic for lens in lenses]
         origin = _origin_of(model) if shift else np.zeros(3)

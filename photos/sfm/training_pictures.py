@@ -18,12 +18,11 @@ from ...core.errors import FileError
 from ...files.models.sfm_model import SfmModel
 from ...files.pictures.image_files import write_png
 from ...files.pictures.photo_files import is_photo
-from .masks import mask_file, read_mask
+from .masks import KEPT, masks_in, read_mask
 from .picture_folder import UPRIGHT, check_place, is_grey_16, read_header, read_orientation, read_stored
 from .picture_writing import write_bytes
 
 LEAST_UNSEEN = 0.001  # of a straightened picture: fewer blank pixels are no reason for masks
-_KEPT = 128  # brightness from which a pixel of a mask counts as white
 _SUFFIXES = {"jpeg": (".jpg", ".jpeg"), "png": (".png",)}
 
 Pixels = NDArray[np.uint8]
@@ -82,11 +81,11 @@ def find_masks(masks: Any, model: SfmModel) -> list[NDArray[np.bool_] | Path | N
         return [None] * len(model)
     if isinstance(masks, str | os.PathLike):
         folder = check_place("masks", masks)
-        places = [mask_file(folder, name) for name in model.names]
-        if not any(place.is_file() for place in places):
+        places = masks_in(folder, model.names)
+        if not any(places):
             reason = f"holds no mask of a picture, such as {model.names[0]}.png"
             raise FileError(folder, reason, remedy="Name masks as their pictures, with .png behind")
-        return [place if place.is_file() else None for place in places]
+        return [*places]
     given = check_list("masks", masks, "masks")
     if len(given) != len(model):
         raise ValueError(f"masks: expected one, or None, for each of the {len(model)} pictures, got {len(given)}")
@@ -100,7 +99,7 @@ def find_masks(masks: Any, model: SfmModel) -> list[NDArray[np.bool_] | Path | N
             raise TypeError(f"masks[{k}]: expected a path, or an array of bool or uint8, got {array.dtype}")
         if array.shape != (camera.height, camera.width):
             raise ValueError(f"masks[{k}]: expected shape {[camera.height, camera.width]}, got {list(array.shape)}")
-        found.append(array if array.dtype == np.bool_ else array >= _KEPT)
+        found.append(array if array.dtype == np.bool_ else array >= KEPT)
     return found
 
 
@@ -155,7 +154,7 @@ def straight_mask(
     elif is_straight(lens.camera, lens):
         kept = mask
     else:
-        kept = lens.apply(np.where(mask, 255, 0).astype(np.uint8)) >= _KEPT
+        kept = lens.apply(np.where(mask, 255, 0).astype(np.uint8)) >= KEPT
     return kept if unseen is None else kept & ~unseen
 
 

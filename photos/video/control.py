@@ -22,7 +22,7 @@ from ..sfm.picture_places import PicturePlaces
 from .control_blunders import FEWEST_TO_TELL, ROUGH, agreeing, deviations, misfit
 from .control_report import CHECK, CONTROL, UNUSED, ControlFit, ControlResidual, GpsGaps
 from .control_systems import to_geodetic
-from .georeference import NotSettledError, places_of
+from .georeference import NotSettledError, enu_of, places_of
 from .ground_control import FEWEST, GroundControl, is_straight
 from .marked_points import MarkedPoint, locate_marks
 from .scale_bars import Bars, fit_bars
@@ -119,7 +119,7 @@ def _by_points(
 ) -> ControlFit:  # fmt: skip
     source = np.array([_place_of(p, found) for p in used])
     target = np.array([coordinates.targets[p.name] for p in used])
-    fit, kept, sigma = _fitted(used, found, source, target, bars)
+    fit, kept, sigma = _fitted(used, found, source, target)
     bars = bars.agreeing(fit.T)
     fit = fit_rows(Rows(source[kept], target[kept], sigma[kept], lengths=bars.rows(fit.T)), fit.T)
     worse = misfit(fit, source[kept], target[kept], sigma[kept])
@@ -145,7 +145,7 @@ def _by_points(
 
 
 def _fitted(
-    used: list[ControlPoint], found: dict[str, MarkedPoint], source: Array, target: Array, bars: Bars
+    used: list[ControlPoint], found: dict[str, MarkedPoint], source: Array, target: Array
 ) -> tuple[WeightedFit, NDArray[np.bool_], Array]:
     """By least squares of the points that agree, with weights that the turn before decides."""
     T = fit_pose(source, target, with_scaling=True)
@@ -217,15 +217,8 @@ def _gaps(model: SfmModel, places: PicturePlaces, frame: WorldFrame, T: Array) -
     names = tuple(name for name in model.names if name in told)
     if not names:
         return None
-    rows = [
-        (p.latitude, p.longitude, frame.altitude if p.altitude is None else p.altitude)
-        for p in map(told.get, names)
-        if p
-    ]
     found = model.centers[[model.index_of(name) for name in names]] @ T[:3, :3].T + T[:3, 3]
-    gaps = found - frame.to_enu(np.array(rows))
-    gaps[[told[name].altitude is None for name in names], 2] = np.nan
-    return GpsGaps(names, gaps)
+    return GpsGaps(names, found - enu_of(frame, [told[name] for name in names]))
 
 
 def _why_far(gps: GpsGaps | None, control: GroundControl) -> str:

@@ -9,6 +9,7 @@ from ...cameras.picture_names import meant_pictures
 from ...core.errors import FileError, FilePath
 from ...core.known_names import nearest_name
 from ...core.stages import Made
+from ...core.wording import few_of
 from ...files.pictures.image_files import read_picture_header
 from .ground_control import ControlMark, GroundControl
 from .motion import PICTURES, picture_names
@@ -52,7 +53,7 @@ def check_marks(
         if len(meant) != 1:
             what = "is none of the pictures" if not meant else f"may mean {len(meant)} pictures"
             near = nearest_name(mark.picture, names).removeprefix("; ")
-            some = ", ".join(names[:3]) + (", ..." if len(names) > 3 else "")
+            some = few_of(names, 3)
             raise _error(control, mark, f"{mark.picture!r} {what}", f"{near} " * bool(near) + f"They are called {some}")
         width, height = sizes[names[meant[0]]]
         column, row = (mark.pixel + 0.5).tolist()

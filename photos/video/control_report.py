@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...pcd.geodesy import WorldFrame
+from .georeference import frame_to_json
 from .ground_control import ScaleBar
 
 Array = NDArray[np.float64]
@@ -183,7 +184,7 @@ class ControlFit:
 
     def to_json(self) -> dict[str, Any]:
         """The figures in JSON's types."""
-        where = {} if self.frame is None else {"origin": origin_of(self.frame), "epsg": self.frame.epsg}
+        where = {} if self.frame is None else frame_to_json(self.frame)
         return where | {
             "crs": self.crs,
             "local_origin_m": self.origin.tolist(),
@@ -223,11 +224,6 @@ class ControlFit:
                 "in the points' own coordinates" + (f" less {self.origin.tolist()}" if self.origin.any() else "")
             )
         return lines
-
-
-def origin_of(frame: WorldFrame) -> dict[str, float]:
-    """The origin of a frame in JSON's types."""
-    return {"latitude": frame.latitude, "longitude": frame.longitude, "altitude": frame.altitude}
 
 
 def rms_of(gaps: Sequence[Array | None]) -> float:

@@ -8,6 +8,7 @@ settle anything is judged by the standard deviations of scale and turn that come
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -91,12 +92,7 @@ class PlacesFit:
         """The figures in JSON's types."""
         rows = np.where(np.isfinite(self.residuals), self.residuals, 0.0).round(4).tolist()
         return {
-            "origin": {
-                "latitude": self.frame.latitude,
-                "longitude": self.frame.longitude,
-                "altitude": self.frame.altitude,
-            },
-            "epsg": self.frame.epsg,
+            **frame_to_json(self.frame),
             "places": len(self.names),
             "left_out": list(self.left_out),
             "horizontal_rms_m": self.horizontal_rms,
@@ -173,16 +169,29 @@ def fit_places(model: SfmModel, places: PicturePlaces, up: UpDirection) -> Place
     return found
 
 
-def _targets(frame: WorldFrame, places: list[PicturePlace]) -> tuple[Array, Array]:
-    """East, north and up, with NaN for heights that are not told, and standard deviations, [n, 3] each."""
+def enu_of(frame: WorldFrame, places: Sequence[PicturePlace]) -> Array:
+    """Where pictures say that they were taken: east, north and up, NaN for heights that are not told, [n, 3] [m]."""
     rows = [[p.latitude, p.longitude, frame.altitude if p.altitude is None else p.altitude] for p in places]
     target = frame.to_enu(np.array(rows))
+    target[[p.altitude is None for p in places], 2] = np.nan
+    return target
+
+
+def frame_to_json(frame: WorldFrame) -> dict[str, Any]:
+    """The origin and the UTM zone of a frame in JSON's types."""
+    origin = {"latitude": frame.latitude, "longitude": frame.longitude, "altitude": frame.altitude}
+    return {"origin": origin, "epsg": frame.epsg}
+
+
+def _targets(frame: WorldFrame, places: list[PicturePlace]) -> tuple[Array, Array]:
+    """East, north and up, with NaN for heights that are not told, and standard deviations, [n, 3] each."""
+    target = enu_of(frame, places)
     sigma = np.empty_like(target)
     for k, place in enumerate(places):
         plan = max(place.horizontal_sigma or SIGMA, LEAST_SIGMA)
         sigma[k] = plan, plan, max(place.vertical_sigma or HEIGHT_FACTOR * plan, LEAST_SIGMA)
         if place.altitude is None:
-            target[k, 2], sigma[k, 2] = np.nan, np.inf
+            sigma[k, 2] = np.inf
     return target, sigma
 
 

@@ -15,14 +15,12 @@ from ...core.progress import ReportProgress
 from ...core.stages import Made
 from ...files.models.colmap import read_colmap_model, write_colmap_model
 from ...files.models.sfm_model import SfmModel
-from ...files.pictures.image_files import write_png
 from ...files.pictures.photo_files import is_photo
 from .. import sfm
-from ..mvs.picture_masks import KEPT
 from ..sfm.colmap_jobs import MAX_SECONDS
 from ..sfm.frame_picker import spaced
 from ..sfm.guided_matches import read_matches, write_matches
-from ..sfm.masks import MakeMask, check_some_left, hides_all, mask_as_stored, mask_file, told_of_masks
+from ..sfm.masks import KEPT, MakeMask, check_some_left, hides_all, mask_as_stored, told_of_masks, write_mask
 from ..sfm.picture_choice import told_twice
 from ..sfm.picture_folder import UPRIGHT, list_photographs, read_header, read_orientation, read_stored
 from ..sfm.picture_writing import write_bytes, write_picture
@@ -30,7 +28,7 @@ from ..sfm.pose_check import PoseCheck
 from ..sfm.posed_pictures import with_poses
 from ..sfm.triangulation import match_posed, points_of
 from ..sfm.verdict import judge_model
-from .motion import DATABASE, MASKS, MODEL, PICTURES, described, only_turned
+from .motion import DATABASE, MASKS, MODEL, PICTURES, described, masks_of, only_turned
 from .settings import Settings
 
 CAMERAS, MATCHES = "cameras", "matches.npz"
@@ -111,10 +109,9 @@ class _Masks:
     def write(self, name: str, mask: NDArray[np.bool_], lens: Undistortion | None) -> None:
         """Write the mask of a picture that was written, straightened where that was."""
         self.folder.mkdir(exist_ok=True)
-        shade = np.where(mask, 255, 0).astype(np.uint8)
         if lens is not None:
-            shade = np.where(lens.apply(shade) >= KEPT, 255, 0).astype(np.uint8)
-        write_png(mask_file(self.folder, name), shade)
+            mask = lens.apply(np.where(mask, 255, 0).astype(np.uint8)) >= KEPT
+        write_mask(self.folder, name, mask)
 
     def check(self, kept: int) -> None:
         """Hold that some pictures are left, and that one has a mask.
@@ -151,8 +148,8 @@ def find_features(
     folder: Path, say: ReportProgress, *, frames: Made, max_features: int, finder: str, seed: int, device: Any
 ) -> dict[str, Any]:
     """What can be recognised in each picture, and is not masked."""
-    pictures, database, masks = frames.folder / PICTURES, folder / DATABASE, frames.folder / MASKS
-    options = {"max_features": max_features, "masks": masks if masks.is_dir() else None, "finder": finder}
+    pictures, database = frames.folder / PICTURES, folder / DATABASE
+    options = {"max_features": max_features, "masks": masks_of(frames.folder), "finder": finder}
     return sfm.find_features(pictures, database, device=device, seed=seed, progress=say, **options).to_json()
 
 

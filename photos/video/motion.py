@@ -82,6 +82,12 @@ def take_frames(
     return {"kept": len(choice.names), "frames": choice.frame_count} | told
 
 
+def masks_of(frames: Path) -> Path | None:
+    """The folder of masks beside pictures that were taken; None where they have none."""
+    masks = frames / MASKS
+    return masks if masks.is_dir() else None
+
+
 def find_features(
     folder: Path,
     say: ReportProgress,
@@ -96,11 +102,11 @@ def find_features(
     device: Any,
 ) -> dict[str, Any]:
     """What can be recognised in each picture."""
-    pictures, masks = frames.folder / PICTURES, frames.folder / MASKS
+    pictures = frames.folder / PICTURES
     if panorama:  # faces of a cube, of whatever size
         side = read_picture_header(pictures / picture_names(frames)[0]).width
         intrinsic = PinholeCameraIntrinsic(side, side, side / 2, side / 2, (side - 1) / 2, (side - 1) / 2)
-    options = {"camera_model": camera_model, "max_features": max_features, "masks": masks if masks.is_dir() else None}
+    options = {"camera_model": camera_model, "max_features": max_features, "masks": masks_of(frames.folder)}
     options |= {"intrinsic": intrinsic, "finder": finder, "device": device, "seed": seed, "progress": say}
     found = sfm.find_features(pictures, folder / DATABASE, **options)
     return found.to_json()

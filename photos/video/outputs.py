@@ -29,7 +29,7 @@ from ...pcd.cloud import PointCloud
 from ...pcd.geotiff import check_geotiff
 from ..sfm.picture_folder import check_place
 from ..sfm.training_folder import TRANSFORMS, TrainingFolder, write_training_folder
-from .motion import MASKS, PICTURES
+from .motion import PICTURES, masks_of
 from .result import VideoResult
 from .surface import poses_of
 from .units import Fit, Units
@@ -172,8 +172,7 @@ class Outputs:
         """
         if self.training is None or result.model is None:
             return None
-        masks = frames / MASKS
-        given = {"masks": masks if masks.is_dir() else None, "device": result.device, "overwrite": overwrite}
+        given = {"masks": masks_of(frames), "device": result.device, "overwrite": overwrite}
         return write_training_folder(self.training, result.model, frames / PICTURES, **given)
 
     @property

@@ -23,8 +23,7 @@ from ...meshing.mesh.mesh_files import write_triangle_mesh
 from ...meshing.mesh.mesh_summary import describe_mesh
 from ...pcd.cloud import PointCloud
 from .. import mvs
-from ..mvs.picture_masks import KEPT
-from ..sfm.masks import mask_file
+from ..sfm.masks import KEPT, mask_file, masks_in, write_mask
 from ..sfm.straightened import straightened_model
 from . import motion
 from .units import Units, fit_units
@@ -53,7 +52,7 @@ def straighten(
         if mask.is_file():
             (folder / MASKS).mkdir(exist_ok=True)
             straightened = lenses[camera].apply(read_color(mask)[..., 0])
-            write_png(mask_file(folder / MASKS, names[k]), np.where(straightened >= KEPT, 255, 0).astype(np.uint8))
+            write_mask(folder / MASKS, names[k], straightened >= KEPT)
     say("pictures", len(names), len(names))
     straight = [lenses[camera].intrinsic for camera in found.cameras]
     write_colmap_model(folder / SPARSE, straightened_model(found, names, straight))
@@ -66,7 +65,7 @@ def estimate(
 ) -> dict[str, Any]:
     """Depth of each straightened picture; what is found of one stays in `going` until all is."""
     model, pictures, cameras = open_straightened(undistorted)
-    masks = _masks_of(undistorted, pictures)
+    masks = masks_in(undistorted.folder / MASKS, [path.name for path in pictures])
     where = {"device": device, "folder": folder / MAPS, "masks": masks, "going": going, "progress": say}
     maps = mvs.estimate_depth_maps(pictures, cameras, model, seed=seed, **where)
     return {"pictures": len(maps), "share": mean_share(maps, masks)}
@@ -80,7 +79,8 @@ def fuse_points(folder: Path, say: ReportProgress, *, undistorted: Made, depth: 
     cloud = mvs.fuse(maps, pictures, to="points", **where)
     assert isinstance(cloud, PointCloud)
     write_point_cloud(folder / CLOUD, cloud)
-    return {"share": mean_share(maps, _masks_of(undistorted, pictures)), "points": len(cloud)}
+    masks = masks_in(undistorted.folder / MASKS, [path.name for path in pictures])
+    return {"share": mean_share(maps, masks), "points": len(cloud)}
 
 
 def make_mesh(
@@ -127,12 +127,6 @@ def without_floaters(mesh: TriangleMesh) -> TriangleMesh:
         return mesh
     _, _, areas = mesh.cluster_connected_triangles()
     return mesh.remove_small_components(min_area=FLOATER * float(areas.max()))
-
-
-def _masks_of(undistorted: Made, pictures: list[Path]) -> list[Path | None]:
-    """The mask of each straightened picture; None where there is none."""
-    places = [mask_file(undistorted.folder / MASKS, path.name) for path in pictures]
-    return [place if place.is_file() else None for place in places]
 
 
 def mean_share(maps: Iterable[mvs.DepthMap], masks: Sequence[Path | None]) -> float:

@@ -15,6 +15,7 @@ from ...cameras.trajectory import read_lines
 from ...core.checks import check_positive, shown
 from ...core.errors import FileError, FilePath
 from ...core.records import digest_of, digest_of_file
+from ...core.wording import few_of
 from ...files.models.sfm_model import SfmModel
 from ...pcd.geodesy import WorldFrame
 from ...registration.trajectories.similarity import fit_to_positions, read_positions, scale_from_known
@@ -336,7 +337,7 @@ def picture_named(said: str, names: Sequence[str], where: str = "") -> int:
     found = meant_pictures(said, names)
     if len(found) != 1:
         what = "is no picture" if not found else f"is {len(found)} pictures"
-        some = ", ".join(names[:3]) + (", ..." if len(names) > 3 else "")
+        some = few_of(names, 3)
         raise ValueError(f"known: {said!r} {what}{where}; expected the name or number of one of {some}")
     return found[0]
 

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_count, check_finite, check_list, check_numeric, check_positive, shown
+from ...core.wording import few_of
 
 Array = NDArray[np.float64]
 TARGET_SIGMA = 0.002  # [m] of a coordinate of a target that a scanner measured
@@ -171,5 +172,4 @@ def check_control(control: Sequence[ControlPoint] | None, targets: Sequence[Targ
 
 
 def _listed(names: Iterable[str]) -> str:
-    ordered = sorted(names)
-    return (", ".join(ordered[:5]) + (", ..." if len(ordered) > 5 else "")) or "nothing"
+    return few_of(sorted(names), 5) or "nothing"
