@@ -14,7 +14,7 @@ BIN := .venv/bin
 unexport PYTHONDONTWRITEBYTECODE
 PYTEST := $(BIN)/python -m pytest -n $(WORKERS) --dist loadscope --no-loadscope-reorder
 # What `make test` leaves out of test-all: tests/choice.py says how, CONTRIBUTING.md why.
-QUICK := -m "not slow" --compilers warp
+QUICK := --quick
 PIP := $(BIN)/python -m pip --no-input --disable-pip-version-check
 
 # Stamps lie in .venv, so that they go with it.
@@ -36,7 +36,7 @@ CHECK_NEEDS := { $(PIP) check --quiet || $(PIP) check; }
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: gpu-kit gpu-run help setup setup-runtime test test-all test-cuda-emulated test-cuda-emulated-quick test-browser mutants lint format types check-cuda cuda-cache trust bench docs docs-clean demo clean distclean
+.PHONY: gpu-kit gpu-run help setup setup-runtime test test-all test-cuda-emulated test-cuda-emulated-quick test-browser oracle mutants lint format types check-cuda cuda-cache trust bench docs docs-clean demo clean distclean
 
 help: ## Print the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-24s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -61,6 +61,9 @@ test-cuda-emulated: $(EMULATION) ## Run the tests on an emulated CUDA device (ne
 test-cuda-emulated-quick: $(EMULATION) ## ... the set that CI runs, threads interleaved
 	@$(BIN)/python tests/emulated_cuda/compile_kernels.py
 	@EMULATED_CUDA_ORDER=$${EMULATED_CUDA_ORDER:-3} $(PYTEST) --emulated-cuda-quick $(ON_DEVICE) $(ARGS)
+
+oracle: $(TEST) ## Compute Open3D's stored answers again (tests/oracle_answers)
+	@$(BIN)/python -m pytest -n 0 -q --oracle write $(ARGS)
 
 # In one process: a second Chromium would only take the cores that the first draws with.
 test-browser: $(BROWSER) ## Run the viewer's tests in Chromium

@@ -1,11 +1,9 @@
-"""Which compilers the tests run on, and which tests share a process: what `make test` leaves out of `make test-all`.
+"""The tests of `make test`, the compilers that tests run on, and the tests that share a process.
 
-`make test` is `pytest -m "not slow" --compilers warp`, `make test-all` is pytest without these. A test that takes
-`device` and is marked `both_compilers` runs on both in either: the tests of the compilers themselves. That Taichi makes
-of each operation what Warp makes of it is the claim of tests/test_compilers.py, which runs in either too.
-
-Taichi is optional. Where it is not installed, what is marked `taichi` or has a parameter that says Taichi is left out;
-one that is installed and does not import is no reason to leave out anything.
+`make test` is `pytest --quick`, `make test-all` is pytest without it. `--quick` leaves out the tests that are marked
+`slow`, those that need Open3D itself (tests/oracle.py) and all runs on Taichi, which is optional. Without it the tests
+of tests/kernels that take `device`, and others marked `both_compilers`, run on Warp and on Taichi. All operations are
+compared on the two compilers by tests/test_compilers.py.
 """
 
 from __future__ import annotations
@@ -17,7 +15,9 @@ from typing import Any
 
 import pytest
 
-OPTION = "--compilers"
+from . import oracle
+
+OPTION = "--quick"
 COMPILERS = {"cpu-taichi": "taichi", "cpu-warp": "warp"}
 HAS_TAICHI = importlib.util.find_spec("taichi") is not None
 TESTS = Path(__file__).parent
@@ -32,33 +32,35 @@ DEAREST = (
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    parser.addoption(
-        OPTION, choices=("both", "warp"), default="both", help="CPU compilers of tests that are not of the compilers"
-    )
+    parser.addoption(OPTION, action="store_true", help="the tests of `make test`: no slow ones, no Open3D, no Taichi")
 
 
-def places_of(config: pytest.Config, definition: pytest.Item) -> list[str]:
-    """The CPU runs of a test that takes `device`, as its name says them."""
-    return [place for place, compiler in COMPILERS.items() if compiler == "warp" or runs_on_both(config, definition)]
-
-
-def runs_on_both(config: pytest.Config, item: pytest.Item) -> bool:
-    """Whether a test that takes `device` has runs on either compiler."""
-    return config.getoption(OPTION) == "both" or item.get_closest_marker("both_compilers") is not None
+def places_of(definition: pytest.Item) -> list[str]:
+    """The CPU runs of a test that takes `device`, as its name gives them."""
+    both = definition.get_closest_marker("both_compilers") is not None or TESTS / "kernels" in definition.path.parents
+    return [place for place, compiler in COMPILERS.items() if both or compiler == "warp"]
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Taichi's tests are left out where it is not; the dearest rooms begin, in processes of pytest-xdist."""
-    left_out = [item for item in items if is_of_taichi(item)] if not HAS_TAICHI else []
-    if left_out:
-        config.hook.pytest_deselected(items=left_out)
-        items[:] = [item for item in items if not is_of_taichi(item)]
+    """Leave out tests, and begin with the groups that take longest in processes of pytest-xdist."""
+    quick, mode = config.getoption(OPTION), oracle.mode_of(config)
+    kept = [
+        item
+        for item in items
+        if not (quick and item.get_closest_marker("slow"))
+        and not ((quick or not HAS_TAICHI) and needs_taichi(item))
+        and oracle.is_selected(mode, getattr(item, "fixturenames", ()))
+    ]
+    if len(kept) < len(items):
+        chosen = set(kept)
+        config.hook.pytest_deselected(items=[item for item in items if item not in chosen])
+        items[:] = kept
     if hasattr(config, "workerinput"):
         items.sort(key=lambda item: rank_of(group_of(item.path), DEAREST))
 
 
-def is_of_taichi(item: pytest.Item) -> bool:
-    """Whether a test asks for Taichi, by its mark or by a parameter."""
+def needs_taichi(item: pytest.Item) -> bool:
+    """True if a test runs on Taichi, by its mark or by a parameter."""
     parameters = getattr(item, "callspec", None)
     words = [value for value in parameters.params.values() if isinstance(value, str)] if parameters else []
     return item.get_closest_marker("taichi") is not None or "taichi" in words or "cpu-taichi" in words

@@ -22,7 +22,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from . import choice
+from . import choice, oracle
 from .cpu_seconds import CpuSeconds
 from .emulated_cuda import plugin as emulated_cuda
 
@@ -35,7 +35,7 @@ asked_for_device = False
 
 def pytest_addoption(parser: pytest.Parser, pluginmanager: pytest.PytestPluginManager) -> None:
     emulated_cuda.add_options(parser)
-    for plugin in (choice, CpuSeconds()):
+    for plugin in (choice, oracle, CpuSeconds()):
         pluginmanager.register(plugin)
     emulated_cuda.install_if_asked_for(pluginmanager.get_plugin("pytestconfig"))  # before the next conftest starts Warp
 
@@ -53,7 +53,7 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
     global asked_for_device
     if "device" in metafunc.fixturenames:
         asked_for_device = True
-        places = [*choice.places_of(metafunc.config, metafunc.definition), *(["cuda:0"] if has_cuda() else [])]
+        places = [*choice.places_of(metafunc.definition), *(["cuda:0"] if has_cuda() else [])]
         metafunc.parametrize("device", places, indirect=True)
 
 
@@ -82,8 +82,8 @@ def pytest_testnodedown(node: Any) -> None:
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
     if asked_for_device and not has_cuda():
         terminalreporter.write_line("SKIPPED CUDA: no device here, its tests did not run")
-    if not choice.HAS_TAICHI:
-        terminalreporter.write_line("SKIPPED Taichi: not installed, its tests did not run")
+    if not (choice.HAS_TAICHI and oracle.HAS_OPEN3D) and not terminalreporter.config.getoption(choice.OPTION):
+        terminalreporter.write_line("SKIPPED Taichi or Open3D: not installed, tests that need them did not run")
 
 
 @pytest.fixture
@@ -194,9 +194,8 @@ def tolerances():
 
 
 @pytest.fixture(scope="session")
-def to_open3d():
+def to_open3d(o3d):
     """A function that makes a legacy Open3D cloud of arrays."""
-    import open3d as o3d
 
     def convert(points, normals=None, colors=None):
         cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(np.array(points, np.float64)))

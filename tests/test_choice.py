@@ -1,10 +1,9 @@
-"""What `make test` leaves out is what is marked slow and Taichi's share of the rest, and nothing else."""
+"""`make test` leaves out slow tests, tests that need Open3D itself and runs on Taichi, and nothing else."""
 
 from __future__ import annotations
 
 import itertools
 import re
-import shlex
 import subprocess
 import sys
 from collections import Counter
@@ -50,25 +49,36 @@ def test_of_taichi():
 @pytest.mark.parametrize("compiler", ["warp", "taichi"])
 def test_of_a_compiler(compiler):
     pass
+
+def test_of_open3d(o3d):
+    pass
 """
 PLAIN = 'addopts = "-p no:dash -p no:hypothesispytest -p no:benchmark"\n'  # a start in half the time
 CONFTEST = """
-from tests import choice
+import pytest
+from tests import choice, oracle
 
-choice.HAS_TAICHI = {has_taichi}
-pytest_addoption = choice.pytest_addoption
+choice.HAS_TAICHI, oracle.HAS_OPEN3D = {installed}, {installed}
 pytest_collection_modifyitems = choice.pytest_collection_modifyitems
+
+def pytest_addoption(parser):
+    choice.pytest_addoption(parser)
+    oracle.pytest_addoption(parser)
 
 def pytest_generate_tests(metafunc):
     if "device" in metafunc.fixturenames:
-        metafunc.parametrize("device", choice.places_of(metafunc.config, metafunc.definition))
+        metafunc.parametrize("device", choice.places_of(metafunc.definition))
+
+@pytest.fixture
+def o3d():
+    pass
 """
-QUICK_ONES = [
+QUICK_TESTS = [
     "test_a_claim", "test_a_claim_of_which_one_case_is_slow[1]", "test_of_a_compiler[warp]",
     "test_of_a_device[cpu-warp]", "test_of_the_compilers[cpu-warp]",
 ]  # fmt: skip
-OF_TAICHI = ["test_of_a_compiler[taichi]", "test_of_taichi", "test_of_the_compilers[cpu-taichi]"]
-OTHERS = ["test_a_claim_of_which_one_case_is_slow[9]", "test_a_slow_claim"]
+SLOW_TESTS = ["test_a_claim_of_which_one_case_is_slow[9]", "test_a_slow_claim"]
+NEED_MORE = ["test_of_a_compiler[taichi]", "test_of_open3d", "test_of_taichi", "test_of_the_compilers[cpu-taichi]"]
 
 # Public names of which tests/test_compilers.py has no line, and why not.
 NOT_COMPARED = {
@@ -111,41 +121,33 @@ NOT_COMPARED = {
 }
 
 
-def run_suite(folder, *options, has_taichi=True):
-    """The tests that ran, in order of name."""
-    (folder / "test_suite.py").write_text(SUITE)
-    (folder / "conftest.py").write_text(CONFTEST.format(has_taichi=has_taichi))
-    markers = ["slow", "both_compilers", "taichi"]
-    (folder / "pyproject.toml").write_text(
-        f'[tool.pytest.ini_options]\npythonpath = ["{ROOT}"]\nmarkers = {markers}\n' + PLAIN
-    )
-    command = [sys.executable, "-m", "pytest", "-n", "0", "-vv", *options]
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=120)
-    assert done.returncode == 0, done.stdout
-    return sorted(re.findall(r"::(\S+) PASSED", done.stdout))
+@pytest.fixture
+def run_suite(tmp_path):
+    """A function that gives the tests that ran, in order of name."""
+
+    def run(*options, installed=True):
+        (tmp_path / "test_suite.py").write_text(SUITE)
+        (tmp_path / "conftest.py").write_text(CONFTEST.format(installed=installed))
+        markers = ["slow", "both_compilers", "taichi"]
+        (tmp_path / "pyproject.toml").write_text(
+            f'[tool.pytest.ini_options]\npythonpath = ["{ROOT}"]\nmarkers = {markers}\n' + PLAIN
+        )
+        command = [sys.executable, "-m", "pytest", "-n", "0", "-vv", *options]
+        done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=120)
+        assert done.returncode == 0, done.stdout
+        return sorted(re.findall(r"::(\S+) PASSED", done.stdout))
+
+    return run
 
 
-def test_make_test_leaves_out_what_is_slow_and_taichi_s_runs(tmp_path):
-    assert run_suite(tmp_path, *QUICK) == sorted([*QUICK_ONES, *OF_TAICHI])
-
-
-def test_without_taichi_what_asks_for_it_is_left_out(tmp_path):
-    assert run_suite(tmp_path, *QUICK, has_taichi=False) == QUICK_ONES
+def test_make_test_leaves_out_slow_tests_open3d_and_taichi(run_suite):
+    assert run_suite(*QUICK) == QUICK_TESTS
 
 
 @pytest.mark.slow
-def test_all_tests_are_those_and_what_was_left_out(tmp_path):
-    everything = [*QUICK_ONES, *OTHERS]
-    assert run_suite(tmp_path) == sorted([*everything, *OF_TAICHI, "test_of_a_device[cpu-taichi]"])
-    assert run_suite(tmp_path, has_taichi=False) == sorted(everything)
-
-
-def test_make_and_the_mutants_choose_alike_and_ci_runs_all():
-    makefile = (ROOT / "Makefile").read_text()
-    assert shlex.split(re.search(r"^QUICK := (.*)$", makefile, flags=re.MULTILINE)[1]) == list(QUICK)
-    commands = dict(re.findall(r"^([a-z-]+): \$\(TEST\) ##.*\n\t@(.*)$", makefile, flags=re.MULTILINE))
-    assert commands["test"] == "$(PYTEST) $(QUICK) $(ARGS)" and commands["test-all"] == "$(PYTEST) $(ARGS)"
-    assert (ROOT / ".ci" / "run").read_text().rstrip().endswith("\nrun test-all")
+def test_all_tests_are_those_and_the_others(run_suite):
+    assert run_suite() == sorted([*QUICK_TESTS, *SLOW_TESTS, *NEED_MORE])
+    assert run_suite(installed=False) == sorted([*QUICK_TESTS, *SLOW_TESTS])
 
 
 @pytest.mark.parametrize(

@@ -34,7 +34,7 @@ LEAST_NOTICED = 0.95
 TIME_LIMIT = 600  # [s] of the tests of one mutant; an endless loop is noticed
 PASSED, FAILED, BROKEN = 0, 1, 2  # pytest's exit codes; 2 where a test file cannot even be imported
 NONE_LEFT = 5  # pytest's exit code where a choice of tests leaves out all that are named
-QUICK = ("-m", "not slow", "--compilers", "warp")  # the choice of `make test`, as in the Makefile
+QUICK = ("--quick",)  # the choice of `make test`, as in the Makefile
 
 
 class ListError(Exception):

@@ -8,6 +8,13 @@ from .run import main
 
 SOURCE = "def clamp(x, low, high):\n    return min(max(x, low), high)\n"
 TEST = "from pcd.clamp import clamp\n\n\ndef test_low():\n    assert clamp(-1, 0, 5) == {}\n"
+CONFTEST = """
+def pytest_addoption(parser):
+    parser.addoption("--quick", action="store_true")
+
+def pytest_collection_modifyitems(config, items):
+    items[:] = [item for item in items if not (config.getoption("--quick") and item.get_closest_marker("slow"))]
+"""
 NOTICED = {
     "name": "no lower limit", "file": "pcd/clamp.py", "old": "max(x, low)", "new": "x",
     "tests": ["tests/test_clamp.py"],
@@ -25,8 +32,7 @@ def tree(tmp_path):
     plain = "-p no:dash -p no:hypothesispytest -p no:benchmark"  # which take seconds to start
     settings = f'[tool.pytest.ini_options]\npythonpath = ["."]\naddopts = "{plain}"\n'
     (tmp_path / "pyproject.toml").write_text(settings)
-    option = 'def pytest_addoption(parser):\n    parser.addoption("--compilers")\n'
-    (tmp_path / "tests" / "conftest.py").write_text(option)
+    (tmp_path / "tests" / "conftest.py").write_text(CONFTEST)
     return tmp_path
 
 
