@@ -21,6 +21,7 @@ PIP := $(BIN)/python -m pip --no-input --disable-pip-version-check
 VENV := .venv/.stamp-venv
 RUNTIME := .venv/.stamp-runtime
 TEST := .venv/.stamp-test
+FULL := .venv/.stamp-full
 EMULATION := .venv/.stamp-emulation
 BROWSER := .venv/.stamp-browser
 BENCH := .venv/.stamp-bench
@@ -41,13 +42,13 @@ CHECK_NEEDS := { $(PIP) check --quiet || $(PIP) check; }
 help: ## Print the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-24s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
-setup: $(TEST) ## Make .venv with all that tests, lint and types need
+setup: $(FULL) ## Make .venv with everything that tests, lint, types and the site need
 setup-runtime: $(RUNTIME) ## Make .venv with what pointloom itself needs
 
 test: $(TEST) ## Run the tests that take a moment each, most of them on one CPU compiler (some minutes)
 	@$(PYTEST) $(QUICK) $(ARGS)
 
-test-all: $(TEST) ## Run all tests on all compilers, as CI does (some twenty minutes)
+test-all: $(FULL) ## Run all tests on all compilers, as CI does (some twenty minutes)
 	@$(PYTEST) $(ARGS)
 
 # Folders whose tests use the device; ARGS may name others.
@@ -62,25 +63,25 @@ test-cuda-emulated-quick: $(EMULATION) ## ... the set that CI runs, threads inte
 	@$(BIN)/python tests/emulated_cuda/compile_kernels.py
 	@EMULATED_CUDA_ORDER=$${EMULATED_CUDA_ORDER:-3} $(PYTEST) --emulated-cuda-quick $(ON_DEVICE) $(ARGS)
 
-oracle: $(TEST) ## Compute Open3D's stored answers again (tests/oracle_answers)
+oracle: $(FULL) ## Compute Open3D's stored answers again (tests/oracle_answers)
 	@$(BIN)/python -m pytest -n 0 -q --oracle write $(ARGS)
 
 # In one process: a second Chromium would only take the cores that the first draws with.
 test-browser: $(BROWSER) ## Run the viewer's tests in Chromium
 	@$(BIN)/python -m pytest -n 0 $(if $(filter tests%,$(ARGS)),,tests/browser) $(ARGS)
 
-mutants: $(TEST) ## Small changes of behaviour, one at a time: do the tests notice? (half an hour, not in CI)
+mutants: $(FULL) ## Small changes of behaviour, one at a time: do the tests notice? (half an hour, not in CI)
 	@$(BIN)/python tests/mutants/run.py $(ARGS)
 
-lint: $(TEST) ## Check style and format
+lint: $(FULL) ## Check style and format
 	@$(BIN)/ruff check .
 	@$(BIN)/ruff format --check .
 
-format: $(TEST) ## Mend style and format
+format: $(FULL) ## Mend style and format
 	@$(BIN)/ruff check --fix .
 	@$(BIN)/ruff format .
 
-types: $(TEST) ## Check the types
+types: $(FULL) ## Check the types
 	@$(BIN)/python scripts/check_types.py
 
 check-cuda: $(RUNTIME) ## Compile every kernel for sm_75, sm_90 and sm_120 (needs no GPU)
@@ -95,14 +96,14 @@ CALLS ?= 4
 GPU_PYTHON ?= 3.12
 GPU_ARCHITECTURE ?= 90
 
-gpu-kit: $(TEST) ## Pack what a GPU machine without network needs, N MiB a call (no GPU; an hour of two cores, once)
+gpu-kit: $(FULL) ## Pack what a GPU machine without network needs, N MiB a call (no GPU; an hour of two cores, once)
 	@$(BIN)/python benchmarks/gpu_kit/pack.py --call-mib $(CALL_MIB) --calls $(CALLS) --python $(GPU_PYTHON) \
 		--architecture $(GPU_ARCHITECTURE) $(ARGS)
 
 gpu-run: $(BENCH) ## On a GPU: facts, all tests, benchmarks, profile; goes on where it ended (ARGS=--dry without a GPU)
 	@$(BIN)/python benchmarks/gpu_kit $(ARGS)
 
-trust: $(TEST) ## How often verdicts are wrong: answers believed, answers refused (half an hour, not in CI)
+trust: $(FULL) ## How often verdicts are wrong: answers believed, answers refused (half an hour, not in CI)
 	@$(BIN)/python benchmarks/trust/run.py $(ARGS)
 
 bench: $(BENCH) ## Run the benchmarks beside the best peers
@@ -110,7 +111,7 @@ bench: $(BENCH) ## Run the benchmarks beside the best peers
 
 # One thread a kernel: scripts of the gallery run side by side, and again only when their text changes.
 # POINTLOOM_GALLERY=False make docs    runs none of them
-docs: $(TEST) ## Build the site in build/docs/html: warnings are errors, links are checked (ten minutes; again, less)
+docs: $(FULL) ## Build the site in build/docs/html: warnings are errors, links are checked (ten minutes; again, less)
 	@POINTLOOM_CPU_THREADS=1 $(BIN)/python -m sphinx -q -W --keep-going -j auto -b html -d build/docs/doctrees docs build/docs/html
 	@$(BIN)/python docs/machinery/check_links.py build/docs/html
 
@@ -136,22 +137,27 @@ $(RUNTIME): constraints/runtime.txt pyproject.toml $(VENV)
 	@$(call INSTALL_PINS,runtime) && $(INSTALL_CHECKOUT) && $(CHECK_NEEDS)
 	@touch $@
 
-# What is tested holds what runs, so one stamp stands for both.
+# The packages of `make test` include those of the runtime, so one stamp serves both.
 $(TEST): constraints/runtime.txt constraints/test.txt pyproject.toml scripts/install_system_libraries.sh $(VENV)
 	@scripts/install_system_libraries.sh test $(BIN)/python
-	@echo "Installing what pointloom, its tests, lint and types need into .venv"
+	@echo "Installing what pointloom and make test need into .venv"
 	@$(call INSTALL_PINS,test) && $(INSTALL_CHECKOUT) && $(CHECK_NEEDS)
 	@touch $(RUNTIME) $@
 
-$(EMULATION): scripts/install_system_libraries.sh $(TEST)
+$(FULL): constraints/full.txt $(TEST)
+	@echo "Installing Open3D, Taichi and what lint, types and the site need into .venv"
+	@$(call INSTALL_PINS,full) && $(CHECK_NEEDS)
+	@touch $@
+
+$(EMULATION): scripts/install_system_libraries.sh $(FULL)
 	@scripts/install_system_libraries.sh emulation $(BIN)/python
 	@touch $@
 
-$(BROWSER): scripts/install_system_libraries.sh $(TEST)
+$(BROWSER): scripts/install_system_libraries.sh $(FULL)
 	@scripts/install_system_libraries.sh browser $(BIN)/python
 	@touch $@
 
-$(BENCH): constraints/bench.txt $(TEST)
+$(BENCH): constraints/bench.txt $(FULL)
 	@echo "Installing what the benchmarks need into .venv"
 	@$(call INSTALL_PINS,bench) && $(CHECK_NEEDS)
 	@touch $@

@@ -8,8 +8,8 @@ uv resolves pyproject.toml for Linux x86-64 and every supported Python at once (
 takes the package index from its own settings). Versions that the files hold already stay as they are unless an
 upgrade is asked for. Only hashes of wheels that these machines can install are kept, and no address of an index.
 
-The files build on each other: runtime.txt (with the build backend, for the editable install), test.txt (tests, lint,
-types, the site), bench.txt (the peers that the benchmarks compare with). The Makefile installs them as they stand,
+The files build on each other: runtime.txt (with the build backend, for the editable install), test.txt (`make test`),
+full.txt (Open3D, Taichi, lint, types, the site), bench.txt (the libraries that the benchmarks compare with). The Makefile installs them as they stand,
 without pip's resolver, and then has `pip check` look for what they lack.
 """
 
@@ -35,16 +35,17 @@ PYTHONS = ((3, 11), (3, 12), (3, 13), (3, 14))
 GLIBC_MINOR = 35  # glibc 2.35 is Ubuntu 22.04's; Debian 12 has 2.36
 
 # file -> the dependency groups that it adds to the file before it
-LAYERS = {"runtime": (), "test": ("test", "lint", "docs"), "bench": ("bench",)}
+LAYERS = {"runtime": (), "test": ("test",), "full": ("oracle", "lint", "docs"), "bench": ("bench",)}
 TITLES = {
     "runtime": "What pointloom runs on, and the build backend that installs it from a checkout.",
-    "test": "Tests, lint, types and the site.",
+    "test": "The tests of `make test`.",
+    "full": "Open3D and Taichi for `make test-all`, lint, types and the site.",
     "bench": "The libraries that the benchmarks compare with.",
 }
 
 
 def main() -> int:
-    """Resolve the three layers and write them; returns the exit status."""
+    """Resolve the layers and write them; returns the exit status."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--upgrade", action="store_true", help="take the newest version of every package")
     parser.add_argument("--upgrade-package", action="append", default=[], metavar="NAME", help="... of this one")

@@ -198,7 +198,8 @@ def constraints(layer: str) -> dict[str, tuple[str, list[str]]]:
     return pins
 
 
-LAYERS = {"runtime": [], "test": ["test", "lint"], "bench": ["test", "lint", "bench"]}
+FULL = ["test", "oracle", "lint", "docs"]
+LAYERS = {"runtime": [], "test": ["test"], "full": FULL, "bench": [*FULL, "bench"]}
 
 
 def wanted(layer: str) -> list[Requirement]:
