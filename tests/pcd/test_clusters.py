@@ -1,4 +1,4 @@
-"""Clusters: labels equal to Open3D's on real scans and to brute force anywhere, for every eps and every threshold."""
+"""Clusters: labels equal to Open3D's and to brute force, for every eps and every threshold."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def float32_exact(points):
 
 
 @pytest.fixture(scope="module")
-def oracle(to_open3d):
+def labels_of(to_open3d):
     """Open3D's labels of points, computed once for all devices."""
     known = {}
 
@@ -74,46 +74,54 @@ def oracle(to_open3d):
 
 
 @pytest.mark.parametrize(("eps", "min_points"), [(0.02, 10), (0.01, 5), (0.006, 4), (0.05, 200)])
-def test_labels_of_the_fragment_are_open3ds(device, eps, min_points, fragment, oracle):
+def test_labels_of_the_fragment_are_open3ds(device, eps, min_points, fragment, labels_of):
     points = fragment.points if (eps, min_points) == (0.02, 10) else fragment.points[::2]
     found = loom.PointCloud(points, device=device).cluster_dbscan(eps, min_points)
-    expected = oracle(f"fragment {len(points)}", points, eps, min_points)
+    expected = labels_of(f"fragment {len(points)}", points, eps, min_points)
     assert found.dtype == np.int32 and expected.max() >= 0
     np.testing.assert_array_equal(found, expected)
 
 
 @pytest.mark.parametrize(("eps", "min_points"), [(0.05, 2), (0.3, 5), (0.5, 10), (1.0, 40), (3.0, 100), (20.0, 600)])
-def test_labels_of_a_lidar_scan_are_open3ds(device, eps, min_points, lidar, oracle):
+def test_labels_of_a_lidar_scan_are_open3ds(device, eps, min_points, lidar, labels_of):
     points = lidar[:: 1 if eps < 3 else 5, :3].astype(np.float64)  # Open3D's lists take a minute at 20 m
     found = loom.PointCloud(points, device=device).cluster_dbscan(eps, min_points)
-    expected = oracle(f"lidar {len(points)}", points, eps, min_points)
+    expected = labels_of(f"lidar {len(points)}", points, eps, min_points)
     assert (expected < 0).any() and expected.max() >= 0
     np.testing.assert_array_equal(found, expected)
 
 
 @pytest.mark.parametrize(("eps", "min_points"), [(1.2, 3), (2.0, 6), (2.5, 10)])
-def test_labels_at_utm_coordinates_are_open3ds_at_the_origin(device, eps, min_points, data, oracle):
+def test_labels_at_utm_coordinates_are_open3ds_at_the_origin(device, eps, min_points, data, labels_of):
     """The tile's coordinates are multiples of half a metre, so distances of exactly eps abound."""
     cloud = loom.read_point_cloud(data / "lidar-pcl-terrain" / "samp21-utm.pcd")
     assert np.abs(cloud.points).max() > 5e6
-    expected = oracle("terrain", cloud.points - cloud.origin, eps, min_points)
+    expected = labels_of("terrain", cloud.points - cloud.origin, eps, min_points)
     assert (expected < 0).any() and expected.max() > 10
     np.testing.assert_array_equal(cloud.to(device).cluster_dbscan(eps, min_points), expected)
 
 
-@pytest.mark.parametrize("shape", ["uniform", "surface", "density", "blobs", "duplicates"])
-@pytest.mark.parametrize(("eps", "min_points"), [(0.05, 4), (0.12, 20), (0.4, 100), (0.4, 1)])
-def test_labels_of_made_clouds_are_open3ds(device, shape, eps, min_points, rng, to_open3d):
-    shapes = {
-        "uniform": lambda: rng.random((3003, 3)),
-        "surface": lambda: sphere(rng, 3003),
-        "density": lambda: sphere(rng, 2001) * np.exp(rng.uniform(0, np.log(1000), (2001, 1))) / 100,
-        "blobs": lambda: np.repeat(rng.random((41, 3)), 75, axis=0) + rng.normal(size=(3075, 3)) * 0.015,
-        "duplicates": lambda: rng.permutation(np.repeat(rng.random((600, 3)), 5, axis=0)),
-    }
-    points = float32_exact(shapes[shape]())
-    found = loom.PointCloud(points, device=device).cluster_dbscan(eps, min_points)
-    np.testing.assert_array_equal(found, np.asarray(to_open3d(points).cluster_dbscan(eps, min_points)))
+MADE = {
+    "uniform": lambda rng: rng.random((3003, 3)),
+    "surface": lambda rng: sphere(rng, 3003),
+    "density": lambda rng: sphere(rng, 2001) * np.exp(rng.uniform(0, np.log(1000), (2001, 1))) / 100,
+    "blobs": lambda rng: np.repeat(rng.random((41, 3)), 75, axis=0) + rng.normal(size=(3075, 3)) * 0.015,
+    "duplicates": lambda rng: rng.permutation(np.repeat(rng.random((600, 3)), 5, axis=0)),
+}
+LIMITS = [(0.05, 4), (0.12, 20), (0.4, 100), (0.4, 1)]
+
+
+def open3d_labels(o3d, points):
+    cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(points))
+    return [np.asarray(cloud.cluster_dbscan(*limits)).astype(np.int16) for limits in LIMITS]
+
+
+@pytest.mark.parametrize("shape", MADE)
+def test_labels_of_made_clouds_are_open3ds(device, shape, rng, oracle):
+    points = float32_exact(MADE[shape](rng))
+    cloud = loom.PointCloud(points, device=device)
+    for limits, expected in zip(LIMITS, oracle(f"pcd/clusters/{shape}", open3d_labels, points), strict=True):
+        np.testing.assert_array_equal(cloud.cluster_dbscan(*limits), expected)
 
 
 # ------------------------------------------------------------------------------------------------ brute force
@@ -124,7 +132,7 @@ coordinates = st.one_of(
 clouds = st.lists(st.tuples(coordinates, coordinates, coordinates), max_size=50)
 
 
-@settings(derandomize=True, deadline=None, max_examples=150)
+@settings(derandomize=True, deadline=None, max_examples=40)
 @given(
     points=clouds.map(lambda p: np.array(p, float).reshape(-1, 3)),
     copies=st.integers(1, 4),
@@ -146,8 +154,9 @@ def test_any_small_cloud_has_the_labels_of_the_definition(device):
     check_any_cloud(device)
 
 
-@pytest.mark.parametrize("eps", [0.07, 0.2, 0.5, 0.9])
-@pytest.mark.parametrize("min_points", [1, 2, 30, 700, 1203, 1204])
+@pytest.mark.parametrize(
+    ("eps", "min_points"), [(0.07, 1), (0.07, 2), (0.2, 30), (0.5, 2), (0.5, 700), (0.9, 30), (0.9, 1203), (0.9, 1204)]
+)
 def test_labels_are_those_of_the_definition_for_every_reach_and_threshold(device, eps, min_points, rng):
     points = float32_exact(np.concatenate([rng.random((700, 3)), rng.random((503, 3)) * 0.2 + [1.3, 0, 0]]))
     found = loom.PointCloud(points, device=device).cluster_dbscan(eps, min_points)
@@ -192,21 +201,19 @@ def test_coplanar_and_collinear_points_are_clustered(device, shape, rng):
         np.testing.assert_array_equal(found, brute_dbscan(points, eps, min_points))
 
 
-@pytest.mark.parametrize("eps", [1e-300, 1e-9, 1.0, 1e30, 1e200])
-@pytest.mark.parametrize(("min_points", "label"), [(1, 0), (100_000, 0), (100_001, -1)])
-def test_a_hundred_thousand_equal_points_are_one_cluster_or_noise(device, eps, min_points, label):
-    labels = loom.PointCloud(np.full((100_000, 3), 0.3), device=device).cluster_dbscan(eps, min_points)
-    assert (labels == label).all()
+def test_a_hundred_thousand_equal_points_are_one_cluster_or_noise(device):
+    cloud = loom.PointCloud(np.full((100_000, 3), 0.3), device=device)
+    for eps, min_points, label in ((1e-300, 1, 0), (1.0, 100_000, 0), (1e200, 100_000, 0), (1e-9, 100_001, -1)):
+        assert (cloud.cluster_dbscan(eps, min_points) == label).all()
 
 
 @pytest.mark.filterwarnings("ignore::pointloom.UnitWarning")  # which such a length is right to cause
-@pytest.mark.parametrize("eps", [2.0, 0.6, 1e3, 1e200])
+@pytest.mark.parametrize("eps", [0.6, 1e200])
 def test_an_eps_of_the_size_of_the_cloud_takes_no_time(device, eps, rng):
-    """60,000 points, each within reach of ten thousands: lists of neighbours would fill gigabytes."""
-    cloud = loom.PointCloud(rng.random((60_000, 3)), device=device)
-    for min_points in (10, 5000):
-        assert (cloud.cluster_dbscan(eps, min_points) == 0).all()
-    assert (cloud.cluster_dbscan(eps, 60_001) == -1).all()
+    """30,000 points, each within reach of thousands: lists of neighbours would fill gigabytes."""
+    cloud = loom.PointCloud(rng.random((30_000, 3)), device=device)
+    assert (cloud.cluster_dbscan(eps, 2500) == 0).all()
+    assert (cloud.cluster_dbscan(eps, 30_001) == -1).all()
 
 
 def test_blobs_at_places_of_many_duplicates_do_not_join(device, rng):
@@ -252,9 +259,9 @@ def test_points_that_are_not_finite_are_noise_and_disturb_nobody(device, rng):
 
 
 @pytest.mark.parametrize("tolerance", [0.1, 0.4, 1.0])
-def test_euclidean_clusters_of_a_lidar_scan_are_its_components_by_size(device, tolerance, lidar, oracle):
+def test_euclidean_clusters_of_a_lidar_scan_are_its_components_by_size(device, tolerance, lidar, labels_of):
     points = lidar[:, :3].astype(np.float64)
-    components = oracle(f"lidar {len(points)}", points, tolerance, 1)
+    components = labels_of(f"lidar {len(points)}", points, tolerance, 1)
     cloud = loom.PointCloud(points, device=device)
     for sizes in ((1, None), (10, None), (2, 200), (5, 5), (1, 1), (10**6, None)):
         expected = by_size(components, sizes[0], sizes[1] or 10**9)
@@ -269,54 +276,6 @@ def test_euclidean_clusters_are_numbered_by_size_then_by_first_point(device):
     assert cloud.cluster_euclidean(0.15, 1, 2).tolist() == [2, 0, 1, 1, 0, -1, -1, -1]
     assert cloud.cluster_euclidean(0.15, min_cluster_size=2**40).tolist() == [-1] * 8
     assert cloud.cluster_euclidean(0.15, max_cluster_size=2**40).tolist() == [3, 1, 2, 2, 1, 0, 0, 0]
-
-
-# ------------------------------------------------------------------------------------------------ the call
-
-
-def test_labels_are_the_callers_own_and_the_cloud_stays_as_it_was(device, rng, capsys):
-    points = rng.random((300, 3)) + np.array([5e5, 5.4e6, 100])
-    cloud = loom.PointCloud(points, intensity=np.arange(300), device=device)
-    before = cloud.points
-    labels = cloud.cluster_dbscan(0.2, 3)
-    assert capsys.readouterr() == ("", "")
-    assert labels.flags.writeable and labels.flags.owndata
-    cloud["label"] = labels
-    assert list(cloud.attributes) == ["intensity", "label"]
-    np.testing.assert_array_equal(cloud.points, before)
-    largest = cloud.select_by_mask(labels == 0)
-    assert len(largest) == (labels == 0).sum() and (largest["label"] == 0).all()
-
-
-@pytest.mark.parametrize(
-    ("call", "error", "message"),
-    [
-        (lambda c: c.cluster_dbscan(0, 1), ValueError, "eps: expected a finite number > 0, got 0"),
-        (lambda c: c.cluster_dbscan(-1.0, 1), ValueError, "eps: expected a finite number > 0"),
-        (lambda c: c.cluster_dbscan(np.nan, 1), ValueError, "eps: expected a finite number > 0"),
-        (lambda c: c.cluster_dbscan(np.inf, 1), ValueError, "eps: expected a finite number > 0"),
-        (lambda c: c.cluster_dbscan("x", 1), TypeError, "eps: expected a number"),
-        (lambda c: c.cluster_dbscan(1.0, 0), ValueError, "min_points: expected a whole number >= 1, got 0"),
-        (lambda c: c.cluster_dbscan(1.0, 2.5), TypeError, "min_points: expected a whole number"),
-        (lambda c: c.cluster_euclidean(0), ValueError, "tolerance: expected a finite number > 0"),
-        (lambda c: c.cluster_euclidean(1, 0), ValueError, "min_cluster_size: expected a whole number >= 1"),
-        (lambda c: c.cluster_euclidean(1, 1, 0), ValueError, "max_cluster_size: expected a whole number >= 1"),
-        (
-            lambda c: c.cluster_euclidean(1, 5, 4),
-            ValueError,
-            "max_cluster_size: expected at least min_cluster_size = 5",
-        ),
-        (lambda c: c.cluster_euclidean(1, 1.0), TypeError, "min_cluster_size: expected a whole number"),
-    ],
-)
-def test_wrong_arguments_are_named(call, error, message):
-    with pytest.raises(error, match=message):
-        call(loom.PointCloud(np.zeros((3, 3))))
-
-
-def test_thresholds_beyond_32_bits_are_taken(device):
-    cloud = loom.PointCloud(np.zeros((3, 3)), device=device)
-    assert cloud.cluster_dbscan(1.0, 2**40).tolist() == [-1] * 3
 
 
 def test_memory_is_linear_and_small(device, rng, monkeypatch):
@@ -356,19 +315,12 @@ print([(int(r.max()), hashlib.sha256(r.tobytes()).hexdigest()[:16]) for r in res
 
 @pytest.mark.slow
 @pytest.mark.slow_on_emulated_cuda("its processes run on the CPU alone")
-@pytest.mark.parametrize("compiler", ["warp", "taichi"])
-def test_any_number_of_threads_gives_the_same_bits(compiler):
+def test_any_number_of_threads_gives_the_same_bits():
     digests = []
     for threads in ("1", "3"):
-        environment = os.environ | {"POINTLOOM_CPU": compiler, "POINTLOOM_CPU_THREADS": threads}
+        environment = os.environ | {"POINTLOOM_CPU": "warp", "POINTLOOM_CPU_THREADS": threads}
         environment["PYTHONPATH"] = os.pathsep.join(p for p in sys.path if p)
         run = subprocess.run([sys.executable, "-c", DIGEST], capture_output=True, text=True, env=environment)
         assert run.returncode == 0, run.stderr
         digests.append(run.stdout)
     assert digests[0] == digests[1] and digests[0].count("'") == 12
-
-
-def test_two_runs_give_the_same_bits(device, rng):
-    cloud = loom.PointCloud(rng.random((20_000, 3)) * [1, 1, 0.02], device=device)
-    for call in (lambda: cloud.cluster_dbscan(0.012, 4), lambda: cloud.cluster_euclidean(0.008, 2)):
-        np.testing.assert_array_equal(call(), call())

@@ -100,16 +100,21 @@ def test_images_of_a_data_set_are_open3ds(device, layout, to_intensity, frames, 
     np.testing.assert_allclose(found.colors[keep], np.asarray(theirs.colors), rtol=tolerances.intensity_relative)
 
 
-@pytest.mark.parametrize("layout", ["sun", "nyu"])
-def test_every_raw_depth_is_decoded_as_by_open3d(device, layout, tolerances):
-    """But for Open3D's 7 m themselves, which it drops."""
-    import open3d as o3d
+def decoded(o3d, layout, raw):
+    """Metres of every word."""
+    color = o3d.geometry.Image(np.zeros((256, 256, 3), np.uint8))
+    image = getattr(o3d.geometry.RGBDImage, f"create_from_{layout}_format")(color, o3d.geometry.Image(raw))
+    return np.asarray(image.depth)
 
+
+@pytest.mark.parametrize("layout", ["sun", "nyu"])
+def test_every_raw_depth_is_decoded_as_by_open3d(device, layout, oracle, tolerances):
+    """But for Open3D's 7 m themselves, which it drops."""
     raw = np.arange(65536, dtype=np.uint16).reshape(256, 256)
-    color = np.zeros((256, 256, 3), np.uint8)
-    oracle = getattr(o3d.geometry.RGBDImage, f"create_from_{layout}_format")(open3d_image(color), open3d_image(raw))
-    found = getattr(loom.RGBDImage, f"from_{layout}_format")(color, raw, device=device).depth
-    expected = np.asarray(oracle.depth).copy()
+    found = getattr(loom.RGBDImage, f"from_{layout}_format")(
+        np.zeros((256, 256, 3), np.uint8), raw, device=device
+    ).depth
+    expected = np.array(oracle(f"pcd/depth_clouds/{layout}", decoded, layout, raw))
     expected[found == 7] = 7
     np.testing.assert_allclose(found, expected, rtol=tolerances.float32_relative)
     assert (found == 7).sum() <= 1 and len(np.unique(found)) > 500
@@ -142,21 +147,6 @@ def test_grey_images_stay_grey_as_brightness(device):
     )
     np.testing.assert_array_equal(cloud.colors, np.repeat(image.color[::3, ::3].reshape(-1, 1), 3, axis=1))
     assert cloud.grid == (6, 6)
-
-
-@pytest.mark.parametrize("layout", ["sun", "nyu"])
-@pytest.mark.parametrize(
-    ("depth", "error", "message"),
-    [
-        (np.ones((2, 3)), TypeError, "depth: expected the file's integers, got float64"),
-        (np.full((2, 3), 70000), ValueError, "depth: integer depths must lie in 0..65535"),
-        (np.zeros((2, 3, 1), np.uint16), ValueError, r"depth: expected shape \[h, w\], got \[2, 3, 1\]"),
-        (np.zeros((3, 3), np.uint16), ValueError, "color: 3 x 2 pixels, but the depth image has 3 x 3"),
-    ],
-)
-def test_raw_depth_of_another_kind_is_refused(layout, depth, error, message):
-    with pytest.raises(error, match=message):
-        getattr(loom.RGBDImage, f"from_{layout}_format")(np.zeros((2, 3, 3), np.uint8), depth)
 
 
 # ------------------------------------------------------------------------------------------ normals
@@ -200,22 +190,26 @@ def test_normals_turn_with_the_camera(device, frames, camera):
     np.testing.assert_array_equal(turned.colors, near.colors)
 
 
-def test_blurred_normals_are_open3ds_with_normals(device, camera, tolerances):
-    """Open3D blurs the depth first; ours leaves that to a filter. No holes: there Open3D's blur spreads NaN."""
-    import open3d as o3d
-
-    v, u = np.mgrid[:48, :64]
-    depth = (1.5 + 0.2 * np.sin(u / 9) + 0.1 * np.cos(v / 7)).astype(np.float32)
-    K = np.array([[60.0, 0, 31.5], [0, 60.0, 23.5], [0, 0, 1]])
-    theirs = o3d.t.geometry.PointCloud.create_from_depth_image(
-        tensor_image(depth), o3d.core.Tensor(K), depth_scale=1.0, depth_max=3.0, with_normals=True
+def blurred_cloud(o3d, depth, K):
+    """Points and normals by Open3D, which blurs the depth first. No holes: there its blur spreads NaN."""
+    image = o3d.t.geometry.Image(o3d.core.Tensor(depth[..., None]))
+    cloud = o3d.t.geometry.PointCloud.create_from_depth_image(
+        image, o3d.core.Tensor(K), depth_scale=1.0, depth_max=3.0, with_normals=True
     )
+    return cloud.point.positions.numpy(), cloud.point.normals.numpy()
+
+
+def test_blurred_normals_are_open3ds_with_normals(device, oracle, tolerances):
+    v, u = np.mgrid[:24, :32]
+    depth = (1.5 + 0.2 * np.sin(u / 9) + 0.1 * np.cos(v / 7)).astype(np.float32)
+    K = np.array([[60.0, 0, 15.5], [0, 60.0, 11.5], [0, 0, 1]])
+    points, normals = oracle("pcd/depth_clouds/blurred", blurred_cloud, depth, K)
     smooth = loom.filter_depth_bilateral(depth, 5, 10.0, 10.0, device=device)
-    intrinsic = loom.PinholeCameraIntrinsic.from_matrix(K, 64, 48)
+    intrinsic = loom.PinholeCameraIntrinsic.from_matrix(K, 32, 24)
     ours = loom.PointCloud.from_depth_image(smooth, intrinsic, with_normals=True, device=device)
-    assert len(ours) == len(theirs.point.positions) == 47 * 63
-    np.testing.assert_allclose(ours.points, theirs.point.positions.numpy(), atol=2e-6)
-    np.testing.assert_allclose(ours.normals, theirs.point.normals.numpy(), atol=tolerances.normal_map)
+    assert len(ours) == len(points) == 23 * 31
+    np.testing.assert_allclose(ours.points, points, atol=2e-6)
+    np.testing.assert_allclose(ours.normals, normals, atol=tolerances.normal_map)
 
 
 def test_images_of_one_row_or_column_have_no_normals(device):
@@ -290,7 +284,7 @@ def test_an_rgbd_image_comes_back_from_its_cloud(device, frames, camera):
     np.testing.assert_array_equal(again.colors, cloud.colors)
 
 
-@settings(derandomize=True, deadline=None, max_examples=50)  # the first example compiles
+@settings(derandomize=True, deadline=None, max_examples=25)  # the first example compiles
 @given(seed=st.integers(0, 2**32 - 1), count=st.integers(0, 60), size=st.tuples(st.integers(1, 9), st.integers(1, 7)))
 def test_the_nearest_point_of_each_pixel_wins_ties_to_the_first(seed, count, size):
     """Against a loop; coordinates of a coarse lattice, so that points tie, lie on borders, behind and at the camera."""
@@ -342,27 +336,3 @@ def test_two_runs_of_a_projection_give_the_same_bits(device, fragment, camera):
     np.testing.assert_array_equal(first.depth, second.depth)
     np.testing.assert_array_equal(first.color, second.color)
     assert (first.depth > 0).mean() > 0.05
-
-
-@pytest.mark.parametrize(
-    ("changes", "error", "message"),
-    [
-        ({"width": 4}, ValueError, "intrinsic: made for 3 x 2 pixels, but the image has 4 x 2"),
-        ({"height": 0}, ValueError, "height: expected a whole number >= 1"),
-        ({"width": 2.5}, TypeError, "width: expected a whole number"),
-        ({"intrinsic": np.eye(3)}, TypeError, "intrinsic: expected a PinholeCameraIntrinsic, got ndarray"),
-        ({"extrinsic": np.diag([2.0, 2, 2, 1])}, ValueError, "extrinsic: expected a rigid motion"),
-        ({"depth_scale": 0}, ValueError, "depth_scale: expected a finite number > 0"),
-        ({"depth_max": np.nan}, ValueError, "depth_max: expected a number > 0, got nan"),
-    ],
-)
-def test_wrong_arguments_of_a_projection_are_named(changes, error, message):
-    arguments = {"width": 3, "height": 2, "intrinsic": loom.PinholeCameraIntrinsic(3, 2, 1, 1, 0, 0)} | changes
-    with pytest.raises(error, match=message):
-        loom.PointCloud([[0, 0, 1.0]]).project_to_depth_image(**arguments)
-
-
-def test_an_rgbd_image_wants_colours():
-    intrinsic = loom.PinholeCameraIntrinsic(3, 2, 1, 1, 0, 0)
-    with pytest.raises(ValueError, match=r"the cloud has no colors: assign cloud\.colors"):
-        loom.PointCloud([[0, 0, 1.0]]).project_to_rgbd_image(3, 2, intrinsic)

@@ -9,7 +9,6 @@ import sys
 import weakref
 
 import numpy as np
-import open3d as o3d
 import pytest
 import warp as wp
 from hypothesis import given, settings
@@ -70,19 +69,17 @@ def assert_equal(left, right):
 # ------------------------------------------------------------------------------------------------ DLPack
 
 
-@pytest.mark.parametrize("wrap", [lambda values: values, Shared, lambda values: o3d.core.Tensor(values)])
+@pytest.mark.parametrize("wrap", [lambda values: values, Shared])
 def test_arrays_of_another_library_are_shared(rng, wrap):
     points = rng.random((100, 3)).astype(np.float32)
-    tensor = wrap(points)
-    memory = tensor.numpy() if isinstance(tensor, o3d.core.Tensor) else points
     shared = loom.PointCloud.from_dlpack(
-        tensor, normals=points.copy(), label=np.arange(100), feature=np.zeros((100, 2))
+        wrap(points), normals=points.copy(), label=np.arange(100), feature=np.zeros((100, 2))
     )
     out = np.from_dlpack(shared.array("points"))
     assert out.shape == (100, 3)
-    assert np.shares_memory(out, memory)
+    assert np.shares_memory(out, points)
     np.testing.assert_array_equal(shared.points, points.astype(np.float64))
-    memory[7] = 1, 2, 3
+    points[7] = 1, 2, 3
     assert shared.points[7].tolist() == [1, 2, 3]
     assert shared.attributes["feature"].shape == (100, 2)
     assert shared["label"].dtype == np.int64
@@ -134,7 +131,7 @@ def test_what_pointloom_holds_is_shared_with_numpy_and_warp(cloud):
     np.testing.assert_array_equal(again.points, cloud.points)
 
 
-@settings(max_examples=60, derandomize=True, deadline=None, database=None)
+@settings(max_examples=25, derandomize=True, deadline=None, database=None)
 @given(
     values=st_numpy.arrays(
         st.sampled_from([np.dtype(code) for code in ("f4", "f8", "i1", "u2", "i4", "u8", "?")]),
@@ -219,7 +216,7 @@ def test_a_legacy_cloud_comes_and_goes(fragment, device):
         np.testing.assert_array_equal(np.asarray(getattr(back, name)), cloud[name].astype(np.float64))
 
 
-def test_a_legacy_cloud_far_from_zero_keeps_its_place(rng, device, to_open3d, tolerances):
+def test_a_legacy_cloud_far_from_zero_keeps_its_place(rng, device, o3d, to_open3d, tolerances):
     points = rng.random((200, 3)) * 100 + np.array([5e5, 5.4e6, 100])
     legacy = to_open3d(points)
     legacy.estimate_covariances(o3d.geometry.KDTreeSearchParamKNN(10))
@@ -236,7 +233,7 @@ def test_a_legacy_cloud_far_from_zero_keeps_its_place(rng, device, to_open3d, to
 
 
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])
-def test_a_tensor_cloud_comes_and_goes_with_all_it_holds(rng, device, dtype):
+def test_a_tensor_cloud_comes_and_goes_with_all_it_holds(rng, device, dtype, o3d):
     tensor = o3d.t.geometry.PointCloud()
     held = {
         "positions": rng.random((30, 3)).astype(dtype),
@@ -260,13 +257,13 @@ def test_a_tensor_cloud_comes_and_goes_with_all_it_holds(rng, device, dtype):
     assert loom.PointCloud(np.zeros((3, 3)), a=np.arange(3)).to_open3d_tensor().point["a"].shape == (3, 1)
 
 
-def test_16_bit_colors_of_a_tensor_cloud_are_parts_of_65535():
+def test_16_bit_colors_of_a_tensor_cloud_are_parts_of_65535(o3d):
     tensor = o3d.t.geometry.PointCloud(o3d.core.Tensor(np.zeros((1, 3), np.float32)))
     tensor.point.colors = o3d.core.Tensor(np.array([[0, 257, 65535]], np.uint16))
     np.testing.assert_allclose(loom.PointCloud.from_open3d(tensor).colors, [[0, 1 / 255, 1]], rtol=1e-6)
 
 
-def test_clouds_without_points_come_and_go(device):
+def test_clouds_without_points_come_and_go(device, o3d):
     for empty in (o3d.geometry.PointCloud(), o3d.t.geometry.PointCloud()):
         cloud = loom.PointCloud.from_open3d(empty, device=device)
         assert len(cloud) == 0
@@ -275,7 +272,7 @@ def test_clouds_without_points_come_and_go(device):
 
 
 def test_what_is_no_open3d_cloud_is_refused(monkeypatch):
-    for wrong in (np.zeros((3, 3)), o3d.geometry.TriangleMesh(), None):
+    for wrong in (np.zeros((3, 3)), loom.TriangleMesh(), None):
         with pytest.raises(TypeError, match="cloud: expected an open3d"):
             loom.PointCloud.from_open3d(wrong)
     with pytest.raises(TypeError, match="half: Open3D has no float16"):
@@ -289,7 +286,7 @@ def test_what_is_no_open3d_cloud_is_refused(monkeypatch):
 # ------------------------------------------------------------------------------------------------ pickle
 
 
-@pytest.mark.parametrize("protocol", range(2, pickle.HIGHEST_PROTOCOL + 1))
+@pytest.mark.parametrize("protocol", [2, pickle.HIGHEST_PROTOCOL])
 def test_a_cloud_survives_a_pickle(cloud, protocol):
     found = pickle.loads(pickle.dumps(cloud, protocol))
     assert_equal(found, cloud)
