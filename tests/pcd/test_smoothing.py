@@ -9,8 +9,6 @@ from hypothesis import strategies as st
 
 import pointloom as loom
 
-# ------------------------------------------------------------------------------------------ brute force
-
 
 def brute_neighbors(points, row, k, radius):
     """Rows of the k nearest by distance, ties as they come, strictly within the radius."""
@@ -54,7 +52,7 @@ def brute_averages(points, factors, k, fixed):
     return points
 
 
-@settings(derandomize=True, deadline=None, max_examples=30)  # the first example compiles
+@settings(derandomize=True, deadline=None, max_examples=12)
 @given(seed=st.integers(0, 2**32 - 1), count=st.integers(2, 60), k=st.integers(1, 12), missing=st.integers(0, 5))
 def test_small_clouds_are_smoothed_as_by_brute_force(seed, count, k, missing):
     rng = np.random.default_rng(seed)
@@ -86,7 +84,7 @@ def test_small_clouds_are_smoothed_as_by_brute_force(seed, count, k, missing):
         assert (error > 1e-5).mean() <= 0.05, "1e-5: planes through near-isotropic neighbours amplify rounding"
 
 
-@settings(derandomize=True, deadline=None, max_examples=30)  # the first example compiles
+@settings(derandomize=True, deadline=None, max_examples=12)
 @given(seed=st.integers(0, 2**32 - 1), count=st.integers(1, 80), side=st.integers(1, 4))
 def test_points_of_a_lattice_with_duplicates_stay_inside_its_box(seed, count, side):
     """Ties and equal points everywhere: which neighbours are taken is open, the hull of the result is not."""
@@ -100,9 +98,6 @@ def test_points_of_a_lattice_with_duplicates_stay_inside_its_box(seed, count, si
         found = smooth.points
         assert np.isfinite(found).all()
         assert found.min() >= -1e-6 and found.max() <= side - 1 + 1e-6
-
-
-# ------------------------------------------------------------------------------------------ what it is for
 
 
 def wave(rng, count=4000, noise=0.01):
@@ -163,8 +158,6 @@ def test_taubin_keeps_a_sphere_that_laplacian_shrinks(device, rng):
         assert radius[0] < 0.993 < 0.997 < radius[1] < 1.003
 
 
-# ------------------------------------------------------------------------------------------ the rest of the contract
-
 OPERATIONS = {
     "mls": lambda cloud: cloud.smooth_mls(radius=0.2, max_nn=20),
     "mls radius": lambda cloud: cloud.smooth_mls(radius=0.2, max_nn=None),
@@ -214,28 +207,15 @@ def test_attributes_travel_and_the_cloud_itself_stays(device, operation, rng):
 
 
 @pytest.mark.parametrize("operation", OPERATIONS.values(), ids=OPERATIONS)
-@pytest.mark.parametrize("count", [0, 1, 2, 3])
-def test_clouds_of_a_few_points_are_smoothed(device, operation, count):
-    points = np.array([[0, 0, 0], [0.1, 0, 0], [0, 0.1, 0.0]])[:count]
-    found = operation(loom.PointCloud(points, device=device)).points
-    assert found.shape == (count, 3) and np.isfinite(found).all()
-    if count < 2:
-        np.testing.assert_array_equal(found, points)
-    assert np.abs(found).max(initial=0) <= 0.1 + 1e-7
-
-
-@pytest.mark.parametrize("operation", OPERATIONS.values(), ids=OPERATIONS)
-@pytest.mark.parametrize("fill", [0.3, np.nan])
-def test_equal_points_and_none_that_is_finite_stay(device, operation, fill):
-    points = np.full((70, 3), fill, np.float32)
-    np.testing.assert_array_equal(operation(loom.PointCloud(points, device=device)).points, points)
-
-
-@pytest.mark.parametrize("operation", OPERATIONS.values(), ids=OPERATIONS)
-def test_two_runs_give_the_same_bits(device, operation, rng):
-    cloud = loom.PointCloud(wave(rng, 2000)[0], device=device)
-    first, second = (operation(cloud).array("points").numpy() for _ in range(2))
-    np.testing.assert_array_equal(first.view(np.int32), second.view(np.int32))
+def test_a_few_points_equal_ones_and_none_that_is_finite_are_smoothed(device, operation):
+    points = np.array([[0, 0, 0], [0.1, 0, 0], [0, 0.1, 0.0]])
+    for count in (0, 1, 2, 3):
+        found = operation(loom.PointCloud(points[:count], device=device)).points
+        assert found.shape == (count, 3) and np.isfinite(found).all()
+        assert np.abs(found).max(initial=0) <= (0.1 + 1e-7 if count > 1 else 0)
+    for fill in (0.3, np.nan):
+        same = np.full((70, 3), fill, np.float32)
+        np.testing.assert_array_equal(operation(loom.PointCloud(same, device=device)).points, same)
 
 
 def test_points_of_a_plane_and_of_a_line_stay_on_it(device, rng):
@@ -298,25 +278,3 @@ def test_no_pass_and_no_factor_change_nothing(device, rng):
         cloud.smooth_laplacian(2, 0.0), cloud.smooth_laplacian(2, 0.0, use_fixed_neighborhoods=True),
     ):  # fmt: skip
         np.testing.assert_array_equal(found.points, cloud.points)
-
-
-@pytest.mark.parametrize(
-    ("name", "arguments", "error", "message"),
-    [
-        ("smooth_mls", {"radius": None, "max_nn": None}, ValueError, "radius, max_nn: give at least one"),
-        ("smooth_mls", {"radius": 0.0}, ValueError, "radius: expected a finite number > 0"),
-        ("smooth_mls", {"max_nn": 0}, ValueError, "max_nn: expected a whole number >= 1"),
-        ("smooth_mls", {"max_nn": 2.5}, TypeError, "max_nn: expected a whole number"),
-        ("smooth_bilateral", {"radius": np.nan}, ValueError, "radius: expected a finite number > 0"),
-        ("smooth_bilateral", {"sigma_s": 0}, ValueError, "sigma_s: expected a finite number > 0"),
-        ("smooth_bilateral", {"sigma_r": -1}, ValueError, "sigma_r: expected a finite number > 0"),
-        ("smooth_laplacian", {"iterations": -1}, ValueError, "iterations: expected a whole number >= 0"),
-        ("smooth_laplacian", {"lambda_": np.nan}, ValueError, "lambda_: expected a finite number"),
-        ("smooth_laplacian", {"lambda_": "x"}, TypeError, "lambda_: expected a number"),
-        ("smooth_taubin", {"mu": np.inf}, ValueError, "mu: expected a finite number"),
-        ("smooth_taubin", {"knn": 0}, ValueError, "knn: expected a whole number >= 1"),
-    ],
-)
-def test_wrong_arguments_are_named(name, arguments, error, message):
-    with pytest.raises(error, match=message):
-        getattr(loom.PointCloud(np.zeros((3, 3))), name)(**arguments)
