@@ -13,12 +13,8 @@ from pointloom.files.points.ply import read_ply, read_ply_mesh, write_ply
 from pointloom.files.table import PointTable
 
 REAL_FILES = {
-    "mvs-openmvs-sample": 2,
-    "reg-cilantro": 2,
-    "reg-small-gicp": 2,
-    "reg-teaser-3dmatch": 2,
-    "reg-bunny-scans": 12,
-}
+    "mvs-openmvs-sample": 2, "reg-cilantro": 2, "reg-small-gicp": 2, "reg-teaser-3dmatch": 2, "reg-bunny-scans": 12,
+}  # fmt: skip
 BYTE_ORDERS = {"binary_little_endian": "<", "binary_big_endian": ">"}
 PLY_TYPES = {
     "char": "i1", "uchar": "u1", "short": "i2", "ushort": "u2", "int": "i4", "uint": "u4", "float": "f4",
