@@ -126,6 +126,7 @@ def rng() -> np.random.Generator:
     return np.random.default_rng(0)
 
 
+@pytest.hookimpl(tryfirst=True)  # before -m selects
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Mark the tests that read real data: those with the fixture `real_file`, but not on the `shipped` scans."""
     for item in items:
@@ -149,6 +150,8 @@ def pytest_runtest_setup(item: pytest.Item) -> None:
 def real_file() -> Callable[[str], Path]:
     """A function: the path of a file or folder of the real data. The test is skipped if it does not exist."""
     folder = os.environ.get("POINTLOOM_DATA", "")
+    if folder and not Path(folder).is_dir():
+        pytest.fail(f"POINTLOOM_DATA: expected a folder, got {folder}")
 
     def find(name: str) -> Path:
         assert is_of_real_data, f"{name}: the test is not marked real_data; name the fixture in its signature"

@@ -39,7 +39,7 @@ def make_pair(source, target, T, voxel, max_nn, distance):
 
 @pytest.fixture(scope="module")
 def street(street_pair):
-    """KITTI at 0.25 m, planes of 10 neighbours: a street has edges that 20 reach over."""
+    """The street at 0.25 m, planes of 10 neighbors: a street has edges that 20 reach over."""
     return make_pair(street_pair.source, street_pair.target, street_pair.T, 0.25, 10, 1.0)
 
 
