@@ -140,7 +140,7 @@ def test_a_solution_beyond_the_fold_is_no_ray(model):
     pixels = np.stack(np.meshgrid(np.linspace(-2000, 3000, 60), np.linspace(-2000, 3000, 60)), -1).reshape(-1, 2)
     rays = camera.unproject(pixels)
     known = np.isfinite(rays[:, 0])
-    assert 0 < known.sum() < 12
+    assert 0 < known.sum() < 16
     assert np.abs(camera.project(rays[known]) - pixels[known]).max() < 1e-9
     assert np.hypot(*rays[known, :2].T).max() < 1.2  # r - 0.3 r^3 + 0.02 r^5 turns at 1.12
 

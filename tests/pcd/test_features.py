@@ -9,13 +9,14 @@ from hypothesis import strategies as st
 
 import pointloom as loom
 
+from ..scan_cases import on_sets
 from .open3d_clouds import features_of
 
 
 @pytest.fixture(scope="module")
-def terrain(data):
+def terrain(shipped_file):
     """Airborne points in UTM metres."""
-    return loom.read_point_cloud(data / "lidar-pcl-terrain" / "samp41-utm.pcd").points
+    return loom.read_point_cloud(shipped_file("lidar-pcl-terrain/samp41-utm.pcd")).points
 
 
 @pytest.fixture(scope="module")
@@ -73,7 +74,7 @@ def doubtful_points(cloud, radius, max_nn, tolerances):
     return set(np.flatnonzero(uncertain)).union(*rows)
 
 
-@pytest.mark.parametrize(("scene", "search"), CASES, ids=lambda v: v if isinstance(v, str) else str(list(v.values())))
+@on_sets("scene search", shipped=CASES, real=[case for case in CASES if case[0] != "terrain"])
 def test_fpfh_of_real_scans_is_open3ds(device, scene, search, scenes, oracles, tolerances):
     cloud = scenes[scene].to(device)
     found = loom.compute_fpfh_feature(cloud, **search)

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 import pointloom as loom
 
+from ..scan_cases import on_sets
 from .open3d_clouds import cloud_of
 
 
@@ -26,7 +27,7 @@ def open3d_without_duplicates(o3d, points):
     return np.asarray(cloud_of(o3d, points).remove_duplicated_points().points)
 
 
-@pytest.mark.parametrize("digits", [1, 2])
+@on_sets("digits", shipped=[1], real=[1, 2])
 def test_points_left_of_the_fragment_are_open3ds(device, digits, fragment, to_open3d):
     """Rounded to a lattice of 10 cm and of 1 cm, so that most are duplicates."""
     points = np.round(fragment.points, digits).astype(np.float32)
@@ -38,8 +39,8 @@ def test_points_left_of_the_fragment_are_open3ds(device, digits, fragment, to_op
     np.testing.assert_array_equal(found.points, points[found["row"]])
 
 
-def test_duplicates_at_utm_coordinates_are_removed(device, data, to_open3d):
-    cloud = loom.read_point_cloud(data / "lidar-pcl-terrain" / "samp21-utm.pcd").to(device)
+def test_duplicates_at_utm_coordinates_are_removed(device, shipped_file, to_open3d):
+    cloud = loom.read_point_cloud(shipped_file("lidar-pcl-terrain/samp21-utm.pcd")).to(device)
     twice = cloud + cloud.select_by_index(np.arange(len(cloud))[::-1])
     found, oracle = twice.remove_duplicated_points(), to_open3d(cloud.points).remove_duplicated_points()
     np.testing.assert_array_equal(found.points, np.asarray(oracle.points))

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from itertools import product
+
 import numpy as np
 import pytest
 
 import pointloom as loom
 
+from ..scan_cases import on_sets
 from .open3d_clouds import cloud_of, search_of
 
 SEARCHES = {
@@ -16,10 +19,14 @@ SEARCHES = {
 }
 
 
+CASES = list(product(("fragment", "lidar", "terrain"), SEARCHES))
+ON_SEARCHES = on_sets("scan search", shipped=[case for case in CASES if case != ("terrain", "count")], real=CASES)
+
+
 @pytest.fixture(scope="module")
-def scans(data, fragment, lidar, o3d):
+def scans(scan_file, fragment, lidar, o3d):
     """Points of an indoor fragment, a LiDAR scan and an airborne tile about its middle; normals; and spacings."""
-    tile = loom.read_point_cloud(data / "lidar-pcl-terrain" / "CSite1_red2-utm.pcd").points
+    tile = loom.read_point_cloud(scan_file("lidar-pcl-terrain/CSite1_red2-utm.pcd")).points
     found = {}
     for name, points, spacing in (
         ("fragment", fragment.points[::8], 1.0),
@@ -34,7 +41,7 @@ def scans(data, fragment, lidar, o3d):
 
 
 @pytest.fixture(scope="module")
-def once():
+def once(scan_set):
     """A function (key, make) that makes each thing once: what Open3D finds serves every device."""
     made = {}
 
@@ -89,8 +96,7 @@ def test_points_of_a_made_cloud_are_open3ds(device, oracle, tolerances):
         assert_points(moved.points, expected, SEED_CLOUD, tolerances)
 
 
-@pytest.mark.parametrize("search", SEARCHES)
-@pytest.mark.parametrize("scan", ["fragment", "lidar", "terrain"])
+@ON_SEARCHES
 def test_points_on_planes_are_open3ds(device, scan, search, scans, once, o3d, tolerances):
     points, _, spacing = scans[scan]
     limits = scaled(SEARCHES[search], spacing)
@@ -99,8 +105,7 @@ def test_points_on_planes_are_open3ds(device, scan, search, scans, once, o3d, to
     assert_points(found.points, expected, points, tolerances)
 
 
-@pytest.mark.parametrize("search", SEARCHES)
-@pytest.mark.parametrize("scan", ["fragment", "lidar", "terrain"])
+@ON_SEARCHES
 def test_bilateral_means_are_open3ds(device, scan, search, scans, once, o3d, tolerances):
     points, normals, spacing = scans[scan]
     limits, sigmas = scaled(SEARCHES[search], spacing), {"sigma_s": 0.05 * spacing, "sigma_r": 0.01 * spacing}
@@ -114,7 +119,7 @@ def test_bilateral_means_are_open3ds(device, scan, search, scans, once, o3d, tol
 
 
 @pytest.mark.parametrize("fixed", [False, True])
-@pytest.mark.parametrize("scan", ["fragment", "lidar", "terrain"])
+@on_sets("scan", shipped=("fragment", "lidar"), real=("fragment", "lidar", "terrain"))
 def test_laplacian_passes_are_open3ds(device, scan, fixed, scans, once, o3d, tolerances):
     points = scans[scan][0]
     cloud, oracle = loom.PointCloud(points, device=device), cloud_of(o3d, points)
