@@ -10,8 +10,6 @@ from pointloom.core.coordinates import ORIGIN_LIMIT
 
 from .full_clouds import EXTRAS, UTM, assert_same, contents, full_cloud, rigid
 
-# ------------------------------------------------------------------------------------------------ construction
-
 
 def test_a_cloud_gives_back_what_it_was_made_of(device, rng):
     points, normals, colors = rng.random((50, 3)), rng.normal(size=(50, 3)), rng.random((50, 3))
@@ -115,9 +113,6 @@ def test_the_device_array_is_shared_and_not_copied(device, rng):
         view[0] = [1, 2, 3]
         assert cloud.points[0].tolist() == [1, 2, 3]
         assert np.shares_memory(np.from_dlpack(cloud.array("time")), cloud.array("time").numpy())
-
-
-# ------------------------------------------------------------------------------------------------ far coordinates
 
 
 def test_the_origin_stays_at_zero_up_to_its_limit_and_moves_beyond(device):

@@ -17,6 +17,7 @@ import pointloom as loom
 from pointloom.kernels import lang
 
 from ..scan_cases import on_sets
+from .open3d_clouds import cloud_of
 
 
 def brute_dbscan(points, eps, min_points):
@@ -58,50 +59,37 @@ def float32_exact(points):
     return np.asarray(points, np.float32).astype(np.float64)
 
 
-# ------------------------------------------------------------------------------------------------ Open3D
-
-
-@pytest.fixture(scope="module")
-def labels_of(to_open3d):
-    """Open3D's labels of points, computed once for all devices."""
-    known = {}
-
-    def labels(name, points, eps, min_points):
-        if (name, eps, min_points) not in known:
-            found = to_open3d(points).cluster_dbscan(eps, min_points)
-            known[name, eps, min_points] = np.asarray(found)
-        return known[name, eps, min_points]
-
-    return labels
+def dbscan_of(o3d, points, eps, min_points):
+    return np.asarray(cloud_of(o3d, points).cluster_dbscan(eps, min_points))
 
 
 FRAGMENT_CASES = [(0.02, 10), (0.01, 5), (0.006, 4)]
 
 
 @on_sets("eps min_points", shipped=FRAGMENT_CASES, real=[*FRAGMENT_CASES, (0.05, 200)])
-def test_labels_of_the_fragment_are_open3ds(device, eps, min_points, fragment, labels_of):
+def test_labels_of_the_fragment_are_open3ds(device, eps, min_points, fragment, o3d):
     points = fragment.points if (eps, min_points) == (0.02, 10) else fragment.points[::2]
     found = loom.PointCloud(points, device=device).cluster_dbscan(eps, min_points)
-    expected = labels_of(f"fragment {len(points)}", points, eps, min_points)
+    expected = dbscan_of(o3d, points, eps, min_points)
     assert found.dtype == np.int32 and expected.max() >= 0
     np.testing.assert_array_equal(found, expected)
 
 
-@pytest.mark.parametrize(("eps", "min_points"), [(0.05, 2), (0.3, 5), (0.5, 10), (1.0, 40), (3.0, 100), (20.0, 600)])
-def test_labels_of_a_lidar_scan_are_open3ds(device, eps, min_points, lidar, labels_of):
+@pytest.mark.parametrize(("eps", "min_points"), [(0.05, 2), (0.5, 10), (3.0, 100), (20.0, 600)])
+def test_labels_of_a_lidar_scan_are_open3ds(device, eps, min_points, lidar, o3d):
     points = lidar[:: 1 if eps < 3 else 5, :3].astype(np.float64)  # Open3D's lists take a minute at 20 m
     found = loom.PointCloud(points, device=device).cluster_dbscan(eps, min_points)
-    expected = labels_of(f"lidar {len(points)}", points, eps, min_points)
+    expected = dbscan_of(o3d, points, eps, min_points)
     assert (expected < 0).any() and expected.max() >= 0
     np.testing.assert_array_equal(found, expected)
 
 
 @pytest.mark.parametrize(("eps", "min_points"), [(1.2, 3), (2.0, 6), (2.5, 10)])
-def test_labels_at_utm_coordinates_are_open3ds_at_the_origin(device, eps, min_points, shipped_file, labels_of):
+def test_labels_at_utm_coordinates_are_open3ds_at_the_origin(device, eps, min_points, shipped_file, o3d):
     """The tile's coordinates are multiples of half a metre, so distances of exactly eps abound."""
     cloud = loom.read_point_cloud(shipped_file("lidar-pcl-terrain/samp21-utm.pcd"))
     assert np.abs(cloud.points).max() > 5e6
-    expected = labels_of("terrain", cloud.points - cloud.origin, eps, min_points)
+    expected = dbscan_of(o3d, cloud.points - cloud.origin, eps, min_points)
     assert (expected < 0).any() and expected.max() > 10
     np.testing.assert_array_equal(cloud.to(device).cluster_dbscan(eps, min_points), expected)
 
@@ -117,8 +105,7 @@ LIMITS = [(0.05, 4), (0.12, 20), (0.4, 100), (0.4, 1)]
 
 
 def open3d_labels(o3d, points):
-    cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(points))
-    return [np.asarray(cloud.cluster_dbscan(*limits)).astype(np.int16) for limits in LIMITS]
+    return [dbscan_of(o3d, points, *limits).astype(np.int16) for limits in LIMITS]
 
 
 @pytest.mark.parametrize("shape", MADE)
@@ -128,8 +115,6 @@ def test_labels_of_made_clouds_are_open3ds(device, shape, rng, oracle):
     for limits, expected in zip(LIMITS, oracle(f"pcd/clusters/{shape}", open3d_labels, points), strict=True):
         np.testing.assert_array_equal(cloud.cluster_dbscan(*limits), expected)
 
-
-# ------------------------------------------------------------------------------------------------ brute force
 
 coordinates = st.one_of(
     st.integers(-3, 3).map(float), st.integers(-40, 40).map(lambda k: k / 4), st.sampled_from([np.nan, np.inf, -np.inf])
@@ -168,9 +153,6 @@ def test_labels_are_those_of_the_definition_for_every_reach_and_threshold(device
     np.testing.assert_array_equal(found, brute_dbscan(points, eps, min_points))
 
 
-# ------------------------------------------------------------------------------------------------ edges
-
-
 def test_a_point_at_exactly_eps_is_no_neighbour(device):
     cloud = loom.PointCloud([[0, 0, 0], [1, 0, 0], [2, 0, 0]], device=device)
     assert cloud.cluster_dbscan(1.0, 2).tolist() == [-1, -1, -1]
@@ -198,12 +180,12 @@ def test_clouds_of_a_few_points_have_labels(device, count):
     assert cloud.cluster_dbscan(1.0, 1).dtype == cloud.cluster_euclidean(1.0).dtype == np.int32
 
 
-@pytest.mark.parametrize("shape", ["plane", "line"])
-def test_coplanar_and_collinear_points_are_clustered(device, shape, rng):
-    points = rng.integers(0, 60, (600, 3)).astype(float) * ([1, 1, 0] if shape == "plane" else [1, 0, 0])
-    for eps, min_points in ((1.5, 3), (2.0, 4), (40.0, 100)):
-        found = loom.PointCloud(points, device=device).cluster_dbscan(eps, min_points)
-        np.testing.assert_array_equal(found, brute_dbscan(points, eps, min_points))
+@pytest.mark.parametrize("flat", [[1, 1, 0], [1, 0, 0]], ids=["plane", "line"])
+def test_coplanar_and_collinear_points_are_clustered(device, flat, rng):
+    points = rng.integers(0, 60, (600, 3)) * np.array(flat, float)
+    for limits in ((1.5, 3), (2.0, 4), (40.0, 100)):
+        found = loom.PointCloud(points, device=device).cluster_dbscan(*limits)
+        np.testing.assert_array_equal(found, brute_dbscan(points, *limits))
 
 
 def test_a_hundred_thousand_equal_points_are_one_cluster_or_noise(device):
@@ -260,13 +242,10 @@ def test_points_that_are_not_finite_are_noise_and_disturb_nobody(device, rng):
     assert nothing.cluster_dbscan(1.0, 1).tolist() == nothing.cluster_euclidean(1.0).tolist() == [-1] * 9
 
 
-# ------------------------------------------------------------------------------------------------ Euclidean
-
-
 @pytest.mark.parametrize("tolerance", [0.1, 0.4, 1.0])
-def test_euclidean_clusters_of_a_lidar_scan_are_its_components_by_size(device, tolerance, lidar, labels_of):
+def test_euclidean_clusters_of_a_lidar_scan_are_its_components_by_size(device, tolerance, lidar, o3d):
     points = lidar[:, :3].astype(np.float64)
-    components = labels_of(f"lidar {len(points)}", points, tolerance, 1)
+    components = dbscan_of(o3d, points, tolerance, 1)
     cloud = loom.PointCloud(points, device=device)
     for sizes in ((1, None), (10, None), (2, 200), (5, 5), (1, 1), (10**6, None)):
         expected = by_size(components, sizes[0], sizes[1] or 10**9)

@@ -12,22 +12,6 @@ import pointloom as loom
 TILES = np.array([[5e5, 5.4e6, 300], [500_600, 5_400_250, 280], [499_000, 5_401_000, 310]])
 
 
-def test_a_sum_is_open3ds(device, fragment, to_open3d):
-    parts = [
-        (a[:1000], a[50_000:50_003], a[90_000:110_000]) for a in (fragment.points, fragment.normals, fragment.colors)
-    ]
-    clouds = [
-        loom.PointCloud(points, normals=normals, colors=colors, device=device)
-        for points, normals, colors in zip(*parts, strict=True)
-    ]
-    oracle = to_open3d(fragment.points[:0])
-    for cloud in clouds:
-        oracle = oracle + to_open3d(cloud.points, cloud.normals, cloud.colors)
-    for found in (clouds[0] + clouds[1] + clouds[2], sum(clouds), loom.PointCloud.concatenate(clouds)):
-        for name in ("points", "normals", "colors"):
-            np.testing.assert_array_equal(found[name], np.asarray(getattr(oracle, name)))
-
-
 NONE, NORMALS, COLORS, BOTH = (), ("normals",), ("colors",), ("normals", "colors")
 SUMS = [
     (left, right, counts)
@@ -148,16 +132,6 @@ def test_attributes_of_two_types_or_widths_are_refused():
         a + b
     with pytest.raises(ValueError, match="label: expected as many columns"):
         b + c
-
-
-def test_clouds_on_two_devices_are_refused(rng, monkeypatch):
-    """A stand-in for a second device, so that the rule is held where there is no GPU."""
-    cloud, other = loom.PointCloud(rng.random((9, 3))), loom.PointCloud(rng.random((9, 3)))
-    monkeypatch.setattr(
-        loom.PointCloud, "device", property(lambda c: "cuda:7" if c is other else c.array("points").device)
-    )
-    with pytest.raises(loom.DeviceError, match=r"clouds: operands on cuda:7 and cpu"):
-        cloud + other
 
 
 def test_a_painted_cloud_has_one_colour_and_all_else_as_before(device, rng):

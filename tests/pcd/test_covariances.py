@@ -41,12 +41,9 @@ def assert_agree(found, expected, tolerances):
 
 
 @pytest.fixture(scope="module")
-def scans(fragment, lidar, shipped_file):
+def scans(fragment, lidar, terrain):
     """Points by name as float32 holds them, and a length [m] to scale the searches by; the tile about its middle."""
-    import open3d as o3d
-
-    tile = np.asarray(o3d.io.read_point_cloud(str(shipped_file("lidar-pcl-terrain/samp21-utm.pcd"))).points)
-    tile = (tile - np.round(tile.mean(axis=0))).astype(np.float32).astype(float)
+    tile = (terrain - np.round(terrain.mean(axis=0))).astype(np.float32).astype(float)
     return {
         "fragment": (fragment.points[::10], 1.0),
         "lidar": (lidar[:, :3].astype(float), 10.0),
@@ -142,25 +139,20 @@ def test_equal_and_collinear_points_have_their_plain_covariance(device):
     np.testing.assert_array_equal(found, np.tile(np.diag([0, 0, 6]), (3, 1, 1)))
 
 
-def test_covariances_travel_with_their_points(device, rng):
+def test_covariances_are_matrices_that_travel_with_their_points(device, rng):
+    bare = loom.PointCloud(np.zeros((2, 3)), device=device)
+    with pytest.raises(ValueError, match=r"no covariances: call estimate_covariances\(\)"):
+        _ = bare.covariances
+    with pytest.raises(ValueError, match=r"covariances: expected shape \[2, 3, 3\], got \[2, 9\]"):
+        bare.covariances = np.zeros((2, 9))
+    bare.covariances = np.arange(18.0).reshape(2, 3, 3)
+    assert bare.has_covariances and bare.covariances.dtype == np.float32
+    np.testing.assert_array_equal(bare.covariances, np.arange(18.0).reshape(2, 3, 3))
     cloud = loom.PointCloud(rng.random((100, 3)), device=device).estimate_covariances(max_nn=8)
     rows = [5, 3, 99]
     np.testing.assert_array_equal(cloud.select_by_index(rows).covariances, cloud.covariances[rows])
     assert cloud.attributes["covariances"].shape == (100, 9)
     np.testing.assert_array_equal(cloud.covariances, cloud.covariances.transpose(0, 2, 1))
-
-
-def test_covariances_are_assigned_as_matrices(device):
-    cloud = loom.PointCloud(np.zeros((2, 3)), device=device)
-    assert not cloud.has_covariances
-    with pytest.raises(ValueError, match=r"no covariances: call estimate_covariances\(\)"):
-        _ = cloud.covariances
-    matrices = np.arange(18.0).reshape(2, 3, 3)
-    cloud.covariances = matrices
-    assert cloud.has_covariances and cloud.covariances.dtype == np.float32
-    np.testing.assert_array_equal(cloud.covariances, matrices)
-    with pytest.raises(ValueError, match=r"covariances: expected shape \[2, 3, 3\], got \[2, 9\]"):
-        cloud.covariances = matrices.reshape(2, 9)
 
 
 def test_stored_covariances_do_not_change_the_normals_fitted(device, rng):

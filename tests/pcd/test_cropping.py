@@ -12,8 +12,6 @@ import pointloom as loom
 
 from .full_clouds import UTM, full_cloud
 
-# ------------------------------------------------------------------------------------------------ selection
-
 
 def test_indices_select_in_their_order_with_repeats_and_count_from_the_end(device, rng):
     cloud = full_cloud(rng, device)
@@ -86,8 +84,6 @@ def test_points_that_are_not_finite_are_removed_by_kind(device, rng):
         assert found["row"].tolist() == np.flatnonzero(~bad.any(axis=1)).tolist()
         np.testing.assert_array_equal(points[found["row"]], found.points)
 
-
-# ------------------------------------------------------------------------------------------------ any small cloud
 
 number = st.one_of(
     st.integers(-3, 3).map(float),

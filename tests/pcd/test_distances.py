@@ -16,42 +16,10 @@ from .open3d_clouds import cloud_of
 lattice = st.lists(st.tuples(*[st.integers(-3, 3)] * 3), min_size=0, max_size=40)
 
 
-def halves(points):
-    """Two clouds of one scan that hold different points."""
-    return points[::2], points[1::2]
-
-
 @pytest.fixture(scope="module")
 def scans(fragment, lidar, terrain):
     """Points of the indoor fragment, of a LiDAR frame, and of a terrain tile about its own middle."""
     return {"fragment": fragment.points[::4], "lidar": lidar[:, :3].astype(float), "terrain": terrain - terrain.mean(0)}
-
-
-@ON_SCANS
-def test_distances_to_another_cloud_are_open3ds(device, scan, scans, to_open3d, tolerances):
-    source, target = halves(scans[scan])
-    found = loom.PointCloud(source, device=device).compute_point_cloud_distance(loom.PointCloud(target, device=device))
-    expected = np.asarray(to_open3d(source).compute_point_cloud_distance(to_open3d(target)))
-    np.testing.assert_allclose(found, expected, rtol=tolerances.distance_relative, atol=tolerances.distance_absolute)
-
-
-@ON_SCANS
-def test_distances_to_the_nearest_neighbour_are_open3ds(device, scan, scans, to_open3d, tolerances):
-    found = loom.PointCloud(scans[scan], device=device).compute_nearest_neighbor_distance()
-    expected = np.asarray(to_open3d(scans[scan]).compute_nearest_neighbor_distance())
-    np.testing.assert_allclose(found, expected, rtol=tolerances.distance_relative, atol=tolerances.distance_absolute)
-
-
-@ON_SCANS
-def test_mean_covariance_and_mahalanobis_distances_are_open3ds(device, scan, scans, to_open3d, tolerances):
-    cloud, oracle = loom.PointCloud(scans[scan], device=device), to_open3d(scans[scan])
-    mean, covariance = cloud.compute_mean_and_covariance()
-    expected_mean, expected_covariance = oracle.compute_mean_and_covariance()
-    spread = np.sqrt(np.trace(expected_covariance))
-    np.testing.assert_allclose(mean, expected_mean, atol=tolerances.moment_relative * spread)
-    np.testing.assert_allclose(covariance, expected_covariance, atol=tolerances.moment_relative * spread**2)
-    expected = np.asarray(oracle.compute_mahalanobis_distance())
-    np.testing.assert_allclose(cloud.compute_mahalanobis_distance(), expected, rtol=tolerances.mahalanobis_relative)
 
 
 def open3d_distances(o3d, source, target):
@@ -69,11 +37,8 @@ def open3d_distances(o3d, source, target):
 FSCORE_RADII = [0.01, 0.03, 0.1]
 
 
-def test_distances_of_two_made_clouds_are_open3ds(device, rng, oracle, tolerances):
-    source, target = (rng.random((300, 3)).astype(np.float32).astype(float) for _ in range(2))
-    between, nearest, mahalanobis, mean, covariance, metrics = oracle(
-        "pcd/distances/uniform", open3d_distances, source, target
-    )
+def check_distances(device, source, target, expected, tolerances):
+    between, nearest, mahalanobis, mean, covariance, metrics = expected
     cloud, other = (loom.PointCloud(points, device=device) for points in (source, target))
     near = {"rtol": tolerances.distance_relative, "atol": tolerances.distance_absolute}
     np.testing.assert_allclose(cloud.compute_point_cloud_distance(other), between, **near)
@@ -86,6 +51,17 @@ def test_distances_of_two_made_clouds_are_open3ds(device, rng, oracle, tolerance
     np.testing.assert_allclose(found, mahalanobis, rtol=tolerances.mahalanobis_relative)
     found = loom.compute_metrics(cloud, other, fscore_radius=FSCORE_RADII)
     np.testing.assert_allclose([found.chamfer, found.hausdorff, *found.fscore], metrics, rtol=1e-5)
+
+
+def test_distances_of_two_made_clouds_are_open3ds(device, rng, oracle, tolerances):
+    clouds = [rng.random((300, 3)).astype(np.float32).astype(float) for _ in range(2)]
+    check_distances(device, *clouds, oracle("pcd/distances/uniform", open3d_distances, *clouds), tolerances)
+
+
+@ON_SCANS
+def test_distances_of_scans_are_open3ds(device, scan, scans, o3d, tolerances):
+    source, target = scans[scan][::2], scans[scan][1::2]
+    check_distances(device, source, target, open3d_distances(o3d, source, target), tolerances)
 
 
 def test_the_covariance_at_utm_coordinates_is_that_of_the_centred_cloud(device, terrain, tolerances):
@@ -140,29 +116,6 @@ def test_clouds_with_different_origins_are_compared_in_the_world(device):
     a = loom.PointCloud([[500000.25, 5400000, 10]], device=device)
     b = loom.PointCloud([[500003.25, 5400004, 10], [500900, 5400000, 10]], device=device, origin=[500500, 5400500, 0])
     np.testing.assert_allclose(a.compute_point_cloud_distance(b), [5], atol=1e-3)
-
-
-def test_metrics_are_those_of_open3ds_tensor_form(device, fragment):
-    import open3d as o3d
-
-    source, target = halves(fragment.points[::10])
-    target = target + np.array([0.01, 0, 0.02])
-    radii = [0.01, 0.03, 0.1]
-    metric = o3d.t.geometry.Metric
-    expected = (
-        o3d.t.geometry.PointCloud(source.astype(np.float32))
-        .compute_metrics(
-            o3d.t.geometry.PointCloud(target.astype(np.float32)),
-            [metric.ChamferDistance, metric.HausdorffDistance, metric.FScore],
-            o3d.t.geometry.MetricParameters(fscore_radius=radii),
-        )
-        .numpy()
-    )
-    found = loom.compute_metrics(
-        loom.PointCloud(source, device=device), loom.PointCloud(target, device=device), fscore_radius=radii
-    )
-    # Open3D sums 5,000 distances in float32
-    np.testing.assert_allclose([found.chamfer, found.hausdorff, *found.fscore], expected, rtol=1e-5)
 
 
 def test_metrics_of_a_cloud_with_itself_are_perfect_and_of_far_ones_zero(device, rng):

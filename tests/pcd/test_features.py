@@ -29,7 +29,6 @@ def scenes(fragment, lidar, terrain):
     slope = loom.PointCloud(terrain).estimate_normals(radius=8.0, max_nn=30).orient_normals_to_align_with_direction()
     return {
         "fragment 0.05": whole.voxel_down_sample(0.05).estimate_normals(radius=0.1, max_nn=30),
-        "fragment 0.025": whole.voxel_down_sample(0.025).estimate_normals(radius=0.05, max_nn=30),
         "lidar": loom.PointCloud(near).estimate_normals(radius=0.5, max_nn=30),
         "terrain": slope,
     }
@@ -39,7 +38,6 @@ CASES = [
     ("fragment 0.05", {"radius": 0.25, "max_nn": 100}),
     ("fragment 0.05", {"max_nn": 30}),
     ("fragment 0.05", {"radius": 0.2, "max_nn": None}),
-    ("fragment 0.025", {"radius": 0.25, "max_nn": 100}),
     ("lidar", {"radius": 1.0, "max_nn": 50}),
     ("terrain", {"radius": 12.0, "max_nn": 100}),
 ]
@@ -75,28 +73,13 @@ def doubtful_points(cloud, radius, max_nn, tolerances):
 
 
 @on_sets("scene search", shipped=CASES, real=[case for case in CASES if case[0] != "terrain"])
-def test_fpfh_of_real_scans_is_open3ds(device, scene, search, scenes, oracles, tolerances):
+def test_fpfh_of_real_scans_is_open3ds(device, scene, search, scenes, o3d, tolerances):
     cloud = scenes[scene].to(device)
     found = loom.compute_fpfh_feature(cloud, **search)
     limits = {"radius": None, "max_nn": 100} | search
     assert found.dtype == np.float32 and found.shape == (len(cloud), 33)
-    assert_same_features(scenes[scene], found, oracles(scene, **limits), **limits, tolerances=tolerances)
-
-
-@pytest.fixture(scope="module")
-def oracles(scenes, o3d):
-    """Open3D's features of a scene, computed once."""
-    known = {}
-
-    def compute(scene, radius, max_nn):
-        key = (scene, radius, max_nn)
-        if key not in known:
-            cloud = scenes[scene]
-            held = cloud.array("points").numpy()
-            known[key] = features_of(o3d, held, cloud.normals, radius, max_nn)
-        return known[key]
-
-    return compute
+    expected = features_of(o3d, cloud.array("points").numpy(), cloud.normals, **limits)
+    assert_same_features(scenes[scene], found, expected, **limits, tolerances=tolerances)
 
 
 def bumpy(rng, count=600):
@@ -165,9 +148,6 @@ def test_fpfh_of_a_small_scene_is_open3ds(device, scene, rng, oracle, tolerances
         np.testing.assert_array_equal(np.unique(found[rows]), [0, 100])
 
 
-# ------------------------------------------------------------------------------------------------ FPFH and its formula
-
-
 def pair_bins(p, n, q, m):
     """The bins of one pair, by the formula."""
     d = q - p
@@ -210,35 +190,27 @@ def plain_features(points, normals, radius, max_nn):
     return out
 
 
-@settings(max_examples=8, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
-@given(seed=st.integers(0, 2**32 - 1), count=st.integers(0, 30), radius=st.sampled_from([0.35, 0.8, 5.0]))
-def test_fpfh_is_its_formula(device, tolerances, seed, count, radius):
-    """Lattice points, duplicates, equal normals, points and normals that are not finite; all within the radius."""
+LIMITS = st.sampled_from(
+    [(0.35, None), (0.8, None), (5.0, None), (None, 1), (None, 7), (None, 35), (0.8, 5), (5.0, 12)]
+)
+
+
+@settings(max_examples=12, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(seed=st.integers(0, 2**32 - 1), count=st.integers(0, 30), limits=LIMITS)
+def test_fpfh_is_its_formula(device, tolerances, seed, count, limits):
+    """Duplicates, equal normals, points and normals that are not finite; lattice points where no count is limited."""
     rng = np.random.default_rng(seed)
-    points = np.where(rng.random((count, 1)) < 0.5, rng.random((count, 3)), rng.integers(0, 3, (count, 3)) / 4)
+    points = rng.random((count, 3))
+    if limits[1] is None:
+        points = np.where(rng.random((count, 1)) < 0.5, points, rng.integers(0, 3, (count, 3)) / 4)
     normals = rng.normal(size=(count, 3))
     normals[rng.random(count) < 0.2] = [0, 0, 1]
     normals = np.float32(normals / np.linalg.norm(normals, axis=1, keepdims=True)).astype(float)
     points[rng.random(count) < 0.1] = np.nan
     normals[rng.random(count) < 0.1, 1] = np.inf
     cloud = loom.PointCloud(points, normals=normals, device=device)
-    found = loom.compute_fpfh_feature(cloud, radius=radius, max_nn=None)
-    expected = plain_features(points, normals, radius, None)
-    np.testing.assert_allclose(found, expected, rtol=0, atol=tolerances.fpfh_block)
-
-
-@settings(max_examples=8, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
-@given(seed=st.integers(0, 2**32 - 1), count=st.integers(1, 30), max_nn=st.integers(1, 35), near=st.booleans())
-def test_fpfh_of_the_nearest_is_its_formula(device, tolerances, seed, count, max_nn, near):
-    rng = np.random.default_rng(seed)
-    points, normals = rng.normal(size=(2, count, 3))
-    normals = np.float32(normals / np.linalg.norm(normals, axis=1, keepdims=True)).astype(float)
-    points[rng.random(count) < 0.1] = np.nan
-    radius = 1.5 if near else None
-    cloud = loom.PointCloud(points, normals=normals, device=device)
-    found = loom.compute_fpfh_feature(cloud, radius=radius, max_nn=max_nn)
-    expected = plain_features(points, normals, radius, max_nn)
-    np.testing.assert_allclose(found, expected, rtol=0, atol=tolerances.fpfh_block)
+    found = loom.compute_fpfh_feature(cloud, radius=limits[0], max_nn=limits[1])
+    np.testing.assert_allclose(found, plain_features(points, normals, *limits), rtol=0, atol=tolerances.fpfh_block)
 
 
 @pytest.mark.parametrize("search", [{"radius": 0.2}, {"max_nn": 9}, {"radius": 0.2, "max_nn": None}], ids=str)

@@ -16,9 +16,7 @@ TURN = np.array([[0.8, 0.0, 0.6], [0.36, 0.8, -0.48], [-0.48, 0.6, 0.64]])
 @pytest.fixture(scope="module")
 def terrain(scan_file):
     """Airborne points about their middle; the file holds them at 5e5, 5.4e6, where Open3D is inexact."""
-    import open3d as o3d
-
-    points = np.asarray(o3d.io.read_point_cloud(str(scan_file("lidar-pcl-terrain/samp12-utm.pcd"))).points)
+    points = loom.read_point_cloud(scan_file("lidar-pcl-terrain/samp12-utm.pcd")).points
     assert points.max() > 5e6
     return points - points.mean(axis=0).round()
 
@@ -66,24 +64,20 @@ def test_the_hull_of_a_scan_is_open3ds(device, scan, fragment, lidar, terrain, t
     assert_encloses(hull, points[:: max(1, len(points) // 2000)], tolerances.hull_outside * np.ptp(points))
 
 
-@pytest.mark.parametrize("shape", ["ball", "solid", "slab", "needle", "corner", "bowl", "lattice"])
+@pytest.mark.parametrize("shape", ["ball", "needle", "corner", "lattice"])
 def test_the_points_that_kernels_rule_out_are_no_vertices(device, shape, rng):
     """Above the count from which the filter works, against Qhull of all points."""
     from scipy.spatial import ConvexHull as Qhull
 
-    points = rng.normal(size=(12_001, 3))
+    points = rng.normal(size=(6_001, 3))
     if shape == "ball":
         points /= np.linalg.norm(points, axis=1, keepdims=True)
-    elif shape == "slab":
-        points = rng.random((12_001, 3)) * [100, 100, 0.01]
     elif shape == "needle":
         points *= [100, 0.1, 1e-4]
     elif shape == "corner":  # the middle of its box lies outside
-        points = rng.dirichlet([1, 1, 1, 1], 12_001)[:, :3]
-    elif shape == "bowl":
-        points[:, 2] = points[:, 0] ** 2 + points[:, 1] ** 2
+        points = rng.dirichlet([1, 1, 1, 1], 6_001)[:, :3]
     elif shape == "lattice":
-        points = rng.integers(0, 12, (12_001, 3)).astype(float)
+        points = rng.integers(0, 12, (6_001, 3)).astype(float)
     points = points.astype(np.float32).astype(float)
     hull, indices = loom.PointCloud(points, device=device, origin=np.zeros(3)).compute_convex_hull()
     assert rows_of(points[indices]) == rows_of(points[Qhull(points).vertices])
@@ -187,12 +181,6 @@ def test_points_that_are_not_finite_do_not_count(device, rng):
         other, same = loom.PointCloud(spoiled[rows], device=device).compute_convex_hull()
         np.testing.assert_array_equal(indices, same)
         assert hull.volume == other.volume
-
-
-def test_joggled_input_gives_nearly_the_same_hull(device, rng):
-    cloud = loom.PointCloud(np.concatenate([CUBE, rng.random((200, 3))]), device=device)
-    hull, indices = cloud.compute_convex_hull(joggle_inputs=True)
-    assert set(range(8)) <= set(indices.tolist()) and hull.volume == pytest.approx(1, abs=1e-6)
 
 
 def test_a_hull_makes_a_mesh(device, tolerances):

@@ -66,9 +66,6 @@ def assert_equal(left, right):
         np.testing.assert_array_equal(values, right[name])
 
 
-# ------------------------------------------------------------------------------------------------ DLPack
-
-
 @pytest.mark.parametrize("wrap", [lambda values: values, Shared])
 def test_arrays_of_another_library_are_shared(rng, wrap):
     points = rng.random((100, 3)).astype(np.float32)
@@ -83,17 +80,6 @@ def test_arrays_of_another_library_are_shared(rng, wrap):
     assert shared.points[7].tolist() == [1, 2, 3]
     assert shared.attributes["feature"].shape == (100, 2)
     assert shared["label"].dtype == np.int64
-
-
-def test_operations_on_a_shared_cloud_give_what_they_give_on_a_copy(rng, device):
-    points, colors = rng.random((2000, 3)).astype(np.float32), rng.random((2000, 3)).astype(np.float32)
-    shared = loom.PointCloud.from_dlpack(points, colors=colors, origin=[1e6, 0, 0])
-    copied = loom.PointCloud(points.astype(np.float64) + np.array([1e6, 0, 0]), colors=colors, origin=[1e6, 0, 0])
-    for each in (shared, copied):
-        assert each.origin.tolist() == [1e6, 0, 0]
-    results = [each.voxel_down_sample(0.2).estimate_normals(radius=0.5) for each in (shared, copied)]
-    for field in ("points", "normals", "colors"):
-        np.testing.assert_array_equal(getattr(results[0], field), getattr(results[1], field))
 
 
 @pytest.mark.slow
@@ -150,14 +136,10 @@ def test_an_attribute_of_any_type_and_shape_is_shared_as_it_is(values):
     ("points", "error", "reason"),
     [
         (np.zeros((4, 3)), TypeError, "expected float32, which is what a cloud holds, got float64; convert it there"),
-        (np.zeros((4, 3), np.int32), TypeError, "expected float32"),
         (np.zeros((4, 2), np.float32), ValueError, r"expected shape \[n, 3\], got \[4, 2\]"),
-        (np.zeros(3, np.float32), ValueError, r"expected shape \[n, 3\], got \[3\]"),
         (np.zeros((8, 3), np.float32)[::2], ValueError, "expected a contiguous array"),
-        (np.zeros((3, 4), np.float32).T, ValueError, "expected a contiguous array"),
         (np.broadcast_to(np.zeros(3, np.float32), (4, 3)), TypeError, "ndarray cannot be shared: .*readonly"),
         ([[1.0, 2, 3]], TypeError, "expected an array with __dlpack__ or __cuda_array_interface__, got list"),
-        (None, TypeError, "expected an array .*, got NoneType"),
     ],
 )
 def test_what_cannot_be_shared_is_an_error_that_says_how(points, error, reason):
@@ -202,9 +184,6 @@ def test_the_cuda_array_interface_is_read_as_it_says(rng, monkeypatch):
     masked.__cuda_array_interface__["mask"] = masked
     with pytest.raises(TypeError, match="mask"):
         loom.PointCloud.from_dlpack(masked)
-
-
-# ------------------------------------------------------------------------------------------------ Open3D
 
 
 def test_a_legacy_cloud_comes_and_goes(fragment, device):
@@ -281,9 +260,6 @@ def test_what_is_no_open3d_cloud_is_refused(monkeypatch):
     for call in (loom.PointCloud().to_open3d, loom.PointCloud().to_open3d_tensor):
         with pytest.raises(ImportError, match="pip install open3d"):
             call()
-
-
-# ------------------------------------------------------------------------------------------------ pickle
 
 
 @pytest.mark.parametrize("protocol", [2, pickle.HIGHEST_PROTOCOL])

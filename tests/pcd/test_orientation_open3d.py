@@ -45,10 +45,8 @@ FRAGMENT = pytest.param("fragment", marks=pytest.mark.slow)
 
 
 @pytest.fixture(scope="module")
-def scans(fragment, lidar, terrain, to_open3d):
+def scans(fragment, lidar, terrain, o3d, to_open3d):
     """Points and float32 normals of an indoor scan, a LiDAR frame and a terrain tile about its middle, all thinned."""
-    import open3d as o3d
-
     found = {}
     for name, points, voxel in (
         ("fragment", fragment.points, 0.03),

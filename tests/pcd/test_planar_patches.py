@@ -41,10 +41,8 @@ def matches(box, others, tolerances):
 
 
 @pytest.fixture(scope="module", params=["stored", "fitted"])
-def scan(request, fragment, to_open3d):
+def scan(request, fragment, o3d, to_open3d):
     """Half of the fragment with normals, and Open3D's patches of it."""
-    import open3d as o3d
-
     cloud = loom.PointCloud(fragment.points[::2], normals=fragment.normals[::2])
     if request.param == "fitted":
         cloud = cloud.estimate_normals(max_nn=30)

@@ -100,17 +100,6 @@ def test_choices_are_open3ds(device, at, rng, oracle):
         check_choice(volume, cloud, expected)
 
 
-@pytest.mark.parametrize("shape", [star, concave])
-@pytest.mark.parametrize("axis", range(3))
-def test_choices_in_the_fragment_are_open3ds(device, axis, shape, fragment, o3d, open3d_volume):
-    points = fragment.points[::3]
-    low, high = np.quantile(points, [0.1, 0.9], axis=0)
-    volume = loom.SelectionPolygonVolume(
-        shape((low + high) / 2, (high - low) * 0.7, axis), "XYZ"[axis], low[axis], high[axis]
-    )
-    check_choice(volume, loom.PointCloud(points, device=device), open3d_indices(o3d, open3d_volume(volume), points))
-
-
 coordinate = st.one_of(st.integers(-2, 2).map(float), st.floats(-3, 3, width=32, allow_subnormal=False))
 triples = st.tuples(coordinate, coordinate, coordinate)
 

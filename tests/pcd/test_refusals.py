@@ -69,6 +69,7 @@ cloud.paint_uniform_color([0, -0.1, 0]) | color
 cloud.paint_uniform_color([0, nan, 0]) | color
 cloud.paint_uniform_color([0, 0]) | color
 cloud.concatenate([]) | clouds
+cloud.to("cpu", arrays="tensorflow") | arrays: expected one of numpy, warp, torch, cupy, jax
 cloud.translate([1, 2]) | translation
 cloud.translate([1, 2, nan]) | translation
 cloud.rotate([[2, 0, 0], [0, 1, 0], [0, 0, 1]]) | R: expected a rigid motion

@@ -39,9 +39,6 @@ def assert_holds_rows(result, cloud, rows):
         np.testing.assert_array_equal(result[name], cloud[name][rows])
 
 
-# ------------------------------------------------------------------------------------------------ voxels with traces
-
-
 def check_trace(trace, oracle, tolerances, limit):
     """The voxels, octants and means of Open3D's trace, whose order of voxels is open."""
     cloud, cubic_id, original_indices = trace
@@ -96,11 +93,11 @@ def test_traces_of_the_fragment_are_open3ds(device, size, fragment, o3d, toleran
     check_trace(trace, oracle, tolerances, tolerances.voxel_mean)
 
 
-def test_traces_at_utm_coordinates_are_open3ds_at_the_origin(device, terrain, to_open3d, tolerances):
+def test_traces_at_utm_coordinates_are_open3ds_at_the_origin(device, terrain, o3d, tolerances):
     cloud, centred = terrain
     low = np.array([-300.0, -300, -100])
     trace = cloud.to(device).voxel_down_sample_and_trace(2.5, cloud.origin + low)
-    oracle = to_open3d(centred).voxel_down_sample_and_trace(2.5, low, -low)
+    oracle = open3d_trace(o3d, centred, None, None, 2.5, low, -low)
     check_trace(trace, oracle, tolerances, tolerances.float32_relative * np.abs(centred).max())
 
 
@@ -194,9 +191,6 @@ def test_classes_keep_their_colour(device, grey):
     assert found.cloud.colors.tolist() == [[grey] * 3] * 2
 
 
-# ------------------------------------------------------------------------------------------------ nearest
-
-
 def nearest_rows(points, lists):
     rows = []
     for group in lists:
@@ -220,9 +214,6 @@ def test_of_equally_near_points_the_first_stands_for_its_voxel(device):
     cloud = loom.PointCloud(points, device=device, row=np.arange(len(points)))
     assert cloud.voxel_down_sample(10.0, "nearest")["row"].tolist() == [0, 6]
     assert len(loom.PointCloud(device=device).voxel_down_sample(1.0, "nearest")) == 0
-
-
-# ------------------------------------------------------------------------------------------------ uniform and random
 
 
 @pytest.mark.parametrize("step", [1, 2, 7, 200, 10**6])
@@ -251,9 +242,6 @@ def test_another_seed_is_another_choice(device, rng):
     assert len(choices) == 4
 
 
-# ------------------------------------------------------------------------------------------------ farthest points
-
-
 @pytest.mark.parametrize("samples", [1, 50, 700])
 def test_farthest_points_of_the_fragment_are_open3ds(device, samples, fragment, to_open3d):
     """Near-ties, where float32 and float64 choose differently, do not come up in this data."""
@@ -261,13 +249,6 @@ def test_farthest_points_of_the_fragment_are_open3ds(device, samples, fragment, 
     expected = to_open3d(points).farthest_point_down_sample(samples, 1234)
     found = loom.PointCloud(points, device=device).farthest_point_down_sample(samples, 1234)
     np.testing.assert_array_equal(found.points, np.asarray(expected.points))
-
-
-def test_farthest_points_at_utm_coordinates_are_open3ds_at_the_origin(device, terrain, to_open3d):
-    cloud, centred = terrain
-    expected = np.asarray(to_open3d(centred).farthest_point_down_sample(1000, 7).points)
-    found = cloud.to(device).farthest_point_down_sample(1000, 7)
-    np.testing.assert_array_equal(found.points - found.origin, expected)
 
 
 def plain_choice(points, count, start):

@@ -39,14 +39,6 @@ def test_points_left_of_the_fragment_are_open3ds(device, digits, fragment, to_op
     np.testing.assert_array_equal(found.points, points[found["row"]])
 
 
-def test_duplicates_at_utm_coordinates_are_removed(device, shipped_file, to_open3d):
-    cloud = loom.read_point_cloud(shipped_file("lidar-pcl-terrain/samp21-utm.pcd")).to(device)
-    twice = cloud + cloud.select_by_index(np.arange(len(cloud))[::-1])
-    found, oracle = twice.remove_duplicated_points(), to_open3d(cloud.points).remove_duplicated_points()
-    np.testing.assert_array_equal(found.points, np.asarray(oracle.points))
-    assert (found.origin == cloud.origin).all()
-
-
 number = st.one_of(st.integers(-1, 1).map(float), st.sampled_from([-0.0, 1e-45, 0.1, np.nan, np.inf, -np.inf]))
 clouds = st.lists(st.tuples(number, number, number), max_size=40).map(lambda p: np.array(p, float).reshape(-1, 3))
 
@@ -93,12 +85,3 @@ def test_indices_of_any_whole_type_select_and_invert(device, dtype, rng):
     if dtype in ("i2", "i8"):
         assert cloud.select_by_index(-indices[:1])["row"].tolist() == [93]
         assert 93 not in cloud.select_by_index(-indices[:1], invert=True)["row"]
-
-
-def test_all_but_some_indices_are_open3ds(device, fragment, rng):
-    indices = rng.integers(0, len(fragment.points), 5000)
-    cloud = loom.PointCloud(fragment.points, device=device)
-    for invert in (False, True):
-        expected = np.asarray(fragment.legacy.select_by_index(indices, invert).points)
-        found = cloud.select_by_index(indices if invert else np.unique(indices), invert)
-        np.testing.assert_array_equal(found.points, expected)

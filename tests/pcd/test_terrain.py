@@ -171,14 +171,6 @@ def test_ground_and_rasters_move_with_whole_cells(shift):
     np.testing.assert_array_equal(rasters[1].corner - rasters[0].corner, shift)
 
 
-def test_houses_of_a_village_are_no_ground_within_a_finite_reach(device, rng):
-    x, y = rng.random((2, 20_000)) * [[100], [80]]
-    house = (abs(x - 30) < 8) & (abs(y - 40) < 10) | (abs(x - 70) < 6) & (abs(y - 25) < 6)
-    cloud = loom.PointCloud(np.column_stack([x, y, 0.1 * x + np.where(house, 6.0, 0.0)]), device=device)
-    ground = np.asarray(loom.classify_ground(cloud, corner=(0, 0)))
-    assert (ground == ~house).mean() > 0.999
-
-
 def test_filled_cells_are_marked_and_the_rest_stays(rng):
     cloud = survey(rng)
     raster = loom.terrain.rasterize(cloud, 0.5, "lowest")
