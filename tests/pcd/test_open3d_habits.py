@@ -98,7 +98,7 @@ def test_translating_turning_and_scaling_follow_open3d(device, rng, far):
     middle, corner = points.mean(axis=0), np.array([far, far, 1])
     np.testing.assert_allclose(ours.get_center(), middle, atol=1e-7)
     for moved, expected, turn in (
-        (ours.translate([1, 2, 3]), points + [1, 2, 3], np.eye(3)),
+        (ours.translate([1, 2, 3]), points + np.array([1, 2, 3]), np.eye(3)),
         (ours.translate([1, 2, 3], relative=False), points - middle + [1, 2, 3], np.eye(3)),
         (ours.rotate(R), (points - middle) @ R.T + middle, R),
         (ours.rotate(R, center=corner), (points - corner) @ R.T + corner, R),

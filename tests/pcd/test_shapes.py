@@ -32,11 +32,10 @@ def scene(kind, rng, count=3000, clutter=1500, noise=0.0, **options):
     return np.vstack([points, center + 2 * rng.random((clutter, 3)) - 1]), center, axis
 
 
-@pytest.mark.parametrize(
-    ("kind", "noise"),
-    [("sphere", 0.02), ("cylinder", 0.005), ("cylinder", 0.0), ("cone", 0.02), ("cone", 0.0)]
-    + [("torus", 0.005), ("torus", 0.02)],
-)
+SCENES = [("sphere", 0.02), ("cylinder", 0.005), ("cylinder", 0.0), ("cone", 0.02), ("torus", 0.005), ("torus", 0.0)]
+
+
+@pytest.mark.parametrize(("kind", "noise"), SCENES)
 def test_a_shape_among_clutter_is_found_with_its_sizes(device, rng, kind, noise):
     points, _, axis = scene(kind, rng, noise=noise)
     cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=30)
