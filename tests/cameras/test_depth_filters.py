@@ -1,7 +1,5 @@
 """Filters on depth images: Open3D's where there are no holes, and holes that neither count nor are filled."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given, settings

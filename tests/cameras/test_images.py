@@ -1,7 +1,5 @@
 """Points from depth and RGB-D images: Open3D's, pixel by pixel, and organised clouds."""
 
-from __future__ import annotations
-
 from types import SimpleNamespace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Arrays come back as they came: whose they are, where they are, at which address, and with the same numbers."""
 
-from __future__ import annotations
-
 import gc
 import pickle
 import subprocess

@@ -1,7 +1,5 @@
 """Results that nobody takes are told, those that somebody takes are not, and no operation is without the guard."""
 
-from __future__ import annotations
-
 import inspect
 import io
 import warnings

@@ -1,7 +1,5 @@
 """Each of Open3D's names is here, or a row says what it is here; rows are true, and messages end in them."""
 
-from __future__ import annotations
-
 import re
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Clouds to search, and the float64 brute force that neighbours are held against."""
 
-from __future__ import annotations
-
 import numpy as np
 from scipy.spatial.distance import cdist
 

@@ -1,7 +1,5 @@
 """Open3D's form of clouds and of limits on neighbours, for functions that compute its answers (tests/oracle.py)."""
 
-from __future__ import annotations
-
 import numpy as np
 
 

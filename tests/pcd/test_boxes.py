@@ -1,7 +1,5 @@
 """Boxes: Open3D's, the smallest against fine searches, and flat ones where Open3D raises errors."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings

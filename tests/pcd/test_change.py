@@ -1,7 +1,5 @@
 """M3C2: what it says is that of brute force in float64, and what has not changed is not called a change."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from scipy.spatial import cKDTree

@@ -1,7 +1,5 @@
 """Operations of PointCloud: what each keeps, that none changes its operand, and transforms."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """The unit of a cloud: it goes along, is converted when asked for, and is told where two meet."""
 
-from __future__ import annotations
-
 import copy
 import pickle
 import warnings

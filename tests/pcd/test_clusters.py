@@ -1,7 +1,5 @@
 """Clusters: labels equal to Open3D's and to brute force, for every eps and every threshold."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys
@@ -17,6 +15,7 @@ import pointloom as loom
 from pointloom.kernels import lang
 
 from ..scan_cases import on_sets
+from .nearest_oracle import sphere
 from .open3d_clouds import cloud_of
 
 
@@ -50,11 +49,6 @@ def by_size(labels, least=1, most=10**9):
     return renamed[labels]
 
 
-def sphere(rng, count):
-    directions = rng.normal(size=(count, 3))
-    return directions / np.linalg.norm(directions, axis=1, keepdims=True)
-
-
 def float32_exact(points):
     return np.asarray(points, np.float32).astype(np.float64)
 
@@ -84,16 +78,6 @@ def test_labels_of_a_lidar_scan_are_open3ds(device, eps, min_points, lidar, o3d)
     np.testing.assert_array_equal(found, expected)
 
 
-@pytest.mark.parametrize(("eps", "min_points"), [(1.2, 3), (2.0, 6), (2.5, 10)])
-def test_labels_at_utm_coordinates_are_open3ds_at_the_origin(device, eps, min_points, shipped_file, o3d):
-    """The tile's coordinates are multiples of half a metre, so distances of exactly eps abound."""
-    cloud = loom.read_point_cloud(shipped_file("lidar-pcl-terrain/samp21-utm.pcd"))
-    assert np.abs(cloud.points).max() > 5e6
-    expected = dbscan_of(o3d, cloud.points - cloud.origin, eps, min_points)
-    assert (expected < 0).any() and expected.max() > 10
-    np.testing.assert_array_equal(cloud.to(device).cluster_dbscan(eps, min_points), expected)
-
-
 MADE = {
     "uniform": lambda rng: rng.random((3003, 3)),
     "surface": lambda rng: sphere(rng, 3003),
@@ -109,11 +93,14 @@ def open3d_labels(o3d, points):
 
 
 @pytest.mark.parametrize("shape", MADE)
-def test_labels_of_made_clouds_are_open3ds(device, shape, rng, oracle):
+def test_labels_of_made_clouds_are_open3ds_also_at_utm_coordinates(device, shape, rng, oracle):
     points = float32_exact(MADE[shape](rng))
-    cloud = loom.PointCloud(points, device=device)
+    utm = np.array([5e5, 5.4e6, 100])
+    cloud, far = (loom.PointCloud(points + origin, device=device, origin=origin) for origin in (np.zeros(3), utm))
     for limits, expected in zip(LIMITS, oracle(f"pcd/clusters/{shape}", open3d_labels, points), strict=True):
         np.testing.assert_array_equal(cloud.cluster_dbscan(*limits), expected)
+    near = loom.PointCloud(far.points - utm, device=device, origin=np.zeros(3))  # as held: rounded to 1e-9 m
+    np.testing.assert_array_equal(far.cluster_dbscan(*LIMITS[1]), near.cluster_dbscan(*LIMITS[1]))
 
 
 coordinates = st.one_of(

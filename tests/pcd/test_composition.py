@@ -1,7 +1,5 @@
 """Clouds put together, by + and by concatenate, and painted."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given, settings

@@ -1,7 +1,5 @@
 """Covariances: Open3D's on real scans, exact far from the origin, defined in every degenerate neighbourhood."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings

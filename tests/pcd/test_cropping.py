@@ -1,7 +1,5 @@
 """Selecting by index and mask, crops by boxes, and points that are not finite."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given, settings

@@ -1,7 +1,5 @@
 """RGB-D images of every format, normals of depth images, and images of clouds: Open3D's, and back again exactly."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given, settings

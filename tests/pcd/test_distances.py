@@ -1,7 +1,5 @@
 """Distances within and between clouds: Open3D's on real scans, brute force on random ones, defined in odd cases."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given, settings

@@ -1,18 +1,12 @@
 """Shapes of neighbourhoods against NumPy in float64, and defined in every degenerate one."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
 import pointloom as loom
 
 from ..scan_cases import ON_REAL_SCANS, on_sets
-
-
-def bumpy(rng, count=600):
-    xy = rng.random((count, 2))
-    return np.column_stack([xy, 0.1 * np.sin(9 * xy[:, 0]) * np.cos(7 * xy[:, 1])])
+from .made_shapes import bumpy
 
 
 def plain_shapes(near):

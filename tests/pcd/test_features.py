@@ -1,7 +1,5 @@
 """FPFH against Open3D on real scans and against its formula, with the limits of every feature."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
@@ -10,6 +8,7 @@ from hypothesis import strategies as st
 import pointloom as loom
 
 from ..scan_cases import on_sets
+from .made_shapes import bumpy
 from .open3d_clouds import features_of
 
 
@@ -80,11 +79,6 @@ def test_fpfh_of_real_scans_is_open3ds(device, scene, search, scenes, o3d, toler
     assert found.dtype == np.float32 and found.shape == (len(cloud), 33)
     expected = features_of(o3d, cloud.array("points").numpy(), cloud.normals, **limits)
     assert_same_features(scenes[scene], found, expected, **limits, tolerances=tolerances)
-
-
-def bumpy(rng, count=600):
-    xy = rng.random((count, 2))
-    return np.column_stack([xy, 0.1 * np.sin(9 * xy[:, 0]) * np.cos(7 * xy[:, 1])])
 
 
 def test_fpfh_far_from_the_origin_is_that_at_the_origin(device, rng):

@@ -1,7 +1,5 @@
 """Degrees to UTM: published points, what defines the projection, and nothing lost on the way."""
 
-from __future__ import annotations
-
 import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st

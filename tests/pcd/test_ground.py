@@ -1,7 +1,5 @@
 """Ground: few errors on airborne scans with known ground, and exact answers on terrain made by formula."""
 
-from __future__ import annotations
-
 import importlib.util
 import sys
 from pathlib import Path

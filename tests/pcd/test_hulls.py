@@ -1,7 +1,5 @@
 """Convex hulls: Open3D's on real scans, those of brute force on small clouds, and right where Open3D's raise errors."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings

@@ -1,7 +1,5 @@
 """Clouds to and from Open3D, arrays shared with other libraries, pickles."""
 
-from __future__ import annotations
-
 import copy
 import gc
 import pickle

@@ -1,7 +1,5 @@
 """ISS keypoints: Open3D's on real scans, and defined where Open3D's are rounding."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings

@@ -1,7 +1,5 @@
 """Normals: against Open3D on real scans, exact far from the origin, and defined in every degenerate neighbourhood."""
 
-from __future__ import annotations
-
 import struct
 
 import numpy as np

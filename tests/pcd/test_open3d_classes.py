@@ -1,7 +1,5 @@
 """What Open3D's classes are asked and given is asked and given alike here: questions, aliases, assignments, copies."""
 
-from __future__ import annotations
-
 import copy
 import io
 import pickle

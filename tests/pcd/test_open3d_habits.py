@@ -1,7 +1,5 @@
 """What users of Open3D write by habit works, or says what to write: nothing is a silent no-op."""
 
-from __future__ import annotations
-
 import warnings
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Consistent orientation: against Kruskal's algorithm on small clouds, on surfaces that are known, and at the edges."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings

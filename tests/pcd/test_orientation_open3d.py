@@ -1,7 +1,5 @@
 """Consistent orientation on scans: Hoppe's graph of neighbours, whole, beside what Open3D takes of it."""
 
-from __future__ import annotations
-
 from functools import cache
 from itertools import combinations
 

@@ -1,7 +1,5 @@
 """Outliers: Open3D's sets on real scans, brute force on random clouds, and right where Open3D is not."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given, settings

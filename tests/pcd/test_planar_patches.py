@@ -1,7 +1,5 @@
 """Flat patches: those of Open3D on a real scan, the faces of rooms, and none where nothing is flat."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given, settings

@@ -1,7 +1,5 @@
 """Planes: as good as Open3D's on real scans, exact far from the origin, and the same bits from run to run."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given, settings

@@ -1,7 +1,5 @@
 """SelectionPolygonVolume: Open3D's choice of points, on any axis, at any coordinates, and its files read strictly."""
 
-from __future__ import annotations
-
 import json
 import tempfile
 from pathlib import Path

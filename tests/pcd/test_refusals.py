@@ -3,8 +3,6 @@
 Values that are no numbers at all, or not finite, are tried by test_hostile_arguments.py.
 """
 
-from __future__ import annotations
-
 import re
 
 import numpy as np
@@ -45,44 +43,31 @@ NAMES = {
 }
 VALUES = """
 loom.PointCloud(np.zeros((3, 100))) | points: expected shape [n, 3], got [3, 100]
-loom.PointCloud(np.zeros(3)) | points: expected shape
 loom.PointCloud(np.zeros((3, 0))) | points: expected shape
-loom.PointCloud(np.zeros((2, 3, 3))) | points: expected shape
 loom.PointCloud([[1e300, 0, 0], [-1e300, 0, 0]]) | beyond float32
-loom.PointCloud(origin=[0, nan, 0]) | origin
 loom.PointCloud(origin=[0, 0]) | origin
 loom.PointCloud([[0, 0, 0]], normals=np.zeros((3, 3))) | normals: expected shape [1, 3] as the cloud has 1 points
-loom.PointCloud([[0, 0, 0]], normals=np.zeros((1, 2))) | normals
 loom.PointCloud([[0, 0, 0]], normals=[[1e39, 0, 0]]) | normals: 1e+39 is beyond
 loom.PointCloud([[0, 0, 0]], colors=np.zeros((2, 3))) | colors: expected shape
 loom.PointCloud([[0, 0, 0]], colors=[[1.01] * 3]) | colors: expected 0..1, got 1.01..1.01; divide 8-bit
 loom.PointCloud([[0, 0, 0]], colors=[[-0.01] * 3]) | colors: expected 0..1
-loom.PointCloud([[0, 0, 0]], colors=[[255] * 3]) | colors: expected 0..1
 loom.PointCloud([[0, 0, 0]], colors=[[nan] * 3]) | colors: expected 0..1
-loom.PointCloud([[0, 0, 0]], colors=[[1e300, 0, 0]]) | colors: expected 0..1
 loom.PointCloud([[0, 0, 0]], ring=[1, 2]) | ring: expected shape [1] or [1, c]
-loom.PointCloud([[0, 0, 0]], ring=5) | ring: expected shape
 loom.PointCloud([[0, 0, 0]], ring=np.zeros((1, 2, 2))) | ring: expected shape
 loom.PointCloud([[1, 2, 3]], unit='ell') | unit
 cloud.paint_uniform_color([255, 0, 0]) | divide 8-bit colours by 255
 cloud.paint_uniform_color([0, -0.1, 0]) | color
-cloud.paint_uniform_color([0, nan, 0]) | color
-cloud.paint_uniform_color([0, 0]) | color
 cloud.concatenate([]) | clouds
 cloud.to("cpu", arrays="tensorflow") | arrays: expected one of numpy, warp, torch, cupy, jax
 cloud.translate([1, 2]) | translation
-cloud.translate([1, 2, nan]) | translation
 cloud.rotate([[2, 0, 0], [0, 1, 0], [0, 0, 1]]) | R: expected a rigid motion
 cloud.scale(0) | scale
 cloud.scale(2, [0, 0]) | center
-cloud.transform(np.eye(3)) | transformation
 cloud.transform(np.full((4, 4), nan)) | transformation
 bare.transform(np.diag([1.0, 1, 1, 2])) | transformation
 cloud.transform(np.diag([0.0, 1, 1, 1])) | transformation
-bare.transform(np.ones((4, 4))) | transformation
 bare.transform(np.diag([inf, 1, 1, 1])) | transformation
 cloud.cluster_dbscan(0, 1) | eps
-cloud.cluster_dbscan(-1.0, 1) | eps
 cloud.cluster_dbscan(inf, 1) | eps
 cloud.cluster_dbscan(1.0, 0) | min_points
 cloud.cluster_euclidean(0) | tolerance
@@ -94,12 +79,9 @@ cloud.estimate_covariances(radius=0) | radius
 cloud.estimate_covariances(max_nn=0) | max_nn
 cloud.estimate_normals(radius=None, max_nn=None) | radius, max_nn: give at least one
 cloud.estimate_normals(radius=0.0) | radius
-cloud.estimate_normals(radius=inf) | radius
 cloud.estimate_normals(max_nn=0) | max_nn
 cloud.orient_normals_to_align_with_direction((nan, 0, 0)) | expected finite numbers
-cloud.orient_normals_to_align_with_direction([1, 0]) | expected shape [3]
 cloud.orient_normals_towards_camera_location((0, inf, 0)) | expected finite numbers
-cloud.orient_normals_towards_camera_location([1, 0]) | expected shape [3]
 cloud.orient_normals_consistent_tangent_plane(0) | k
 cloud.orient_normals_consistent_tangent_plane(5, lambda_penalty=-1) | lambda_penalty
 cloud.orient_normals_consistent_tangent_plane(5, cos_alpha_tol=1.5) | cos_alpha_tol: expected a cosine
@@ -126,7 +108,6 @@ random.detect_planar_patches(min_num_points=-1) | min_num_points
 random.detect_planar_patches(max_nn=1) | max_nn
 random.detect_planar_patches(radius=0.0) | radius
 random.segment_plane(distance_threshold=0.0) | distance_threshold
-random.segment_plane(distance_threshold=-1.0) | distance_threshold
 random.segment_plane(ransac_n=2) | ransac_n
 random.segment_plane(ransac_n=11) | ransac_n: 11 points a sample, but the cloud has 10 finite points
 random.segment_plane(num_iterations=0) | num_iterations
@@ -159,22 +140,18 @@ loom.compute_metrics(loom.PointCloud(), cloud) | no finite point
 loom.compute_metrics(cloud, cloud, fscore_radius=[0.0]) | fscore_radius
 search.knn_search(np.zeros((1, 3)), 0) | k: expected a whole number >= 1
 search.knn_search(np.zeros((1, 2)), 1) | queries: expected shape
-search.knn_search(np.zeros(2), 1) | queries: expected shape
 search.radius_search(np.zeros((1, 3)), 0) | radius
-search.radius_search(np.zeros((1, 3)), -1) | radius
 search.hybrid_search(np.zeros((1, 3)), 1, 0) | max_nn
 cloud.hidden_point_removal([0, 0, 5], 0) | radius
 cloud.hidden_point_removal([0, 0, 5], inf) | radius
 cloud.hidden_point_removal([0, 0], 10) | camera_location
 cloud.hidden_point_removal([0, 0, nan], 10) | finite
 cloud.voxel_down_sample(0) | voxel_size: expected a finite number > 0
-cloud.voxel_down_sample(-1) | voxel_size
 cloud.voxel_down_sample(inf) | voxel_size
 pair.voxel_down_sample(1e-10) | voxel_size: 1e-10 makes a grid of
 pair.voxel_down_sample(1e-320) | more than 2^62; take larger
 pair.voxel_down_sample(1.0, 'median') | reduction
 pair.voxel_down_sample_and_trace(0) | voxel_size
-pair.voxel_down_sample_and_trace(1, [0, 0]) | min_bound
 pair.voxel_down_sample_and_trace(1, [0, 0, nan]) | min_bound
 pair.voxel_down_sample_and_trace(1, [0, 0, 0], [1, 2, inf]) | max_bound
 pair.voxel_down_sample_and_trace(1e-9, [0, 0, 0], [9, 9, 9]) | voxel_size: 1e-09 makes more than 2^31 voxels
@@ -201,7 +178,6 @@ loom.classify_ground(pair, cell_size=1e-6) | cell_size: 1e-06 m makes a grid of
 changed(normal_radii=None) | normal_radii: expected the radii
 changed(normal_radii=[]) | normal_radii
 changed(normal_radii=[1, -1]) | normal_radii
-changed(normal_radii=[1, nan]) | normal_radii
 changed(cylinder_radius=0) | cylinder_radius
 changed(max_distance=inf) | max_distance
 changed(registration_error=-1) | registration_error
@@ -214,20 +190,16 @@ project(depth_scale=0) | depth_scale
 project(depth_max=nan) | depth_max
 depth_cloud(depth=np.zeros((3, 2), np.uint16)) | intrinsic: made for 3 x 2 pixels, but the image has 2 x 3
 depth_cloud(depth=np.zeros((2, 3, 1), np.uint16)) | depth: expected shape
-depth_cloud(depth=np.zeros((0, 3), np.uint16)) | depth: expected shape
 depth_cloud(depth=np.full((2, 3), -1)) | depth: integer depths must lie in 0..65535
 depth_cloud(depth=np.full((2, 3), 70000)) | depth: integer depths must lie in 0..65535
-depth_cloud(extrinsic=np.diag([2.0, 2, 2, 1])) | extrinsic: expected a rigid motion
 depth_cloud(extrinsic=np.diag([1.0, 1, -1, 1])) | extrinsic: expected a rigid motion
 depth_cloud(extrinsic=np.full((4, 4), nan)) | extrinsic: expected a rigid motion, got NaN
-depth_cloud(extrinsic=np.eye(3)) | extrinsic: expected shape [4, 4]
 depth_cloud(depth_scale=0) | depth_scale
 depth_cloud(depth_trunc=0) | depth_trunc
 depth_cloud(depth_trunc=nan) | depth_trunc
 depth_cloud(stride=0) | stride
 loom.RGBDImage(np.zeros((3, 3, 3), np.uint8), np.zeros((2, 3), np.uint16)) | color: 3 x 3 pixels, but the depth image
 loom.RGBDImage(np.zeros((2, 3, 4), np.uint8), np.zeros((2, 3), np.uint16)) | color: expected shape
-loom.RGBDImage(np.zeros(6, np.uint8), np.zeros((2, 3), np.uint16)) | color: expected shape
 loom.RGBDImage.from_sun_format(np.zeros((2, 3, 3), np.uint8), np.full((2, 3), 70000)) | depth: integer depths
 loom.RGBDImage.from_nyu_format(np.zeros((2, 3, 3), np.uint8), np.zeros((2, 3, 1), np.uint16)) | depth: expected shape
 loom.RGBDImage.from_sun_format(np.zeros((2, 3, 3), np.uint8), np.zeros((3, 3), np.uint16)) | color: 3 x 2 pixels
@@ -243,15 +215,12 @@ loom.create_depth_pyramid(np.ones((4, 4)), levels=0) | levels
 loom.create_depth_pyramid(np.ones((4, 4)), levels=4) | expected at least 2 x 2 pixels to halve, got 1 x 1
 loom.pyrdown_color(np.ones((1, 5), np.uint8)) | color: expected at least 2 x 2 pixels to halve
 loom.SelectionPolygonVolume(square[:2], 'Z', 0, 1) | bounding_polygon: expected at least three corners, got 2
-loom.SelectionPolygonVolume([[0, 0]] * 3, 'Z', 0, 1) | bounding_polygon: expected shape
 loom.SelectionPolygonVolume([[0, 0, nan]] * 3, 'Z', 0, 1) | bounding_polygon: expected finite numbers
 loom.SelectionPolygonVolume(square, 'W', 0, 1) | orthogonal_axis
-loom.SelectionPolygonVolume(square, None, 0, 1) | orthogonal_axis
 loom.SelectionPolygonVolume(square, 'Z', 1, 0) | axis_min, axis_max: expected min <= max, got 1 and 0
 loom.SelectionPolygonVolume(square, 'Z', 0, inf) | axis_min, axis_max
 loom.AxisAlignedBoundingBox([0, 0, 0], [1, -1, 1]) | expected
 loom.AxisAlignedBoundingBox([0, nan, 0], [1, 1, 1]) | expected
-loom.AxisAlignedBoundingBox([0, 0], [1, 1]) | expected
 loom.AxisAlignedBoundingBox([0, 0, 0], [1, 1, 1]).scale(0, [0, 0, 0]) | scale
 loom.AxisAlignedBoundingBox([0, 0, 0], [1, 1, 1]).translate([0, 0, nan]) | translation
 loom.AxisAlignedBoundingBox().get_point_indices_within_bounding_box(np.zeros((3, 2))) | points: expected shape
@@ -265,14 +234,12 @@ loom.OrientedBoundingBox.create_from_points([]) | at least one finite point
 loom.OrientedBoundingBox.create_from_points_minimal([]) | at least one finite point
 loom.LineSet([[0, 0, 0], [1, 1, 1]], [[0, 2]]) | expected indices of 2 points, got 0 to 2
 loom.LineSet([[0, 0, 0], [1, 1, 1]], [[-1, 0]]) | got -1 to 0
-loom.LineSet([[0, 0, 0], [1, 1, 1]], [[0.5, 1]]) | expected indices
 loom.LineSet([[0, 0, 0], [nan, 1, 1]], [[0, 1]]) | points: expected finite coordinates, got 1 points without
 loom.project_to_utm(loom.PointCloud([[493994.0, 4877429.0, 130.0]])) | expected longitudes to 360 and latitudes -80..84
 loom.project_to_utm(loom.PointCloud([[10.0, 85.0, 0.0]])) | latitudes -80..84
 loom.project_to_utm(loom.PointCloud([[nan, 0, 0]])) | no finite point tells its zone
 loom.project_to_utm(loom.PointCloud([[10.0, 45.0, 0.0], [55.0, 45, 0]]), epsg=32632) | 46 degrees from the middle
 loom.project_to_utm(loom.PointCloud([[10.0, 45.0, 0.0]]), epsg=4326) | expected 32601..32660 or 32701..32760, got 4326
-loom.project_to_utm(loom.PointCloud([[10.0, 45.0, 0.0]]), epsg=32661) | got 32661
 loom.project_to_utm(loom.PointCloud([[10.0, 45.0, 0.0]]), epsg=32600) | got 32600
 loom.project_to_utm(loom.PointCloud([[10.0, 45.0, 0.0]], normals=[[0, 0, 1]])) | cloud.without("normals")
 splats(scales=[[1, 1, 1], [1, 0, 1]]) | scales: expected three finite numbers above 0 in each row; row 1
@@ -284,6 +251,17 @@ splats().transform(np.diag([1.0, 2, 1, 1])) | transformation: expected a rotatio
 splats().rasterize(camera, np.diag([2, 1, 1, 1])) | extrinsic
 splats().rasterize(camera, np.eye(4), near=0) | near
 splats().rasterize(camera, np.eye(4), background=(2, 0, 0)) | background
+loom.fit_shape(random, 'cube') | kind
+loom.fit_shape(random, 'sphere', start=loom.fit_shape(random, 'plane')) | start: expected a sphere, got a plane
+loom.fit_shape(random, 'plane', weights=[1.0]) | weights: expected shape [10]
+loom.fit_shape(random, 'plane', weights=[-1.0] * 10) | weights: expected 0 or more, got -1 at 0
+loom.fit_shape(random, 'plane', weights=[0.0] * 10) | 0 finite points with a weight
+loom.fit_shape(loom.PointCloud(np.eye(3)), 'sphere') | 4 unknowns
+loom.fit_shape(loom.PointCloud(np.ones((30, 3))), 'sphere') | all 30 points are equal
+loom.fit_shape(loom.PointCloud(), 'sphere') | has 0 finite points
+loom.video.WorldFrame(91.0, 0.0) | latitude
+loom.video.WorldFrame(0.0, 181.0) | longitude
+loom.video.WorldFrame(0.0, 0.0, 2e5) | altitude
 loom.Panorama(160, 100) | width: expected twice the height of 100
 loom.Panorama(256, 128, side=4) | side
 loom.Panorama(256, 128).apply(np.zeros((256, 128), np.uint8)) | picture

@@ -1,7 +1,5 @@
 """Smooth regions: those of a plain loop over the same neighbours, ties of no order, PCL's where no order matters."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

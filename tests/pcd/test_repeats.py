@@ -1,7 +1,5 @@
 """Two runs of each operation on clouds give the same bits: benchmarks/digest_on_clouds.py, on two equal scenes."""
 
-from __future__ import annotations
-
 import pytest
 
 from ..small_scenes import ON_CLOUDS, ON_HOST, SmallScenes, digest

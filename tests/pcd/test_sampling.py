@@ -16,14 +16,6 @@ from .full_clouds import full_cloud
 from .open3d_clouds import cloud_of
 
 
-@pytest.fixture(scope="module")
-def terrain(shipped_file):
-    """A terrain tile at UTM coordinates: the cloud, and its float32 points about the origin, which the cloud holds."""
-    cloud = loom.read_point_cloud(shipped_file("lidar-pcl-terrain/samp21-utm.pcd"))
-    assert cloud.points.max() > 5e6
-    return cloud, cloud.points - cloud.origin
-
-
 def numbered(rng, device):
     """A cloud with every kind of attribute, far from zero, and the numbers of its rows."""
     cloud = full_cloud(rng, device, shift=np.array([5e5, 5.4e6, 100]))
@@ -91,14 +83,6 @@ def test_traces_of_the_fragment_are_open3ds(device, size, fragment, o3d, toleran
     trace = cloud.voxel_down_sample_and_trace(size, low, high)
     assert (points < low).any(), "the bounds do not cut off points"
     check_trace(trace, oracle, tolerances, tolerances.voxel_mean)
-
-
-def test_traces_at_utm_coordinates_are_open3ds_at_the_origin(device, terrain, o3d, tolerances):
-    cloud, centred = terrain
-    low = np.array([-300.0, -300, -100])
-    trace = cloud.to(device).voxel_down_sample_and_trace(2.5, cloud.origin + low)
-    oracle = open3d_trace(o3d, centred, None, None, 2.5, low, -low)
-    check_trace(trace, oracle, tolerances, tolerances.float32_relative * np.abs(centred).max())
 
 
 def brute_trace(points, size, corner):

@@ -1,7 +1,5 @@
 """Neighbour search is exact: against float64 brute force and Open3D, on every kind of cloud and every path."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

@@ -1,7 +1,5 @@
 """Selecting points: duplicates, the complement of a list; crops by boxes stand in test_cropping.py."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given, settings

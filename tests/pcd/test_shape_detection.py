@@ -1,7 +1,5 @@
 """All shapes of a made hall: each part once, its points, its sizes; what is no shape is none; planes are not round."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """Round shapes: found among clutter, exact far from the origin, sizes with the error that is said, doubts told."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

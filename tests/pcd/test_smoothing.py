@@ -1,7 +1,5 @@
 """Smoothing: brute force on small clouds, less noise on surfaces that are known, and the rest of the contract."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given, settings

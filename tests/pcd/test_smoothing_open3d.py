@@ -1,7 +1,5 @@
 """Smoothing on real scans is Open3D's."""
 
-from __future__ import annotations
-
 from itertools import product
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Rasters and heights above ground are those of float64 sums, of SciPy's triangles, and of cells fixed in space."""
 
-from __future__ import annotations
-
 import signal
 import sys
 

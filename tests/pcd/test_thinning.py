@@ -1,7 +1,5 @@
 """Thinning by a fixed grid: one point a cell, the nearest to its middle, whatever else is in the cloud."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given, settings

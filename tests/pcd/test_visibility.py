@@ -1,7 +1,5 @@
 """Hidden points: Open3D's answer on real scans, Qhull's of all points on made ones, and degenerate views."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
