@@ -2,10 +2,12 @@
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 import pointloom as loom
+
+from .any_cloud import clouds, examples, parts
 
 UTM = np.array([500_000.0, 5_400_000.0, 128.0])
 TURN = np.array([[0.8, 0.0, 0.6], [0.36, 0.8, -0.48], [-0.48, 0.6, 0.64]])
@@ -184,13 +186,10 @@ def test_a_cloud_without_finite_points_has_no_turned_box(device, maker):
         assert aligned == loom.AxisAlignedBoundingBox([0] * 3, [0] * 3) and aligned.is_empty()
 
 
-coordinate = st.sampled_from([0.0, 0.5, 1.0, -1.0]) | st.integers(-512, 512).map(lambda n: n / 128)
-
-
-@given(rows=st.lists(st.tuples(coordinate, coordinate, coordinate), min_size=1, max_size=12), gap=st.integers(1, 30))
-@settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
-def test_boxes_hold_their_points_and_the_smallest_is_smallest(device, rows, gap):
-    points = np.array(rows)
+@given(points=clouds(parts(2, 2), parts(128, 512), least=1, most=12), gap=st.integers(1, 30))
+@examples(25)
+def test_boxes_hold_their_points_and_the_smallest_is_smallest(device, points, gap):
+    points = points.copy()
     if gap < len(points):
         points[gap, gap % 3] = np.nan
     cloud = loom.PointCloud(points, device=device)

@@ -6,7 +6,7 @@ import sys
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial.distance import cdist
@@ -15,6 +15,7 @@ import pointloom as loom
 from pointloom.kernels import lang
 
 from ..scan_cases import on_sets
+from .any_cloud import NOT_FINITE, WHOLE, clouds, examples, parts
 from .nearest_oracle import sphere
 from .open3d_clouds import cloud_of
 
@@ -103,21 +104,15 @@ def test_labels_of_made_clouds_are_open3ds_also_at_utm_coordinates(device, shape
     np.testing.assert_array_equal(far.cluster_dbscan(*LIMITS[1]), near.cluster_dbscan(*LIMITS[1]))
 
 
-coordinates = st.one_of(
-    st.integers(-3, 3).map(float), st.integers(-40, 40).map(lambda k: k / 4), st.sampled_from([np.nan, np.inf, -np.inf])
-)
-clouds = st.lists(st.tuples(coordinates, coordinates, coordinates), max_size=50)
-
-
-@settings(derandomize=True, deadline=None, max_examples=40)
+@examples(40)
 @given(
-    points=clouds.map(lambda p: np.array(p, float).reshape(-1, 3)),
+    points=clouds(WHOLE, parts(4, 40), NOT_FINITE, most=50),
     copies=st.integers(1, 4),
     eps=st.sampled_from([0.25, 1.0, np.nextafter(1.0, 2), 1.25, 2.0, 5.0, 30.0]),
     min_points=st.sampled_from([1, 2, 3, 5, 10, 60, 201]),
     least=st.integers(1, 3),
 )
-def check_any_cloud(device, points, copies, eps, min_points, least):
+def test_any_small_cloud_has_the_labels_of_the_definition(device, points, copies, eps, min_points, least):
     """On a lattice of quarters: squared distances are exact in float32, ties with eps among them."""
     points = np.tile(points, (copies, 1))
     cloud = loom.PointCloud(points, device=device, origin=np.zeros(3))
@@ -125,10 +120,6 @@ def check_any_cloud(device, points, copies, eps, min_points, least):
     np.testing.assert_array_equal(cloud.cluster_dbscan(eps, min_points), expected)
     chained = by_size(brute_dbscan(points, eps, 1), least, 20)
     np.testing.assert_array_equal(cloud.cluster_euclidean(eps, least, 20), chained)
-
-
-def test_any_small_cloud_has_the_labels_of_the_definition(device):
-    check_any_cloud(device)
 
 
 @pytest.mark.parametrize(

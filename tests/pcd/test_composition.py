@@ -2,10 +2,12 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 import pointloom as loom
+
+from .any_cloud import examples
 
 TILES = np.array([[5e5, 5.4e6, 300], [500_600, 5_400_250, 280], [499_000, 5_401_000, 310]])
 
@@ -99,9 +101,9 @@ def test_points_that_are_not_finite_are_carried_along(device):
 parts = st.lists(st.tuples(st.integers(0, 5), st.sampled_from([0.0, 3e4, 5e5, -7e6])), min_size=1, max_size=5)
 
 
-@settings(derandomize=True, deadline=None, max_examples=25)
+@examples(25)
 @given(parts=parts, seed=st.integers(0, 99))
-def check_any_parts(device, parts, seed):
+def test_any_clouds_are_put_together_as_numpy_does(device, parts, seed):
     rng = np.random.default_rng(seed)
     clouds = [
         loom.PointCloud(rng.integers(-99, 99, (n, 3)) + shift, device=device, row=np.arange(n)) for n, shift in parts
@@ -109,10 +111,6 @@ def check_any_parts(device, parts, seed):
     for found in (loom.PointCloud.concatenate(clouds), sum(clouds)):
         np.testing.assert_array_equal(found.points, np.concatenate([c.points for c in clouds])), "whole numbers: exact"
         np.testing.assert_array_equal(found["row"], np.concatenate([c["row"] for c in clouds]))
-
-
-def test_any_clouds_are_put_together_as_numpy_does(device):
-    check_any_parts(device)
 
 
 def test_an_operand_is_left_as_it_was_and_in_place_addition_is_a_new_cloud(device, rng):

@@ -2,18 +2,16 @@
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial import cKDTree
 
 import pointloom as loom
 
 from ..scan_cases import ON_SCANS, on_sets
+from .any_cloud import examples
 from .open3d_clouds import covariances_of
 
-SETTINGS = settings(
-    max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture], derandomize=True
-)
 SEARCHES = {
     "hybrid": {"radius": 0.1, "max_nn": 30},
     "count": {"max_nn": 20},
@@ -94,7 +92,7 @@ def test_covariances_of_a_bumpy_surface_are_open3ds(device, search, rng, oracle,
     spoiled=st.booleans(),
     search=st.sampled_from([{"max_nn": 1}, {"max_nn": 7}, {"radius": 1.5}, {"radius": 1.5, "max_nn": None}]),
 )
-@SETTINGS
+@examples(15)
 def test_covariances_are_numpys_of_the_neighbours_found(device, seed, count, lattice, spoiled, search, tolerances):
     rng = np.random.default_rng(seed)
     points = (rng.integers(0, 4, (count, 3)) if lattice else rng.normal(size=(count, 3))).astype(np.float32)

@@ -2,12 +2,13 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
 import pointloom as loom
 
+from .any_cloud import NOT_FINITE, WHOLE, clouds, examples, real
 from .full_clouds import UTM, full_cloud
 
 
@@ -83,17 +84,9 @@ def test_points_that_are_not_finite_are_removed_by_kind(device, rng):
         np.testing.assert_array_equal(points[found["row"]], found.points)
 
 
-number = st.one_of(
-    st.integers(-3, 3).map(float),
-    st.floats(-100, 100, width=32, allow_subnormal=False),
-    st.sampled_from([np.nan, np.inf, -np.inf, 5e5, 1e-20]),
-)
-clouds = st.lists(st.tuples(number, number, number), max_size=40).map(lambda p: np.array(p, float).reshape(-1, 3))
-
-
-@settings(derandomize=True, deadline=None, max_examples=30)
-@given(points=clouds, seed=st.integers(0, 100))
-def check_any_cloud(device, points, seed):
+@examples(30)
+@given(points=clouds(WHOLE, real(100), NOT_FINITE, st.sampled_from([5e5, 1e-20])), seed=st.integers(0, 100))
+def test_any_small_cloud_is_selected_as_numpy_selects(device, points, seed):
     rng = np.random.default_rng(seed)
     cloud = loom.PointCloud(points, device=device, row=np.arange(len(points)))
     held = cloud.points
@@ -111,7 +104,3 @@ def check_any_cloud(device, points, seed):
     if finite.any():
         np.testing.assert_array_equal(cloud.get_min_bound(), held[finite].min(axis=0))
         np.testing.assert_array_equal(cloud.get_max_bound(), held[finite].max(axis=0))
-
-
-def test_any_small_cloud_is_selected_as_numpy_selects(device):
-    check_any_cloud(device)

@@ -2,12 +2,13 @@
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 import pointloom as loom
 
 from ..scan_cases import on_sets
+from .any_cloud import examples
 from .made_shapes import bumpy
 from .open3d_clouds import features_of
 
@@ -189,7 +190,7 @@ LIMITS = st.sampled_from(
 )
 
 
-@settings(max_examples=12, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@examples(12)
 @given(seed=st.integers(0, 2**32 - 1), count=st.integers(0, 30), limits=LIMITS)
 def test_fpfh_is_its_formula(device, tolerances, seed, count, limits):
     """Duplicates, equal normals, points and normals that are not finite; lattice points where no count is limited."""

@@ -2,10 +2,12 @@
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 import pointloom as loom
+
+from .any_cloud import clouds, examples, parts
 
 CUBE = np.array([[x, y, z] for x in (0.0, 1.0) for y in (0.0, 1.0) for z in (0.0, 1.0)])
 TURN = np.array([[0.8, 0.0, 0.6], [0.36, 0.8, -0.48], [-0.48, 0.6, 0.64]])
@@ -102,14 +104,10 @@ def test_a_hull_far_from_zero_is_that_at_zero(device, rng):
     assert far.volume == near.volume
 
 
-coordinate = st.sampled_from([0.0, 0.25, 0.5, 1.0, -1.0, 2.0]) | st.integers(-1024, 1024).map(lambda n: n / 256)
-clouds = st.lists(st.tuples(coordinate, coordinate, coordinate), min_size=1, max_size=14)
-
-
-@given(rows=clouds, gaps=st.sets(st.integers(0, 13), max_size=3))
-@settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
-def test_hulls_of_small_clouds_enclose_them_by_their_own_points(device, rows, gaps):
-    points = np.array(rows)
+@given(points=clouds(parts(4, 8), parts(256, 1024), least=1, most=14), gaps=st.sets(st.integers(0, 13), max_size=3))
+@examples(25)
+def test_hulls_of_small_clouds_enclose_them_by_their_own_points(device, points, gaps):
+    points = points.copy()
     points[[g for g in gaps if g < len(points)]] = np.nan
     cloud = loom.PointCloud(points, device=device)
     finite = points[np.isfinite(points).all(axis=1)]

@@ -2,12 +2,13 @@
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 import pointloom as loom
 
 from ..scan_cases import on_sets
+from .any_cloud import examples
 from .open3d_clouds import cloud_of
 
 RADII = {"fragment": (0.06, 0.04), "lidar": (1.0, 0.7), "terrain": (6.0, 4.0)}
@@ -23,16 +24,12 @@ def scans(fragment, lidar, scan_file):
 
 @pytest.fixture(scope="module")
 def keypoints_of(scans, o3d):
-    """Open3D's keypoints of a scan, as indices, computed once."""
-    known = {}
+    """A function: Open3D's keypoints of a scan, as indices."""
 
     def compute(name, **arguments):
-        key = (name, *arguments.items())
-        if key not in known:
-            found = o3d.geometry.keypoint.compute_iss_keypoints(cloud_of(o3d, scans[name]), **arguments)
-            places = {tuple(p): i for i, p in enumerate(scans[name])}
-            known[key] = sorted(places[tuple(p)] for p in np.asarray(found.points))
-        return known[key]
+        found = o3d.geometry.keypoint.compute_iss_keypoints(cloud_of(o3d, scans[name]), **arguments)
+        places = {tuple(p): i for i, p in enumerate(scans[name])}
+        return sorted(places[tuple(p)] for p in np.asarray(found.points))
 
     return compute
 
@@ -123,7 +120,7 @@ def test_keypoints_at_utm_coordinates_are_those_at_the_origin(device, scans):
     assert (keypoints.origin == utm).all()
 
 
-@settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@examples(15)
 @given(seed=st.integers(0, 2**32 - 1), count=st.integers(0, 80), min_neighbors=st.integers(1, 8))
 def test_keypoints_are_those_of_their_definition(device, seed, count, min_neighbors):
     """Random points, lattice points, duplicates and NaN against float64 NumPy; lattices tie."""

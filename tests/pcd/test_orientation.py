@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 import pointloom as loom
@@ -10,11 +10,8 @@ from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.search.point_tree import PointTree
 
+from .any_cloud import examples
 from .orientation import agreement, orient, random_signs, sphere
-
-SETTINGS = settings(
-    max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture], derandomize=True
-)
 
 
 def row_sums(a):
@@ -87,7 +84,7 @@ def small_clouds(draw):
 
 
 @given(cloud=small_clouds(), k=st.sampled_from([1, 2, 5, 12, 100]))
-@SETTINGS
+@examples(15)
 def test_signs_are_those_along_the_least_spanning_tree(device, cloud, k):
     """With duplicates, ties of every kind, zero normals, and points and normals that are not finite."""
     points, normals = cloud

@@ -2,13 +2,14 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial.distance import cdist
 
 import pointloom as loom
 
-from ..scan_cases import ON_SCANS, on_sets
+from ..scan_cases import ON_SCANS
+from .any_cloud import examples
 from .open3d_clouds import cloud_of
 
 
@@ -59,23 +60,10 @@ def test_outliers_of_a_made_cloud_are_open3ds(device, rng, oracle):
         np.testing.assert_array_equal(indices, expected)
 
 
-@on_sets("scan", shipped=("lidar", "terrain"), real=("fragment", "lidar"))
-def test_radius_outliers_are_open3ds(device, scan, scans, to_open3d):
-    points = scans[scan].astype(np.float32).astype(float)
-    radius = {"fragment": 0.03, "lidar": 0.4, "terrain": 3.1}[scan]
-    cloud = loom.PointCloud(points, device=device)
-    for nb_points in (1, 5, 16):
-        kept, indices = cloud.remove_radius_outlier(nb_points, radius)
-        _, expected = to_open3d(points).remove_radius_outlier(nb_points, radius)
-        assert 0 < len(expected) < len(points)
-        np.testing.assert_array_equal(indices, np.sort(expected))
-        np.testing.assert_array_equal(kept.points, cloud.points[indices])
-
-
 clouds = st.lists(st.tuples(*[st.integers(-3, 3)] * 3), min_size=1, max_size=60)
 
 
-@settings(max_examples=20, deadline=None)
+@examples(20)
 @given(
     points=clouds,
     nb_points=st.integers(1, 8),
@@ -90,7 +78,7 @@ def test_radius_outliers_are_those_of_brute_force(points, nb_points, radius, sca
     np.testing.assert_array_equal(indices, np.flatnonzero(inside.sum(axis=1) > nb_points))
 
 
-@settings(max_examples=20, deadline=None)
+@examples(20)
 @given(points=clouds, nb_neighbors=st.integers(1, 70), std_ratio=st.sampled_from([0.3, 1.0, 2.5]))
 def test_statistical_outliers_are_those_of_brute_force(points, nb_neighbors, std_ratio):
     p = np.array(points, float)

@@ -6,11 +6,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 import pointloom as loom
 
+from .any_cloud import clouds, examples, real
 from .open3d_clouds import cloud_of
 
 SQUARE = [[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]]
@@ -98,25 +99,20 @@ def test_choices_are_open3ds(device, at, rng, oracle):
         check_choice(volume, cloud, expected)
 
 
-coordinate = st.one_of(st.integers(-2, 2).map(float), st.floats(-3, 3, width=32, allow_subnormal=False))
-triples = st.tuples(coordinate, coordinate, coordinate)
+COORDINATES = st.integers(-2, 2).map(float), real(3)
 
 
-@settings(derandomize=True, deadline=None, max_examples=80)
+@examples(80)
 @given(
-    corners=st.lists(triples, min_size=3, max_size=7), points=st.lists(triples, min_size=1, max_size=30),
-    axis=st.sampled_from("XYZxyz"), ends=st.tuples(coordinate, coordinate),
+    corners=clouds(*COORDINATES, least=3, most=7), points=clouds(*COORDINATES, least=1, most=30),
+    axis=st.sampled_from("XYZxyz"), ends=st.tuples(real(3), real(3)),
 )  # fmt: skip
-def check_any_polygon(device, o3d, open3d_volume, corners, points, axis, ends):
+def test_any_polygon_chooses_what_open3ds_does(device, o3d, open3d_volume, corners, points, axis, ends):
     """Corners and points on a lattice lie on each other's edges; polygons cross themselves or are flat."""
     volume = loom.SelectionPolygonVolume(corners, axis, min(ends), max(ends))
     expected = open3d_indices(o3d, open3d_volume(volume), points)
     assert volume.crop_in_polygon(loom.PointCloud(points, device=device)).tolist() == expected
     assert volume.crop_in_polygon(points).tolist() == expected
-
-
-def test_any_polygon_chooses_what_open3ds_does(device, o3d, open3d_volume):
-    check_any_polygon(device, o3d, open3d_volume)
 
 
 def test_ends_are_inclusive_and_of_the_edges_the_upper_ones(device):

@@ -7,11 +7,12 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 import pointloom as loom
 
+from .any_cloud import NOT_FINITE, WHOLE, clouds, examples, parts, real
 from .full_clouds import full_cloud
 from .open3d_clouds import cloud_of
 
@@ -99,20 +100,12 @@ def brute_trace(points, size, corner):
     return lists, cubes
 
 
-number = st.one_of(
-    st.integers(-3, 3).map(float),
-    st.integers(-8, 8).map(lambda i: i / 4),
-    st.floats(-5, 5, width=32, allow_subnormal=False),
-    st.sampled_from([np.nan, np.inf, -np.inf, 900.0]),
-)
-clouds = st.lists(st.tuples(number, number, number), max_size=30).map(lambda p: np.array(p, float).reshape(-1, 3))
+SMALL = clouds(WHOLE, parts(4, 8), real(5), NOT_FINITE, st.just(900.0), most=30)
 
 
-@settings(derandomize=True, deadline=None, max_examples=25)
-@given(
-    points=clouds, size=st.sampled_from([0.25, 1.0, 100.0]), corner=st.tuples(*[st.sampled_from([-1e6, 0, 0.3])] * 3)
-)
-def check_any_trace(device, points, size, corner):
+@examples(25)
+@given(points=SMALL, size=st.sampled_from([0.25, 1.0, 100.0]), corner=st.tuples(*[st.sampled_from([-1e6, 0, 0.3])] * 3))
+def test_any_small_cloud_is_traced_as_a_dictionary_traces_it(device, points, size, corner):
     cloud = loom.PointCloud(points, device=device, row=np.arange(len(points)))
     trace = cloud.voxel_down_sample_and_trace(size, corner)
     lists, cubes = brute_trace(cloud.points, size, np.array(corner))
@@ -124,10 +117,6 @@ def check_any_trace(device, points, size, corner):
         voxel_of_point[rows] = voxel
     assert trace.voxel_of_point.tolist() == voxel_of_point.tolist()
     assert trace.offsets.tolist() == np.cumsum([0, *map(len, lists)]).tolist()
-
-
-def test_any_small_cloud_is_traced_as_a_dictionary_traces_it(device):
-    check_any_trace(device)
 
 
 def test_a_trace_without_bounds_has_the_voxels_of_voxel_down_sample(device, rng):
@@ -251,19 +240,15 @@ def plain_choice(points, count, start):
     return chosen
 
 
-@settings(derandomize=True, deadline=None, max_examples=30)
-@given(points=clouds.filter(lambda p: np.isfinite(p).all(axis=1).any()), share=st.floats(0, 1))
-def check_any_choice(device, points, share):
+@examples(30)
+@given(points=SMALL.filter(lambda p: np.isfinite(p).all(axis=1).any()), share=st.floats(0, 1))
+def test_farthest_points_of_any_small_cloud_are_those_of_the_plain_algorithm(device, points, share):
     cloud = loom.PointCloud(points, device=device, row=np.arange(len(points)))
     start = int(np.flatnonzero(np.isfinite(points).all(axis=1))[-1])
     samples = int(share * (len(points) - 1))
     expected = plain_choice(points.astype(np.float32), samples, start)
     assert cloud.farthest_point_indices(samples, start).tolist() == expected
     assert cloud.farthest_point_down_sample(samples, start)["row"].tolist() == sorted(expected)
-
-
-def test_farthest_points_of_any_small_cloud_are_those_of_the_plain_algorithm(device):
-    check_any_choice(device)
 
 
 def test_a_longer_choice_begins_with_the_shorter(device, rng):

@@ -6,7 +6,7 @@ import sys
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial.distance import cdist
 
@@ -16,6 +16,7 @@ from pointloom.kernels.search.point_tree import LEAF, PointTree
 from pointloom.kernels.search.tree_search import search_nearest
 from pointloom.pcd.kept_tree import SMALLEST_EXTENT
 
+from .any_cloud import NOT_FINITE, WHOLE, clouds, examples, real
 from .nearest_oracle import EXACT, SHAPES, assert_nearest, make_cloud, queries_for, rows_of, sphere, square_distances
 
 
@@ -97,30 +98,6 @@ def test_no_queries_give_empty_rows(device, rng):
         assert found.indices.shape == found.sqdists.shape == (0, 4) and found.counts.shape == (0,)
     found = search.radius_search(np.zeros((0, 3)), 1.0)
     assert found.indices.shape == found.sqdists.shape == found.counts.shape == (0,)
-
-
-def test_search_agrees_with_open3d_on_a_lidar_scan(device, lidar, o3d, tolerances):
-    cloud = loom.PointCloud(lidar[:, :3], device=device)
-    search = loom.NearestNeighborSearch(cloud)
-    oracle = o3d.core.nns.NearestNeighborSearch(o3d.core.Tensor(lidar[:, :3].astype(np.float64)))
-    oracle.knn_index()
-    oracle.hybrid_index(1.0)
-    oracle.fixed_radius_index(0.3)
-    some = o3d.core.Tensor(lidar[::3, :3].astype(np.float64))
-    places = lidar[::3, :3]
-    relative = tolerances.sqdist_relative
-
-    _, sqdists = (t.numpy() for t in oracle.knn_search(some, 20))
-    np.testing.assert_allclose(search.knn_search(places, 20).sqdists, sqdists, rtol=relative)
-    _, sqdists, counts = (t.numpy() for t in oracle.hybrid_search(some, 1.0, 30))
-    found = search.hybrid_search(places, 1.0, 30)
-    np.testing.assert_array_equal(found.counts, counts.ravel())
-    missing = np.arange(30) >= found.counts[:, None]  # where Open3D has a distance of 0
-    np.testing.assert_allclose(found.sqdists, np.where(missing, np.inf, sqdists), rtol=relative)
-    _, sqdists, splits = (t.numpy() for t in oracle.fixed_radius_search(some, 0.3, True))
-    found = search.radius_search(places, 0.3)
-    np.testing.assert_array_equal(found.counts, np.diff(splits))
-    np.testing.assert_allclose(found.sqdists, sqdists, rtol=relative)
 
 
 @pytest.mark.parametrize(("k", "radius"), [(1, 10.0), (10, 0.05), (10, 0.25), (40, 0.7), (40, np.inf)])
@@ -207,17 +184,6 @@ def test_points_and_queries_that_are_not_finite_are_nobodys_neighbours(device, r
         assert_nearest(rows_of(search.radius_search(queries, 0.2), 605), d, 605, 0.2, tolerances)
 
 
-def test_a_cloud_that_is_mostly_nan_is_searched_like_its_finite_part(device, rng):
-    points = np.full((6000, 3), np.nan)
-    rows = np.sort(rng.permutation(6000)[:77])
-    points[rows] = rng.random((77, 3))
-    cloud, part = (loom.PointCloud(p, device=device) for p in (points, points[rows]))
-    found = loom.NearestNeighborSearch(cloud).hybrid_search(cloud, 0.3, 9)
-    expected = loom.NearestNeighborSearch(part).hybrid_search(part, 0.3, 9)
-    assert found.counts.sum() == expected.counts.sum() > 0
-    np.testing.assert_array_equal(found.indices[rows], np.where(expected.indices < 0, -1, rows[expected.indices]))
-
-
 @pytest.mark.parametrize("scale", [2e-13, 1e18])
 def test_neighbours_are_exact_at_any_scale(device, scale, rng, tolerances):
     """Beyond these the points are refused: test_kept_tree.py."""
@@ -297,19 +263,13 @@ def test_one_and_two_threads_give_the_same_bits():
     assert digests[0] == digests[1] and digests[0].count("'") == 34
 
 
-numbers = st.one_of(
-    st.integers(-3, 3).map(float),
-    st.floats(-10, 10, width=32, allow_subnormal=False),
-    st.floats(-1, 1, width=32, allow_subnormal=False).map(lambda x: x * 1e-25),
-    st.floats(-1, 1, width=32, allow_subnormal=False).map(lambda x: x * 1e15),
-    st.sampled_from([np.nan, np.inf, -np.inf]),
-)
-clouds = st.lists(st.tuples(numbers, numbers, numbers), max_size=40).map(lambda p: np.array(p, float).reshape(-1, 3))
+SIZES = [real(1).map(lambda x, size=size: x * size) for size in (1e-25, 1e15)]
+SMALL = clouds(WHOLE, real(10), *SIZES, NOT_FINITE)
 
 
-@settings(derandomize=True, deadline=None, max_examples=30)
-@given(points=clouds, queries=clouds, k=st.integers(1, 12), radius=st.sampled_from([1e-20, 1.0, 5.0, 1e14]))
-def check_any_cloud(device, tolerances, points, queries, k, radius):
+@examples(30)
+@given(points=SMALL, queries=SMALL, k=st.integers(1, 12), radius=st.sampled_from([1e-20, 1.0, 5.0, 1e14]))
+def test_any_small_cloud_is_searched_exactly(device, tolerances, points, queries, k, radius):
     cloud = loom.PointCloud(points, device=device, origin=np.zeros(3))
     finite = cloud.points[np.isfinite(cloud.points).all(axis=1)]
     if len(finite) and 0 < np.ptp(finite, axis=0).max() < SMALLEST_EXTENT:
@@ -323,7 +283,3 @@ def check_any_cloud(device, tolerances, points, queries, k, radius):
     assert_nearest(rows_of(search.radius_search(queries, radius), 41), expected, 41, radius, tolerances)
     own = square_distances(cloud, cloud.points)
     assert_nearest(search.hybrid_search(cloud, radius, k), own, k, radius, tolerances)
-
-
-def test_any_small_cloud_is_searched_exactly(device, tolerances):
-    check_any_cloud(device, tolerances)

@@ -2,12 +2,13 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 import pointloom as loom
 
 from ..scan_cases import on_sets
+from .any_cloud import NOT_FINITE, clouds, examples, parts
 from .open3d_clouds import cloud_of
 
 
@@ -37,19 +38,11 @@ def test_points_left_of_the_fragment_are_open3ds(device, digits, fragment, to_op
     np.testing.assert_array_equal(found.points, points[found["row"]])
 
 
-number = st.one_of(st.integers(-1, 1).map(float), st.sampled_from([-0.0, 1e-45, 0.1, np.nan, np.inf, -np.inf]))
-clouds = st.lists(st.tuples(number, number, number), max_size=40).map(lambda p: np.array(p, float).reshape(-1, 3))
-
-
-@settings(derandomize=True, deadline=None, max_examples=30)
-@given(points=clouds)
-def check_any_cloud(device, points):
+@examples(30)
+@given(points=clouds(parts(1, 1), NOT_FINITE, st.sampled_from([-0.0, 1e-45, 0.1])))
+def test_first_occurrences_of_any_small_cloud_are_left(device, points):
     cloud = loom.PointCloud(points, device=device, row=np.arange(len(points)))
     assert cloud.remove_duplicated_points()["row"].tolist() == first_rows(points.astype(np.float32))
-
-
-def test_first_occurrences_of_any_small_cloud_are_left(device):
-    check_any_cloud(device)
 
 
 def test_zeros_of_both_signs_are_equal_and_nan_equals_nothing_as_in_open3d(device, oracle):

@@ -2,10 +2,12 @@
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 import pointloom as loom
+
+from .any_cloud import clouds, examples, parts
 
 
 def rows_of(points):
@@ -101,13 +103,9 @@ def test_the_filter_rules_most_hidden_points_out(device, rng):
     assert 15_000 < rows.size < 25_000
 
 
-coordinate = st.sampled_from([0.0, 0.5, 1.0, -1.0]) | st.integers(-1024, 1024).map(lambda n: n / 256)
-
-
-@given(rows=st.lists(st.tuples(coordinate, coordinate, coordinate), max_size=14), gap=st.integers(0, 20))
-@settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
-def test_small_clouds_are_seen_as_by_brute_force(device, rows, gap):
-    points = np.array(rows).reshape(-1, 3)
+@given(points=clouds(parts(2, 2), parts(256, 1024), most=14), gap=st.integers(0, 20))
+@examples(25)
+def test_small_clouds_are_seen_as_by_brute_force(device, points, gap):
     camera, radius = np.array([0.3, 0.2, 6.0]), 50.0
     arms = points - camera
     cloud = points.copy()

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial import cKDTree
 
 import pointloom as loom
 
+from .any_cloud import NOT_FINITE, WHOLE, clouds, examples, real
 from .open3d_clouds import cloud_of
 
 
@@ -34,16 +35,6 @@ def test_the_fragments_voxels_and_means_are_open3ds(device, size, fragment, to_o
     np.testing.assert_allclose(found.normals[rows], np.asarray(expected.normals), rtol=0, atol=limit)
     if size >= 0.1:
         assert np.linalg.norm(found.normals, axis=1).min() < 0.9, "means of normals are not made unit again"
-
-
-@pytest.mark.parametrize(("scan", "size"), [("lidar", 0.4), ("lidar", 3.0), ("terrain", 2.5), ("terrain", 20.0)])
-def test_the_voxels_of_scans_are_open3ds(device, scan, size, lidar, terrain, to_open3d, tolerances):
-    points = lidar[:, :3] if scan == "lidar" else terrain - terrain.mean(axis=0)
-    cloud = loom.PointCloud(points, device=device)
-    found = cloud.voxel_down_sample(size)
-    expected = np.asarray(to_open3d(cloud.points).voxel_down_sample(size).points)
-    reach = np.abs(expected).max()  # a mean is rounded once to float32
-    matched(found.points, expected, np.sqrt(3) * tolerances.float32_relative * reach)
 
 
 def brute_force(points, size):
@@ -153,24 +144,15 @@ def test_a_voxel_larger_than_the_cloud_gives_its_mean(device, rng):
         np.testing.assert_allclose(found, points.astype(float).mean(axis=0)[None], rtol=6.1e-8)
 
 
-number = st.one_of(
-    st.integers(-3, 3).map(float),
-    st.floats(-5, 5, width=32, allow_subnormal=False),
-    st.sampled_from([np.nan, np.inf, -np.inf, 900.0, 1e-20]),
+@examples(30)
+@given(
+    points=clouds(WHOLE, real(5), NOT_FINITE, st.sampled_from([900.0, 1e-20])),
+    size=st.sampled_from([0.01, 0.5, 1.0, 100.0]),
 )
-clouds = st.lists(st.tuples(number, number, number), max_size=40).map(lambda p: np.array(p, float).reshape(-1, 3))
-
-
-@settings(derandomize=True, deadline=None, max_examples=30)
-@given(points=clouds, size=st.sampled_from([0.01, 0.5, 1.0, 100.0]))
-def check_any_cloud(device, points, size):
+def test_any_small_cloud_is_averaged_as_numpy_averages(device, points, size):
     cloud = loom.PointCloud(points, device=device, row=np.arange(len(points)), time=np.arange(len(points)) * 1.5)
     found, groups = cloud.voxel_down_sample(size), brute_force(cloud.points, size)
     assert found["row"].tolist() == [g[0] for g in groups]
     np.testing.assert_allclose(found["time"], [np.mean(g) * 1.5 for g in groups], rtol=1e-15)
     means = np.array([cloud.points[g].sum(axis=0) / len(g) for g in groups]).reshape(-1, 3)
     np.testing.assert_array_equal(found.points, means.astype(np.float32))
-
-
-def test_any_small_cloud_is_averaged_as_numpy_averages(device):
-    check_any_cloud(device)
