@@ -4,21 +4,8 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from PIL import Image
 
 import pointloom as loom
-
-
-@pytest.fixture(scope="module")
-def raw(shipped_file):
-    """A depth image with holes [mm]."""
-    return np.asarray(Image.open(shipped_file("rgbd-cupoch-redwood5/depth/00002.png")))
-
-
-@pytest.fixture(scope="module")
-def color(shipped_file):
-    """Its colours."""
-    return np.asarray(Image.open(shipped_file("rgbd-cupoch-redwood5/color/00002.jpg")))
 
 
 def _small(seed, height, width, holes):
@@ -219,7 +206,9 @@ FILTERS = {"bilateral": loom.filter_depth_bilateral, "erosion": loom.erode_depth
 
 
 @pytest.mark.parametrize("run", FILTERS.values(), ids=FILTERS)
-def test_a_filter_takes_integers_metres_and_images_alike(device, run, raw, color):
+def test_a_filter_takes_integers_metres_and_images_alike(device, run, rng):
+    raw, color = (1000 * relief(rng)).astype(np.uint16), rng.integers(0, 256, (24, 40, 3)).astype(np.uint8)
+    raw[rng.random(raw.shape) < 0.1] = 0
     image = loom.RGBDImage(color, raw, depth_trunc=np.inf, device=device)
     from_integers = run(raw, device=device)
     from_metres = run(raw.astype(np.float32) / np.float32(1000), device=device)

@@ -1,5 +1,7 @@
 """Boxes: Open3D's, the smallest against fine searches, and flat ones where Open3D raises errors."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -8,18 +10,11 @@ from hypothesis import strategies as st
 import pointloom as loom
 
 from .any_cloud import clouds, examples, parts
+from .open3d_clouds import cloud_of
 
 UTM = np.array([500_000.0, 5_400_000.0, 128.0])
 TURN = np.array([[0.8, 0.0, 0.6], [0.36, 0.8, -0.48], [-0.48, 0.6, 0.64]])
 MAKERS = ("get_oriented_bounding_box", "get_minimal_oriented_bounding_box")
-
-
-@pytest.fixture(scope="module")
-def scans(fragment, lidar, scan_file):
-    """Real scans that float32 holds exactly, about their middle."""
-    terrain = loom.read_point_cloud(scan_file("lidar-pcl-terrain/samp12-utm.pcd")).points
-    clouds = {"fragment": fragment.points, "lidar": lidar[:, :3], "terrain": terrain - terrain.mean(axis=0).round()}
-    return {name: points.astype(np.float32).astype(float) for name, points in clouds.items()}
 
 
 def random_rotation(rng):
@@ -36,37 +31,32 @@ def assert_same_box(found, expected, limit):
     assert np.linalg.det(found.R) > 0
 
 
-# ------------------------------------------------------------------------------------------------ of clouds
-
-
-@pytest.mark.parametrize("scan", ["fragment", "lidar", "terrain"])
-def test_the_principal_box_of_a_scan_is_open3ds(device, scan, scans, to_open3d, tolerances):
-    points = scans[scan]
-    cloud = loom.PointCloud(points, device=device)
-    box, expected = cloud.get_oriented_bounding_box(), to_open3d(points).get_oriented_bounding_box()
-    assert_same_box(box, expected, tolerances.box_share * np.ptp(points))
-    assert len(cloud.crop(box)) == len(cloud)
-
-
-@pytest.mark.parametrize("scan", ["fragment", "lidar", "terrain"])
-def test_the_smallest_box_of_a_scan_is_no_larger_than_open3ds(device, scan, scans, o3d, tolerances):
-    points = scans[scan]
-    cloud = loom.PointCloud(points, device=device)
-    box, ((volume, holds),) = cloud.get_minimal_oriented_bounding_box(), open3d_boxes(o3d, [points])
-    assert holds and box.volume() <= volume * (1 + tolerances.box_volume)
-    assert len(cloud.crop(box)) == len(cloud)
-    assert box.volume() <= cloud.get_oriented_bounding_box().volume()
-
-
 def open3d_boxes(o3d, clouds):
     """The volume of the smallest box that Open3D finds of each cloud, and whether it holds the cloud."""
     found = []
     for points in clouds:
         vectors = o3d.utility.Vector3dVector(np.array(points))
-        box = o3d.geometry.PointCloud(vectors).get_minimal_oriented_bounding_box()
+        box = cloud_of(o3d, points).get_minimal_oriented_bounding_box()
         wider = o3d.geometry.OrientedBoundingBox(box.center, box.R, box.extent * (1 + 1e-6) + 1e-9)
         found.append((box.volume(), len(wider.get_point_indices_within_bounding_box(vectors)) == len(points)))
     return found
+
+
+def open3d_principal(o3d, points):
+    box = cloud_of(o3d, points).get_oriented_bounding_box()
+    return box.center, box.extent, box.R
+
+
+def test_the_principal_box_of_a_cloud_is_open3ds(device, rng, oracle, tolerances):
+    points = (rng.normal(size=(500, 3)) * [3, 2, 1] @ TURN).astype(np.float32).astype(float)
+    cloud = loom.PointCloud(points, device=device)
+    expected = oracle("pcd/boxes/principal", open3d_principal, points)
+    box, names = cloud.get_oriented_bounding_box(), ("center", "extent", "R")
+    assert_same_box(
+        box, SimpleNamespace(**dict(zip(names, expected, strict=True))), tolerances.box_share * np.ptp(points)
+    )
+    assert len(cloud.crop(box)) == len(cloud)
+    assert cloud.get_minimal_oriented_bounding_box().volume() <= box.volume()
 
 
 def made_shapes(rng):
@@ -216,9 +206,6 @@ def test_joggling_changes_little(device, rng):
     for maker in MAKERS:
         plain, joggled = getattr(cloud, maker)(), getattr(cloud, maker)(robust=True)
         assert joggled.volume() == pytest.approx(plain.volume(), rel=1e-6)
-
-
-# ------------------------------------------------------------------------------------------------ boxes themselves
 
 
 LOW, HIGH, MIDDLE = [0.5, 1, 2], [3, 5, 8.25], [1, 2, 3]

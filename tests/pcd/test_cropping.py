@@ -16,8 +16,11 @@ def test_indices_select_in_their_order_with_repeats_and_count_from_the_end(devic
     cloud = full_cloud(rng, device)
     indices = [7, -1, 7, 0, -200, 199]
     np.testing.assert_array_equal(cloud.select_by_index(indices).points, cloud.points[indices])
-    few = np.array([7, -1, 7], np.int8)
-    np.testing.assert_array_equal(cloud.select_by_index(few)["label"], cloud["label"][few])
+    for dtype in ("i1", "i8", "u1", "u8"):
+        few = np.array([7, 99, 7, 0] if dtype[0] == "u" else [7, -1, 7, -9]).astype(dtype)
+        np.testing.assert_array_equal(cloud.select_by_index(few)["label"], cloud["label"][few])
+        rest = np.delete(np.arange(200), few.astype(int))
+        np.testing.assert_array_equal(cloud.select_by_index(few, invert=True)["label"], cloud["label"][rest])
     left = np.setdiff1d(np.arange(200), np.array(indices) % 200)
     np.testing.assert_array_equal(cloud.select_by_index(indices, invert=True).points, cloud.points[left])
     assert len(cloud.select_by_index([])) == 0 and len(cloud.select_by_index([], invert=True)) == 200

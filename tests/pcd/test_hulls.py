@@ -8,17 +8,10 @@ from hypothesis import strategies as st
 import pointloom as loom
 
 from .any_cloud import clouds, examples, parts
+from .open3d_clouds import cloud_of
 
 CUBE = np.array([[x, y, z] for x in (0.0, 1.0) for y in (0.0, 1.0) for z in (0.0, 1.0)])
 TURN = np.array([[0.8, 0.0, 0.6], [0.36, 0.8, -0.48], [-0.48, 0.6, 0.64]])
-
-
-@pytest.fixture(scope="module")
-def terrain(scan_file):
-    """Airborne points about their middle; the file holds them at 5e5, 5.4e6, where Open3D is inexact."""
-    points = loom.read_point_cloud(scan_file("lidar-pcl-terrain/samp12-utm.pcd")).points
-    assert points.max() > 5e6
-    return points - points.mean(axis=0).round()
 
 
 def rows_of(points):
@@ -48,20 +41,26 @@ def assert_encloses(hull, points, limit):
         assert (rows @ normals.T - np.einsum("ij,ij->i", normals, a)).max() <= limit
 
 
-@pytest.mark.parametrize("scan", ["fragment", "lidar", "terrain"])
-def test_the_hull_of_a_scan_is_open3ds(device, scan, fragment, lidar, terrain, to_open3d, tolerances):
-    points = {"fragment": fragment.points, "lidar": lidar[:, :3], "terrain": terrain}[scan]
-    points = points.astype(np.float32).astype(float)
-    hull, indices = loom.PointCloud(points, device=device).compute_convex_hull()
-    mesh, expected = to_open3d(points).compute_convex_hull()
-    assert rows_of(points[indices]) == rows_of(points[expected])
-    np.testing.assert_array_equal(hull.vertices, points[indices])
-    assert (np.diff(indices) > 0).all() and edge_balance(hull.triangles)
+def open3d_hull(o3d, points):
+    """Its vertices as rows of the cloud, volume and area."""
+    mesh, indices = cloud_of(o3d, points).compute_convex_hull()
     mesh.orient_triangles()
-    assert abs(hull.volume / abs(mesh.get_volume()) - 1) < tolerances.hull_measure
-    assert abs(hull.area / mesh.get_surface_area() - 1) < tolerances.hull_measure
+    return np.sort(indices), abs(mesh.get_volume()), mesh.get_surface_area()
+
+
+@pytest.mark.parametrize(("shape", "stretch"), [("ball", (1, 1, 1)), ("slab", (100, 30, 1))])
+def test_the_hull_of_a_made_cloud_is_open3ds(device, shape, stretch, rng, oracle, tolerances):
+    points = (rng.normal(size=(6000, 3)) * stretch).astype(np.float32).astype(float)
+    hull, indices = loom.PointCloud(points, device=device, origin=np.zeros(3)).compute_convex_hull()
+    expected, volume, area = oracle(f"pcd/hulls/{shape}", open3d_hull, points)
+    np.testing.assert_array_equal(indices, expected)
+    np.testing.assert_array_equal(hull.vertices, points[indices])
+    assert edge_balance(hull.triangles)
+    assert (
+        abs(hull.volume / volume - 1) < tolerances.hull_measure and abs(hull.area / area - 1) < tolerances.hull_measure
+    )
     assert abs(signed_volume(hull) / hull.volume - 1) < tolerances.hull_measure
-    assert_encloses(hull, points[:: max(1, len(points) // 2000)], tolerances.hull_outside * np.ptp(points))
+    assert_encloses(hull, points, tolerances.hull_outside * np.ptp(points))
 
 
 @pytest.mark.parametrize("shape", ["ball", "needle", "corner", "lattice"])

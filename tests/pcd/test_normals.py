@@ -1,7 +1,5 @@
 """Normals: against Open3D on real scans, exact far from the origin, and defined in every degenerate neighbourhood."""
 
-import struct
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -75,11 +73,7 @@ def test_no_direction_is_thinner_than_the_normal(points, k, scale):
 @pytest.fixture(scope="module")
 def utm_scan(shipped_file):
     """The coordinates of an airborne scan, about 4.9e5 and 4.9e6, as numbers."""
-    las = shipped_file("lidar-pdal/autzen/autzen-utm.las").read_bytes()
-    start, length = struct.unpack_from("<I", las, 96)[0], struct.unpack_from("<H", las, 105)[0]
-    count, scale, offset = (struct.unpack_from("<I", las, 107)[0], *np.frombuffer(las, "<f8", 6, 131).reshape(2, 3))
-    rows = np.frombuffer(las, np.dtype({"names": ["xyz"], "formats": ["<3i4"], "itemsize": length}), count, start)
-    return rows["xyz"] * scale + offset
+    return loom.read_point_cloud(shipped_file("lidar-pdal/autzen/autzen-utm.las")).points
 
 
 @pytest.mark.parametrize("search", [{"radius": 85.0, "max_nn": 30}, {"radius": 85.0, "max_nn": None}], ids=str)

@@ -48,6 +48,7 @@ def test_all_shapes_are_bounded_and_moved_alike(shapes, kind):
 def test_questions_may_be_called(shapes):
     cloud, mesh, lines = (shapes[name] for name in ("cloud", "mesh", "lines"))
     assert cloud.has_points() and not cloud.has_covariances()
+    assert cloud.has_points() is True and cloud.has_points == True and repr(cloud.has_colors) == "False"  # noqa: E712
     assert cloud.estimate_covariances(max_nn=4).has_covariances() and not mesh.has_triangle_uvs
     assert mesh.has_vertices() and mesh.has_triangles() and not mesh.has_vertex_normals() and not mesh.has_textures()
     assert mesh.compute_vertex_normals().has_vertex_normals() and not mesh.has_vertex_colors

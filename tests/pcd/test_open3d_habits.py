@@ -66,12 +66,6 @@ def test_an_unknown_name_is_an_error_that_names_the_nearest(cloud, line, message
         exec(line, names)
 
 
-def test_questions_are_answered_with_and_without_a_call(cloud, device):
-    assert cloud.has_colors and cloud.has_colors() is True and cloud.has_colors == True  # noqa: E712
-    assert not cloud.has_normals and cloud.has_normals() is False and repr(cloud.has_normals) == "False"
-    assert not cloud.is_empty and loom.PointCloud(device=device).is_empty()
-
-
 def test_attributes_are_dropped_by_name(cloud):
     bare = cloud.without("colors", "label")
     assert not bare.has_colors and not len(bare.attributes) and cloud.has_colors

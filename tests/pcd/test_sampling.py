@@ -74,18 +74,6 @@ def test_traces_of_a_made_cloud_are_open3ds(device, rng, oracle, tolerances):
     check_trace(cloud.voxel_down_sample_and_trace(*box), expected, tolerances, tolerances.voxel_mean)
 
 
-@pytest.mark.parametrize("size", [0.05, 0.5])
-def test_traces_of_the_fragment_are_open3ds(device, size, fragment, o3d, tolerances):
-    every = slice(None, None, 3)
-    points, normals, colors = fragment.points[every], fragment.normals[every], fragment.colors[every]
-    cloud = loom.PointCloud(points, normals=normals, colors=colors, device=device)
-    low, high = np.array([0.3, -0.2, 1.0]), points.max(axis=0)
-    oracle = open3d_trace(o3d, points, cloud.normals, cloud.colors, size, low, high)
-    trace = cloud.voxel_down_sample_and_trace(size, low, high)
-    assert (points < low).any(), "the bounds do not cut off points"
-    check_trace(trace, oracle, tolerances, tolerances.voxel_mean)
-
-
 def brute_trace(points, size, corner):
     """Voxels in ascending order, as lists of rows, and the last row in each octant, by a dictionary."""
     voxels: dict[tuple, list[int]] = {}

@@ -7,7 +7,6 @@ from hypothesis import strategies as st
 
 import pointloom as loom
 
-from ..scan_cases import on_sets
 from .any_cloud import NOT_FINITE, clouds, examples, parts
 from .open3d_clouds import cloud_of
 
@@ -24,18 +23,6 @@ def first_rows(points):
 
 def open3d_without_duplicates(o3d, points):
     return np.asarray(cloud_of(o3d, points).remove_duplicated_points().points)
-
-
-@on_sets("digits", shipped=[1], real=[1, 2])
-def test_points_left_of_the_fragment_are_open3ds(device, digits, fragment, to_open3d):
-    """Rounded to a lattice of 10 cm and of 1 cm, so that most are duplicates."""
-    points = np.round(fragment.points, digits).astype(np.float32)
-    cloud = loom.PointCloud(points, device=device, row=np.arange(len(points)))
-    oracle = to_open3d(points).remove_duplicated_points()
-    found = cloud.remove_duplicated_points()
-    assert len(found) < len(points) / 2
-    np.testing.assert_array_equal(found.points, np.asarray(oracle.points))
-    np.testing.assert_array_equal(found.points, points[found["row"]])
 
 
 @examples(30)
@@ -64,15 +51,3 @@ def test_equal_points_become_the_first_of_them_with_its_attributes(device, count
     np.testing.assert_array_equal(found.points, cloud.points[:1])
     np.testing.assert_array_equal(found.normals, cloud.normals[:1])
     np.testing.assert_array_equal(found["time"], cloud["time"][:1])
-
-
-@pytest.mark.parametrize("dtype", ["u1", "i2", "i8", "u8"])
-def test_indices_of_any_whole_type_select_and_invert(device, dtype, rng):
-    cloud = loom.PointCloud(rng.random((100, 3)), device=device, row=np.arange(100))
-    indices = np.array([7, 99, 7, 0]).astype(dtype)
-    assert cloud.select_by_index(indices)["row"].tolist() == [7, 99, 7, 0]
-    left = cloud.select_by_index(indices, invert=True)["row"]
-    assert left.tolist() == sorted(set(range(100)) - {0, 7, 99})
-    if dtype in ("i2", "i8"):
-        assert cloud.select_by_index(-indices[:1])["row"].tolist() == [93]
-        assert 93 not in cloud.select_by_index(-indices[:1], invert=True)["row"]

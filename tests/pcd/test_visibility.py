@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 import pointloom as loom
 
 from .any_cloud import clouds, examples, parts
+from .open3d_clouds import cloud_of
 
 
 def rows_of(points):
@@ -33,33 +34,27 @@ def visible(points, camera, radius, device):
     return surface, rows_of(cloud.points[indices])
 
 
-@pytest.fixture(scope="module")
-def views(fragment, lidar, scan_file, to_open3d):
-    """Scans with the tutorial's camera, a scanner's own place and an aeroplane's, and what Open3D sees of them."""
-
-    def expect(points, camera, radius):
-        mesh, indices = to_open3d(points).hidden_point_removal(camera, radius)
-        return points, camera, radius, rows_of(points[indices]), len(mesh.triangles)
-
-    size = np.linalg.norm(np.ptp(fragment.points, axis=0))
-    terrain = loom.read_point_cloud(scan_file("lidar-pcl-terrain/samp12-utm.pcd")).points
-    terrain = terrain - terrain.mean(axis=0).round()
-    scan = lidar[:, :3].astype(float)
-    reach = np.linalg.norm(np.ptp(scan, axis=0))
-    return {
-        "fragment": expect(fragment.points[::2], np.array([0, 0, size]), 100 * size),
-        "lidar": expect(scan, np.zeros(3), 100 * reach),
-        "lidar from aside": expect(scan, np.array([10.0, -40, 5]), 1000 * reach),
-        "terrain": expect(terrain, np.array([0, 0, 1000.0]), 50_000.0),
-    }
+def open3d_views(o3d, points, views):
+    """The visible rows and the number of triangles of each view."""
+    found = [cloud_of(o3d, points).hidden_point_removal(camera, radius) for camera, radius in views]
+    return [(np.sort(indices).astype(np.int16), len(mesh.triangles)) for mesh, indices in found]
 
 
-@pytest.mark.parametrize("view", ["fragment", "lidar", "lidar from aside", "terrain"])
-def test_the_visible_points_of_a_scan_are_open3ds(device, view, views):
-    points, camera, radius, expected, triangle_count = views[view]
-    surface, found = visible(points, camera, radius, device)
-    assert found == expected
-    assert abs(len(surface.triangles) - triangle_count) <= 0.001 * triangle_count
+def test_the_visible_points_of_a_made_scan_are_open3ds(device, rng, oracle):
+    """A hilly surface, seen from its middle, from aside and from an aeroplane's place."""
+    xy = rng.random((6000, 2)) * 40 - 20
+    heights = 2 * np.sin(xy[:, 0] / 3) * np.cos(xy[:, 1] / 4)
+    points = np.column_stack([xy, heights]).astype(np.float32).astype(float)
+    views = [
+        (np.array(camera, float), radius)
+        for camera, radius in (([0, 0, 3], 6e3), ([10, -40, 5], 6e4), ([0, 0, 1e3], 5e4))
+    ]
+    for (camera, radius), (rows, triangles) in zip(
+        views, oracle("pcd/visibility/hills", open3d_views, points, views), strict=True
+    ):
+        surface, found = visible(points, camera, radius, device)
+        assert found == rows_of(points[rows])
+        assert abs(len(surface.triangles) - triangles) <= 0.001 * triangles
 
 
 @pytest.mark.parametrize(
