@@ -33,7 +33,7 @@ REBOUND = "rebound.test"  # a name of somebody else that leads to this machine
 # WebGL in software, and no calls home: the machine may have neither a GPU nor a network. Text and panels are drawn
 # without WebGL, which takes a third less time.
 FLAGS = [
-    "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-quic", "--no-first-run",
+    "--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist", "--disable-quic", "--no-first-run",
     "--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-gpu-rasterization",
     f"--host-resolver-rules=MAP {REBOUND} 127.0.0.1",
 ]  # fmt: skip
