@@ -69,9 +69,11 @@ def test_a_card_that_forgets_everything_is_filled_again(open_recording):
     before = stage(page)
     page.evaluate(
         """async () => {
-            const loss = document.getElementById("scene").getContext("webgl2").getExtension("WEBGL_lose_context");
+            const canvas = document.getElementById("scene");
+            const loss = canvas.getContext("webgl2").getExtension("WEBGL_lose_context");
+            const lost = new Promise((done) => canvas.addEventListener("webglcontextlost", () => setTimeout(done)));
             loss.loseContext();
-            await new Promise((resolve) => setTimeout(resolve, 100)); // the page must have been told
+            await lost;
             loss.restoreContext();
         }"""
     )

@@ -77,7 +77,17 @@ def wait_until(claim: Callable[[], object], seconds: float = PATIENCE) -> None:
             raise AssertionError("it came without an event" if claim() else "it never came")
 
 
-def _announce(function: Callable[..., Any]) -> Callable[..., Any]:
+def join_threads(running: Callable[[threading.Thread], bool]) -> None:
+    """Wait until the threads for which `running` is true have ended."""
+    for thread in filter(running, threading.enumerate()):
+        thread.join(PATIENCE)
+        assert not thread.is_alive(), f"{thread.name} still runs"
+
+
+def announce(patch: pytest.MonkeyPatch, owner: Any, name: str) -> None:
+    """Have each call of a function announce an event when it ends."""
+    function = getattr(owner, name)
+
     @functools.wraps(function)
     def announced(*args: Any, **kwargs: Any) -> Any:
         try:
@@ -85,7 +95,7 @@ def _announce(function: Callable[..., Any]) -> Callable[..., Any]:
         finally:
             events.happened()
 
-    return announced
+    patch.setattr(owner, name, announced)
 
 
 class _LogEvents(logging.Handler):
@@ -122,7 +132,7 @@ def announced_events() -> Iterator[None]:
         patch.setattr(PageClient, "take", count_taken)
         for owner, names in SOURCES:
             for name in names:
-                patch.setattr(owner, name, _announce(getattr(owner, name)))
+                announce(patch, owner, name)
         log.addHandler(handler)
         yield
         log.removeHandler(handler)

@@ -7,7 +7,6 @@ import os
 import random
 import socket
 import threading
-import time
 from contextlib import ExitStack
 
 import numpy as np
@@ -17,8 +16,9 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 from pointloom.drawing.viewer.link import hub
 from pointloom.drawing.viewer.link.worker import MOST_WAITING
 
+from .events import announce, wait_until
 from .hostile_pages import HOSTILE_VALUES, hostile_messages, near_messages
-from .pages import CAMERA, client_of, count, hear, hear_until, is_well, line_of, page_of, say, silent_line, wait_until
+from .pages import CAMERA, client_of, count, hear, hear_until, is_well, line_of, page_of, say, silent_line
 
 
 def move_to(line, fov: float) -> None:
@@ -311,14 +311,18 @@ def test_a_page_that_does_not_read_is_dropped_and_others_are_served(server, impa
     line.close()
 
 
-def test_a_page_that_reads_slowly_but_reads_is_kept(server, impatient):
+def test_a_page_that_reads_slowly_but_reads_is_kept(server, impatient, monkeypatch):
+    looks, unsent = [], hub._unsent_bytes
+    monkeypatch.setattr(hub, "_unsent_bytes", lambda line: looks.append(line) or unsent(line))
+    announce(monkeypatch, hub, "_unsent_bytes")
     server.pages.scene.add_points(np.zeros((3_000_000, 3), np.float32), plain=(255, 0, 0))
     with silent_line(server, buffer=1 << 20) as line:
         wait_until(lambda: count(server) == 1)
-        read, end = 0, time.monotonic() + 2
-        while time.monotonic() < end:
-            read += len(line.recv(100_000))
-            time.sleep(0.05)
+        read = 0
+        for look in range(1, 2 * round(hub.STALL_SECONDS / hub.WATCH_SECONDS)):
+            wait_until(lambda look=look: len(looks) > look or count(server) == 0)
+            for _ in range(5):
+                read += len(line.recv(100_000))
         assert count(server) == 1
         assert 500_000 < read < 35_000_000  # there was more to come all the time
 
