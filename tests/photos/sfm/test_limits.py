@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import io
 import os
+import select
 import signal
 import threading
 import time
@@ -80,16 +81,9 @@ def is_alive(pid: int) -> bool:
     return False
 
 
-def wait_for(path: Path) -> list[int]:
-    for _ in range(400):
-        if path.exists() and path.read_text().endswith("\n"):
-            return [int(text) for text in path.read_text().split()]
-        time.sleep(0.05)
-    raise AssertionError(f"{path} was not written")
-
-
 def test_an_interrupt_kills_the_worker_and_its_children(walked, tmp_path, worker):
-    place = tmp_path / "pids"
+    place, watched = tmp_path / "pids", []
+    os.mkfifo(place)
     worker(
         "child = subprocess.Popen(['sleep', '60'])\n"
         f"open({os.fspath(place)!r}, 'w').write(f'{{os.getpid()}} {{child.pid}}\\n')\n"
@@ -98,7 +92,8 @@ def test_an_interrupt_kills_the_worker_and_its_children(walked, tmp_path, worker
     pictures = write_pictures(tmp_path / "pictures", walked[:2])
 
     def interrupt() -> None:
-        wait_for(place)
+        pids = [int(text) for text in place.read_text().split()]  # once the worker has written them
+        watched.extend(os.pidfd_open(pid) for pid in pids)
         signal.raise_signal(signal.SIGINT)
 
     before = signal.signal(signal.SIGINT, signal.default_int_handler)  # a job of a script's begins with it ignored
@@ -108,12 +103,10 @@ def test_an_interrupt_kills_the_worker_and_its_children(walked, tmp_path, worker
             loom.sfm.find_features(pictures, tmp_path / "f.db")
     finally:
         signal.signal(signal.SIGINT, before)
-    pids = wait_for(place)
-    for _ in range(100):
-        if not any(map(is_alive, pids)):
-            break
-        time.sleep(0.05)
-    assert [is_alive(pid) for pid in pids] == [False, False]
+    assert len(watched) == 2
+    for process in watched:
+        assert select.select([process], [], [], 60)[0]  # it has ended
+        os.close(process)
     assert not (tmp_path / "f.db").exists()
 
 
