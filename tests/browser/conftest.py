@@ -79,8 +79,8 @@ def pytest_runtest_protocol(item: pytest.Item, nextitem: pytest.Item | None) -> 
     item.ihook.pytest_runtest_logstart(nodeid=item.nodeid, location=item.location)
     reports = runtestprotocol(item, nextitem=nextitem, log=False)
     if failed := next((report for report in reports if report.failed), None):
-        error = str(failed.longrepr).strip().splitlines()[-1]
-        printed.append(f"FLAKE {item.nodeid}: {failed.when}: {getattr(failed.longrepr, 'reprcrash', None) or error}")
+        error = str(getattr(failed.longrepr, "reprcrash", failed.longrepr)).strip().splitlines()[0]
+        printed.append(f"FLAKE {item.nodeid}: {failed.when}: {error}")
         item.user_properties.append(("flake", error))  # for tests/flakes.py
         item._initrequest()  # type: ignore[attr-defined]  # fresh fixtures
         reports = runtestprotocol(item, nextitem=nextitem, log=False)
@@ -98,7 +98,7 @@ def pytest_runtest_makereport(item: pytest.Item) -> Iterator[Any]:
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
-    for line in printed:
+    for line in dict.fromkeys(printed):
         terminalreporter.write_line(line)
 
 

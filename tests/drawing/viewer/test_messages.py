@@ -211,6 +211,23 @@ def test_what_one_page_sets_the_others_see_and_it_hears_only_of_what_was_mended(
         assert [hear(line)[0]["value"] for line in (first, second)] == [10, 10]
 
 
+def test_a_sync_is_answered_behind_all_that_follows_from_what_was_said_before(server):
+    button, go_on = server.pages.gui.add_button("press"), threading.Event()
+    button.on_click(lambda event: go_on.wait(60) and server.pages.scene.add_group())
+    with page_of(server) as line:
+        say(line, {"say": "press", "id": button.id})
+        say(line, {"say": "sync", "n": 7})
+        for wrong in ({}, {"n": 0}, {"n": "7"}):
+            say(line, {"say": "sync"} | wrong)
+        go_on.set()
+        heard: list[str] = []
+        while "sync" not in heard:
+            heard += [f"{op['op']}" for op in hear(line)]
+        assert heard.index("node") < heard.index("sync")
+        say(line, {"say": "sync", "n": 8})
+        assert hear_until(line, "sync")["n"] == 8
+
+
 def test_a_file_is_taken_whole(server):
     button, loaded = server.pages.gui.add_upload_button("Load"), []
     button.on_upload(lambda event: loaded.append((event.value.name, event.target.value.content)))
