@@ -1,6 +1,6 @@
 """Run the tests of pages, threads and processes many times and list every test whose outcome differed.
 
-    python tests/flakes.py --runs 20 --loaded-runs 10 [--keep FOLDER] [paths ...]
+    python tests/flakes.py --runs 20 --loaded-runs 10 [--keep FOLDER] [paths and options of pytest]
 
 Loaded runs have eight busy processes beside them. A retry counts as a difference (tests/browser retries a failed test
 once). The exit code is 1 if an outcome differed or a test failed.
@@ -22,13 +22,18 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 BUSY_PROCESSES = 8
-PATHS = (
-    *("tests/browser", "tests/drawing/viewer", "tests/scale"),
-    *("tests/kernels/language/test_cpu_pool.py", "tests/kernels/language/test_device_lock.py"),
-    *("tests/kernels/language/test_kept_kernels.py", "tests/kernels/language/test_module_loading.py"),
-    *("tests/kernels/language/test_notices.py", "tests/photos/sfm/test_limits.py", "tests/files/test_rgbd_sources.py"),
-    *("tests/app/test_cli.py", "tests/app/test_pipes.py", "tests/app/test_tile_command.py"),
-    *("tests/app/test_view_command.py", "tests/rgbd/test_frame_threads.py"),
+# One process each: Chromium's tests run alone in CI as well.
+GROUPS = (
+    ("tests/browser",),
+    ("tests/drawing/viewer",),
+    ("tests/scale",),
+    (
+        *("tests/kernels/language/test_cpu_pool.py", "tests/kernels/language/test_device_lock.py"),
+        *("tests/kernels/language/test_kept_kernels.py", "tests/kernels/language/test_module_loading.py"),
+        *("tests/kernels/language/test_notices.py", "tests/photos/sfm/test_limits.py"),
+        *("tests/files/test_rgbd_sources.py", "tests/rgbd/test_frame_threads.py", "tests/app/test_cli.py"),
+        *("tests/app/test_pipes.py", "tests/app/test_tile_command.py", "tests/app/test_view_command.py"),
+    ),
 )
 
 
@@ -48,11 +53,11 @@ class Outcomes:
     messages: dict[str, list[str]] = field(default_factory=dict)
     skipped: Counter[str] = field(default_factory=Counter)
 
-    def add(self, report: str) -> Counter[str]:
-        """Add a JUnit report. Returns its number of tests by outcome."""
+    def add(self, *reports: str) -> Counter[str]:
+        """Add the JUnit reports of a run. Returns its number of tests by outcome."""
         found: dict[str, str] = {}
         self.skipped = Counter()
-        for case in ElementTree.fromstring(report).iter("testcase"):
+        for case in (case for report in reports for case in ElementTree.fromstring(report).iter("testcase")):
             name = f"{case.get('classname')}::{case.get('name')}"
             outcome, message = _outcome_of(case)
             if outcome == "skipped":
@@ -117,15 +122,17 @@ def main(arguments: Sequence[str] | None = None) -> int:
     outcomes, broken = Outcomes(), []
     plan = [("quiet", 0)] * options.runs + [("loaded", BUSY_PROCESSES)] * options.loaded_runs
     for number, (kind, busy) in enumerate(plan, 1):
-        report, log = folder / f"{number}.xml", folder / f"{number}.log"
-        start = time.monotonic()
-        with busy_processes(busy):
-            code = run_once([*(options.paths or PATHS), *more], report, log)
-        if code not in (0, 1) or not report.exists():
-            broken.append(f"run {number}: pytest ended with {code}; see {log}")
-            print(f"{number}/{len(plan)} {kind}: {broken[-1]}", flush=True)
-            continue
-        counts = ", ".join(f"{count} {outcome}" for outcome, count in sorted(outcomes.add(report.read_text()).items()))
+        start, reports = time.monotonic(), []
+        for group, paths in enumerate([options.paths] if options.paths else GROUPS, 1):
+            report, log = folder / f"{number}-{group}.xml", folder / f"{number}-{group}.log"
+            with busy_processes(busy):
+                code = run_once([*paths, *more], report, log)
+            if code in (0, 1) and report.exists():
+                reports.append(report.read_text(encoding="utf-8"))
+            else:
+                broken.append(f"run {number}: pytest ended with {code}; see {log}")
+                print(broken[-1], flush=True)
+        counts = ", ".join(f"{count} {outcome}" for outcome, count in sorted(outcomes.add(*reports).items()))
         print(f"{number}/{len(plan)} {kind}: {counts} in {time.monotonic() - start:.0f} s", flush=True)
     return report_on(outcomes, broken, folder)
 

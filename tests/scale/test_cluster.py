@@ -157,7 +157,9 @@ def test_a_cluster_that_lacks_workers_or_goes_away_is_an_error_by_name(files, tm
         with pytest.raises(loom.FileError, match="there was no worker at"):
             loom.scale.run_tiles(tmp_path / "job", scheduler=empty.scheduler_address)
         monkeypatch.setattr(cluster, "MOST_LONELY", 60)
-        closing = threading.Timer(1.0, empty.close)
+        asked, waited = threading.Event(), cluster._waited
+        monkeypatch.setattr(cluster, "_waited", lambda *given: (asked.set(), waited(*given))[1])
+        closing = threading.Thread(target=lambda: asked.wait(60) and empty.close())
         closing.start()
         with pytest.raises(loom.FileError, match="has gone"):
             loom.scale.run_tiles(tmp_path / "job", scheduler=empty.scheduler_address)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import io
 import os
+import queue
 import select
 import signal
 import threading
@@ -130,10 +131,13 @@ def test_what_a_program_says_last_is_quoted_in_one_line():
         assert process.why_ended() == "ended with exit code 3"
 
 
-def test_memory_that_a_program_held_is_known():
-    program = "b = b'x' * 10**8\nimport time; time.sleep(1)"
+def test_memory_that_a_program_held_is_known(monkeypatch):
+    program, seen = "b = b'x' * 10**8\nimport signal; signal.pause()", queue.Queue()
+    memory_of = limited_process._memory_of
+    monkeypatch.setattr(limited_process, "_memory_of", lambda pid: (seen.put(held := memory_of(pid)), held)[1])
     with LimitedProcess([colmap_jobs.sys.executable, "-c", program]) as process:
-        process.wait()
+        while seen.get(timeout=60) <= 10**8:
+            pass
     assert 10**8 < process.peak_bytes < 3 * 10**8
 
 
