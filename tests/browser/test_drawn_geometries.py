@@ -66,18 +66,11 @@ def test_geometries_in_one_scene_keep_their_colours_and_places(show):
     assert middle_of(image, BLUE)[1] > middle_of(image, BRICK)[1]
 
 
-def test_three_hundred_thousand_points_are_drawn_in_software(show):
-    points = np.random.default_rng(0).random((300_000, 3))
-    viewer, page = show({"geometry": points, "color": (0, 0, 1)})
-    see(page, lambda image: count_pixels(image, BLUE) > 35_000)
-    assert page.get_by_text("300,000 points").is_visible()
-    assert len(viewer.items) == 1
-
-
 def test_a_million_points_are_seen(show):
     points = np.random.default_rng(0).random((1_000_000, 3)).astype(np.float32)
     _, page = show({"geometry": points, "color": (0, 0, 1)})
     see(page, lambda image: count_pixels(image, BLUE) > 40_000)
+    assert page.get_by_text("1,000,000 points").is_visible()
 
 
 def test_a_mesh_without_colours_is_lit_as_in_our_pictures_from_all_sides(show):
