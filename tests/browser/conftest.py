@@ -178,7 +178,7 @@ def open_page(browser: Browser, request: pytest.FixtureRequest) -> Iterator[Call
         return page
 
     yield open_one
-    found = [(visit.faults, visit.requests_elsewhere()) for visit, faults in visits if faults]
+    found = [([*visit.faults], visit.requests_elsewhere()) for visit, faults in visits if faults]
     has_failed = request.node.stash.get(FAILED, False) or any(faults or elsewhere for faults, elsewhere in found)
     for number, context in enumerate(contexts):
         with contextlib.suppress(Error):

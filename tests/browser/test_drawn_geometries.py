@@ -70,7 +70,6 @@ def test_a_million_points_are_seen(show):
     points = np.random.default_rng(0).random((1_000_000, 3)).astype(np.float32)
     _, page = show({"geometry": points, "color": (0, 0, 1)})
     see(page, lambda image: count_pixels(image, BLUE) > 40_000)
-    assert page.get_by_text("1,000,000 points").is_visible()
 
 
 def test_a_mesh_without_colours_is_lit_as_in_our_pictures_from_all_sides(show):
