@@ -115,15 +115,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--runs", type=int, default=20)
     parser.add_argument("--loaded-runs", type=int, default=10)
     parser.add_argument("--keep", type=Path, help="folder for reports and logs of each run")
-    parser.add_argument("paths", nargs="*", help="what pytest runs in place of the usual paths")
-    options, more = parser.parse_known_args(arguments)
+    options, more = parser.parse_known_args(arguments)  # more: for pytest; paths take the place of the groups
+    groups = [()] if any(word.startswith("tests") for word in more) else GROUPS
     folder = options.keep or Path(tempfile.mkdtemp(prefix="flakes-"))
     folder.mkdir(parents=True, exist_ok=True)
     outcomes, broken = Outcomes(), []
     plan = [("quiet", 0)] * options.runs + [("loaded", BUSY_PROCESSES)] * options.loaded_runs
     for number, (kind, busy) in enumerate(plan, 1):
         start, reports = time.monotonic(), []
-        for group, paths in enumerate([options.paths] if options.paths else GROUPS, 1):
+        for group, paths in enumerate(groups, 1):
             report, log = folder / f"{number}-{group}.xml", folder / f"{number}-{group}.log"
             with busy_processes(busy):
                 code = run_once([*paths, *more], report, log)
