@@ -6,6 +6,7 @@ import functools
 import logging
 import threading
 import time
+import weakref
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -30,7 +31,7 @@ SOURCES: tuple[tuple[type, tuple[str, ...]], ...] = (
     (Later, ("now", "_run")),
     (Calls, ("_do", "_run")),
     (Toolbox, ("_do",)),
-    (Session, ("_look_whether_it_rests", "_feed", "_pause", "close")),
+    (Session, ("_feed", "_pause", "close")),
     (CloudStream, ("_ask", "close")),
     (LevelBuilder, ("_build",)),
 )
@@ -42,19 +43,20 @@ class Events:
 
     Attributes:
         at_rest_running: Number of sessions that react to a camera at rest at this moment.
-        taken: Number of messages taken from each page, by its client.
+        heard: Clients of which a message was taken.
     """
 
     def __init__(self) -> None:
         self.count = 0
         self.at_rest_running = 0
-        self.taken: dict[int, int] = {}
+        self.heard: weakref.WeakSet[PageClient] = weakref.WeakSet()
         self._condition = threading.Condition()
 
-    def happened(self) -> None:
-        """Wake all waiting tests."""
+    def happened(self, at_rest: int = 0) -> None:
+        """Wake all waiting tests; so many more sessions react to a camera at rest."""
         with self._condition:
             self.count += 1
+            self.at_rest_running += at_rest
             self._condition.notify_all()
 
     def wait(self, seen: int, seconds: float) -> bool:
@@ -110,11 +112,11 @@ def announced_events() -> Iterator[None]:
     rests, attend, take = Session._look_whether_it_rests, Hub._attend, PageClient.take
 
     def count_rests(session: Session) -> None:
-        events.at_rest_running += 1
+        events.happened(at_rest=1)
         try:
             rests(session)
         finally:
-            events.at_rest_running -= 1
+            events.happened(at_rest=-1)
 
     async def announce_end(hub: Hub, connection: Any) -> None:
         try:
@@ -122,14 +124,14 @@ def announced_events() -> Iterator[None]:
         finally:
             events.happened()
 
-    def count_taken(client: PageClient, said: dict[str, Any]) -> None:
+    def note_client(client: PageClient, said: dict[str, Any]) -> None:
         take(client, said)
-        events.taken[id(client)] = events.taken.get(id(client), 0) + 1
+        events.heard.add(client)
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(Session, "_look_whether_it_rests", count_rests)
         patch.setattr(Hub, "_attend", announce_end)
-        patch.setattr(PageClient, "take", count_taken)
+        patch.setattr(PageClient, "take", note_client)
         for owner, names in SOURCES:
             for name in names:
                 announce(patch, owner, name)

@@ -91,7 +91,7 @@ def page_of(server: ViewerServer, **settings: Any) -> Iterator[ClientConnection]
         say(line, CAMERA)
         wait_until(lambda: bool(set(server.pages.get_clients()) - before))
         (client,) = [client for number, client in server.pages.get_clients().items() if number not in before]
-        wait_until(lambda: id(client) in events.taken)
+        wait_until(lambda: client in events.heard)
         yield line
 
 
