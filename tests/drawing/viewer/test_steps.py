@@ -16,7 +16,7 @@ from pointloom.drawing.viewer.tools.picking import project
 from pointloom.drawing.viewer.viewer import Viewer
 from pointloom.drawing.viewer.whole_cloud import in_steps
 
-from .events import join_threads, wait_until
+from .events import PATIENCE, join_threads, wait_until
 from .stand_in import StandIn, page_in
 
 RED = (1.0, 0.0, 0.0)
@@ -142,7 +142,7 @@ def test_closing_in_the_midst_of_it_leaves_no_thread(small_steps, rng, monkeypat
 
 def test_a_large_cloud_is_shown_in_part_while_its_levels_are_built(small_steps, rng, monkeypatch):
     may_go, build = threading.Event(), DetailTree.from_cloud
-    monkeypatch.setattr(DetailTree, "from_cloud", lambda cloud: may_go.wait(30) and build(cloud))
+    monkeypatch.setattr(DetailTree, "from_cloud", lambda cloud: may_go.wait(PATIENCE) and build(cloud))
     with Viewer(port=0, max_points=20_000) as shown, page_in(shown) as page:
         shown.add("cloud", loom.PointCloud(rng.random((60_000, 3)), colors=rng.random((60_000, 3))))
         stream = stream_of(shown)
@@ -157,7 +157,7 @@ def test_a_large_cloud_is_shown_in_part_while_its_levels_are_built(small_steps, 
 
 def test_levels_of_what_was_replaced_meanwhile_are_let_go(small_steps, rng, monkeypatch):
     may_go, build = threading.Event(), DetailTree.from_cloud
-    monkeypatch.setattr(DetailTree, "from_cloud", lambda cloud: may_go.wait(30) and build(cloud))
+    monkeypatch.setattr(DetailTree, "from_cloud", lambda cloud: may_go.wait(PATIENCE) and build(cloud))
     with Viewer(port=0, max_points=2000) as shown, page_in(shown):
         shown.add("cloud", loom.PointCloud(rng.random((5000, 3))))
         shown.update("cloud", loom.PointCloud(rng.random((50, 3))))
