@@ -14,7 +14,6 @@ import subprocess
 import sys
 import textwrap
 import threading
-import time
 import weakref
 
 import numpy as np
@@ -23,6 +22,7 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import connect
 
 from pointloom.core.errors import PointloomError
+from pointloom.drawing.viewer.link import hub
 from pointloom.drawing.viewer.server import MOST_PORTS, ViewerError, ViewerServer
 
 from .events import join_threads, wait_until
@@ -318,14 +318,17 @@ def test_closing_frees_the_memory():
     assert died() is None
 
 
-def test_closing_does_not_wait_for_a_page_that_does_not_read():
+def test_closing_does_not_wait_for_a_page_that_does_not_read(monkeypatch):
+    for limit in ("CLOSE_SECONDS", "STALL_SECONDS"):
+        monkeypatch.setattr(hub, limit, 1e6)
     with ViewerServer(port=0) as server:
         server.pages.scene.add_points(np.zeros((500_000, 3), np.float32), plain=(255, 0, 0))
         with silent_line(server):
             wait_until(lambda: count(server) == 1)
-            start = time.monotonic()
+            thread = server.pages._hub._thread
             server.close()
-            assert time.monotonic() - start < 2
+            thread.join(60)
+            assert not thread.is_alive()
 
 
 def test_pages_are_told_what_was_sent_last_before_they_are_sent_away():
