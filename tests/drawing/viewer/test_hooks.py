@@ -24,7 +24,8 @@ from pointloom.drawing.viewer.link.scene import ClickEvent
 from pointloom.drawing.viewer.picks import with_attributes
 from pointloom.drawing.viewer.tools.picking import Pick, project
 
-from .pages import HELLO, hear, line_of, say, wait_until
+from .events import wait_until
+from .pages import HELLO, hear, line_of, say
 
 
 class Handle:

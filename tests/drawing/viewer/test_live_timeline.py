@@ -16,7 +16,8 @@ from pointloom.drawing.viewer.live_timeline import ENTRY
 from pointloom.drawing.viewer.logged import asked_by_page
 from pointloom.drawing.viewer.viewer import Viewer
 
-from .pages import HELLO, hear_until, line_of, say, wait_until
+from .events import wait_until
+from .pages import HELLO, hear_until, line_of, say
 
 POSE = np.eye(4)
 POSE[:3, 3] = 1, 2, 3
