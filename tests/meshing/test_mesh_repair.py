@@ -9,11 +9,11 @@ from hypothesis import strategies as st
 
 from pointloom import TriangleMesh
 
-from .mesh_soups import BOX, BOX_SIDES, FAR, GOOD_SOUPS, SOUPS, ball, grid, in_open3d, soup
+from .mesh_soups import BOX, BOX_SIDES, FAR, GOOD_SOUPS, SOUPS, ball, grid, soup
 from .test_mesh_texture import PICTURE, corner_table
 from .test_mesh_topology import turns_alike
 
-HYPOTHESIS = settings(deadline=None, max_examples=40)
+HYPOTHESIS = settings(deadline=None, max_examples=20)
 
 
 def without_sides(removed: list[int], device=None, **options) -> TriangleMesh:
@@ -25,9 +25,7 @@ def test_a_missing_side_is_filled_as_it_was_where_open3d_turns_it_inwards(device
     filled = mesh.fill_holes()
     np.testing.assert_array_equal(filled.triangles[:10], mesh.triangles)
     assert filled.is_watertight() and filled.get_volume() == pytest.approx(1)
-    o3d = pytest.importorskip("open3d", exc_type=ImportError)
-    peer = o3d.t.geometry.TriangleMesh.from_legacy(in_open3d(mesh)).fill_holes().to_legacy()
-    assert len(peer.triangles) == 12 and not turns_alike(np.asarray(peer.triangles))
+    assert turns_alike(filled.triangles)  # unlike in Open3D
 
 
 @pytest.mark.parametrize("scale", [1e-6, 1.0, 1e6])
