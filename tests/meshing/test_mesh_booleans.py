@@ -38,13 +38,6 @@ def test_volumes_of_balls_add_up(device):
     assert rest.get_volume() + common.get_volume() == pytest.approx(first.get_volume(), rel=1e-5)
 
 
-def test_open3d_leaves_such_boxes_open():
-    o3d = pytest.importorskip("open3d", exc_type=ImportError)
-    first = o3d.t.geometry.TriangleMesh.create_box()
-    second = o3d.t.geometry.TriangleMesh.create_box().translate([0.5, 0.5, 0.5])
-    assert not first.boolean_union(second).to_legacy().is_watertight()
-
-
 def test_solids_with_nothing_in_common_and_empty_ones_are_combined(device):
     assert len(box(0, device).boolean_intersection(box(5, device))) == 0
     assert len(box(0, device).boolean_union(box(5, device))) == 24

@@ -11,6 +11,8 @@ import pointloom as loom
 from pointloom import TriangleMesh
 from pointloom.meshing.mesh import mesh_sampling
 
+from .open3d_meshes import in_open3d
+
 FAR = np.array([5.0e5, 5.4e6, 100.0])
 SQUARE = ([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 3]])
 
@@ -85,30 +87,27 @@ def test_what_belongs_to_vertices_is_mixed_by_the_weights_of_the_corners(device)
     np.testing.assert_allclose(np.linalg.norm(cloud.normals, axis=1), 1, atol=1e-6)
 
 
-def test_attributes_are_those_of_open3d_where_they_are_linear_in_the_position(device):
-    o3d = pytest.importorskip("open3d", exc_type=ImportError)
+def open3d_samples(o3d, mesh):
+    """Points of Open3D and their attributes, then normals of triangles."""
+    peer = in_open3d(o3d, mesh)
+    o3d.utility.random.seed(0)
+    cloud, flat = peer.sample_points_uniformly(60), peer.sample_points_uniformly(10, use_triangle_normal=True)
+    return [np.array(values) for values in (cloud.points, cloud.colors, cloud.normals, flat.normals)]
+
+
+def test_attributes_are_those_of_open3d_where_they_are_linear_in_the_position(device, oracle):
     slope = np.array([[0.3, 0.1, 0.2], [0.1, 0.4, 0.3], [0, 0, 0]])
     vertices = np.array(SQUARE[0], float)
     colors, normals = vertices @ slope, np.array([0, 0, 1.0]) + vertices @ slope
     mesh = TriangleMesh(*SQUARE, vertex_normals=normals, vertex_colors=colors, device=device)
-    peer = o3d.geometry.TriangleMesh(
-        o3d.utility.Vector3dVector(vertices), o3d.utility.Vector3iVector(np.array(SQUARE[1]))
-    )
-    peer.vertex_colors, peer.vertex_normals = (o3d.utility.Vector3dVector(values) for values in (colors, normals))
-    theirs = peer.sample_points_uniformly(300)
+    *theirs, flat = oracle("meshing/sampling/square", open3d_samples, mesh)
     ours = mesh.sample_points_uniformly(300)
-    for points, shades, directions, unit in (
-        (np.asarray(theirs.points), np.asarray(theirs.colors), np.asarray(theirs.normals), False),
-        (ours.points, ours.colors, ours.normals, True),
-    ):
+    for points, shades, directions, unit in ((*theirs, False), (ours.points, ours.colors, ours.normals, True)):
         wanted = np.array([0, 0, 1.0]) + points @ slope
         wanted = wanted / np.linalg.norm(wanted, axis=1, keepdims=True) if unit else wanted
         np.testing.assert_allclose(shades, points @ slope, atol=1e-6)
         np.testing.assert_allclose(directions, wanted, atol=1e-6)
-    flat = peer.sample_points_uniformly(10, use_triangle_normal=True)
-    np.testing.assert_array_equal(
-        np.asarray(flat.normals), mesh.sample_points_uniformly(10, use_triangle_normal=True).normals
-    )
+    np.testing.assert_array_equal(flat, mesh.sample_points_uniformly(10, use_triangle_normal=True).normals)
 
 
 def test_a_mesh_without_normals_and_colours_gives_points_without_them(device):
@@ -147,10 +146,8 @@ def test_triangles_that_are_not_finite_get_no_points_and_others_do(device):
 
 
 def ball(device=None, *, size=1.0, place=(0, 0, 0)) -> TriangleMesh:
-    o3d = pytest.importorskip("open3d", exc_type=ImportError)
-    peer = o3d.geometry.TriangleMesh.create_sphere(1.0, resolution=40)
-    vertices = np.asarray(peer.vertices) * size + np.asarray(place)
-    return TriangleMesh(vertices, np.asarray(peer.triangles), device=device)
+    mesh = TriangleMesh.create_sphere(1.0, resolution=40)
+    return TriangleMesh(mesh.vertices * size + np.asarray(place), mesh.triangles, device=device)
 
 
 def nearest(points: np.ndarray, area: float) -> np.ndarray:
@@ -158,35 +155,36 @@ def nearest(points: np.ndarray, area: float) -> np.ndarray:
     return cKDTree(points).query(points, k=2)[0][:, 1] / (2 * np.sqrt(area / len(points) / (2 * np.sqrt(3))))
 
 
-def test_points_are_spread_as_open3d_spreads_them(device):
-    o3d = pytest.importorskip("open3d", exc_type=ImportError)
-    mesh, count = ball(device), 1500
-    peer = o3d.geometry.TriangleMesh(
-        o3d.utility.Vector3dVector(mesh.vertices.copy()), o3d.utility.Vector3iVector(mesh.triangles.copy())
-    )
+def open3d_spread(o3d, mesh, count):
+    """The least distances of four runs, and the mean of quantiles: one run's largest distances vary by 0.03."""
+    peer, runs = in_open3d(o3d, mesh), []
+    for seed in range(4):
+        o3d.utility.random.seed(seed)
+        runs.append(nearest(np.asarray(peer.sample_points_poisson_disk(count).points), mesh.get_surface_area()))
+        assert len(runs[-1]) == count
+    return [run.min() for run in runs], np.mean([np.quantile(run, [0.05, 0.5, 0.95]) for run in runs], axis=0)
+
+
+def test_points_are_spread_as_open3d_spreads_them(device, oracle):
+    mesh, count = ball(device), 1000
     area = mesh.get_surface_area()
     ours = nearest(mesh.sample_points_poisson_disk(count).points, area)
-    theirs = []
-    for seed in range(4):  # one run's largest distances vary by 0.03
-        o3d.utility.random.seed(seed)
-        theirs.append(nearest(np.asarray(peer.sample_points_poisson_disk(count).points), area))
-        assert len(ours) == len(theirs[-1]) == count
-    assert ours.min() > min(distances.min() for distances in theirs) - 0.005
-    spread = np.mean([np.quantile(distances, [0.05, 0.5, 0.95]) for distances in theirs], axis=0)
+    least, spread = oracle("meshing/sampling/spread", open3d_spread, mesh, count)
+    assert len(ours) == count and ours.min() > min(least) - 0.005
     np.testing.assert_allclose(np.quantile(ours, [0.05, 0.5, 0.95]), spread, atol=0.02)
     assert ours.mean() > 0.77 > 0.5 > nearest(mesh.sample_points_uniformly(count).points, area).mean()
 
 
-def test_the_points_of_a_cloud_are_those_that_open3d_keeps(device):
+def open3d_kept(o3d, mesh, points, count):
+    cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(points))
+    return np.array(in_open3d(o3d, mesh).sample_points_poisson_disk(count, pcl=cloud).points, np.float32)
+
+
+def test_the_points_of_a_cloud_are_those_that_open3d_keeps(device, oracle):
     """Of the same points: all but the few where sums in another order, or a tie, decide otherwise."""
-    o3d = pytest.importorskip("open3d", exc_type=ImportError)
     mesh = ball(device)
     start = mesh.sample_points_uniformly(2000, seed=3)
-    peer = o3d.geometry.TriangleMesh(
-        o3d.utility.Vector3dVector(mesh.vertices.copy()), o3d.utility.Vector3iVector(mesh.triangles.copy())
-    )
-    points = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(start.points.copy()))
-    theirs = np.asarray(peer.sample_points_poisson_disk(400, pcl=points).points)
+    theirs = oracle("meshing/sampling/kept", open3d_kept, mesh, start.points.copy(), 400)
     ours = mesh.sample_points_poisson_disk(400, pcl=start).points
     assert len(ours) == len(theirs) == 400
     assert (cKDTree(theirs).query(ours)[0] < 1e-6).mean() > 0.99

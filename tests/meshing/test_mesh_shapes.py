@@ -135,6 +135,6 @@ def test_both_spellings_of_the_band_are_one():
 )
 def test_sizes_that_make_no_shape_are_refused(name, options, error):
     with pytest.raises(
-        error, match=r"vertices are more than 2\^22" if 10**6 in options.values() else f"^{[*options][0]}"
+        error, match=r"vertices are more than 2\^22" if 10**6 in options.values() else f"^{next(iter(options))}"
     ):
         getattr(TriangleMesh, f"create_{name}")(**options)
