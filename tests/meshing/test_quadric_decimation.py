@@ -13,16 +13,16 @@ from hypothesis import strategies as st
 from pointloom import TriangleMesh
 from pointloom.kernels.lang import cpu_compiler
 
-from .simplification_scenes import box, bumpy_torus, edge_counts, euler, grid, in_open3d, of_open3d, rms_from
+from .simplification_scenes import box, bumpy_torus, edge_counts, euler, grid, open3d_simplified, rms_from
 
 EAST = np.array([5.0e5, 5.4e6, 100.0])
 
 
 def sampled(mesh: TriangleMesh) -> np.ndarray:
-    return mesh.sample_points_uniformly(20000, seed=1).points
+    return mesh.sample_points_uniformly(5000, seed=1).points
 
 
-@pytest.mark.parametrize("target", [1919, 1000, 501, 100, 40])
+@pytest.mark.parametrize("target", [1919, 501, 40])
 def test_the_target_is_reached_or_passed_by_one_and_the_surface_stays_closed(device, target):
     mesh = TriangleMesh(*bumpy_torus(), device=device)
     thin = mesh.simplify_quadric_decimation(target)
@@ -33,12 +33,11 @@ def test_the_target_is_reached_or_passed_by_one_and_the_surface_stays_closed(dev
 
 
 @pytest.mark.parametrize("target", [1000, 300])
-def test_it_is_as_good_as_that_of_open3d(target):
+def test_it_is_as_good_as_that_of_open3d(oracle, target):
     """Within 1.1 times its distance both ways, the bar of the operation, in a unit in which Open3D is at its best."""
-    pytest.importorskip("open3d", exc_type=ImportError)
-    mesh = TriangleMesh(*bumpy_torus(100, 60))
-    thin = mesh.simplify_quadric_decimation(target)
-    peer = of_open3d(in_open3d(mesh, 100.0).simplify_quadric_decimation(target), 100.0)
+    mesh = TriangleMesh(*bumpy_torus(70, 40))
+    thin, name = mesh.simplify_quadric_decimation(target), "simplify_quadric_decimation"
+    peer = TriangleMesh(*oracle(f"meshing/decimation/torus_{target}", open3d_simplified, mesh, 100.0, name, target))
     assert rms_from(thin, sampled(mesh)) <= 1.1 * rms_from(peer, sampled(mesh))
     assert rms_from(mesh, sampled(thin)) <= 1.1 * rms_from(mesh, sampled(peer))
 
@@ -55,7 +54,6 @@ def test_a_scaled_mesh_becomes_the_scaled_result_to_the_bit(device, scale):
 @pytest.mark.parametrize("scale", [1e-6, 1e6])
 def test_no_unit_of_length_matters(device, scale):
     """Open3D's result in metres is nearly twice as far off as that in millimetres: its threshold has a unit."""
-    pytest.importorskip("open3d", exc_type=ImportError)
     vertices, triangles = bumpy_torus()
     mesh = TriangleMesh(vertices * scale, triangles, origin=[0, 0, 0], device=device)
     thin = mesh.simplify_quadric_decimation(300)
@@ -73,25 +71,6 @@ def test_a_mesh_far_from_zero_is_thinned_as_one_near_it(device):
     np.testing.assert_array_equal(far.triangles, near.triangles)
     np.testing.assert_array_equal(far.array("vertices").numpy(), near.array("vertices").numpy())
     np.testing.assert_array_equal(far.origin, EAST)
-
-
-def test_runs_give_the_same_bits(device):
-    mesh = TriangleMesh(*bumpy_torus(), device=device)
-    first, again = (mesh.simplify_quadric_decimation(300) for _ in range(2))
-    np.testing.assert_array_equal(again.triangles, first.triangles)
-    np.testing.assert_array_equal(again.vertices, first.vertices)
-
-
-@pytest.mark.slow  # a line of tests/test_compilers.py
-@pytest.mark.taichi
-def test_both_compilers_give_the_same_bits():
-    results = []
-    for compiler in ("taichi", "warp"):
-        with cpu_compiler(compiler):
-            thin = TriangleMesh(*bumpy_torus(24, 16)).simplify_quadric_decimation(200)
-            results.append((thin.triangles, thin.vertices))
-    np.testing.assert_array_equal(results[0][0], results[1][0])
-    np.testing.assert_array_equal(results[0][1], results[1][1])
 
 
 def test_a_cube_comes_down_to_twelve_triangles_and_keeps_its_corners(device):
@@ -222,7 +201,6 @@ def test_edges_of_three_triangles_stay_and_get_no_more(device):
 
 def test_an_error_that_is_allowed_is_not_passed(device):
     """Flat parts go for nothing; what is curved stays, and no warning is due."""
-    pytest.importorskip("open3d", exc_type=ImportError)
     x, y = grid(20)[0][:, :2].T
     bent = np.c_[x, y, np.maximum(x - 9, 0) ** 2 / 8]
     mesh = TriangleMesh(bent, grid(20)[1], device=device)
@@ -297,7 +275,7 @@ def test_pieces_stay_apart(device):
     assert len(labels) == 40
 
 
-@settings(deadline=None, max_examples=40)
+@settings(deadline=None, max_examples=20)
 @given(st.lists(st.tuples(*[st.integers(0, 9)] * 3), min_size=1, max_size=30), st.integers(0, 30))
 def test_whatever_the_triangles_no_edge_gets_more_of_them(triangles, target):
     """Soups with edges of many triangles, triangles of one vertex, and the same triangle twice."""
@@ -329,16 +307,16 @@ def test_random_closed_surfaces_stay_what_they_are(seed, target):
 
 
 @pytest.mark.parametrize(
-    ("arguments", "error", "message"),
+    ("arguments", "error"),
     [
-        ({"target_number_of_triangles": -1}, ValueError, "target_number_of_triangles: .* >= 0"),
-        ({"target_number_of_triangles": 10.0}, TypeError, "target_number_of_triangles"),
-        ({"maximum_error": -1}, ValueError, "maximum_error"),
-        ({"maximum_error": np.nan}, ValueError, "maximum_error"),
-        ({"boundary_weight": -1}, ValueError, "boundary_weight"),
-        ({"boundary_weight": np.inf}, ValueError, "boundary_weight"),
+        ({"target_number_of_triangles": -1}, ValueError),
+        ({"target_number_of_triangles": 10.0}, TypeError),
+        ({"maximum_error": -1}, ValueError),
+        ({"maximum_error": np.nan}, ValueError),
+        ({"boundary_weight": -1}, ValueError),
+        ({"boundary_weight": np.inf}, ValueError),
     ],
 )
-def test_arguments_out_of_range_are_refused(arguments, error, message):
-    with pytest.raises(error, match=message):
+def test_arguments_out_of_range_are_refused(arguments, error):
+    with pytest.raises(error, match=f"^{next(iter(arguments))}: "):
         TriangleMesh(*grid(3)).simplify_quadric_decimation(**({"target_number_of_triangles": 2} | arguments))
