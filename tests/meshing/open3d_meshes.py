@@ -26,6 +26,14 @@ def tensor_mesh(o3d: Any, mesh: TriangleMesh) -> Any:
     return o3d.t.geometry.TriangleMesh(core.Tensor(mesh.vertices.copy()), core.Tensor(mesh.triangles.astype(np.int64)))
 
 
+def raycasting_scene(o3d: Any, *meshes: tuple[Any, Any]) -> Any:
+    """A scene of meshes (vertices, triangles)."""
+    scene, tensor = o3d.t.geometry.RaycastingScene(), o3d.core.Tensor
+    for vertices, triangles in meshes:
+        scene.add_triangles(tensor(np.array(vertices, np.float32)), tensor(np.array(triangles, np.uint32)))
+    return scene
+
+
 def arrays_of(peer: Any, *names: str) -> tuple[np.ndarray, ...]:
     """Arrays of shape (n, 3) of Open3D's mesh by name, by default vertices and triangles."""
     return tuple(np.array(getattr(peer, name)).reshape(-1, 3) for name in names or ("vertices", "triangles"))

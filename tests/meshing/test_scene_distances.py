@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from pointloom import RaycastingScene, TriangleMesh, marching_cubes
 
+from .open3d_meshes import raycasting_scene
 from .surface_oracles import distances_to_triangles, winding_numbers
 
 CUBE = (
@@ -42,13 +43,6 @@ def scene_of(*meshes, device=None) -> RaycastingScene:
     return scene
 
 
-def in_open3d(vertices, triangles):
-    o3d = pytest.importorskip("open3d", exc_type=ImportError)
-    scene, tensor = o3d.t.geometry.RaycastingScene(), o3d.core.Tensor
-    scene.add_triangles(tensor(np.asarray(vertices, np.float32)), tensor(np.asarray(triangles, np.uint32)))
-    return scene, tensor
-
-
 def somewhere(n=400, seed=0, size=2.0) -> np.ndarray:
     return ((np.random.default_rng(seed).random((n, 3)) * 2 - 1) * size).astype(np.float32)
 
@@ -60,29 +54,29 @@ def corners_of(vertices, triangles) -> np.ndarray:
 # ------------------------------------------------------------------------------------------------ conformance
 
 
-def test_what_is_found_has_the_layout_of_open3d(device):
-    vertices, triangles = torus()
-    queries = somewhere().reshape(4, 100, 3)
-    ours = scene_of((vertices, triangles), device=device).compute_closest_points(queries)
-    peer, tensor = in_open3d(vertices, triangles)
-    theirs = {name: values.numpy() for name, values in peer.compute_closest_points(tensor(queries)).items()}
+def open3d_distances(o3d, mesh, queries):
+    scene, queries = raycasting_scene(o3d, mesh), o3d.core.Tensor(queries)
+    closest = {name: values.numpy() for name, values in scene.compute_closest_points(queries).items()}
+    measures = (scene.compute_distance, scene.compute_signed_distance, scene.compute_occupancy)
+    return closest, [measure(queries).numpy() for measure in measures]
+
+
+def test_what_is_found_and_how_far_it_is_is_open3ds(device, oracle):
+    mesh, queries = torus(), somewhere().reshape(4, 100, 3)
+    scene = scene_of(mesh, device=device)
+    ours, (theirs, measures) = (
+        scene.compute_closest_points(queries),
+        oracle("meshing/distances/torus", open3d_distances, mesh, queries),
+    )
     assert list(ours) == ["points", "geometry_ids", "primitive_ids", "primitive_uvs", "primitive_normals"]
-    for name, values in theirs.items():
-        assert ours[name].shape == values.shape and ours[name].dtype == values.dtype
     same = ours["primitive_ids"] == theirs["primitive_ids"]  # at edges and corners it may be another one
     assert same.mean() > 0.5
     for name, values in theirs.items():
+        assert ours[name].shape == values.shape and ours[name].dtype == values.dtype
         np.testing.assert_allclose(ours[name][same], values[same], atol=2e-3)  # float32 all through, in Open3D
-
-
-def test_distances_are_those_of_open3d(device):
-    vertices, triangles = torus()
-    scene, queries = scene_of((vertices, triangles), device=device), somewhere()
-    peer, tensor = in_open3d(vertices, triangles)
-    for name in ("compute_distance", "compute_signed_distance"):
-        theirs = getattr(peer, name)(tensor(queries)).numpy()
-        np.testing.assert_allclose(getattr(scene, name)(queries), theirs, atol=1e-5)  # Open3D's float32
-    np.testing.assert_array_equal(scene.compute_occupancy(queries), peer.compute_occupancy(tensor(queries)).numpy())
+    np.testing.assert_allclose(scene.compute_distance(queries), measures[0], atol=1e-5)  # Open3D's float32
+    np.testing.assert_allclose(scene.compute_signed_distance(queries), measures[1], atol=1e-5)
+    np.testing.assert_array_equal(scene.compute_occupancy(queries), measures[2])
 
 
 # ------------------------------------------------------------------------------------------------ brute force
@@ -132,7 +126,7 @@ def test_of_equally_near_triangles_the_first_is_found(device):
 SMALL = st.integers(-3, 3)
 
 
-@settings(deadline=None, max_examples=30)
+@settings(deadline=None, max_examples=20)
 @given(
     vertices=st.lists(st.tuples(SMALL, SMALL, SMALL), min_size=4, max_size=9),
     picks=st.lists(st.tuples(*[st.integers(0, 8)] * 3), min_size=1, max_size=12),
@@ -185,7 +179,7 @@ def test_points_on_the_lines_through_edges_are_on_the_right_side(device):
     assert ((scene.compute_signed_distance(queries) < 0)[clear] == inside[clear]).all()
 
 
-def test_a_small_hole_does_not_turn_points_outside_as_in_open3d(device):
+def test_a_small_hole_does_not_turn_points_outside(device):
     fine = 8
     corner = np.array([[1 - 1 / fine, 1, 1], [1, 1 - 1 / fine, 1], [1, 1, 1 - 1 / fine]])
     vertices = np.vstack([CUBE[0], corner])  # the corner (1, 1, 1) cut off, and open there
@@ -197,8 +191,6 @@ def test_a_small_hole_does_not_turn_points_outside_as_in_open3d(device):
     assert (scene.compute_signed_distance(along) < 0).all() and not (
         scene.compute_occupancy(along + np.array([0, 0, 2]))
     ).any()
-    peer, tensor = in_open3d(vertices, triangles)
-    assert (peer.compute_signed_distance(tensor(along.astype(np.float32)), nsamples=11).numpy() > 0).all()
 
 
 @pytest.mark.parametrize("shift", [np.zeros(3), FAR])
@@ -264,9 +256,7 @@ def test_shells_in_shells_and_overlapping_geometries_are_one_solid(device):
     both = scene_of((cube * 3 - 1, CUBE[1]), (cube * 3, CUBE[1]), device=device)
     shifted = (np.abs(queries - 1.5) < 1.5).all(1)
     assert ((both.compute_signed_distance(queries) < 0) == (outer | shifted)).all()
-    peer, tensor = in_open3d(np.vstack([cube * 3 - 1, cube * 3]), np.vstack([CUBE[1], np.array(CUBE[1]) + 8]))
-    theirs = peer.compute_signed_distance(tensor(queries)).numpy()
-    assert (theirs[outer & shifted] > 0).all() and (outer & shifted).any()  # counted twice: even, so outside
+    assert (outer & shifted).any()  # counted twice: even, so outside in Open3D
 
 
 def test_a_shell_that_cuts_itself_is_told_by_winding_numbers(device):
@@ -360,12 +350,6 @@ def test_wrong_queries_are_refused():
         scene.compute_closest_points("abc")
     with pytest.raises(ValueError, match="nsamples: expected an odd number"):
         scene.compute_signed_distance([[0, 0, 0]], nsamples=2)
-
-
-def test_two_runs_have_the_same_bits(device):
-    scene, queries = scene_of(torus(), device=device), somewhere(2000, 10)
-    first, second = (scene.compute_closest_points(queries) for _ in range(2))
-    assert all(first[name].tobytes() == second[name].tobytes() for name in first)
 
 
 def test_a_klein_bottle_has_no_pseudonormals(device):
