@@ -10,6 +10,7 @@ from scipy.spatial import cKDTree
 
 import pointloom as loom
 from pointloom.kernels.lang import cpu_compiler
+from pointloom.kernels.language.cpu_pool import set_thread_count
 
 from .poisson_scenes import (
     assert_only_the_cube_cuts,
@@ -23,6 +24,7 @@ from .poisson_scenes import (
     torus,
     torus_distance,
 )
+from .tsdf_scenes import all_bits
 
 FAR = np.array([5.0e5, 5.4e6, 128.0])
 
@@ -120,7 +122,20 @@ def test_the_mask_of_the_tutorial_cuts_where_points_are_few(device):
 # ------------------------------------------------------------------------------------------------ the same bits
 
 
-@pytest.mark.parametrize("power", [-20, -90, 20, 90])
+@pytest.mark.slow
+@pytest.mark.slow_on_emulated_cuda("on the CPU alone")
+def test_one_and_two_threads_give_the_same_bits():
+    found, points = [], clustered_sphere(6000, 0.05)
+    try:
+        for count in (1, 2):
+            set_thread_count(count)
+            found.append((bits(poisson(points, depth=6)), all_bits("cpu")))
+    finally:
+        set_thread_count(None)
+    assert found[0] == found[1]
+
+
+@pytest.mark.parametrize("power", [-90, 20])
 def test_the_unit_of_length_changes_no_triangle(device, power):
     points = sphere(1000)
     mesh, densities = poisson(points, device=device)
