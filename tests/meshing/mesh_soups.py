@@ -60,13 +60,3 @@ def surface(rows: int, columns: int, **joined: bool) -> TriangleMesh:
 def ball(device: Any = None, cells: int = 16) -> TriangleMesh:
     x = np.mgrid[-1 : 1 : cells * 1j, -1 : 1 : cells * 1j, -1 : 1 : cells * 1j]
     return marching_cubes(np.linalg.norm(x, axis=0) - 0.7, device=device)
-
-
-def edge_counts(triangles: NDArray[np.int32]) -> dict[tuple[int, int], int]:
-    """How many half-edges each edge has."""
-    counts: dict[tuple[int, int], int] = {}
-    for t in triangles.tolist():
-        for a, b in ((t[0], t[1]), (t[1], t[2]), (t[2], t[0])):
-            key = (min(a, b), max(a, b))
-            counts[key] = counts.get(key, 0) + 1
-    return counts

@@ -252,12 +252,6 @@ def test_a_normal_that_is_missing_lets_the_next_point_at_the_place_count(device)
     assert pivot(loom.PointCloud(points, normals=normals, device=device), 1.0).triangles.tolist() == [[1, 2, 3]]
 
 
-def test_many_points_at_one_place_are_as_quick_as_one(device):
-    points = np.zeros((200_000, 3))
-    points[-2:] = [[1, 0, 0], [0, 1, 0]]
-    assert pivot(flat(points, device), [1.0, 2.0]).triangles.tolist() == [[0, 199_998, 199_999]]
-
-
 SETS = {
     "none": np.zeros((0, 3)),
     "one": np.ones((1, 3)),

@@ -101,11 +101,6 @@ def test_parts_that_touch_at_a_vertex_are_closed_and_have_a_volume(device):
     assert not TriangleMesh(*MESHES["two tetrahedra at an edge"], device=device).is_watertight()
 
 
-def test_a_mesh_without_triangles_is_not_watertight(device):
-    assert not TriangleMesh(device=device).is_watertight()
-    assert not TriangleMesh([[0, 0, 0], [1, 0, 0]], device=device).is_watertight()
-
-
 # ------------------------------------------------------------------------------------------------ operations
 
 

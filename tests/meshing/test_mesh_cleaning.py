@@ -9,8 +9,9 @@ from hypothesis import strategies as st
 
 from pointloom import AxisAlignedBoundingBox, OrientedBoundingBox, SelectionPolygonVolume, TriangleMesh
 
-from .mesh_soups import FAR, SOUPS, ball, edge_counts, fixed_soups, soup
+from .mesh_soups import FAR, SOUPS, ball, fixed_soups, soup
 from .open3d_meshes import arrays_of, assert_meshes_are_open3ds, in_open3d, open3d_arrays
+from .simplification_scenes import edge_counts
 from .test_mesh_texture import corner_table, textured
 
 HYPOTHESIS = settings(deadline=None, max_examples=25)

@@ -170,11 +170,6 @@ def test_sources_that_are_none_are_refused(sources, error, message):
         mesh.compute_geodesic_distances(sources)
 
 
-def test_a_mesh_without_vertices_has_no_source(device):
-    with pytest.raises(ValueError, match="sources: vertex 0 does not exist"):
-        TriangleMesh(device=device).compute_geodesic_distances([0])
-
-
 @pytest.mark.slow
 def test_distances_do_not_creep_around_slivers_for_ever(monkeypatch):
     rounds, loop_while = [], geodesics.loop_while

@@ -198,14 +198,6 @@ def test_no_iterations_and_no_triangles_change_nothing(device):
         np.testing.assert_array_equal(filtered(loose, name, 3).vertices, loose.vertices)
 
 
-def test_textures_stay(device):
-    uvs, picture = np.arange(6).reshape(3, 2), np.zeros((2, 2, 3), np.uint8)
-    mesh = TriangleMesh(np.eye(3), [[0, 1, 2]], triangle_uvs=uvs, textures=[picture], device=device)
-    ours = mesh.filter_smooth_simple()
-    np.testing.assert_array_equal(ours.triangle_uvs, uvs)
-    assert len(ours.textures) == 1
-
-
 @pytest.mark.parametrize(
     ("options", "error", "message"),
     [

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import itertools
-import warnings
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-import pointloom as loom
 from pointloom import TriangleMesh
 from pointloom.kernels.lang import cpu_compiler
 
@@ -100,14 +98,6 @@ def test_the_border_of_a_cut_is_closed_and_lies_on_the_cut(device):
     np.testing.assert_allclose(left.vertices[border, 2], 0.3, atol=1e-7)
     assert (np.unique(border, return_counts=True)[1] == 2).all()
     assert left.vertices[:, 2].min() > 0.3 - 1e-7
-
-
-def test_both_sides_make_up_the_whole(device):
-    mesh, _ = poisson(sphere(600), depth=4, device=device)
-    values = mesh.vertices[:, 0] ** 2
-    upper, lower = mesh.trim(values, 0.4, island_ratio=0), mesh.trim(-values, -0.4, island_ratio=0)
-    total = upper.get_surface_area() + lower.get_surface_area()
-    assert abs(total / mesh.get_surface_area() - 1) < 1e-6
 
 
 def test_colours_lie_between_those_of_the_edge(device):
@@ -278,14 +268,6 @@ def pieces_of(vertices, triangles, values):
 # ------------------------------------------------------------------------------------------------ the rest
 
 
-def test_two_runs_give_the_same_bits(device):
-    mesh, densities = poisson(sphere(1000), device=device)
-    first, second = (mesh.trim(densities, float(np.median(densities))) for _ in range(2))
-    for name in ("vertices", "triangles", "vertex_normals"):
-        np.testing.assert_array_equal(first.array(name).numpy(), second.array(name).numpy())
-    assert 0 < len(first) < len(mesh)
-
-
 def test_a_far_mesh_keeps_its_origin(device):
     near, far = grid(6, device), np.array([5.0e5, 5.4e6, 100.0])
     mesh = TriangleMesh(near.vertices + far, near.triangles, device=device)
@@ -324,12 +306,3 @@ def test_arguments_that_make_no_sense_are_refused(arguments, error, message):
     values, level, *ratio = arguments
     with pytest.raises(error, match=message):
         grid(4).trim(values, level, **({"island_ratio": ratio[0]} if ratio else {}))
-
-
-def test_a_dropped_result_is_warned_of():
-    mesh = grid(2)
-    with pytest.warns(loom.DroppedResultWarning, match="mesh = mesh.trim"):
-        mesh.trim(np.ones(9), 0.5)
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        _ = mesh.trim(np.ones(9), 0.5)

@@ -8,6 +8,7 @@ import pytest
 from pointloom import TriangleMesh
 
 from .open3d_meshes import in_open3d
+from .surface_oracles import winding_numbers
 
 
 def open3d_voxels(o3d, mesh: TriangleMesh, size: float, bounds=None) -> np.ndarray:
@@ -140,16 +141,6 @@ def test_voxels_far_away_are_those_at_zero(device):
 # ------------------------------------------------------------------------------------------------ solid
 
 
-def inside_by_winding(mesh: TriangleMesh, points: np.ndarray) -> np.ndarray:
-    """Whether points lie inside a closed, oriented mesh: solid angles (van Oosterom and Strackee) in float64."""
-    corners = mesh.vertices[mesh.triangles][None] - points[:, None, None]
-    a, b, c = (corners[:, :, k] for k in range(3))
-    la, lb, lc = (np.linalg.norm(x, axis=-1) for x in (a, b, c))
-    top = (a * np.cross(b, c)).sum(axis=-1)
-    below = la * lb * lc + (a * b).sum(-1) * lc + (b * c).sum(-1) * la + (c * a).sum(-1) * lb
-    return np.arctan2(top, below).sum(axis=1) / (2 * np.pi) > 0.5
-
-
 @pytest.mark.parametrize(
     ("make", "size"),
     [
@@ -164,7 +155,7 @@ def test_a_solid_is_its_surface_and_the_centres_inside(device, make, size):
     mesh = make().to("cpu" if device is None else device)
     surface, solid = mesh.voxelize(size), mesh.voxelize(size, solid=True)
     cells = np.argwhere(np.ones(solid.counts, bool))
-    inside = inside_by_winding(mesh, solid.origin + (cells + 0.5) * size)
+    inside = winding_numbers(solid.origin + (cells + 0.5) * size, mesh.vertices[mesh.triangles]) > 0.5
     expected = as_set(surface) | set(map(tuple, cells[inside].tolist()))
     assert as_set(solid) == expected
     turned = TriangleMesh(mesh.vertices, mesh.triangles[:, ::-1], device=device)

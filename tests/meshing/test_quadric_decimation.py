@@ -83,13 +83,6 @@ def test_a_cube_comes_down_to_twelve_triangles_and_keeps_its_corners(device):
     assert thin.get_volume() == pytest.approx(1, abs=1e-4)
 
 
-def test_a_flat_square_stays_the_square_with_four_corners(device):
-    thin = TriangleMesh(*grid(12), device=device).simplify_quadric_decimation(2)
-    assert len(thin) == 2
-    assert thin.get_surface_area() == pytest.approx(121, rel=1e-4)  # as above
-    np.testing.assert_allclose(thin.vertices[:, 2], 0, atol=1e-6)
-
-
 def test_the_border_of_a_hole_stays_a_border(device):
     """A square with a round hole: two borders before and after, and the hole keeps its place."""
     vertices, triangles = grid(24)

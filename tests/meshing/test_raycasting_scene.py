@@ -271,26 +271,6 @@ def test_a_moved_place_is_where_it_was_moved_to(device):
     assert scene.list_intersections(rays)["geometry_ids"].tolist() == [1, 0]
 
 
-def test_many_meshes_share_their_arrays(device):
-    rng = np.random.default_rng(6)
-    meshes = [(ball(6)[0] * 0.2 + rng.uniform(-1, 1, 3), ball(6)[1]) for _ in range(20)]
-    whole = (
-        np.concatenate([v for v, _ in meshes]),
-        np.concatenate([np.asarray(t) + k * len(meshes[0][0]) for k, (_, t) in enumerate(meshes)]),
-    )
-    rays = rays_through(1000, 7)
-    scene = scene_of(*meshes, device=device)
-    found, wanted = scene.cast_rays(rays), scene_of(whole, device=device).cast_rays(rays)
-    np.testing.assert_array_equal(found["t_hit"], wanted["t_hit"])
-    met = np.isfinite(found["t_hit"])
-    numbers = found["geometry_ids"][met] * len(meshes[0][1]) + found["primitive_ids"][met]
-    np.testing.assert_array_equal(numbers, wanted["primitive_ids"][met])
-    # the trees' own arrays are parts of the scene's
-    assert all(tree.boxes.ptr >= scene._scene_trees().boxes.ptr for tree in scene._trees)
-    extra = scene.add_triangles(*SQUARE)
-    assert scene.cast_rays([[0.3, 0.6, 5, 0, 0, -1]])["geometry_ids"].item() in (extra, *range(20))
-
-
 def test_a_scene_far_from_zero_is_the_same_scene(device):
     vertices, triangles = ball()
     vertices = np.round(vertices * 2**20) / 2**20  # what float64 holds exactly there

@@ -271,20 +271,6 @@ def test_a_shell_that_cuts_itself_is_told_by_winding_numbers(device):
     assert ((scene.compute_signed_distance(queries) < 0) == (np.abs(number) > 0.5))[clear].all()
 
 
-def test_a_moebius_strip_has_no_pseudonormals(device):
-    n = 24
-    u = np.linspace(0, 2 * np.pi, n, endpoint=False)
-    across = [s * np.array([np.cos(u / 2), np.sin(u / 2)]) for s in (-0.3, 0.3)]
-    rim = [np.column_stack([(1 + x) * np.cos(u), (1 + x) * np.sin(u), z]) for x, z in across]
-    i = np.arange(n)
-    j, flip = (i + 1) % n, (i + 1) // n * n
-    a, b = (j + flip) % (2 * n), (j + n - flip) % (2 * n)
-    strip = (np.vstack(rim), np.vstack([np.column_stack([i, a, b]), np.column_stack([i, b, i + n])]))
-    scene = scene_of(strip, device=device)
-    assert scene.sign_method == "winding_numbers"
-    assert np.isfinite(scene.compute_signed_distance(somewhere(50))).all()
-
-
 # ------------------------------------------------------------------------------------------------ geometries
 
 

@@ -18,7 +18,6 @@ from .tsdf_scenes import (
     look_at,
     plane_depth,
     set_voxels,
-    small_frames,
     triangle_normals,
     voxels_of,
 )
@@ -92,24 +91,6 @@ def test_a_sphere_seen_from_all_sides_is_closed_and_round(device):
     normals, centers = triangle_normals(mesh)
     assert (np.einsum("ij,ij->i", normals, centers) > 0).all(), "outward, towards the cameras"
     assert mesh.get_volume() == pytest.approx(4 / 3 * np.pi * RADIUS**3, rel=0.03)
-
-
-def test_the_surface_is_that_of_marching_cubes_on_a_dense_copy(device, rng):
-    volume = fuse([(d, T) for d, T, _ in small_frames(rng, 5)], device, camera=SMALL)
-    for threshold in (0, 1):
-        mesh = volume.extract_triangle_mesh(threshold)
-        field, low = dense_field(volume, threshold)
-        dense = loom.marching_cubes(field, spacing=[VOXEL] * 3, origin=low * VOXEL, device=device)
-        assert len(mesh) == len(dense) > 100
-        assert len(mesh.vertices) == len(dense.vertices)
-        distance, twin = cKDTree(dense.vertices).query(mesh.vertices)
-        assert distance.max() < 2e-6  # float32 at 4 m, and the product by the voxel
-        corners = []
-        for triangles in (twin[mesh.triangles], dense.triangles):
-            first = triangles.argmin(axis=1)[:, None]
-            turned = np.take_along_axis(triangles, (first + np.arange(3)) % 3, axis=1)
-            corners.append(turned[np.lexsort(turned.T)])
-        np.testing.assert_array_equal(*corners)
 
 
 def test_a_surface_of_random_values_is_that_of_the_dense_copy(device, rng):
