@@ -49,9 +49,6 @@ def is_closed(triangles: np.ndarray) -> bool:
     return all(ways.get((b, a)) == count for (a, b), count in ways.items())
 
 
-# ------------------------------------------------------------------------------------------------ conformance
-
-
 def bumpy_ball(rng, count=200):
     points = rng.normal(size=(count, 3))
     points *= (1 + 0.1 * rng.random(count) / np.linalg.norm(points, axis=1))[:, None]
@@ -88,9 +85,6 @@ def test_the_hull_is_that_of_the_convex_hull(device, rng):
         np.testing.assert_array_equal(alpha_shape(cloud, alpha).triangles, mesh.triangles)
 
 
-# ------------------------------------------------------------------------------------------------ ties
-
-
 @pytest.mark.parametrize(
     ("sizes", "offset"), [((2, 2, 2), 0), ((3, 2, 2), FAR), ((4, 3, 2), 0), ((5, 5, 5), FAR), ((8, 8, 8), 0)]
 )
@@ -121,9 +115,6 @@ def test_a_ring_between_two_poles_is_closed(device, count):
     ring = np.column_stack([np.cos(turns), np.sin(turns), np.zeros(count)])
     mesh = alpha_shape(PointCloud([*ring, (0, 0, 1), (0, 0, -1)], device=device), 1.5)
     assert len(mesh) == 2 * count and mesh.is_watertight()
-
-
-# ------------------------------------------------------------------------------------------------ properties
 
 
 def test_the_shape_goes_with_the_cloud_to_utm_coordinates(device, rng):
@@ -203,9 +194,6 @@ def test_auto_makes_one_shape_of_the_bunny(device, real_file):
     count = len(mesh.vertices)
     _, labels = connected_components(coo_matrix((np.ones(len(a)), (a, b)), (count, count)), directed=False)
     assert np.bincount(labels).max() > 0.99 * count
-
-
-# ------------------------------------------------------------------------------------------------ edge cases
 
 
 FLAT = {

@@ -61,9 +61,6 @@ def assert_manifold(mesh):
     assert max(directed_edges(mesh.triangles).values()) == 1
 
 
-# ------------------------------------------------------------------------------------------------ conformance
-
-
 @pytest.mark.parametrize("noise", [0.0, 0.02, 0.1])
 def test_open3d_s_triangles_are_there_but_where_they_share_an_edge(device, oracle, rng, noise):
     cloud = sphere(1000, rng, device, noise)
@@ -105,9 +102,6 @@ def test_vertices_are_all_the_points_in_their_order(device, rng):
     np.testing.assert_array_equal(mesh.vertices, cloud.points)
     np.testing.assert_array_equal(mesh.vertex_normals, cloud.normals)
     np.testing.assert_array_equal(mesh.vertex_colors, cloud.colors)
-
-
-# ------------------------------------------------------------------------------------------------ radii
 
 
 @pytest.mark.parametrize("radii", [[1.2, 3.6], [3.6, 1.2], [3.6]])
@@ -160,9 +154,6 @@ def test_one_number_is_one_radius_and_any_order_is_kept(device, rng):
     assert corner_sets(up.triangles) != corner_sets(down.triangles)
 
 
-# ------------------------------------------------------------------------------------------------ default radii
-
-
 @pytest.mark.parametrize("scale", [1e-6, 1.0, 1e6])
 def test_radii_from_the_spacing_close_a_sphere_of_any_size(device, rng, scale):
     cloud = sphere(2000, rng)
@@ -195,9 +186,6 @@ def test_radii_from_the_spacing_make_most_of_a_scan(real_file, scan):
     assert rim < 0.05 * len(cloud)
 
 
-# ------------------------------------------------------------------------------------------------ sameness
-
-
 def test_the_order_of_the_points_changes_no_triangle(device, rng):
     cloud = sphere(1500, rng, noise=0.03)
     order = rng.permutation(1500)
@@ -222,9 +210,6 @@ def test_the_triangles_turn_with_the_cloud_and_stay_far_from_zero(device, rng):
     mesh = pivot(far, [0.2])
     assert len(corner_sets(mesh.triangles) ^ corner_sets(here.triangles)) < 10
     np.testing.assert_array_equal(mesh.vertices, far.points)
-
-
-# ------------------------------------------------------------------------------------------------ edge cases
 
 
 def test_points_without_a_place_or_a_normal_take_no_part(device, rng):

@@ -205,9 +205,6 @@ def test_the_rest_of_the_mesh_stays(device):
     assert scene.mesh.vertex_colors is None and len(result.mesh.textures) == 1
 
 
-# ------------------------------------------------------------------------------------------------ edges
-
-
 @pytest.mark.parametrize("form", FORMS)
 def test_blank_pictures_move_nothing(device, form):
     scene = make_scene(device, rows=15)

@@ -101,9 +101,6 @@ def test_parts_that_touch_at_a_vertex_are_closed_and_have_a_volume(device):
     assert not TriangleMesh(*MESHES["two tetrahedra at an edge"], device=device).is_watertight()
 
 
-# ------------------------------------------------------------------------------------------------ operations
-
-
 def test_normals_of_a_vertex_in_thousands_of_triangles_are_right(device):
     n = 5000
     angle = np.linspace(0, 2 * np.pi, n, endpoint=False)
@@ -224,9 +221,6 @@ def test_unreferenced_vertices_go_and_the_rest_keep_their_order_and_values(devic
     np.testing.assert_array_equal(used[clean.triangles], kept)
 
 
-# ------------------------------------------------------------------------------------------------ data
-
-
 def test_operations_return_new_meshes_that_share_what_they_leave(device):
     mesh = rough_ball(device)
     with_normals = mesh.compute_vertex_normals()
@@ -304,9 +298,6 @@ def test_a_missing_array_and_a_flat_matrix_are_refused():
     for name, rows in (("vertex_colors", 1), ("vertex_normals", 5)):
         with pytest.raises(ValueError, match=rf"{name}: expected shape \[4, 3\], one row a vertex, got \[{rows}, 3\]"):
             setattr(mesh, name, np.ones((rows, 3)))
-
-
-# ------------------------------------------------------------------------------------------------ files
 
 
 @pytest.mark.parametrize(("ascii", "shift"), [(False, (0, 0, 0)), (True, tuple(FAR))])

@@ -108,9 +108,6 @@ def test_what_makes_no_atlas_is_refused(monkeypatch):
         mesh.compute_uvatlas()
 
 
-# ------------------------------------------------------------------------------------------------ colours
-
-
 def colored(mesh: TriangleMesh) -> TriangleMesh:
     low, high = mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)
     mesh.vertex_colors = (mesh.vertices - low) / np.where(high > low, high - low, 1)

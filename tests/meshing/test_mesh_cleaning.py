@@ -21,9 +21,6 @@ def least_turn(t: list[int]) -> tuple[int, ...]:
     return min(tuple(t[k:] + t[:k]) for k in range(3))
 
 
-# ------------------------------------------------------------------------------------------------ triangles
-
-
 @pytest.mark.parametrize(
     ("method", "good"), [("remove_degenerate_triangles", False), ("remove_duplicated_triangles", True)]
 )
@@ -121,9 +118,6 @@ def test_a_manifold_mesh_keeps_a_triangle_without_area_unlike_in_open3d(device):
     assert len(mesh.remove_non_manifold_edges()) == 2
 
 
-# ------------------------------------------------------------------------------------------------ vertices
-
-
 def test_duplicated_vertices_are_those_of_open3d(device, oracle):
     rng = np.random.default_rng(0)
     colors = rng.random((12, 3)).astype(np.float32)
@@ -219,9 +213,6 @@ def test_a_distance_too_small_to_tell_is_refused():
         mesh.merge_close_vertices(1e-20)
     with pytest.raises(ValueError, match="eps"):
         mesh.merge_close_vertices(0)
-
-
-# ------------------------------------------------------------------------------------------------ selection
 
 
 def test_selections_and_removals_by_index_are_those_of_open3d(oracle):

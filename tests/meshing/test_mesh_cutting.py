@@ -68,9 +68,6 @@ def lengths(lines: LineSet):
     return np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
 
 
-# ------------------------------------------------------------------------------------------------ closed in, closed out
-
-
 @settings(max_examples=25, deadline=None)
 @given(
     name=st.sampled_from(sorted(SHAPES)),
@@ -140,9 +137,6 @@ def test_two_outlines_that_touch_at_a_vertex_are_two_loops():
     np.testing.assert_allclose(areas, [0.5, 0.5], atol=1e-6)
 
 
-# ------------------------------------------------------------------------------------------------ what belongs to it
-
-
 def test_a_cut_takes_everything_along(device):
     box = textured_box(device)
     half = box.clip_plane([0.25, 0, 0], [1, 0, 0], cap=True)
@@ -175,9 +169,6 @@ def test_a_two_sided_wall_has_its_section():
     two_sided = TriangleMesh(box.vertices, np.r_[box.triangles, box.triangles[:, ::-1]])
     assert lengths(two_sided.slice_plane([0, 0, 0.5], [0, 0, 1])).sum() == pytest.approx(4)
     assert lengths(two_sided.slice_plane([0, 0, 0], [0, 0, 1])).sum() == pytest.approx(4)
-
-
-# ------------------------------------------------------------------------------------------------ edge cases
 
 
 def test_nothing_and_next_to_nothing_is_cut(device):

@@ -24,9 +24,6 @@ def dressed(device=None) -> TriangleMesh:
     return box
 
 
-# ------------------------------------------------------------------------------------------------ joining
-
-
 def test_a_sum_has_the_triangles_of_both_and_all_that_belongs_to_them(device):
     box = dressed(device)
     both = box + box.translate(FAR)
@@ -59,9 +56,6 @@ def test_what_not_all_meshes_have_is_left_out():
     bare = dressed().with_arrays(triangle_uvs=None)
     with pytest.raises(TypeError, match="a: the meshes have it in int64 and float32"):
         bare + other
-
-
-# ------------------------------------------------------------------------------------------------ boxes and hulls
 
 
 def test_boxes_and_hulls_are_those_of_the_vertices(device):
@@ -102,9 +96,6 @@ def test_isosurfaces_are_those_of_open3d(oracle):
     assert ours.vertices.shape == shape
     np.testing.assert_allclose(ours.get_min_bound(), lowest, atol=1e-5)
     assert ours.get_volume() > 0  # it faces to where the field is below; Open3D's as well
-
-
-# ------------------------------------------------------------------------------------------------ sweeps
 
 
 @settings(max_examples=25, deadline=None)
@@ -153,9 +144,6 @@ def test_profiles_turn_about_the_axis():
     ring = TriangleMesh.revolve([[2, 0], [3, 0], [3, 1], [2, 1], [2, 0]], resolution=256)
     assert ring.get_volume() == pytest.approx(5 * np.pi, rel=1e-3) and ring.euler_poincare_characteristic() == 0
     assert len(TriangleMesh.revolve([[1, 0], [1, 1]], 90, 4).get_boundary_edges()) == 10
-
-
-# ------------------------------------------------------------------------------------------------ polygons
 
 
 def test_polygons_use_all_their_corners_and_no_others():

@@ -166,9 +166,6 @@ def test_new_triangles_take_texture_from_the_border(device):
     np.testing.assert_array_equal(filled.vertex_colors, BOX)
 
 
-# ------------------------------------------------------------------------------------------------ repair
-
-
 def test_a_repair_says_what_it_did(device):
     rng = np.random.default_rng(0)
     loose = BOX[BOX_SIDES].reshape(-1, 3)  # a box of triangles that share no vertex

@@ -162,9 +162,6 @@ def test_walls_on_each_other_stay_two_where_their_triangles_differ(device):
     assert sorted(mended.cluster_connected_triangles()[1]) == [12, 12]
 
 
-# ------------------------------------------------------------------------------------------------ properties
-
-
 @settings(deadline=None, max_examples=25)
 @given(st.integers(0, 2**32 - 1), st.floats(0.2, 0.7), st.sampled_from([lambda m: m, loose, partly_turned]))
 def test_cubes_of_any_grid_are_closed_and_keep_their_area(seed, share, change):
@@ -195,9 +192,6 @@ def test_whatever_was_done_to_a_closed_mesh_its_repair_is_closed(shape, changes,
     assert report.is_watertight and report.non_manifold_vertices == 0 and report.lost_area < 0.01
     assert mended.get_surface_area() >= 0.99 * shape.get_surface_area()
     assert len(again) == len(mended) and second.flipped_triangles == second.split_vertices == 0
-
-
-# ------------------------------------------------------------------------------------------------ fans at vertices
 
 
 def test_each_fan_gets_a_vertex_of_its_own(device):

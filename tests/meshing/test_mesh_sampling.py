@@ -47,9 +47,6 @@ def places_of(points: np.ndarray, mesh: TriangleMesh) -> tuple[np.ndarray, np.nd
     return best, weights[rows, best], off[rows, best]
 
 
-# ------------------------------------------------------------------------------------------------ by area
-
-
 def test_triangles_get_points_in_proportion_to_their_areas(device):
     mesh, count = uneven(device), 20_000
     chosen, _, off = places_of(mesh.sample_points_uniformly(count, seed=4).points, mesh)
@@ -142,9 +139,6 @@ def test_triangles_that_are_not_finite_get_no_points_and_others_do(device):
     assert np.isfinite(cloud.points).all() and (cloud.points[:, 1] <= cloud.points[:, 0]).all()
 
 
-# ------------------------------------------------------------------------------------------------ spread evenly
-
-
 def ball(device=None, *, size=1.0, place=(0, 0, 0)) -> TriangleMesh:
     mesh = TriangleMesh.create_sphere(1.0, resolution=40)
     return TriangleMesh(mesh.vertices * size + np.asarray(place), mesh.triangles, device=device)
@@ -218,9 +212,6 @@ def test_even_points_have_the_same_bits_in_two_runs_at_any_place_and_scale(devic
     for size, place in ((1e-6, 0), (1e6, 0), (1.0, FAR)):
         moved = ball(device, size=size, place=place).sample_points_poisson_disk(300, seed=5).points
         assert (np.abs((moved - place) / size - first).max(axis=1) < 1e-5).mean() > 0.95  # float32 may decide a tie
-
-
-# ------------------------------------------------------------------------------------------------ refused
 
 
 @pytest.mark.parametrize("method", ["sample_points_uniformly", "sample_points_poisson_disk"])

@@ -68,9 +68,6 @@ def test_a_vertex_of_folded_triangles_alone_is_manifold(device):
     assert soup([[3, 3, 3], [2, 3, 3]], device).is_vertex_manifold()
 
 
-# ------------------------------------------------------------------------------------------------ borders
-
-
 def open3d_borders(o3d, mesh):
     half_edges = o3d.geometry.HalfEdgeTriangleMesh.create_from_triangle_mesh(in_open3d(o3d, mesh))
     return [list(loop) for loop in half_edges.get_boundaries()]
@@ -122,9 +119,6 @@ def test_long_borders_are_in_order(device):
 def test_where_triangles_turn_different_ways_the_border_is_no_loop(device):
     assert TriangleMesh(BOX[:4], [[0, 1, 2], [1, 2, 3]], device=device).get_boundaries() == []
     assert TriangleMesh(BOX[:5], [[0, 1, 2], [0, 1, 3], [0, 1, 4]], device=device).get_boundaries() == []
-
-
-# ------------------------------------------------------------------------------------------------ turning
 
 
 def turns_alike(triangles: np.ndarray) -> bool:
@@ -204,9 +198,6 @@ def test_texture_turns_with_its_triangle(device):
     before, after = (corner_table(m).reshape(-1, 3, 6) for m in (mesh, oriented))
     np.testing.assert_array_equal(after[flipped], before[flipped][:, [0, 2, 1]])
     np.testing.assert_array_equal(after[~flipped], before[~flipped])
-
-
-# ------------------------------------------------------------------------------------------------ sizes
 
 
 def test_a_volume_with_a_flipped_triangle_is_refused(device):

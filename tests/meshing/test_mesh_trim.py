@@ -119,9 +119,6 @@ def test_a_level_that_nothing_passes_leaves_all_or_nothing(device):
     assert len(TriangleMesh(device=device).trim([], 0)) == 0
 
 
-# ------------------------------------------------------------------------------------------------ islands and holes
-
-
 def dots(size, *places, inside=1.0):
     """Values 0 at all vertices of a grid but 1 at some (or the other way round)."""
     values = np.full((size + 1, size + 1), 1.0 - inside)
@@ -263,9 +260,6 @@ def pieces_of(vertices, triangles, values):
         pieces += [(a, p, q), (p, b, c), (p, c, q)]
         above += [bool(high[lone])] + [not high[lone]] * 2
     return np.array(pieces), np.array(above), np.array(places)
-
-
-# ------------------------------------------------------------------------------------------------ the rest
 
 
 def test_a_far_mesh_keeps_its_origin(device):

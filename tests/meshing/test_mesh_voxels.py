@@ -138,9 +138,6 @@ def test_voxels_far_away_are_those_at_zero(device):
     np.testing.assert_allclose(there.origin - near.origin, [5e5, 5.4e6, 0], atol=1e-9)
 
 
-# ------------------------------------------------------------------------------------------------ solid
-
-
 @pytest.mark.parametrize(
     ("make", "size"),
     [
@@ -191,9 +188,6 @@ def test_a_dense_grid_is_the_sparse_one():
         grid.check_if_included([[0, 0]])
     with pytest.raises(TypeError, match="queries"):
         grid.check_if_included(None)
-
-
-# ------------------------------------------------------------------------------------------------ bad meshes
 
 
 def test_triangles_that_are_not_finite_touch_nothing(device):

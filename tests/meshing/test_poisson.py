@@ -28,8 +28,6 @@ from .tsdf_scenes import all_bits
 
 FAR = np.array([5.0e5, 5.4e6, 128.0])
 
-# ------------------------------------------------------------------------------------------------ the surface
-
 
 def test_a_ball_of_samples_is_a_closed_ball(device):
     mesh, densities = poisson(sphere(1500), device=device)
@@ -92,9 +90,6 @@ def test_the_sides_of_the_cube_are_alike(device):
     assert np.quantile(np.abs(densities - others[nearest]), 0.99) < 1e-5
 
 
-# ------------------------------------------------------------------------------------------------ the same bits
-
-
 @pytest.mark.slow
 @pytest.mark.slow_on_emulated_cuda("on the CPU alone")
 def test_one_and_two_threads_give_the_same_bits():
@@ -127,9 +122,6 @@ def test_coordinates_far_from_zero_change_nothing(device):
     np.testing.assert_allclose(shift, np.tile(-FAR, (len(shift), 1)), atol=3e-7)  # a float32 of other origin
     np.testing.assert_array_equal(others, densities)
     assert (far.origin == FAR.round()).all() or np.abs(far.origin - FAR).max() < 2
-
-
-# ------------------------------------------------------------------------------------------------ arguments
 
 
 def test_a_width_stands_for_the_depth_with_cells_no_wider(device):

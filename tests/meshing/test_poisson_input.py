@@ -86,9 +86,6 @@ def test_a_cube_as_tight_as_the_points_is_cut_by_its_sides(device):
     assert_sane(*poisson(points, scale=1.0, device=device), points, 1.0)
 
 
-# ------------------------------------------------------------------------------------------------ refusals
-
-
 @pytest.mark.parametrize(
     ("points", "normals", "message"),
     [

@@ -74,9 +74,6 @@ def brute_force(vertices, triangles, rays) -> np.ndarray:
         return np.where((u >= 0) & (v >= 0) & (u + v <= 1) & (t >= 0), t, np.inf)
 
 
-# ------------------------------------------------------------------------------------------------ conformance
-
-
 def test_hits_counts_lists_and_occlusions_are_those_of_embree(device, oracle):
     mesh, rays = ball(), rays_through(700)
     scene = scene_of(mesh, device=device)
@@ -127,9 +124,6 @@ def test_cameras_are_those_of_open3d(oracle):
     np.testing.assert_allclose(K @ middle, [2.5, 1.5, 1], atol=1e-5)
 
 
-# ------------------------------------------------------------------------------------------------ brute force
-
-
 def test_hits_are_those_of_brute_force(device):
     vertices, triangles = ball(10)
     rays = rays_through(400, 2)
@@ -172,9 +166,6 @@ def test_whole_numbers_are_met_exactly(triangles, rays):
         if len(close):
             first = np.flatnonzero(np.abs(t - t.min()) < 1e-6)  # ties go to the smallest number
             assert found["primitive_ids"][row] == first[0]
-
-
-# ------------------------------------------------------------------------------------------------ no leaks
 
 
 @pytest.mark.parametrize("scale", [1e-6, 1.0, 1e6])
@@ -227,9 +218,6 @@ def test_of_triangles_at_a_corner_the_smallest_number_is_met_wherever_it_stands_
     scene = scene_of(([[0, 0, 0], *rim], fan), device=device)
     found = scene.list_intersections([[0, 0, 5, 0, 0, -1]])
     assert (found["t_hit"].tolist(), found["primitive_ids"].tolist()) == ([5], [0])
-
-
-# ------------------------------------------------------------------------------------------------ places
 
 
 def test_places_of_one_mesh_are_transformed_copies(device):
@@ -297,9 +285,6 @@ def test_a_camera_far_from_zero_keeps_its_place():
     rays = RaycastingScene.create_rays_pinhole(60, center, FAR, [0, 1, 0], 4, 4)
     assert rays.dtype == np.float64
     np.testing.assert_array_equal(rays[..., :3], np.broadcast_to(FAR, (4, 4, 3)))
-
-
-# ------------------------------------------------------------------------------------------------ odd input
 
 
 def test_rays_that_are_none_meet_nothing(device):

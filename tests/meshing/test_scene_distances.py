@@ -51,9 +51,6 @@ def corners_of(vertices, triangles) -> np.ndarray:
     return np.asarray(vertices, np.float32).astype(np.float64)[np.asarray(triangles)]
 
 
-# ------------------------------------------------------------------------------------------------ conformance
-
-
 def open3d_distances(o3d, mesh, queries):
     scene, queries = raycasting_scene(o3d, mesh), o3d.core.Tensor(queries)
     closest = {name: values.numpy() for name, values in scene.compute_closest_points(queries).items()}
@@ -77,9 +74,6 @@ def test_what_is_found_and_how_far_it_is_is_open3ds(device, oracle):
     np.testing.assert_allclose(scene.compute_distance(queries), measures[0], atol=1e-5)  # Open3D's float32
     np.testing.assert_allclose(scene.compute_signed_distance(queries), measures[1], atol=1e-5)
     np.testing.assert_array_equal(scene.compute_occupancy(queries), measures[2])
-
-
-# ------------------------------------------------------------------------------------------------ brute force
 
 
 @pytest.mark.parametrize("scale", [1e-6, 1.0, 1e6])
@@ -160,9 +154,6 @@ def test_sheets_that_nearly_coincide_are_told_apart(device):
     scene = scene_of((corners.reshape(-1, 3), np.arange(192).reshape(-1, 3)), device=device)
     chosen = truth[np.arange(200), scene.compute_closest_points(queries)["primitive_ids"]]
     np.testing.assert_allclose(chosen, truth.min(1), rtol=1e-13)  # float64 tells what float32 does not
-
-
-# ------------------------------------------------------------------------------------------------ signs
 
 
 def grid(n=13) -> np.ndarray:
@@ -271,9 +262,6 @@ def test_a_shell_that_cuts_itself_is_told_by_winding_numbers(device):
     assert ((scene.compute_signed_distance(queries) < 0) == (np.abs(number) > 0.5))[clear].all()
 
 
-# ------------------------------------------------------------------------------------------------ geometries
-
-
 def test_geometries_in_places_are_measured_where_they_stand(device):
     pose = np.eye(4)
     pose[:3, :3] = [[0, -1, 0], [1, 0, 0], [0, 0, 1]]
@@ -291,9 +279,6 @@ def test_geometries_in_places_are_measured_where_they_stand(device):
     turned = found["geometry_ids"] == second
     normals = np.cross(corners[1][:, 1] - corners[1][:, 0], corners[1][:, 2] - corners[1][:, 0])
     np.testing.assert_allclose(found["primitive_normals"][turned], normals[found["primitive_ids"][turned]], atol=1e-6)
-
-
-# ------------------------------------------------------------------------------------------------ hostile
 
 
 def test_queries_that_are_not_finite_or_too_far_find_nothing(device):

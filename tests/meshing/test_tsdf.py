@@ -23,8 +23,6 @@ from .tsdf_scenes import (
     voxels_of,
 )
 
-# ------------------------------------------------------------------------------------------------ far from zero
-
 
 def test_a_volume_at_utm_coordinates_is_the_one_at_the_origin(device):
     """The origin is the first camera's place in whole metres: (-1, 0, 0) from the sphere, so are the lattices."""
@@ -45,14 +43,9 @@ def test_a_volume_at_utm_coordinates_is_the_one_at_the_origin(device):
     assert np.median(np.abs(np.linalg.norm(cloud.points - center, axis=1) - RADIUS)) < 0.3 * VOXEL
 
 
-# ------------------------------------------------------------------------------------------------ the same bits
-
-
 def test_two_runs_give_the_same_bits(device):
     assert all_bits(device) == all_bits(device)
 
-
-# ------------------------------------------------------------------------------------------------ bad input
 
 DEPTH, E = np.full((24, 32), 1.0), np.eye(4)
 MIRROR, SCALED = np.diag([-1.0, 1, 1, 1]), np.diag([2.0, 2, 2, 1])

@@ -112,9 +112,6 @@ def test_an_existing_file_stays_where_it_may_not_be_replaced(tmp_path):
     assert [p.name for p in tmp_path.iterdir()] == ["room.npz"], "no temporary file is left"
 
 
-# ------------------------------------------------------------------------------------------------ damage
-
-
 @pytest.fixture(scope="module")
 def saved(tmp_path_factory):
     """The bytes of a small file, and a folder to put others in."""
