@@ -95,22 +95,6 @@ def test_manifold_tests_agree_with_open3d(device, oracle):
         assert mesh.is_vertex_manifold() == vertices
 
 
-def test_parts_that_touch_at_a_vertex_are_closed_and_have_a_volume(device):
-    mesh = TriangleMesh(*MESHES["two tetrahedra at a vertex"], device=device)
-    assert mesh.is_watertight() and mesh.get_volume() == pytest.approx(1 / 3)
-    assert not TriangleMesh(*MESHES["two tetrahedra at an edge"], device=device).is_watertight()
-
-
-def test_normals_of_a_vertex_in_thousands_of_triangles_are_right(device):
-    n = 5000
-    angle = np.linspace(0, 2 * np.pi, n, endpoint=False)
-    rim = np.column_stack([np.cos(angle), np.sin(angle), np.zeros(n)])
-    fan = np.column_stack([np.zeros(n, int), 1 + np.arange(n), 1 + (np.arange(n) + 1) % n])
-    mesh = TriangleMesh(np.vstack([[0, 0, 1], rim]), fan, device=device).compute_vertex_normals()
-    np.testing.assert_allclose(mesh.vertex_normals[0], [0, 0, 1], atol=1e-6)
-    assert mesh.is_edge_manifold()
-
-
 def test_vertices_without_area_point_up_and_vertices_that_are_not_finite_have_no_normal(device):
     vertices = [[0, 0, 0], [0, 1, 0], [0, 0, 1], [5, 5, 5], [1, 1, 1], [np.nan, 0, 0]]
     mesh = TriangleMesh(vertices, [[0, 1, 2], [3, 3, 3], [0, 1, 5]], device=device).compute_vertex_normals()

@@ -36,12 +36,6 @@ def test_triangles_without_area_go_where_it_is_asked_for(device):
     assert mesh.remove_degenerate_triangles(zero_area=True).triangles.tolist() == [[0, 1, 3], [0, 1, 4]]
 
 
-@pytest.mark.parametrize("scale", [1e-6, 1.0, 1e6])
-def test_slim_triangles_have_an_area_at_any_scale(device, scale):
-    mesh = TriangleMesh(np.array([[0, 0, 0], [1, 0, 0], [0.5, 1e-6, 0]]) * scale, [[0, 1, 2]], device=device)
-    assert len(mesh.remove_degenerate_triangles(zero_area=True)) == 1
-
-
 @HYPOTHESIS
 @given(SOUPS)
 def test_of_triangles_equal_but_for_a_turn_the_first_stays(triangles):
@@ -51,11 +45,6 @@ def test_of_triangles_equal_but_for_a_turn_the_first_stays(triangles):
             kept.append(t)
         seen.add(least_turn(t))
     assert soup(triangles).remove_duplicated_triangles().triangles.tolist() == kept
-
-
-def test_turned_copies_of_a_folded_triangle_go_too_unlike_in_open3d(device):
-    mesh = soup([[0, 0, 1], [0, 1, 0], [1, 0, 0]], device)
-    assert mesh.remove_duplicated_triangles().triangles.tolist() == [[0, 0, 1]]
 
 
 def greedy_manifold(mesh: TriangleMesh) -> list[list[int]]:
@@ -99,25 +88,6 @@ def test_crowded_edges_lose_the_triangles_that_open3d_drops(device, oracle):
     assert left.triangles.tolist() == wanted.tolist() and len(left) == 4
 
 
-@pytest.mark.slow_on_emulated_cuda("thousands of steps of one thread")
-def test_a_book_of_thousands_of_pages_loses_all_but_two(device):
-    rng = np.random.default_rng(0)
-    mesh = TriangleMesh(
-        np.vstack([[[0, 0, 0], [0, 0, 1]], rng.normal(size=(5000, 3))]),
-        np.column_stack([np.zeros(5000, int), np.ones(5000, int), 2 + np.arange(5000)]),
-        device=device,
-    )
-    left = mesh.remove_non_manifold_edges()
-    areas = mesh.compute_triangle_areas()
-    np.testing.assert_array_equal(left.triangles, mesh.triangles[np.sort(np.argsort(areas)[-2:])])
-
-
-def test_a_manifold_mesh_keeps_a_triangle_without_area_unlike_in_open3d(device):
-    vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [3, 0, 0], [4, 0, 0], [5, 0, 0]]
-    mesh = TriangleMesh(vertices, [[0, 1, 2], [3, 4, 5]], device=device)
-    assert len(mesh.remove_non_manifold_edges()) == 2
-
-
 def test_duplicated_vertices_are_those_of_open3d(device, oracle):
     rng = np.random.default_rng(0)
     colors = rng.random((12, 3)).astype(np.float32)
@@ -137,12 +107,6 @@ def test_vertices_with_nan_equal_none_and_minus_zero_is_zero(device):
     corners = [[0, 0, 0], [np.nan, 0, 0], [np.nan, 0, 0], [-0.0, 0, 0]]
     mesh = TriangleMesh(corners, [[0, 1, 2], [3, 2, 1]], device=device).remove_duplicated_vertices()
     assert mesh.triangles.tolist() == [[0, 1, 2], [0, 2, 1]]
-
-
-def test_ten_thousand_vertices_at_one_place_become_one(device):
-    mesh = TriangleMesh(np.ones((10_000, 3)), [[0, 5000, 9999]], device=device)
-    for merged in (mesh.remove_duplicated_vertices(), mesh.merge_close_vertices(0.1)):
-        assert merged.vertices.tolist() == [[1, 1, 1]] and merged.triangles.tolist() == [[0, 0, 0]]
 
 
 def greedy_groups(points: np.ndarray, eps: float) -> np.ndarray:

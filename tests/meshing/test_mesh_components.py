@@ -67,22 +67,6 @@ def test_parts_far_from_zero_have_the_areas_of_those_near_it(device):
     assert mesh.cluster_connected_triangles()[2].tolist() == [1.0, 1.5, 1.0]
 
 
-def test_areas_of_large_parts_are_summed_in_one_order_everywhere(device):
-    rng = np.random.default_rng(2)
-    count = 5000
-    corners = np.cumsum(rng.random((count + 2, 3)), axis=0).astype(np.float32)
-    strip = np.arange(count)[:, None] + [0, 1, 2]
-    (area,) = TriangleMesh(corners, strip, device=device, origin=[0, 0, 0]).cluster_connected_triangles()[2]
-    a, b, c = (corners[strip[:, k]].astype(float) for k in range(3))
-    u, v = b - a, c - a
-    cross = u[:, [1, 2, 0]] * v[:, [2, 0, 1]] - u[:, [2, 0, 1]] * v[:, [1, 2, 0]]
-    twice = np.sqrt(cross[:, 0] * cross[:, 0] + cross[:, 1] * cross[:, 1] + cross[:, 2] * cross[:, 2])
-    total = 0.0
-    for first in range(0, count, 1024):
-        total += np.cumsum(twice[first : first + 1024])[-1]
-    assert area == total / 2
-
-
 @pytest.mark.parametrize(
     ("limits", "kept"),
     [

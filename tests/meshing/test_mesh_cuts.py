@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import warnings
-
 import numpy as np
 import pytest
 
-import pointloom as loom
 from pointloom import TriangleMesh
 
 from .open3d_meshes import open3d_arrays
@@ -56,13 +53,3 @@ def test_a_mask_of_another_shape_or_kind_is_refused(method):
     for mask in ([True], np.zeros((60, 1), bool), np.zeros(60), np.zeros(80), np.arange(80), [], [3, 5]):
         with pytest.raises(ValueError, match=r"mask: expected .* one for each"):
             getattr(strip(), method)(mask)
-
-
-@pytest.mark.parametrize("method", ["remove_vertices_by_mask", "remove_triangles_by_mask"])
-def test_a_dropped_result_is_warned_of(method):
-    things = {"mesh": strip(), "mask": np.zeros(60 if "vertices" in method else 80, bool)}
-    with pytest.warns(loom.DroppedResultWarning, match=f"mesh = mesh.{method}"):
-        exec(f"mesh.{method}(mask)", things)
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        exec(f"taken = mesh.{method}(mask)", things)

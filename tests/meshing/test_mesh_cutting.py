@@ -164,13 +164,6 @@ def test_a_section_far_away_is_as_exact_as_at_home():
     np.testing.assert_allclose(far - FAR, near, atol=2e-7)
 
 
-def test_a_two_sided_wall_has_its_section():
-    box = TriangleMesh.create_box()
-    two_sided = TriangleMesh(box.vertices, np.r_[box.triangles, box.triangles[:, ::-1]])
-    assert lengths(two_sided.slice_plane([0, 0, 0.5], [0, 0, 1])).sum() == pytest.approx(4)
-    assert lengths(two_sided.slice_plane([0, 0, 0], [0, 0, 1])).sum() == pytest.approx(4)
-
-
 def test_nothing_and_next_to_nothing_is_cut(device):
     for corners in ([], [[0, 1, 2]], [[0, 0, 1]], [[0, 1, 2], [0, 1, 2], [1, 0, 2]]):
         mesh = TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 0, 1], [np.nan] * 3], corners, device=device)

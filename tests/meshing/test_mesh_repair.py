@@ -218,15 +218,6 @@ def test_a_good_mesh_comes_back_as_it_is(device):
     assert report.flipped_triangles == len(mesh) and turned.get_volume() == pytest.approx(mesh.get_volume())
 
 
-def test_triangles_without_area_stay_where_they_close_a_mesh_and_are_reported(device):
-    """A side with a vertex in the middle of an edge of it, closed by a triangle on a line."""
-    vertices = np.vstack([BOX, [[0, 0, 0.5]]])  # on the edge from 0 to 1
-    sides = np.vstack([BOX_SIDES[1:], [[0, 8, 3], [8, 1, 3]], [[0, 1, 8]]])
-    mesh = TriangleMesh(vertices, sides, device=device)
-    mended, report = mesh.repair()
-    assert report.zero_area_triangles == 1 and mended.is_watertight() == mesh.is_watertight()
-
-
 @pytest.mark.parametrize("option", ["hole_size", "merge_distance"])
 @pytest.mark.parametrize("value", [0, -1, np.nan, np.inf])
 def test_sizes_that_are_none_are_refused_by_name(option, value):

@@ -109,13 +109,6 @@ def test_a_repair_that_cost_too_much_is_poor():
     assert opened.poor == "it was closed and is no more: compare it with what it was (compare_meshes)"
 
 
-def test_copies_cost_nothing():
-    ball = TriangleMesh.create_sphere(1, 8)
-    twice = TriangleMesh(ball.vertices, np.vstack([ball.triangles, ball.triangles[:, ::-1]]))
-    found = loom.clean_mesh(twice)
-    assert found.poor is None and len(found.mesh) == len(ball) and found.is_watertight
-
-
 @pytest.mark.parametrize(
     ("call", "said"),
     [

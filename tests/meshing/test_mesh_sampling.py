@@ -70,20 +70,6 @@ def test_points_lie_anywhere_in_a_triangle_alike(device):
     assert stats.chisquare(cells[expected > 0], expected[expected > 0]).pvalue > 1e-3
 
 
-def test_what_belongs_to_vertices_is_mixed_by_the_weights_of_the_corners(device):
-    mesh = uneven(device)
-    cloud = mesh.sample_points_uniformly(500, seed=1)
-    chosen, weights, _ = places_of(cloud.points, mesh)
-    corners = mesh.triangles[chosen]
-    colors = np.einsum("ij,ijk->ik", weights, mesh.vertex_colors[corners])
-    normals = np.einsum("ij,ijk->ik", weights, mesh.vertex_normals[corners])
-    close = weights.min(axis=1) > 0.02  # elsewhere another triangle may be as near
-    np.testing.assert_allclose(cloud.colors[close], colors[close], atol=2e-4)
-    normals = normals / np.linalg.norm(normals, axis=1, keepdims=True)
-    assert np.median(np.abs(cloud.normals[close] - normals[close])) < 1e-5
-    np.testing.assert_allclose(np.linalg.norm(cloud.normals, axis=1), 1, atol=1e-6)
-
-
 def open3d_samples(o3d, mesh):
     """Points of Open3D and their attributes, then normals of triangles."""
     peer = in_open3d(o3d, mesh)
@@ -105,11 +91,6 @@ def test_attributes_are_those_of_open3d_where_they_are_linear_in_the_position(de
         np.testing.assert_allclose(shades, points @ slope, atol=1e-6)
         np.testing.assert_allclose(directions, wanted, atol=1e-6)
     np.testing.assert_array_equal(flat, mesh.sample_points_uniformly(10, use_triangle_normal=True).normals)
-
-
-def test_a_mesh_without_normals_and_colours_gives_points_without_them(device):
-    cloud = TriangleMesh(*SQUARE, device=device).sample_points_uniformly(5)
-    assert not cloud.has_normals and not cloud.has_colors and str(cloud.device).startswith(device)
 
 
 def test_the_first_of_many_points_are_those_of_fewer_and_a_seed_chooses_others(device):

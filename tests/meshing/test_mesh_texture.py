@@ -34,22 +34,6 @@ def corner_table(mesh: TriangleMesh) -> np.ndarray:
     )
 
 
-def test_removed_triangles_take_their_texture_along(device):
-    mesh = textured(device)
-    mask = np.random.default_rng(1).random(40) < 0.4
-    left = mesh.remove_triangles_by_mask(mask)
-    np.testing.assert_array_equal(corner_table(left), corner_table(mesh)[np.repeat(~mask, 3)])
-    assert len(left.textures) == 2
-
-
-def test_removed_vertices_take_the_texture_of_their_triangles_along(device):
-    mesh = textured(device)
-    mask = np.arange(32) < 4
-    left = mesh.remove_vertices_by_mask(mask).remove_unreferenced_vertices()
-    whole = ~mask[mesh.triangles].any(axis=1)
-    np.testing.assert_array_equal(corner_table(left), corner_table(mesh)[np.repeat(whole, 3)])
-
-
 def test_a_reflection_keeps_texture_at_its_corners(device):
     mesh = textured(device)
     mirrored = mesh.transform(np.diag([-1.0, 1, 1, 1]))

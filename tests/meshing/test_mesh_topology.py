@@ -8,7 +8,7 @@ from hypothesis import given, settings
 
 from pointloom import TriangleMesh
 
-from .mesh_soups import BOX, BOX_SIDES, FAR, GOOD_SOUPS, SOUPS, ball, fixed_soups, grid, soup, surface
+from .mesh_soups import BOX, BOX_SIDES, FAR, GOOD_SOUPS, ball, fixed_soups, grid, soup, surface
 from .open3d_meshes import for_each, in_open3d, one_by_one
 from .simplification_scenes import edge_counts
 from .test_mesh_texture import corner_table, textured
@@ -106,16 +106,6 @@ def test_a_border_that_passes_a_vertex_twice_is_two_loops(device):
     assert sorted(sorted(loop.tolist()) for loop in loops[1:]) == [[6, 7, 11, 12], [12, 13, 17, 18]]
 
 
-def test_long_borders_are_in_order(device):
-    count = 777
-    fan = np.column_stack([np.full(count, count), np.arange(count), (np.arange(count) + 1) % count])
-    names = np.random.default_rng(0).permutation(count + 1)
-    mesh = TriangleMesh(np.random.default_rng(0).random((count + 1, 3)), names[fan], device=device)
-    (loop,) = mesh.get_boundaries()
-    wanted = np.roll(names[:count], -np.argmin(names[:count]))
-    np.testing.assert_array_equal(loop, wanted)
-
-
 def test_where_triangles_turn_different_ways_the_border_is_no_loop(device):
     assert TriangleMesh(BOX[:4], [[0, 1, 2], [1, 2, 3]], device=device).get_boundaries() == []
     assert TriangleMesh(BOX[:5], [[0, 1, 2], [0, 1, 3], [0, 1, 4]], device=device).get_boundaries() == []
@@ -164,15 +154,6 @@ def test_what_open3d_can_orient_is_oriented(oracle):
         assert not orientable or turns_alike(oriented.triangles)
         np.testing.assert_array_equal(np.sort(oriented.triangles, axis=1), np.sort(mesh.triangles, axis=1))
     assert [wanted for ((wanted,),) in answers[-5:]] == [orientable for _, orientable in SURFACES.values()]
-
-
-@HYPOTHESIS
-@given(SOUPS)
-def test_whatever_the_triangles_orienting_twice_changes_nothing(triangles):
-    mesh = soup(triangles)
-    once, orientable = mesh.orient_triangles()
-    np.testing.assert_array_equal(once.orient_triangles()[0].triangles, once.triangles)
-    assert orientable == mesh.is_orientable()
 
 
 @pytest.mark.parametrize("where", [np.zeros(3), FAR])

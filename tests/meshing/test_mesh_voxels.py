@@ -110,13 +110,6 @@ def test_what_touches_a_voxel_from_outside_is_in_it():
     assert {cell[2] for cell in as_set(grid)} == {0, 1}  # the plane between them; in Open3D it is in one
 
 
-def test_a_steep_triangle_fills_its_columns(oracle):
-    steep = TriangleMesh([[0, 0, 0], [1, 0, 8], [0, 1, 8]], [[0, 1, 2]])
-    grid = steep.voxelize(0.5)
-    assert {cell[2] for cell in as_set(grid)} == set(range(17))
-    assert_touched_as_in_open3d(oracle, "steep", steep, 0.5)
-
-
 def test_no_voxel_leaves_the_bounds():
     square, bounds = TriangleMesh.create_plane(4, 4), ([1, 1, -0.5], [3, 3, 0.5])
     assert as_set(square.voxelize(1, *bounds)) == {(0, 0, 0), (0, 1, 0), (1, 0, 0), (1, 1, 0)}

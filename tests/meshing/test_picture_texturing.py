@@ -65,18 +65,6 @@ def test_the_figure_of_seams_is_of_the_finished_texture(device):
     assert found.step < 0.5 and found.step_95 < 1.0 and "95 % below" in str(found)
 
 
-def test_shifts_of_vertices_alone_leave_a_tenth_of_a_seam_that_is_a_constant(device):
-    scene = wall_scene((1.0, 1.0, 1.0), device)
-    pictures = [
-        np.clip(picture + step, 0, 255).astype(np.uint8)
-        for picture, step in zip(scene.pictures, (0, 40, 10), strict=True)
-    ]
-    options = {"exposures": False, "local_levelling": False}
-    found = texture(scene.mesh, pictures, CAMERA, scene.extrinsics, **options)
-    assert found.step_before > 5 and found.step < 0.1 * found.step_before
-    assert steps_of(found.mesh, found.views).mean() < 0.1 * found.step_before
-
-
 def test_one_exposure_brings_pictures_to_the_colours_of_the_place(device):
     scene = wall_scene(GAINS, device)
     found = texture(scene.mesh, scene.pictures, CAMERA, scene.extrinsics)

@@ -21,8 +21,6 @@ from .poisson_scenes import (
     poisson,
     sphere,
     sphere_distance,
-    torus,
-    torus_distance,
 )
 from .tsdf_scenes import all_bits
 
@@ -37,14 +35,6 @@ def test_a_ball_of_samples_is_a_closed_ball(device):
     assert abs(mesh.get_volume() / (4 / 3 * np.pi) - 1) < 0.01  # outwards: the volume has a sign
     assert sphere_distance(mesh.vertices).max() < 0.02
     assert densities.shape == (len(mesh.vertices),) and densities.dtype == np.float32
-
-
-def test_a_torus_has_its_hole(device):
-    points, normals = torus(2000)
-    mesh, _ = poisson(points, normals, device=device)
-    edges, counts, _ = edges_by_use(mesh.triangles)
-    assert (counts == 2).all() and len(mesh.vertices) - len(edges) + len(mesh) == 0
-    assert np.quantile(torus_distance(mesh.vertices), 0.95) < 0.006
 
 
 def test_levels_that_differ_leave_no_crack(device):

@@ -74,13 +74,6 @@ def test_a_flat_sheet_stays_flat_and_ends_at_the_cube(device):
     assert (mesh.vertex_normals[inner, 2] > 0.99).all()
 
 
-@pytest.mark.filterwarnings("ignore::pointloom.NormalsWarning")
-def test_normals_that_contradict_each_other_end_in_some_surface(device):
-    points = np.concatenate([sphere(500)] * 2)
-    normals = np.concatenate([sphere(500), -sphere(500)])
-    assert_sane(*poisson(points, normals, device=device), points)
-
-
 def test_a_cube_as_tight_as_the_points_is_cut_by_its_sides(device):
     points = sphere(800)
     assert_sane(*poisson(points, scale=1.0, device=device), points, 1.0)

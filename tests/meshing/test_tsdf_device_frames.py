@@ -57,10 +57,6 @@ def test_room_that_is_counted_and_boxes_beyond_the_grid_change_nothing(device, o
     assert fused(device) == on_cpu[True]
 
 
-def test_depth_without_a_limit_is_folded_as_with_one_beyond_it(device, on_cpu):
-    assert fused(device, depth_max=np.inf) == on_cpu[True]
-
-
 def test_growth_amid_recorded_frames_keeps_all(device, on_cpu, monkeypatch):
     """Room for one frame at a time: most frames move the voxels, and what was recorded for the old ones is dropped."""
     monkeypatch.setattr(device_frames, "FURTHER", 0)

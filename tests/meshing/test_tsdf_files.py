@@ -65,26 +65,6 @@ def test_a_volume_comes_back_to_the_bit_and_goes_on_to_the_same_bits(device, tmp
     assert views[0].depth.max() > 0 and views[0].depth.tobytes() == views[1].depth.tobytes()
 
 
-def test_a_loaded_volume_keeps_to_colour_or_none(tmp_path):
-    make("cpu", colored=True).save(tmp_path / "a.npz")
-    depth, T, color = frame(3)
-    with pytest.raises(ValueError, match="color"):
-        loom.TSDFVolume.load(tmp_path / "a.npz").integrate(depth, CAMERA, T)
-    make("cpu", colored=False).save(tmp_path / "b.npz")
-    with pytest.raises(ValueError, match="color"):
-        loom.TSDFVolume.load(tmp_path / "b.npz").integrate(depth, CAMERA, T, color=color)
-
-
-def test_an_empty_volume_comes_back_empty(device, tmp_path):
-    volume = loom.TSDFVolume(voxel_size=0.01, device=device)
-    volume.save(tmp_path / "a.npz")
-    again = loom.TSDFVolume.load(tmp_path / "a.npz", device=device)
-    assert bits(again) == bits(volume) and again.frame_count == 0
-    add(again, [0, 1], True)
-    add(volume, [0, 1], True)
-    assert bits(again) == bits(volume)
-
-
 def test_a_volume_far_from_zero_keeps_its_origin(tmp_path):
     volume = loom.TSDFVolume(voxel_size=0.03)
     depth, T, color = frame(0)

@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from scipy.spatial import cKDTree
 
 import pointloom as loom
 from pointloom.cameras.images import upload_depth
@@ -10,8 +9,6 @@ from pointloom.data.scenes.room import room_sequence, surface_errors
 from pointloom.files.frames.datasets import open_dataset
 from pointloom.kernels.images.depth import largest_depth
 from pointloom.kernels.volumes.tsdf_blocks import SIDE, block_box, touched_blocks
-
-from ..scan_cases import on_sets
 
 VOXEL, TRUNCATION, DEPTH_MAX = 0.02, 0.08, 3.0
 
@@ -101,42 +98,6 @@ def test_voxels_have_the_oracle_s_values_weights_and_colours(device, real_file, 
     assert near.mean() > 0.999
     shades = np.abs(our_color / 257.0 - color).max(axis=1)[seen]
     assert np.quantile(shades, 0.999) < 0.5
-
-
-def two_way(a, b):
-    """Median distances between two meshes' vertices and the other's surface, sampled densely."""
-    result = []
-    for left, right in ((a, b), (b, a)):
-        corners = right[0][right[1]]
-        surface = np.concatenate([right[0], corners.mean(axis=1), (corners[:, 0] + corners[:, 1]) / 2])
-        result.append(np.median(cKDTree(surface).query(left[0])[0]))
-    return result
-
-
-@pytest.mark.slow
-@on_sets(
-    "name every threshold",
-    shipped=[("rgbd-cupoch-redwood5", 1, 1)],
-    real=[("rgbd-cupoch-redwood5", 1, 1), ("rgbd-7scenes-redkitchen", 20, 3)],
-)
-def test_the_mesh_is_within_half_a_voxel_of_the_oracle_s(device, scan_file, name, every, threshold):
-    dataset = open_dataset(scan_file(name), every=every)
-    mesh, grid = fuse(dataset, device).extract_triangle_mesh(threshold), oracle_grid(16)
-    for frame in frames_of(dataset):
-        oracle_integrate(grid, frame, dataset.intrinsic, dataset.depth_scale)
-    theirs = grid.extract_triangle_mesh(threshold)
-    vertices = theirs.vertex.positions.numpy().astype(np.float64)
-    triangles = theirs.triangle.indices.numpy()
-    assert len(mesh.vertices) > 15_000
-    assert abs(len(mesh.vertices) / len(vertices) - 1) < 0.03
-    forth, back = two_way((mesh.vertices, mesh.triangles), (vertices, triangles))
-    assert forth < VOXEL / 2 and back < VOXEL / 2
-    # and much nearer once the oracle looks at the pixels that we do
-    grid = oracle_grid(16)
-    for frame in frames_of(dataset):
-        oracle_integrate(grid, frame, dataset.intrinsic, dataset.depth_scale, shift=0.5)
-    vertices = grid.extract_triangle_mesh(threshold).vertex.positions.numpy().astype(np.float64)
-    assert np.median(cKDTree(vertices).query(mesh.vertices)[0]) < VOXEL / 1000
 
 
 def test_a_cast_view_shows_the_depth_of_a_frame(device, real_file):

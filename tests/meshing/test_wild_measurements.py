@@ -43,13 +43,6 @@ def test_a_wild_pixel_is_no_measurement_beyond_depth_max(device, tmp_path, pixel
     assert peak() - before < 300e6
 
 
-def test_the_largest_whole_number_of_a_depth_camera_is_none_beyond_depth_max(device):
-    volumes = [loom.TSDFVolume(voxel_size=0.01, color=False, device=device) for _ in range(2)]
-    for volume, pixel in zip(volumes, (0, 65535), strict=True):
-        volume.integrate(picture(pixel, np.uint16), CAMERA, np.eye(4), depth_max=3.0)
-    assert held(volumes[0]) == held(volumes[1])
-
-
 @pytest.mark.parametrize("carve", [False, True])
 @pytest.mark.parametrize("far", [65.0, 1e7, 1e30, np.nan])
 def test_a_wild_point_makes_no_block_beyond_max_range(device, far, carve):
