@@ -154,12 +154,6 @@ def test_the_order_of_the_points_changes_no_triangle(device, rng):
     assert corner_sets(order[pivot(mixed, [0.1, 0.2]).triangles]) == expected
 
 
-def test_triangles_are_sorted_from_their_lowest_corner_on(device, rng):
-    triangles = pivot(sphere(500, rng, device), 0.3).triangles
-    assert (triangles[:, :1] < triangles[:, 1:]).all()
-    np.testing.assert_array_equal(np.lexsort((triangles[:, 1], triangles[:, 0])), np.arange(len(triangles)))
-
-
 def test_the_triangles_turn_with_the_cloud_and_stay_far_from_zero(device, rng):
     cloud = sphere(1000, rng)
     turn = Rotation.from_rotvec([0.3, -1.0, 0.4]).as_matrix()

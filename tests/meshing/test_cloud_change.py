@@ -38,16 +38,6 @@ def test_distances_are_those_of_brute_force_and_signs_those_of_above_and_below(d
     assert not found.beside.any() and found.is_significant.all() and (found.counts == 1).all()
 
 
-def test_a_closed_mesh_has_the_signs_of_its_scene(device, rng):
-    ball = loom.TriangleMesh.create_sphere(2.0, resolution=12, device=device)
-    points = rng.normal(size=(2000, 3)) * 1.5
-    scene = loom.RaycastingScene(device=device)
-    scene.add_triangles(ball)
-    found = loom.change.cloud_to_mesh(loom.PointCloud(points, device=device), ball)
-    np.testing.assert_array_equal(found.distances.astype(np.float32), scene.compute_signed_distance(points))
-    assert (found.distances < 0).any() and (found.distances > 0).any() and not found.beside.any()
-
-
 def test_a_point_over_a_sharp_edge_is_above_though_one_triangle_faces_away(device):
     roof = [[0, 0, 0], [4, 0, 0], [4, 1, 3], [0, 1, 3], [4, 1.5, 0], [0, 1.5, 0]]
     mesh = loom.TriangleMesh(roof, [[0, 1, 2], [0, 2, 3], [3, 2, 4], [3, 4, 5]], device=device)

@@ -176,18 +176,6 @@ def test_the_same_bits_from_run_to_run(device):
     assert (first.mesh.vertex_colors == second.mesh.vertex_colors).all()
 
 
-def test_the_rest_of_the_mesh_stays(device):
-    scene = make_scene(device, rows=15)
-    count = len(scene.mesh)
-    scene.mesh.triangle_uvs = np.zeros((3 * count, 2))
-    scene.mesh.textures = [np.zeros((2, 2, 3), np.uint8)]
-    scene.mesh = scene.mesh.compute_vertex_normals()
-    result = color(scene)
-    for name in ("vertices", "triangles", "vertex_normals", "triangle_uvs"):
-        assert (getattr(result.mesh, name) == getattr(scene.mesh, name)).all()
-    assert scene.mesh.vertex_colors is None and len(result.mesh.textures) == 1
-
-
 @pytest.mark.parametrize("form", FORMS)
 def test_a_picture_that_sees_nothing_stays_where_it_is(device, form):
     scene = make_scene(device, rows=25)

@@ -43,25 +43,6 @@ def test_holes_of_a_ball_are_closed_at_any_scale_and_place(device, scale, where)
     assert flat * 0.8 < filled.get_volume() < whole.get_volume() * scale**3
 
 
-def test_a_flat_hole_is_filled_flat(device):
-    """A star of ten corners in a plane: a triangulation is right if no triangle turns the other way."""
-    angle = np.linspace(0, 2 * np.pi, 10, endpoint=False)
-    radius = np.where(np.arange(10) % 2, 0.4, 1.0)
-    star = np.column_stack([radius * np.cos(angle), radius * np.sin(angle), np.zeros(10)])
-    ring = np.vstack([star, star * 2])
-    k = np.arange(10)
-    sides = np.vstack(
-        [np.column_stack([k, k + 10, (k + 1) % 10]), np.column_stack([(k + 1) % 10, k + 10, 10 + (k + 1) % 10])]
-    )
-    mesh = TriangleMesh(ring, sides, device=device)
-    filled = mesh.fill_holes(1.2)  # the outer border lies twice as far
-    added = TriangleMesh(ring, filled.triangles[20:])
-    assert len(added) == 8
-    np.testing.assert_allclose(added.compute_triangle_normals(), np.tile(mesh.compute_triangle_normals()[:1], (8, 1)))
-    area = 0.5 * 10 * 0.4 * np.sin(np.pi / 5)
-    assert added.get_surface_area() == pytest.approx(area, rel=1e-6)
-
-
 def least_weight(points: np.ndarray) -> float:
     """The least sum of squared sides of all triangulations of a polygon, one after the other."""
     n, sq = len(points), ((points[:, None] - points[None]) ** 2).sum(axis=2)
@@ -113,17 +94,6 @@ def test_holes_that_would_take_one_chord_are_filled_beside_each_other(device):
     filled = mesh.fill_holes()
     assert len(filled) == 12 and filled.is_edge_manifold(allow_boundary_edges=False)
     assert mesh.repair(hole_size=10)[1].filled_holes == 2
-
-
-def test_a_chord_that_is_an_edge_already_is_not_taken(device):
-    """A square hole whose short diagonal is an edge of a tetrahedron there."""
-    corners = [[0, 0.2, 0], [0, -0.2, 0], [1, 0, 0.1], [-1, 0, 0.1], [0, 0, 2], [0.3, 0, -2], [-0.3, 0, -2]]
-    roof = [[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4]]
-    tetrahedron = [[0, 5, 1], [0, 1, 6], [0, 6, 5], [1, 5, 6]]
-    mesh = TriangleMesh(corners, roof + tetrahedron, device=device)
-    assert [len(loop) for loop in mesh.get_boundaries()] == [4]
-    filled = mesh.fill_holes()
-    assert len(filled) == 10 and filled.is_edge_manifold(allow_boundary_edges=False)
 
 
 def test_only_holes_up_to_the_size_are_filled_and_a_lone_triangle_is_none(device):

@@ -64,19 +64,6 @@ def test_two_meshes_in_memory_are_compared_as_their_files_are(tmp_path, device):
     assert loom.compare_meshes(meshes[0], meshes[0], thresholds=[], samples=100).poor is None
 
 
-def test_stages_are_told_as_they_begin():
-    told = []
-    loom.clean_mesh(torn(), progress=lambda *stage: told.append(stage))
-    loom.simplify_mesh(torn(), ratio=0.5, progress=lambda *stage: told.append(stage))
-    assert [stage for stage, done, total in told if not done + total] == [
-        "repair",
-        "parts",
-        "check",
-        "simplify",
-        "check",
-    ]
-
-
 def test_a_mesh_without_triangles_is_poor_and_no_error():
     for mesh in (TriangleMesh(), TriangleMesh([[0, 0, 0], [np.nan, 1, 2]])):
         assert loom.clean_mesh(mesh).poor == "no triangle is left"

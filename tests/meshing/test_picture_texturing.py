@@ -8,6 +8,7 @@ from pointloom.files.pictures.image_files import write_png
 
 from ..hostile import faults_of
 from .picture_scenes import CAMERA, sampled, steps_of, wall_colors, wall_mesh, wall_scene
+from .strict_gltf import faults_of_glb
 
 texture = loom.color_map.texture_from_pictures
 GAINS = (0.8, 1.2, 0.95)
@@ -152,6 +153,7 @@ def test_files_hold_the_texture_for_other_programs(tmp_path, ending):
     material = read.visual.material
     picture = material.image if ending == ".obj" else material.baseColorTexture
     assert np.array_equal(np.asarray(picture.convert("RGB")), found.mesh.textures[0])
+    assert ending == ".obj" or faults_of_glb(tmp_path / "wall.glb") == []
 
 
 def test_bad_input_is_named():

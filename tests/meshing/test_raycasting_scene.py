@@ -337,13 +337,6 @@ def test_triangles_that_are_not_finite_keep_the_others_numbers(device):
     assert scene.cast_rays([[0.25, 0.5, 1, 0, 0, -1]])["primitive_ids"].tolist() == [2]
 
 
-@pytest.mark.parametrize("length", [1e-30, 1e-3, 1e20])
-def test_the_parameter_counts_in_directions(device, length):
-    scene = scene_of(SQUARE, device=device)
-    found = scene.cast_rays([[0.25, 0.5, 2, 0, 0, -length]])
-    np.testing.assert_allclose(found["t_hit"], [2 / length], rtol=1e-6)  # float32
-
-
 @pytest.mark.parametrize(
     ("method", "given", "error", "named"),
     [

@@ -94,17 +94,6 @@ def test_the_closest_points_are_exact_at_all_scales(device, scale):
     np.testing.assert_allclose(scene.compute_distance(queries), truth.min(1), rtol=1e-6, atol=1e-9 * scale)
 
 
-def test_points_of_the_surface_are_at_no_distance(device):
-    vertices, triangles = torus()
-    mesh = TriangleMesh(vertices, triangles, device=device)
-    scene = scene_of((vertices, triangles), device=device)
-    samples = mesh.sample_points_uniformly(3000).points
-    assert scene.compute_distance(samples).max() < 2e-7  # of points rounded to float32
-    assert scene.compute_distance(mesh.vertices).max() == 0
-    assert not scene.compute_signed_distance(mesh.vertices).any()
-    assert scene.compute_occupancy(mesh.vertices).all()
-
-
 def test_of_equally_near_triangles_the_first_is_found(device):
     vertices, triangles = np.array(CUBE[0]), np.array(CUBE[1])
     queries = [[-1, -1, -1], [2, 2, 2], [0.5, -1, 0], [-1, 0.5, 0]]  # two corners, two edges

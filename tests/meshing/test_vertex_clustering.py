@@ -87,18 +87,6 @@ def test_a_scaled_mesh_becomes_the_scaled_result_to_the_bit(device, way, scale):
     np.testing.assert_array_equal(other.vertices, first.vertices * scale)
 
 
-@pytest.mark.parametrize("scale", [1e-6, 1e6])
-def test_quadrics_are_not_means_in_any_unit(device, scale):
-    """Open3D's are in metres: its threshold on a determinant has a unit."""
-    vertices, triangles = bumpy_torus()
-    wanted = TriangleMesh(vertices, triangles, device=device).simplify_vertex_clustering(0.26, "quadric")
-    mesh = TriangleMesh(vertices * scale, triangles, origin=[0, 0, 0], device=device)
-    ours, mean = (mesh.simplify_vertex_clustering(0.26 * scale, way) for way in ("quadric", "average"))
-    np.testing.assert_array_equal(ours.triangles, wanted.triangles)
-    np.testing.assert_allclose(ours.vertices / scale, wanted.vertices, atol=1e-5)  # float32, and what it does to planes
-    assert np.abs(mean.vertices / scale - wanted.vertices).max() > 0.01
-
-
 def test_a_mesh_far_from_zero_is_clustered_as_one_near_it(device):
     vertices, triangles = bumpy_torus()
     for way in ("average", "quadric"):
