@@ -98,11 +98,11 @@ def test_indices_of_any_whole_type_select_and_invert(device, dtype, rng):
         assert 93 not in cloud.select_by_index(-indices[:1], invert=True)["row"]
 
 
-def test_all_but_some_indices_are_open3ds(device, fragment, rng):
+def test_all_but_some_indices_are_open3ds(device, fragment, legacy_fragment, rng):
     indices = rng.integers(0, len(fragment.points), 5000)
     cloud = loom.PointCloud(fragment.points, device=device)
     for invert in (False, True):
-        expected = np.asarray(fragment.legacy.select_by_index(indices, invert).points)
+        expected = np.asarray(legacy_fragment.select_by_index(indices, invert).points)
         found = cloud.select_by_index(indices if invert else np.unique(indices), invert)
         np.testing.assert_array_equal(found.points, expected)
 
