@@ -3,7 +3,6 @@
 import pytest
 
 import pointloom as loom
-from pointloom.app.jobs.clean import clean_file
 
 from .commands import answer, names_in, poor_answer, run
 from .toolbox_scene import NOT_FINITE, REPEATED, STRAY, rows_of
@@ -44,20 +43,6 @@ def test_clean_runs_the_filters_that_are_asked_for(scene, points, tmp_path, opti
     shown = run("clean", scene, output, *options, "--force").stdout
     assert "1 non-finite" in shown
     assert ("(radius 0.3, min neighbors 1)" in shown) == ("radius" in filters)
-
-
-def test_each_stage_is_announced_and_timed(scene, tmp_path):
-    stages = []
-    report = clean_file(
-        scene,
-        tmp_path / "out.npz",
-        duplicates=True,
-        statistical=(20, 2.0),
-        radius=(0.3, 1),
-        progress=lambda stage, done, total: stages.append(stage),
-    )
-    assert stages == ["read", "non-finite", "duplicate", "statistical", "radius", "write"]
-    assert list(report.done.seconds) == stages
 
 
 def test_clean_writes_no_file_of_removed_points_where_none_is(cloud, tmp_path):

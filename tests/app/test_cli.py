@@ -123,51 +123,6 @@ def test_an_extension_of_poses_is_one_format_in_every_command():
         assert ".txt or .tum (TUM), .log (Open3D)" in " ".join(run(name, "--help").stdout.split()), name
 
 
-# ------------------------------------------------------------------------------------------------ wrong calls
-
-
-@pytest.mark.parametrize(
-    ("words", "hint"),
-    [
-        ("fus", "did you mean fuse?"),
-        ("downsmaple", "did you mean downsample?"),
-        ("normal", "did you mean normals?"),
-        ("INFO", "did you mean info?"),
-        ("xyzzy", "the commands are change, clean, clean-mesh"),
-        ("fuse", "missing argument"),
-        ("fuse frames", "missing option '-o'"),
-        ("fuse frames -o a.ply --voxl 1", "no option --voxl of pointloom fuse; did you mean --voxel?"),
-        ("normals a.ply b.ply --voxel 1", "which downsample and sample and simplify have; its options are --radius,"),
-        ("view a.ply --eps 1", "no option --eps of pointloom view; its options are --port"),
-        ("clean a.ply", "missing argument 'OUT'"),
-        ("clean a.ply b.ply -o c.ply", "give OUT once, got b.ply and -o c.ply"),
-        ("fuse frames -o a.ply --voxel 0", "above 0, got '0'"),
-        ("fuse frames -o a.ply --voxel nan", "above 0, got 'nan'"),
-        ("fuse frames -o a.ply --depth-max inf", "above 0, got 'inf'"),
-        ("fuse frames -o a.ply --truncation x", "above 0, got 'x'"),
-        ("fuse frames -o a.ply --every 0", "--every"),
-        ("fuse frames -o a.ply --layout kitti", "--layout"),
-        ("fuse frames -o a.ply --device gpu", "such as cuda:0"),
-        ("info", "missing argument"),
-        ("downsample a.ply b.ply", "missing option '--voxel'"),
-        ("normals a.ply b.ply --neighbors 2", "'--neighbors'"),
-        ("normals a.ply b.ply --towards 0 0", "--towards"),
-        ("normals a.ply b.ply --towards 0 0 0 --direction 0 0 1", "give one"),
-        ("demo --frames 0", "--frames"),
-        ("demo --seed -1", "--seed"),
-        ("demo video --voxel 0.02", "--voxel"),
-    ],
-)
-def test_a_wrong_call_exits_with_2_and_says_how_to_mend_it(words, hint):
-    result = run(*words.split())
-    assert result.exit_code == 2
-    assert result.stdout == ""
-    first, *others = result.stderr.splitlines()
-    assert first.startswith("error: ")
-    assert hint in first
-    assert all(line.startswith("See 'pointloom") for line in others)
-
-
 # ------------------------------------------------------------------------------------------------ errors
 
 

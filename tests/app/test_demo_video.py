@@ -204,13 +204,6 @@ def test_an_interrupted_demo_leaves_nothing(tmp_path, job, monkeypatch):
     assert names_in(tmp_path) == []
 
 
-def test_wrong_words_are_refused(tmp_path, job):
-    job()
-    assert "--voxel" in run("demo", "video", "-o", tmp_path / "demo", "--voxel", 0.05).stderr
-    assert "frame_count" in refusal("demo", "video", "-o", tmp_path / "demo", "--frames", 2)
-    assert names_in(tmp_path) == []
-
-
 def test_points_that_cameras_see_lie_on_the_surface(device):
     frames = room_video_frames(3, width=320, height=240)
     seen = seen_points(frames.poses, frames.intrinsic, device=device)

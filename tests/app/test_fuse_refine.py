@@ -78,11 +78,6 @@ def test_refined_poses_are_the_same_bits_each_time(walk, device):
     json.dumps(first.to_json()["refinement"], allow_nan=False)
 
 
-def test_outputs_are_checked_before_the_frames_are(tmp_path):
-    said = refusal("fuse", tmp_path / "none", "-o", tmp_path / "a.ply", "--trajectory", tmp_path / "a.json")
-    assert "poses are not written to .json" in said
-
-
 def test_frames_without_poses_are_sent_to_reconstruct(walked, tmp_path):
     for path in walked.glob("*.pose.txt"):
         path.unlink()

@@ -5,12 +5,10 @@ import json
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
 from PIL import Image
 
 import pointloom as loom
 from pointloom import TriangleMesh
-from pointloom.app.shell.cli import cli
 from pointloom.core.audience import to_shell
 from pointloom.drawing.render.surface_picture import looks_inwards
 from pointloom.meshing.mesh.cloud_surface import _find_off
@@ -82,28 +80,6 @@ def test_what_is_not_made_up_is_not_cut(ball, tmp_path, share, quantile):
     assert report["watertight"] is (quantile == 0)
 
 
-@pytest.mark.parametrize(
-    ("method", "options", "make"),
-    [
-        ("ball", ["--radii", "0.1,0.2"], lambda cloud: TriangleMesh.from_point_cloud_ball_pivoting(cloud, [0.1, 0.2])),
-        ("ball", [], TriangleMesh.from_point_cloud_ball_pivoting),
-        pytest.param(
-            *("alpha", ["--alpha", "2"], lambda cloud: TriangleMesh.from_point_cloud_alpha_shape(cloud, 2.0)),
-            marks=pytest.mark.slow,
-        ),
-    ],
-)
-def test_the_other_methods_are_the_library_s_too(ball, tmp_path, method, options, make):
-    report = answer("mesh", ball, tmp_path / "out.ply", "--method", method, *options)
-    cloud = loom.read_point_cloud(ball).remove_non_finite_points()
-    if method == "ball":
-        cloud = cloud.estimate_normals(max_nn=30).orient_normals_consistent_tangent_plane(30)
-    mesh, written = make(cloud), loom.read_triangle_mesh(tmp_path / "out.ply")
-    np.testing.assert_array_equal(written.vertices, mesh.vertices)
-    np.testing.assert_array_equal(written.triangles, mesh.triangles)
-    assert report["triangles"] == len(mesh) > 1000 and report["poor"] is None
-
-
 def test_no_quantile_leaves_the_surface_closed(ball, tmp_path):
     report = answer("mesh", ball, tmp_path / "out.ply", "--depth", 4, "--density-quantile", 0)
     assert report["watertight"] and report["boundary_edges"] == 0
@@ -164,15 +140,6 @@ def test_a_far_cloud_is_written_where_it_lies(ball, tmp_path):
     answer("mesh", tmp_path / "far.ply", tmp_path / "out.ply", "--depth", 5)
     off = np.linalg.norm(loom.read_triangle_mesh(tmp_path / "out.ply").vertices - far, axis=1) - 1
     assert np.abs(off).max() < 0.05
-
-
-def test_a_cloud_comes_through_a_pipe_and_the_mesh_leaves_by_one(ball, tmp_path):
-    words = ["mesh", "-", "-", "--from", "ply", "--to", "ply", "--depth", "3"]
-    done = CliRunner().invoke(cli, words, input=ball.read_bytes())
-    assert done.exit_code == 0, done.stderr
-    assert "standard input" in done.stderr
-    assert run("mesh", ball, tmp_path / "out.ply", "--depth", 3).exit_code == 0
-    assert done.stdout_bytes == (tmp_path / "out.ply").read_bytes()
 
 
 # ------------------------------------------------------------------------------------------------ methods
@@ -305,13 +272,6 @@ def test_an_alpha_shape_that_spans_a_hollow_is_poor():
     assert "made up" not in str(followed.poor)
 
 
-def test_normals_are_doubted_beyond_a_tenth():
-    made = NormalsUsed("made of the 30 nearest points", given=False, disagreement=0.1)
-    assert made.why_doubted() is None
-    said = dataclasses.replace(made, disagreement=0.2).why_doubted()
-    assert said is not None and "though they were oriented" in said
-
-
 def test_a_room_looks_inwards_and_an_object_or_a_sheet_does_not():
     assert looks_inwards(closed(inwards=True))
     assert not looks_inwards(closed()) and not looks_inwards(grid())
@@ -328,34 +288,3 @@ def test_outputs_are_checked_before_the_input_is_read(tmp_path):
     said = refusal("mesh", missing, tmp_path / "out.ply", "--picture", tmp_path / "out.png")
     assert "out.png: exists already" in said
     assert "missing.ply" in refusal("mesh", missing, tmp_path / "out.ply")
-
-
-@pytest.mark.parametrize(
-    ("options", "said"),
-    [
-        (["--radii", "0.1"], "--radii goes with --method ball"),
-        (["--alpha", "0.1"], "--alpha goes with --method alpha"),
-        (["--method", "ball", "--depth", "7"], "--depth goes with --method poisson"),
-        (["--method", "alpha", "--density-quantile", "0.1"], "--density-quantile goes with --method poisson"),
-        (["--method", "alpha", "--new-normals"], "--new-normals goes with --method poisson or ball"),
-        (["--method", "ball", "--radii", "0.1,0"], "expected lengths in metres above 0"),
-        (["--method", "ball", "--radii", "0.1;0.2"], "expected lengths in metres above 0"),
-        (["--method", "alpha", "--alpha", "much"], "expected a length in metres above 0, or auto"),
-        (["--density-quantile", "1"], "expected a share from 0 and below 1"),
-        (["--depth", "1"], "--depth"),
-        (["--picture", "out.ply"], "--picture is OUT itself"),
-    ],
-)
-def test_options_that_make_no_sense_are_refused(ball, tmp_path, monkeypatch, options, said):
-    monkeypatch.chdir(tmp_path)
-    result = run("mesh", ball, "out.ply", *options)
-    assert result.exit_code == 2
-    assert said in result.stderr
-    assert names_in(tmp_path) == ["ball.ply"]
-
-
-def test_what_the_method_refuses_is_one_line(tmp_path):
-    loom.write_point_cloud(tmp_path / "one.ply", loom.PointCloud([[1, 2, 3]], normals=[[0, 0, 1]]))
-    said = refusal("mesh", tmp_path / "one.ply", tmp_path / "out.ply")
-    assert said.startswith("error: ") and said.count("\n") == 1
-    assert json.loads(run("mesh", tmp_path / "one.ply", tmp_path / "out.ply", "--json").stdout)["exit_code"] == 1

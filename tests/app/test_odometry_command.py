@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.app.jobs.odometry import odometry_of_folder
 from pointloom.app.shell import console
 from pointloom.cameras.trajectory import Trajectory, read_trajectory, write_trajectory
 from pointloom.registration import LidarOdometry
@@ -136,14 +135,6 @@ def test_odometry_refuses_what_cannot_be_done_before_the_work(drive, tmp_path):
     (drive / "scan9.bin").write_bytes(b"12345")
     assert "scan9.bin (byte 0): 5 bytes" in refusal("odometry", drive, "-o", tmp_path / "a.txt")
     assert names_in(tmp_path) == ["drive", "poses.txt", "truth.txt"]
-
-
-def test_odometry_tells_each_scan(drive, tmp_path):
-    told = []
-    odometry_of_folder(
-        drive, tmp_path / "a.txt", max_range=30, min_range=0.5, progress=lambda *words: told.append(words)
-    )
-    assert told == [("scans", done, 5) for done in range(6)]
 
 
 def test_progress_tells_the_rate(monkeypatch, capsys):

@@ -52,14 +52,6 @@ def test_what_comes_through_pipes_is_what_files_hold(cloud, tmp_path, extension)
     assert "pointloom-" not in piped.stderr  # no name of a temporary file
 
 
-def test_one_end_may_be_a_file(cloud, tmp_path):
-    to_file = feed(cloud.read_bytes(), "convert", "-", tmp_path / "a.pcd", "--from", "ply", "--json")
-    assert json.loads(to_file.stdout)["source"] == "standard input"
-    from_file = run("convert", tmp_path / "a.pcd", "-", "--to", "ply")
-    (tmp_path / "b.ply").write_bytes(from_file.stdout_bytes)
-    np.testing.assert_array_equal(loom.read_point_cloud(tmp_path / "b.ply").points, loom.read_point_cloud(cloud).points)
-
-
 def test_info_reads_standard_input_among_files(cloud):
     result = feed(cloud.read_bytes(), "info", cloud, "-", "--from", "ply", "--json")
     first, second = json.loads(result.stdout)["files"]
@@ -88,25 +80,6 @@ def test_a_poor_result_writes_nothing_to_the_pipe(tmp_path):
     loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(np.full((4, 3), np.nan)))
     result = run("clean", tmp_path / "a.ply", "-", "--to", "ply")
     assert (result.exit_code, result.stdout_bytes) == (3, b"")
-
-
-@pytest.mark.parametrize(
-    ("words", "hint"),
-    [
-        ("convert - b.ply", "- has no extension; say what it is, such as --from ply"),
-        ("convert a.ply -", "such as --to ply"),
-        ("convert a.ply b.ply --from ply", "--from goes with - in place of IN"),
-        ("convert a.ply b.ply --to ply", "--to goes with - in place of OUT"),
-        ("info - - --from ply", "- stands twice"),
-        ("info a.ply --from ply", "--from goes with -"),
-        ("convert - - --from docx --to ply", "--from"),
-    ],
-)
-def test_pipes_that_cannot_be_are_wrong_calls(words, hint):
-    result = run(*words.split())
-    assert result.exit_code == 2
-    assert result.stdout == ""
-    assert hint in result.stderr
 
 
 def test_json_and_the_cloud_do_not_mix(cloud):

@@ -56,26 +56,12 @@ def test_poses_beside_the_frames_are_not_used(walked, tmp_path):
     assert told["errors"] is not None and untold["errors"] is None
 
 
-def test_reconstruct_sums_up(walked, tmp_path):
-    shown = run("reconstruct", walked, "-o", tmp_path / "mesh.ply", *COARSE)
-    assert shown.exit_code == 0, shown.stderr
-    for part in ("8 of 8, ", "ATE", "RPE", "loops", "voxels of 50 mm", "mesh.ply"):
-        assert part in shown.stdout
-    assert shown.stderr == ""
-
-
 def test_frames_that_are_lost_are_a_poor_result_with_a_mesh(walked, tmp_path):
     cover(walked, 5, 6)
     report = poor_answer("reconstruct", walked, "-o", tmp_path / "mesh.ply", *COARSE)
     assert [entry["frame"] for entry in report["lost"]] == [5, 6]
     assert "2 of 8 frames were lost (frame 5-6) and are left out: " in report["poor"]
     assert len(read_triangle_mesh(tmp_path / "mesh.ply")) > 1000
-
-
-def test_one_frame_is_a_mesh_already(walked, tmp_path):
-    report = answer("reconstruct", walked, "-o", tmp_path / "mesh.ply", *COARSE, "--every", 8)
-    assert (report["frames"], report["errors"]) == (1, None)
-    assert report["triangles"] > 500
 
 
 def test_frames_without_colour_give_a_mesh_without(walked, tmp_path):
@@ -236,24 +222,6 @@ def test_frames_that_are_not_in_the_model_are_told(walked, tmp_path, small_fragm
 
 
 # ------------------------------------------------------------------------------------------------ refusals
-
-
-@pytest.mark.parametrize(
-    ("words", "hint"),
-    [
-        (["--resume"], "--resume goes with --method fragments"),
-        (["--work", "a"], "--work goes with --method fragments"),
-        (["--slac"], "--slac goes with --method fragments"),
-        (["--config", "a.json"], "--config goes with --method fragments"),
-        (["--method", "magic"], "--method"),
-        (["--picture", "./mesh.ply"], "--picture is the file of --output, mesh.ply"),
-        (["--depth-scale", "0"], "above 0, got '0'"),
-    ],
-)
-def test_a_wrong_call_is_told(words, hint):
-    shown = run("reconstruct", "frames", "-o", "mesh.ply", *words)
-    assert shown.exit_code == 2
-    assert hint in shown.stderr.splitlines()[0]
 
 
 def test_reconstruct_refuses_what_cannot_be_done_before_the_work(walked, tmp_path):

@@ -100,25 +100,11 @@ def test_multiway_records_where_clouds_end_up(tmp_path, rng):
     assert "2 of 2 clouds placed, 2 in all" in file.read_text()
 
 
-def test_other_suffixes_are_wrong_calls_before_any_work(tmp_path):
-    result = run("register", "no.ply", "none.ply", "--record", tmp_path / "r.avi")
-    assert result.exit_code == 2
-    assert "--record" in result.stderr
-    assert ".html, .gif, .webp, .mp4" in result.stderr
-
-
 def test_a_place_that_cannot_be_written_is_told_before_any_work(pair, tmp_path):
     assert "does not exist" in refusal("register", *pair, "--record", tmp_path / "no" / "r.gif")
     (tmp_path / "r.gif").write_bytes(b"keep")
     assert "exists already" in refusal("register", *pair, "--record", tmp_path / "r.gif")
     assert (tmp_path / "r.gif").read_bytes() == b"keep"
-
-
-def test_one_file_for_two_outputs_is_refused(pair, drive, tmp_path):
-    for words in (["register", *pair, "--picture", "x.html"], ["odometry", drive, "-o", "x.html"]):
-        result = run(*words, "--record", "x.html")
-        assert result.exit_code == 2
-        assert "--record" in result.stderr
 
 
 def test_a_failure_before_the_first_frame_leaves_no_recording(tmp_path):

@@ -98,13 +98,6 @@ def test_pictures_and_pages_need_no_server(cloud, tmp_path):
     assert {"a.png", "a.html"} <= set(names_in(tmp_path))
 
 
-def test_a_page_of_its_own_is_written(cloud, tmp_path):
-    result = run("view", cloud, "--save-html", tmp_path / "out.html")
-    assert result.exit_code == 0
-    assert f"files    {tmp_path / 'out.html'}" in result.stdout
-    assert (tmp_path / "out.html").read_text().startswith("<!doctype html>")
-
-
 def test_colors_and_view_change_the_picture(cloud, tmp_path):
     bounds = ([0, 0, 0], [1, 1, 1])
     loom.write_view(tmp_path / "view.json", loom.View.from_open3d(bounds, front=[0, 0, 1], up=[0, 1, 0]), bounds)
@@ -207,26 +200,6 @@ def test_errors_are_one_line_and_nothing_is_written(cloud, mesh, tmp_path, monke
     assert reason in told
     assert names_in(tmp_path) == before
     assert Path("cloud.png").read_text() == "kept"
-
-
-@pytest.mark.parametrize(
-    ("words", "hint"),
-    [
-        (["--port", "70000"], "--port"),
-        (["--max-points", "0"], "--max-points"),
-        (["--point-size", "0"], "above 0"),
-        (["--colormap", "jet"], "--colormap goes with --color-by"),
-        (["--colormap", "rainbow", "--color-by", "height"], "--colormap"),
-        (["--screenshot", "cloud.ply"], "is one of FILES"),
-        (["--screenshot", "a.png", "--save-html", "a.png"], "is the file of"),
-    ],
-)
-def test_wrong_calls_exit_with_2(cloud, tmp_path, monkeypatch, words, hint):
-    monkeypatch.chdir(tmp_path)
-    result = run("view", "cloud.ply", *words)
-    assert result.exit_code == 2
-    assert result.stdout == ""
-    assert hint in result.stderr
 
 
 # -- the server -------------------------------------------------------------------------------------------------------

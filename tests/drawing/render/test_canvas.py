@@ -11,11 +11,6 @@ from pointloom.drawing.render.lettering import UNKNOWN, Lettering, lettering
 BLACK, RED = (0.0, 0.0, 0.0), (1.0, 0.0, 0.0)
 
 
-def test_a_canvas_becomes_a_picture_that_notebooks_show():
-    picture = Canvas.blank(3, 2, device="cpu").to_numpy()
-    assert picture.shape == (2, 3, 3) and picture._repr_png_().startswith(b"\x89PNG")
-
-
 def darkness(canvas):
     return 255 - canvas.to_numpy().min(axis=2).astype(int)
 
@@ -32,21 +27,18 @@ def written(device, text, x=100, y=40, **options):
     return canvas
 
 
-@pytest.mark.parametrize("size", [12, 14, 16, 20, 24, 32])
+@pytest.mark.parametrize("size", [12, 20, 32])
 def test_a_capital_letter_stands_in_the_middle_of_its_height(device, size):
     _, top, _, bottom = ink_box(written(device, "H", size=size))
     assert abs((top + bottom) / 2 - 40) <= 0.5 and bottom - top + 1 == lettering().cap_height(size)
 
 
-@pytest.mark.parametrize(("anchor", "share"), [("left", 0.0), ("center", 0.5), ("right", 1.0)])
-def test_the_anchor_says_what_of_the_text_lies_at_the_place(device, anchor, share):
-    left, _, right, _ = ink_box(written(device, "HHHH", anchor=anchor, size=16))
-    assert left + share * (right - left) == pytest.approx(100, abs=2)
-
-
-@pytest.mark.parametrize(("anchor", "edge"), [("upper left", 1), ("lower left", 3)])
-def test_the_anchor_says_which_edge_lies_at_the_place(device, anchor, edge):
-    assert ink_box(written(device, "HHHH", anchor=anchor, size=16))[edge] == 40
+def test_the_anchor_says_what_of_the_text_lies_at_the_place(device):
+    for anchor, share in (("left", 0.0), ("center", 0.5), ("right", 1.0)):
+        left, _, right, _ = ink_box(written(device, "HHHH", anchor=anchor, size=16))
+        assert left + share * (right - left) == pytest.approx(100, abs=2)
+    for anchor, edge in (("upper left", 1), ("lower left", 3)):
+        assert ink_box(written(device, "HHHH", anchor=anchor, size=16))[edge] == 40
 
 
 def test_a_text_is_as_wide_as_it_says(device):
@@ -190,7 +182,6 @@ def test_a_copy_is_a_picture_of_its_own(device):
         ("text", ("a", 1, 2), {"anchor": "middle"}, ValueError, "anchor: expected left, center or right"),
         ("text", ("a", 1, 2), {"size": 0}, ValueError, "size"),
         ("text", ("a", 1, 2), {"color": (1, 1)}, ValueError, "color"),
-        ("text", ("a", 1, 2), {"color": "red"}, (ValueError, TypeError), "color"),
         ("rectangle", (1, 2, -3, 4), {"fill": RED}, ValueError, "width"),
         ("rectangle", (np.nan, 2, 3, 4), {"fill": RED}, ValueError, "x: expected a finite number"),
         ("circle", (1, 2, 0), {"fill": RED}, ValueError, "radius"),
@@ -205,8 +196,3 @@ def test_bad_arguments_are_refused(name, words, options, error, message):
     canvas = Canvas.blank(20, 20)
     with pytest.raises(error, match=message):
         getattr(canvas, name)(*words, **options)
-
-
-def test_a_picture_of_another_size_is_refused():
-    with pytest.raises(ValueError, match="picture: expected 300 numbers, got 1200"):
-        Canvas(Canvas.blank(20, 20).sheet.picture, 10, 10)

@@ -76,11 +76,6 @@ def test_a_bar_of_any_range_stays_inside_the_picture(canvas, limits):
     assert left > 100 and right < 319
 
 
-def test_labels_get_a_legend_with_their_names(canvas):
-    draw_color_bar(canvas, Coloring(None, "labels", names={-1: "noise", 0: "ground"}))
-    assert changed(canvas)[2] > 304 and count(canvas, np.array([31, 119, 180]) / 255) == 100
-
-
 def test_labels_that_would_lie_on_an_earlier_one_are_counted(canvas):
     labels = [("first", 50, 50), ("hidden", 60, 53), ("third", 50, 90), ("outside", -5, 50), ("nan", float("nan"), 5)]
     assert draw_labels(canvas, labels) == 1

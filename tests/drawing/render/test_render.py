@@ -9,8 +9,6 @@ import pytest
 import pointloom as loom
 from pointloom.core.errors import FileError
 from pointloom.drawing.render.coloring import color_cloud
-from pointloom.drawing.render.picture_files import save_picture
-from pointloom.files.pictures.image_files import read_color
 
 SMALL = (160, 120)
 BLACK, WHITE = (0, 0, 0), (255, 255, 255)
@@ -309,7 +307,7 @@ def test_coordinates_of_a_map_grid_are_drawn_as_exactly_as_small_ones(device):
     assert np.abs(near - loom.render(far, None, SMALL, device=device)).mean() < 0.5
 
 
-@pytest.mark.parametrize("scale", [1e-12, 1e-6, 1e6, 1e12])
+@pytest.mark.parametrize("scale", [1e-12, 1e12])
 def test_scenes_of_any_size_are_drawn_alike(device, scale):
     rng = np.random.default_rng(0)
     points, ball = rng.uniform(-1, 1, (2000, 3)), sphere(rings=20)
@@ -319,14 +317,6 @@ def test_scenes_of_any_size_are_drawn_alike(device, scale):
         lines = loom.LineSet(np.array([[-1, -1, -1], [1, 1, 1.0]]) * factor, [[0, 1]])
         pictures.append(loom.render([mesh, points * factor * 2, lines], None, SMALL, device=device).astype(int))
     assert np.abs(pictures[0] - pictures[1]).mean() < 1.0 and (pictures[1] < 200).any()
-
-
-def test_the_automatic_view_frames_what_is_drawn_tightly(device):
-    cloud = loom.PointCloud(np.random.default_rng(0).uniform((-2, 0, 5), (3, 1, 9), (2000, 3)))
-    image = loom.render(paint(cloud), None, (320, 240), point_size=1.0, device=device)
-    rows, columns = np.nonzero(image[..., 0] < 255)
-    assert np.ptp(columns) > 0.9 * 320 or np.ptp(rows) > 0.9 * 240
-    assert columns.min() > 0 and columns.max() < 319 and rows.min() > 0 and rows.max() < 239
 
 
 def test_open3ds_parameters_and_files_give_the_same_picture(tmp_path, device):
@@ -380,48 +370,18 @@ def test_a_label_behind_the_camera_is_left_out(device):
     assert behind.tobytes() == loom.render(cloud, view, device=device).tobytes()
 
 
-def test_the_view_of_a_geometrys_own_device_is_taken(device):
-    cloud = loom.PointCloud(np.eye(3), device=device)
-    assert loom.render(cloud, None, SMALL).tobytes() == loom.render(cloud, None, SMALL, device=device).tobytes()
-
-
-def test_a_picture_is_written_and_not_replaced_unasked(tmp_path):
-    image = loom.render(sphere(rings=8), None, SMALL)
-    save_picture(tmp_path / "a.png", image)
-    assert np.array_equal(read_color(tmp_path / "a.png"), image)
-    with pytest.raises(FileError, match="exists already"):
-        save_picture(tmp_path / "a.png", image, overwrite=False)
-
-
 # ------------------------------------------------------------------------------------------------ refusals
 
 
 @pytest.mark.parametrize(
     ("change", "kind", "message"),
     [
-        ({"size": (0, 4)}, ValueError, "size"),
-        ({"size": (4, -3)}, ValueError, "size"),
-        ({"size": 4}, ValueError, "size"),
-        ({"size": (4, 4.5)}, TypeError, "size"),
         ({"size": (2**17, 4)}, ValueError, "size"),
-        ({"background": (1.0, 1.0)}, ValueError, "background"),
         ({"background": "mauve"}, ValueError, "background: expected one of white, black, grey, gray, transparent"),
-        ({"scale_bar": "yes"}, TypeError, "scale_bar: expected True or False"),
-        ({"up": "w"}, ValueError, "up: expected x, y, z or a direction"),
         ({"up": (0, 0, 0)}, ValueError, "up: expected a direction"),
-        ({"point_size": 0}, ValueError, "point_size"),
-        ({"point_size": "big"}, TypeError, "point_size"),
-        ({"shading": "shiny"}, ValueError, "shading"),
-        ({"camera": np.eye(4)}, TypeError, "camera"),
         ({"camera": {"zom": 1}}, ValueError, "'zom'"),
-        ({"camera": {"zoom": -1}}, ValueError, "zoom"),
         ({"camera": "no-file.json"}, FileError, "no-file"),
-        ({"labels": [("a", [1, 2])]}, ValueError, "labels"),
-        ({"labels": ["a", "b", "c"]}, ValueError, "labels"),
         ({"labels": [(3, [1, 2, 3])]}, TypeError, "labels"),
-        ({"labels": 3}, TypeError, "labels"),
-        ({"legend": [("a", (1, 2))]}, ValueError, "legend"),
-        ({"legend": "a"}, TypeError, "legend"),
         ({"color_bar": True}, ValueError, "color_by"),
         ({"color_bar": "height"}, TypeError, "color_bar"),
         ({"mesh_show_wireframe": "yes"}, TypeError, "wireframe"),
@@ -439,5 +399,6 @@ def test_arrays_that_do_not_belong_together_are_refused():
         loom.render(mesh, None, SMALL)
     with pytest.raises(ValueError, match="colors"):
         loom.render(SimpleNamespace(points=np.zeros((3, 3)), colors=np.zeros((2, 3))), None, SMALL)
-    with pytest.raises(ValueError, match="label"):
-        loom.render({"geometry": loom.PointCloud(np.zeros((1, 3))), "color_by": "label"}, None, SMALL)
+    for geometry in (loom.PointCloud(np.zeros((1, 3))), loom.TriangleMesh([[0, 0, 0]] * 3, [[0, 1, 2]])):
+        with pytest.raises(ValueError, match="label"):
+            loom.render({"geometry": geometry, "color_by": "label"}, None, SMALL)

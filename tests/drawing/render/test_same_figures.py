@@ -1,4 +1,4 @@
-"""Figures are the same bits on every device and with both compilers: SHA-256 of each beside this file.
+"""Figures are the same bits on every device: SHA-256 of each beside this file.
 
 After a change of how figures look: `python -m tests.drawing.render.test_same_figures FOLDER` from the repository's root
 writes the figures into a folder to be looked at, and their hashes beside this file.

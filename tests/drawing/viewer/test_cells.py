@@ -100,7 +100,7 @@ def test_a_kernel_that_tells_no_cell_closes_none_before_there_are_too_many(kerne
     assert [viewer.closed for viewer in viewers] == [True] + [False] * MOST_OPEN
 
 
-def test_viewers_that_were_closed_or_let_go_are_forgotten(kernel):
+def test_viewers_that_were_closed_or_let_go_are_forgotten(kernel, quick_collection):
     kernel.run("draw(a)")
     let_go = weakref.ref(opened())
     closed = opened()
@@ -112,7 +112,7 @@ def test_viewers_that_were_closed_or_let_go_are_forgotten(kernel):
     assert len(cells._opened) == 1
 
 
-def test_a_cell_s_earlier_cloud_is_let_go_when_it_runs_again(kernel, capfd):
+def test_a_cell_s_earlier_cloud_is_let_go_when_it_runs_again(kernel, capfd, quick_collection):
     held, viewers = [], []
     for _ in range(3):
         kernel.run("viewer = loom.draw(cloud)", cellId="a")

@@ -2,7 +2,6 @@
 
 import os
 import signal
-import socket
 import subprocess
 import sys
 import threading
@@ -17,16 +16,10 @@ from pointloom.core.errors import PointloomError
 from pointloom.drawing.render.view import View
 from pointloom.drawing.viewer import draw as drawing
 
-from .pages import visitor_of
-from .pages import wait_until as wait_for
+from .pages import visitor_of, wait_until
 
 ROOT = Path(__file__).resolve().parents[3]
 UTM = np.array([500_000.0, 5_600_000.0, 300.0])
-
-
-def wait_until(claim, seconds=60.0):
-    """Of a machine that may have much else to do, or kernels to load."""
-    wait_for(claim, seconds)
 
 
 @pytest.fixture
@@ -73,14 +66,6 @@ def test_draw_says_how_to_come_through_ssh(cloud, capfd, monkeypatch):
     assert lines[1].endswith("@10.0.0.2")
 
 
-def test_a_port_that_is_taken_is_told_with_the_next_one(cloud, capfd):
-    with socket.create_server(("127.0.0.1", 0)) as taken:
-        port = taken.getsockname()[1]
-        with draw([cloud], port=port) as viewer:
-            first = capfd.readouterr().err.splitlines()[0]
-    assert first == f"port {port} is taken; the next free one is {viewer.server.port}"
-
-
 def test_an_open_door_is_told(cloud, capfd):
     with draw([cloud], host="0.0.0.0"):
         assert "whoever has this address with its token sees the scene" in capfd.readouterr().err
@@ -103,13 +88,8 @@ def test_open3d_s_parameters_count(cloud):
         assert viewer.items["wall"].parts[0].plain == (1, 0, 0)
 
 
-def test_draw_geometries_is_draw():
-    assert loom.draw_geometries is loom.draw
-
-
-@pytest.mark.parametrize("geometries", [[], {}])
-def test_nothing_to_draw_is_an_empty_page(geometries):
-    with draw(geometries) as viewer:
+def test_nothing_to_draw_is_an_empty_page():
+    with draw([]) as viewer:
         assert not viewer.items
         assert viewer.screenshot().min() == 255
 
@@ -117,10 +97,7 @@ def test_nothing_to_draw_is_an_empty_page(geometries):
 @pytest.mark.parametrize(
     ("geometries", "options", "error"),
     [
-        (object(), {}, TypeError),
         ([np.zeros((1, 3)), "scan.ply"], {}, TypeError),
-        (np.zeros((4, 2)), {}, ValueError),
-        ({"geometry": np.zeros((1, 3)), "colour": (1, 0, 0)}, {}, ValueError),
         (np.zeros((1, 3)), {"width": 0}, ValueError),
         (np.zeros((1, 3)), {"zoom": -1}, ValueError),
         (np.zeros((1, 3)), {"port": 70_000}, ValueError),

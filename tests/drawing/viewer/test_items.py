@@ -11,7 +11,7 @@ from pointloom.drawing.render.styles import Style
 from pointloom.drawing.render.view import fit_view
 from pointloom.drawing.viewer.camera import camera_of, reach_of, view_of
 from pointloom.drawing.viewer.coloring_choice import ColoringChoice, choices_of
-from pointloom.drawing.viewer.items import Frame, make_item, to_bytes
+from pointloom.drawing.viewer.items import Frame, make_item
 from pointloom.drawing.viewer.link import CameraState
 from pointloom.drawing.viewer.surfaces import line_arrays, surface_arrays
 from pointloom.drawing.viewer.whole_cloud import even_share
@@ -35,7 +35,7 @@ def turn(angle, axis=2):
 # -- the page's coordinates -------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("scale", [1e-6, 1e-3, 1.0, 1e4, 1e9])
+@pytest.mark.parametrize("scale", [1e-6, 1.0, 1e9])
 def test_a_scene_of_any_size_is_some_units_wide_in_the_page(scale):
     low, high = UTM * scale, UTM * scale + scale
     frame = Frame.around((low, high))
@@ -74,20 +74,6 @@ def test_an_array_and_an_object_with_points_are_clouds_too(rng):
         item = make_item("cloud", 0, given_as, Style())
         assert len(item.cloud) == 20
         assert np.allclose(item.cloud.points, points, atol=1e-6)
-
-
-def test_what_is_no_point_cloud_has_no_cloud():
-    assert make_item("mesh", 0, loom.TriangleMesh(SQUARE, FACES), Style()).cloud is None
-    assert make_item("lines", 0, loom.LineSet(SQUARE, [[0, 1]]), Style()).cloud is None
-
-
-@pytest.mark.parametrize("points", [np.zeros((0, 3)), np.full((4, 3), np.nan)])
-def test_a_cloud_without_a_finite_point_has_no_bounds(points):
-    assert make_item("cloud", 0, loom.PointCloud(points), Style()).bounds is None
-
-
-def test_colors_out_of_range_are_cut():
-    assert to_bytes([[-1, 0.5, 2], [np.nan, np.inf, -np.inf]]).tolist() == [[0, 128, 255], [0, 255, 0]]
 
 
 def test_a_cloud_shows_its_own_colors_then_those_of_the_choice(rng):
@@ -263,7 +249,7 @@ def test_a_camera_without_perspective_sees_what_a_view_from_very_far_away_shows(
     assert zoom < 1 or shown.mean() > 0.8
 
 
-@pytest.mark.parametrize("distance", [1.0, 40.0, 600.0])
+@pytest.mark.parametrize("distance", [1.0, 600.0])
 def test_the_scene_lies_between_what_is_drawn_nearest_and_farthest(distance):
     bounds = np.full(3, -0.5), np.full(3, 0.5)
     frame = Frame(np.zeros(3))

@@ -207,14 +207,6 @@ def test_a_batch_is_sent_when_it_is_complete_and_then_whole(delivery, scene):
     assert [op["op"] for op in ops] == ["node", "node"] and ops[0]["visible"] is False
 
 
-def test_a_batch_that_fails_is_sent_as_far_as_it_came(delivery, scene):
-    page = Page(delivery)
-    with pytest.raises(RuntimeError), delivery.atomic():
-        scene.add_group()
-        raise RuntimeError
-    assert len(page.read_all()) == 1
-
-
 def test_batches_of_two_threads_are_neither_torn_nor_mixed_up(delivery, scene):
     page, inside, done = Page(delivery), threading.Event(), threading.Event()
 

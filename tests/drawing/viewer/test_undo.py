@@ -65,14 +65,6 @@ def test_what_another_page_changed_meanwhile_stays(viewer):
         assert viewer.coloring.by is None and viewer.point_size == 9 and not viewer.items["boxes/1"].visible
 
 
-def test_a_change_of_what_has_gone_says_so(viewer):
-    with page_in(viewer) as page:
-        page.say("value", id=page.of_kind("tree")[0].id, value=[["scan"], False])
-        viewer.remove("scan")
-        key(viewer, page, "Ctrl+Z")
-        assert "Cannot be taken back: Hide scan: scan is no longer" in page.others("notify")[-1].text
-
-
 def test_painted_labels_are_the_viewers_and_in_its_colours(viewer):
     given = viewer.items["scan"].cloud
     assert viewer.painted("scan") is None
