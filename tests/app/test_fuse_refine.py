@@ -71,6 +71,7 @@ def test_without_refine_poses_are_taken_as_they_are(walked, tmp_path):
     np.testing.assert_array_equal(read_trajectory(tmp_path / "poses.log").poses, true_poses(walked))
 
 
+@pytest.mark.slow
 def test_refined_poses_are_the_same_bits_each_time(walk, device):
     first, second = (loom.fuse(walk, voxel_size=0.05, refine=True, device=device) for _ in range(2))
     np.testing.assert_array_equal(first.T_world_camera, second.T_world_camera)

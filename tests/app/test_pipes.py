@@ -90,7 +90,11 @@ def test_json_and_the_cloud_do_not_mix(cloud):
 
 @pytest.mark.skipif(not hasattr(os, "openpty"), reason="this system has no pseudo-terminals")
 @pytest.mark.parametrize(
-    ("words", "end"), [(["info", "-", "--from", "ply"], "input"), (["convert", "CLOUD", "-", "--to", "ply"], "output")]
+    ("words", "end"),
+    [
+        pytest.param(["info", "-", "--from", "ply"], "input", marks=pytest.mark.slow),
+        (["convert", "CLOUD", "-", "--to", "ply"], "output"),
+    ],
 )
 def test_a_terminal_is_no_pipe(cloud, words, end):
     ours, theirs = os.openpty()

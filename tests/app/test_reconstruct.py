@@ -56,6 +56,7 @@ def test_poses_beside_the_frames_are_not_used(walked, tmp_path):
     assert told["errors"] is not None and untold["errors"] is None
 
 
+@pytest.mark.slow
 def test_frames_that_are_lost_are_a_poor_result_with_a_mesh(walked, tmp_path):
     cover(walked, 5, 6)
     report = poor_answer("reconstruct", walked, "-o", tmp_path / "mesh.ply", *COARSE)
@@ -64,6 +65,7 @@ def test_frames_that_are_lost_are_a_poor_result_with_a_mesh(walked, tmp_path):
     assert len(read_triangle_mesh(tmp_path / "mesh.ply")) > 1000
 
 
+@pytest.mark.slow
 def test_frames_without_colour_give_a_mesh_without(walked, tmp_path):
     for path in walked.glob("*.color.png"):
         path.unlink()
@@ -193,6 +195,7 @@ def test_an_earlier_run_is_kept_taken_up_or_replaced(walked, tmp_path, small_fra
     assert "2 of 2 joined, 0 loops; 2 kept from an earlier run" in shown.stdout
 
 
+@pytest.mark.slow
 def test_an_interrupted_run_is_taken_up(walked, tmp_path):
     outputs = ModelOutputs(tmp_path / "mesh.ply")
 

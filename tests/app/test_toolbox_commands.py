@@ -7,7 +7,7 @@ import pytest
 
 import pointloom as loom
 
-from .commands import answer, chosen_device, names_in, poor_answer, run
+from .commands import answer, chosen_device, names_in, poor_answer, refusal, run
 
 # every command, with options that work on `scene`
 CALLS = {
@@ -49,19 +49,15 @@ def test_a_summary_says_what_was_left_out(scene, tmp_path, command):
 
 @each_command
 def test_the_output_is_checked_before_the_input_is_read(tmp_path, command):
-    result = run(command, tmp_path / "missing.ply", tmp_path / "out.docx", *CALLS[command])
-    assert result.exit_code == 1
-    assert "not written to .docx" in result.stderr
-    result = run(command, tmp_path / "missing.ply", tmp_path / "out.npz", *CALLS[command], "--ascii")
-    assert "Leave out --ascii" in result.stderr
+    words = command, tmp_path / "missing.ply", *CALLS[command]
+    assert "not written to .docx" in refusal(*words, "-o", tmp_path / "out.docx")
+    assert "Leave out --ascii" in refusal(*words, "-o", tmp_path / "out.npz", "--ascii")
 
 
 @each_command
 def test_a_broken_file_is_an_error_and_nothing_is_written(cloud, tmp_path, command):
     cloud.write_bytes(cloud.read_bytes()[:-1])
-    result = run(command, cloud, tmp_path / "out.ply", *CALLS[command])
-    assert result.exit_code == 1
-    assert result.stderr.startswith(f"error: {cloud}")
+    assert refusal(command, cloud, tmp_path / "out.ply", *CALLS[command]).startswith(f"error: {cloud}")
     assert names_in(tmp_path) == ["cloud.ply"]
 
 
@@ -73,6 +69,8 @@ def test_a_cloud_without_finite_points_is_a_poor_result(tmp_path, command):
     report = poor_answer(command, tmp_path / "a.ply", tmp_path / "b.ply", *options, *extra)
     assert (report["points_in"], report["points"], report["files"]) == (4, 0, [])
     assert "nothing was written" in report["poor"]
+    loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(), overwrite=True)
+    assert poor_answer(command, tmp_path / "a.ply", tmp_path / "b.ply", *CALLS[command], *extra)["files"] == []
     assert names_in(tmp_path) == ["a.ply"]
 
 

@@ -15,7 +15,7 @@ import pointloom as loom
 from pointloom.drawing.viewer import draw as drawing
 from pointloom.drawing.viewer import inline as inline_module
 from pointloom.drawing.viewer.inline import MOST_BYTES, PLACES, VARIABLE, InlinePage, wants_inline
-from pointloom.drawing.viewer.server import ViewerExtraError
+from pointloom.drawing.viewer.server import ViewerError, ViewerExtraError
 
 
 @pytest.fixture(autouse=True)
