@@ -83,9 +83,9 @@ def test_the_vertices_of_a_mesh_count(mesh, tmp_path, command):
     assert report["left_out"] == ["triangles"]
 
 
-def test_the_whole_chain_works_on_a_lidar_tile(data, tmp_path):
+def test_the_whole_chain_works_on_a_lidar_tile(scan_file, tmp_path):
     laspy = pytest.importorskip("laspy")
-    source, last = data / "lidar-pdal" / "laz" / "autzen_trim.laz", tmp_path / "0.laz"
+    source, last = scan_file("lidar-pdal/laz/autzen_trim.laz"), tmp_path / "0.laz"
     steps = (
         ["sample", "--every", "20"],
         ["clean", "--duplicates", "--neighbors", "8"],
