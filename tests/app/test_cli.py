@@ -42,9 +42,6 @@ def start(program: str, *words: object) -> subprocess.Popen:
     )
 
 
-# ------------------------------------------------------------------------------------------------ help
-
-
 def test_help_loads_nothing_heavy():
     program = f"""
 import json
@@ -114,9 +111,6 @@ def test_an_output_is_named_by_o_or_by_its_place(tmp_path):
 def test_an_extension_of_poses_is_one_format_in_every_command():
     for name in ("fuse", "track", "reconstruct", "multiway", "odometry"):
         assert ".txt or .tum (TUM), .log (Open3D)" in " ".join(run(name, "--help").stdout.split()), name
-
-
-# ------------------------------------------------------------------------------------------------ errors
 
 
 @pytest.mark.parametrize(
@@ -248,9 +242,6 @@ def test_a_warning_is_one_line_on_stderr(cloud, tmp_path, monkeypatch):
     assert json.loads(result.stdout)["poor"] is None
 
 
-# ------------------------------------------------------------------------------------------------ interruption
-
-
 def test_an_interruption_while_writing_leaves_nothing(cloud, tmp_path, monkeypatch):
     before = names_in(tmp_path)
     monkeypatch.setattr(ply, "_write_columns", fault(KeyboardInterrupt()))
@@ -331,9 +322,6 @@ def test_the_package_runs_as_a_module():
     assert stdout.split()[-1] == loom.__version__
 
 
-# ------------------------------------------------------------------------------------------------ fuse
-
-
 def test_fuse_prints_a_summary(frames, tmp_path):
     result = run("fuse", frames, "-o", tmp_path / "out.ply", "--voxel", "0.1", "--picture", tmp_path / "out.png")
     assert result.exit_code == 0, result.stderr
@@ -384,9 +372,6 @@ def test_fuse_tells_which_frames_have_no_partner(tmp_path):
     result = run("fuse", folder, "-o", tmp_path / "out.ply", "--voxel", "0.05")
     assert result.exit_code == 0, result.stderr
     assert "1 left out, the first depth/2.png: no pose within 0.02 s" in result.stdout
-
-
-# ------------------------------------------------------------------------------------------------ doctor
 
 
 def trials_on_the_cpu(report):

@@ -13,8 +13,6 @@ from pointloom.files.pictures.image_files import write_png
 
 from .commands import answer, names_in, poor_answer, refusal, run
 
-# ------------------------------------------------------------------------------------------------ info
-
 
 def test_info_tells_what_a_cloud_holds(tmp_path):
     points = np.array([[5e5, 5e6, 1], [5e5 + 2, 5e6 + 4, 3], [np.nan, 0, 0]])
@@ -156,9 +154,6 @@ def test_info_goes_on_after_a_broken_file(cloud, tmp_path):
 def test_info_refuses_what_it_does_not_know(tmp_path, name):
     (tmp_path / name).write_text("{}")
     assert refusal("info", tmp_path / name).startswith(f"error: {tmp_path / name}")
-
-
-# ------------------------------------------------------------------------------------------------ clouds
 
 
 @pytest.mark.parametrize("suffix", [".pcd", ".npz"])

@@ -33,9 +33,6 @@ class Still(Wall):
     intrinsic_source, intrinsic_doubt = "made up", ""
 
 
-# ------------------------------------------------------------------------------------------------ folders
-
-
 def test_a_folder_becomes_a_mesh_and_a_picture(device, folder, tmp_path):
     outputs = ModelOutputs(tmp_path / "mesh.ply", picture=tmp_path / "mesh.png")
     report = fuse_folder(folder, outputs, voxel_size=0.05, device=device).to_json()
@@ -80,9 +77,6 @@ def test_the_kitchen_becomes_a_mesh(device, real_file, tmp_path):
     low, high = np.array(report["bounds"]["min"]), np.array(report["bounds"]["max"])
     assert (low > [-3, -2, 0]).all()
     assert (high < [2, 2, 4.5]).all()
-
-
-# ------------------------------------------------------------------------------------------------ views
 
 
 def test_a_floor_tells_what_is_up(rng):

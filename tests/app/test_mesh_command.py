@@ -46,9 +46,6 @@ def closed(inwards: bool = False) -> TriangleMesh:
     )
 
 
-# ------------------------------------------------------------------------------------------------ what is written
-
-
 def test_the_surface_is_the_library_s_with_normals_made_and_the_sparsest_vertices_gone(ball, tmp_path, device):
     sparsest = ["--density-quantile", 0.01]
     report = answer("mesh", ball, tmp_path / "out.ply", "--depth", 5, *sparsest, "--device", device)
@@ -142,9 +139,6 @@ def test_a_far_cloud_is_written_where_it_lies(ball, tmp_path):
     assert np.abs(off).max() < 0.05
 
 
-# ------------------------------------------------------------------------------------------------ methods
-
-
 def stand_in(monkeypatch, method, mesh):
     """The library's surface replaced by one that is known, and what it was called with."""
     calls = []
@@ -196,9 +190,6 @@ def test_a_torn_surface_is_poor_and_written(ball, tmp_path, monkeypatch):
     report = poor_answer("mesh", ball, tmp_path / "out.ply", "--method", "ball")
     assert "the mesh is torn: " in report["poor"] and "take larger --radii" in report["poor"]
     assert report["files"] == [str(tmp_path / "out.ply")]
-
-
-# ------------------------------------------------------------------------------------------------ verdicts
 
 
 def test_the_figures_of_a_surface_are_those_of_its_edges_and_parts():
@@ -275,9 +266,6 @@ def test_an_alpha_shape_that_spans_a_hollow_is_poor():
 def test_a_room_looks_inwards_and_an_object_or_a_sheet_does_not():
     assert looks_inwards(closed(inwards=True))
     assert not looks_inwards(closed()) and not looks_inwards(grid())
-
-
-# ------------------------------------------------------------------------------------------------ refused
 
 
 def test_outputs_are_checked_before_the_input_is_read(tmp_path):

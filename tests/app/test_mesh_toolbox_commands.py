@@ -35,9 +35,6 @@ def torn(tmp_path):
     return write(tmp_path / "torn.ply", TriangleMesh(vertices, np.vstack([triangles, kept[1:5], corners[None]])))
 
 
-# ------------------------------------------------------------------------------------------------ clean-mesh
-
-
 def test_a_mesh_is_mended_as_the_library_mends_it(torn, tmp_path, device):
     options = ("--fill", 0.5, "--min-triangles", 2, "--device", device)
     report = answer("clean-mesh", torn, tmp_path / "out.ply", *options)
@@ -82,9 +79,6 @@ def test_where_nothing_is_left_nothing_is_written(ball, tmp_path):
     assert names_in(tmp_path) == ["ball.ply"]
 
 
-# ------------------------------------------------------------------------------------------------ simplify
-
-
 @pytest.mark.parametrize(
     ("option", "amount", "target"), [("--triangles", 300, 300), ("--ratio", 0.25, 380), ("--voxel", 0.1, None)]
 )
@@ -101,9 +95,6 @@ def test_a_mesh_is_thinned_to_its_target(ball, tmp_path, device, option, amount,
 def test_a_surface_that_moved_far_is_a_poor_result(ball, tmp_path):
     report = poor_answer("simplify", ball, tmp_path / "out.ply", "--triangles", 8)
     assert "the surface moved by" in report["poor"]
-
-
-# ------------------------------------------------------------------------------------------------ smooth-mesh
 
 
 @pytest.mark.parametrize(
@@ -127,9 +118,6 @@ def test_a_mesh_that_shrank_is_a_poor_result(ball, tmp_path):
     assert "of the area are gone with the noise" in report["poor"] and "--method taubin" in report["poor"]
 
 
-# ------------------------------------------------------------------------------------------------ sample-mesh
-
-
 @pytest.mark.parametrize("even", [False, True])
 def test_points_are_drawn_as_the_library_draws_them(ball, tmp_path, even):
     options = ["--even"] if even else []
@@ -144,9 +132,6 @@ def test_a_mesh_without_area_gives_no_points(tmp_path):
     flat = write(tmp_path / "flat.ply", TriangleMesh([[0, 0, 0], [1, 0, 0], [2, 0, 0]], [[0, 1, 2]]))
     report = poor_answer("sample-mesh", flat, tmp_path / "out.ply", "--points", 10)
     assert "no area" in report["poor"] and names_in(tmp_path) == ["flat.ply"]
-
-
-# ------------------------------------------------------------------------------------------------ compare-meshes
 
 
 @pytest.fixture
@@ -207,9 +192,6 @@ def test_surfaces_farther_apart_than_asked_are_a_poor_result(ball, larger, tmp_p
 def test_meshes_of_other_units_are_a_poor_result(ball, tmp_path):
     other = write(tmp_path / "mm.ply", TriangleMesh.create_sphere(1000.0, 20))
     assert "other units" in poor_answer("compare-meshes", ball, other)["poor"]
-
-
-# ------------------------------------------------------------------------------------------------ bad input
 
 
 @pytest.mark.parametrize(

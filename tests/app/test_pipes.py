@@ -108,9 +108,6 @@ def test_a_terminal_is_no_pipe(cloud, words, end):
     assert f"standard {end} is a terminal" in stderr.decode()
 
 
-# ------------------------------------------------------------------------------------------------ outputs that fail
-
-
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="this system has no /dev/full")
 @pytest.mark.slow
 @pytest.mark.parametrize(

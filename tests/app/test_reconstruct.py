@@ -30,9 +30,6 @@ def cover(folder: Path, *numbers: int) -> None:
         write_png(path, np.zeros_like(read_depth(path)))
 
 
-# ------------------------------------------------------------------------------------------------ slam
-
-
 def test_frames_become_a_mesh_a_path_and_a_picture(walked, tmp_path, device):
     mesh, poses, picture = tmp_path / "mesh.ply", tmp_path / "poses.log", tmp_path / "mesh.png"
     words = ["--trajectory", poses, "--picture", picture, "--device", device]
@@ -135,9 +132,6 @@ def test_a_frame_that_cannot_be_read_shifts_no_pose_of_another(walked, tmp_path,
     assert report["corrected_m"] == pytest.approx(0.06, abs=1e-9)
 
 
-# ------------------------------------------------------------------------------------------------ fragments
-
-
 @pytest.fixture
 def small_fragments(tmp_path) -> list:
     """A configuration by which 8 frames are two fragments."""
@@ -225,9 +219,6 @@ def test_frames_that_are_not_in_the_model_are_told(walked, tmp_path, small_fragm
     assert "lost       frame-000007: " in shown.stdout
 
 
-# ------------------------------------------------------------------------------------------------ refusals
-
-
 def test_reconstruct_refuses_what_cannot_be_done_before_the_work(walked, tmp_path):
     mesh = tmp_path / "mesh.ply"
     assert "meshes are not written to .pcd" in refusal("reconstruct", walked, "-o", tmp_path / "a.pcd")
@@ -252,9 +243,6 @@ def test_an_interruption_leaves_nothing(walked, tmp_path):
     with pytest.raises(KeyboardInterrupt):
         reconstruct_folder(walked, ModelOutputs(tmp_path / "mesh.ply"), progress=interrupt)
     assert names_in(tmp_path) == ["walk"]
-
-
-# ------------------------------------------------------------------------------------------------ real frames
 
 
 @on_sets(

@@ -67,9 +67,6 @@ def without_poses(frames: Path) -> Path:
     return frames
 
 
-# ------------------------------------------------------------------------------------------------ what it writes
-
-
 def test_track_writes_the_path_and_its_errors(guided, frames, tmp_path):
     tracker = guided()
     report = answer("track", frames, "-o", tmp_path / "poses.log")
@@ -97,9 +94,6 @@ def test_track_sums_up(guided, frames, tmp_path):
     for part in ("6 of 6, ", "ATE", "RPE", "frames/s", "2.0 mm off the model, 90.0% of the depth on it", "poses.txt"):
         assert part in shown.stdout
     assert shown.stderr == ""
-
-
-# ------------------------------------------------------------------------------------------------ poor results
 
 
 def test_a_lost_frame_has_no_pose_and_is_told(guided, frames, tmp_path):
@@ -141,9 +135,6 @@ def test_a_covered_lens_all_along_writes_nothing(guided, frames, tmp_path):
     report = poor_answer("track", frames, "-o", tmp_path / "poses.txt")
     assert (report["tracked"], report["files"], report["errors"]) == (0, [], None)
     assert names_in(tmp_path) == ["frames"]
-
-
-# ------------------------------------------------------------------------------------------------ refusals
 
 
 def test_track_refuses_what_cannot_be_done_before_the_work(guided, frames, tmp_path):

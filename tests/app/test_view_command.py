@@ -54,9 +54,6 @@ def red_pixels(path):
     return ((red - green > 60) & (red - blue > 60)).sum()
 
 
-# -- pictures and pages -----------------------------------------------------------------------------------------------
-
-
 @pytest.mark.slow
 def test_what_is_up_is_told_or_that_of_the_file(tmp_path):
     cone = loom.TriangleMesh.create_cone(0.5, 3.0)
@@ -158,9 +155,6 @@ def test_a_large_cloud_is_read_in_levels_of_detail(tmp_path, rng):
     assert (tmp_path / "out.html").stat().st_size < 600_000
 
 
-# -- errors -----------------------------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize(
     ("words", "reason"),
     [
@@ -191,9 +185,6 @@ def test_errors_are_one_line_and_nothing_is_written(cloud, mesh, tmp_path, monke
     assert reason in told
     assert names_in(tmp_path) == before
     assert Path("cloud.png").read_text() == "kept"
-
-
-# -- the server -------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.slow

@@ -50,9 +50,6 @@ def path(tmp_path: Path) -> Path:
     return tmp_path / "out.html"
 
 
-# ------------------------------------------------------------------------------------------------ algorithms
-
-
 def test_icp_is_recorded_pose_by_pose_and_its_clouds_once(device, path):
     target = loom.PointCloud(bumps(), device=device)
     source = loom.PointCloud(bumps() + SHIFT, device=device)
@@ -207,9 +204,6 @@ def test_nothing_is_recorded_by_itself_where_that_was_asked_for(path):
     assert [frame.label for frame in r.timeline.frames] == ["by hand"]
 
 
-# ------------------------------------------------------------------------------------------------ by hand
-
-
 def test_a_loop_of_updates_makes_the_frames_that_it_says(path):
     cloud = loom.PointCloud(bumps())
     with loom.record(path, automatic=False, title="steps") as r:
@@ -314,9 +308,6 @@ def test_points_that_are_not_finite_and_empty_clouds_are_left_out(tmp_path):
     shown = r.timeline.frames[0].shown
     assert len(r.timeline.shapes[shown["holes"].shapes[0]].positions) == 9
     assert (tmp_path / "holes.webp").exists()
-
-
-# ------------------------------------------------------------------------------------------------ errors
 
 
 @pytest.mark.parametrize("error", [KeyboardInterrupt, ValueError])

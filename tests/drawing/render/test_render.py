@@ -41,9 +41,6 @@ def paint(geometry, color=BLACK, **style):
     return {"geometry": geometry, "color": color, "shaded": False, **style}
 
 
-# ------------------------------------------------------------------------------------------------ surfaces
-
-
 def test_a_sphere_has_the_silhouette_of_a_sphere(device):
     view, distance = straight_view(5.0), 5.0
     image = loom.render(paint(sphere()), view, device=device)
@@ -171,9 +168,6 @@ def test_the_order_of_triangles_does_not_change_the_picture(device):
     assert (first != loom.render(mesh, None, SMALL, device=device)).mean() < 0.01
 
 
-# ------------------------------------------------------------------------------------------------ points and lines
-
-
 def test_points_keep_their_colours_and_one_point_is_a_disc(device):
     cloud = loom.PointCloud([[0, 0, 0]], colors=[[1.0, 0, 0]])
     image = loom.render(cloud, straight_view(2.0), point_size=20, device=device)
@@ -256,9 +250,6 @@ def test_line_widths_and_colours_are_kept_apart(device):
     assert coverage(loom.render(paint(lines, line_width=4), straight_view(2.0), device=device)) == pytest.approx(
         2 * 4 * 160, rel=0.05
     )
-
-
-# ------------------------------------------------------------------------------------------------ scenes
 
 
 def test_what_is_nearer_hides_what_is_behind_whatever_it_is(device):
@@ -368,9 +359,6 @@ def test_a_label_behind_the_camera_is_left_out(device):
     cloud, view = loom.PointCloud([[0, 0, 0]]), straight_view(2.0)
     behind = loom.render(cloud, view, labels=[("here", [0, 0, -9])], device=device)
     assert behind.tobytes() == loom.render(cloud, view, device=device).tobytes()
-
-
-# ------------------------------------------------------------------------------------------------ refusals
 
 
 @pytest.mark.parametrize(

@@ -128,9 +128,6 @@ def stand():
         thread.join()
 
 
-# -- controls ---------------------------------------------------------------------------------------------------------
-
-
 def test_a_button_calls_with_the_number_of_the_page_in_a_thread_of_its_own(stand):
     heard = []
     stand.add_button("Next", lambda page: heard.append((page, threading.current_thread())))
@@ -258,9 +255,6 @@ def test_an_argument_that_makes_no_sense_is_refused_by_name_and_adds_nothing(sta
     assert stand.gui.handles == []
 
 
-# -- picks ------------------------------------------------------------------------------------------------------------
-
-
 def click_at(x, client=7):
     camera = CameraState(position=np.zeros(3), rotation=np.eye(3), fov=1.0, size=(200, 100), pivot=np.zeros(3))
     return ClickEvent(client, x, 0.5, False, False, camera)
@@ -295,9 +289,6 @@ def test_a_pick_has_what_the_cloud_knows_of_its_point():
     assert {*found.attributes} == {"intensity", "color"}
     surface = Pick("mesh", None, np.zeros(3), 4)
     assert with_attributes(surface, None) is surface
-
-
-# -- each frame -------------------------------------------------------------------------------------------------------
 
 
 class Clock:
@@ -388,9 +379,6 @@ def test_frames_run_in_the_thread_of_the_pages_until_the_end(stand):
     for thread in stand._end_hooks():
         thread.join()
     assert {*heard} - {threading.current_thread()} == {*heard} and not heard[0].is_alive()
-
-
-# -- a page ------------------------------------------------------------------------------------------------------------
 
 
 class Told:

@@ -32,9 +32,6 @@ def turn(angle, axis=2):
     return T
 
 
-# -- the page's coordinates -------------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("scale", [1e-6, 1.0, 1e9])
 def test_a_scene_of_any_size_is_some_units_wide_in_the_page(scale):
     low, high = UTM * scale, UTM * scale + scale
@@ -63,9 +60,6 @@ def test_poses_of_style_and_of_the_program_follow_each_other(rng):
     low, high = item.world_bounds()
     assert (item.sample() >= low - 1e-6).all()
     assert (item.sample() <= high + 1e-6).all()
-
-
-# -- clouds -----------------------------------------------------------------------------------------------------------
 
 
 def test_an_array_and_an_object_with_points_are_clouds_too(rng):
@@ -130,9 +124,6 @@ def test_the_page_says_how_many_points_and_triangles_it_draws(drawn, total, tria
     assert told(drawn, total, triangles) == text
 
 
-# -- surfaces ---------------------------------------------------------------------------------------------------------
-
-
 def arrays_of(mesh, **style):
     (part,) = make_item("mesh", 0, mesh, Style(**style)).parts
     return part, surface_arrays(part)
@@ -183,9 +174,6 @@ def test_what_is_not_finite_is_not_sent():
     places = np.array([*SQUARE[:3], [np.nan] * 3], np.float32)
     part = dataclasses.replace(lines, positions=upload(places, vec3, lines.positions.device))
     assert line_arrays(part)["ends"].tolist() == [SQUARE[:2], [SQUARE[1], SQUARE[2]]]
-
-
-# -- cameras ----------------------------------------------------------------------------------------------------------
 
 
 def seen_from(camera, frame, points, aspect):

@@ -71,9 +71,6 @@ STORY = [
 ]
 
 
-# -- moments ----------------------------------------------------------------------------------------------------------
-
-
 def test_each_moment_shows_what_was_then_in_any_order(viewer):
     tell_story(viewer)
     for number in (3, 0, 2, 1, 3, 1, 0):
@@ -160,9 +157,6 @@ def test_a_moment_of_the_same_time_goes_on_and_an_earlier_one_is_refused(viewer)
     assert viewer.timeline.times == [1.5]
 
 
-# -- the control of the pages -----------------------------------------------------------------------------------------
-
-
 def drag(viewer, value):
     """A page puts the time line there."""
     control = viewer.timeline._control
@@ -221,9 +215,6 @@ def test_a_page_drags_the_time_line_and_is_told_the_newest(viewer):
     assert shown(viewer) == STORY[3]
 
 
-# -- what is held -----------------------------------------------------------------------------------------------------
-
-
 def test_what_stays_is_held_once_and_a_pose_costs_little(viewer):
     viewer.add("big", cloud_of(1, 100_000))
     viewer.add("other", cloud_of(2, 100_000))
@@ -269,9 +260,6 @@ def test_what_never_changed_outlives_the_moment_it_came_in(viewer):
     assert viewer.timeline.times[0] > 1 and {*viewer.timeline._tracks} == {"still"}
     viewer.show_time(0)
     assert shown(viewer) == {"still": (5, [1.0, 2.0, 3.0], True)}
-
-
-# -- the recording ----------------------------------------------------------------------------------------------------
 
 
 def test_a_recording_has_a_frame_for_each_moment(viewer, tmp_path):

@@ -26,9 +26,6 @@ def move_to(line, fov: float) -> None:
     say(line, CAMERA | {"fov": fov})
 
 
-# -- messages ---------------------------------------------------------------------------------------------------------
-
-
 def test_a_page_gets_the_scene_and_is_heard(server):
     server.pages.scene.add_points(np.zeros((5, 3), np.float32), plain=(255, 0, 0))
     slider = server.pages.gui.add_slider("size", 0.0, 10.0, 0.5, 5.0)
@@ -262,9 +259,6 @@ def test_a_page_that_talks_without_end_waits_and_others_do_not(server):
         server.close()
         thread.join(60)
         assert not thread.is_alive()
-
-
-# -- many pages, and pages that do not read ---------------------------------------------------------------------------
 
 
 def test_two_hundred_at_once_are_too_many_for_nobody_but_themselves(server):

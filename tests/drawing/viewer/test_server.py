@@ -48,9 +48,6 @@ def free_port() -> int:
         return line.getsockname()[1]
 
 
-# -- where it listens -------------------------------------------------------------------------------------------------
-
-
 def test_it_listens_on_this_machine_alone(server):
     other = "127.0.0.2"  # is this machine's too, and would reach whoever listens on every address
     with pytest.raises(ConnectionRefusedError):
@@ -114,9 +111,6 @@ def test_localhost_and_the_other_loopback_are_loopback():
         with ViewerServer("::1", port=0) as server:
             assert server.url == f"http://[::1]:{server.port}/?token={server.pages.token}"
             assert not server.exposed
-
-
-# -- requests ---------------------------------------------------------------------------------------------------------
 
 
 def test_the_page_is_served_under_our_name(server):
@@ -239,9 +233,6 @@ def test_what_is_no_request_gets_nothing(server):
     ):  # fmt: skip
         assert b" 200 " not in send_raw(server, data), data[:40]
     assert is_well(server)
-
-
-# -- closing ----------------------------------------------------------------------------------------------------------
 
 
 def test_closing_frees_the_port_at_once(free_port):

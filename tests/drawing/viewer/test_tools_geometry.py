@@ -33,9 +33,6 @@ def wavy(side=60):
     return np.column_stack([x, y, 0.3 * np.sin(2.3 * x) * np.cos(1.7 * y) + 0.1 * x * y])
 
 
-# ------------------------------------------------------------------------------------------------ measuring
-
-
 def test_a_distance_has_its_parts_and_its_slope():
     d = distance_between(UTM, UTM + np.array([3.0, 4, 5]))
     assert (d.dx, d.dy, d.dz) == (3, 4, 5) and d.length == pytest.approx(math.sqrt(50)) and d.slope == pytest.approx(45)
@@ -60,9 +57,6 @@ def test_clicks_measure_more_the_more_there_are():
     assert feet["distance"] == "4.0000 ft" and feet["path"] == "7.0000 ft over 2 parts" and feet["dz"] == "0.0000 ft"
     assert dict(measurements(points, DEGREE)) == {"dx": "0.0000 deg", "dy": "4.0000 deg", "dz": "0.0000"}
     assert length_text(1.5e-7) == "1.5e-07 m" and length_text(2.5e9) == "2.5e+09 m"
-
-
-# ------------------------------------------------------------------------------------------------ clip planes
 
 
 def test_what_is_kept_lies_in_the_box_and_before_the_plane(rng, device):
@@ -126,9 +120,6 @@ def test_a_mesh_is_cut_through_its_triangles(device):
 def test_planes_that_make_no_sense_are_refused(given, words):
     with pytest.raises(ValueError, match=words):
         Clip(**given)
-
-
-# ------------------------------------------------------------------------------------------------ correspondences
 
 
 def test_pairs_give_the_motion_that_brings_them_together(rng):

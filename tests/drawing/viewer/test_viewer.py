@@ -69,9 +69,6 @@ def cloud_of(points, **more):
     return loom.PointCloud(points, **more)
 
 
-# -- what a page is sent ----------------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("place", [np.zeros(3), UTM, 1e9 * np.ones(3)], ids=["zero", "utm", "far"])
 def test_a_cloud_stands_in_the_page_where_it_stands_in_the_world(shown, page, rng, place):
     points = rng.random((500, 3)) + place
@@ -187,9 +184,6 @@ def test_sizes_of_points_are_pixels_or_metres(shown, page, rng):
     assert sizes() == {"pixels": (3.0, False), "twice": (6.0, False), "metres": (0.01, True)}
     shown.point_size = 4.5
     assert sizes() == {"pixels": (4.5, False), "twice": (9.0, False), "metres": (0.01, True)}
-
-
-# -- changes ----------------------------------------------------------------------------------------------------------
 
 
 def test_update_replaces_points_and_colors_in_one_message(shown, page, rng):
@@ -349,9 +343,6 @@ def test_remove_and_clear_leave_nothing(shown, page, rng):
     assert np.linalg.norm(shown.frame.origin - UTM) < 2
 
 
-# -- pages ------------------------------------------------------------------------------------------------------------
-
-
 def test_a_page_that_comes_back_sees_everything_again(shown, rng):
     shown.add("cloud", cloud_of(rng.random((123, 3))))
     for _ in range(2):
@@ -466,9 +457,6 @@ def seen_share(shown, points):
     return np.abs(local[:, 0] / local[:, 2] * view.intrinsic.fx / (view.intrinsic.width / 2)).max()
 
 
-# -- views ------------------------------------------------------------------------------------------------------------
-
-
 def test_open3d_s_parameters_set_the_view(shown, page, rng):
     shown.add("cloud", cloud_of(rng.random((50, 3)) + UTM))
     shown.set_view(front=[0, 0, -1], up=[0, -1, 0], zoom=0.5, lookat=UTM)
@@ -507,9 +495,6 @@ def test_a_view_that_is_none_leaves_the_one_before(shown, given, error, text):
     with pytest.raises(error, match=text):
         shown.set_view(**given)
     assert (shown.get_view().T_world_camera == before).all()
-
-
-# -- colours, sizes, panel --------------------------------------------------------------------------------------------
 
 
 def test_colors_go_by_what_is_known_of_the_points(shown, page, rng):
@@ -651,9 +636,6 @@ def test_an_empty_scene_says_how_to_fill_it(shown, page):
     assert "viewer.add(" in page.others("hint")[-1].text
 
 
-# -- what is asked wrongly --------------------------------------------------------------------------------------------
-
-
 def test_names_of_open3d_are_told_apart_from_ours(shown):
     with pytest.raises(AttributeError, match="no attribute 'update_geometry'"):
         shown.update_geometry(None)
@@ -687,9 +669,6 @@ def test_empty_things_are_shown_as_nothing(shown, page, rng):
     assert np.linalg.norm(shown.get_view().T_world_camera[:3, 3] - UTM) < 20
 
 
-# -- stills -----------------------------------------------------------------------------------------------------------
-
-
 def test_a_screenshot_shows_what_the_page_shows(shown, rng, tmp_path):
     shown.background = (0, 0, 1)
     shown.add("cloud", cloud_of(rng.random((3000, 3))), color=(1, 0, 0), shaded=False)
@@ -716,9 +695,6 @@ def test_a_saved_page_holds_the_scene_and_no_more_points_than_asked(rng, tmp_pat
     one, two = ((tmp_path / name).stat().st_size for name in ("one.html", "two.html"))
     assert abs(two - one) < 10_000
     assert b"http://" not in (tmp_path / "two.html").read_bytes().replace(b"http://www.w3.org", b"")
-
-
-# -- its end ----------------------------------------------------------------------------------------------------------
 
 
 def test_close_frees_port_threads_and_memory(rng):
