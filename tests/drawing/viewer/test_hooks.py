@@ -283,9 +283,15 @@ def test_frames_come_as_a_page_takes_them_in_a_thread_and_end_with_the_viewer(vi
     assert threading.current_thread() not in threads
 
 
-def test_a_key_of_the_program_begins_no_tool_any_more(viewer, page):
+def test_a_key_of_the_program_does_nothing_else_any_more(viewer, page):
     heard = []
-    viewer.on_key("m", heard.append)
-    page.key("M")
+    for key in ("m", "w", "arrowup"):
+        viewer.on_key(key, heard.append)
+        page.key(key if key == "arrowup" else key.upper())
     idle(viewer)
-    assert heard == [page.client.client_id] and toolbox_of(viewer).tool is None
+    assert heard == [page.client.client_id] * 3
+    assert toolbox_of(viewer).tool is None and not viewer.wireframe
+    viewer.on_key("W", lambda number: heard.clear())
+    page.key("W")
+    idle(viewer)
+    assert heard == []

@@ -8,7 +8,6 @@ import gzip
 import hashlib
 import os
 import re
-import signal
 import socket
 import subprocess
 import sys
@@ -297,38 +296,6 @@ def test_pages_are_told_what_was_sent_last_before_they_are_sent_away():
         with pytest.raises(ConnectionClosed) as ended:
             line.recv(timeout=60)
         assert ended.value.rcvd.code == 1001
-
-
-@pytest.mark.filterwarnings("ignore:This process:DeprecationWarning")
-def test_a_child_keeps_neither_the_port_nor_a_page(free_port):
-    """A child that a library forks, as loaders of data do, has copies of all sockets."""
-    with ViewerServer(port=free_port) as server, page_of(server) as line, silent_line(server, buffer=1 << 20) as deaf:
-        wait_until(lambda: count(server) == 2)
-        child = os.fork()
-        if child == 0:
-            try:
-                server.pages.scene.add_group()
-                server.close()
-                time.sleep(30)
-            finally:
-                os._exit(0)
-        try:
-            server.pages.scene.add_label("still here", (0, 0, 0))
-            assert hear_until(line, "node", kind="label")["text"] == "still here"
-            server.close()
-            with pytest.raises(ConnectionClosed):
-                line.recv(timeout=60)
-            deaf.settimeout(60)
-            while deaf.recv(1 << 16):  # to its end, which a copy of the line would keep from coming
-                pass
-            with pytest.raises(ConnectionRefusedError):
-                socket.create_connection(("127.0.0.1", free_port), timeout=60)
-            with ViewerServer(port=free_port) as second:
-                assert second.port == free_port
-                assert is_well(second)
-        finally:
-            os.kill(child, signal.SIGKILL)
-            os.waitpid(child, 0)
 
 
 def run_python(script: str, **settings) -> subprocess.CompletedProcess[str]:
