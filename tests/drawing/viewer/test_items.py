@@ -11,6 +11,7 @@ from pointloom.drawing.render.styles import Style
 from pointloom.drawing.render.view import fit_view
 from pointloom.drawing.viewer.camera import camera_of, reach_of, view_of
 from pointloom.drawing.viewer.coloring_choice import ColoringChoice, choices_of
+from pointloom.drawing.viewer.extents import Extents
 from pointloom.drawing.viewer.items import Frame, make_item
 from pointloom.drawing.viewer.link import CameraState
 from pointloom.drawing.viewer.surfaces import line_arrays, surface_arrays
@@ -246,3 +247,26 @@ def test_the_scene_lies_between_what_is_drawn_nearest_and_farthest(distance):
     assert reach["near"] < distance - 0.5 and distance + 0.5 < reach["far"]
     assert reach["closest"] < distance < reach["farthest"]
     assert reach["far"] / reach["near"] <= 1e5
+
+
+def test_the_union_is_that_of_all_boxes_after_each_of_many_changes(rng):
+    extents, boxes = Extents(), {}
+    for _ in range(400):
+        name = f"box {rng.integers(40)}"
+        if rng.random() < 0.3:
+            extents.drop(name)
+            boxes.pop(name, None)
+        else:
+            low = rng.integers(-5, 5, 3).astype(float)
+            boxes[name] = low, low + rng.integers(0, 3, 3)
+            extents.put(name, boxes[name])
+        found = extents.union()
+        assert len(extents) == len(boxes)
+        if not boxes:
+            assert found is None
+            continue
+        assert (found[0] == np.min([low for low, _ in boxes.values()], axis=0)).all()
+        assert (found[1] == np.max([high for _, high in boxes.values()], axis=0)).all()
+    corners = extents.corners()
+    assert corners.shape == (8 * len(boxes), 3)
+    assert {tuple(corner) for corner in corners} >= {tuple(low) for low, _ in boxes.values()}
