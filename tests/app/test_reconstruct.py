@@ -45,30 +45,12 @@ def test_frames_become_a_mesh_a_path_and_a_picture(walked, tmp_path, device):
 
 
 @pytest.mark.slow
-def test_poses_beside_the_frames_are_not_used(walked, tmp_path):
-    told = answer("reconstruct", walked, "-o", tmp_path / "told.ply", *COARSE)
-    for path in walked.glob("*.pose.txt"):
-        path.unlink()
-    untold = answer("reconstruct", walked, "-o", tmp_path / "untold.ply", *COARSE)
-    assert (tmp_path / "told.ply").read_bytes() == (tmp_path / "untold.ply").read_bytes()
-    assert told["errors"] is not None and untold["errors"] is None
-
-
-@pytest.mark.slow
 def test_frames_that_are_lost_are_a_poor_result_with_a_mesh(walked, tmp_path):
     cover(walked, 5, 6)
     report = poor_answer("reconstruct", walked, "-o", tmp_path / "mesh.ply", *COARSE)
     assert [entry["frame"] for entry in report["lost"]] == [5, 6]
     assert "2 of 8 frames were lost (frame 5-6) and are left out: " in report["poor"]
     assert len(read_triangle_mesh(tmp_path / "mesh.ply")) > 1000
-
-
-@pytest.mark.slow
-def test_frames_without_colour_give_a_mesh_without(walked, tmp_path):
-    for path in walked.glob("*.color.png"):
-        path.unlink()
-    answer("reconstruct", walked, "-o", tmp_path / "mesh.ply", *COARSE)
-    assert read_triangle_mesh(tmp_path / "mesh.ply").vertex_colors is None
 
 
 class Closure:
@@ -165,14 +147,6 @@ def test_slac_takes_up_the_stages_and_bends_the_frames(walked, tmp_path, small_f
     assert shown.exit_code == 0
     assert f"mm apart on {report['slac']['used']} of {report['edges']} overlaps, " in shown.stdout
     assert (tmp_path / "again.ply").read_bytes() == (tmp_path / "bent.ply").read_bytes()
-
-
-@pytest.mark.slow
-def test_slac_of_a_single_fragment_says_that_it_had_nothing_to_do(walked, tmp_path):
-    words = ["--method", "fragments", *COARSE, "--every", 2, "--slac"]
-    shown = run("reconstruct", walked, "-o", tmp_path / "mesh.ply", *words)
-    assert shown.exit_code == 0, shown.stderr
-    assert "slac       nothing to align: no two fragments overlap" in shown.stdout
 
 
 @pytest.mark.slow

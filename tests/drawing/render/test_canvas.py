@@ -55,11 +55,6 @@ def test_stems_of_letters_are_crisp(device):
     assert shades[-1] > 230 and (darkness(written(device, "H", size=16)) > 200).sum() > 12
 
 
-def test_text_lies_on_whole_pixels_wherever_it_is_put(device):
-    near = written(device, "Text 12.5", x=30.4, y=20.3).to_numpy()
-    np.testing.assert_array_equal(near, written(device, "Text 12.5", x=30, y=20).to_numpy())
-
-
 def test_turned_text_is_the_text_turned(device):
     across = Canvas.blank(80, 80, device=device)
     across.text("Turn 5", 40, 40, anchor="center")
@@ -130,13 +125,6 @@ def test_a_circle_has_its_area(device):
     assert ink_box(canvas)[0] == pytest.approx(10, abs=1)
 
 
-def test_dots_have_their_colours(device):
-    canvas = Canvas.blank(60, 60, device=device)
-    canvas.dots([[10, 10], [40, 40]], radius=4, colors=[[255, 0, 0], [0, 0, 255]])
-    picture = canvas.to_numpy()
-    assert picture[10, 10].tolist() == [255, 0, 0] and picture[40, 40].tolist() == [0, 0, 255]
-
-
 def test_a_polyline_is_broken_where_a_place_is_not_finite(device):
     canvas = Canvas.blank(60, 20, device=device)
     canvas.polyline([[5, 10], [20, 10], [np.nan, 3], [30, np.inf], [40, 10], [55, 10]], color=BLACK)
@@ -170,13 +158,6 @@ def test_everything_outside_the_picture_is_left_out(device):
     canvas.image(np.zeros((5, 5, 3), np.uint8), 100, -100)
     canvas.segments(np.empty((0, 4)))
     assert not darkness(canvas).any()
-
-
-def test_a_copy_is_a_picture_of_its_own(device):
-    canvas = Canvas.of_image(np.full((10, 20, 3), 7, np.uint8), device)
-    other = canvas.copy()
-    other.rectangle(0, 0, 20, 10, fill=RED)
-    assert (canvas.to_numpy() == 7).all() and canvas.to_numpy().shape == (10, 20, 3)
 
 
 @pytest.mark.parametrize(

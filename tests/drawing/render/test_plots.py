@@ -82,12 +82,6 @@ def test_far_values_do_not_squeeze_the_rest(device):
     assert len(set(places_of(near, PLAIN)[1].tolist())) > 150
 
 
-def test_marks_are_lines_at_their_values(device):
-    picture = histogram(np.arange(100.0), marks=[("middle", 49.5)], size=SIZE, device=device).to_numpy()
-    rows, columns = places_of(picture, label_color(1))
-    assert np.ptp(rows[columns == np.median(columns)]) > 100
-
-
 def test_curves_pass_through_their_values(device):
     canvas = curves({"a": [0.0, 1.0, 0.0]}, limits=(0, 1), size=SIZE, device=device)
     rows, columns = places_of(canvas.to_numpy(), label_color(0), 40)

@@ -68,17 +68,12 @@ def test_a_cell_that_runs_again_closes_what_it_opened(kernel, metadata):
     kernel.run("draw(a); draw(b)", **metadata)
     again = opened()
     assert all(viewer.closed and not viewer.words for viewer in first) and not other.closed and not again.closed
-
-
-def test_cells_of_the_same_text_are_told_apart_by_their_names(kernel):
-    kernel.run("draw(a)", cellId="one")
-    first = opened()
-    kernel.run("draw(a)", cellId="two")
+    kernel.run("draw(a); draw(b)", cellId="of the same text")
     opened()
-    assert not first.closed
-    kernel.run("draw(a, b)", cellId="one")  # an edited cell is the same one
+    assert not again.closed
+    kernel.run("draw(edited)", **metadata)
     opened()
-    assert first.closed
+    assert again.closed == bool(metadata)
 
 
 def test_of_too_many_the_oldest_goes_and_says_so(kernel):

@@ -15,7 +15,6 @@ from pointloom.drawing.viewer.extents import Extents
 from pointloom.drawing.viewer.items import Frame, make_item
 from pointloom.drawing.viewer.link import CameraState
 from pointloom.drawing.viewer.surfaces import line_arrays, surface_arrays
-from pointloom.drawing.viewer.whole_cloud import even_share
 from pointloom.drawing.viewer.words import told
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import upload
@@ -63,14 +62,6 @@ def test_poses_of_style_and_of_the_program_follow_each_other(rng):
     assert (item.sample() <= high + 1e-6).all()
 
 
-def test_an_array_and_an_object_with_points_are_clouds_too(rng):
-    points = rng.random((20, 3))
-    for given_as in (points, points.astype(np.float32), loom.PointCloud(points)):
-        item = make_item("cloud", 0, given_as, Style())
-        assert len(item.cloud) == 20
-        assert np.allclose(item.cloud.points, points, atol=1e-6)
-
-
 def test_a_cloud_shows_its_own_colors_then_those_of_the_choice(rng):
     cloud = loom.PointCloud(rng.random((30, 3)), colors=np.tile([[1.0, 0, 0]], (30, 1)), label=np.arange(30) % 3)
     item = make_item("cloud", 0, cloud, Style())
@@ -98,14 +89,6 @@ def test_a_choice_that_no_cloud_knows_names_those_that_there_are(rng):
         ColoringChoice().checked("ring", "rainbow", None, items)
     with pytest.raises(ValueError, match="limits"):
         ColoringChoice().checked("height", None, (1, 0), items)
-
-
-def test_a_share_is_of_all_parts_of_a_cloud():
-    assert even_share(100, 100) is None
-    rows = even_share(10_000, 1000)
-    assert len(np.unique(rows)) == 1000
-    assert (np.diff(rows) > 0).all()
-    assert np.ptp(np.histogram(rows, 10, (0, 10_000))[0]) <= 2
 
 
 @pytest.mark.parametrize(

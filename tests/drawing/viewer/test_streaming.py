@@ -163,7 +163,6 @@ def test_a_view_is_filled_up_to_the_budget(client, stream):
     assert stream.total == len(POINTS)
 
 
-@pytest.mark.slow
 def test_points_are_sent_where_they_lie(client, stream, tree):
     """Within a quarter of a pixel, near and far, half a million metres from zero."""
     precisions = []
@@ -171,7 +170,7 @@ def test_points_are_sent_where_they_lie(client, stream, tree):
         stream.look(view)
         precisions.append({str(node.positions.dtype) for node in client.seen()})
         sent = client.world() + UTM
-        chosen = np.random.default_rng(1).choice(len(sent), 25, replace=False)
+        chosen = np.random.default_rng(1).choice(len(sent), 10, replace=False)
         gaps = distances_to(sent[chosen], POINTS)
         away = np.linalg.norm(sent[chosen] - view.T_world_camera[:3, 3], axis=1)
         assert (gaps / away * view.intrinsic.fx).max() < 0.5  # along all three axes together
