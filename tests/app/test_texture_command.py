@@ -59,15 +59,6 @@ def test_a_texture_is_filled_where_the_mesh_has_coordinates(scan, tmp_path):
     assert mesh.vertex_colors is None
 
 
-@pytest.mark.slow
-def test_an_atlas_is_made_where_the_mesh_has_no_coordinates(scan, tmp_path):
-    pytest.importorskip("xatlas")
-    words = ["texture", scan / "bare.ply", scan / "room", "-o", tmp_path / "out.obj", "--size", "512"]
-    report = answer(*words, "--method", "none", "--every", "2", "--device", "cpu")
-    assert report["texel_share"] > 0.3 and len(loom.read_triangle_mesh(tmp_path / "out.obj")) == report["triangles"]
-    assert len(names_in(tmp_path)) == 3  # .obj, .mtl and the picture
-
-
 def test_poses_stay_where_no_method_is_asked(scan, tmp_path):
     words = ["texture", scan / "bare.ply", scan / "room", "-o", tmp_path / "out.ply", "--method", "none"]
     report = answer(*words, "--every", "2", "--picture", tmp_path / "out.png")

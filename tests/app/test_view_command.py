@@ -137,9 +137,8 @@ def test_volumes_and_polygons_are_shown(tmp_path, mesh):
     volume.save(tmp_path / "volume.npz")
     polygon = loom.SelectionPolygonVolume([[0, 0, 0], [1, 0, 0], [1, 1, 0]], "Z", axis_min=0, axis_max=1)
     polygon.to_json(tmp_path / "cropped.json")
-    report = answer(
-        "view", tmp_path / "volume.npz", tmp_path / "cropped.json", mesh, "--screenshot", tmp_path / "out.png"
-    )
+    files = tmp_path / "volume.npz", tmp_path / "cropped.json", mesh
+    report = answer("view", *files, "--screenshot", tmp_path / "out.png")
     assert [one["kind"] for one in report["geometries"]] == ["TSDFVolume", "SelectionPolygonVolume", "TriangleMesh"]
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import random
 import socket
 import threading
 import time
@@ -364,14 +363,3 @@ def test_a_page_that_goes_while_something_is_sent_to_it_warns_nobody(server):
     client.camera.put(fov=1.0)
     client.notify("late", "late")
     assert not client.is_open
-
-
-def test_random_bytes_at_the_socket_of_a_page_end_it_alone(server):
-    picker = random.Random(0)
-    with page_of(server) as good:
-        for _ in range(20):
-            with silent_line(server) as line:
-                line.recv(100)
-                line.sendall(picker.randbytes(200))
-        server.pages.scene.add_group()
-        assert hear_until(good, "node")["kind"] == "group"

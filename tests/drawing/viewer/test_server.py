@@ -12,7 +12,6 @@ import socket
 import subprocess
 import sys
 import textwrap
-import threading
 import time
 import weakref
 
@@ -256,15 +255,6 @@ def test_closing_twice_is_no_error_and_what_is_closed_says_so(capfd):
     assert capfd.readouterr() == ("", "")
 
 
-def test_closing_ends_the_threads():
-    before = set(threading.enumerate())
-    with ViewerServer(port=0) as server:
-        server.pages.on_client_connect(lambda client: None)
-        with page_of(server) as line:
-            hear(line)
-    wait_until(lambda: {thread for thread in threading.enumerate() if thread.is_alive()} <= before)
-
-
 def test_closing_frees_the_memory(quick_collection):
     with ViewerServer(port=0) as server:
         server.pages.scene.add_points(np.zeros((100_000, 3), np.float32), plain=(255, 0, 0))
@@ -333,19 +323,3 @@ except KeyboardInterrupt:
 """
     done = run_python(script, env=os.environ | {"PYTHONPATH": SRC})
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
-
-
-def test_without_the_extra_the_line_to_run_is_said():
-    script = """
-        import sys
-        sys.modules["websockets"] = None
-        from pointloom.drawing.viewer.server import ViewerServer
-        from pointloom.core.errors import PointloomError
-        try:
-            ViewerServer(port=0)
-        except ImportError as error:
-            assert isinstance(error, PointloomError)
-            print(error)
-    """
-    done = run_python(script, env=os.environ | {"PYTHONPATH": SRC})
-    assert 'pip install "pointloom[viewer]"' in done.stdout, done.stderr

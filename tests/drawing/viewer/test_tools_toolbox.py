@@ -23,6 +23,12 @@ def page(tmp_path):
     page.box.close()
 
 
+def draw_triangle(page):
+    for corner in ((300, 200), (700, 220), (640, 600)):
+        page.click(*corner)
+    page.key("enter")
+
+
 def click_on(page, place):
     page.click(*project(page.now, place)[:2])
 
@@ -121,9 +127,7 @@ def test_a_page_of_an_exposed_viewer_downloads_what_it_crops_and_writes_nothing(
     page = StandIn(tmp_path, exposed=True, waves=loom.PointCloud(waves()))
     page.press("Crop by polygon")
     assert page.page.control("file").hint == "downloaded by this page"
-    for corner in ((300, 200), (700, 220), (640, 600)):
-        page.click(*corner)
-    page.key("enter")
+    draw_triangle(page)
     kept = page.items["waves (cropped)"].cloud
     (file,) = page.page.others("download")
     assert file.name == "cropped.json" and "downloaded as cropped.json" in page.told
@@ -133,9 +137,7 @@ def test_a_page_of_an_exposed_viewer_downloads_what_it_crops_and_writes_nothing(
     np.testing.assert_array_equal(page.items["waves"].cloud.crop(volume).points, kept.points)
     page.press("Undo crop")
     page.set("view", "free view")
-    for corner in ((300, 200), (700, 220), (640, 600)):
-        page.click(*corner)
-    page.key("enter")
+    draw_triangle(page)
     assert page.page.others("download")[1].name == "cropped.ply"
     assert [path.name for path in tmp_path.iterdir()] == ["it"]
     page.box.close()
@@ -164,9 +166,7 @@ def test_a_free_view_keeps_what_is_seen_inside_as_a_cloud(page, tmp_path):
     page.press("Crop by polygon")
     page.set("view", "free view")
     assert not looks_along_axis(page.now) and page.page.control("file").value == "cropped.ply"
-    for corner in ((300, 200), (700, 220), (640, 600)):
-        page.click(*corner)
-    page.key("enter")
+    draw_triangle(page)
     assert "saved to" in page.told
     saved = loom.read_point_cloud(tmp_path / "cropped.ply")
     np.testing.assert_allclose(saved.points, page.items["waves (cropped)"].cloud.points)
@@ -191,9 +191,7 @@ def test_a_page_writes_plain_names_in_one_folder_only(page, tmp_path, name):
         file_in(tmp_path, name, (".json",))
     page.press("Crop by polygon")
     page.set("file", name)
-    for corner in ((300, 200), (700, 220), (640, 600)):
-        page.click(*corner)
-    page.key("enter")
+    draw_triangle(page)
     assert "plain name" in page.told and list(page.items) == ["waves"] and list(tmp_path.iterdir()) == []
 
 

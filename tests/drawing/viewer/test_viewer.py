@@ -343,14 +343,6 @@ def test_remove_and_clear_leave_nothing(shown, page, rng):
     assert np.linalg.norm(shown.frame.origin - UTM) < 2
 
 
-def test_a_page_that_comes_back_sees_everything_again(shown, rng):
-    shown.add("cloud", cloud_of(rng.random((123, 3))))
-    for _ in range(2):
-        with page_in(shown) as page:
-            assert len(node_of(shown, page, "cloud").positions) == 123
-        assert not shown.sessions
-
-
 def test_two_pages_look_elsewhere(shown, page, rng):
     shown.add("cloud", cloud_of(rng.random((50, 3))))
     with page_in(shown) as other:
