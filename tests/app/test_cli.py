@@ -251,9 +251,8 @@ def test_an_interruption_while_writing_leaves_nothing(cloud, tmp_path, monkeypat
     assert names_in(tmp_path) == before
 
 
-@pytest.mark.parametrize(
-    ("number", "code"), [pytest.param(signal.SIGINT, 130, marks=pytest.mark.slow), (signal.SIGTERM, 143)]
-)
+@pytest.mark.slow
+@pytest.mark.parametrize(("number", "code"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
 def test_a_signal_while_writing_leaves_nothing(cloud, tmp_path, number, code):
     before = names_in(tmp_path)
     program = """

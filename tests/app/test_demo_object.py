@@ -20,6 +20,7 @@ def test_points_lie_off_the_surface_by_the_noise_and_not_without(device, monkeyp
     assert np.quantile(np.abs(exact), 0.95) < 3e-4  # but in the creases, which the grid rounds
 
 
+@pytest.mark.slow
 def test_normals_look_out_of_the_sofa(monkeypatch):
     cloud = scan_sofa(device=resolve_device("cpu"))
     solids = sofa().solids(resolve_device("cpu"))

@@ -244,7 +244,7 @@ def test_a_surface_that_leaves_half_of_its_points_out_is_poor():
 
 
 def test_an_alpha_shape_that_spans_a_hollow_is_poor():
-    x, y = np.random.default_rng(1).uniform(-1, 1, (2, 4000))
+    x, y = np.random.default_rng(1).uniform(-1, 1, (2, 1500))
     bowl = loom.PointCloud(np.column_stack([x, y, 0.2 * (x * x + y * y)]))  # a few spacings deep
     spanned, followed = (loom.create_surface(bowl, "alpha", alpha=alpha) for alpha in (10.0, 0.1))
     assert "made up to close the surface; take a smaller alpha" in str(spanned.poor)
