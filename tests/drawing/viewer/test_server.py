@@ -134,13 +134,13 @@ def test_a_page_that_is_known_goes_over_once(server):
 
 def test_without_the_token_there_is_nothing_but_words(server):
     for query in (
-        "", "?token=", "?token=wrong", "?token=%ff%00", "?token=\u00e4", "?Token={token}", "?token={token}x",
+        "", "?token=", "?token=wrong", "?token=%ff%00", "?Token={token}", "?token={token}x",
         "?token={token}&token={token}", "?token[]={token}", "?" + "&" * 1000,
     ):  # fmt: skip
-        path = "/" + query.format(token=server.pages.token)
-        answer = send_raw(server, f"GET {path} HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n".encode())
-        assert not answer or answer.startswith((b"HTTP/1.1 403 ", b"HTTP/1.1 400 ")), query
-        assert server.pages.token.encode() not in answer and b"<script" not in answer, query
+        status, _, body = get(server, "/" + query.format(token=server.pages.token))
+        assert status in (400, 403) and server.pages.token.encode() not in body and b"<script" not in body, query
+    answer = send_raw(server, "GET /?token=\u00e4 HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n".encode())
+    assert not answer or answer.startswith((b"HTTP/1.1 403 ", b"HTTP/1.1 400 "))
 
 
 def test_a_websocket_without_the_token_gets_403(server):
