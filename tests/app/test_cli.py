@@ -321,14 +321,6 @@ def test_the_package_runs_as_a_module():
     assert stdout.split()[-1] == loom.__version__
 
 
-def test_fuse_with_json_prints_one_object(frames, tmp_path):
-    report = answer("fuse", frames, "-o", tmp_path / "out.ply", "--voxel", "0.1", "--every", "2", "--device", "cpu")
-    assert report["frames"] == 3
-    assert report["voxel_size"] == 0.1
-    assert report["truncation"] == pytest.approx(0.4)
-    assert report["files"] == [str(tmp_path / "out.ply")]
-
-
 def test_fuse_says_which_camera_it_used(frames, tmp_path):
     words = ["fuse", frames, "--voxel", "0.1", "-o", tmp_path / "out.ply", "--force"]
     given = json.loads((frames / "camera-intrinsics.json").read_text())

@@ -160,15 +160,6 @@ def test_info_refuses_what_it_does_not_know(tmp_path, name):
     assert refusal("info", tmp_path / name).startswith(f"error: {tmp_path / name}")
 
 
-@pytest.mark.parametrize("suffix", [".pcd", ".npz"])
-def test_convert_keeps_every_value(cloud, tmp_path, suffix):
-    report = answer("convert", cloud, tmp_path / f"out{suffix}")
-    assert (report["points"], report["left_out"]) == (500, [])
-    before, after = loom.read_point_cloud(cloud), loom.read_point_cloud(tmp_path / f"out{suffix}")
-    for name in ("points", "colors", "intensity"):
-        np.testing.assert_array_equal(after[name], before[name])
-
-
 @pytest.mark.parametrize(
     ("source", "suffix", "left_out"),
     [
@@ -283,15 +274,6 @@ def test_info_tells_what_metashape_exported(tmp_path):
     assert report["pictures"] == 1
     assert report["left_out"] == ["lost: not aligned"]
     assert report["camera_bounds"] == {"min": [2, 3, 4], "max": [2, 3, 4]}
-
-
-def test_a_damaged_model_is_an_error_with_its_place(tmp_path):
-    loom.write_colmap_model(tmp_path, MODEL)
-    data = (tmp_path / "points3D.bin").read_bytes()
-    (tmp_path / "points3D.bin").write_bytes(data[:-3])
-    result = run("info", tmp_path)
-    assert result.exit_code == 1
-    assert f"error: {tmp_path / 'points3D.bin'} (byte " in result.stderr
 
 
 def test_a_model_without_points_is_told(tmp_path):

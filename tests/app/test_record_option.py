@@ -90,18 +90,6 @@ def test_commands_of_frames_record_the_camera_and_the_surface(frames, tmp_path, 
     assert "the surface of" in text
 
 
-def test_multiway_records_where_clouds_end_up(tmp_path, rng):
-    folder = tmp_path / "scans"
-    folder.mkdir()
-    points = bumpy(rng)
-    for k, T in enumerate((np.eye(4), NEAR)):
-        loom.write_point_cloud(folder / f"{k}.ply", loom.PointCloud(moved(points, T)))
-    file = tmp_path / "r.html"
-    report = answer("multiway", folder, "-o", tmp_path / "p.log", *VOXEL, "--record", file)
-    assert report["files"][-1] == str(file)
-    assert "2 of 2 clouds placed, 2 in all" in file.read_text()
-
-
 def test_a_place_that_cannot_be_written_is_told_before_any_work(pair, tmp_path):
     assert "does not exist" in refusal("register", *pair, "--record", tmp_path / "no" / "r.gif")
     (tmp_path / "r.gif").write_bytes(b"keep")

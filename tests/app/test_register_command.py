@@ -250,8 +250,6 @@ def test_a_start_that_is_no_pose_is_an_error(near, tmp_path):
     for text, why in (
         ("1 0 0 0\n" * 3, "expected 4 rows of a pose, got 3"),
         ("1 0 0 0\n" * 4, "expected a rigid motion"),
-        ("1 0 0\n" * 4, "expected 4 numbers"),
-        ("1 0 0 x\n" * 4, "not a number"),
     ):
         start.write_text(text)
         assert why in refusal("register", *near, "--init", start)

@@ -81,14 +81,6 @@ def test_track_writes_the_path_and_its_errors(guided, frames, tmp_path):
     assert tracker.folded == [f"frame-{i:06d}" for i in range(6)]
 
 
-def test_without_true_poses_there_are_no_errors(guided, frames, tmp_path, monkeypatch):
-    without_poses(frames)
-    monkeypatch.setattr(Guided, "judge", lambda self, frame: TrackingResult(np.eye(4), "tracked"))
-    assert answer("track", frames, "-o", tmp_path / "poses.txt")["errors"] is None
-    assert "ATE" not in run("track", frames, "-o", tmp_path / "poses.tum").stdout
-    assert read_trajectory(tmp_path / "poses.txt").timestamps.tolist() == [0, 1, 2, 3, 4, 5]
-
-
 def test_a_lost_frame_has_no_pose_and_is_told(guided, frames, tmp_path):
     tracker = guided({2: "lost", 3: "lost", 5: "uncertain"})
     report = poor_answer("track", frames, "-o", tmp_path / "poses.log")

@@ -95,13 +95,6 @@ def test_anything_can_be_written(device, text):
     assert bool(darkness(canvas).any()) == bool(str(text).strip())
 
 
-def test_a_halo_makes_text_read_on_a_dark_ground(device):
-    canvas = Canvas.blank(100, 40, (0.0, 0.0, 0.2), device)
-    canvas.text("Label", 50, 20, size=16, color=BLACK, anchor="center", halo=(1, 1, 1))
-    picture = canvas.to_numpy()
-    assert (picture > 200).all(axis=2).sum() > 60 and (picture[:, [0, -1]] == [0, 0, 51]).all()
-
-
 def test_what_is_drawn_later_lies_above(device):
     canvas = Canvas.blank(40, 40, device=device)
     canvas.rectangle(5, 5, 20, 20, fill=BLACK)

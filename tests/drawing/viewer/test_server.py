@@ -301,9 +301,9 @@ SRC = os.pathsep.join(path for path in sys.path if path)
 @pytest.mark.parametrize(
     "end",
     [
-        "", "import os, signal; os.kill(os.getpid(), signal.SIGINT)",
+        "",
         *(pytest.param(end, marks=pytest.mark.slow) for end in (
-            "server.close()", "import sys; sys.exit(0)",
+            "import os, signal; os.kill(os.getpid(), signal.SIGINT)", "server.close()", "import sys; sys.exit(0)",
             "import asyncio\nasync def cell():\n    ViewerServer(port=0).close()\nasyncio.run(cell())",
         )),
     ],

@@ -161,6 +161,9 @@ def test_a_view_is_filled_up_to_the_budget(client, stream):
     assert 0.7 * BUDGET < stream.drawn <= BUDGET
     assert stream.drawn == len(client.world())
     assert stream.total == len(POINTS)
+    before = len(client.messages)
+    stream.look(FAR)  # again, and nothing is sent
+    assert len(client.messages) == before
 
 
 def test_points_are_sent_where_they_lie(client, stream, tree):
@@ -230,13 +233,6 @@ def test_a_plain_cloud_is_plain(client):
     stream = CloudStream(client, DetailTree.from_cloud(loom.PointCloud(POINTS[:500])), origin=UTM, budget=1000)
     stream.look(FAR)
     assert {tuple(c) for node in client.seen() for c in node.colors.tolist()} == {PLAIN}
-
-
-def test_looking_again_sends_nothing(client, stream):
-    stream.look(FAR)
-    before = len(client.messages)
-    stream.look(FAR)
-    assert len(client.messages) == before
 
 
 def test_coming_back_shows_what_was_hidden(client, stream):
