@@ -43,6 +43,7 @@ def test_poses_that_are_off_come_back(walked, tmp_path, rng, device):
     assert report["files"] == [str(tmp_path / "mesh.ply"), str(tmp_path / "poses.log")]
 
 
+@pytest.mark.slow
 def test_a_pose_that_does_not_fit_is_kept_and_counted(walked, tmp_path):
     shift_poses(walked, [[0, 0, 1.5] if i == 4 else [0, 0, 0] for i in range(8)])
     given = true_poses(walked)

@@ -62,6 +62,7 @@ def test_register_records_a_search_as_a_start_and_a_result(pair, tmp_path):
     assert "ICP, voxels of 0.06 m, iteration 1" in text
 
 
+@pytest.mark.slow
 def test_a_poor_result_is_recorded_too(tmp_path, rng):
     for k, offset in enumerate((0, 50)):
         loom.write_point_cloud(tmp_path / f"{k}.ply", loom.PointCloud(bumpy(rng) + np.array([offset, 0, 0])))

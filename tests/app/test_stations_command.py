@@ -39,6 +39,7 @@ def files(tmp_path_factory):
     return folder
 
 
+@pytest.mark.slow
 def test_scans_go_in_and_come_out_with_their_poses_and_a_report(files):
     words = ("--targets", files / "right.csv", "--control", files / "control.csv", "--voxel", 0.3)
     told = answer(
