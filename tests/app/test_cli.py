@@ -100,14 +100,6 @@ def test_every_command_that_writes_takes_o():
             assert any({"-o", "--output"} <= set(one.opts) for one in command.params), name
 
 
-def test_an_output_is_named_by_o_or_by_its_place(tmp_path):
-    loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(np.random.default_rng(0).random((9, 3))))
-    placed, named = tmp_path / "b.ply", tmp_path / "c.ply"
-    assert run("convert", tmp_path / "a.ply", placed).exit_code == 0
-    assert run("convert", "-o", named, tmp_path / "a.ply").exit_code == 0
-    assert placed.read_bytes() == named.read_bytes()
-
-
 def test_an_extension_of_poses_is_one_format_in_every_command():
     for name in ("fuse", "track", "reconstruct", "multiway", "odometry"):
         assert ".txt or .tum (TUM), .log (Open3D)" in " ".join(run(name, "--help").stdout.split()), name

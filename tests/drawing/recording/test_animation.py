@@ -6,7 +6,6 @@ import io
 import json
 import shutil
 import subprocess
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -174,22 +173,6 @@ def test_an_ffmpeg_that_fails_is_quoted_and_leaves_nothing(tmp_path, monkeypatch
     with pytest.raises(FileError, match="no such codec"), loom.record(tmp_path / "a.mp4", size=(64, 48)) as r:
         r.add("cloud", np.zeros((1, 3)))
     assert [entry.name for entry in tmp_path.iterdir()] == ["bin"]
-
-
-def test_an_animation_that_is_interrupted_leaves_the_file_that_was_there(tmp_path: Path):
-    path = tmp_path / "walk.gif"
-    path.write_bytes(b"old")
-
-    def stop(stage: str, done: int, total: int) -> None:
-        if done == 2:
-            raise KeyboardInterrupt
-
-    with pytest.raises(KeyboardInterrupt), loom.record(path, size=(64, 48), progress=stop) as r:
-        r.add("cloud", np.random.default_rng(0).random((10, 3)))
-        for k in range(4):
-            r.step(str(k))
-    assert path.read_bytes() == b"old"
-    assert [entry.name for entry in tmp_path.iterdir()] == ["walk.gif"]
 
 
 def test_a_gif_faster_than_viewers_play_is_refused(tmp_path):

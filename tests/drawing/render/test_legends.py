@@ -104,16 +104,3 @@ def test_a_text_is_cut_to_fit():
     assert shortened.endswith("…") and canvas.text_width(shortened, 14) <= 100
     assert cut_text("anything", 14, 1) == "…"
     assert cut_text("i" * 10_000_000, 14, 100).endswith("i…")  # at once
-
-
-@pytest.mark.parametrize(
-    ("act", "error", "message"),
-    [
-        (lambda c: draw_legend(c, [], "middle"), ValueError, "corner: expected one of upper left"),
-        (lambda c: draw_legend(c, "text"), TypeError, "entries: expected a list of names with colours"),
-        (lambda c: draw_labels(c, 5), TypeError, "labels: expected a list"),
-    ],
-)
-def test_bad_arguments_are_refused(act, error, message):
-    with pytest.raises(error, match=message):
-        act(Canvas.blank(20, 20))

@@ -16,7 +16,7 @@ from pointloom.drawing.viewer.live_timeline import ENTRY
 from pointloom.drawing.viewer.logged import asked_by_page
 from pointloom.drawing.viewer.viewer import Viewer
 
-from .pages import HELLO, hear_until, line_of, say, wait_until
+from .stand_in import page_in
 
 POSE = np.eye(4)
 POSE[:3, 3] = 1, 2, 3
@@ -174,8 +174,11 @@ def test_the_time_line_comes_with_the_second_moment_and_follows_the_newest(viewe
         viewer.update("a", cloud_of(frame))
     control = viewer.timeline._control
     assert (control.min, control.max, control.step, control.value) == (0, 2, 1, 2)
-    drag(viewer, 1)
-    assert shown(viewer)["a"][0] == 1
+    with page_in(viewer) as page:
+        page.say("value", id=control.id, value=1)
+        assert shown(viewer)["a"][0] == 1
+        for wrong in ("1", None, True):  # what is no number is passed over
+            page.say("value", id=control.id, value=wrong)
     viewer.set_time(3)
     viewer.update("a", cloud_of(3))
     assert (control.max, control.value) == (3, 1) and shown(viewer)["a"][0] == 1
@@ -197,22 +200,6 @@ def test_times_in_seconds_are_reached_by_steps_of_the_page(viewer):
         drag(viewer, float(value))
         assert shown(viewer)["a"][0] == step
     assert viewer.timeline.is_live
-
-
-def test_a_page_drags_the_time_line_and_is_told_the_newest(viewer):
-    tell_story(viewer)
-    with line_of(viewer.server) as line:
-        say(line, HELLO)
-        control = hear_until(line, "control", 30.0, kind="timeline")
-        say(line, {"say": "value", "id": control["id"], "value": 1})
-        wait_until(lambda: shown(viewer) == STORY[1])
-        viewer.set_time(4)
-        assert hear_until(line, "setcontrol", 30.0, id=control["id"], max=4.0)["max"] == 4
-        for wrong in ("1", -100, 1e9, None, True):  # what is no number is passed over, others are brought within
-            say(line, {"say": "value", "id": control["id"], "value": wrong})
-        say(line, {"say": "value", "id": control["id"], "value": 4})
-        wait_until(lambda: viewer.timeline.is_live and viewer.timeline._control.value == 4)
-    assert shown(viewer) == STORY[3]
 
 
 def test_what_stays_is_held_once_and_a_pose_costs_little(viewer):

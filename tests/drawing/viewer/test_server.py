@@ -245,16 +245,6 @@ def test_closing_frees_the_port_at_once(free_port):
                         line.recv(timeout=60)
 
 
-def test_closing_twice_is_no_error_and_what_is_closed_says_so(capfd):
-    server = ViewerServer(port=0)
-    server.close()
-    server.close()
-    assert server.closed
-    with pytest.raises(ViewerError, match="closed"):
-        _ = server.pages
-    assert capfd.readouterr() == ("", "")
-
-
 def test_closing_frees_the_memory(quick_collection):
     with ViewerServer(port=0) as server:
         server.pages.scene.add_points(np.zeros((100_000, 3), np.float32), plain=(255, 0, 0))
