@@ -76,6 +76,13 @@ def test_the_version_is_the_package_s():
     assert run("--version").stdout.split()[-1] == loom.__version__
 
 
+def test_no_command_shows_the_help():
+    result = run()
+    assert result.exit_code == 0
+    assert "Commands:" in result.stdout
+    assert result.stderr == ""
+
+
 OLD_NAMES = [
     ("normals", "--max-nn", "--neighbors"),
     ("clean", "--ratio", "--deviations"),

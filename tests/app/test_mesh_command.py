@@ -251,6 +251,13 @@ def test_an_alpha_shape_that_spans_a_hollow_is_poor():
     assert "made up" not in str(followed.poor)
 
 
+def test_normals_are_doubted_beyond_a_tenth():
+    made = NormalsUsed("made of the 30 nearest points", given=False, disagreement=0.1)
+    assert made.why_doubted() is None
+    said = dataclasses.replace(made, disagreement=0.2).why_doubted()
+    assert said is not None and "though they were oriented" in said
+
+
 def test_a_room_looks_inwards_and_an_object_or_a_sheet_does_not():
     assert looks_inwards(closed(inwards=True))
     assert not looks_inwards(closed()) and not looks_inwards(grid())

@@ -44,6 +44,14 @@ def test_frames_become_a_mesh_a_path_and_a_picture(walked, tmp_path, device):
     assert names_in(tmp_path) == ["mesh.ply", "mesh.png", "poses.log", "walk"]
 
 
+def test_reconstruct_sums_up(walked, tmp_path):
+    shown = run("reconstruct", walked, "-o", tmp_path / "mesh.ply", *COARSE, "--every", 4)
+    assert shown.exit_code == 0, shown.stderr
+    for part in ("2 of 2, ", "ATE", "RPE", "loops", "voxels of 50 mm", "mesh.ply"):
+        assert part in shown.stdout
+    assert shown.stderr == ""
+
+
 @pytest.mark.slow
 def test_frames_that_are_lost_are_a_poor_result_with_a_mesh(walked, tmp_path):
     cover(walked, 5, 6)

@@ -109,6 +109,13 @@ def test_a_broken_picture_in_the_middle_is_left_out_and_named(guided, frames, tm
     assert read_trajectory(tmp_path / "poses.log").ids[:, 0].tolist() == [0, 1, 2, 4, 5]
 
 
+def test_a_missing_picture_is_left_out_and_named(guided, frames, tmp_path):
+    (frames / "frame-000004.color.png").unlink()
+    report = poor_answer("track", frames, "-o", tmp_path / "poses.txt")
+    assert report["frames"] == 5
+    assert "1 of 6 frames lack a picture and are left out, the first frame-000004.color.png" in report["poor"]
+
+
 def test_frames_out_of_reach_are_a_poor_result(guided, frames, tmp_path):
     report = poor_answer("track", frames, "-o", tmp_path / "poses.txt", "--depth-max", "0.1")
     assert "raise --depth-max" in report["poor"]

@@ -95,6 +95,13 @@ def test_pictures_and_pages_need_no_server(cloud, tmp_path):
     assert {"a.png", "a.html"} <= set(names_in(tmp_path))
 
 
+def test_a_page_of_its_own_is_written(cloud, tmp_path):
+    result = run("view", cloud, "--save-html", tmp_path / "out.html")
+    assert result.exit_code == 0
+    assert f"files    {tmp_path / 'out.html'}" in result.stdout
+    assert (tmp_path / "out.html").read_text().startswith("<!doctype html>")
+
+
 def test_colors_and_view_change_the_picture(cloud, tmp_path):
     bounds = ([0, 0, 0], [1, 1, 1])
     loom.write_view(tmp_path / "view.json", loom.View.from_open3d(bounds, front=[0, 0, 1], up=[0, 1, 0]), bounds)

@@ -149,6 +149,11 @@ def test_what_a_cloud_cannot_be_coloured_by_is_told(by, options, message):
         color_cloud(cloud, by, **options)
 
 
+def test_only_clouds_are_coloured():
+    with pytest.raises(TypeError, match="cloud: expected a PointCloud, got ndarray"):
+        color_cloud(np.zeros((2, 3)), "z")  # pyright: ignore[reportArgumentType]
+
+
 # Entries 0, 64, 128, 191 and 255 of matplotlib 3.11.
 QUARTERS = {
     "viridis": ["440154", "3b528b", "21918c", "5cc863", "fde725"],

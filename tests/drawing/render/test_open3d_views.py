@@ -120,6 +120,11 @@ def test_views_go_to_open3d_and_back(tmp_path, scale, offset):
     assert 0.02 <= view.to_open3d(bounds)["zoom"] <= 2
 
 
+def test_an_up_that_leans_is_set_upright():
+    view = loom.View.from_open3d(BOUNDS, front=[0, 0, 1], up=[0, 1, 5])
+    assert np.allclose(view.T_world_camera[:3, 1], (0, -1, 0))
+
+
 def test_a_box_that_is_a_point_still_has_a_view():
     assert np.isfinite(loom.View.from_open3d((LOW, LOW)).T_world_camera).all()
 

@@ -92,6 +92,15 @@ def test_the_lower_left_corner_of_a_texture_is_its_last_row(device):
     assert image[50, 70].tolist() == image[70, 90].tolist() == list(WHITE)
 
 
+def test_each_triangle_has_the_texture_of_its_material(device):
+    vertices = [[-0.5, -0.5, 0], [0.5, -0.5, 0], [0.5, 0.5, 0], [-0.5, 0.5, 0]]
+    pictures = [np.full((2, 2, 4), color, np.uint8) for color in ((255, 0, 0, 255), (0, 255, 0, 255))]
+    mesh = loom.TriangleMesh(vertices, [[0, 2, 1], [0, 3, 2]], triangle_uvs=np.zeros((6, 2)), textures=pictures)
+    mesh.triangle_material_ids = [1, 0]
+    image = loom.render(mesh, straight_view(5.0), device=device)
+    assert image[52, 87].tolist() == [0, 255, 0] and image[67, 72].tolist() == [255, 0, 0]
+
+
 def test_one_looks_into_a_closed_box_through_its_near_walls(device):
     inward = sphere()
     inward.triangles, inward.vertex_colors = inward.triangles[:, ::-1], np.clip(inward.vertices, 0, 1)

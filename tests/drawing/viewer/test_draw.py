@@ -2,6 +2,7 @@
 
 import os
 import signal
+import socket
 import subprocess
 import sys
 import threading
@@ -64,6 +65,14 @@ def test_draw_says_how_to_come_through_ssh(cloud, capfd, monkeypatch):
     assert len(lines) == 2
     assert f"ssh -L {viewer.server.port}:127.0.0.1:{viewer.server.port} " in lines[1]
     assert lines[1].endswith("@10.0.0.2")
+
+
+def test_a_port_that_is_taken_is_told_with_the_next_one(cloud, capfd):
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        port = taken.getsockname()[1]
+        with draw([cloud], port=port) as viewer:
+            first = capfd.readouterr().err.splitlines()[0]
+    assert first == f"port {port} is taken; the next free one is {viewer.server.port}"
 
 
 def test_an_open_door_is_told(cloud, capfd):

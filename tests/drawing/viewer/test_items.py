@@ -12,7 +12,7 @@ from pointloom.drawing.render.view import fit_view
 from pointloom.drawing.viewer.camera import camera_of, reach_of, view_of
 from pointloom.drawing.viewer.coloring_choice import ColoringChoice, choices_of
 from pointloom.drawing.viewer.extents import Extents
-from pointloom.drawing.viewer.items import Frame, make_item
+from pointloom.drawing.viewer.items import Frame, make_item, to_bytes
 from pointloom.drawing.viewer.link import CameraState
 from pointloom.drawing.viewer.surfaces import line_arrays, surface_arrays
 from pointloom.drawing.viewer.words import told
@@ -60,6 +60,10 @@ def test_poses_of_style_and_of_the_program_follow_each_other(rng):
     low, high = item.world_bounds()
     assert (item.sample() >= low - 1e-6).all()
     assert (item.sample() <= high + 1e-6).all()
+
+
+def test_colors_out_of_range_are_cut():
+    assert to_bytes([[-1, 0.5, 2], [np.nan, np.inf, -np.inf]]).tolist() == [[0, 128, 255], [0, 255, 0]]
 
 
 def test_a_cloud_shows_its_own_colors_then_those_of_the_choice(rng):

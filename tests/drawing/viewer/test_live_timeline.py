@@ -249,6 +249,20 @@ def test_what_never_changed_outlives_the_moment_it_came_in(viewer):
     assert shown(viewer) == {"still": (5, [1.0, 2.0, 3.0], True)}
 
 
+def test_pages_that_look_at_a_moment_that_goes_see_the_oldest_that_is_left(viewer):
+    viewer.history_bytes = 20 * 12_000
+    for frame in range(5):
+        viewer.set_time(frame)
+        viewer.add("a", cloud_of(frame, 1000))
+    viewer.show_time(0)
+    for frame in range(5, 60):
+        viewer.set_time(frame)
+        viewer.update("a", cloud_of(frame, 1000))
+    oldest = viewer.timeline.times[0]
+    assert oldest > 0 and shown(viewer)["a"][0] == oldest == viewer.timeline.time
+    assert not viewer.timeline.is_live
+
+
 def test_a_recording_has_a_frame_for_each_moment(viewer, tmp_path):
     tell_story(viewer)
     viewer.show_time(0)

@@ -28,6 +28,8 @@ class Waiting:
 
 
 def test_wait_ends_a_while_after_the_last_page_has_gone(shown, capfd):
+    with pytest.raises(ValueError, match="seconds"):
+        shown.wait(-1)
     waiting = Waiting(shown, 0.4)
     assert not waiting.over.wait(0.5)  # nobody was there yet
     with visitor_of(shown.server):

@@ -152,6 +152,18 @@ def test_a_large_cloud_is_shown_in_part_while_its_levels_are_built(small_steps, 
         assert page.others("progress")[-1].text == ""
 
 
+def test_levels_of_what_was_replaced_meanwhile_are_let_go(small_steps, rng, monkeypatch):
+    may_go, build = threading.Event(), DetailTree.from_cloud
+    monkeypatch.setattr(DetailTree, "from_cloud", lambda cloud: may_go.wait(30) and build(cloud))
+    with Viewer(port=0, max_points=2000) as shown, page_in(shown):
+        shown.add("cloud", loom.PointCloud(rng.random((5000, 3))))
+        shown.update("cloud", loom.PointCloud(rng.random((50, 3))))
+        may_go.set()
+        wait_until(lambda: "pointloom-levels" not in feeders())
+        assert shown.items["cloud"].tree is None
+        wait_until(lambda: stream_of(shown).drawn == 50)
+
+
 def test_tools_learn_of_each_change_of_the_scene(rng):
     with Viewer(port=0) as shown, page_in(shown):
         shown.add("cloud", loom.PointCloud(rng.random((10, 3))))
