@@ -92,7 +92,6 @@ def test_a_path_that_was_lost_is_a_poor_result_and_names_the_scans(real_file, tm
     assert "likely lost from scan 3 on" in report["poor"]
 
 
-@pytest.mark.slow
 def test_scans_that_do_not_come_to_rest_are_named(drive, tmp_path, monkeypatch):
     steps = iter([False, True, True, False, True, True])
 

@@ -21,7 +21,7 @@ PLACES = {"A": [2, -3, 0.5], "B": [9, 4, 1.5], "C": [16, 2, 2], "D": [5, 12, 1]}
 def files(tmp_path_factory):
     """Three scans with rough poses, tables of what they saw, and the same with two names exchanged."""
     folder = tmp_path_factory.mktemp("stations")
-    clouds, truth = scan_all(BOXES, COURT[:3], 1, columns=180, rows=60)
+    clouds, truth = scan_all(BOXES, COURT[:3], 1, columns=120, rows=40)
     truth[:, :3, 3] += FAR
     rough = truth.copy()
     rough[:, :3, 3] += np.random.default_rng(0).normal(0, 0.2, (3, 3))
@@ -39,7 +39,6 @@ def files(tmp_path_factory):
     return folder
 
 
-@pytest.mark.slow
 def test_scans_go_in_and_come_out_with_their_poses_and_a_report(files):
     words = ("--targets", files / "right.csv", "--control", files / "control.csv", "--voxel", 0.3)
     told = answer(

@@ -68,7 +68,6 @@ def test_poses_stay_where_no_method_is_asked(scan, tmp_path):
     assert names_in(tmp_path) == ["out.ply", "out.png"]
 
 
-@pytest.mark.slow
 def test_the_summary_tells_what_was_done(scan, tmp_path):
     result = run("texture", scan / "bare.ply", scan / "room", "-o", tmp_path / "out.ply", "--every", "2")
     assert result.exit_code == 0, result.stderr

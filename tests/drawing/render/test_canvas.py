@@ -175,6 +175,11 @@ def test_bad_arguments_are_refused(name, words, options, error, message):
         getattr(canvas, name)(*words, **options)
 
 
+def test_a_picture_of_another_size_is_refused():
+    with pytest.raises(ValueError, match="picture: expected 300 numbers, got 1200"):
+        Canvas(Canvas.blank(20, 20).sheet.picture, 10, 10)
+
+
 LOW, HIGH = (-1.0, 0.5), (2.0, 3.0)
 SHARES = np.linspace(0, 1, 2001)
 
