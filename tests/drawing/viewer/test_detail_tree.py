@@ -116,14 +116,14 @@ def look_at(points, distance=None):
 @pytest.fixture(scope="module")
 def hilly():
     """Points at UTM coordinates and their tree."""
-    points = hills(np.random.default_rng(0), 150_000, UTM)
+    points = hills(np.random.default_rng(0), 100_000, UTM)
     return points, DetailTree.from_cloud(loom.PointCloud(points))
 
 
 def test_a_view_takes_coarse_nodes_first_within_the_budget(hilly):
     points, tree = hilly
     seen = set(np.flatnonzero(tree._in_view(look_at(points))).tolist())
-    for budget in (1, 20_000, 70_000, 10**9):
+    for budget in (1, 20_000, 10**9):
         nodes = tree.select(look_at(points), budget)
         assert sum(tree.counts[nodes]) <= max(budget, tree.counts[nodes[0]])
         assert len(nodes) == len(set(nodes))

@@ -260,7 +260,7 @@ def test_closing_frees_the_memory(quick_collection):
 
 def test_closing_does_not_wait_for_a_page_that_does_not_read():
     with ViewerServer(port=0) as server:
-        server.pages.scene.add_points(np.zeros((500_000, 3), np.float32), plain=(255, 0, 0))
+        server.pages.scene.add_points(np.zeros((200_000, 3), np.float32), plain=(255, 0, 0))
         with silent_line(server):
             wait_until(lambda: count(server) == 1)
             start = time.monotonic()
