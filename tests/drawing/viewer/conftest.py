@@ -1,7 +1,8 @@
-"""A viewer's server."""
+"""A viewer's server; walks over what a test made alone."""
 
 from __future__ import annotations
 
+import gc
 from collections.abc import Iterator
 
 import pytest
@@ -17,3 +18,11 @@ def server(capfd) -> Iterator[ViewerServer]:
     with ViewerServer(port=0) as server:
         yield server
     assert capfd.readouterr() == ("", "")
+
+
+@pytest.fixture
+def quick_collection() -> Iterator[None]:
+    """`gc.collect()` leaves out the objects that existed before the test."""
+    gc.freeze()
+    yield
+    gc.unfreeze()
