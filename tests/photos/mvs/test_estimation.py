@@ -72,18 +72,6 @@ def test_little_room_on_the_device_changes_no_bit():
     assert digest(estimate(cameras, sources=sources)) == digest(estimate(cameras, sources=sources, device_bytes=0))
 
 
-@pytest.mark.slow  # a line of tests/test_compilers.py
-@pytest.mark.taichi
-def test_both_compilers_give_the_same_bits():
-    from pointloom.kernels.lang import cpu_compiler
-
-    found = []
-    for name in ("taichi", "warp"):
-        with cpu_compiler(name):
-            found.append(digest(estimate(three())))
-    assert found[0] == found[1]
-
-
 def test_another_seed_gives_other_planes_of_the_same_surface():
     one, other = estimate(three()), estimate(three(), seed=1)
     assert digest(one) != digest(other)

@@ -20,8 +20,6 @@ from pointloom.photos.sfm.verdict import Verdict
 from .conftest import has_pycolmap
 from .test_verdict import FOCAL, HEIGHT, WIDTH, model_of, views
 
-# ------------------------------------------------------------------------------------------- what is told of figures
-
 
 def told(**figures: float) -> str:
     return "; ".join(CameraCheck(**figures).reasons())
@@ -106,8 +104,6 @@ def test_what_the_pictures_say_of_the_focal_length_makes_a_verdict(points):
     assert kept.poor is None and kept.to_json()["remarks"] == list(kept.remarks) != []
 
 
-# --------------------------------------------------------------------------------------------- what COLMAP is asked
-
 ASK = """
 import json, pathlib, runpy, sys
 import pycolmap
@@ -157,7 +153,6 @@ def asked(tmp_path_factory) -> dict:
     return json.loads(done.stdout.splitlines()[-1])
 
 
-@pytest.mark.slow
 def test_pictures_from_the_side_fix_the_focal_length_and_straight_ahead_none(asked):
     assert asked["around"]["rise"] > 0.1 and asked["around"]["found"] == pytest.approx(FOCAL, rel=0.01)
     assert asked["ahead"]["rise"] < 0.002

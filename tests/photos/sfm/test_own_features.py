@@ -57,6 +57,7 @@ def own(walked, tmp_path_factory) -> SimpleNamespace:
     return SimpleNamespace(**np.load(work / "read.npz"), report=report, kinds=kinds, picture=paths[1])
 
 
+@pytest.mark.slow
 def test_colmap_reads_the_features_that_were_found(own):
     for kinds, places, descriptors in zip(
         own.kinds, (own.keypoints_a, own.keypoints_b), (own.descriptors_a, own.descriptors_b), strict=True
@@ -69,12 +70,14 @@ def test_colmap_reads_the_features_that_were_found(own):
         np.testing.assert_allclose(np.angle(np.exp(1j * turns)), 0, atol=1e-5)
 
 
+@pytest.mark.slow
 def test_colmap_reads_the_matches_that_were_found(own):
     pairs = loom.sfm.match_keypoints(*own.kinds)
     assert len(pairs) > 100
     np.testing.assert_array_equal(own.matches, pairs)
 
 
+@pytest.mark.slow
 def test_what_colmap_keeps_of_them_lies_on_true_epipolar_lines(own):
     assert 0.8 * len(own.matches) < len(own.geometry) == own.report.match_count
     poses = walk(8)
@@ -102,6 +105,7 @@ def nearest(
     return gaps.min(axis=1), gaps.argmin(axis=1)
 
 
+@pytest.mark.slow
 def test_colmaps_features_are_ours_too_and_look_the_same(own):
     kinds = own.kinds[0]
     places, scales, turns = own.colmap_places[:, :2] - 0.5, own.colmap_places[:, 2], own.colmap_places[:, 3]
@@ -114,6 +118,7 @@ def test_colmaps_features_are_ours_too_and_look_the_same(own):
     assert np.quantile(off, 0.95) < 20 and np.median(others) > 200  # of descriptors of length 512
 
 
+@pytest.mark.slow
 def test_most_of_opencvs_features_are_ours_too(own, tmp_path):
     pytest.importorskip("cv2")
     subprocess.run([sys.executable, "-c", OPENCV, own.picture, str(tmp_path / "f.npz")], check=True, timeout=120)
