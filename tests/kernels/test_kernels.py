@@ -2,6 +2,7 @@
 
 import importlib
 import pkgutil
+from functools import cache
 
 import pytest
 
@@ -11,11 +12,15 @@ from pointloom.kernels.lang import Func, Kernel, Loop, Reduction
 MOST_PARAMETERS = 14  # several that are one thing are a structure; more than these want a reason here
 
 
+@cache
+def modules():
+    names = [found.name for found in pkgutil.walk_packages(kernels.__path__, "pointloom.kernels.")]
+    return {name: importlib.import_module(name) for name in names}
+
+
 def device_code(kind):
-    for found in pkgutil.walk_packages(kernels.__path__, "pointloom.kernels."):
-        for name, value in vars(importlib.import_module(found.name)).items():
-            if isinstance(value, kind):
-                yield f"{found.name}.{name}", value
+    for module, content in modules().items():
+        yield from ((f"{module}.{name}", value) for name, value in vars(content).items() if isinstance(value, kind))
 
 
 # Each kernel is checked at its first use, too, and by `make check-cuda`.

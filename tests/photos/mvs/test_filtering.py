@@ -7,7 +7,7 @@ import pytest
 
 import pointloom as loom
 
-from .made_maps import BALLS, cameras, changed, true_map, true_maps
+from .made_maps import BALLS, cameras, changed, lifted, true_map, true_maps
 
 UTM = (512_345.25, 5_403_210.5, 310.0)
 
@@ -20,12 +20,8 @@ def same(a, b):
 
 def seen_by_others(maps, i):
     """How many other cameras have the point of each pixel in the picture and unhidden (within 2 %)."""
-    depth, camera = maps[i].depth.astype(np.float64), maps.cameras[i]
-    lens = camera.intrinsic
-    v, u = np.mgrid[: lens.height, : lens.width]
-    local = np.stack([(u - lens.cx) / lens.fx * depth, (v - lens.cy) / lens.fy * depth, depth], -1).reshape(-1, 3)
-    T = np.linalg.inv(camera.T_camera_world)
-    world, count = local @ T[:3, :3].T + T[:3, 3], np.zeros(depth.size, int)
+    depth = maps[i].depth
+    world, count = lifted(depth, maps.cameras[i]).reshape(-1, 3), np.zeros(depth.size, int)
     for j in range(len(maps)):
         if j == i:
             continue

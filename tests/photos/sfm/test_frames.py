@@ -113,11 +113,6 @@ def test_movement_is_that_of_the_picture(panned):
     assert movement(np.zeros((60, 80), np.uint8), np.zeros((80, 60), np.uint8)) == 1
 
 
-def test_memory_does_not_grow_with_the_length_of_a_video(panned):
-    picker = picked(panned)
-    assert len(picker._small) <= frame_picker.LAG + frame_picker.NEAR + 1
-
-
 def test_frames_are_thinned_evenly_with_first_and_last():
     numbers = list(range(0, 1000, 7))
     few = spaced(numbers, 10)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import math
 
 import numpy as np
 import pytest
@@ -14,7 +13,7 @@ from pointloom.core.errors import FileError
 from pointloom.kernels.features.epipolar_matching import LineFeatures, LineSearches, match_along_lines
 from pointloom.photos.sfm import triangulation
 from pointloom.photos.sfm.guided_matches import essential_of, match_guided, pairs_in_view, read_matches, write_matches
-from pointloom.photos.sfm.pose_check import PoseCheck, check_poses
+from pointloom.photos.sfm.pose_check import check_poses
 from pointloom.photos.sfm.posed_pictures import with_poses as pictures_with_poses
 from pointloom.photos.sfm.verdict import Verdict, judge_model
 
@@ -162,12 +161,6 @@ def test_one_wrong_pose_among_many_is_named(model, features):
     check = checked(with_poses(model, poses), features)
     assert check.strays == (model.names[3],)
     assert model.names[3] in check.remarks()[0]
-
-
-def test_a_check_comes_back_from_json():
-    check = PoseCheck(100, 0.2, math.nan, "axes", 0.9, math.nan, ("a.png",))
-    told = PoseCheck.from_json(check.to_json())
-    assert told.strays == check.strays and told.cause == check.cause and math.isnan(told.focal)
 
 
 def blank(folder, names, size=(WIDTH, HEIGHT)):

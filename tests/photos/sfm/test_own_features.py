@@ -77,23 +77,6 @@ def test_colmap_reads_the_matches_that_were_found(own):
     np.testing.assert_array_equal(own.matches, pairs)
 
 
-@pytest.mark.slow
-def test_what_colmap_keeps_of_them_lies_on_true_epipolar_lines(own):
-    assert 0.8 * len(own.matches) < len(own.geometry) == own.report.match_count
-    poses = walk(8)
-    T = poses[4] @ np.linalg.inv(poses[2])
-    x, y, z = T[:3, 3]
-    E = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]]) @ T[:3, :3]
-    middle = np.array([(WIDTH - 1) / 2, (HEIGHT - 1) / 2])
-    a, b = (
-        np.column_stack([(each.positions[rows] - middle) / FOCAL, np.ones(len(rows))])
-        for each, rows in zip(own.kinds, own.geometry.T, strict=True)
-    )
-    lines = a @ E.T
-    off = FOCAL * np.abs((b * lines).sum(axis=1)) / np.hypot(lines[:, 0], lines[:, 1])
-    assert np.median(off) < 0.3 and np.mean(off < 1.5) > 0.95  # [px]
-
-
 def nearest(
     places: np.ndarray, scales: np.ndarray, kinds: loom.sfm.Keypoints, turns: np.ndarray | None = None
 ) -> tuple[np.ndarray, np.ndarray]:

@@ -143,16 +143,6 @@ def test_blank_pictures_give_no_model_but_a_verdict(tmp_path):
         assert json.loads(json.dumps(report.to_json(), allow_nan=False))
 
 
-@pytest.mark.slow
-def test_pictures_of_two_sizes_are_two_cameras(walked, tmp_path):
-    cut = [pixels[:, : WIDTH - 20 * (k % 2)].copy() for k, pixels in enumerate(walked)]
-    pictures = write_pictures(tmp_path / "pictures", cut[:3])
-    found = loom.sfm.find_features(pictures, tmp_path / "f.db", max_features=100)
-    assert found.sizes == {(320, 240): 2, (300, 240): 1}
-    with sqlite3.connect(tmp_path / "f.db") as connection:
-        assert connection.execute("SELECT width FROM cameras ORDER BY 1").fetchall() == [(300,), (320,)]
-
-
 @pytest.mark.parametrize(
     ("name", "remedy"), [("empty.png", "empty"), ("grey.png", "16-bit grey"), ("side.jpg", "lies on its side")]
 )
