@@ -151,7 +151,7 @@ def slope(height=60, width=90):
 
 
 @hypothesis.given(st.floats(40, 400), st.floats(-5, 1.5), st.floats(0.01, 100))
-@hypothesis.settings(max_examples=10, deadline=None)
+@hypothesis.settings(max_examples=6, deadline=None)
 def test_focal_length_and_shift_of_a_point_map_come_back(focal, shift, size):
     points, valid = size * point_map(slope(), focal, shift), np.ones((60, 90), bool)
     free = recover_pinhole(points, valid, None)

@@ -114,7 +114,7 @@ def test_a_published_file_leaves_nothing_open(name, files):
     assert loom.DepthModel(files[name], FILES[name][0]).note is None
 
 
-@pytest.mark.parametrize("name", ["dav2 indoor", "moge-2", "metric3d"])
+@pytest.mark.parametrize("name", ["dav2 indoor", "metric3d"])
 def test_metric_maps_are_aligned_by_a_scale_and_contrary_references_refused(name, files):
     picture = picture_of()
     truth = 3 * depth_of(picture)
@@ -222,7 +222,7 @@ def test_the_command_refuses_a_metric_file_under_the_default_preset_and_writes_n
 
 
 def test_the_summary_says_that_a_camera_is_the_network_s(photo, files):
-    result = run(*words(photo, files["depth pro"], "--preset", "depth-pro"))
+    result = run(*words(photo, files["unidepth"], "--preset", "unidepth-v2"))
     assert result.exit_code == 0
     assert "from the network" in result.stdout
     assert "shapes are stretched" not in result.stdout

@@ -186,13 +186,6 @@ def test_sources_that_make_no_sense_are_refused():
             estimate(three(), sources=sources)
 
 
-def test_progress_counts_to_the_end():
-    told = []
-    estimate(three(), progress=lambda *step: told.append(step))
-    done = [step[1] for step in told]
-    assert done == list(range(1, told[0][2] + 1)) and {step[0] for step in told} == {"depth"}
-
-
 def test_a_failure_leaves_no_finished_folder(tmp_path):
     def stop(stage, done, total):
         if done == total:

@@ -103,10 +103,10 @@ def test_a_verdict_does_not_depend_on_the_unit_or_the_place(points, scale):
 
 
 def test_few_pictures_few_points_and_several_models_are_told(points):
-    model = model_of(views(8, side=1.0, turn=0.3), points)
-    assert loom.sfm.judge_model(model, 8).poor is None
-    assert "only 8 of 20 pictures could be placed" in loom.sfm.judge_model(model, 20).poor
-    assert "the pictures fall into 2 models (8, 3 pictures)" in loom.sfm.judge_model(model, 12, model_sizes=(8, 3)).poor
-    assert loom.sfm.judge_model(model, 8, model_sizes=(8, 3)).poor is None  # the same pictures again
-    few = loom.sfm.judge_model(model_of(views(8, side=1.0, turn=0.3), points[:30]), 8)
+    model = model_of(views(4, side=1.0, turn=0.3), points)
+    assert loom.sfm.judge_model(model, 4).poor is None
+    assert "only 4 of 10 pictures could be placed" in loom.sfm.judge_model(model, 10).poor
+    assert "the pictures fall into 2 models (4, 2 pictures)" in loom.sfm.judge_model(model, 6, model_sizes=(4, 2)).poor
+    assert loom.sfm.judge_model(model, 4, model_sizes=(4, 2)).poor is None  # the same pictures again
+    few = loom.sfm.judge_model(model_of(views(4, side=1.0, turn=0.3), points[:30]), 4)
     assert "only 30 points were found" in few.poor
