@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.photos.mvs import filtering
 
 from .made_maps import BALLS, cameras, changed, lifted, true_map, true_maps
 
@@ -167,7 +168,7 @@ def test_maps_on_disk_give_the_same_bits_with_little_room_on_the_device(tmp_path
     maps = true_maps(4)
     expected = loom.mvs.filter_depth_maps(maps)
     stored = loom.mvs.DepthMaps(maps.cameras, maps.sources, list(maps), folder=tmp_path / "raw")
-    monkeypatch.setattr("pointloom.photos.mvs.filtering.KEPT_BYTES", 1)
+    monkeypatch.setattr(filtering, "KEPT_BYTES", 1)
     kept = loom.mvs.filter_depth_maps(stored, folder=tmp_path / "kept")
     assert same(kept, expected)
     assert same(loom.mvs.DepthMaps.open(tmp_path / "kept"), expected)
