@@ -8,6 +8,7 @@ import pytest
 from PIL import Image
 
 import pointloom as loom
+from pointloom.files.points import ply
 from pointloom.photos.depth import job
 from pointloom.photos.depth.presets import DEFAULT
 
@@ -204,7 +205,7 @@ def test_a_full_disk_leaves_no_half_cloud(folder, monkeypatch):
         raise OSError(28, "No space left on device")
 
     before = names_in(folder)
-    monkeypatch.setattr("pointloom.files.points.ply._write_columns", full)
+    monkeypatch.setattr(ply, "_write_columns", full)
     assert "cannot be written: No space left on device" in refusal(*words(folder))
     assert names_in(folder) == before
 

@@ -10,6 +10,7 @@ from onnx import TensorProto, helper
 
 import pointloom as loom
 from pointloom.app.shell import depth_command
+from pointloom.photos.depth import network
 from pointloom.photos.depth.presets import IMAGENET_MEAN, IMAGENET_STD, PRESETS, input_size
 
 from .tiny_networks import FLOAT, busy, fixed_map, in_strides, linear, save, seen_by, with_mean
@@ -374,7 +375,7 @@ def test_no_cuda_is_an_error_and_never_the_cpu_in_silence(tmp_path, monkeypatch)
     # CUDA by name, but its libraries are missing: onnxruntime goes on with the CPU
     both = ["CUDAExecutionProvider", "CPUExecutionProvider"]
     monkeypatch.setattr(onnxruntime, "get_available_providers", lambda: both)
-    monkeypatch.setattr("pointloom.photos.depth.network.resolve_device", lambda _: _Cuda)
+    monkeypatch.setattr(network, "resolve_device", lambda _: _Cuda)
     with pytest.raises(loom.DeviceError, match="fell back to the CPU"):
         loom.DepthModel(path, device="cuda")
     assert loom.DepthModel(path, device="auto").provider == "CPUExecutionProvider"  # which it says
