@@ -16,7 +16,7 @@ from types import SimpleNamespace
 import pytest
 
 import pointloom as loom
-from pointloom.photos.sfm import colmap_jobs, colmap_worker, features, limited_process
+from pointloom.photos.sfm import colmap_jobs, colmap_worker, features
 from pointloom.photos.sfm.limited_process import LimitedProcess
 
 from .conftest import write_pictures
@@ -181,9 +181,3 @@ def test_what_is_no_database_is_refused(tmp_path):
 def test_a_database_without_matches_says_so(stages, tmp_path):
     with pytest.raises(loom.FileError, match=r"holds no matches. sfm.match makes them"):
         loom.sfm.map_pictures(stages.pictures, stages.features_db, tmp_path / "sparse")
-
-
-def test_limits_are_checked():
-    assert limited_process.check_limits(None, None) == {"max_seconds": float("inf"), "max_memory": None}
-    with pytest.raises(ValueError, match="max_memory: expected a whole number >= 1048576"):
-        limited_process.check_limits(1, 1000)
