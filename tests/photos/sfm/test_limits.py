@@ -16,7 +16,7 @@ from types import SimpleNamespace
 import pytest
 
 import pointloom as loom
-from pointloom.photos.sfm import colmap_jobs, colmap_worker, features
+from pointloom.photos.sfm import colmap_jobs, colmap_worker, features, limited_process
 from pointloom.photos.sfm.limited_process import LimitedProcess
 
 from .conftest import write_pictures
