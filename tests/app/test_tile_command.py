@@ -1,10 +1,12 @@
 """tile plan, run, status, retry and finish."""
 
 import json
+import os
+import select
 import signal
 import subprocess
 import sys
-import time
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -33,6 +35,8 @@ def fails_once(cloud):
     return cloud
 
 def is_slow(cloud):
+    with open("begun", "wb", buffering=0) as pipe:
+        pipe.write(b".")
     time.sleep(0.3)
     return cloud
 """
@@ -184,19 +188,24 @@ def test_ctrl_c_ends_in_one_line_and_the_next_run_goes_on(job, how):
     plan_with(job, "is_slow")
     setup = (
         f"import sys; sys.path[:0] = [{str(ROOT / 'src')!r}, {str(job)!r}]; from pointloom.app.shell.cli import main; "
+        "from pointloom.app.shell import console; console.LINE_INTERVAL = 1e9; "  # no progress, however slow it is
     )
     words = [sys.executable, "-c", f"{setup}main()", "tile", "run", "job", *how]
+    os.mkfifo("begun")
+    begun = os.open("begun", os.O_RDWR)  # also for writing, so that no process waits for a reader
     for _ in range(4):
         before = answer("tile", "status", "job")
         process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, process_group=0)
-        while answer("tile", "status", "job")["running"] == 0 and process.poll() is None:
-            time.sleep(0.05)
-        time.sleep(0.1)
+        assert select.select([begun], [], [], 300)[0]
         process.send_signal(signal.SIGINT)
         stdout, stderr = process.communicate(timeout=300)
         assert (process.returncode, stdout, stderr.strip()) == (130, "", "interrupted")
+        os.read(begun, 1000)  # what this run wrote
         after = answer("tile", "status", "job")
         assert after["running"] == after["aside"] == 0 and after["done"] >= before["done"]
+    os.close(begun)
+    Path("begun").unlink()
+    Path("begun").touch()
     with Manifest(job / "job") as manifest:
         assert sum(row["attempts"] for row in manifest.rows("SELECT attempts FROM tiles")) == 0
     assert answer("tile", "run", "job", "--workers", "2")["is_finished"]

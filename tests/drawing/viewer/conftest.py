@@ -9,6 +9,8 @@ import pytest
 
 from pointloom.drawing.viewer.server import ViewerServer
 
+from .events import announced_events  # noqa: F401  a fixture
+
 
 @pytest.fixture
 def server(capfd) -> Iterator[ViewerServer]:

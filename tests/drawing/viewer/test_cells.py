@@ -12,7 +12,8 @@ import pointloom as loom
 from pointloom.drawing.viewer import cells
 from pointloom.drawing.viewer.cells import MOST_OPEN, keep, make_room
 
-from .pages import hear_until, visitor_of, wait_until
+from .events import wait_until
+from .pages import hear_until, visitor_of
 
 
 class Kernel:

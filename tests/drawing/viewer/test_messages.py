@@ -6,7 +6,6 @@ import json
 import os
 import socket
 import threading
-import time
 from contextlib import ExitStack
 
 import numpy as np
@@ -16,8 +15,9 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 from pointloom.drawing.viewer.link import hub
 from pointloom.drawing.viewer.link.worker import MOST_WAITING
 
+from .events import announce, wait_until
 from .hostile_pages import HOSTILE_VALUES, hostile_messages, near_messages
-from .pages import CAMERA, client_of, count, hear, hear_until, is_well, line_of, page_of, say, silent_line, wait_until
+from .pages import CAMERA, client_of, count, hear, hear_until, is_well, line_of, page_of, say, silent_line
 
 
 def move_to(line, fov: float) -> None:
@@ -206,6 +206,23 @@ def test_what_one_page_sets_the_others_see_and_it_hears_only_of_what_was_mended(
         assert [hear(line)[0]["value"] for line in (first, second)] == [10, 10]
 
 
+def test_a_sync_is_answered_behind_all_that_follows_from_what_was_said_before(server):
+    button, go_on = server.pages.gui.add_button("press"), threading.Event()
+    button.on_click(lambda event: go_on.wait(60) and server.pages.scene.add_group())
+    with page_of(server) as line:
+        say(line, {"say": "press", "id": button.id})
+        say(line, {"say": "sync", "n": 7})
+        for wrong in ({}, {"n": 0}, {"n": "7"}):
+            say(line, {"say": "sync"} | wrong)
+        go_on.set()
+        heard: list[str] = []
+        while "sync" not in heard:
+            heard += [f"{op['op']}" for op in hear(line)]
+        assert heard.index("node") < heard.index("sync")
+        say(line, {"say": "sync", "n": 8})
+        assert hear_until(line, "sync")["n"] == 8
+
+
 def test_a_file_is_taken_whole(server):
     button, loaded = server.pages.gui.add_upload_button("Load"), []
     button.on_upload(lambda event: loaded.append((event.value.name, event.target.value.content)))
@@ -298,14 +315,18 @@ def test_a_page_that_does_not_read_is_dropped_and_others_are_served(server, impa
     line.close()
 
 
-def test_a_page_that_reads_slowly_but_reads_is_kept(server, impatient):
+def test_a_page_that_reads_slowly_but_reads_is_kept(server, impatient, monkeypatch):
+    looks, unsent = [], hub._unsent_bytes
+    monkeypatch.setattr(hub, "_unsent_bytes", lambda line: looks.append(line) or unsent(line))
+    announce(monkeypatch, hub, "_unsent_bytes")
     server.pages.scene.add_points(np.zeros((3_000_000, 3), np.float32), plain=(255, 0, 0))
     with silent_line(server, buffer=1 << 20) as line:
         wait_until(lambda: count(server) == 1)
-        read, end = 0, time.monotonic() + 2
-        while time.monotonic() < end:
-            read += len(line.recv(100_000))
-            time.sleep(0.05)
+        read = 0
+        for look in range(1, 2 * round(hub.STALL_SECONDS / hub.WATCH_SECONDS)):
+            wait_until(lambda look=look: len(looks) > look or count(server) == 0)
+            for _ in range(5):
+                read += len(line.recv(100_000))
         assert count(server) == 1
         assert 500_000 < read < 35_000_000  # there was more to come all the time
 

@@ -3,7 +3,8 @@
 import contextlib
 import sys
 import threading
-import time
+from types import SimpleNamespace
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
@@ -16,7 +17,8 @@ from pointloom.drawing.viewer.keys import KEYS
 from pointloom.drawing.viewer.sessions import Session
 from pointloom.drawing.viewer.viewer import Viewer
 
-from .pages import HELLO, line_of, say, wait_until
+from .events import join_threads, wait_until
+from .pages import HELLO, line_of, say
 from .stand_in import page_in
 
 UTM = np.array([500_000.0, 5_600_000.0, 300.0])
@@ -412,17 +414,25 @@ def test_a_page_that_goes_in_the_midst_of_updates_does_no_harm(shown, rng):
 
 
 def test_the_camera_rests_a_while_after_it_moved(shown, page, rng, monkeypatch):
-    monkeypatch.setattr(sessions, "REST", 1.0)  # so long that a busy machine lets no motion come so late
     shown.add("cloud", cloud_of(rng.random((50, 3))))
     session, seen = session_of(shown), []
-    session.rest(lambda view: seen.append((time.monotonic(), view)))
+    wait_until(lambda: session._timer is None)
+    now, timers = 0.0, []
+    monkeypatch.setattr(sessions, "time", SimpleNamespace(monotonic=lambda: now))
+    monkeypatch.setattr(sessions.threading, "Timer", lambda *timer: timers.append(timer) or Mock())
+    session.rest(seen.append)
     for k in range(10):
+        now = 0.1 * k * sessions.REST
         page.move([float(k), 0.0, 3.0])
-        time.sleep(0.05)
-    last = time.monotonic()
-    wait_until(lambda: seen)
-    ((at, view),) = seen
-    assert at - last > 0.5
+        page.settle()
+    now = sessions.REST
+    for seconds in (sessions.REST, 0.9 * sessions.REST):  # since the first move, and what is left since the last
+        assert seen == []
+        waited, look = timers.pop(0)
+        assert waited == pytest.approx(seconds)
+        look()
+        now += 0.95 * sessions.REST  # past the end
+    (view,) = seen
     assert view.T_world_camera[0, 3] - shown.frame.origin[0] == pytest.approx(9)
 
 
@@ -435,8 +445,10 @@ def test_a_page_of_another_shape_shows_all_again_until_somebody_moves_it(shown, 
     assert seen_share(shown, points) > 1  # as wide as before in half the width
     wait_until(lambda: seen_share(shown, points) < 1)
     page.move([5.0, 5.0, 5.0], size=(400, 600))
+    rested = []
+    session_of(shown).rest(rested.append)
     page.move([5.0, 5.0, 5.0], size=(900, 600))
-    time.sleep(0.6)
+    wait_until(lambda: rested)
     assert place().tolist() == [5.0, 5.0, 5.0]
 
 
@@ -674,7 +686,7 @@ def test_a_saved_page_holds_the_scene_and_no_more_points_than_asked(rng, tmp_pat
 
 
 def test_close_frees_port_threads_and_memory(rng):
-    before = threading.active_count()
+    before = set(threading.enumerate())
     shown = Viewer(port=0)
     shown.add("cloud", cloud_of(rng.random((50, 3))))
     with page_in(shown) as page:
@@ -686,7 +698,7 @@ def test_close_frees_port_threads_and_memory(rng):
     assert not shown.items
     with pytest.raises(PointloomError, match="closed"):
         shown.add("cloud", cloud_of(rng.random((50, 3))))
-    wait_until(lambda: threading.active_count() <= before)
+    join_threads(lambda thread: thread not in before)
     with Viewer(port=port) as again:
         assert again.server.port == port
 
