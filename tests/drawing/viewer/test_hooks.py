@@ -279,8 +279,8 @@ def test_frames_come_as_a_page_takes_them_in_a_thread_and_end_with_the_viewer(vi
     viewer.add_button("End", lambda number: viewer.close())
     page.press("End")
     wait_until(lambda: viewer.closed)
-    wait_until(lambda: not threads[0].is_alive())
-    assert threading.current_thread() not in threads
+    threads[0].join(60)
+    assert not threads[0].is_alive() and threading.current_thread() not in threads
 
 
 def test_a_key_of_the_program_does_nothing_else_any_more(viewer, page):
