@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
+
 import numpy as np
 import pytest
 
@@ -89,6 +93,21 @@ def rows_of(cloud):
         columns.append((cloud.normals + np.float32(0)).view(np.int32).astype(np.int64))
     rows = np.column_stack(columns)
     return rows[np.lexsort(rows.T)]
+
+
+def kill_runner(call, job, stage):
+    """Start a run of a job with two workers, and kill its runner when a task of this stage is done."""
+    told = "lambda *words: print(*words, flush=True)"
+    program = f"import sys, pointloom as loom; {call}(sys.argv[1], workers=2, progress={told})"
+    runner = subprocess.Popen(
+        [sys.executable, "-c", program, str(job)],
+        env=os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)},
+        stdout=subprocess.PIPE,
+        text=True,
+    )
+    with runner:
+        assert any(line.startswith(stage) and not line.startswith(f"{stage} 0 ") for line in runner.stdout)
+        runner.kill()
 
 
 def plan_of(folder):

@@ -51,7 +51,14 @@ def of_las(tmp_path_factory):
     return loom.read_point_cloud(loom.scale.finish_tiles(folder / "job"))
 
 
-@pytest.mark.parametrize("name", ["a.ply", "a.pcd", "a.pts", "a.csv", "a.xyzrgb", "a.e57"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "a.ply",
+        "a.csv",
+        *(pytest.param(f"a.{kind}", marks=pytest.mark.slow) for kind in ("pcd", "pts", "xyzrgb", "e57")),
+    ],
+)
 def test_points_of_every_format_are_those_of_las(tmp_path, name, monkeypatch, of_las):
     monkeypatch.setattr(text_parts, "BLOCK", 10_000)
     monkeypatch.setattr(loose_files, "ROWS", 1500)
@@ -144,6 +151,7 @@ def test_units_that_differ_and_a_plan_cut_short(tmp_path, monkeypatch):
     loom.scale.run_tiles(tmp_path / "job")
 
 
+@pytest.mark.slow
 def test_an_index_stands_for_its_files(tmp_path):
     whole = cloud()
     loom.write_point_cloud(tmp_path / "a.laz", whole)
