@@ -138,7 +138,7 @@ def test_a_damaged_chunk_of_an_octree_fails_its_tiles_by_name(files, tmp_path):
     begin = sources.open_las(tmp_path / "whole.copc.laz").header.begin
     told = {"same": 0, "named": 0}
     expected = None
-    for number in range(12):
+    for number in range(8):
         path, job = tmp_path / f"flipped{number}.copc.laz", tmp_path / f"job{number}"
         changed = bytearray(content)
         changed[begin + 8 + int(rng.integers(0, 400))] ^= 1 << int(rng.integers(0, 8)) if number else 0
@@ -150,7 +150,7 @@ def test_a_damaged_chunk_of_an_octree_fails_its_tiles_by_name(files, tmp_path):
         told["named" if status.failed else "same"] += 1
         assert all("damaged" in error for error in status.troubles.values()), status
         assert status.failed or status.points_out == expected or number
-    assert told["named"] >= 6, told
+    assert told["named"] >= 4, told
 
 
 @pytest.mark.parametrize("fault", ["flipped", "cut"])

@@ -7,6 +7,7 @@ import random
 import shutil
 import threading
 from collections import Counter
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -311,11 +312,8 @@ def test_shares_and_two_runs_at_once_do_every_task_once(walk, whole, tmp_path, m
     loom.scale.plan_fusion(walk, job, voxel_size=VOXEL, size=2.0)
     assert loom.scale.run_job(job, part=(1, 3)).done == 0
     assert not loom.scale.run_job(job, part=(2, 3)).is_finished
-    runs = [threading.Thread(target=loom.scale.run_job, args=(job,)) for _ in range(2)]
-    for run in runs:
-        run.start()
-    for run in runs:
-        run.join()
+    with ThreadPoolExecutor() as pool:
+        [*pool.map(loom.scale.run_job, [job, job])]
     assert loom.scale.job_status(job).is_finished and set(done.values()) == {1}
     np.testing.assert_array_equal(triangles_of(read_ply_mesh(loom.scale.finish_fusion(job))), whole)
 

@@ -138,16 +138,12 @@ def test_more_points_in_one_place_than_can_be_held_are_an_error(tmp_path, monkey
     assert not [*tmp_path.glob("*.copc.laz*")]
 
 
-@pytest.mark.parametrize("fault", ["missing", "cut", "another", "damaged"])
+@pytest.mark.parametrize("fault", ["another", "damaged"])
 def test_a_bad_tile_is_named_and_no_file_is_left(tmp_path, fault):
     job = job_of(loom.PointCloud(read_las(survey(tmp_path, count=3000, files=1)[0]).points), tmp_path, 20.0)
     tile = job / "tiles" / "1_1.laz"
     content = tile.read_bytes()
-    if fault == "missing":
-        tile.unlink()
-    elif fault == "cut":
-        tile.write_bytes(content[:-100])
-    elif fault == "another":
+    if fault == "another":
         loom.write_point_cloud(tile, loom.read_point_cloud(tile).select_by_index([0, 1, 2]), like=tile)
     else:
         begin = open_las(tile).header.begin
