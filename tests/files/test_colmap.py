@@ -245,9 +245,6 @@ KEYPOINTS = NAME + len(MODEL.names[0]) + 1
 @pytest.mark.parametrize(
     ("name", "at", "new", "message"),
     [
-        ("cameras.bin", 0, struct.pack("<Q", 10**15), r"byte 0.*expected 1,000,000,000,000,000 cameras"),
-        ("images.bin", 0, struct.pack("<Q", 10**15), r"byte 0.*pictures, for which"),
-        ("points3D.bin", 0, struct.pack("<Q", 10**15), r"byte 0.*points, for which"),
         ("images.bin", 0, struct.pack("<Q", 0), "bytes follow the last record"),
         ("images.bin", KEYPOINTS, struct.pack("<Q", 2**60), "keypoints, for which"),
         ("points3D.bin", 8 + 43, struct.pack("<Q", 2**61), r"byte \d+.*ends within"),
@@ -258,7 +255,6 @@ KEYPOINTS = NAME + len(MODEL.names[0]) + 1
         ("cameras.bin", 16, struct.pack("<Q", 2**63), r"byte 8.*width"),
         ("cameras.bin", 32, struct.pack("<d", np.nan), r"byte 8.*finite"),
         ("cameras.bin", 8, struct.pack("<I", 7), "camera 1, which cameras.bin does not have"),
-        ("images.bin", POSE, struct.pack("<4d", 0, 0, 0, 0), r"byte 8.*no pose: quaternion"),
         ("images.bin", POSE, struct.pack("<d", np.nan), r"byte 8.*no pose"),
         ("images.bin", POSE + 32, struct.pack("<d", np.inf), r"byte 8.*no pose"),
         ("images.bin", NAME, b"\xff\xfe", r"byte \d+.*not UTF-8"),
@@ -268,8 +264,6 @@ KEYPOINTS = NAME + len(MODEL.names[0]) + 1
         ("images.bin", KEYPOINTS + 24, struct.pack("<q", -1), "not so there|keypoints belong"),
         ("points3D.bin", 16, struct.pack("<d", np.nan), r"byte 8.*position is not finite"),
         ("points3D.bin", 8, struct.pack("<Q", 2), r"byte \d+.*number 2 stands twice"),
-        ("points3D.bin", 8 + 51, struct.pack("<I", 77), r"byte 8.*picture 77, which is not so"),
-        ("points3D.bin", 8 + 55, struct.pack("<I", 10**6), r"byte 8.*keypoint 1000000"),
     ],
 )
 def test_damage_is_told_with_its_place(binary, name, at, new, message):
@@ -347,7 +341,6 @@ def test_a_point_without_an_error_or_a_track_is_read(tmp_path):
     ("file", "text", "message"),
     [
         ("cameras", "1 PINHOLE 640\n", "line 1.*got 3 columns"),
-        ("cameras", "1 PINHOL 640 480 1 1 1 1\n", "line 1.*unknown camera model 'PINHOL'"),
         ("cameras", "1 METASHAPE 640 480 1 1 1 1\n", "line 1.*unknown camera model"),
         ("cameras", "1 PINHOLE 640 480 1 1 1 1 1\n", "line 1.*takes fx, fy, cx, cy; got 5"),
         ("cameras", "1 PINHOLE 640 480 1 1 1 x\n", "line 1.*not a number: 'x'"),
@@ -363,7 +356,6 @@ def test_a_point_without_an_error_or_a_track_is_read(tmp_path):
         ("images", "1 1 0 0 0 0 0 0 1 a\n1 2 3\n2 1 0 0 0 0 0 0 1 a\n\n", "line 3.*'a' stands twice"),
         ("images", "1 0.5 0.5 0.5 0.6 0 0 0 1 a\n1 2 3\n", "line 1.*no pose"),
         ("images", "# nothing\n", "holds no picture"),
-        ("points3D", "3 0 0 2 1 2 3\n", "line 1.*expected 8 numbers"),
         ("points3D", "\n# c\n3 0 0 2 1 2 3 0.5 1\n", "line 3.*expected 8 numbers"),
         ("points3D", "3 0 0 2 1 2 256 0.5 1 0\n", "line 1.*colours of 0..255"),
         ("points3D", "3 0 0 2 1 2 2.5 0.5 1 0\n", "line 1.*a colour: expected a whole number"),

@@ -206,11 +206,9 @@ def test_what_is_written_is_right_for_pye57(tmp_path, rng):
 @pytest.mark.parametrize(
     "attribute",
     [
-        {"label": np.arange(2)},
         {"intensity": np.zeros((2, 2))},
         {"intensity": np.array([np.nan, 1])},
         {"row_index": np.array([True, False])},
-        {"scan_index": np.array([0.5, 1])},
         {"time_stamp": np.array([-(2**62), 2**62])},
         {"time_stamp": np.array([0, 2**63], np.uint64)},
     ],

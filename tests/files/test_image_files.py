@@ -126,13 +126,11 @@ def test_jpeg_is_not_taken_for_depth_nor_depth_for_color(tmp_path, depth, color)
 @pytest.mark.parametrize(
     ("data", "claim"),
     [
-        (b"", "empty"),
         (b"P5 2 2 65535\n", "neither PNG nor JPEG"),
         (b"\x89PNG\r\n\x1a\n", "damaged PNG header"),
         (b"\xff\xd8\xff\xe0", "damaged picture"),
         (png_claiming(2**20, 2**20), "1048576 x 1048576"),
         (png_claiming(2**31 - 1, 1), "expected 1 to"),
-        (png_claiming(0, 5), "expected 1 to"),
         (png_claiming(400, 300), "take 240300 bytes, but its stream of pixels holds 64"),
         (png_claiming(4, 4)[:-12], "the end of the PNG is missing"),
         (png_claiming(2**14, 2**14), "take 536887296 bytes"),
@@ -148,16 +146,7 @@ def test_damaged_files_are_refused(tmp_path, data, claim):
     assert claim in str(caught.value)
 
 
-@pytest.mark.parametrize(
-    "array",
-    [
-        np.zeros((2, 3)),
-        np.zeros((2, 3), np.int32),
-        np.zeros((1, 2, 3), np.float32),
-        np.zeros((0, 3), np.float32),
-        np.array([[None]]),
-    ],
-)
+@pytest.mark.parametrize("array", [np.zeros((0, 3), np.float32), np.array([[None]])])
 def test_other_arrays_are_no_depth(tmp_path, array):
     np.save(tmp_path / "d.npy", array, allow_pickle=True)
     with pytest.raises(FileError, match=r"d\.npy"):
@@ -216,11 +205,7 @@ def test_an_animation_is_not_a_frame(tmp_path, color):
 @pytest.mark.parametrize(
     ("array", "error", "claim"),
     [
-        (np.zeros((4, 4)), TypeError, "float64"),
-        (np.zeros((4, 4), np.int16), TypeError, "int16"),
         ([[1, 2]], TypeError, "list"),
-        (np.zeros((4, 4, 4), np.uint8), ValueError, r"\[4, 4, 4\]"),
-        (np.zeros((4, 4, 3), np.uint16), ValueError, r"expected shape \[h, w\] for uint16"),
         (np.zeros(4, np.uint8), ValueError, "shape"),
         (np.zeros((0, 4), np.uint8), ValueError, "pixels"),
     ],

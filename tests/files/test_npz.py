@@ -87,15 +87,12 @@ def test_archives_of_numpy_are_read_in_any_layout(path, save):
 @pytest.mark.parametrize(
     ("arrays", "reason"),
     [
-        ({}, "no array 'points' (the archive holds: nothing)"),
         ({"xyz": np.zeros((2, 3))}, "no array 'points' (the archive holds: xyz)"),
         ({"points": np.zeros((3, 2))}, "points: expected numbers of shape [n, 3], found float64 [3, 2]"),
         ({"points": np.zeros(3)}, "points: expected numbers of shape [n, 3], found float64 [3]"),
         ({"points": np.zeros((2, 3), bool)}, "points: expected numbers"),
-        ({"points": np.zeros((2, 3), complex)}, "points: expected real numbers or booleans, found complex128"),
         ({"points": np.zeros((2, 3)), "normals": np.zeros((3, 3))}, "normals: expected numbers of shape [2, 3]"),
         ({"points": np.zeros((2, 3)), "colors": np.full((2, 3), 2.0)}, "a colour is outside 0..1"),
-        ({"points": np.zeros((2, 3)), "ring": np.zeros(3)}, "ring: expected shape [2] or [2, c], found [3]"),
         (
             {"points": np.zeros((2, 3)), "ring": np.zeros((2, 2, 2))},
             "ring: expected shape [2] or [2, c], found [2, 2, 2]",
@@ -140,12 +137,9 @@ def test_a_directory_that_lies_about_the_size_is_refused(path, size):
     ("change", "reason"),
     [
         (lambda data: b"", "is empty"),
-        (lambda data: b"not a zip", "is no NPZ archive"),
         (lambda data: data[:-1], "truncated"),
         (lambda data: data + b"\0", "bytes follow its end"),
         (lambda data: b"junk" + data, "4 bytes stand before the archive"),
-        (lambda data: data[:200] + bytes([data[200] ^ 1]) + data[201:], "Bad CRC-32"),
-        (lambda data: data.replace(b"points.npy", b"points.txt"), "is no .npy array"),
         (lambda data: data.replace(b"ring__.npy", b"points.npy"), "is there twice"),
         (lambda data: data.replace(b"\x93NUMPY\1", b"\x93NUMPY\7"), "Bad CRC-32"),
     ],
@@ -162,9 +156,7 @@ def test_a_damaged_archive_is_refused(path, change, reason):
     [
         (b"\x93NUMPY", b"\x94NUMPY", "header is damaged"),
         (b"NUMPY\1", b"NUMPY\7", "unknown version"),
-        (b"{'descr'", b"{(((((((", "header is damaged"),
         (b"'<f8'", b"'<\\d'", "header is damaged"),
-        (b"(2, 3)", b"(2 , 3", "header is damaged"),
     ],
 )
 def test_a_damaged_array_header_is_refused(path, old, new, reason):

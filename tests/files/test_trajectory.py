@@ -160,10 +160,8 @@ def test_tum_takes_the_nearest_rotation_of_a_rounded_one(tmp_path):
 @pytest.mark.parametrize(
     ("name", "text", "claim"),
     [
-        ("t.log", "", "holds no pose"),
         ("t.log", "# nothing\n", "holds no pose"),
         ("t.log", log_text() + "1 1 2\n1 0 0 0\n", "line 7): ends within a pose"),
-        ("t.log", log_text() + log_text(ids="1 1"), "line 6): expected three whole numbers"),
         ("t.log", log_text(ids="0 0 1.5"), "line 1): expected three whole numbers"),
         ("t.log", log_text(ids=f"0 0 {2**63}"), "line 1): expected three whole numbers"),
         ("t.log", log_text() + log_text(np.diag([2.0, 1, 1, 1])), "line 7): pose: expected a rigid motion"),
@@ -174,11 +172,7 @@ def test_tum_takes_the_nearest_rotation_of_a_rounded_one(tmp_path):
         ("t.log", log_text().replace("1.0", "1_0"), "line 2): expected finite"),
         ("t.log", log_text().replace("1.0 0.0", "1.0", 1), "line 2): expected 4 numbers, got 3"),
         ("t.txt", "1 2 3 4\n", "line 1): expected 8 columns (TUM) or 12 (KITTI), got 4"),
-        ("t.tum", "1 " * 12, "expected 8 columns, got 12"),
-        ("t.kitti", "1 " * 8, "expected 12 columns, got 8"),
-        ("t.txt", "# t\n0 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 0.98\n", "line 3): expected a unit quaternion"),
         ("t.txt", "0 0 0 0 0 0 0 0\n", "length 0"),
-        ("t.txt", "0 0 0 0 0 0 0 1\n1 0 0 0 0 0 1\n", "line 2): expected 8 numbers, got 7"),
         ("t.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 0 0 2 0 0 0 0 1 0\n", "line 2): pose: expected a rigid"),
         ("t.json", "{}", "key class_name): missing"),
         (
