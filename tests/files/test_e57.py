@@ -173,7 +173,7 @@ def tables(draw):
 
 
 @pytest.mark.slow
-@settings(max_examples=80, derandomize=True, deadline=None, database=None)
+@settings(max_examples=25, derandomize=True, deadline=None, database=None)
 @given(table=tables())
 def test_what_is_written_reads_back(tmp_path_factory, table):
     path = tmp_path_factory.getbasetemp() / "round.e57"

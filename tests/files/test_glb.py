@@ -158,32 +158,6 @@ def test_without_scenes_the_nodes_that_are_nobodys_child_count(tmp_path):
 # ------------------------------------------------------------------------------------------------ others
 
 
-def test_open3d_reads_what_we_write(tmp_path):
-    o3d = pytest.importorskip("open3d")
-    table = textured().without_texture()
-    write_glb(tmp_path / "m.glb", table)
-    theirs = o3d.io.read_triangle_mesh(str(tmp_path / "m.glb"))
-    corners = np.asarray(theirs.triangles)
-    for name in ("vertices", "vertex_normals", "vertex_colors"):
-        ours = getattr(table, name)[table.triangles]
-        np.testing.assert_allclose(np.asarray(getattr(theirs, name))[corners], ours, atol=1e-6)
-
-
-def test_we_read_what_open3d_writes(tmp_path):
-    o3d = pytest.importorskip("open3d")
-    theirs = o3d.geometry.TriangleMesh.create_sphere(resolution=4).compute_vertex_normals()
-    theirs.paint_uniform_color([0.2, 0.4, 0.6])
-    assert o3d.io.write_triangle_mesh(str(tmp_path / "m.glb"), theirs)
-    assert not len(o3d.io.read_triangle_mesh(str(tmp_path / "m.glb")).triangles)  # it cannot read its own file
-    mesh = read_glb(tmp_path / "m.glb")
-    corners = np.asarray(theirs.triangles)
-    np.testing.assert_allclose(mesh.vertices[mesh.triangles], np.asarray(theirs.vertices)[corners], atol=1e-7)
-    np.testing.assert_allclose(
-        mesh.vertex_normals[mesh.triangles], np.asarray(theirs.vertex_normals)[corners], atol=1e-7
-    )
-    np.testing.assert_allclose(mesh.vertex_colors, [[0.2, 0.4, 0.6]] * len(mesh.vertices), atol=1 / 255)
-
-
 def test_trimesh_and_we_read_each_others_scenes(tmp_path):
     trimesh = pytest.importorskip("trimesh")
     box, ball = trimesh.creation.box([1, 2, 3]), trimesh.creation.icosphere(subdivisions=1)

@@ -16,7 +16,7 @@ from pointloom.files.pictures.image_files import PictureHeader, read_color, read
 from .png_files import png_claiming, with_checksums
 
 BITS = settings(
-    max_examples=250, derandomize=True, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+    max_examples=25, derandomize=True, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
 )
 
 
@@ -49,25 +49,6 @@ def test_any_memory_layout_is_written_as_it_looks(tmp_path, depth, view):
     array = {"transposed": depth.T, "every other": depth[::2, ::-2], "other byte order": depth.astype(">u2")}[view]
     write_png(tmp_path / "d.png", array)
     assert np.array_equal(read_depth(tmp_path / "d.png"), array)
-
-
-def test_open3d_reads_what_we_write(tmp_path, depth, color):
-    o3d = pytest.importorskip("open3d", exc_type=ImportError)
-    for name, array in (("d.png", depth), ("c.png", color), ("g.png", color[:, :, 0])):
-        write_png(tmp_path / name, array)
-        assert np.array_equal(np.asarray(o3d.io.read_image(str(tmp_path / name))), array)
-
-
-def test_real_frames_are_read_as_open3d_reads_them(data):
-    o3d = pytest.importorskip("open3d", exc_type=ImportError)
-    paths = [data / "rgbd-cupoch-redwood5" / "depth" / "00004.png"]
-    if not hasattr(data, "is_shipped"):
-        paths.append(data / "rgbd-7scenes-redkitchen" / "frame-000007.depth.png")
-    for path in paths:
-        assert np.array_equal(read_depth(path), np.asarray(o3d.io.read_image(str(path))))
-    path = data / "rgbd-cupoch-redwood5" / "color" / "00004.jpg"
-    theirs = np.asarray(o3d.io.read_image(str(path))).astype(int)
-    assert np.abs(read_color(path).astype(int) - theirs).max() <= 3  # two JPEG decoders round differently
 
 
 @pytest.mark.parametrize("mode", ["1", "L", "LA", "P", "RGBA", "CMYK"])

@@ -189,16 +189,16 @@ def run_in_little_memory(folder, script, *paths):
     return answer.stdout
 
 
+@pytest.mark.slow
 def test_a_chunk_size_beyond_the_memory_does_not_end_the_process(tmp_path, rng):
     for point_format in (0, 3, 6):
         make(tmp_path / f"{point_format}.laz", point_format, 300, rng)
     run_in_little_memory(tmp_path, CHUNKS, *tmp_path.glob("*.laz"))
 
 
-@pytest.mark.parametrize("point_format", [3, 7])
-def test_chunks_of_very_many_points_are_unpacked_to_the_same_points(point_format, tmp_path, rng, monkeypatch):
+def test_chunks_of_very_many_points_are_unpacked_to_the_same_points(tmp_path, rng, monkeypatch):
     path = tmp_path / "a.laz"
-    make(path, point_format, 120_000, rng, [laspy.ExtraBytesParams("height", "f4")])
+    make(path, 7, 51_000, rng, [laspy.ExtraBytesParams("height", "f4")])
     expected = read_las(path)
     monkeypatch.setattr("pointloom.files.points.laszip._PARALLEL_CHUNK_BYTES", 0)
     found = read_las(path)

@@ -42,7 +42,7 @@ def tables(draw):
 
 
 @pytest.mark.parametrize("suffix", [".las", ".laz"])
-@settings(max_examples=60, derandomize=True, deadline=None, database=None)
+@settings(max_examples=25, derandomize=True, deadline=None, database=None)
 @given(table=tables())
 def test_what_is_written_reads_back(suffix, tmp_path_factory, table):
     path = tmp_path_factory.getbasetemp() / f"round{suffix}"

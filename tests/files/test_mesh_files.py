@@ -129,50 +129,12 @@ def test_a_file_without_usable_faces_is_refused(tmp_path, header, reason):
         read_ply_mesh(path)
 
 
-def test_open3d_and_we_read_each_others_ply_meshes(tmp_path):
-    o3d = pytest.importorskip("open3d")
-    written, path = mesh(), str(tmp_path / "m.ply")
-    write_ply_mesh(path, written)
-    theirs = o3d.io.read_triangle_mesh(path)
-    np.testing.assert_array_equal(np.asarray(theirs.vertices), written.vertices)
-    np.testing.assert_array_equal(np.asarray(theirs.triangles), written.triangles)
-    np.testing.assert_array_equal(np.asarray(theirs.vertex_normals), written.vertex_normals)
-    np.testing.assert_allclose(np.asarray(theirs.vertex_colors), written.vertex_colors, atol=1e-7)
-    assert o3d.io.write_triangle_mesh(path, theirs)
-    read = read_ply_mesh(path)
-    np.testing.assert_array_equal(read.vertices, written.vertices)
-    np.testing.assert_array_equal(read.triangles, written.triangles)
-
-
-@pytest.mark.parametrize("normals", [False, True])
-@pytest.mark.parametrize("colors", [False, True])
-def test_open3d_reads_our_obj(tmp_path, normals, colors):
-    o3d = pytest.importorskip("open3d")
-    written, path = bare(mesh(), normals=normals, colors=colors), str(tmp_path / "m.obj")
-    write_obj(path, written)
-    theirs = o3d.io.read_triangle_mesh(path)
-    assert len(theirs.triangles) == len(written.triangles)
-    corners = np.asarray(theirs.vertices)[np.asarray(theirs.triangles)]
-    np.testing.assert_allclose(corners, written.vertices[written.triangles], rtol=1e-6)
-
-
 def test_obj_text_is_what_the_specification_says(tmp_path):
     small = MeshTable(np.eye(3, dtype=np.float32), np.array([[0, 1, 2]]), np.eye(3), np.eye(3) * 0.5)
     write_obj(tmp_path / "m.obj", small)
     assert (tmp_path / "m.obj").read_text().splitlines() == [
         "v 1 0 0 0.5 0 0", "v 0 1 0 0 0.5 0", "v 0 0 1 0 0 0.5", "vn 1 0 0", "vn 0 1 0", "vn 0 0 1", "f 1//1 2//2 3//3",
     ]  # fmt: skip
-
-
-def test_open3d_reads_our_stl(tmp_path):
-    o3d = pytest.importorskip("open3d")
-    written, path = bare(mesh(np.float64)), str(tmp_path / "m.stl")
-    write_stl(path, written)
-    theirs = o3d.io.read_triangle_mesh(path)
-    facets = np.asarray(theirs.vertices)[np.asarray(theirs.triangles)]
-    real = [k for k, row in enumerate(written.triangles) if len(set(row)) == 3]
-    expected = written.vertices[written.triangles[real]].astype(np.float32)
-    assert {facet.tobytes() for facet in facets.astype(np.float32)} >= {facet.tobytes() for facet in expected}
 
 
 def test_stl_bytes_are_what_the_specification_says(tmp_path):

@@ -26,12 +26,6 @@ def obj(tmp_path, text):
     return tmp_path / "m.obj"
 
 
-def sorted_facets(vertices, triangles):
-    """The corners of the triangles in float32, sorted: equal for equal surfaces in whatever order."""
-    facets = np.asarray(vertices)[np.asarray(triangles)].astype(np.float32).reshape(-1, 9)
-    return facets[np.lexsort(facets.T)]
-
-
 # ------------------------------------------------------------------------------------------------ OBJ
 
 
@@ -48,16 +42,6 @@ def test_real_files_are_what_a_reading_by_hand_gives(data, name):
     table = read_obj(path)
     np.testing.assert_array_equal(table.vertices, vertices)
     np.testing.assert_array_equal(table.triangles, triangles)
-
-
-def test_a_real_file_has_the_triangles_that_open3d_reads(data):
-    o3d = pytest.importorskip("open3d")
-    path = data / "mesh-common3d" / "fandisk.obj"
-    ours, theirs = loom.read_triangle_mesh(path), o3d.io.read_triangle_mesh(str(path))
-    # its parser of decimals is a bit off: 15.2005 and so on come as the float32 beside the nearest
-    np.testing.assert_allclose(
-        sorted_facets(ours.vertices, ours.triangles), sorted_facets(theirs.vertices, theirs.triangles), rtol=2.5e-7
-    )
 
 
 @pytest.mark.parametrize(
@@ -233,26 +217,6 @@ def test_real_meshes_through_stl_keep_their_triangles(data, tmp_path, name):
     table, corners = read_stl(tmp_path / "m.stl"), source.vertices.astype(np.float32)[source.triangles]
     np.testing.assert_array_equal(table.vertices[table.triangles], corners)
     assert len(table.vertices) == len(np.unique(corners.reshape(-1, 3), axis=0))
-
-
-@pytest.mark.parametrize("as_text", [False, True])
-def test_stl_that_open3d_writes_has_its_triangles(tmp_path, rng, as_text):
-    o3d = pytest.importorskip("open3d")
-    sphere = o3d.geometry.TriangleMesh.create_sphere(resolution=6).compute_triangle_normals()
-    path = tmp_path / "m.stl"
-    if as_text:
-        facets = np.asarray(sphere.vertices)[np.asarray(sphere.triangles)]
-        lines = ["".join(f"vertex {x:.9g} {y:.9g} {z:.9g}\n" for x, y, z in facet) for facet in facets]
-        body = "".join(f"facet normal 0 0 0\nouter loop\n{corners}endloop\nendfacet\n" for corners in lines)
-        path.write_text(f"solid\n{body}endsolid\n")
-    else:
-        assert o3d.io.write_triangle_mesh(str(path), sphere)
-    ours, theirs = read_stl(path), o3d.io.read_triangle_mesh(str(path))
-    # its parser of decimals is a bit off: 15.2005 and so on come as the float32 beside the nearest
-    np.testing.assert_allclose(
-        sorted_facets(ours.vertices, ours.triangles), sorted_facets(theirs.vertices, theirs.triangles), rtol=2.5e-7
-    )
-    assert loom.read_triangle_mesh(path).is_watertight()
 
 
 def test_a_binary_file_that_begins_with_solid_is_read(tmp_path):

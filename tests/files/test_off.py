@@ -7,7 +7,6 @@ import re
 import numpy as np
 import pytest
 
-import pointloom as loom
 from pointloom.core.errors import FileError
 from pointloom.files.meshes.off import read_off, write_off
 from pointloom.files.table import MeshTable
@@ -43,29 +42,6 @@ def test_what_we_write_reads_back_the_same(tmp_path, normals, colors, dtype):
         assert (getattr(read, name) is not None) == given
         if given:
             np.testing.assert_array_equal(getattr(read, name), getattr(written, name))
-
-
-@pytest.mark.parametrize("normals", [False, True])
-@pytest.mark.parametrize("colors", [False, True])
-def test_open3d_and_we_read_each_others_files(tmp_path, normals, colors):
-    o3d = pytest.importorskip("open3d")
-    written, path = mesh(normals, colors), str(tmp_path / "m.off")
-    for _ in range(2):
-        loom_mesh = loom.TriangleMesh(written.vertices, written.triangles)
-        loom_mesh.vertex_normals = written.vertex_normals if normals else np.zeros((30, 3))
-        write_off(path, written)
-        theirs = o3d.io.read_triangle_mesh(path)
-        np.testing.assert_allclose(np.asarray(theirs.vertices), written.vertices, rtol=1e-7)
-        np.testing.assert_array_equal(np.asarray(theirs.triangles), written.triangles)
-        assert (theirs.has_vertex_normals(), theirs.has_vertex_colors()) == (normals, colors)
-        if normals:
-            np.testing.assert_allclose(np.asarray(theirs.vertex_normals), written.vertex_normals, rtol=1e-6)
-        if colors:
-            np.testing.assert_allclose(np.asarray(theirs.vertex_colors), written.vertex_colors, atol=1e-7)
-        assert o3d.io.write_triangle_mesh(path, theirs)
-        written = read_off(path)
-    np.testing.assert_allclose(written.vertices, mesh().vertices, rtol=1e-5)  # it writes 6 digits
-    assert (written.vertex_normals is not None, written.vertex_colors is not None) == (normals, colors)
 
 
 @pytest.mark.parametrize(

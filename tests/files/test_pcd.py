@@ -14,8 +14,6 @@ from pointloom.files.points import lzf
 from pointloom.files.points.pcd import read_pcd, write_pcd
 from pointloom.files.table import PointTable
 
-from .real_files import real_files
-
 ENCODINGS = ("ascii", "binary", "binary_compressed")
 HEAD = (
     "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\n"
@@ -61,8 +59,7 @@ def path(tmp_path):
 
 
 @pytest.mark.parametrize("encoding", ENCODINGS)
-@pytest.mark.parametrize("dtype", [np.float32, np.float64])
-@pytest.mark.parametrize("count", [0, 1, 120, 2000])
+@pytest.mark.parametrize(("count", "dtype"), [(0, np.float32), (1, np.float64), (120, np.float32), (500, np.float64)])
 def test_every_array_survives_a_round_trip_to_the_bit(path, encoding, dtype, count):
     table = cloud(count, dtype)
     write_pcd(path, table, encoding=encoding)
@@ -252,7 +249,7 @@ def test_an_unknown_encoding_is_a_value_error(path):
         write_pcd(path, cloud(), encoding="zip")  # type: ignore[arg-type]
 
 
-@settings(max_examples=150, derandomize=True, deadline=None, database=None)
+@settings(max_examples=25, derandomize=True, deadline=None, database=None)
 @given(st.lists(st.tuples(st.binary(min_size=1, max_size=40), st.integers(1, 40)), max_size=20))
 def test_lzf_gives_back_what_went_in(runs):
     data = b"".join(chunk * times for chunk, times in runs)
@@ -260,7 +257,7 @@ def test_lzf_gives_back_what_went_in(runs):
 
 
 def test_lzf_crosses_its_blocks_and_shrinks_what_repeats():
-    data = np.repeat(np.random.default_rng(0).integers(0, 9, 400_000), 4).astype(np.uint8).tobytes()
+    data = np.repeat(np.random.default_rng(0).integers(0, 9, 300_000), 4).astype(np.uint8).tobytes()
     packed = lzf.compress(data)
     assert lzf.decompress(packed, len(data)) == data
     assert len(packed) < 0.8 * len(data)
@@ -282,52 +279,3 @@ def test_lzf_crosses_its_blocks_and_shrinks_what_repeats():
 def test_a_damaged_lzf_stream_is_refused(stream, size, reason):
     with pytest.raises(lzf.LzfError, match=reason):
         lzf.decompress(stream, size)
-
-
-@pytest.mark.parametrize("encoding", ENCODINGS)
-def test_open3d_reads_what_we_write(path, encoding):
-    o3d = pytest.importorskip("open3d")
-    table = cloud()
-    table.attributes = {"intensity": table.attributes["intensity"], "ring": table.attributes["ring"]}
-    write_pcd(path, table, encoding=encoding)
-    read = o3d.t.io.read_point_cloud(str(path))
-    np.testing.assert_array_equal(read.point.positions.numpy(), table.points)
-    np.testing.assert_array_equal(read.point.normals.numpy(), table.normals)
-    np.testing.assert_array_equal(read.point.colors.numpy(), np.rint(table.colors * 255))
-    np.testing.assert_array_equal(read.point.intensity.numpy()[:, 0], table.attributes["intensity"])
-    np.testing.assert_array_equal(read.point.ring.numpy()[:, 0], table.attributes["ring"])
-
-
-@pytest.mark.parametrize("encoding", ENCODINGS)
-def test_we_read_what_open3d_writes(path, encoding):
-    o3d = pytest.importorskip("open3d")
-    table = cloud()
-    written = o3d.t.geometry.PointCloud(o3d.core.Tensor(table.points))
-    written.point.normals = o3d.core.Tensor(table.normals)
-    written.point.colors = o3d.core.Tensor(np.rint(table.colors * 255).astype(np.uint8))
-    written.point.intensity = o3d.core.Tensor(table.attributes["intensity"][:, None])
-    options = {"write_ascii": encoding == "ascii", "compressed": encoding == "binary_compressed"}
-    assert o3d.t.io.write_point_cloud(str(path), written, **options)
-    assert f"DATA {encoding}".encode() in path.read_bytes()
-    read = read_pcd(path)
-    tolerance = 2e-5 if encoding == "ascii" else 0  # Open3D prints 6 digits
-    np.testing.assert_allclose(read.points, table.points, rtol=tolerance, atol=tolerance)
-    np.testing.assert_allclose(read.normals, table.normals, rtol=tolerance, atol=tolerance)
-    np.testing.assert_array_equal(read.colors, table.colors)
-    np.testing.assert_allclose(
-        read.attributes["intensity"], table.attributes["intensity"], rtol=tolerance, atol=tolerance
-    )
-
-
-@pytest.mark.parametrize("real", real_files("*/*.pcd", "*/test/*.pcd", "*/pairwise/*.pcd"))
-def test_real_files_agree_with_open3d(real):
-    o3d = pytest.importorskip("open3d")
-    expected = o3d.io.read_point_cloud(str(real), remove_nan_points=False, remove_infinite_points=False)
-    table = read_pcd(real)
-    np.testing.assert_array_equal(table.points, np.asarray(expected.points).astype(table.points.dtype))
-    assert (table.normals is not None) == expected.has_normals()
-    if table.normals is not None:
-        np.testing.assert_array_equal(table.normals, np.asarray(expected.normals).astype(np.float32))
-    assert (table.colors is not None) == expected.has_colors()
-    if table.colors is not None:
-        np.testing.assert_allclose(table.colors, np.asarray(expected.colors), atol=1e-7)

@@ -115,21 +115,6 @@ def test_an_organised_cloud_keeps_its_grid_and_its_holes(device, extension, tmp_
 
 
 @pytest.mark.parametrize("extension", [".ply", ".pcd"])
-def test_open3d_reads_what_we_write_and_we_read_what_open3d_writes(extension, rng, tmp_path, to_open3d):
-    import open3d as o3d
-
-    cloud = full_cloud(rng)
-    ours, theirs = tmp_path / f"ours{extension}", tmp_path / f"theirs{extension}"
-    loom.write_point_cloud(ours, loom.PointCloud(cloud.points, normals=cloud.normals, colors=cloud.colors))
-    found = o3d.io.read_point_cloud(str(ours))
-    o3d.io.write_point_cloud(str(theirs), to_open3d(cloud.points, cloud.normals, cloud.colors))
-    back = loom.read_point_cloud(theirs)
-    for name in ("points", "normals", "colors"):
-        np.testing.assert_allclose(np.asarray(getattr(found, name)), cloud[name], rtol=0, atol=1e-6)
-        np.testing.assert_allclose(back[name], cloud[name], rtol=0, atol=1e-6)
-
-
-@pytest.mark.parametrize("extension", [".ply", ".pcd"])
 def test_the_fragment_reads_as_in_open3d(extension, fragment, data, tmp_path):
     cloud = loom.read_point_cloud(data / "cloud-cupoch" / "fragment.pcd")
     path = tmp_path / f"fragment{extension}"

@@ -11,8 +11,6 @@ from pointloom.core.errors import FileError
 from pointloom.files.points.text import read_text, write_text
 from pointloom.files.table import PointTable
 
-from .real_files import real_files
-
 SUFFIXES = (".xyz", ".xyzn", ".xyzrgb", ".pts")
 
 
@@ -120,28 +118,3 @@ def test_what_would_be_lost_is_refused_with_a_remedy_naming_ply(tmp_path, suffix
         write_text(tmp_path / f"c{suffix}", table)
     assert ".ply" in caught.value.remedy
     assert not list(tmp_path.iterdir())
-
-
-@pytest.mark.parametrize("suffix", SUFFIXES)
-def test_open3d_and_we_read_each_others_files(tmp_path, suffix):
-    o3d = pytest.importorskip("open3d")
-    path, table = tmp_path / f"cloud{suffix}", table_for(suffix)
-    table.points /= 1e6
-    write_text(path, table)
-    theirs = o3d.io.read_point_cloud(str(path))
-    np.testing.assert_allclose(np.asarray(theirs.points), table.points, rtol=1e-15)
-    if table.normals is not None:
-        np.testing.assert_array_equal(np.asarray(theirs.normals).astype(np.float32), table.normals)
-    if table.colors is not None:
-        np.testing.assert_allclose(np.asarray(theirs.colors), table.colors, atol=1e-7)
-    assert o3d.io.write_point_cloud(str(path), theirs)
-    read = read_text(path)
-    np.testing.assert_allclose(read.points, table.points, atol=1e-9)
-    if table.colors is not None:
-        np.testing.assert_allclose(read.colors, table.colors, atol=1e-7)
-
-
-@pytest.mark.parametrize("real", real_files("*/*.xyz", "*/04_pts_vis/*.xyz"))
-def test_real_files_agree_with_open3d(real):
-    o3d = pytest.importorskip("open3d")
-    np.testing.assert_array_equal(read_text(real).points, np.asarray(o3d.io.read_point_cloud(str(real)).points))

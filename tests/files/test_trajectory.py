@@ -25,7 +25,7 @@ FORMATS = [
     ("json", "t.json"),
 ]
 BITS = settings(
-    max_examples=200, derandomize=True, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+    max_examples=25, derandomize=True, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
 )
 DATA = os.environ.get("POINTLOOM_DATA")
 needs_data = pytest.mark.skipif(not DATA, reason="POINTLOOM_DATA is not set: no real trajectories")
@@ -71,33 +71,6 @@ def test_reading_what_was_written_gives_the_same_poses(tmp_path, trajectory, for
         assert np.array_equal(again.timestamps, trajectory.timestamps)
     if again.ids is not None:
         assert np.array_equal(again.ids, trajectory.ids)
-
-
-@pytest.mark.parametrize("name", ["t.log", "t.txt", "t.json"])
-def test_open3d_reads_what_we_write(tmp_path, trajectory, name):
-    o3d = pytest.importorskip("open3d", exc_type=ImportError)
-    write_trajectory(tmp_path / name, trajectory, format="tum" if name == "t.txt" else None, intrinsic=CAMERA)
-    theirs = o3d.io.read_pinhole_camera_trajectory(str(tmp_path / name)).parameters
-    assert len(theirs) == len(trajectory)
-    poses = np.linalg.inv([np.asarray(camera.extrinsic) for camera in theirs])
-    np.testing.assert_allclose(poses, trajectory.poses, rtol=0, atol=1e-11)
-
-
-@pytest.mark.parametrize("name", ["t.log", "t.txt", "t.json"])
-def test_we_read_what_open3d_writes(tmp_path, trajectory, name):
-    """Every pose, the first of a .txt file too, which Open3D itself loses behind its comment; to its 6 decimals."""
-    o3d = pytest.importorskip("open3d", exc_type=ImportError)
-    content = o3d.camera.PinholeCameraTrajectory()
-    cameras = []
-    for T_camera_world in np.linalg.inv(trajectory.poses):
-        camera = o3d.camera.PinholeCameraParameters()
-        camera.intrinsic = o3d.camera.PinholeCameraIntrinsic(640, 480, 525.0, 525.0, 319.5, 239.5)
-        camera.extrinsic = T_camera_world
-        cameras.append(camera)
-    content.parameters = cameras
-    assert o3d.io.write_pinhole_camera_trajectory(str(tmp_path / name), content)
-    ours = read_trajectory(tmp_path / name)
-    np.testing.assert_allclose(ours.poses, trajectory.poses, rtol=0, atol=1e-11 if name == "t.json" else 3e-6)
 
 
 @needs_data
