@@ -22,7 +22,7 @@ from pointloom.files.points.text import read_text
 from pointloom.files.table import MeshTable, PointTable
 
 from ..pcd.test_splats import made
-from .real_files import real_files
+from ..scan_cases import on_sets
 from .textured_meshes import CORNERS, PICTURE, seen_at_corners, square
 
 CLOUDS = ["binary.ply", "ascii.ply", "binary.pcd", "ascii.pcd", "binary_compressed.pcd", "a.xyz", "a.xyzn", "a.xyzrgb",
@@ -61,9 +61,9 @@ def cloud(name):
     is_text = suffix not in (".ply", ".pcd")
     points, normals = rng.normal(size=(2, 30, 3)).astype(np.float32)
     colors = (rng.integers(0, 256, (30, 3)) / 255).astype(np.float32)
-    attributes = {"intensity": rng.random(30).astype(np.float32)} | (
-        {"time": rng.random(30)} if suffix == ".ply" else {}
-    )
+    attributes = {"intensity": rng.random(30).astype(np.float32)}
+    if suffix == ".ply":
+        attributes["time"] = rng.random(30)
     return PointTable(
         points.astype(np.float64) if is_text else points,
         normals if not is_text or suffix == ".xyzn" else None,
@@ -114,13 +114,9 @@ def test_open3d_reads_our_clouds(o3d, tmp_path, name):
         write_table(path, table, ascii=path.stem == "ascii", overwrite=True)
     if path.suffix in (".ply", ".pcd"):
         point = o3d.t.io.read_point_cloud(str(path)).point
-        attributes = {name: point[name].numpy() for name in table.attributes}
-        found = PointTable(
-            point.positions.numpy(),
-            point.normals.numpy(),
-            np.float32(point.colors.numpy()) / np.float32(255),
-            attributes,
-        )
+        colors = np.float32(point.colors.numpy()) / np.float32(255)
+        found = PointTable(point.positions.numpy(), point.normals.numpy(), colors)
+        found.attributes = {name: point[name].numpy() for name in table.attributes}
     else:
         read = o3d.io.read_point_cloud(str(path))
         found = PointTable(
@@ -131,18 +127,29 @@ def test_open3d_reads_our_clouds(o3d, tmp_path, name):
     assert_same_cloud(found, table, 0 if path.suffix in (".ply", ".pcd") else 1e-7)
 
 
-@pytest.mark.parametrize("real", real_files("*/*.ply", "*/data/*.ply", "reg-bunny-scans/reconstruction/*.ply",
-                                            "*/*.pcd", "*/test/*.pcd", "*/pairwise/*.pcd", "*/*.xyz",
-                                            "*/04_pts_vis/*.xyz"))  # fmt: skip
-def test_real_clouds_agree_with_open3d(o3d, real):
-    expected = o3d.io.read_point_cloud(str(real), remove_nan_points=False, remove_infinite_points=False)
-    table = {".ply": read_ply, ".pcd": read_pcd, ".xyz": read_text}[real.suffix](real)
-    np.testing.assert_array_equal(table.points, np.asarray(expected.points).astype(table.points.dtype))
-    assert (table.normals is not None, table.colors is not None) == (expected.has_normals(), expected.has_colors())
-    if table.normals is not None:
-        np.testing.assert_array_equal(table.normals, np.asarray(expected.normals).astype(np.float32))
-    if table.colors is not None:
-        np.testing.assert_allclose(table.colors, np.asarray(expected.colors), atol=1e-7)
+@on_sets(
+    "pattern count",
+    shipped=[("cloud-cupoch/*.pcd", 1), ("lidar-pcl-terrain/*.pcd", 7), ("pcl-tests/*.pcd", 2)],
+    real=[
+        ("cloud-cupoch/*.pcd", 1), ("lidar-pcl-terrain/*.pcd", 19), ("pcl-tests/**/*.pcd", 5),
+        ("pcl-data-tutorials/**/*.pcd", 5), ("mvs-openmvs-sample/*.ply", 2), ("reg-cilantro/**/*.ply", 2),
+        ("reg-small-gicp/**/*.ply", 2), ("reg-teaser-3dmatch/**/*.ply", 2), ("reg-bunny-scans/**/*.ply", 12),
+        ("reg-simpleicp/*.xyz", 4), ("mesh-points2surf-abc/04_pts_vis/*.xyz", 1),
+    ],
+)  # fmt: skip
+def test_real_clouds_agree_with_open3d(o3d, scan_file, pattern, count):
+    folder, _, names = pattern.partition("/")
+    paths = list(scan_file(folder).glob(names))
+    assert len(paths) == count
+    for real in paths:
+        expected = o3d.io.read_point_cloud(str(real), remove_nan_points=False, remove_infinite_points=False)
+        table = {".ply": read_ply, ".pcd": read_pcd, ".xyz": read_text}[real.suffix](real)
+        np.testing.assert_array_equal(table.points, np.asarray(expected.points).astype(table.points.dtype))
+        assert (table.normals is not None, table.colors is not None) == (expected.has_normals(), expected.has_colors())
+        if table.normals is not None:
+            np.testing.assert_array_equal(table.normals, np.asarray(expected.normals).astype(np.float32))
+        if table.colors is not None:
+            np.testing.assert_allclose(table.colors, np.asarray(expected.colors), atol=1e-7)
 
 
 # ------------------------------------------------------------------------------------------------ meshes
@@ -215,15 +222,20 @@ def test_open3d_sees_our_picture_upright(o3d, tmp_path, suffix):
     assert seen_at_corners(found) == CORNERS
 
 
-@pytest.mark.parametrize("real", real_files("reg-bunny-scans/reconstruction/*.ply", "mvs-*/scene_mesh.ply",
-                                            "mesh-*/03*/*.ply", "mesh-common3d/fandisk.obj"))  # fmt: skip
-def test_real_meshes_agree_with_open3d(o3d, real):
+@pytest.mark.parametrize(
+    "name",
+    [
+        *("reg-bunny-scans/reconstruction/bun_zipper.ply", "reg-bunny-scans/reconstruction/bun_zipper_res2.ply"),
+        "mvs-openmvs-sample/scene_mesh.ply", "mesh-common3d/fandisk.obj",
+        "mesh-points2surf-abc/03_meshes/00011084_fddd53ce45f640f3ab922328_trimesh_019.ply",
+    ],
+)  # fmt: skip
+def test_real_meshes_agree_with_open3d(o3d, real_file, name):
+    real = real_file(name)
     expected = o3d.io.read_triangle_mesh(str(real))
     found = loom.read_triangle_mesh(real) if real.suffix == ".obj" else read_ply_mesh(real)
-    facets = [
-        np.asarray(m.vertices)[np.asarray(m.triangles)].astype(np.float32).reshape(-1, 9) for m in (found, expected)
-    ]
-    rtol = 0
+    corners = [np.asarray(read.vertices)[np.asarray(read.triangles)] for read in (found, expected)]
+    facets, rtol = [rows.astype(np.float32).reshape(-1, 9) for rows in corners], 0.0
     if real.suffix == ".obj":  # its order differs, and its decimals come as the float32 beside the nearest
         facets, rtol = [rows[np.lexsort(rows.T)] for rows in facets], 2.5e-7
     np.testing.assert_allclose(*facets, rtol=rtol)
@@ -329,9 +341,13 @@ def test_open3d_reads_our_pictures(o3d, tmp_path):
         assert np.array_equal(np.asarray(o3d.io.read_image(str(tmp_path / "p.png"))), array)
 
 
-def test_real_frames_are_read_as_open3d_reads_them(o3d, data):
-    path = data / "rgbd-cupoch-redwood5" / "depth" / "00004.png"
+@on_sets("name", shipped=["rgbd-cupoch-redwood5/depth/00004"], real=["rgbd-7scenes-redkitchen/frame-000007.depth"])
+def test_real_depth_is_read_as_open3d_reads_it(o3d, scan_file, name):
+    path = scan_file(f"{name}.png")
     assert np.array_equal(read_depth(path), np.asarray(o3d.io.read_image(str(path))))
-    path = data / "rgbd-cupoch-redwood5" / "color" / "00004.jpg"
+
+
+def test_real_color_is_read_as_open3d_reads_it(o3d, shipped_file):
+    path = shipped_file("rgbd-cupoch-redwood5/color/00004.jpg")
     theirs = np.asarray(o3d.io.read_image(str(path))).astype(int)
     assert np.abs(read_color(path).astype(int) - theirs).max() <= 3  # two JPEG decoders round differently

@@ -114,17 +114,6 @@ def test_an_organised_cloud_keeps_its_grid_and_its_holes(device, extension, tmp_
     assert np.isnan(found.points).any()
 
 
-@pytest.mark.parametrize("extension", [".ply", ".pcd"])
-def test_the_fragment_reads_as_in_open3d(extension, fragment, data, tmp_path):
-    cloud = loom.read_point_cloud(data / "cloud-cupoch" / "fragment.pcd")
-    path = tmp_path / f"fragment{extension}"
-    loom.write_point_cloud(path, cloud)
-    for found in (cloud, loom.read_point_cloud(path)):
-        np.testing.assert_array_equal(found.points, fragment.points.astype(np.float32))
-        np.testing.assert_array_equal(found.normals, fragment.normals.astype(np.float32))
-        np.testing.assert_allclose(found.colors, fragment.colors, rtol=6.1e-8)
-
-
 @pytest.mark.parametrize("extension", [".ply", ".pcd", ".npz"])
 def test_an_empty_cloud_survives_a_round_trip(extension, tmp_path):
     path = tmp_path / f"empty{extension}"

@@ -9,6 +9,7 @@ from scipy.spatial import cKDTree
 
 import pointloom as loom
 
+from ..scan_cases import on_sets
 from .poses import as_pose
 
 reg = loom.registration
@@ -20,20 +21,20 @@ def exact(points):
 
 
 @pytest.fixture(scope="module")
-def scans(kitti_pair, kitchen_pair, fragment, terrain):
+def scans(street_pair, room_pair, fragment, terrain):
     """(source, target, pose, distance) of real pairs, thinned."""
     middle = np.floor(terrain.mean(axis=0))
     halves = fragment.points[::9], fragment.points[4::9]
-    street = [p[p.any(axis=1)] for p in (kitti_pair.source, kitti_pair.target)]  # rays without a return lie at zero
+    street = [p[p.any(axis=1)] for p in (street_pair.source, street_pair.target)]  # rays without a return lie at zero
     return {
-        "kitti": (exact(street[0][::14]), exact(street[1][::12]), kitti_pair.T, 1.0),
-        "kitchen": (exact(kitchen_pair.source[::50]), exact(kitchen_pair.target[::50]), kitchen_pair.T, 0.1),
+        "lidar": (exact(street[0][::14]), exact(street[1][::12]), street_pair.T, 1.0),
+        "room": (exact(room_pair.source[::50]), exact(room_pair.target[::50]), room_pair.T, 0.1),
         "fragment": (exact(halves[0]), exact(halves[1]), as_pose([0.01, 0, 0.02], [0.03, 0, 0]), 0.04),
         "terrain": (exact(terrain[::3] - middle), exact(terrain[1::3] - middle), as_pose([0, 0, 0.01], [2, 1, 0]), 8.0),
     }
 
 
-NAMES = pytest.mark.parametrize("name", ["kitti", "kitchen", "fragment", "terrain"])
+ON_PAIRS = on_sets("scan", shipped=("lidar", "room", "fragment", "terrain"), real=("lidar", "room", "fragment"))
 
 
 def theirs_of(to_open3d, source, target, distance, T):
@@ -61,9 +62,9 @@ def assert_equal(result, theirs, source, target, T):
     return differ
 
 
-@NAMES
-def test_pairs_fitness_and_rmse_are_open3ds(device, scans, to_open3d, name):
-    source, target, T, distance = scans[name]
+@ON_PAIRS
+def test_pairs_fitness_and_rmse_are_open3ds(device, scans, to_open3d, scan):
+    source, target, T, distance = scans[scan]
     clouds = (loom.PointCloud(p, device=device) for p in (source, target))
     result = reg.evaluate_registration(*clouds, distance, T)
     theirs, _ = theirs_of(to_open3d, source, target, distance, T)
@@ -74,9 +75,9 @@ def test_pairs_fitness_and_rmse_are_open3ds(device, scans, to_open3d, name):
     assert result.iterations == 0 and not result.converged and result.degenerate_directions.shape == (0, 6)
 
 
-@NAMES
-def test_information_is_open3ds(device, scans, to_open3d, name, tolerances):
-    source, target, T, distance = scans[name]
+@ON_PAIRS
+def test_information_is_open3ds(device, scans, to_open3d, scan, tolerances):
+    source, target, T, distance = scans[scan]
     clouds = [loom.PointCloud(p, device=device) for p in (source, target)]
     found = reg.get_information_matrix_from_point_clouds(*clouds, distance, T)
     theirs, information = theirs_of(to_open3d, source, target, distance, T)
@@ -208,7 +209,7 @@ def test_evaluations_are_those_of_all_pairs(clouds, holes, shift, distance):
 
 
 def test_two_runs_give_the_same_bits(device, scans):
-    source, target, T, distance = scans["kitchen"]
+    source, target, T, distance = scans["room"]
     clouds = [loom.PointCloud(p, device=device) for p in (source, target)]
     one, two = (reg.evaluate_registration(*clouds, distance, T) for _ in range(2))
     assert one.inlier_rmse == two.inlier_rmse

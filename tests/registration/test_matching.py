@@ -12,6 +12,8 @@ import pointloom as loom
 from pointloom.kernels.features.feature_matching import FeatureMatch, pair_features
 from pointloom.registration import correspondences_from_features
 
+from ..scan_cases import on_sets
+
 LIMIT = 1e15  # numbers beyond it make a row unusable
 
 
@@ -88,7 +90,7 @@ def open3d_pairs(a, b, mutual, share=0.1):
 
 
 @pytest.fixture(scope="module")
-def scenes(kitchen_pair, kitti_pair, terrain):
+def scenes(room_pair, street_pair, terrain):
     """FPFH of both clouds of real pairs."""
 
     def features(points, voxel_size):
@@ -97,8 +99,8 @@ def scenes(kitchen_pair, kitti_pair, terrain):
         return loom.compute_fpfh_feature(cloud, radius=5 * voxel_size, max_nn=100)
 
     return {
-        "kitchen": (features(kitchen_pair.source, 0.05), features(kitchen_pair.target, 0.05)),
-        "kitti": (features(kitti_pair.source, 0.7), features(kitti_pair.target, 0.7)),
+        "room": (features(room_pair.source, 0.05), features(room_pair.target, 0.05)),
+        "lidar": (features(street_pair.source, 0.7), features(street_pair.target, 0.7)),
         "terrain": (features(terrain[::2], 2.5), features(terrain[1::2], 2.5)),
     }
 
@@ -113,12 +115,12 @@ def sqdists_of(a, b, pairs):
     return ((a[pairs[:, 0]].astype(float) - b[pairs[:, 1]]) ** 2).sum(axis=1)
 
 
-@pytest.mark.parametrize("scene", ["kitchen", "kitti", "terrain"])
-def test_matches_of_real_scans_are_open3ds(device, scene, scenes, oracles, tolerances):
-    a, b = scenes[scene]
+@on_sets("scan", shipped=("room", "lidar", "terrain"), real=("room", "lidar"))
+def test_matches_of_real_scans_are_open3ds(device, scan, scenes, oracles, tolerances):
+    a, b = scenes[scan]
     assert min(len(a), len(b)) > 1000
     found = correspondences_from_features(a, b, device=device)
-    expected = oracles[scene, False]
+    expected = oracles[scan, False]
     assert np.array_equal(found[:, 0], expected[:, 0])
     ours, theirs = sqdists_of(a, b, found), sqdists_of(a, b, expected)
     other = found[:, 1] != expected[:, 1]
@@ -126,7 +128,7 @@ def test_matches_of_real_scans_are_open3ds(device, scene, scenes, oracles, toler
     assert np.count_nonzero(other) < 0.02 * len(a), "lone points, whose features are zero, match any of each other"
     mutual = correspondences_from_features(a, b, True, device=device)
     assert 0.1 * len(a) < len(mutual) < 0.5 * len(a)
-    one_sided = set(map(tuple, mutual)) ^ set(map(tuple, oracles[scene, True]))
+    one_sided = set(map(tuple, mutual)) ^ set(map(tuple, oracles[scan, True]))
     assert len(one_sided) < 0.02 * len(a)
     assert all(is_tied(a, b, i, j, tolerances.feature_tie) for i, j in one_sided)
 
@@ -141,12 +143,12 @@ def is_tied(a, b, i, j, share):
 
 
 def test_the_tutorials_matches_are_open3ds_to_the_last(device, scenes, oracles):
-    """No two rows of the kitchen are as near as rounding; the ratio leaves the same as SciPy's two nearest."""
+    """No two rows of the room are as near as rounding; the ratio leaves the same as SciPy's two nearest."""
     from scipy.spatial import cKDTree
 
-    a, b = scenes["kitchen"]
+    a, b = scenes["room"]
     for mutual in (False, True):
-        assert np.array_equal(correspondences_from_features(a, b, mutual, device=device), oracles["kitchen", mutual])
+        assert np.array_equal(correspondences_from_features(a, b, mutual, device=device), oracles["room", mutual])
     near = cKDTree(b.astype(float)).query(a.astype(float), 2)[0]
     found = correspondences_from_features(a, b, ratio=0.9, device=device)
     assert np.array_equal(found[:, 0], np.flatnonzero(near[:, 0] < 0.9 * near[:, 1]))
@@ -295,7 +297,7 @@ def test_device_arrays_lists_and_other_types_match_as_numpy_arrays_do(device, rn
 
 
 def test_matching_twice_gives_the_same_bits(device, scenes):
-    a, b = (wp.array(x, dtype=wp.float32, device=device, ndim=2) for x in scenes["kitti"])
+    a, b = (wp.array(x, dtype=wp.float32, device=device, ndim=2) for x in scenes["lidar"])
     first, second = (matched_rows(a, b) for _ in range(2))
     assert all(x.numpy().tobytes() == y.numpy().tobytes() for x, y in zip(first, second, strict=True))
 
@@ -305,7 +307,7 @@ def test_matching_twice_gives_the_same_bits(device, scenes):
 def test_the_two_compilers_find_the_same_bits(scenes):
     from pointloom.kernels.lang import cpu_compiler
 
-    a, b = (wp.array(x, dtype=wp.float32, device="cpu", ndim=2) for x in scenes["kitti"])
+    a, b = (wp.array(x, dtype=wp.float32, device="cpu", ndim=2) for x in scenes["lidar"])
     found = []
     for name in ("taichi", "warp"):
         with cpu_compiler(name):
