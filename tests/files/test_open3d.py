@@ -129,7 +129,7 @@ def test_open3d_reads_our_clouds(o3d, tmp_path, name):
 
 @on_sets(
     "pattern count",
-    shipped=[("cloud-cupoch/*.pcd", 1), ("lidar-pcl-terrain/*.pcd", 7), ("pcl-tests/*.pcd", 2)],
+    shipped=[("cloud-cupoch/*.pcd", 1), ("lidar-pcl-terrain/*.pcd", 7), ("pcl-tests/**/*.pcd", 2)],
     real=[
         ("cloud-cupoch/*.pcd", 1), ("lidar-pcl-terrain/*.pcd", 19), ("pcl-tests/**/*.pcd", 5),
         ("pcl-data-tutorials/**/*.pcd", 5), ("mvs-openmvs-sample/*.ply", 2), ("reg-cilantro/**/*.ply", 2),
