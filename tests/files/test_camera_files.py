@@ -120,9 +120,6 @@ def test_frames_of_the_scanner_app_take_their_size_from_the_picture(tmp_path):
         loom.read_cameras(tmp_path)
 
 
-# ------------------------------------------------------------------------------------------------ trajectories
-
-
 def trajectory(tmp_path, name, **more):
     poses = np.tile(np.eye(4), (3, 1, 1))
     poses[:, 0, 3] = 0, 1, 2

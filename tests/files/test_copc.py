@@ -194,12 +194,6 @@ def test_many_points_in_one_place_are_one_node(tmp_path):
         np.testing.assert_array_equal(np.sort(reader.query().z), np.sort(points[:, 2]))
 
 
-def test_write_point_cloud_takes_the_name(table, tmp_path):
-    cloud = loom.PointCloud(table.points, colors=table.colors, **table.attributes)
-    loom.write_point_cloud(tmp_path / "Cloud.COPC.LAZ", cloud)
-    assert len(loom.read_copc(tmp_path / "Cloud.COPC.LAZ")) == len(cloud)
-
-
 def test_old_scan_angles_are_those_of_the_new_formats(rng, tmp_path):
     make(tmp_path / "old.las", 3, 500, rng)
     cloud = loom.read_point_cloud(tmp_path / "old.las")

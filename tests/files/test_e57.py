@@ -68,9 +68,6 @@ def double(image):
     return libe57.FloatNode(image, 0.0, libe57.E57_DOUBLE)
 
 
-# ------------------------------------------------------------------------------------------------ reading
-
-
 def test_a_scan_lies_where_pye57_places_it(tmp_path, rng):
     path = tmp_path / "a.e57"
     invalid = (np.arange(60) % 5 == 0).astype(np.int8)
@@ -90,14 +87,6 @@ def test_a_scan_lies_where_pye57_places_it(tmp_path, rng):
     for axis, name in enumerate(("Red", "Green", "Blue")):
         np.testing.assert_array_equal(table.colors[:, axis], expected[f"color{name}"] / np.float32(255))
     assert table.attributes.keys() == {"intensity", "row_index", "column_index"}
-
-
-def test_a_pose_turns_by_its_quaternion(tmp_path):
-    path = tmp_path / "a.e57"
-    unit = {name: np.eye(3)[k] for k, name in enumerate(("cartesianX", "cartesianY", "cartesianZ"))}
-    quarter = [np.sqrt(0.5), 0, 0, np.sqrt(0.5)]  # about z: x to y, y to -x
-    write_by_pye57(path, (unit, quarter, [1, 2, 3]))
-    np.testing.assert_allclose(read_e57(path).points, [[1, 3, 3], [0, 2, 3], [1, 2, 4]], rtol=0, atol=1e-12)
 
 
 def test_all_scans_are_merged_with_the_index_of_each(tmp_path, rng, device):
@@ -147,9 +136,6 @@ def test_a_scan_larger_than_a_block_is_read_whole(tmp_path):
     points = np.arange(3 * count, dtype=np.float32).reshape(-1, 3)
     write_e57(tmp_path / "a.e57", PointTable(points))
     np.testing.assert_array_equal(read_e57(tmp_path / "a.e57").points, points)
-
-
-# ------------------------------------------------------------------------------------------------ writing
 
 
 @st.composite
@@ -223,9 +209,6 @@ def test_points_that_are_not_finite_are_refused(tmp_path):
     with pytest.raises(loom.FileError, match="point 1 is not finite"):
         loom.write_point_cloud(tmp_path / "a.e57", loom.PointCloud([[0, 0, 0], [np.inf, 0, 0]]))
     assert list(tmp_path.iterdir()) == []
-
-
-# ------------------------------------------------------------------------------------------------ damaged files
 
 
 @pytest.fixture

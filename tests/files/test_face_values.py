@@ -91,9 +91,6 @@ def test_formats_without_values_of_faces_leave_them_out_and_say_so(tmp_path):
         assert write_mesh_table(tmp_path / f"m{suffix}", table) == ["weight", "triangle colors", "triangle label"]
 
 
-# -------------------------------------------------------------------------------------------- strips
-
-
 def strips(path, rows, count=1, more=""):
     return ply(path, f"{more}element tristrips {count}\nproperty list int int vertex_indices\n", rows)
 
@@ -135,9 +132,6 @@ def test_strips_of_binary_files_stand_behind_the_faces(tmp_path, byte_order):
 def test_a_damaged_strip_is_refused(tmp_path, rows, reason):
     with pytest.raises(FileError, match=reason):
         read_ply_mesh(strips(tmp_path / "m.ply", rows))
-
-
-# ------------------------------------------------------------------------------------ left behind
 
 
 def test_lists_and_elements_that_no_mesh_has_are_told_once(tmp_path):

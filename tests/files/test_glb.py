@@ -18,15 +18,11 @@ from pointloom.core.errors import FileError
 from pointloom.files.meshes.glb import read_glb
 from pointloom.files.meshes.glb_writer import write_glb
 from pointloom.files.pictures.image_files import encode_png
-from pointloom.files.table import MeshTable
 
 from .gltf_scenes import TRIANGLE, Scene, container, one_triangle
 from .textured_meshes import PICTURE, square, textured
 
 Z = [[0.0, 0.0, 1.0]] * 3
-
-
-# ------------------------------------------------------------------------------------------------ reading
 
 
 @pytest.mark.parametrize("code", ["u1", "u2", "u4", None])
@@ -155,25 +151,6 @@ def test_without_scenes_the_nodes_that_are_nobodys_child_count(tmp_path):
     np.testing.assert_array_equal(read_glb(scene.write(tmp_path / "m.glb")).vertices[:, 2], 3)
 
 
-# ------------------------------------------------------------------------------------------------ others
-
-
-def test_trimesh_and_we_read_each_others_scenes(tmp_path):
-    trimesh = pytest.importorskip("trimesh")
-    box, ball = trimesh.creation.box([1, 2, 3]), trimesh.creation.icosphere(subdivisions=1)
-    scene = trimesh.Scene([box])
-    scene.add_geometry(ball, transform=trimesh.transformations.rotation_matrix(0.7, [1, 2, 3], [4, 5, 6]))
-    scene.export(tmp_path / "t.glb")
-    with pytest.warns(UserWarning, match=r"left behind: names of nodes \(2\)$"):
-        ours = read_glb(tmp_path / "t.glb")
-    both = scene.to_geometry()
-    np.testing.assert_allclose(ours.vertices[ours.triangles], both.vertices[both.faces], atol=1e-6)
-    moved = MeshTable(np.add(ours.vertices, [5e5, 5.4e6, 0]), ours.triangles)
-    write_glb(tmp_path / "m.glb", moved)
-    theirs = trimesh.load(tmp_path / "m.glb", process=False, force="mesh")
-    np.testing.assert_allclose(theirs.vertices[theirs.faces], moved.vertices[moved.triangles], rtol=0, atol=1e-6)
-
-
 def test_vertices_that_no_triangle_has_are_kept(tmp_path):
     mesh = square()
     mesh.vertices = np.vstack([mesh.vertices, [[9, 9, 9]]])
@@ -205,9 +182,6 @@ def test_what_glb_cannot_hold_is_refused(tmp_path, change, reason):
     with pytest.raises(FileError, match=reason):
         write_glb(tmp_path / "m.glb", mesh)
     assert not list(tmp_path.iterdir())
-
-
-# ------------------------------------------------------------------------------------------------ lies
 
 
 def lie(*path_and_value):

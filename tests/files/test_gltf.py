@@ -37,9 +37,6 @@ def changed(scene: Scene, *path_and_value) -> dict:
     return content
 
 
-# ------------------------------------------------------------------------------------------------ files beside
-
-
 def test_a_gltf_is_read_as_its_glb_is(tmp_path):
     scene = one_triangle()
     whole = read_glb(scene.write(tmp_path / "m.glb"))
@@ -95,8 +92,6 @@ def test_trimesh_and_we_read_each_others_gltf(tmp_path):
     np.testing.assert_allclose(theirs.vertices[theirs.faces], ours.vertices[ours.triangles], atol=1e-6)
 
 
-# ------------------------------------------------------------------------------------------------ names that climb
-
 CLIMBING = {
     "m.obj": "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl a\nf 1/1 2/1 3/1\n",
     "n.obj": "mtllib ../n.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl a\nf 1/1 2/1 3/1\n",
@@ -141,9 +136,6 @@ def test_a_link_beside_the_file_may_lead_anywhere(tmp_path):
     np.testing.assert_array_equal(loom.read_triangle_mesh(folder / "m.obj").textures[0], PICTURE)
 
 
-# ------------------------------------------------------------------------------------------------ sparse accessors
-
-
 def sparse_scene(rows, values, *, base: bool, code="u2", count=None) -> Scene:
     """A triangle of which some vertices are replaced by a sparse accessor."""
     scene = one_triangle()
@@ -178,9 +170,6 @@ def test_sparse_accessors_replace_some_elements(tmp_path, code):
 def test_sparse_accessors_that_lie_are_refused(tmp_path, rows, more, reason):
     with pytest.raises(FileError, match=reason):
         read_glb(sparse_scene(rows, [[7, 8, 9], [4, 5, 6]], base=True, **more).write(tmp_path / "m.glb"))
-
-
-# ------------------------------------------------------------------------------------------------ at rest
 
 
 def skinned(weights, *, joints=((0, 1, 0, 0),) * 3, binds=True, code="f4") -> Scene:
@@ -284,9 +273,6 @@ def test_a_place_that_is_no_number_is_refused(tmp_path):
     scene.primitive(POSITION=np.array([[0, 0, 0], [1, 0, 0], [0, np.nan, 0]], "f4"))
     with pytest.raises(FileError, match=r"vertex 2\): POSITION of meshes 0 is NaN or infinite"):
         read_glb(scene.write(tmp_path / "m.glb"))
-
-
-# ------------------------------------------------------------------------------------------------ materials
 
 
 def painted(path, materials, *, corners=((0, 0), (1, 0), (0, 1)), **more):
@@ -448,9 +434,6 @@ def test_all_that_is_left_behind_is_told_of_once(tmp_path):
         assert words in message
 
 
-# ------------------------------------------------------------------------------------------------ values at vertices
-
-
 def test_attributes_and_alpha_survive_a_round_trip(tmp_path):
     mesh = textured()
     rng = np.random.default_rng(5)
@@ -486,9 +469,6 @@ def test_attributes_that_some_lack_are_left_behind(tmp_path):
     scene.primitive(POSITION=TRIANGLE)
     with pytest.warns(UserWarning, match="left behind: the attribute HEAT, since some primitives have none"):
         assert read_glb(scene.write(tmp_path / "m.glb")).attributes == {}
-
-
-# ------------------------------------------------------------------------------------------------ budgets and axes
 
 
 def test_copies_of_a_mesh_have_a_budget(tmp_path, monkeypatch):
@@ -533,9 +513,6 @@ def test_up_turns_y_up_into_z_up_and_back(tmp_path):
             loom.write_triangle_mesh(tmp_path / path, mesh, up=up)
         with pytest.raises(ValueError, match="up: "):
             loom.read_triangle_mesh(tmp_path / path, up=up)
-
-
-# ------------------------------------------------------------------------------------------------ compression
 
 
 def draco(path, mesh: MeshTable, *, plain=False):
@@ -642,9 +619,6 @@ def test_meshopt_views_are_those_that_were_packed(tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "meshoptimizer", None)
     with pytest.raises(FileError, match=re.escape('needs the package meshoptimizer. pip install "pointloom[meshopt]"')):
         read_glb(path)
-
-
-# ------------------------------------------------------------------------------------------------ the net
 
 
 def test_what_a_content_makes_a_reader_raise_is_a_file_error(tmp_path):

@@ -20,18 +20,6 @@ BITS = settings(
 )
 
 
-@pytest.fixture
-def depth() -> np.ndarray:
-    depth = np.random.default_rng(0).integers(0, 2**16, (24, 32), np.uint16)
-    depth[0, :4] = 0, 1, 255, 65535
-    return depth
-
-
-@pytest.fixture
-def color() -> np.ndarray:
-    return np.random.default_rng(1).integers(0, 256, (24, 32, 3), np.uint8)
-
-
 def test_depth_comes_back_bit_for_bit(tmp_path, depth):
     write_png(tmp_path / "d.png", depth)
     again = read_depth(tmp_path / "d.png")

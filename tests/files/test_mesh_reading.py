@@ -26,9 +26,6 @@ def obj(tmp_path, text):
     return tmp_path / "m.obj"
 
 
-# ------------------------------------------------------------------------------------------------ OBJ
-
-
 @pytest.mark.parametrize("name", MESHES)
 def test_real_files_are_what_a_reading_by_hand_gives(real_file, name):
     path = real_file(f"mesh-common3d/{name}")
@@ -138,11 +135,6 @@ def test_a_number_of_many_digits_takes_no_memory(tmp_path):
     assert peak < 20e6  # 200,000 digits for each of the 9,003 corners would be 1.8e9
 
 
-def test_colours_of_vertices_are_read(tmp_path):
-    table = read_obj(obj(tmp_path, "v 0 0 0 1 0 0\nv 1 0 0 0 0.5 0\nv 0 1 0 0 0 1\nf 1 2 3\n"))
-    np.testing.assert_array_equal(table.vertex_colors, [[1, 0, 0], [0, 0.5, 0], [0, 0, 1]])
-
-
 @pytest.mark.parametrize("normals", [False, True])
 @pytest.mark.parametrize("colors", [False, True])
 def test_what_we_write_as_obj_reads_back_the_same(tmp_path, rng, normals, colors):
@@ -187,9 +179,6 @@ def test_a_damaged_obj_is_refused_with_its_line(tmp_path, text, where, reason):
     assert caught.value.where == where
 
 
-# ------------------------------------------------------------------------------------------------ STL
-
-
 def test_a_cube_as_stl_gets_its_eight_vertices_back(tmp_path):
     corners = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], np.float32)
     quads = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
@@ -208,15 +197,6 @@ def test_vertices_come_in_the_order_of_the_facets_and_minus_zero_is_zero(tmp_pat
     table = read_stl(tmp_path / "m.stl")
     np.testing.assert_array_equal(table.vertices, [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 5, 0]])
     np.testing.assert_array_equal(table.triangles, [[0, 1, 2], [3, 0, 2]])
-
-
-@pytest.mark.parametrize("name", ["fandisk.obj", "stanford-bunny.obj"])
-def test_real_meshes_through_stl_keep_their_triangles(real_file, tmp_path, name):
-    source = read_obj(real_file(f"mesh-common3d/{name}"))
-    write_stl(tmp_path / "m.stl", MeshTable(source.vertices, source.triangles))
-    table, corners = read_stl(tmp_path / "m.stl"), source.vertices.astype(np.float32)[source.triangles]
-    np.testing.assert_array_equal(table.vertices[table.triangles], corners)
-    assert len(table.vertices) == len(np.unique(corners.reshape(-1, 3), axis=0))
 
 
 def test_a_binary_file_that_begins_with_solid_is_read(tmp_path):

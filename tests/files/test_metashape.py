@@ -123,8 +123,6 @@ def test_an_initial_calibration_serves_where_none_was_adjusted(tmp_path):
     assert model.cameras[0].params[0] == 700
 
 
-# ------------------------------------------------------------------------------------------------ what is refused
-
 BOMB = "<!DOCTYPE d [<!ENTITY a 'aaaaaaaaaa'><!ENTITY b '&a;&a;&a;&a;&a;&a;&a;&a;'>]><document>&b;</document>"
 LEAK = "<!DOCTYPE d [<!ENTITY a SYSTEM 'file:///etc/hostname'>]><document>&a;</document>"
 

@@ -52,9 +52,6 @@ def theirs(oracle, tmp_path):
     return path
 
 
-# ------------------------------------------------------------------------------------------------ clouds
-
-
 def cloud(name):
     """What the format holds of 30 points with normals, colors and attributes."""
     rng, suffix = np.random.default_rng(4), Path(name).suffix
@@ -152,9 +149,6 @@ def test_real_clouds_agree_with_open3d(o3d, scan_file, pattern, count):
             np.testing.assert_allclose(table.colors, np.asarray(expected.colors), atol=1e-7)
 
 
-# ------------------------------------------------------------------------------------------------ meshes
-
-
 def mesh(name):
     """A closed surface with normals and colors, of which each format holds what it can; the square for OBJ."""
     if name == "m.obj":
@@ -241,9 +235,6 @@ def test_real_meshes_agree_with_open3d(o3d, real_file, name):
     np.testing.assert_allclose(*facets, rtol=rtol)
 
 
-# ------------------------------------------------------------------------------------------------ trajectories
-
-
 def trajectory():
     turns = Rotation.random(6, random_state=0).as_matrix()
     turns[:2] = Rotation.from_quat([[1, 0, 0, 0], [0.6, 0.8, 0, 0]]).as_matrix()  # half turns
@@ -278,9 +269,6 @@ def test_open3d_reads_our_trajectories(o3d, tmp_path, name):
     found = o3d.io.read_pinhole_camera_trajectory(str(tmp_path / name)).parameters
     poses = np.linalg.inv([np.asarray(camera.extrinsic) for camera in found])
     np.testing.assert_allclose(poses, trajectory().poses, rtol=0, atol=1e-11)
-
-
-# ------------------------------------------------------------------------------------------------ splats, pictures
 
 
 def write_open3d_splats(o3d, path):

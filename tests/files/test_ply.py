@@ -155,12 +155,6 @@ def test_colours_of_every_name_and_type_come_in_0_to_1(path, names, code, full):
     assert not table.attributes
 
 
-def test_positions_keep_the_precision_of_the_file(path):
-    head = HEAD.replace("float", "double").replace("ascii", "binary_little_endian")
-    points = np.array([[500000.123456789, 5e6 + 1e-9, 1], [0, 0, 0]])
-    np.testing.assert_array_equal(read_ply(write(path, head, points.tobytes())).points, points)
-
-
 @pytest.mark.parametrize(
     ("content", "where", "reason"),
     [

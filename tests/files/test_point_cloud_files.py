@@ -76,21 +76,6 @@ def test_text_formats_hold_what_they_hold(extension, arrays, rng, tmp_path, tole
         np.testing.assert_allclose(found[name], cloud[name], rtol=tolerances.float32_relative)
 
 
-@pytest.mark.parametrize("extension", [".xyz", ".xyzn", ".xyzrgb", ".pts"])
-def test_what_a_format_cannot_hold_is_refused_and_nothing_is_written(extension, rng, tmp_path):
-    path = tmp_path / f"cloud{extension}"
-    with pytest.raises(loom.FileError, match=r"cloud\."):
-        loom.write_point_cloud(path, full_cloud(rng))
-    assert list(tmp_path.iterdir()) == []
-
-
-def test_a_missing_array_that_the_format_needs_is_an_error(rng, tmp_path):
-    for extension in (".xyzn", ".xyzrgb"):
-        with pytest.raises(loom.FileError):
-            loom.write_point_cloud(tmp_path / f"cloud{extension}", loom.PointCloud(rng.random((4, 3))))
-    assert list(tmp_path.iterdir()) == []
-
-
 @pytest.mark.parametrize("extension", [".ply", ".pcd", ".npz"])
 def test_colours_between_the_steps_of_8_bits_are_rounded(extension, rng, tmp_path, tolerances):
     cloud = loom.PointCloud(rng.random((300, 3)), colors=rng.random((300, 3)))

@@ -24,9 +24,6 @@ def stream(*items, **options):
     return loom.frames_from(iter(items), CAMERA, **options)
 
 
-# Frames from memory
-
-
 def test_pairs_triples_and_frames_are_taken_and_copied():
     depth = DEPTH.copy()
     kept = list(stream((COLOR, depth), (None, depth.astype(np.float32), 2.5)))
@@ -117,9 +114,6 @@ def test_sources_of_all_kinds_are_rgbd_sources(tmp_path):
     assert not isinstance([(COLOR, DEPTH)], loom.RGBDSource)
 
 
-# The newest frame
-
-
 def paced(count, gate=None, started=None):
     """Frames whose depth is their number; each waits for the gate."""
     for i in range(count):
@@ -206,9 +200,6 @@ def test_frames_are_read_by_one_loop():
     assert len(list(latest)) == 1
     with pytest.raises(ValueError, match="read once"):
         iter(latest)
-
-
-# Recordings
 
 
 def test_a_recording_is_the_stream_again(tmp_path):

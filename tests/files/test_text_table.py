@@ -138,10 +138,3 @@ def test_formats_that_are_only_read_say_which_are_written(tmp_path, name):
     with pytest.raises(FileError, match=r"read from \.\w+, but not written to it\. Use one of \.ply"):
         loom.write_point_cloud(tmp_path / name, loom.PointCloud(POINTS))
     assert not list(tmp_path.iterdir())
-
-
-def test_a_kitti_scan_is_a_cloud_like_any_other(real_file):
-    path = real_file("lidar-kitti-frame/kitti/000008.bin")
-    cloud, rows = loom.read_point_cloud(path), np.fromfile(path, np.float32).reshape(-1, 4)
-    np.testing.assert_array_equal(cloud.points, rows[:, :3])
-    np.testing.assert_array_equal(cloud["intensity"], rows[:, 3])

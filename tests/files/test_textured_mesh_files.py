@@ -155,9 +155,6 @@ def test_names_of_files_beside_have_no_blanks(tmp_path):
     assert len(read_obj(tmp_path / "a b ü.obj").textures) == 3
 
 
-# ------------------------------------------------------------------------------------------------ OBJ and MTL
-
-
 def obj(tmp_path, faces, mtl="newmtl a\nmap_Kd p.png\nnewmtl b\nKd 1 0.5 0\nnewmtl c\n"):
     write_png(tmp_path / "p.png", PICTURE)
     (tmp_path / "m.mtl").write_text(mtl)
@@ -260,8 +257,6 @@ def test_bad_texture_coordinates_are_refused_with_their_line(tmp_path, text, whe
         read_obj(obj(tmp_path, text))
     assert caught.value.where == where
 
-
-# ------------------------------------------------------------------------------------------------ PLY
 
 HEAD = (
     "ply\nformat ascii 1.0\ncomment TextureFile p.png\ncomment TextureFile q r.png\nelement vertex 4\n"

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import json
-
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
@@ -84,21 +82,6 @@ def test_tum_quaternions_are_x_y_z_w_and_camera_to_world(tmp_path):
     assert trajectory.timestamps is not None and trajectory.timestamps.tolist() == [7.5]
     quarter_turn_about_z = [[0, -1, 0, 1], [1, 0, 0, 2], [0, 0, 1, 3], [0, 0, 0, 1]]
     np.testing.assert_allclose(trajectory.poses[0], quarter_turn_about_z, atol=1e-12)
-
-
-def test_the_pose_that_open3d_writes_behind_its_comment_is_not_lost(tmp_path):
-    header = "# TUM trajectory, format: <t> <x> <y> <z> <qx> <qy> <qz> <qw>"
-    (tmp_path / "t.txt").write_text(header + "0 1.0 2.0 3.0 0.0 0.0 0.0 1.0\n1 4.0 5.0 6.0 0.0 0.0 0.0 1.0\n")
-    assert read_trajectory(tmp_path / "t.txt").poses[:, :3, 3].tolist() == [[1, 2, 3], [4, 5, 6]]
-    (tmp_path / "t.txt").write_text(header + "\n1 4.0 5.0 6.0 0.0 0.0 0.0 1.0\n")
-    assert len(read_trajectory(tmp_path / "t.txt")) == 1
-
-
-def test_json_stores_world_to_camera_column_by_column(tmp_path):
-    T_camera_world = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1]
-    content = {"class_name": "PinholeCameraTrajectory", "parameters": [{"extrinsic": T_camera_world}]}
-    (tmp_path / "t.json").write_text(json.dumps(content))
-    assert read_trajectory(tmp_path / "t.json").poses[0, :3, 3].tolist() == [-5, -6, -7]
 
 
 def test_missing_times_and_ids_are_counted_as_open3d_does(tmp_path):
