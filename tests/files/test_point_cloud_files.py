@@ -55,27 +55,6 @@ def test_utm_coordinates_are_exact_in_every_format(extension, ascii, rng, tmp_pa
         np.testing.assert_allclose(loom.read_point_cloud(path).points, cloud.points, rtol=0, atol=limit)
 
 
-@pytest.mark.parametrize(
-    ("extension", "arrays"),
-    [
-        (".xyz", []), (".xyzn", ["normals"]), (".xyzrgb", ["colors"]), (".pts", []), (".pts", ["colors"]),
-        (".pts", ["intensity"]), (".pts", ["intensity", "colors"]),
-    ],
-)  # fmt: skip
-def test_text_formats_hold_what_they_hold(extension, arrays, rng, tmp_path, tolerances):
-    full = full_cloud(rng)
-    cloud = loom.PointCloud(full.points)
-    for name in arrays:
-        cloud[name] = full["curvature"] if name == "intensity" else full[name]
-    path = tmp_path / f"cloud{extension}"
-    loom.write_point_cloud(path, cloud)
-    found = loom.read_point_cloud(path)
-    assert [n for n in [*EVERYTHING, "intensity"] if n in found and n != "points"] == sorted(arrays)
-    np.testing.assert_allclose(found.points, cloud.points, rtol=tolerances.text_relative)
-    for name in arrays:
-        np.testing.assert_allclose(found[name], cloud[name], rtol=tolerances.float32_relative)
-
-
 @pytest.mark.parametrize("extension", [".ply", ".pcd", ".npz"])
 def test_colours_between_the_steps_of_8_bits_are_rounded(extension, rng, tmp_path, tolerances):
     cloud = loom.PointCloud(rng.random((300, 3)), colors=rng.random((300, 3)))
@@ -128,17 +107,6 @@ def test_unknown_and_missing_files_are_named(tmp_path):
         loom.read_point_cloud(tmp_path / "missing.ply")
     with pytest.raises(loom.FileError):
         loom.write_point_cloud(tmp_path / "no" / "folder" / "cloud.ply", loom.PointCloud())
-
-
-@pytest.mark.parametrize("extension", [".ply", ".pcd", ".npz"])
-@pytest.mark.parametrize("share", [0.3, 0.9, 0.999])
-def test_a_truncated_file_is_an_error_and_never_part_of_a_cloud(extension, share, rng, tmp_path):
-    path = tmp_path / f"cloud{extension}"
-    loom.write_point_cloud(path, full_cloud(rng))
-    content = path.read_bytes()
-    path.write_bytes(content[: int(len(content) * share)])
-    with pytest.raises(loom.FileError, match=rf"cloud\{extension}"):
-        loom.read_point_cloud(path)
 
 
 @pytest.mark.parametrize("name", ["device", "origin", "self", "grid"])
