@@ -29,7 +29,7 @@ def table_of(count=100, dtype=np.float32, grid=None, **attributes) -> PointTable
 def assert_same_table(found: PointTable, expected: PointTable) -> None:
     """That two tables hold the same bits of the same types."""
     assert found.grid == expected.grid
-    assert list(found.attributes) == list(expected.attributes)
+    assert sorted(found.attributes) == sorted(expected.attributes)
     pairs = [(getattr(found, name), getattr(expected, name)) for name in ("points", "normals", "colors")]
     for left, right in [*pairs, *((found.attributes[name], expected.attributes[name]) for name in found.attributes)]:
         assert (left is None) == (right is None)
