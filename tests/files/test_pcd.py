@@ -31,9 +31,8 @@ def path(tmp_path):
 @pytest.mark.parametrize("encoding", ENCODINGS)
 @pytest.mark.parametrize(("count", "dtype"), [(0, np.float32), (1, np.float64), (120, np.float32), (500, np.float64)])
 def test_every_array_survives_a_round_trip_to_the_bit(path, encoding, dtype, count):
-    table = table_of(
-        count, dtype, stamp=np.arange(count, dtype=np.uint64) + 2**63, fpfh=np.ones((count, 33), np.float32)
-    )
+    whole = {"stamp": np.arange(count, dtype=np.uint64) + 2**63, "count": np.arange(count) - 2**62}
+    table = table_of(count, dtype, fpfh=np.ones((count, 33), np.float32), **whole)
     write_pcd(path, table, encoding=encoding)
     assert_same_table(read_pcd(path), table)
 

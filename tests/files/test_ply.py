@@ -45,6 +45,7 @@ def test_every_array_survives_a_round_trip_to_the_bit(path, ascii, dtype, count)
     table = table_of(count, dtype)
     write_ply(path, table, ascii=ascii)
     assert_same_table(read_ply(path), table)
+    assert list(read_ply(path).attributes) == list(table.attributes)
 
 
 @pytest.mark.parametrize("ascii", [False, True])

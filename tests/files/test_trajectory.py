@@ -14,14 +14,7 @@ from pointloom.cameras.trajectory import Trajectory, read_pose, read_trajectory,
 from pointloom.core.errors import FileError
 
 CAMERA = PinholeCameraIntrinsic.prime_sense_default()
-FORMATS = [
-    ("log", "t.log"),
-    ("tum", "t.txt"),
-    ("kitti", "t.txt"),
-    ("tum", "t.tum"),
-    ("kitti", "t.kitti"),
-    ("json", "t.json"),
-]
+FORMATS = [("tum", "t.txt"), ("kitti", "t.txt"), *((name, f"t.{name}") for name in ("log", "tum", "kitti", "json"))]
 BITS = settings(
     max_examples=25, derandomize=True, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
 )
