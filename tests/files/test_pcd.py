@@ -31,7 +31,7 @@ def path(tmp_path):
 @pytest.mark.parametrize("encoding", ENCODINGS)
 @pytest.mark.parametrize(("count", "dtype"), [(0, np.float32), (1, np.float64), (120, np.float32), (500, np.float64)])
 def test_every_array_survives_a_round_trip_to_the_bit(path, encoding, dtype, count):
-    whole = {"stamp": np.arange(count, dtype=np.uint64) + 2**63, "count": np.arange(count) - 2**62}
+    whole = {"stamp": np.arange(count, dtype=np.uint64) + 2**63, "large": np.arange(count) - 2**62}
     table = table_of(count, dtype, fpfh=np.ones((count, 33), np.float32), **whole)
     write_pcd(path, table, encoding=encoding)
     assert_same_table(read_pcd(path), table)
