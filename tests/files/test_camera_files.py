@@ -58,11 +58,6 @@ def test_lenses_of_transforms_are_those_of_colmap(tmp_path, more, expected):
     assert (camera.model, list(camera.params)) == expected
 
 
-def test_a_frame_of_transforms_may_have_a_lens_of_its_own(tmp_path):
-    (camera,) = loom.read_cameras(transforms(tmp_path, {"fl_x": 70.0, "w": 66})).cameras
-    assert (camera.width, camera.params[0]) == (66, 70.0)
-
-
 @pytest.mark.parametrize(
     ("frame", "more", "said"),
     [

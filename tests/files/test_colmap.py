@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
 import struct
 
 import numpy as np
@@ -80,12 +79,6 @@ def test_small_models_come_back(tmp_path, form, pictures, points):
     assert_same(loom.read_colmap_model(tmp_path / "m"), model, poses=1e-15)
 
 
-def test_a_picture_may_see_a_point_twice(tmp_path, form):
-    model = loom.SfmModel(["a"], [LENS], np.eye(4)[None], [[0, 0, 1.0]], None, None, [[0, 0], [0, 0]], [[1, 2], [3, 4]])
-    loom.write_colmap_model(tmp_path / "m", model, format=form)
-    assert loom.read_colmap_model(tmp_path / "m").pixels.tolist() == [[1, 2], [3, 4]]
-
-
 @pytest.mark.parametrize("place", ["sparse/0", "sparse", "0", "."])
 def test_a_model_is_found_below_its_project(tmp_path, form, place):
     loom.write_colmap_model(tmp_path / "project" / place, MODEL, format=form)
@@ -98,14 +91,6 @@ def test_of_several_models_one_must_be_chosen(tmp_path):
     with pytest.raises(loom.FileError, match=r"2 models: sparse/0 \(2 pictures\), sparse/1 \(6 pictures\)"):
         loom.read_colmap_model(tmp_path)
     assert len(loom.read_colmap_model(tmp_path / "sparse/1")) == 6
-
-
-def test_where_both_forms_lie_the_binary_one_is_read(tmp_path):
-    loom.write_colmap_model(tmp_path / "text", MODEL, format="txt")
-    loom.write_colmap_model(tmp_path / "m", MODEL.select(MODEL.names[:2]))
-    for path in (tmp_path / "text").iterdir():
-        shutil.copy(path, tmp_path / "m")
-    assert len(loom.read_colmap_model(tmp_path / "m")) == 2
 
 
 @pytest.mark.parametrize("name", ["cameras", "images", "points3D"])
@@ -269,11 +254,6 @@ def test_text_is_read_whatever_its_line_ends(tmp_path, change):
     assert model.pixels.tolist() == [[10, 20]]
     assert model.colors.tolist() == [[1, 2, 3]]
     assert model.errors.tolist() == [0.5]
-
-
-def test_an_empty_file_of_points_is_a_model_of_known_poses(tmp_path):
-    model = loom.read_colmap_model(write_text(tmp_path, images="1 1 0 0 0 0 0 0 1 a\n\n", points=""))
-    assert (len(model), len(model.points)) == (1, 0)
 
 
 def test_a_point_without_an_error_or_a_track_is_read(tmp_path):

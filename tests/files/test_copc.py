@@ -153,16 +153,6 @@ def test_the_octree_is_what_the_specification_wants(table, path):
     assert file.nodes["level"].max() >= 3
 
 
-def test_a_level_holds_one_point_a_voxel_where_more_lie_below(path):
-    file = open_copc(path)
-    row = file.file.layout.dtype()
-    finest = file.nodes["level"].max()
-    points = file.file.decode(np.frombuffer(file.unpack(np.flatnonzero(file.nodes["level"] == 0)), row))["points"]
-    assert finest > 0
-    voxels = np.floor((points - file.corner) / file.spacing)
-    assert len(np.unique(voxels, axis=0)) == len(points)
-
-
 def test_branches_of_a_large_octree_have_pages_of_their_own(table, tmp_path, monkeypatch, small_nodes):
     monkeypatch.setattr(copc_writer, "_PAGE", 10)
     monkeypatch.setattr(copc_writer, "_PAGE_DEPTH", 1)

@@ -11,13 +11,6 @@ from pointloom.files.frames.dataset_layouts import associate, list_redwood, list
 from .frame_folders import make_redwood, make_seven_scenes, make_tum, write_listing, write_log, write_poses
 
 
-def test_seven_scenes_numbers_may_have_gaps(tmp_path):
-    folder = make_seven_scenes(tmp_path / "set", 4)
-    for path in folder.glob("frame-000001.*"):
-        path.unlink()
-    assert [f.name for f in list_seven_scenes(folder, every=1)] == [f"frame-{i:06d}" for i in (0, 2, 3)]
-
-
 @pytest.mark.parametrize("part", ["pose.txt", "depth.png", "color.png"])
 def test_seven_scenes_misses_any_part_of_a_frame(tmp_path, part):
     folder = make_seven_scenes(tmp_path / "set")
@@ -139,12 +132,6 @@ def test_tum_leaves_out_what_has_no_partner_and_says_so(tmp_path):
     assert [frame.name for frame in frames] == ["100.000000"]
     reasons = [text.split(": ")[1] for text in left_out]
     assert reasons == ["no colour within 0.02 s", "no colour within 0.02 s", "no pose within 0.02 s"]
-
-
-def test_tum_takes_the_pose_closest_to_the_depth_map(tmp_path):
-    folder = make_tum(tmp_path / "set", 1)
-    write_poses(folder, [(99.995, 1), (100.004, 2), (100.012, 3), (99.99, 4)])
-    assert list_tum(folder)[0][0].T_world_camera[0, 3] == 2
 
 
 def test_tum_clocks_that_differ_are_refused(tmp_path):

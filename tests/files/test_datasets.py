@@ -87,12 +87,6 @@ def test_an_empty_folder_is_told_what_was_looked_for(tmp_path):
             open_dataset(tmp_path, layout=layout)
 
 
-def test_the_folder_above_a_set_points_to_it(tmp_path):
-    make_seven_scenes(tmp_path / "seq-01")
-    with pytest.raises(DatasetError, match=r"Did you mean .*seq-01\?"):
-        open_dataset(tmp_path)
-
-
 def test_two_layouts_in_one_folder_need_a_word(tmp_path):
     folder = make_redwood(tmp_path / "set")
     (folder / "depth.txt").write_text("0 depth/00000.png\n0.1 depth/00001.png\n")
@@ -159,16 +153,6 @@ def test_the_matrix_of_a_scene_lies_beside_or_above_its_sequences(tmp_path):
         open_dataset(folder)
 
 
-@pytest.mark.parametrize("name", ["camera-intrinsics.txt", "intrinsics.K.txt", "intrinsics.txt", "K.txt"])
-def test_a_matrix_beside_the_frames_is_the_camera_and_is_named(tmp_path, name):
-    folder = make_seven_scenes(tmp_path / "set")
-    np.savetxt(folder / name, SMALL.matrix)
-    dataset = open_dataset(folder)
-    assert dataset.intrinsic == SMALL
-    assert dataset.intrinsic_source == str(folder / name)
-    assert dataset.intrinsic_doubt == ""
-
-
 def test_two_matrices_that_disagree_are_refused(tmp_path):
     folder = make_seven_scenes(tmp_path / "set")
     for name in ("K.txt", "intrinsics.K.txt"):
@@ -216,16 +200,6 @@ def test_a_camera_of_another_size_is_refused(tmp_path, layout):
         open_dataset(folder)
     with pytest.raises(DatasetError, match=r"the intrinsic given is for 4 x 3.*scaled"):
         open_dataset(folder, intrinsic=SMALL.scaled(0.5))
-
-
-@pytest.mark.parametrize("layout", LAYOUTS)
-def test_pictures_of_different_size_are_refused_by_name(tmp_path, layout):
-    folder = make(layout, tmp_path / "set")
-    color = open_dataset(folder, intrinsic=SMALL).frames[2].color
-    assert color is not None
-    Image.fromarray(picture(1, (12, 16, 3))).save(color)
-    with pytest.raises(DatasetError, match=rf"{color.name}: is 16 x 12, but .* is 8 x 6"):
-        open_dataset(folder, intrinsic=SMALL)
 
 
 def test_pictures_that_change_after_opening_are_noticed(tmp_path):

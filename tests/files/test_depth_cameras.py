@@ -126,13 +126,6 @@ def test_a_realsense_that_is_not_there_is_an_error(realsense):
         loom.RealSenseCamera()
 
 
-def test_a_recording_of_a_realsense_is_played_once_and_ends(realsense):
-    stub = realsense([1, 2, 3])
-    camera = loom.RealSenseCamera(file="walk.bag")
-    assert [frame.timestamp for frame in camera] == pytest.approx([0.033, 0.066, 0.099])
-    assert ("enable_device_from_file", "walk.bag", False) in stub.asked and ("set_real_time", False) in stub.asked
-
-
 def test_a_lens_of_an_unknown_kind_is_refused_and_the_camera_released(realsense):
     stub = realsense([1], model="ftheta", coefficients=(0.1, 0, 0, 0, 0))
     with pytest.raises(loom.CameraError, match="ftheta"):

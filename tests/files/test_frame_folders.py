@@ -49,14 +49,6 @@ def test_each_layout_opens_without_poses(tmp_path, layout):
 
 
 @pytest.mark.parametrize("layout", LAYOUTS)
-def test_poses_beside_the_frames_are_taken_unless_told_otherwise(tmp_path, layout):
-    folder = make(layout, tmp_path / "set")
-    places = [frame.T_world_camera[0, 3] for frame in open_frames(folder, intrinsic=SMALL)]
-    assert places == [0, 1, 2]
-    assert all(frame.T_world_camera is None for frame in open_frames(folder, intrinsic=SMALL, poses=False))
-
-
-@pytest.mark.parametrize("layout", LAYOUTS)
 def test_poses_that_are_not_asked_for_are_not_opened(tmp_path, layout):
     folder = make(layout, tmp_path / "set")
     for path in [*folder.glob("*.pose.txt"), folder / "trajectory.log", folder / "groundtruth.txt"]:

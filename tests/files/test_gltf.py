@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import base64
-import copy
 import re
 import sys
 
@@ -20,21 +19,11 @@ from pointloom.files.pictures.image_files import encode_png
 from pointloom.files.source import netted
 from pointloom.files.table import MeshTable
 
-from .gltf_scenes import TRIANGLE, Scene, one_triangle
+from .gltf_scenes import TRIANGLE, Scene, changed, one_triangle
 from .textured_meshes import PICTURE, square, textured
 
 SHEAR = np.array([[1, 0.5, 0, 3], [0, 2, 0, 0], [0, 0, 1, -1], [0, 0, 0, 1.0]])
 HALF = float(np.sqrt(0.5))
-
-
-def changed(scene: Scene, *path_and_value) -> dict:
-    """The JSON of a scene with one value changed."""
-    *path, last, value = path_and_value
-    content = holder = copy.deepcopy(scene.content())
-    for key in path:
-        holder = holder[key]
-    holder[last] = value
-    return content
 
 
 def test_a_gltf_is_read_as_its_glb_is(tmp_path):

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import io
-
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from PIL import Image, ImageFile
+from PIL import Image
 
 from pointloom.core.errors import FileError
 from pointloom.files.pictures.image_files import PictureHeader, read_color, read_depth, read_picture_header, write_png
@@ -146,22 +144,6 @@ def test_missing_files_and_folders_are_file_errors(tmp_path):
         for path in (tmp_path / "none.png", tmp_path):
             with pytest.raises(FileError, match="cannot be read"):
                 read(path)
-
-
-def test_cut_off_pictures_are_errors_at_every_length(tmp_path, depth, color):
-    assert not ImageFile.LOAD_TRUNCATED_IMAGES
-    write_png(tmp_path / "d.png", depth)
-    data = (tmp_path / "d.png").read_bytes()
-    for length in range(0, len(data), 7):
-        (tmp_path / "d.png").write_bytes(data[:length])
-        with pytest.raises(FileError):
-            read_depth(tmp_path / "d.png")
-    file = io.BytesIO()
-    Image.fromarray(color).save(file, "JPEG")
-    for length in range(0, len(file.getvalue()) - 16, 23):
-        (tmp_path / "c.jpg").write_bytes(file.getvalue()[:length])
-        with pytest.raises(FileError):
-            read_color(tmp_path / "c.jpg")
 
 
 def test_an_animation_is_not_a_frame(tmp_path, color):

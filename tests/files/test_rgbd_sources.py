@@ -316,12 +316,3 @@ def test_a_folder_that_holds_something_is_left_alone(tmp_path):
     with pytest.raises(loom.FileError, match="does not exist"):
         loom.FrameRecorder(tmp_path / "a" / "b", CAMERA)
     assert [path.name for path in tmp_path.iterdir()] == ["notes.txt"]
-
-
-def test_a_recording_reports_its_progress(tmp_path):
-    said = []
-    loom.record_frames(
-        loom.frames_from([(COLOR, DEPTH)] * 2, CAMERA), tmp_path / "a", progress=lambda *a: said.append(a)
-    )
-    loom.record_frames(stream((COLOR, DEPTH)), tmp_path / "b", progress=lambda *a: said.append(a))
-    assert said == [("frames", 1, 2), ("frames", 2, 2), ("frames", 1, 0)]

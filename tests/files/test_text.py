@@ -34,12 +34,6 @@ def test_what_the_format_holds_survives_a_round_trip_to_the_bit(tmp_path, suffix
     assert_same_table(read_text(path), table)
 
 
-def test_float32_positions_read_back_equal_as_float32(tmp_path):
-    points = np.random.default_rng(1).normal(size=(100, 3)).astype(np.float32)
-    write_text(tmp_path / "c.xyz", PointTable(points))
-    np.testing.assert_array_equal(read_text(tmp_path / "c.xyz").points.astype(np.float32), points)
-
-
 @pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
 def test_comments_and_blank_lines_are_skipped_in_the_xyz_family(tmp_path, end):
     path = tmp_path / "c.XYZ"

@@ -124,15 +124,6 @@ def test_columns_take_the_place_of_names(tmp_path):
         loom.read_point_cloud(tmp_path / "a.ply", columns=["x", "y", "z"])
 
 
-@pytest.mark.parametrize("delimiter", [",", ";", " "])
-def test_many_rows_agree_with_numpy(tmp_path, rng, delimiter):
-    values = rng.normal(size=(2000, 5)) * 1e5
-    path = tmp_path / "a.csv"
-    np.savetxt(path, values, fmt="%.17g", delimiter=delimiter, header=delimiter.join("xyzuv"), comments="")
-    table = read_text_table(path)
-    np.testing.assert_array_equal(np.column_stack([table.points, table.attributes["u"], table.attributes["v"]]), values)
-
-
 @pytest.mark.parametrize("name", ["a.csv", "a.txt", "a.bin"])
 def test_formats_that_are_only_read_say_which_are_written(tmp_path, name):
     with pytest.raises(FileError, match=r"read from \.\w+, but not written to it\. Use one of \.ply"):
