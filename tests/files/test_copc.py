@@ -206,49 +206,31 @@ def test_info_says_what_it_is(path):
     assert describe(path).facts.version == "LAS 1.4, COPC"
 
 
-def test_an_ordinary_file_has_no_octree(table, tmp_path):
-    write_las(tmp_path / "b.laz", table)
-    with pytest.raises(loom.FileError, match="no COPC file"):
-        loom.read_copc(tmp_path / "b.laz")
-
-
 @pytest.mark.parametrize(
-    ("edits", "reason"),
+    ("edit", "reason"),
     [
-        ([(INFO_AT, "<d", np.nan)], "octree has the middle"),
-        ([(INFO_AT + 24, "<d", 0.0)], "octree has the middle"),
-        ([(INFO_AT + 32, "<d", np.inf)], "octree has the middle"),
-        ([(INFO_AT + 40, "<Q", 1 << 60)], "page of the octree"),
-        ([(INFO_AT + 48, "<Q", 1 << 60)], "page of the octree"),
-        ([(INFO_AT + 48, "<Q", 32)], "which are not the"),
-        ([(104, "B", 0x80 | 3)], "(?s)."),
+        ((INFO_AT, "<d", np.nan), "octree has the middle"),
+        ((INFO_AT + 24, "<d", 0.0), "octree has the middle"),
+        ((INFO_AT + 32, "<d", np.inf), "octree has the middle"),
+        ((INFO_AT + 40, "<Q", 1 << 60), "page of the octree"),
+        ((INFO_AT + 48, "<Q", 1 << 60), "page of the octree"),
+        ((INFO_AT + 48, "<Q", 32), "which are not the"),
+        ((104, "B", 0x80 | 3), "(?s)."),
+        # behind the page's beginning
+        ((-0, "<i", -1), "level or a count"),
+        ((-4, "<i", 1), "outside its cube"),
+        ((-24, "<i", 1 << 30), "which are not the"),
+        ((-28, "<i", -1), "page of the octree|in a circle"),
+        ((-16, "<Qii", "page", "size", -1), "in a circle"),
     ],
 )
-def test_records_that_lie_are_errors(edits, reason, path):
-    with pytest.raises(loom.FileError, match=reason) as caught:
-        loom.read_copc(edited(path, *edits))
-    assert str(path) in str(caught.value)
-
-
-@pytest.mark.parametrize(
-    ("field", "form", "value", "reason"),
-    [
-        (0, "<i", -1, "level or a count"),
-        (4, "<i", 1, "outside its cube"),
-        (24, "<i", 1 << 30, "which are not the"),
-        (28, "<i", -1, "page of the octree|in a circle"),
-    ],
-)
-def test_entries_that_lie_are_errors(field, form, value, reason, path):
-    (page,) = struct.unpack_from("<Q", path.read_bytes(), INFO_AT + 40)
-    with pytest.raises(loom.FileError, match=reason):
-        loom.read_copc(edited(path, (page + field, form, value)))
-
-
-def test_pages_in_a_circle_are_an_error(path):
+def test_records_and_entries_that_lie_are_errors(edit, reason, path):
     page, size = struct.unpack_from("<QQ", path.read_bytes(), INFO_AT + 40)
-    with pytest.raises(loom.FileError, match="in a circle"):
-        loom.read_copc(edited(path, (page + 16, "<Qii", page, size, -1)))
+    at, form, *values = edit
+    values = [{"page": page, "size": size}.get(value, value) for value in values]
+    with pytest.raises(loom.FileError, match=reason) as caught:
+        loom.read_copc(edited(path, (page - at if at <= 0 else at, form, *values)))
+    assert str(path) in str(caught.value)
 
 
 def test_any_byte_of_the_octree_may_be_wrong(path, rng):

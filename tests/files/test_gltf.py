@@ -147,20 +147,6 @@ def test_sparse_accessors_replace_some_elements(tmp_path, code):
         np.testing.assert_array_equal(mesh.vertices, [[7, 8, 9], TRIANGLE[1] if base else [0, 0, 0], [4, 5, 6]])
 
 
-@pytest.mark.parametrize(
-    ("rows", "more", "reason"),
-    [
-        ([1, 1], {}, "indices that do not rise"),
-        ([0, 1], {"count": 3}, "beyond the 4 bytes"),
-        ([0, 1], {"count": 0}, "sparse replaces 0 of 3"),
-        ([0, 1], {"code": "i2"}, "indices that are no unsigned whole numbers"),
-    ],
-)
-def test_sparse_accessors_that_lie_are_refused(tmp_path, rows, more, reason):
-    with pytest.raises(FileError, match=reason):
-        read_glb(sparse_scene(rows, [[7, 8, 9], [4, 5, 6]], base=True, **more).write(tmp_path / "m.glb"))
-
-
 def skinned(weights, *, joints=((0, 1, 0, 0),) * 3, binds=True, code="f4") -> Scene:
     """A triangle that two joints carry, one of them sheared."""
     scene = one_triangle(
@@ -178,46 +164,6 @@ def skinned(weights, *, joints=((0, 1, 0, 0),) * 3, binds=True, code="f4") -> Sc
     return scene
 
 
-def test_a_skin_stands_at_rest_and_its_node_moves_nothing(tmp_path):
-    weights = [[1, 0, 0, 0], [0, 1, 0, 0], [0.5, 1.5, 0, 0]]  # of the third the sum is 2
-    mesh = read_glb(skinned(weights).write(tmp_path / "m.glb"))
-    first = np.eye(4)
-    first[0, 3] = 1
-    second = first @ SHEAR @ np.diag([2, 2, 2, 1])
-    carried = [first, second, 0.25 * first + 0.75 * second]
-    points = [(T @ [*point, 1])[:3] for T, point in zip(carried, TRIANGLE, strict=True)]
-    np.testing.assert_allclose(mesh.vertices, points, rtol=1e-12)
-    normals = [np.linalg.inv(T[:3, :3]).T @ [0, 0, 1] for T in carried]
-    np.testing.assert_allclose(mesh.vertex_normals, [n / np.linalg.norm(n) for n in normals], atol=1e-7)
-    plain = read_glb(skinned(weights, binds=False).write(tmp_path / "n.glb"))
-    np.testing.assert_allclose(plain.vertices[1], (first @ SHEAR @ [1, 0, 0, 1])[:3], rtol=1e-12)
-
-
-@pytest.mark.parametrize(
-    ("scene", "path", "reason"),
-    [
-        (skinned([[np.nan, 0, 0, 0]] * 3), (), "weights of joints that are no shares"),
-        (skinned([[2, -1, 0, 0]] * 3), (), "weights of joints that are no shares"),
-        (skinned([[0, 1, 0, 0]] * 3, joints=[[0, 2, 0, 0]] * 3), (), "names joint 2, of 2"),
-        (skinned([[1, 0, 0, 0]] * 3), ("skins", 0, "joints", []), "has no joints"),
-        (skinned([[1, 0, 0, 0]] * 3), ("skins", 0, "joints", [1, 5]), "its joint nodes 5 is not in the scene"),
-        (skinned([[1, 0, 0, 0]] * 3), ("skins", 0, "joints", [1, 2, 0]), "3 joints, but 2 inverse bind matrices"),
-        (skinned([[1, 0, 0, 0]] * 3), ("nodes", 0, "skin", 4), "names skins 4, of 1"),
-        (skinned([[1, 0, 0, 0]] * 2), (), "WEIGHTS_0 of meshes 0 has 2 elements, POSITION 3"),
-    ],
-)
-def test_a_skin_that_is_not_whole_is_refused(tmp_path, scene, path, reason):
-    with pytest.raises(FileError, match=reason):
-        read_glb(scene.write(tmp_path / "m.glb", changed(scene, *path) if path else None))
-
-
-def test_a_skin_without_joints_at_its_vertices_is_refused(tmp_path):
-    scene = skinned([[1, 0, 0, 0]] * 3)
-    del scene.primitives[0]["attributes"]["JOINTS_0"]
-    with pytest.raises(FileError, match="has a skin, but no joints and weights at its vertices"):
-        read_glb(scene.write(tmp_path / "m.glb"))
-
-
 def morphed(**more) -> Scene:
     """A triangle with two targets of its positions, one of its normals."""
     scene = one_triangle(NORMAL=np.array([[0, 0, 1]] * 3, "f4"))
@@ -231,37 +177,39 @@ def morphed(**more) -> Scene:
     return scene
 
 
-def test_morph_targets_are_taken_at_their_default_weights(tmp_path):
-    said = pytest.warns(UserWarning, match="left behind: morph targets, but for their default weights$")
-    with said:
-        np.testing.assert_array_equal(read_glb(morphed().write(tmp_path / "m.glb")).vertices, TRIANGLE)
-    scene = morphed(weights=[0.5, -1])
-    with said:
-        mesh = read_glb(scene.write(tmp_path / "m.glb"))
-    np.testing.assert_allclose(mesh.vertices, [[0, 0, 0.5], [-1, 0, 0.5], [0, 1, 0.5]])
-    np.testing.assert_allclose(mesh.vertex_normals, [[0, 0.5, 1]] * 3)
-    scene.more["nodes"] = [{"mesh": 0, "weights": [0, 1]}]  # which override the mesh's
-    with said:
-        np.testing.assert_array_equal(read_glb(scene.write(tmp_path / "m.glb")).vertices[1], [3, 0, 0])
+WHOLE, MOVED = skinned([[1, 0, 0, 0]] * 3), [[7, 8, 9], [4, 5, 6]]
+NAN = Scene()
+NAN.primitive(POSITION=np.array([[0, 0, 0], [1, 0, 0], [0, np.nan, 0]], "f4"))
+NO_PLACE = morphed(weights=[1, 0])
+NO_PLACE.primitives[0]["targets"][0]["POSITION"] = NO_PLACE.array(np.full((3, 3), np.inf, "f4"))
 
 
 @pytest.mark.parametrize(
-    ("weights", "reason"), [([1], "is not 2 numbers"), (["a", 1], "is not 2 numbers"), (3, "weights are no list")]
+    ("scene", "path", "reason"),
+    [
+        (sparse_scene([1, 1], MOVED, base=True), (), "indices that do not rise"),
+        (sparse_scene([0, 1], MOVED, base=True, count=3), (), "beyond the 4 bytes"),
+        (sparse_scene([0, 1], MOVED, base=True, count=0), (), "sparse replaces 0 of 3"),
+        (sparse_scene([0, 1], MOVED, base=True, code="i2"), (), "indices that are no unsigned whole numbers"),
+        (skinned([[np.nan, 0, 0, 0]] * 3), (), "weights of joints that are no shares"),
+        (skinned([[2, -1, 0, 0]] * 3), (), "weights of joints that are no shares"),
+        (skinned([[0, 1, 0, 0]] * 3, joints=[[0, 2, 0, 0]] * 3), (), "names joint 2, of 2"),
+        (WHOLE, ("skins", 0, "joints", []), "has no joints"),
+        (WHOLE, ("skins", 0, "joints", [1, 5]), "its joint nodes 5 is not in the scene"),
+        (WHOLE, ("skins", 0, "joints", [1, 2, 0]), "3 joints, but 2 inverse bind matrices"),
+        (WHOLE, ("nodes", 0, "skin", 4), "names skins 4, of 1"),
+        (WHOLE, ("meshes", 0, "primitives", 0, "attributes", {"POSITION": 0}), "has a skin, but no joints and weights"),
+        (skinned([[1, 0, 0, 0]] * 2), (), "WEIGHTS_0 of meshes 0 has 2 elements, POSITION 3"),
+        (morphed(weights=[1]), (), "is not 2 numbers"),
+        (morphed(weights=["a", 1]), (), "is not 2 numbers"),
+        (morphed(weights=3), (), "weights are no list"),
+        (NO_PLACE, (), r"vertex 0\): POSITION of meshes 0 is moved by a morph target to no place"),
+        (NAN, (), r"vertex 2\): POSITION of meshes 0 is NaN or infinite"),
+    ],
 )
-def test_weights_that_are_none_are_refused(tmp_path, weights, reason):
+def test_vertices_that_make_no_sense_are_refused(tmp_path, scene, path, reason):
     with pytest.raises(FileError, match=reason):
-        read_glb(morphed(weights=weights).write(tmp_path / "m.glb"))
-
-
-def test_a_place_that_is_no_number_is_refused(tmp_path):
-    scene = morphed(weights=[1, 0])
-    scene.primitives[0]["targets"][0]["POSITION"] = scene.array(np.full((3, 3), np.inf, "f4"))
-    with pytest.raises(FileError, match=r"vertex 0\): POSITION of meshes 0 is moved by a morph target to no place"):
-        read_glb(scene.write(tmp_path / "m.glb"))
-    scene = Scene()
-    scene.primitive(POSITION=np.array([[0, 0, 0], [1, 0, 0], [0, np.nan, 0]], "f4"))
-    with pytest.raises(FileError, match=r"vertex 2\): POSITION of meshes 0 is NaN or infinite"):
-        read_glb(scene.write(tmp_path / "m.glb"))
+        read_glb(scene.write(tmp_path / "m.glb", changed(scene, *path) if path else None))
 
 
 def painted(path, materials, *, corners=((0, 0), (1, 0), (0, 1)), **more):

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import builtins
-import sys
-
 import laspy
 import numpy as np
 import pytest
@@ -124,24 +121,6 @@ def test_what_las_cannot_hold_is_refused(tmp_path):
         with pytest.raises(ValueError, match="scale"):
             write_las(tmp_path / "a.las", PointTable(np.zeros((2, 3))), scale=scale)
     assert list(tmp_path.iterdir()) == []
-
-
-@pytest.mark.parametrize(("missing", "suffix"), [("laspy", ".las"), ("lazrs", ".laz")])
-def test_a_missing_package_is_named_with_the_line_that_installs_it(missing, suffix, monkeypatch, tmp_path, rng):
-    make(tmp_path / f"a{suffix}", 0, 3, rng)
-    for name in [name for name in sys.modules if name.split(".")[0] == missing]:
-        monkeypatch.delitem(sys.modules, name)
-    find, load = builtins.__import__, __import__("importlib").import_module
-
-    def refuse(name, *args, loader=find, **kwargs):
-        if name.split(".")[0] == missing:
-            raise ModuleNotFoundError(f"No module named {missing!r}")
-        return loader(name, *args, **kwargs)
-
-    monkeypatch.setattr(builtins, "__import__", refuse)
-    monkeypatch.setattr("importlib.import_module", lambda name, package=None: refuse(name, package, loader=load))
-    with pytest.raises(loom.FileError, match=rf'{suffix} needs the package {missing}. pip install "pointloom\[las\]"'):
-        loom.read_point_cloud(tmp_path / f"a{suffix}")
 
 
 @pytest.mark.parametrize("standard", [True, False])

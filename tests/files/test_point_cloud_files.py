@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import builtins
+import importlib
+import sys
+
 import numpy as np
 import pytest
 
@@ -131,3 +135,24 @@ def test_what_is_no_cloud_is_refused_by_name(rng, tmp_path):
     with pytest.raises(TypeError, match="cloud: expected a PointCloud, got ndarray"):
         loom.write_point_cloud(tmp_path / "cloud.ply", rng.random((4, 3)))  # type: ignore[arg-type]
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("missing", "suffix", "extra"), [("laspy", ".las", "las"), ("lazrs", ".laz", "las"), ("pye57", ".e57", "e57")]
+)
+def test_a_missing_package_is_named_with_the_line_that_installs_it(missing, suffix, extra, monkeypatch, tmp_path):
+    loom.write_point_cloud(tmp_path / f"a{suffix}", loom.PointCloud([[0, 0, 0]]))
+    for name in [name for name in sys.modules if name.split(".")[0] == missing]:
+        monkeypatch.delitem(sys.modules, name)
+    find, load = builtins.__import__, importlib.import_module
+
+    def refuse(name, *args, loader=find, **kwargs):
+        if name.split(".")[0] == missing:
+            raise ModuleNotFoundError(f"No module named {missing!r}")
+        return loader(name, *args, **kwargs)
+
+    monkeypatch.setattr(builtins, "__import__", refuse)
+    monkeypatch.setattr("importlib.import_module", lambda name, package=None: refuse(name, package, loader=load))
+    said = rf'{suffix} needs the package {missing}. pip install "pointloom\[{extra}\]"'
+    with pytest.raises(loom.FileError, match=said):
+        loom.read_point_cloud(tmp_path / f"a{suffix}")
