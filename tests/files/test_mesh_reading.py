@@ -154,28 +154,42 @@ def test_what_we_write_as_obj_reads_back_the_same(tmp_path, rng, normals, colors
 
 
 @pytest.mark.parametrize(
-    ("text", "where", "reason"),
+    ("name", "text", "where", "reason"),
     [
-        (SQUARE, "", "holds no faces"),
-        ("f 1 2 3\n", "", "holds no vertices"),
-        (SQUARE + "f 1 2\n", "line 5", "a face has 2 corners"),
-        (SQUARE + "f -5 1 2\n", "line 5", "a face names -5 of 4 vertices"),
-        (SQUARE + "vn 0 0 1\nf 1//1/2 //1/ 3//1/2 //1/\n", "line 6", "not a corner of a face: '1//1/2'"),
-        (SQUARE + "f 1 2 3-1\n", "line 5", "not a corner of a face: '3-1'"),
-        (SQUARE + f"f 1 2 {10**30}\n", "line 5", f"a face names {10**18} of 4 vertices"),
-        (SQUARE + "v 0 0 1e39\nf 1 2 5\n", "vertex 4", "reach beyond float32"),
-        (SQUARE + "f 1 2 1_0\n", "line 5", "not a corner of a face: '1_0'"),
-        ("v 0 0\nf 1 1 1\n", "line 1", "a vertex has 3, 4 or 6 values, found 2"),
-        (SQUARE + "vt \0\nvt 0 0\nf 1/1 2/2 3/2\n", "line 5", "a vt has no values"),
-        ("v 0 0 0 1\nv 0 0 0 2\nf 1 2 1\n", "line 2", "a vertex has the weight 2"),
-        (SQUARE + "\nv 0 x 0\nf 1 2 3\n", "line 6", "not a number: 'x'"),
-        (SQUARE + "curv 0 1 1 2\nf 1 2 3\n", "line 5", "the statement 'curv' is not read"),
-        (SQUARE + "f 1 2 3 \\", "line 5", "ends in a line that is to go on"),
+        ("m.obj", SQUARE, "", "holds no faces"),
+        ("m.obj", "f 1 2 3\n", "", "holds no vertices"),
+        ("m.obj", SQUARE + "f 1 2\n", "line 5", "a face has 2 corners"),
+        ("m.obj", SQUARE + "f -5 1 2\n", "line 5", "a face names -5 of 4 vertices"),
+        ("m.obj", SQUARE + "vn 0 0 1\nf 1//1/2 //1/ 3//1/2 //1/\n", "line 6", "not a corner of a face: '1//1/2'"),
+        ("m.obj", SQUARE + "f 1 2 3-1\n", "line 5", "not a corner of a face: '3-1'"),
+        ("m.obj", SQUARE + f"f 1 2 {10**30}\n", "line 5", f"a face names {10**18} of 4 vertices"),
+        ("m.obj", SQUARE + "v 0 0 1e39\nf 1 2 5\n", "vertex 4", "reach beyond float32"),
+        ("m.obj", SQUARE + "f 1 2 1_0\n", "line 5", "not a corner of a face: '1_0'"),
+        ("m.obj", "v 0 0\nf 1 1 1\n", "line 1", "a vertex has 3, 4 or 6 values, found 2"),
+        ("m.obj", SQUARE + "vt \0\nvt 0 0\nf 1/1 2/2 3/2\n", "line 5", "a vt has no values"),
+        ("m.obj", "v 0 0 0 1\nv 0 0 0 2\nf 1 2 1\n", "line 2", "a vertex has the weight 2"),
+        ("m.obj", SQUARE + "\nv 0 x 0\nf 1 2 3\n", "line 6", "not a number: 'x'"),
+        ("m.obj", SQUARE + "curv 0 1 1 2\nf 1 2 3\n", "line 5", "the statement 'curv' is not read"),
+        ("m.obj", SQUARE + "f 1 2 3 \\", "line 5", "ends in a line that is to go on"),
+        ("m.stl", "solid a\n" + TEXT_FACET, "line 9", "truncated: ends without endsolid"),
+        ("m.stl", "solid a\n" + TEXT_FACET.replace("1 0 0", "1 0") + "endsolid\n", "line 5", "found 'vertex 1 0'"),
+        ("m.stl", "solid a\n" + TEXT_FACET.replace("1 0 0", "1 0 x") + "endsolid\n", "line 5", "not a number: 'x'"),
+        (
+            "m.stl",
+            "solid a\n" + TEXT_FACET.replace("1 0 0", "1 0 inf") + "endsolid\n",
+            "triangle 0",
+            "a corner is not finite",
+        ),
+        ("m.stl", "solid x\nendsolid x\n", "", "holds no facets"),
+        ("m.stl", "\0" * 84, "", "holds no facets"),
+        ("m.stl", "no mesh", "byte 7", "is no STL"),
+        ("m.stl", "x" * 200, "byte 200", "facets that it declares take"),
     ],
 )
-def test_a_damaged_obj_is_refused_with_its_line(tmp_path, text, where, reason):
+def test_a_damaged_file_is_refused_with_its_line(tmp_path, name, text, where, reason):
+    (tmp_path / name).write_text(text)
     with pytest.raises(FileError, match=re.escape(reason)) as caught:
-        read_obj(obj(tmp_path, text))
+        (read_obj if name == "m.obj" else read_stl)(tmp_path / name)
     assert caught.value.where == where
 
 
@@ -204,26 +218,6 @@ def test_a_binary_file_that_begins_with_solid_is_read(tmp_path):
     data = (tmp_path / "m.stl").read_bytes()
     (tmp_path / "m.stl").write_bytes(b"solid" + data[5:])
     np.testing.assert_array_equal(read_stl(tmp_path / "m.stl").vertices, np.eye(3))
-
-
-@pytest.mark.parametrize(
-    ("text", "where", "reason"),
-    [
-        ("solid a\n" + TEXT_FACET, "line 9", "truncated: ends without endsolid"),
-        ("solid a\n" + TEXT_FACET.replace("1 0 0", "1 0") + "endsolid\n", "line 5", "found 'vertex 1 0'"),
-        ("solid a\n" + TEXT_FACET.replace("1 0 0", "1 0 x") + "endsolid\n", "line 5", "not a number: 'x'"),
-        ("solid a\n" + TEXT_FACET.replace("1 0 0", "1 0 inf") + "endsolid\n", "triangle 0", "a corner is not finite"),
-        ("solid x\nendsolid x\n", "", "holds no facets"),
-        ("\0" * 84, "", "holds no facets"),
-        ("no mesh", "byte 7", "is no STL"),
-        ("x" * 200, "byte 200", "facets that it declares take"),
-    ],
-)
-def test_a_damaged_stl_is_refused_with_its_place(tmp_path, text, where, reason):
-    (tmp_path / "m.stl").write_text(text)
-    with pytest.raises(FileError, match=re.escape(reason)) as caught:
-        read_stl(tmp_path / "m.stl")
-    assert caught.value.where == where
 
 
 def test_a_truncated_binary_stl_is_refused(tmp_path):

@@ -78,20 +78,24 @@ def test_colours_up_to_one_are_parts(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("values", "lost"),
+    ("values", "faces", "lost"),
     [
-        ("256 0 0", "colours are left behind, since 256 is no whole number in 0..255"),
-        ("-1 0 0", "colours are left behind, since a colour is outside 0..1"),
-        ("nan 0 0", "colours are left behind, since a colour is outside 0..1"),
-        ("9 0 0 300", "alpha values are left behind, since one is outside 0..255"),
+        ("256 0 0", "3 0 1 2", "colours are left behind, since 256 is no whole number in 0..255"),
+        ("-1 0 0", "3 0 1 2", "colours are left behind, since a colour is outside 0..1"),
+        ("nan 0 0", "3 0 1 2", "colours are left behind, since a colour is outside 0..1"),
+        ("9 0 0 300", "3 0 1 2", "alpha values are left behind, since one is outside 0..255"),
+        ("", "3 0 1 2 5\n3 0 2 1 6", "colours of faces are left behind, since [0-2] of 2 faces"),
+        ("", "3 0 1 2\n3 0 2 1 9 9 9", "colours of faces are left behind, since [0-2] of 2 faces"),
+        ("", "3 0 1 2 9 9 9\n3 0 2 1 9 9 9 9", "colours of faces are left behind, since [0-2] of 2 faces"),
     ],
 )
-def test_colours_out_of_their_range_are_left_behind_and_told(tmp_path, values, lost):
-    path = off(tmp_path, "COFF\n3 1 0\n" + f"0 0 0 {values}\n" * 3 + "3 0 1 2\n")
+def test_colours_that_are_not_whole_are_left_behind_and_told(tmp_path, values, faces, lost):
+    head, count = "COFF" if values else "OFF", faces.count("\n") + 1
+    path = off(tmp_path, f"{head}\n3 {count} 0\n" + f"0 0 0 {values}\n" * 3 + f"{faces}\n")
     with pytest.warns(UserWarning, match=lost):
         read = read_off(path)
-    assert read.attributes == {}
-    assert len(read.triangles) == 1
+    assert read.attributes == read.triangle_attributes == {}
+    assert len(read.triangles) == count
 
 
 def test_an_alpha_that_is_not_opaque_is_an_attribute_and_comes_back(tmp_path):
@@ -118,15 +122,6 @@ def test_colours_of_faces_are_the_triangles(tmp_path):
     np.testing.assert_allclose(
         read_off(tmp_path / "m.off").triangle_attributes["colors"], [[1, 0.5, 0, 0.25]], atol=4e-3
     )
-
-
-@pytest.mark.parametrize(
-    "faces", ["3 0 1 2 5\n3 0 2 3 6\n", "3 0 1 2\n3 0 2 3 9 9 9\n", "3 0 1 2 9 9 9\n3 0 2 3 9 9 9 9\n"]
-)
-def test_colours_of_some_faces_are_left_behind_and_told(tmp_path, faces):
-    path = off(tmp_path, f"OFF\n4 2 0\n{SQUARE}{faces}")
-    with pytest.warns(UserWarning, match=r"colours of faces are left behind, since [0-2] of 2 faces"):
-        assert read_off(path).triangle_attributes == {}
 
 
 @pytest.mark.parametrize(

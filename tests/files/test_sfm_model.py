@@ -162,13 +162,15 @@ def test_what_does_not_fit_is_refused(changed, kind, message):
         loom.SfmModel(**good(**changed))
 
 
-@pytest.mark.parametrize("matrix", [np.diag([1, 2, 1, 1.0]), np.diag([1, 1, -1, 1.0]), np.full((4, 4), np.nan)])
-def test_what_is_no_similarity_is_refused(matrix):
-    with pytest.raises(ValueError, match="transformation"):
-        MODEL.transform(matrix)
-
-
-@pytest.mark.parametrize("factor", [0, -1, np.nan, np.inf, 1e31])
-def test_what_is_no_scale_is_refused(factor):
-    with pytest.raises(ValueError, match="factor"):
-        MODEL.scaled(factor)
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        *((lambda factor=factor: MODEL.scaled(factor), "factor") for factor in (0, -1, np.nan, np.inf, 1e31)),
+        (lambda: MODEL.transform(np.diag([1, 2, 1, 1.0])), "transformation"),
+        (lambda: MODEL.transform(np.diag([1, 1, -1, 1.0])), "transformation"),
+        (lambda: MODEL.transform(np.full((4, 4), np.nan)), "transformation"),
+    ],
+)
+def test_what_is_no_scale_or_similarity_is_refused(call, message):
+    with pytest.raises(ValueError, match=message):
+        call()

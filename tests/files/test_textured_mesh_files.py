@@ -215,7 +215,7 @@ def test_a_material_that_is_not_defined_is_white_with_a_warning(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("mtl", "where", "reason"),
+    ("text", "where", "reason"),
     [
         ("Kd 1 1 1\n", "line 1", "Kd stands before any newmtl"),
         ("newmtl a\nnewmtl a\n", "line 2", "the material 'a' is there twice"),
@@ -223,11 +223,15 @@ def test_a_material_that_is_not_defined_is_white_with_a_warning(tmp_path):
         ("newmtl a\nmap_Kd\n", "line 2", "map_Kd names no picture"),
         ("newmtl a\nmap_Kd -s 2 2 p.png\n", "line 2", "shifted or scaled"),
         ("newmtl a\nmap_Kd -q 2 p.png\n", "line 2", "unknown option '-q'"),
+        ("vt 0 0 0 0\nf 1/5 2/5 3/5\n", "line 10", "a vt has 1 to 3 values, found 4"),
+        ("vt 1e60 0\nf 1/5 2/5 3/5\n", "line 10", "beyond the range of float32"),
+        ("vt x 0\nf 1/5 2/5 3/5\n", "line 10", "not a number: 'x'"),
     ],
 )
-def test_a_damaged_mtl_is_refused_with_its_line(tmp_path, mtl, where, reason):
+def test_a_damaged_mtl_or_vt_is_refused_with_its_line(tmp_path, text, where, reason):
+    faces = (text,) if text.startswith("vt") else ("usemtl a\n" + FACE, text)
     with pytest.raises(FileError, match=re.escape(reason)) as caught:
-        read_obj(obj(tmp_path, "usemtl a\n" + FACE, mtl))
+        read_obj(obj(tmp_path, *faces))
     assert caught.value.where == where
 
 
@@ -242,20 +246,6 @@ def test_a_damaged_picture_is_refused(tmp_path, suffix):
     place.write_bytes(data)
     with pytest.raises(FileError, match="checksum does not fit"):
         FORMATS[suffix][1](path)
-
-
-@pytest.mark.parametrize(
-    ("text", "where", "reason"),
-    [
-        ("vt 0 0 0 0\nf 1/5 2/5 3/5\n", "line 10", "a vt has 1 to 3 values, found 4"),
-        ("vt 1e60 0\nf 1/5 2/5 3/5\n", "line 10", "beyond the range of float32"),
-        ("vt x 0\nf 1/5 2/5 3/5\n", "line 10", "not a number: 'x'"),
-    ],
-)
-def test_bad_texture_coordinates_are_refused_with_their_line(tmp_path, text, where, reason):
-    with pytest.raises(FileError, match=re.escape(reason)) as caught:
-        read_obj(obj(tmp_path, text))
-    assert caught.value.where == where
 
 
 HEAD = (
