@@ -227,8 +227,9 @@ def test_lzf_gives_back_what_went_in(runs):
     assert lzf.decompress(lzf.compress(data), len(data)) == data
 
 
-def test_lzf_crosses_its_blocks_and_shrinks_what_repeats():
-    data = np.repeat(np.random.default_rng(0).integers(0, 9, 300_000), 4).astype(np.uint8).tobytes()
+def test_lzf_crosses_its_blocks_and_shrinks_what_repeats(monkeypatch):
+    monkeypatch.setattr(lzf, "_BLOCK", 1 << 16)
+    data = np.repeat(np.random.default_rng(0).integers(0, 9, 40_000), 4).astype(np.uint8).tobytes()
     packed = lzf.compress(data)
     assert lzf.decompress(packed, len(data)) == data
     assert len(packed) < 0.8 * len(data)

@@ -218,6 +218,7 @@ def test_steps_behind_clusters_keep_the_labels(files, tmp_path):
     np.testing.assert_array_equal(labelled(found), labelled(cloud))
 
 
+@pytest.mark.slow
 def test_a_tile_that_is_damaged_after_the_result_was_made_is_made_again(files, tmp_path):
     job = tmp_path / "job"
     text = "[[step]]\nstep = 'cluster_dbscan'\neps = 0.9\nmin_points = 5\n"

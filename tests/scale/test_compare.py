@@ -172,7 +172,7 @@ def test_an_epoch_that_has_changed_is_refused(files, tmp_path):
         loom.scale.run_tiles(tmp_path / "job")
 
 
-@pytest.mark.parametrize("size", [60.0, 23.7])
+@pytest.mark.parametrize("size", [60.0, pytest.param(23.7, marks=pytest.mark.slow)])
 def test_a_real_slope_has_the_change_of_one_machine(terrain, tmp_path, size):
     points = terrain[(np.abs(terrain[:, :2] - np.median(terrain[:, :2], axis=0)) < 60).all(axis=1)]
     later = points[1::2].copy()

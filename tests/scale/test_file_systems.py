@@ -62,6 +62,7 @@ def mode_of(job):
         return base.execute("PRAGMA journal_mode").fetchone()[0]
 
 
+@pytest.mark.slow
 def test_parts_of_an_array_job_share_a_folder_without_a_log(tmp_path, monkeypatch):
     files = survey(tmp_path, count=1000)
     expected = rows_of(tiled(files, STEPS, tmp_path / "expected", size=100.0)[0])
