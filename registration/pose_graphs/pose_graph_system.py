@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from scipy.sparse.linalg import splu
 
 from ...core.quaternions import nearest_rotations, rotations_to_quaternions
+from ...kernels.arrays.sparse_factor import SparseFactor
 from ...kernels.linear_algebra import matmul
 from ..rigid import rotations_of, skews
 from .pose_graph import GraphArrays
@@ -138,6 +139,7 @@ class NormalEquations:
         self.columns = columns[self.order]
         self.starts = np.concatenate([[0], np.cumsum(np.bincount(rows, minlength=count))])
         ones = self._matrix(np.ones((len(rows), 6, 6)))
+        self.factor = SparseFactor(ones.indptr, ones.indices)
         self.diagonal = np.flatnonzero(ones.indices == np.repeat(np.arange(6 * count), np.diff(ones.indptr)))
 
     def linearise(self, poses: NodePoses, misfit: Misfit, weights: Array) -> None:
@@ -179,9 +181,10 @@ class NormalEquations:
         Raises:
             RuntimeError: Singular.
         """
-        damped = self.matrix.copy()
-        damped.data[self.diagonal] += damping * self.scale
-        return splu(damped, permc_spec="NATURAL", **SYMMETRIC).solve(self.right)
+        damped = self.matrix.data.copy()
+        damped[self.diagonal] += damping * self.scale
+        self.factor.factor(damped)
+        return self.factor.solve(self.right)
 
     def step_of(self, solution: Array, count: int) -> Array:
         """The solution as a step of all nodes, [count, 6]; 0 of those that are anchored."""
