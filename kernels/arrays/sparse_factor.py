@@ -71,10 +71,10 @@ class SparseFactor:
             raise RuntimeError("the matrix is singular")
 
     def solve(self, right: np.ndarray) -> np.ndarray:
-        """The solution for a right side [n] of the matrix that was factored last."""
-        solution = upload(right, float64, "cpu")
-        launch(substitute_kernel, 1, [self, self.size, solution])
-        return np.array(download(solution))
+        """The solution for a right side [n], or for each column of [n, k], of the matrix that was factored last."""
+        columns = upload(np.atleast_2d(right.T), float64, "cpu")
+        launch(substitute_kernel, len(columns), [self, self.size, columns])
+        return np.array(download(columns)).T.reshape(right.shape)
 
 
 @kernel
@@ -144,16 +144,17 @@ def factor_columns_kernel(factor: SparseFactor, count: int, values: array(dtype=
 
 
 @kernel
-def substitute_kernel(factor: SparseFactor, count: int, x: array(dtype=float64)):
-    """L D L^T x = b, with b in x at first."""
-    thread = tid()
-    for j in range(thread, count):
-        value = x[j]
+def substitute_kernel(factor: SparseFactor, count: int, x: array(dtype=float64, ndim=2)):
+    """L D L^T x = b in each row, with b in it at first."""
+    i = tid()
+    for j in range(count):
+        value = x[i, j]
         for p in range(factor.firsts[j], factor.firsts[j] + factor.counts[j]):
-            x[factor.below[p]] = x[factor.below[p]] - factor.lower[p] * value
-    for j in range(thread, count):
+            row = factor.below[p]
+            x[i, row] = x[i, row] - factor.lower[p] * value
+    for j in range(count):
         k = count - 1 - j
-        value = x[k] / factor.diagonal[k]
+        value = x[i, k] / factor.diagonal[k]
         for p in range(factor.firsts[k], factor.firsts[k] + factor.counts[k]):
-            value = value - factor.lower[p] * x[factor.below[p]]
-        x[k] = value
+            value = value - factor.lower[p] * x[i, factor.below[p]]
+        x[i, k] = value

@@ -21,8 +21,8 @@ from typing import Any
 import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
-from scipy.sparse.linalg import splu
 
+from ...kernels.arrays.sparse_factor import SparseFactor
 from ...kernels.linear_algebra import eigh, elementwise, inv, matmul
 from ..pose_graphs.pose_graph import GraphArrays
 from ..pose_graphs.pose_graph_system import EdgeMeasurements, NodePoses
@@ -31,6 +31,7 @@ from .observations import Array, ControlPoint, StationPair, TargetObservation
 
 LEVEL_ROWS = [2, 3, 4, 5]  # yaw, x, y, z of the six of a pose
 NOTHING = 1e-12  # of the largest eigenvalue: what is determined by no more is not determined
+NO_MOTION = 1e-12  # the square of the length up to which a vector of motions is zero
 UNTESTABLE = 1e-6  # of a row's redundancy: an observation that nothing checks
 MOST_STEPS, MOST_HALVINGS = 60, 12
 SETTLED = 1e-7  # standard deviations that a step moves all unknowns by, together
@@ -278,8 +279,7 @@ def _descend(
         A, right = network.matrix(rows), np.concatenate([*rows.right, np.empty(0)])
         held = _held(A, network, reference)
         N = (A.T @ A).tocsc()
-        solver = splu((N + held).tocsc())
-        step = -solver.solve(A.T @ right)
+        step = -_factor_of(N + held).solve(A.T @ right)
         if float(np.sqrt(max((step * (N @ step)).sum(), 0.0))) < SETTLED:
             return poses, places, True
         squares = float((right * right).sum())
@@ -310,18 +310,26 @@ def _conditions(A: sp.csr_matrix, network: _Network, reference: int) -> tuple[Ar
     part = slice(network.size * reference, network.size * (reference + 1))
     H = np.zeros((0, network.unknowns))
     if Z.shape[1]:
-        U, s, _ = np.linalg.svd(Z[part], full_matrices=False)
-        H = np.zeros((int((s > 1e-6).sum()), network.unknowns))
-        H[:, part] = (U[:, s > 1e-6] * 1.0).T
+        squares, U = eigh(matmul(Z[part], Z[part].T))
+        H = np.zeros((int((squares > NO_MOTION).sum()), network.unknowns))
+        H[:, part] = U[:, squares > NO_MOTION].T
     # what is left open once the datum is held is loose
     left = matmul(Z, _kernel(matmul(H, Z))) if Z.shape[1] else Z
     return H, left, Z, stiff
 
 
 def _kernel(M: Array) -> Array:
-    _, s, Vt = np.linalg.svd(M, full_matrices=True)
-    rank = int((s > 1e-6).sum())
-    return Vt[rank:].T
+    """The vectors that a matrix takes to zero, as columns."""
+    squares, vectors = eigh(matmul(M.T, M))
+    return vectors[:, squares <= NO_MOTION]
+
+
+def _factor_of(system: sp.spmatrix) -> SparseFactor:
+    """The factors of normal equations."""
+    system = system.tocsc()
+    factor = SparseFactor(system.indptr, system.indices)
+    factor.factor(system.data)
+    return factor
 
 
 def _held(A: sp.csr_matrix, network: _Network, reference: int) -> sp.csc_matrix:
@@ -334,8 +342,7 @@ def _cofactors(A: sp.csr_matrix, network: _Network, reference: int) -> tuple[Arr
     """Cofactors of the unknowns under the datum, its conditions, those of all, and which stations are loose."""
     H, left, Z, stiff = _conditions(A, network, reference)
     N = (A.T @ A).tocsc()
-    solver = splu((N + _held(A, network, reference)).tocsc())
-    Q = solver.solve(np.eye(network.unknowns))
+    Q = _factor_of(N + _held(A, network, reference)).solve(np.eye(network.unknowns))
     Q = (Q + Q.T) / 2 * stiff[:, None] * stiff[None]
     if Z.shape[1]:  # the conditions are exact: what they add is taken off again
         C = np.vstack([H, left.T])
