@@ -105,9 +105,8 @@ class Motion(Bounding, Movable):
             reach = f"{corners[0].tolist()}..{corners[1].tolist()}"
             raise ValueError(f"{name}: takes the points to {reach}, beyond what float32 holds about their middle")
         _, origin = split_origin(corners)
-        carried = np.round(
-            matmul(A, self._origin) + t
-        )  # near most of the points still, whatever a stray one does to the box
+        # near most of the points still, whatever a stray one does to the box
+        carried = np.round(matmul(A, self._origin) + t)
         if origin.any() and np.abs(corners - carried).max() < FLOAT32_MAX:
             origin = carried
         cloud = self._under(A, matmul(A, self._origin) + t - origin, origin)

@@ -23,7 +23,7 @@ def rotations_of(vectors: NDArray[np.float64]) -> Matrix:
     K = skews(vectors)
     first = np.sinc(angles / np.pi)  # sin(a) / a
     second = np.sinc(angles / (2 * np.pi)) ** 2 / 2  # (1 - cos(a)) / a^2
-    return np.eye(3) + first[:, None, None] * K + second[:, None, None] * (matmul(K, K))
+    return np.eye(3) + first[:, None, None] * K + second[:, None, None] * matmul(K, K)
 
 
 def scale_of(T: Matrix) -> float:
@@ -75,7 +75,7 @@ def pose_of(twist: NDArray[np.float64]) -> Matrix:
     if angle < SMALL_ANGLE:
         V = np.eye(3) + K / 2 + matmul(K, K) / 6
     else:
-        V = np.eye(3) + (1 - np.cos(angle)) / angle**2 * K + (angle - np.sin(angle)) / angle**3 * (matmul(K, K))
+        V = np.eye(3) + (1 - np.cos(angle)) / angle**2 * K + (angle - np.sin(angle)) / angle**3 * matmul(K, K)
     return make_pose(rotation_of(rotation), matmul(V, twist[3:]))
 
 

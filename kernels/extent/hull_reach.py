@@ -55,7 +55,7 @@ class ClimbedHull:
         aims = download(directions)  # sync
         rows = max(1, TABLE_CHUNK // len(vertices))
         table = np.concatenate(
-            [(matmul(aims[k : k + rows], vertices.T)).argmax(axis=1) for k in range(0, len(aims), rows)]
+            [matmul(aims[k : k + rows], vertices.T).argmax(axis=1) for k in range(0, len(aims), rows)]
         )
         ends = np.concatenate([edges, edges[:, ::-1]])
         ends = ends[np.lexsort((ends[:, 1], ends[:, 0]))]

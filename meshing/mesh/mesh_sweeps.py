@@ -108,7 +108,7 @@ class MeshSweeps(MeshShapes, MeshMeasures):
         corners = self.vertices
         check_vertex_count("resolution", (steps + 1) * len(corners))
         shares = np.linspace(0, 1, steps + 1)[:, None, None]
-        along = (matmul(corners, way))[:, None] * way
+        along = matmul(corners, way)[:, None] * way
         across, side = corners - along, np.cross(way, corners)
         rings = along + np.cos(whole * shares) * across + np.sin(whole * shares) * side + rise * shares * way
         is_closed = not rise and abs(abs(float(angle)) - 360) < 1e-9 and steps > 2

@@ -130,7 +130,7 @@ def views_around(
         around = math.sqrt(1 - z * z)
         forward = -np.array([around * math.cos(angle), around * math.sin(angle), z])
         right = np.cross([0.0, 0.0, -1.0], forward) if around > 0.05 else np.array([1.0, 0.0, 0.0])
-        right = right - (matmul(right, forward)) * forward
+        right = right - matmul(right, forward) * forward
         right /= norm(right)
         T = np.eye(4)
         T[:3, :3] = np.stack([right, np.cross(forward, right), forward])

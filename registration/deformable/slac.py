@@ -232,7 +232,7 @@ class _Alignment:
         solution, turns = task.solve()
         motions = np.array(download(solution[: 2 * count]), np.float64).reshape(count, 6)  # sync
         R = rotations_of(motions[:, :3])
-        self.poses[:, :3, 3] = (matmul(R, self.poses[:, :3, 3, None]))[:, :, 0] + motions[:, 3:]
+        self.poses[:, :3, 3] = matmul(R, self.poses[:, :3, 3, None])[:, :, 0] + motions[:, 3:]
         self.poses[:, :3, :3] = nearest_rotations(matmul(R, self.poses[:, :3, :3]))
         launch(shift_anchors_kernel, lattice.anchor_count, [2 * count, solution, lattice.shifts])
         self.fragments.bend()
@@ -261,7 +261,7 @@ class _Alignment:
     ) -> PoseGraph:
         """The graph at the new poses; those that were held keep their bits."""
         poses = self.poses.copy()
-        poses[:, :3, 3] += self.middle - (matmul(poses[:, :3, :3], self.origin))
+        poses[:, :3, 3] += self.middle - matmul(poses[:, :3, :3], self.origin)
         poses[held] = self.graph.poses[held]
         counts = np.zeros(len(used), np.int64)
         counts[used] = np.diff(rows.starts)

@@ -96,5 +96,5 @@ def twist_of(T: NDArray[np.float64]) -> NDArray[np.float64]:
     rotation = rotation_vector(T[:3, :3])
     angle, K = float(norm(rotation)), skew(rotation)
     factor = 1 / 12 + angle**2 / 720 if angle < SMALL_ANGLE else (1 - angle / 2 / math.tan(angle / 2)) / angle**2
-    V_inverse = np.eye(3) - K / 2 + factor * (matmul(K, K))
+    V_inverse = np.eye(3) - K / 2 + factor * matmul(K, K)
     return np.concatenate([rotation, matmul(V_inverse, T[:3, 3])])

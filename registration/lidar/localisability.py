@@ -57,7 +57,7 @@ class OpenDirections:
     def weight(self) -> Matrix:
         """What to add to the normal equations, in units of their trace, so that these motions are left out, [6, 6]."""
         rows = self.scale[:, None] * self.basis
-        return HELD_WEIGHT * (matmul(rows, rows.T))
+        return HELD_WEIGHT * matmul(rows, rows.T)
 
     def taken_from(self, pose: Matrix, held: Matrix) -> Matrix:
         """A pose whose part along these directions is that of another one."""

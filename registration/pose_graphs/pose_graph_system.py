@@ -93,7 +93,7 @@ class EdgeMeasurements:
 
     def _frames(self, poses: NodePoses) -> tuple[Array, Array]:
         """Rotations from the world to the frames of the misfits, [m, 3, 3]; from target to source, [m, 3] [m]."""
-        to_misfit = (matmul(poses.rotations[self.target], self.rotations)).transpose(0, 2, 1)
+        to_misfit = matmul(poses.rotations[self.target], self.rotations).transpose(0, 2, 1)
         return to_misfit, poses.positions[self.source] - poses.positions[self.target]
 
 
@@ -229,4 +229,4 @@ def _sums(rows: NDArray[np.int64], columns: NDArray[np.int64], shape: tuple[int,
 
 
 def _apply(matrices: Array, vectors: Array) -> Array:
-    return (matmul(matrices, vectors[:, :, None]))[:, :, 0]
+    return matmul(matrices, vectors[:, :, None])[:, :, 0]

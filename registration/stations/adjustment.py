@@ -132,7 +132,7 @@ class _Rows:
         k = len(root)
         for first, J in blocks:
             rows, columns = np.indices((k, J.shape[1]))
-            self.entries.append(((rows + self.count).ravel(), (columns + first).ravel(), (matmul(root, J)).ravel()))
+            self.entries.append(((rows + self.count).ravel(), (columns + first).ravel(), matmul(root, J).ravel()))
         self.right.append(matmul(root, residual))
         self.groups.append(Group(kind, observation, slice(self.count, self.count + k), residual))
         self.count += k

@@ -309,13 +309,13 @@ def _alignment(P: Matrix, Q: Matrix, align: bool | str | None, with_scale: bool)
         R = matmul(_turned_about(axes[:, 2], Q[:, :3, :3], matmul(R, P[:, :3, :3])), R)
         scale = larger / float((s * s).sum()) if with_scale else 1.0
     else:
-        R, scale = nearest_rotation((matmul(Q[:, :3, :3], _transposed(P[:, :3, :3]))).sum(axis=0)), 1.0
+        R, scale = nearest_rotation(matmul(Q[:, :3, :3], _transposed(P[:, :3, :3])).sum(axis=0)), 1.0
     return make_pose(scale * R, target.mean(axis=0) - matmul(scale * R, source.mean(axis=0))), scale
 
 
 def _turned_about(axis: NDArray[np.float64], wanted: Matrix, turned: Matrix) -> Matrix:
     """The rotation about an axis that brings orientations nearest to others, in the Frobenius norm."""
-    M = (matmul(wanted, _transposed(turned))).sum(axis=0)
+    M = matmul(wanted, _transposed(turned)).sum(axis=0)
     sine = float(matmul(axis, [M[2, 1] - M[1, 2], M[0, 2] - M[2, 0], M[1, 0] - M[0, 1]]))
     cosine = float(np.trace(M) - matmul(axis, M, axis))
     return rotation_of(axis * math.atan2(sine, cosine))

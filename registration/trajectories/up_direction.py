@@ -135,9 +135,9 @@ def _by_level_cameras(rotations: Array) -> UpDirection:
     sigma = max(sigma, math.degrees(0.01) / math.sqrt(float(values[1]) * kept.sum()))  # nobody holds one better
     if sigma > MOST_SIGMA:
         return _unknown(f"cameras were held so that up is known to {sigma:.0f} degrees alone")
-    sign = -float((matmul(down[kept], way)).mean())
+    sign = -float(matmul(down[kept], way).mean())
     if abs(sign) < LEAST_SIGN:  # cameras that look down or up: nearly all look down
-        sign = -float((matmul(ahead[kept], way)).mean())
+        sign = -float(matmul(ahead[kept], way).mean())
         if abs(sign) < LEAST_SIGN:
             return _unknown("pictures lie both ways up")
     return UpDirection(way * math.copysign(1.0, sign), sigma, "cameras")
