@@ -9,6 +9,8 @@ from ..kernels.linear_algebra import det, eigh
 
 NEARLY_SINGULAR = 1e-3  # a determinant, as a fraction of the cube of the Frobenius norm; a rotation's is 0.19
 MAX_NEWTON_STEPS = 20
+NEARLY_ONE = 0.1
+ROUNDING = 1e-15  # a step of no more is none, so a rotation keeps its bits
 CONVERGED = 1e-9  # the change of a step; convergence is quadratic, so what is left is rounding
 
 
@@ -53,7 +55,7 @@ def nearest_rotations(M: NDArray[np.float64]) -> NDArray[np.float64]:
     sizes = _sizes(M)
     is_regular = det(M) > NEARLY_SINGULAR * sizes**3
     R = np.empty(M.shape)
-    R[is_regular] = _polar_factors(M[is_regular] / sizes[is_regular, None, None])
+    R[is_regular] = _polar_factors(np.ldexp(M[is_regular], 1 - np.frexp(sizes[is_regular, None, None])[1]))
     R[~is_regular] = _best_rotations(M[~is_regular])
     return R
 
@@ -63,8 +65,11 @@ def _polar_factors(R: NDArray[np.float64]) -> NDArray[np.float64]:
     for _ in range(MAX_NEWTON_STEPS):
         inverses = _cofactors(R) / det(R)[:, None, None]  # transposed
         scales = np.sqrt(_sizes(inverses) / _sizes(R))[:, None, None]
-        last, R = R, (R * np.sqrt(scales) + inverses / np.sqrt(scales)) / 2
-        if np.abs(R - last).max(initial=0.0) < CONVERGED:
+        roots = np.sqrt(np.where(np.abs(scales - 1) < NEARLY_ONE, 1.0, scales))
+        steps = (inverses / roots - R * roots) / 2
+        lengths = np.abs(steps).max(axis=(1, 2), keepdims=True, initial=0.0)
+        R = R * roots + np.where(lengths < ROUNDING, 0.0, steps)
+        if not (lengths > CONVERGED).any():
             break
     return R
 
@@ -86,4 +91,4 @@ def _best_rotations(M: NDArray[np.float64]) -> NDArray[np.float64]:
     N[:, :3, :3] = M + M.transpose(0, 2, 1) - 2 * np.trace(M, axis1=1, axis2=2)[:, None, None] * np.eye(3)
     N[:, :3, 3] = np.stack([M[:, 2, 1] - M[:, 1, 2], M[:, 0, 2] - M[:, 2, 0], M[:, 1, 0] - M[:, 0, 1]], axis=1)
     N[:, 3, :3] = N[:, :3, 3]
-    return quaternions_to_rotations(eigh(N)[1][:, :, 3])
+    return _polar_factors(quaternions_to_rotations(eigh(N)[1][:, :, 3]))  # without the roundings of the quaternions

@@ -17,18 +17,32 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 EPSILON = float(np.finfo(np.float64).eps)
+SHORT = 8  # products of a sum that are taken one after another
 NEGLIGIBLE = 1e-30  # an off-diagonal entry, where the largest entry is 1
 MAX_STEPS = 60  # per eigenvalue; two or three are usual
 SEPARATED = 1e-6  # eigenvalues whose difference is a larger fraction of the largest one have eigenvectors of their own
 
 
 def matmul(a: Any, b: Any, *others: Any) -> NDArray[Any]:
-    """The product `a @ b @ ...`, from left to right; stacks broadcast as NumPy's do."""
+    """The product `a @ b @ ...`, from left to right; stacks broadcast as NumPy's do.
+
+    Up to `SHORT` products are added in ascending order, whatever the shapes and the strides.
+    """
     a, b = np.asarray(a), np.asarray(b)
-    rows, columns = "..." * (a.ndim > 2) + "i" * (a.ndim > 1), "k" * (b.ndim > 1)
-    left, right = f"{rows}j", f"{'...' * (b.ndim > 2)}j{columns}"
-    stacked = "..." * (a.ndim > 2 or b.ndim > 2)
-    product = np.einsum(f"{left},{right}->{stacked}{'i' * (a.ndim > 1)}{columns}", a, b)
+    left = a if a.ndim > 1 else a[None]
+    right = b if b.ndim > 1 else b[:, None]
+    if left.shape[-1] != right.shape[-2]:
+        raise ValueError(f"matmul: shapes {a.shape} and {b.shape} do not fit")
+    if 0 < left.shape[-1] <= SHORT:
+        product = left[..., :, :1] * right[..., :1, :]
+        for j in range(1, left.shape[-1]):
+            product += left[..., :, j : j + 1] * right[..., j : j + 1, :]
+    else:
+        product = np.einsum("...ij,...jk->...ik", np.ascontiguousarray(left), np.ascontiguousarray(right))
+    if b.ndim == 1:
+        product = product[..., 0]
+    if a.ndim == 1:
+        product = product[..., 0] if b.ndim == 1 else product[..., 0, :]
     return matmul(product, *others) if others else product
 
 

@@ -77,6 +77,18 @@ class SparseFactor:
         return np.array(download(columns)).T.reshape(right.shape)
 
 
+def solve_symmetric(matrix: np.ndarray, right: np.ndarray) -> np.ndarray:
+    """The solution of a symmetric system without a pattern, [n] or [n, k] as the right side.
+
+    Raises:
+        RuntimeError: It is singular.
+    """
+    count = len(matrix)
+    factor = SparseFactor(np.arange(count + 1) * count, np.tile(np.arange(count), count))
+    factor.factor(matrix.ravel())
+    return factor.solve(right)
+
+
 @kernel
 def count_entries_kernel(factor: SparseFactor, count: int):
     """The elimination tree, and how many entries each column of L has."""

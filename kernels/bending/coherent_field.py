@@ -12,6 +12,7 @@ from ..algebra.transform import narrow, widen
 from ..array_types import Array2, Doubles, Points, Positions
 from ..arrays.packed_keys import key_index, pack_key
 from ..arrays.select import gather_rows
+from ..arrays.sparse_factor import solve_symmetric
 from ..lang import (
     array,
     atomic_max,
@@ -216,7 +217,7 @@ class CoherentField:
         launch(pull_rows_kernel, count, [self.rows, self.places, sums, size, right])
         lower = np.tril(np.asarray(download(square)).reshape(count, count))  # sync
         matrix = lower + np.tril(lower, -1).T + damping * np.eye(count)
-        values = solve(matrix, np.asarray(download(right)).reshape(count, 3))
+        values = solve_symmetric(matrix, np.asarray(download(right)).reshape(count, 3))
         given = upload(values, vec3d, device)
         launch(move_places_kernel, size, [self.rows, count, self.places, given, moved])
         return values

@@ -15,7 +15,6 @@ import numpy as np
 from ..algebra.rigid_solve import fit_pose, move, pair_sums, sums_of_pair
 from ..array_types import Doubles, Indices, Integers, Poses
 from ..lang import array, dot, float64, func, int32, kernel, launch, mat44d, segment_reduction, sqrt, tid
-from ..linear_algebra import matmul
 from ..memory import cast, download, empty, upload
 from .compatibility_graph import CompatibilityGraph
 from .pair_fits import (
@@ -187,12 +186,11 @@ def distinct_poses(poses: np.ndarray, spread: np.ndarray, apart: float) -> np.nd
     """
     moved = np.einsum("kij,pj->kpi", poses[:, :3, :3], spread) + poses[:, None, :3, 3]
     flat = moved.reshape(len(poses), 3 * len(spread)) / np.sqrt(max(len(spread), 1))
-    squares = (flat * flat).sum(axis=1)
-    alike = squares[:, None] + squares - matmul(2 * flat, flat.T) <= apart * apart
     kept, left = [], np.ones(len(poses), bool)
     while left.any():
         kept.append(int(np.argmax(left)))
-        left &= ~alike[kept[-1]]
+        gaps = flat - flat[kept[-1]]
+        left &= ~((gaps * gaps).sum(axis=1) <= apart * apart)
         left[kept[-1]] = False
     return np.array(kept, np.int64)
 

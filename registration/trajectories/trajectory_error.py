@@ -298,15 +298,15 @@ def _alignment(P: Matrix, Q: Matrix, align: bool | str | None, with_scale: bool)
     source, target = P[:, :3, 3], Q[:, :3, 3]
     s, t = source - source.mean(axis=0), target - target.mean(axis=0)
     cross = matmul(t.T, s)
-    values, axes = eigh(matmul(cross, cross.T))
-    smaller, larger = np.sqrt(np.maximum(values[1:], 0.0)).tolist()  # singular values of `cross`
+    values, axes = eigh(np.block([[np.zeros((3, 3)), cross], [cross.T, np.zeros((3, 3))]]))
+    smaller, larger = values[4:].tolist()  # singular values of `cross`
     extent = math.sqrt(float((s * s).sum() * (t * t).sum()))
     if smaller > STRAIGHT**2 * extent:
         T = fit_pose(source, target, with_scaling=with_scale)
         return T, scale_of(T)
     if larger > STRAIGHT**2 * extent:
         R = fit_pose(source, target)[:3, :3]
-        R = matmul(_turned_about(axes[:, 2], Q[:, :3, :3], matmul(R, P[:, :3, :3])), R)
+        R = matmul(_turned_about(math.sqrt(2) * axes[:3, 5], Q[:, :3, :3], matmul(R, P[:, :3, :3])), R)
         scale = larger / float((s * s).sum()) if with_scale else 1.0
     else:
         R, scale = nearest_rotation(matmul(Q[:, :3, :3], _transposed(P[:, :3, :3])).sum(axis=0)), 1.0
