@@ -96,6 +96,17 @@ def test_holes_that_would_take_one_chord_are_filled_beside_each_other(device):
     assert mesh.repair(hole_size=10)[1].filled_holes == 2
 
 
+def test_a_chord_that_is_an_edge_already_is_not_taken(device):
+    """A square hole whose short diagonal is an edge of a tetrahedron there."""
+    corners = [[0, 0.2, 0], [0, -0.2, 0], [1, 0, 0.1], [-1, 0, 0.1], [0, 0, 2], [0.3, 0, -2], [-0.3, 0, -2]]
+    roof = [[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4]]
+    tetrahedron = [[0, 5, 1], [0, 1, 6], [0, 6, 5], [1, 5, 6]]
+    mesh = TriangleMesh(corners, roof + tetrahedron, device=device)
+    assert [len(loop) for loop in mesh.get_boundaries()] == [4]
+    filled = mesh.fill_holes()
+    assert len(filled) == 10 and filled.is_edge_manifold(allow_boundary_edges=False)
+
+
 def test_only_holes_up_to_the_size_are_filled_and_a_lone_triangle_is_none(device):
     triangles = np.delete(grid(9, 9), [20, 21], axis=0)
     x, y = np.meshgrid(np.arange(9.0), np.arange(9.0))
