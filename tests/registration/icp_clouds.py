@@ -31,6 +31,15 @@ def wavy(rng, count):
     return np.column_stack([xy, height(*xy.T)])
 
 
+def wavy_normals(points):
+    """The normals of the surface of `wavy`."""
+    x, y, _ = points.T
+    slope_x = 0.6 * np.cos(3 * x) * np.cos(4 * y) + 0.1 * np.cos(7 * y + x)
+    slope_y = -0.8 * np.sin(3 * x) * np.sin(4 * y) + 0.7 * np.cos(7 * y + x)
+    normals = np.column_stack([-slope_x, -slope_y, np.ones(len(points))])
+    return normals / np.linalg.norm(normals, axis=1)[:, None]
+
+
 def back(points, T):
     """Where points were before a pose."""
     return (points - T[:3, 3]) @ T[:3, :3]

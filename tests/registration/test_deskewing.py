@@ -105,15 +105,3 @@ def test_equal_times_and_empty_scans_are_left_alone(device, times):
     T = np.eye(4)
     T[1, 3] = 5.0
     np.testing.assert_array_equal(deskew_point_cloud(loom.PointCloud(points, device=device), T, times).points, points)
-
-
-def test_wrong_input_is_named():
-    scan = loom.PointCloud([[1, 0, 0]])
-    with pytest.raises(ValueError, match="timestamps: the cloud has no attribute of the names time, timestamp"):
-        deskew_point_cloud(scan, np.eye(4))
-    with pytest.raises(ValueError, match=r"timestamps: expected shape \[1\], one for each point, got \[2\]"):
-        deskew_point_cloud(scan, np.eye(4), [0, 1])
-    with pytest.raises(ValueError, match="T_start_end: expected a rigid motion"):
-        deskew_point_cloud(scan, 2 * np.eye(4), [0])
-    with pytest.raises(TypeError, match="timestamps: expected real numbers"):
-        deskew_point_cloud(scan, np.eye(4), ["now"])

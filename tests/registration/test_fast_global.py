@@ -38,9 +38,6 @@ def fgr(case, device="cpu", seed=0, **options):
     return reg.registration_fgr_based_on_correspondence(*clouds(case, device), case.pairs, option, seed=seed)
 
 
-# ------------------------------------------------------------------------------------------------ known poses
-
-
 @pytest.mark.parametrize("outliers", [0.0, 0.5, 0.8, 0.95])
 def test_pose_is_found_among_wrong_correspondences(device, rng, outliers, angle_between):
     case = made_up(rng, outliers=outliers)
@@ -109,9 +106,6 @@ def test_absolute_scale_begins_at_a_metre(device, rng, angle_between):
     absolute, relative = (fgr(case, device, use_absolute_scale=on, **options) for on in (True, False))
     assert angle_between(absolute.transformation, case.T) < 0.01 < angle_between(relative.transformation, case.T)
     assert absolute.fitness > 0.99
-
-
-# ------------------------------------------------------------------------------------------------ against Open3D
 
 
 def oracle(library, pair, pairs, option):
@@ -191,9 +185,6 @@ def of_kitchen(device, kitchen, distance, seed):
     return reg.registration_fgr_based_on_feature_matching(*pair, *features, option, seed=seed)
 
 
-# ------------------------------------------------------------------------------------------------ edges
-
-
 def assert_no_pose(result, words):
     np.testing.assert_array_equal(result.transformation, np.eye(4))
     assert result.fitness == 0 and result.inlier_rmse == 0 and result.score == 0
@@ -247,34 +238,6 @@ def test_correspondences_of_points_that_are_not_finite_do_not_count(device, rng,
     assert angle_between(fgr(case, device).transformation, case.T) < 0.5
     case.source[:] = np.nan
     assert_no_pose(fgr(case, device), "0 given")
-
-
-def test_wrong_arguments_are_refused_by_name(device, rng):
-    case = made_up(rng, 30)
-    source, target = clouds(case, device)
-    run = reg.registration_fgr_based_on_correspondence
-    with pytest.raises(TypeError, match="option: expected FastGlobalRegistrationOption, got float"):
-        run(source, target, case.pairs, 0.025)
-    with pytest.raises(IndexError, match="corres: source indices"):
-        run(source, target, [[40, 0]])
-    with pytest.raises(TypeError, match="target: expected a PointCloud"):
-        run(source, case.target, case.pairs)
-    with pytest.raises(ValueError, match="seed"):
-        run(source, target, case.pairs, seed=-1)
-    with pytest.raises(ValueError, match="target_feature: expected shape"):
-        reg.registration_fgr_based_on_feature_matching(source, target, np.zeros((30, 33)), np.zeros((33, 30)))
-    for name, value in {
-        "division_factor": 1.0,
-        "maximum_correspondence_distance": 0.0,
-        "iteration_number": 0,
-        "tuple_scale": 1.5,
-        "maximum_tuple_count": 0,
-    }.items():
-        with pytest.raises(ValueError, match=f"{name}: expected"):
-            reg.FastGlobalRegistrationOption(**{name: value})
-
-
-# ------------------------------------------------------------------------------------------------ the same bits
 
 
 def test_same_seed_gives_the_same_bits_and_another_other_triples(device, rng):

@@ -214,26 +214,3 @@ CLOUDS = ("source", "target")
 def test_a_hostile_cloud_is_answered_without_a_warning(call):
     faults = faults_of_clouds(TABLE[call], CLOUDS, things())
     assert not faults, "\n".join(faults)
-
-
-@pytest.mark.parametrize(
-    ("line", "message"),
-    [
-        ("reg.ICPConvergenceCriteria(max_iteration=2**31 - 1)", r"max_iteration: .* up to 100,000"),
-        ("reg.FastGlobalRegistrationOption(iteration_number=2**24)", r"iteration_number: .* up to 10,000"),
-        (
-            "reg.FastGlobalRegistrationOption(maximum_tuple_count=2**31 - 1)",
-            r"maximum_tuple_count: .* up to 10,000,000",
-        ),
-        ("reg.GlobalOptimizationConvergenceCriteria(max_iteration=2**24)", r"max_iteration: .* up to 100,000"),
-        (
-            "reg.LidarOdometry(max_points_per_voxel=2**24)",
-            r"max_points_per_voxel: .* up to 1,024, .*12 B in every voxel",
-        ),
-        ("reg.RANSACConvergenceCriteria(max_iteration=2**31)", r"max_iteration: expected a whole number"),
-        ("reg.registration_icp_batch([source, 3], target, 0.1)", r"sources\[1\]: expected a PointCloud, got int"),
-    ],
-)
-def test_a_size_beyond_reason_or_a_stranger_is_refused_with_what_to_do(line, message):
-    with pytest.raises((ValueError, TypeError), match=message):
-        eval(line, dict(things()))

@@ -18,9 +18,6 @@ from .poses import as_pose
 reg = loom.registration
 
 
-# ------------------------------------------------------------------------------------------------ how near it comes
-
-
 def test_two_samplings_of_a_surface_meet_to_a_thousandth_of_a_degree(device, rng, angle_between):
     """20 steps point to plane without noise: 50,000 points, as coarser samplings leave the bend between them."""
     T = as_pose([0.02, -0.02, 0.02], [0.02, -0.01, 0.015])  # 2 degrees and 2.7 cm
@@ -67,9 +64,6 @@ def test_a_scale_is_found_again(device, rng, scale):
     result = reg.registration_icp(source, target, 0.3, init, KINDS["scaled"], rules)
     np.testing.assert_allclose(result.transformation, T, atol=1e-6)
     assert_rigid(reg.registration_icp(source, target, 0.3, None, KINDS["point"], rules).transformation)
-
-
-# ------------------------------------------------------------------------------------------------ when it ends
 
 
 @EACH
@@ -141,21 +135,6 @@ def test_the_callback_sees_each_iteration(device, full_pair):
     assert none == []
 
 
-@pytest.mark.parametrize(
-    ("values", "message"),
-    [
-        ((-1, 1e-6, 30), "relative_fitness: expected a finite number >= 0"),
-        ((1e-6, np.nan, 30), "relative_rmse: expected a finite number >= 0"),
-        ((1e-6, 1e-6, -1), "max_iteration: expected a whole number >= 0"),
-    ],
-)
-def test_criteria_are_numbers(values, message):
-    with pytest.raises(ValueError, match=rf"^{message}"):
-        reg.ICPConvergenceCriteria(*values)
-
-
-# ------------------------------------------------------------------------------------------------ how large clouds are
-
 SCALED = ("point", "scaled", "plane", "symmetric", "generalised", "voxelised")
 
 
@@ -203,9 +182,6 @@ def test_a_limit_of_the_rmse_that_is_given_is_one_in_metres(device, rng):
     assert given.iterations == 1 < default.iterations and default.inlier_rmse < given.inlier_rmse
 
 
-# ------------------------------------------------------------------------------------------------ where clouds lie
-
-
 @pytest.mark.parametrize("kind", [k for k in KINDS if k not in ("doppler", "scaled")])
 def test_far_from_zero_the_pose_is_that_of_centred_clouds(device, full_pair, kind):
     """UTM coordinates: the motion about the cloud's middle is the same to 1e-6."""
@@ -238,9 +214,6 @@ def test_clouds_of_symmetric_shapes_keep_the_turn_they_come_with(device, rng):
     init = as_pose([0.02, -0.03, 0.02], [0.02, 0.01, 0]) @ quarter
     result = reg.registration_icp(source, target, 0.2, init, None, reg.ICPConvergenceCriteria(1e-9, 1e-9, 100))
     np.testing.assert_allclose(result.transformation, quarter, atol=1e-6)
-
-
-# ------------------------------------------------------------------------------------------------ the same every time
 
 
 @EACH

@@ -198,42 +198,6 @@ def test_a_rail_tells_that_it_is_not_held(device, rng):
     np.testing.assert_allclose(both.transformation[:3, 3], [0, 0, -0.02], atol=1e-3)
 
 
-@pytest.mark.parametrize(
-    ("given", "error", "words"),
-    [
-        ({"free": ()}, ValueError, "free: expected at least one of"),
-        ({"free": "x"}, TypeError, "free: expected a list of motions among"),
-        ({"free": ("x", "yav")}, ValueError, "got 'yav'; did you mean 'yaw'"),
-        ({"free": ("X",)}, ValueError, "got 'X'; did you mean 'x'"),
-        ({"free": ("x", 3)}, TypeError, "free: expected names"),
-        ({"free": ("x", "y", "x")}, ValueError, "free: 'x' stands there twice"),
-        ({"frame": np.eye(3)}, ValueError, "frame: .*give free="),
-        ({"pivot": (0, 0, 0)}, ValueError, "pivot: .*there is neither"),
-        ({"noise": 0.1}, ValueError, "noise: .*there is none"),
-        ({"free": ("x",), "frame": np.eye(3) * 1.1}, ValueError, "frame: expected orthonormal columns"),
-        ({"free": ("x",), "frame": np.diag([1, 1, -1])}, ValueError, "frame: expected right-handed axes"),
-        ({"free": ("x",), "frame": np.eye(4)}, ValueError, r"frame: expected shape \[3, 3\]"),
-        ({"free": ("x",), "pivot": (0, np.nan, 0)}, ValueError, "pivot: expected finite"),
-        ({"free": ("x",), "pivot": np.zeros((2, 3))}, ValueError, r"pivot: expected shape \[3\]"),
-        ({"prior": np.eye(4)}, TypeError, r"prior: expected Prior\("),
-        ({"weights": np.ones(3)}, ValueError, r"weights: expected shape \[700\]"),
-        ({"weights": -np.ones(700)}, ValueError, "weights: expected finite weights of 0 and more, got -1 of point 0"),
-        ({"weights": np.full(700, np.inf)}, ValueError, "weights: expected finite"),
-        ({"weights": np.zeros(700)}, ValueError, "weights: all weights are zero"),
-        ({"weights": "share"}, ValueError, "weights: source has no attribute 'share'"),
-    ],
-)
-def test_freedoms_that_make_no_sense_are_told(pair, given, error, words):
-    with pytest.raises(error, match=words):
-        reg.registration_icp(*pair, 0.3, **given)
-
-
-@pytest.mark.parametrize("kind", ["symmetric", "doppler"])
-def test_estimators_that_move_in_all_ways_refuse_a_constraint(full_pair, kind):
-    with pytest.raises(ValueError, match=r"^free, prior: .* moves in all ways"):
-        reg.registration_icp(*full_pair[:2], 0.2, None, KINDS[kind], free=("x",))
-
-
 def test_a_levelled_pose_has_the_sources_up_as_the_targets(rng):
     for _ in range(20):
         init, up = as_pose(rng.normal(size=3), rng.normal(size=3)), rng.normal(size=3)

@@ -163,28 +163,3 @@ def test_a_prior_out_of_reach_of_the_free_motions_is_told(pair):
     with pytest.raises(ValueError, match="free roll, pitch, or trust"):
         tilted = reg.Prior(as_pose([0.5, 0, 0]), sigma_rotation=0.01)
         reg.registration_icp(*pair, 0.3, None, PLANE, free=("x", "y", "z", "yaw"), prior=tilted)
-
-
-INDEFINITE = np.diag([1.0, 1, 1, 1, 1, -1])
-SKEWED = np.eye(6) + np.eye(6, k=1)
-
-
-@pytest.mark.parametrize(
-    ("given", "words"),
-    [
-        ({}, "information: a prior says how well"),
-        ({"information": np.eye(6), "sigma_rotation": 0.1}, "information, sigma_rotation: both say"),
-        ({"information": INDEFINITE}, "information: expected no negative eigenvalue, got -1; a covariance is inverted"),
-        ({"information": SKEWED}, "information: expected a symmetric matrix"),
-        ({"information": np.eye(3)}, r"information: expected shape \[6, 6\]"),
-        ({"information": np.full((6, 6), np.nan)}, "information: expected finite"),
-        ({"sigma_translation": 0.0}, "sigma_translation: expected"),
-        ({"sigma_translation": [1, 2]}, r"sigma_translation: expected one standard deviation or \[3\]"),
-        ({"sigma_rotation": np.inf}, "sigma_rotation: expected"),
-    ],
-)
-def test_priors_that_make_no_sense_are_told(given, words):
-    with pytest.raises(ValueError, match=words):
-        reg.Prior(np.eye(4), **given)
-    with pytest.raises(ValueError, match="transformation: expected a rigid motion"):
-        reg.Prior(np.diag([1, 1, -1, 1]), sigma_translation=1)

@@ -101,9 +101,6 @@ def shift_between(A, B):
     return float(np.linalg.norm(A[:3, 3] - B[:3, 3]))
 
 
-# ------------------------------------------------------------------------------------------------ a street
-
-
 def test_generalised_icp_of_a_street_is_within_its_truth(device, street, angle_between):
     """Published: 0.333 degrees and 7 mm, of a truth that is good to 0.2 degrees and 2 cm."""
     result = run(device, street, "generalised")
@@ -149,9 +146,6 @@ def test_icp_to_planes_of_a_street_is_no_worse_than_open3ds(device, kitti_pair, 
     assert angle_between(plain.transformation, pair.T) <= 0.774
     assert angle_between(robust.transformation, pair.T) < 0.3
     assert shift_between(robust.transformation, pair.T) < 0.01
-
-
-# ------------------------------------------------------------------------------------------------ rooms and objects
 
 
 @pytest.mark.parametrize(
@@ -229,9 +223,6 @@ def test_scales_bring_a_kitchen_from_farther_away(device, kitchen_pair, angle_be
     assert angle_between(result.transformation, kitchen_pair.T) < 1.8 < 6 < angle_between(init, kitchen_pair.T)
 
 
-# ------------------------------------------------------------------------------------------------ little is shared
-
-
 @pytest.fixture(scope="module")
 def parted_kitchen(kitchen_pair):
     """Two parts of one fragment that share 22 %, of other points each, and four poses a degree from the true one."""
@@ -273,9 +264,6 @@ def test_the_overlap_that_is_found_does_whole_scans_no_harm(device, street, angl
     )
     assert angle_between(result.transformation, street.T) < 0.23 and result.converged
     assert shift_between(result.transformation, street.T) < 0.03
-
-
-# ------------------------------------------------------------------------------------------------ nothing is free
 
 
 @pytest.mark.parametrize("name", ["street", "kitchen", "bunny", "small_bunny", "desk"])

@@ -76,9 +76,6 @@ def mean_square(source, target, T):
     return float((cKDTree(target).query(turned(T, source))[0] ** 2).mean())
 
 
-# --------------------------------------------------------------------------------------------------- PCL
-
-
 @pytest.mark.parametrize("free", [None, ALL])
 @pytest.mark.parametrize("kind", ["point", "plane"])
 def test_pcls_bunny_lies_on_its_other_scan_as_pcls_test_asks(device, bunny, kind, free):
@@ -131,9 +128,6 @@ def test_three_free_motions_are_pcls_warp_point_rigid_3d(device, level_pair, kin
     best = least_squares(residuals, np.zeros(3), xtol=1e-15, ftol=1e-15, gtol=1e-15).x
     np.testing.assert_allclose(found.transformation, yawed(best[0], best[1], 0.03, best[2]), atol=1e-7)
     assert abs(best[2]) > 0.01
-
-
-# ------------------------------------------------------------------------------------------ libpointmatcher
 
 
 def by_rows(source, target, normals, weights, motions):

@@ -25,9 +25,6 @@ def weaving(street):
     return street.drive(110, sway=0.5, beams=40, azimuths=360)
 
 
-# ------------------------------------------------------------------------------------------------ the path
-
-
 @pytest.mark.slow
 def test_a_hundred_scans_drift_by_less_than_one_percent_and_deskewing_matters(device, weaving):
     odometry = follow(weaving, device)
@@ -245,9 +242,6 @@ def test_coordinates_about_an_origin_give_the_same_path(device, fast_drive):
         moved = loom.PointCloud(cloud.points, origin=[-64.0, 32.0, 8.0], time=cloud["time"], device=device)
         other.register(moved)
     np.testing.assert_allclose(odometry.poses, other.poses, atol=1e-3)
-
-
-# ------------------------------------------------------------------------------------------------ bits
 
 
 def test_two_runs_give_the_same_bits(device, fast_drive):

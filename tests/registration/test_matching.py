@@ -323,25 +323,6 @@ def test_features_are_left_as_they_are(device, rng):
     assert np.array_equal(held[0].numpy(), a) and np.array_equal(held[1].numpy(), b)
 
 
-@pytest.mark.parametrize(
-    ("a", "b", "kind", "message"),
-    [
-        (np.zeros((5, 33)), np.zeros((5, 32)), ValueError, r"same d, got \[5, 33\] and \[5, 32\]"),
-        (np.zeros((33, 5)), np.zeros((33, 8)), ValueError, r"look transposed: Open3D's features are columns"),
-        (np.zeros(33), np.zeros((5, 33)), ValueError, r"source_features: expected shape \[n, d\], .* got \[33\]"),
-        (np.zeros((5, 33)), np.zeros((2, 5, 33)), ValueError, r"target_features: .* got \[2, 5, 33\]"),
-        (np.zeros((5, 0)), np.zeros((5, 0)), ValueError, r"source_features: .* got \[5, 0\]"),
-        (np.zeros((5, 3), complex), np.zeros((5, 3)), TypeError, "source_features: expected real numbers"),
-        (np.zeros((5, 3)), [["a", "b", "c"]], TypeError, "target_features: expected real numbers"),
-        (wp.zeros(5, dtype=wp.float32, device="cpu"), np.zeros((5, 3)), ValueError, r"got \[5\]"),
-    ],
-    ids=lambda v: v.__name__ if isinstance(v, type) else "",
-)
-def test_features_that_do_not_fit_are_refused(a, b, kind, message):
-    with pytest.raises(kind, match=message):
-        correspondences_from_features(a, b)
-
-
 def test_features_of_other_widths_match_as_float32_does(rng):
     a, b = (rng.normal(size=(n, 5)).astype(np.float32) for n in (9, 12))
     doubles = [wp.array(x.astype(np.float64), dtype=wp.float64, device="cpu") for x in (a, b)]
@@ -355,23 +336,3 @@ def test_open3ds_own_object_is_refused_with_the_way_to_pass_it():
     with pytest.raises(TypeError, match=r"source_features: expected an array, got Feature; pass its `data.T`"):
         correspondences_from_features(feature, rows)
     assert len(correspondences_from_features(np.asarray(feature.data).T, rows)) == 9
-
-
-@pytest.mark.parametrize(
-    ("options", "message"),
-    [
-        ({"ratio": 0}, "ratio: expected a finite number > 0"),
-        ({"ratio": 1.01}, "ratio: expected a number above 0 and at most 1, got 1.01"),
-        ({"ratio": np.nan}, "ratio: expected a finite number"),
-        ({"mutual_consistency_ratio": -0.1}, "mutual_consistency_ratio: expected a finite number >= 0"),
-    ],
-)
-def test_options_out_of_range_are_refused(options, message):
-    rows = np.zeros((3, 33))
-    with pytest.raises(ValueError, match=message):
-        correspondences_from_features(rows, rows, **options)
-
-
-def test_a_device_that_is_not_there_is_refused():
-    with pytest.raises(loom.DeviceError, match="device: expected one of cpu"):
-        correspondences_from_features(np.zeros((3, 33)), np.zeros((3, 33)), device="cuda:99")

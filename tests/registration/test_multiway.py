@@ -107,32 +107,6 @@ def test_a_known_pair_is_refined_and_not_sought(fragments):
     assert worst_shift(found.poses, fragments.poses[:2], [0, 1], fragments.clouds[0][::50]) < 0.01
 
 
-@pytest.mark.parametrize(
-    ("pair", "error", "said"),
-    [
-        ((1, 0, np.eye(4), 0.0, 1.0), TypeError, r"known\[0\]: expected a FragmentPair"),
-        (reg.FragmentPair(2, 0, np.eye(4), 0.0, 1.0), ValueError, "there are 2 clouds"),
-        (reg.FragmentPair(1, 1, np.eye(4), 0.0, 1.0), ValueError, "expected two clouds, got 1 twice"),
-        (reg.FragmentPair(1, 0, np.ones((4, 4)), 0.0, 1.0), ValueError, r"known\[0\].transformation: expected a rigid"),
-        (reg.FragmentPair(1, 0, np.eye(4), 0.0, float("nan")), ValueError, r"known\[0\].score"),
-    ],
-)
-def test_a_known_pair_has_to_make_sense(fragments, pair, error, said):
-    clouds = [loom.PointCloud(p) for p in fragments.clouds[:2]]
-    with pytest.raises(error, match=said):
-        reg.register_fragments(clouds, voxel_size=0.06, known=[pair])
-
-
-def test_wrong_arguments_say_what_is_wrong():
-    cloud = loom.PointCloud([[0, 0, 0]])
-    with pytest.raises(ValueError, match="clouds: expected at least one"):
-        reg.register_fragments([], voxel_size=0.1)
-    with pytest.raises(ValueError, match="voxel_size"):
-        reg.register_fragments([cloud], voxel_size=0)
-    with pytest.raises(ValueError, match="neighbors"):
-        reg.register_fragments([cloud], voxel_size=0.1, neighbors=-1)
-
-
 SCANS = ("bun000", "bun045", "bun090", "bun180", "bun270", "bun315", "chin", "ear_back", "top2", "top3")
 
 

@@ -12,29 +12,9 @@ from pointloom.registration.icp.preparation import (
     colored_target,
     doppler_measurements,
     generalized_covariances,
-    require_colors,
-    require_normals,
 )
 
 from .color_surfaces import gradients_of, paint, wavy
-
-
-def test_who_lacks_normals_or_colours_is_told_what_to_call(device):
-    cloud = loom.PointCloud(np.zeros((4, 3)), device=device)
-    with pytest.raises(ValueError, match=r"source: .* needs normals, and it has none; call source = source.estimate_n"):
-        require_normals(cloud, "source", "point-to-plane ICP")
-    with pytest.raises(ValueError, match=r"target: coloured ICP needs colours, and it has none; assign cloud.colors"):
-        require_colors(cloud, "target", "coloured ICP")
-    with pytest.raises(ValueError, match="source: coloured ICP needs colours"):
-        colored_source(cloud)
-    with pytest.raises(ValueError, match="target: coloured ICP needs normals"):
-        colored_target(cloud, 0.1)
-    with pytest.raises(ValueError, match="target: coloured ICP needs colours"):
-        colored_target(cloud.estimate_normals(), 0.1)
-    with pytest.raises(
-        ValueError, match=r"source: Doppler ICP needs radial speeds, and it has none; assign cloud\['dop"
-    ):
-        doppler_measurements(cloud)
 
 
 def test_a_coloured_target_has_gradients_of_twice_the_distance(device, rng):

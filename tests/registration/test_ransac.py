@@ -38,9 +38,6 @@ def ransac(case, device="cpu", distance=0.02, **options):
     return reg.registration_ransac_based_on_correspondence(*clouds(case, device), case.pairs, distance, **options)
 
 
-# ------------------------------------------------------------------------------------------------ known poses
-
-
 @pytest.mark.parametrize("outliers", [0.0, 0.5, 0.8, 0.95])
 def test_pose_is_found_among_wrong_correspondences(device, rng, outliers, angle_between):
     case = made_up(rng, outliers=outliers)
@@ -125,9 +122,6 @@ def test_whole_cloud_decides_not_the_correspondences(device, rng):
     np.testing.assert_allclose(result.transformation, T_true, atol=1e-4)
 
 
-# ------------------------------------------------------------------------------------------------ checkers at work
-
-
 def test_normal_checker_tells_a_shape_from_its_mirror_image_upside_down(device, rng):
     """A flat grid fits itself face up and face down; only the normals know."""
     flat = np.column_stack([rng.uniform(-1, 1, (400, 2)), np.zeros(400)])
@@ -167,9 +161,6 @@ def test_the_strictest_of_several_checkers_counts(device, rng):
     np.testing.assert_array_equal(result.transformation, np.eye(4))
 
 
-# ------------------------------------------------------------------------------------------------ when to stop
-
-
 def test_confidence_one_draws_all_hypotheses(device, rng):
     case = made_up(rng, 200, outliers=0.0)
     result = ransac(case, device, criteria=reg.RANSACConvergenceCriteria(7000, 1.0))
@@ -181,9 +172,6 @@ def test_an_iteration_is_enough_where_all_are_right(device, rng):
     case = made_up(rng, 200, outliers=0.0, noise=0.0)
     result = ransac(case, device, criteria=reg.RANSACConvergenceCriteria(1))
     assert result.iterations == 1 and result.fitness == 1
-
-
-# ------------------------------------------------------------------------------------------------ edges
 
 
 def assert_no_pose(result, words):
@@ -252,60 +240,6 @@ def test_few_mutual_matches_fall_back_to_all_matches(device, rng):
     pull[20:] = feature[rng.integers(0, 20, 380)] + 1e-3 * rng.random((380, 33), np.float32)
     result = reg.registration_ransac_based_on_feature_matching(source, target, pull, feature[inverse], True, 0.02)
     assert result.fitness <= 1 and np.isfinite(result.transformation).all()
-
-
-def test_wrong_arguments_are_refused_by_name(device, rng):
-    case = made_up(rng, 30)
-    source, target = clouds(case, device)
-    run = reg.registration_ransac_based_on_correspondence
-    match = reg.registration_ransac_based_on_feature_matching
-    feature = np.zeros((30, 33), np.float32)
-    for distance in (0.0, -1.0, np.nan):
-        with pytest.raises(ValueError, match="max_correspondence_distance: expected a finite number > 0"):
-            run(source, target, case.pairs, distance)
-    with pytest.raises(ValueError, match="ransac_n: expected a whole number >= 3"):
-        run(source, target, case.pairs, 0.1, ransac_n=2)
-    with pytest.raises(IndexError, match=r"corres: target indices 0\.\.30 reach beyond a cloud of 30 points"):
-        run(source, target, [[0, 0], [1, 30]], 0.1)
-    with pytest.raises(IndexError, match="corres: source indices -1"):
-        run(source, target, [[-1, 0]], 0.1)
-    with pytest.raises(ValueError, match=r"corres: expected shape \[n, 2\], got \[2, 3\]"):
-        run(source, target, np.zeros((2, 3), int), 0.1)
-    with pytest.raises(TypeError, match="corres: expected whole numbers"):
-        run(source, target, [[0.5, 1.0]], 0.1)
-    with pytest.raises(TypeError, match="checkers: expected"):
-        run(source, target, case.pairs, 0.1, checkers=[0.9])
-    with pytest.raises(TypeError, match=r"estimation_method: .* got TransformationEstimationPointToPlane"):
-        run(source, target, case.pairs, 0.1, reg.TransformationEstimationPointToPlane())
-    with pytest.raises(TypeError, match="criteria: expected RANSACConvergenceCriteria, got tuple"):
-        run(source, target, case.pairs, 0.1, criteria=(10, 0.9))
-    with pytest.raises(ValueError, match=r"seed: expected a whole number below 2\^31"):
-        run(source, target, case.pairs, 0.1, seed=2**31)
-    with pytest.raises(TypeError, match="source: expected a PointCloud, got ndarray"):
-        run(case.source, target, case.pairs, 0.1)
-    with pytest.raises(ValueError, match=r"source_feature: expected shape \[30, d\] .* got \[33, 30\]; transpose it"):
-        match(source, target, feature.T, feature, True, 0.1)
-    with pytest.raises(ValueError, match=r"target_feature: expected shape \[30, d\] .* got \[29, 33\]$"):
-        match(source, target, feature, feature[:29], True, 0.1)
-
-
-def test_wrong_criteria_and_thresholds_are_refused_by_name():
-    for call, words in [
-        (lambda: reg.RANSACConvergenceCriteria(0), "max_iteration"),
-        (lambda: reg.RANSACConvergenceCriteria(2**31), "max_iteration"),
-        (lambda: reg.RANSACConvergenceCriteria(confidence=1.5), "confidence: expected a number in 0..1"),
-        (lambda: reg.CorrespondenceCheckerBasedOnEdgeLength(1.1), "similarity_threshold"),
-        (lambda: reg.CorrespondenceCheckerBasedOnEdgeLength(-0.1), "similarity_threshold"),
-        (lambda: reg.CorrespondenceCheckerBasedOnDistance(0), "distance_threshold"),
-        (lambda: reg.CorrespondenceCheckerBasedOnNormal(-1), "normal_angle_threshold"),
-        (lambda: reg.CorrespondenceCheckerBasedOnSourceRotation([1, 2]), "rotation_threshold: expected shape"),
-        (lambda: reg.CorrespondenceCheckerBasedOnSourceRotation([1, -2, 1]), "rotation_threshold: expected angles"),
-    ]:
-        with pytest.raises(ValueError, match=words):
-            call()
-
-
-# ------------------------------------------------------------------------------------------------ the same bits
 
 
 def test_same_seed_gives_the_same_bits_and_another_another_course(device, rng):

@@ -74,9 +74,6 @@ def submaps(data):
     return points, poses
 
 
-# ------------------------------------------------------------------------------------------------ made-up surfaces
-
-
 @pytest.mark.parametrize("share", [1.0, 0.5, 0.3])
 def test_the_right_pose_is_believed_at_partial_overlap(device, rng, share):
     left, right = hills(rng, 30000), hills(rng, 30000)
@@ -175,21 +172,6 @@ def test_two_runs_give_the_same_number(device, rng):
     )
 
 
-def test_wrong_arguments_are_named(device):
-    cloud = loom.PointCloud(np.eye(3), device=device)
-    with pytest.raises(ValueError, match="max_correspondence_distance: expected a finite number > 0"):
-        rate(cloud, cloud, np.eye(4), -1)
-    with pytest.raises(ValueError, match="transformation: expected"):
-        rate(cloud, cloud, np.eye(3), 1)
-    with pytest.raises(ValueError, match="transformation: expected an invertible matrix"):
-        rate(cloud, cloud, np.diag([0.0, 1, 1, 1]), 1)
-    with pytest.raises(TypeError, match="source: expected a PointCloud"):
-        rate(np.eye(3), cloud, np.eye(4), 1)
-
-
-# ------------------------------------------------------------------------------------------------ real scans
-
-
 def test_right_and_wrong_poses_of_rooms_are_told_apart(device, kitchen_pair, rng):
     source, target = kitchen_pair.source[::8], kitchen_pair.target[::8]
     clouds = [loom.PointCloud(points, device=device) for points in (source, target)]
@@ -221,9 +203,6 @@ def test_unrelated_scans_are_not_believed(device, data, kitchen_pair, rng):
     for _ in range(4):
         T = as_pose(rng.normal(size=3) * 2, kitchen[rng.integers(len(kitchen))])
         assert rate(*clouds, T, 0.075) < 0.3
-
-
-# ------------------------------------------------------------------------------------------------ its parts
 
 
 def test_normals_point_to_the_hollow_side_however_the_cloud_is_turned(device, rng):

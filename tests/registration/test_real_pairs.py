@@ -55,9 +55,6 @@ def register(source, target, *, voxel_size, distance, fine=None, start=None, met
     return result.transformation @ start, found
 
 
-# ------------------------------------------------------------------------------------------------ a street
-
-
 @pytest.fixture(scope="module")
 def street(kitti_pair):
     """The LiDAR scans in voxels of 25 cm."""
@@ -142,9 +139,6 @@ def test_submaps_that_share_a_third_come_together_or_are_not_believed(submaps, a
     assert believed >= 4
 
 
-# ------------------------------------------------------------------------------------------------ a room
-
-
 @pytest.mark.slow
 def test_a_kitchen_ends_where_icp_from_the_true_pose_does(kitchen_pair, angle_between, tolerances):
     target = loom.PointCloud(kitchen_pair.target).voxel_down_sample(0.025).points
@@ -180,9 +174,6 @@ def test_kinect_views_close_ways_round(data, angle_between, tolerances):
     way_round = poses[0, 1] @ poses[1, 2]
     assert angle_between(way_round, poses[0, 2]) < tolerances.kinect_degrees
     assert shift_between(way_round, poses[0, 2]) < tolerances.kinect_distance
-
-
-# ------------------------------------------------------------------------------------------------ objects
 
 
 @pytest.fixture(scope="module")

@@ -21,9 +21,6 @@ from .room_corners import ONE, OTHER, corner
 reg = loom.registration
 
 
-# ------------------------------------------------------------------------------------------------ clouds
-
-
 def test_surfaces_come_together_from_any_pose(device, hilly_pair, tolerances):
     source, target, T = hilly_pair
     result = reg.register_globally(
@@ -153,9 +150,6 @@ def test_an_object_is_found_in_its_scene(device, data):
     assert result.score > 0.9 and result.fitness > 0.9
 
 
-# ------------------------------------------------------------------------------------------------ hopeless cases
-
-
 def empty(rng):
     return np.empty((0, 3)), np.empty((0, 3))
 
@@ -268,9 +262,6 @@ def test_a_box_has_more_than_one_pose(device, rng):
 
     result = reg.register_globally(box(), box(), voxel_size=0.1)
     assert result.score <= 0.5 and "poses fit alike" in result.reason
-
-
-# ------------------------------------------------------------------------------------------------ repeatability
 
 
 def test_two_runs_give_the_same_bits(device, hilly_pair):

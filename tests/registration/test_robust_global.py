@@ -156,24 +156,3 @@ def test_features_find_the_pose_and_the_clouds_rate_it(device, hilly_pair, angle
     assert angle_between(result.transformation, T) < 1.5 and result.score > 0.5
     one_way = reg.registration_robust_based_on_feature_matching(*clouds, *features, 0.075, mutual_filter=False)
     assert angle_between(one_way.transformation, T) < 1.5
-
-
-def test_wrong_arguments_are_named(device):
-    cloud = loom.PointCloud(np.eye(3), device=device)
-    robust = reg.registration_robust_based_on_correspondence
-    with pytest.raises(ValueError, match="noise_bound: expected a finite number > 0, got 0"):
-        robust(cloud, cloud, [[0, 0]], 0)
-    with pytest.raises(IndexError, match="corres: target indices"):
-        robust(cloud, cloud, [[0, 3]], 1.0)
-    with pytest.raises(ValueError, match=r"corres: expected shape \[n, 2\]"):
-        robust(cloud, cloud, [[0, 3, 1]], 1.0)
-    with pytest.raises(TypeError, match="source: expected a PointCloud"):
-        robust(np.eye(3), cloud, [[0, 0]], 1.0)
-    with pytest.raises(ValueError, match="seed"):
-        robust(cloud, cloud, [[0, 0]], 1.0, seed=-1)
-    with pytest.raises(ValueError, match="voxel_size: expected a finite number > 0, got nan"):
-        reg.register_globally(cloud, cloud, voxel_size=np.nan)
-    with pytest.raises(TypeError, match="target: expected a PointCloud"):
-        reg.register_globally(cloud, np.eye(3), voxel_size=1.0)
-    with pytest.raises(ValueError, match=r"source_feature: expected shape \[3, d\]"):
-        reg.registration_robust_based_on_feature_matching(cloud, cloud, np.zeros((2, 5)), np.zeros((3, 5)), 1.0)

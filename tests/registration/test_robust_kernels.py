@@ -112,22 +112,3 @@ def test_weights_keep_the_shape_of_residuals():
 def test_kernels_of_one_scale_are_equal():
     assert reg.HuberLoss(0.5) == reg.HuberLoss(0.5) != reg.HuberLoss(0.4)
     assert reg.HuberLoss(0.5) != reg.CauchyLoss(0.5) and len({reg.TukeyLoss(1), reg.TukeyLoss(1)}) == 1
-
-
-@pytest.mark.parametrize("name", [*NAMED, "GeneralizedLoss"])
-@pytest.mark.parametrize("k", [0, -1, math.nan, math.inf])
-def test_a_scale_is_positive(name, k):
-    with pytest.raises(ValueError, match=r"^k: expected a finite number > 0"):
-        getattr(reg, name)(k)
-
-
-@pytest.mark.parametrize("name", [*NAMED, "GeneralizedLoss"])
-def test_a_scale_is_a_number(name):
-    with pytest.raises(TypeError, match=r"^k: expected a number"):
-        getattr(reg, name)("wide")
-
-
-@pytest.mark.parametrize("shape", [2.1, math.inf, math.nan])
-def test_a_shape_is_at_most_2(shape):
-    with pytest.raises(ValueError, match=r"^shape: expected a number up to 2"):
-        reg.GeneralizedLoss(1, shape)

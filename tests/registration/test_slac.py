@@ -189,22 +189,6 @@ def test_fragments_may_be_files(tmp_path):
     assert steps == [("slac", i, 5) for i in range(6)]
 
 
-def test_mistakes_are_named():
-    clouds, graph = two()
-    run = slac.run_slac_optimizer_for_fragments
-    with pytest.raises(ValueError, match=r"fragments: expected one for each of the 2 nodes .*, got 1"):
-        run(clouds[:1], graph)
-    with pytest.raises(ValueError, match="fragments: expected one for each of the 0 nodes"):
-        run([], PoseGraph())
-    with pytest.raises(TypeError, match="params: expected a SLACOptimizerParams, got dict"):
-        run(clouds, graph, {})
-    with pytest.raises(ValueError, match=r"no point lies within 0.07 m \(distance_threshold\)"):
-        graph.nodes[1].pose[0, 3] = 50
-        run(clouds, graph)
-    with pytest.raises(ValueError, match=r"cloud: expected points within .* take a larger grid_size"):
-        slac.ControlGrid(1e-6).touch(clouds[0])
-
-
 def test_a_grid_bends_depth_as_it_bends_points(device):
     camera = loom.PinholeCameraIntrinsic(32, 24, 40.0, 40.0, 15.5, 11.5)
     depth = np.full((24, 32), 2000, np.uint16)

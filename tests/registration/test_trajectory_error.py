@@ -254,36 +254,3 @@ def test_two_runs_give_the_same_bits(pair):
     estimate, truth = (Trajectory(poses) for poses in pair)
     one, two = evaluate_trajectory(estimate, truth), evaluate_trajectory(estimate, truth)
     assert one.absolute_translation == two.absolute_translation and one.segments == two.segments
-
-
-@pytest.mark.parametrize(
-    ("change", "message"),
-    [
-        ({"align": "last"}, "align: expected True, 'first' or None, got 'last'"),
-        ({"align": "first", "with_scale": True}, "with_scale: a scale is found by align=True"),
-        ({"delta": 0}, "delta: expected a whole number >= 1, got 0"),
-        ({"lengths": [0.0]}, "lengths: expected a finite number > 0"),
-    ],
-)
-def test_wrong_arguments_are_named(rng, change, message):
-    path = Trajectory(random_walk(rng, 5))
-    with pytest.raises(ValueError, match=message):
-        evaluate_trajectory(path, path, **change)
-
-
-def test_paths_that_cannot_be_compared_are_refused(rng):
-    path = random_walk(rng, 5)
-    with pytest.raises(ValueError, match="5 and 4 poses, which belong together by index"):
-        evaluate_trajectory(Trajectory(path), Trajectory(path[:4]))
-    with pytest.raises(ValueError, match="no two of their 5 and 5 poses"):
-        evaluate_trajectory(Trajectory(path, np.arange(5.0)), Trajectory(path, np.arange(5) + 0.5))
-    with pytest.raises(ValueError, match="no two of their 0 and 0 poses"):
-        evaluate_trajectory(Trajectory(path[:0]), Trajectory(path[:0]))
-    with pytest.raises(ValueError, match="truth: expected finite timestamps"):
-        evaluate_trajectory(Trajectory(path, np.arange(5.0)), Trajectory(path, [0, 1, np.nan, 3, 4]))
-    with pytest.raises(TypeError, match="truth: expected a Trajectory, got ndarray"):
-        evaluate_trajectory(Trajectory(path), path)
-    path = path.copy()
-    path[2, 0, 3] = np.nan
-    with pytest.raises(ValueError, match="estimate: expected finite poses"):
-        evaluate_trajectory(Trajectory(path), Trajectory(random_walk(rng, 5)))

@@ -45,9 +45,6 @@ def same_meshes(*meshes: loom.TriangleMesh) -> None:
     assert len(meshes[0]) > 100
 
 
-# ------------------------------------------------------------------------------------------------ what frames may be
-
-
 @pytest.mark.parametrize("refine", [False, True], ids=["as given", "refined"])
 def test_a_list_a_generator_and_a_folder_give_the_same_bits(folder, refine):
     listed, streamed = loom.frames_from(waves(), CAMERA), loom.frames_from(iter(waves()), CAMERA)
@@ -94,9 +91,6 @@ def test_a_clock_counts_the_stages():
     assert list(clock.seconds) == ["read", "integrate", "extract", "check"]
 
 
-# ------------------------------------------------------------------------------------------------ beside the command
-
-
 @pytest.mark.parametrize("refine", [False, True], ids=["as given", "refined"])
 def test_the_command_gives_the_same_bits_figures_and_lines(folder, tmp_path, refine):
     words = ["fuse", str(folder), "-o", str(tmp_path / "mesh.ply"), "--voxel", "0.02", "--device", "cpu"]
@@ -115,9 +109,6 @@ def test_the_command_gives_the_same_bits_figures_and_lines(folder, tmp_path, ref
     unpadded = [line.split() for line in shown.stdout.splitlines()]
     for line in str(result).splitlines():
         assert any(told[: len(line.split())] == line.replace("volume", "volume,").split() for told in unpadded), line
-
-
-# ------------------------------------------------------------------------------------------------ wrong arguments
 
 
 def test_the_table_names_every_argument():

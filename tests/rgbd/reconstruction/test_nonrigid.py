@@ -129,9 +129,6 @@ def test_frames_without_colour_are_bent_too(tmp_path, device):
     assert loom.read_triangle_mesh(tmp_path / "scene" / "integrated.ply").vertex_colors is None
 
 
-# ------------------------------------------------------------------------------------------------ resuming
-
-
 def test_a_run_that_is_done_is_kept_as_it_is(whole, job):
     _, first, content = whole
     times = {path: path.stat().st_mtime_ns for path in job.rglob("*.[np][pl][zy]")}
@@ -202,9 +199,6 @@ def test_what_slac_does_not_take_is_told_before_the_work(tmp_path):
     with pytest.raises(ValueError, match="fitness_threshold"):
         rec.run_system(Walk([0, 1]), config(fitness_threshold=2.0), tmp_path, slac=True)
     assert not list(tmp_path.rglob("*.ply"))
-
-
-# ------------------------------------------------------------------------------------------------ the grid's file
 
 
 def a_grid(device="cpu"):

@@ -42,9 +42,6 @@ def command(*words: object) -> dict[str, Any]:
     return json.loads(shown.stdout)
 
 
-# ------------------------------------------------------------------------------------------------ what frames may be
-
-
 def test_a_list_and_a_generator_give_the_same_mesh():
     listed, streamed = loom.frames_from(waves(), CAMERA), loom.frames_from(iter(waves()), CAMERA)
     first, second = (loom.reconstruct(frames, voxel_size=0.02) for frames in (listed, streamed))
@@ -70,9 +67,6 @@ def test_an_empty_mesh_is_a_poor_result():
     result = loom.reconstruct(loom.frames_from(blank, CAMERA))
     assert len(result.mesh) == len(result.trajectory) == 0
     assert "check the depth maps" in str(result.poor)
-
-
-# ------------------------------------------------------------------------------------------------ beside the command
 
 
 def test_the_command_gives_the_same_bits_and_figures(folder, tmp_path):
@@ -101,9 +95,6 @@ def test_by_fragments_the_command_gives_the_same_bits_and_figures(folder, tmp_pa
     assert report.items() >= own.items()
     for label in ("frames", "fragments", "stages", "mesh", "bounds"):
         assert f"  {label} " in str(result)
-
-
-# ------------------------------------------------------------------------------------------------ wrong arguments
 
 
 def test_the_table_names_every_argument():

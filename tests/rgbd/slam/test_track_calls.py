@@ -62,9 +62,6 @@ def folder(tmp_path_factory):
     return path
 
 
-# ------------------------------------------------------------------------------------------------ what frames may be
-
-
 def test_a_list_a_generator_and_a_folder_give_the_same_path(folder):
     listed, streamed = loom.frames_from(waves(), CAMERA), loom.frames_from(iter(waves()), CAMERA)
     first, *others = (loom.track(frames, voxel_size=0.02) for frames in (listed, streamed, loom.open_frames(folder)))
@@ -109,9 +106,6 @@ def test_a_clock_counts_the_stages():
     assert list(clock.seconds) == ["read", "track"]
 
 
-# ------------------------------------------------------------------------------------------------ beside the command
-
-
 def test_the_command_gives_the_same_poses_figures_and_lines(folder, tmp_path):
     words = ["track", str(folder), "-o", str(tmp_path / "poses.log"), "--device", "cpu"]
     shown = CliRunner().invoke(cli, words)
@@ -125,9 +119,6 @@ def test_the_command_gives_the_same_poses_figures_and_lines(folder, tmp_path):
     told = dict(line.split(maxsplit=1) for line in shown.stdout.splitlines()[1:] if not line.startswith("   "))
     for label, value in (line.split(maxsplit=1) for line in str(path).splitlines()):
         assert told[label].split("; ")[-1] == value.split("; ")[-1]
-
-
-# ------------------------------------------------------------------------------------------------ the focal length
 
 
 def test_without_a_trajectory_the_frames_are_tracked_first():
@@ -150,9 +141,6 @@ def test_a_number_of_no_frame_is_refused():
     for frames in (Damaged(), loom.frames_from(waves(), CAMERA)):
         with pytest.raises(ValueError, match=r"trajectory: names frame 9[0-2], and frames has no such frame"):
             loom.check_focal(frames, strange)
-
-
-# ------------------------------------------------------------------------------------------------ wrong arguments
 
 
 def test_the_table_names_every_argument():
