@@ -5,6 +5,8 @@ import pytest
 
 import pointloom as loom
 
+from .poses import as_pose
+
 reg = loom.registration
 
 PLANE = reg.TransformationEstimationPointToPlane()
@@ -22,13 +24,9 @@ KINDS = {
 EACH = pytest.mark.parametrize("kind", list(KINDS))
 
 
-def height(x, y):
-    return 0.2 * np.sin(3 * x) * np.cos(4 * y) + 0.1 * np.sin(7 * y + x)
-
-
 def wavy(rng, count):
-    xy = rng.uniform(-1, 1, (count, 2))
-    return np.column_stack([xy, height(*xy.T)])
+    x, y = rng.uniform(-1, 1, (count, 2)).T
+    return np.column_stack([x, y, 0.2 * np.sin(3 * x) * np.cos(4 * y) + 0.1 * np.sin(7 * y + x)])
 
 
 def wavy_normals(points):
@@ -43,6 +41,14 @@ def wavy_normals(points):
 def back(points, T):
     """Where points were before a pose."""
     return (points - T[:3, 3]) @ T[:3, :3]
+
+
+def noisy_pair(seed):
+    """Points with noise of a surface with normals, moved by a little in all six ways, and the surface."""
+    rng = np.random.default_rng(seed)
+    target = loom.PointCloud(wavy(rng, 1500)).estimate_normals(max_nn=20)
+    points = target.points[rng.permutation(1500)[:700]] + 0.003 * rng.normal(size=(700, 3))
+    return loom.PointCloud(back(points, as_pose([0.02, 0.03, -0.04], [0.02, -0.01, 0.03]))), target
 
 
 def on(device, *clouds):

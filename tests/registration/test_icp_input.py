@@ -21,15 +21,15 @@ def full_cloud(points, device="cpu"):
 
 
 @EACH
-@pytest.mark.parametrize("counts", [(0, 0), (0, 9), (9, 0)])
-def test_empty_clouds_leave_the_initial_pose(device, kind, counts, rng):
+def test_empty_clouds_leave_the_initial_pose(device, kind, rng):
     init = as_pose([0.1, 0.2, 0.3], [1, 2, 3])
-    clouds = (full_cloud(rng.random((n, 3)), device) for n in counts)
-    result = reg.registration_icp(*clouds, 1.0, init, KINDS[kind])
-    np.testing.assert_allclose(result.transformation, init, atol=1e-14)
-    assert (result.fitness, result.inlier_rmse, result.iterations) == (0.0, 0.0, 0)
-    assert (result.converged, result.reason) == (False, "no correspondences")
-    assert result.correspondence_set.shape == (0, 2) and result.correspondence_set.dtype == np.int32
+    for counts in ((0, 0), (0, 9), (9, 0)):
+        clouds = (full_cloud(rng.random((n, 3)), device) for n in counts)
+        result = reg.registration_icp(*clouds, 1.0, init, KINDS[kind])
+        np.testing.assert_allclose(result.transformation, init, atol=1e-14)
+        assert (result.fitness, result.inlier_rmse, result.iterations) == (0.0, 0.0, 0)
+        assert (result.converged, result.reason) == (False, "no correspondences")
+        assert result.correspondence_set.shape == (0, 2) and result.correspondence_set.dtype == np.int32
 
 
 @EACH
@@ -55,13 +55,13 @@ def test_pairs_that_are_lost_on_the_way_are_told(device, kind):
 
 
 @EACH
-@pytest.mark.parametrize("counts", [(1, 1), (1, 5), (2, 2), (3, 3), (5, 1)])
-def test_few_points_give_finite_poses(device, kind, counts, rng):
-    clouds = (full_cloud(rng.random((n, 3)), device) for n in counts)
-    result = reg.registration_icp(*clouds, 2.0, None, KINDS[kind])
-    assert np.isfinite(result.transformation).all() and 0 <= result.fitness <= 1
-    if kind != "scaled":
-        assert_rigid(result.transformation)
+def test_few_points_give_finite_poses(device, kind, rng):
+    for counts in ((1, 1), (1, 5), (2, 2), (3, 3), (5, 1)):
+        clouds = (full_cloud(rng.random((n, 3)), device) for n in counts)
+        result = reg.registration_icp(*clouds, 2.0, None, KINDS[kind])
+        assert np.isfinite(result.transformation).all() and 0 <= result.fitness <= 1
+        if kind != "scaled":
+            assert_rigid(result.transformation)
 
 
 @EACH

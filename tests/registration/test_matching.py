@@ -300,19 +300,6 @@ def test_matching_twice_gives_the_same_bits(device, scenes):
     assert all(x.numpy().tobytes() == y.numpy().tobytes() for x, y in zip(first, second, strict=True))
 
 
-@pytest.mark.slow  # a line of tests/test_compilers.py
-@pytest.mark.taichi
-def test_the_two_compilers_find_the_same_bits(scenes):
-    from pointloom.kernels.lang import cpu_compiler
-
-    a, b = (wp.array(x, dtype=wp.float32, device="cpu", ndim=2) for x in scenes["kitti"])
-    found = []
-    for name in ("taichi", "warp"):
-        with cpu_compiler(name):
-            found.append([x.numpy().tobytes() for x in matched_rows(a, b)])
-    assert found[0] == found[1]
-
-
 def test_features_are_left_as_they_are(device, rng):
     a, b = rng.normal(0, 1, (2, 20, 33)).astype(np.float32)
     held = [wp.array(x, dtype=wp.float32, device=device, ndim=2) for x in (a, b)]

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
-import sys
 from types import SimpleNamespace
 
 import numpy as np
@@ -251,36 +248,6 @@ def test_same_seed_gives_the_same_bits_and_another_another_course(device, rng):
     limits = reg.RANSACConvergenceCriteria(40)  # so few that luck decides
     poses = {ransac(case, device, seed=seed, criteria=limits).transformation.tobytes() for seed in range(5)}
     assert len(poses) == 5
-
-
-SCRIPT = """
-import hashlib, numpy as np, pointloom as loom
-rng = np.random.default_rng(0)
-source = rng.uniform(-1, 1, (3000, 3))
-target = source[:, [1, 2, 0]] + 0.01 * rng.normal(size=(3000, 3))
-pairs = np.column_stack([np.arange(3000)] * 2)
-pairs[300:, 1] = rng.integers(0, 3000, 2700)
-clouds = loom.PointCloud(source), loom.PointCloud(target)
-ransac = loom.registration.registration_ransac_based_on_correspondence(*clouds, pairs, 0.03)
-fgr = loom.registration.registration_fgr_based_on_correspondence(*clouds, pairs)
-for result in (ransac, fgr):
-    print(result.fitness, result.iterations, hashlib.sha256(result.transformation.tobytes()).hexdigest())
-"""
-
-
-@pytest.mark.slow
-@pytest.mark.slow_on_emulated_cuda("its processes run on the CPU alone")
-@pytest.mark.parametrize("compiler", ["warp", "taichi"])
-def test_bits_do_not_depend_on_the_number_of_threads(compiler):
-    outputs = []
-    for threads in ("1", "2"):
-        environment = os.environ | {"POINTLOOM_CPU": compiler, "POINTLOOM_CPU_THREADS": threads}
-        environment["PYTHONPATH"] = os.pathsep.join(p for p in sys.path if p)
-        done = subprocess.run([sys.executable, "-c", SCRIPT], env=environment, capture_output=True, text=True)
-        assert done.returncode == 0, done.stderr
-        outputs.append(done.stdout)
-    assert outputs[0] == outputs[1]
-    assert float(outputs[0].split()[0]) > 0.9, "the right pose, so that something was computed"
 
 
 def test_the_stricter_of_two_checkers_counts_on_the_device():

@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
-import sys
-
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
@@ -270,32 +266,3 @@ def test_two_runs_give_the_same_bits(device, hilly_pair):
     results = [reg.register_globally(*clouds, voxel_size=0.1, seed=3) for _ in range(2)]
     assert (results[0].transformation == results[1].transformation).all()
     assert results[0].score == results[1].score and results[0].fitness == results[1].fitness
-
-
-@pytest.mark.slow
-@pytest.mark.slow_on_emulated_cuda("its processes run on the CPU alone")
-@pytest.mark.parametrize("compiler", ["warp", "taichi"])
-def test_bits_do_not_depend_on_the_number_of_threads(compiler):
-    program = (
-        "import numpy as np, pointloom as loom\n"
-        "rng = np.random.default_rng(0)\n"
-        "p = rng.uniform(-1, 1, (8000, 3))\n"
-        "p[:, 2] = 0.2 * np.sin(3 * p[:, 0]) * np.cos(4 * p[:, 1]) + 0.1 * np.sin(7 * p[:, 1] + p[:, 0])\n"
-        "source, target = loom.PointCloud(p[:5000] + 3), loom.PointCloud(p[3000:])\n"
-        "result = loom.registration.register_globally(source, target, voxel_size=0.06)\n"
-        "print(result.transformation.tobytes().hex(), result.score, result.fitness)\n"
-        "q = rng.random((1500, 3))\n"
-        "pairs = np.column_stack([np.arange(1500), np.r_[np.arange(60), rng.integers(0, 1500, 1440)]])\n"
-        "cloud = loom.PointCloud(q)\n"
-        "result = loom.registration.registration_robust_based_on_correspondence(cloud, cloud, pairs, 0.02)\n"
-        "print(result.transformation.tobytes().hex(), result.score)\n"
-    )
-    runs = []
-    for threads in ("1", "2"):  # side by side: most of it is starting up
-        environment = os.environ | {"POINTLOOM_CPU": compiler, "POINTLOOM_CPU_THREADS": threads}
-        pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
-        runs.append(subprocess.Popen([sys.executable, "-c", program], env=environment, **pipes))
-    outputs = [run.communicate() for run in runs]
-    assert [run.returncode for run in runs] == [0, 0], outputs
-    printed = [output for output, _ in outputs]
-    assert printed[0] == printed[1] and len(printed[0]) > 200
