@@ -6,11 +6,10 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from scipy.spatial.transform import Rotation
 
 import pointloom as loom
 
-from .poses import moved
+from .poses import moved, pose_within
 
 reg = loom.registration
 VOXEL = 0.05  # [m] of the kitchen
@@ -18,9 +17,7 @@ VOXEL = 0.05  # [m] of the kitchen
 
 def made_up(rng, count=1500, outliers=0.5, noise=0.002):
     """Points in a box and the same under a pose, noisy; as many correspondences, a share of them wrong."""
-    T = np.eye(4)
-    T[:3, :3] = Rotation.random(random_state=int(rng.integers(1 << 30))).as_matrix()
-    T[:3, 3] = rng.uniform(-2, 2, 3)
+    T = pose_within(rng)
     source = rng.uniform(-1, 1, (count, 3)) * [1, 0.7, 0.4]
     target = moved(source, T) + noise * rng.normal(size=(count, 3))
     pairs = np.column_stack([np.arange(count)] * 2)
@@ -38,7 +35,7 @@ def fgr(case, device="cpu", seed=0, **options):
     return reg.registration_fgr_based_on_correspondence(*clouds(case, device), case.pairs, option, seed=seed)
 
 
-@pytest.mark.parametrize("outliers", [0.0, 0.5, 0.8, 0.95])
+@pytest.mark.parametrize("outliers", [0.0, 0.95])
 def test_pose_is_found_among_wrong_correspondences(device, rng, outliers, angle_between):
     case = made_up(rng, outliers=outliers)
     result = fgr(case, device)
@@ -108,26 +105,23 @@ def test_absolute_scale_begins_at_a_metre(device, rng, angle_between):
     assert absolute.fitness > 0.99
 
 
-def oracle(library, pair, pairs, option):
-    import open3d as o3d
-
+def fgr_of_open3d(o3d, case):
+    theirs = o3d.pipelines.registration
     o3d.utility.random.seed(0)
-    return library.registration_fgr_based_on_correspondence(
-        *pair, o3d.utility.Vector2iVector(pairs.astype(np.int32)), option
-    )
+    clouds = [o3d.geometry.PointCloud(o3d.utility.Vector3dVector(p)) for p in (case.source, case.target)]
+    option = theirs.FastGlobalRegistrationOption(decrease_mu=True, maximum_correspondence_distance=0.025)
+    pairs = o3d.utility.Vector2iVector(case.pairs.astype(np.int32))
+    found = theirs.registration_fgr_based_on_correspondence(*clouds, pairs, option)
+    return found.transformation, found.fitness
 
 
 @pytest.mark.parametrize("outliers", [0.5, 0.8])
-def test_errors_are_no_larger_than_open3ds(device, rng, outliers, angle_between, to_open3d):
-    import open3d as o3d
-
+def test_errors_are_no_larger_than_open3ds(device, rng, outliers, angle_between, oracle):
     case = made_up(rng, outliers=outliers)
-    r = o3d.pipelines.registration
-    option = r.FastGlobalRegistrationOption(decrease_mu=True, maximum_correspondence_distance=0.025)
-    expected = oracle(r, (to_open3d(case.source), to_open3d(case.target)), case.pairs, option)
+    expected, fitness = oracle(f"registration/fast_global/{outliers}", fgr_of_open3d, case)
     result = fgr(case, device)
-    assert angle_between(result.transformation, case.T) <= angle_between(expected.transformation, case.T) + 0.05
-    assert result.fitness >= expected.fitness - 0.01
+    assert angle_between(result.transformation, case.T) <= angle_between(expected, case.T) + 0.05
+    assert result.fitness >= fitness - 0.01
 
 
 @pytest.fixture(scope="module")
@@ -143,10 +137,8 @@ def kitchen(kitchen_pair):
 
 
 @pytest.fixture(scope="module")
-def oracle_fitness(kitchen, to_open3d):
+def best_of_open3d(kitchen, o3d, to_open3d):
     """The best fitness of Open3D over three seeds, from the same points and features."""
-    import open3d as o3d
-
     r = o3d.pipelines.registration
     features = [r.Feature(), r.Feature()]
     for feature, cloud in zip(features, (kitchen.source, kitchen.target), strict=True):
@@ -160,7 +152,7 @@ def oracle_fitness(kitchen, to_open3d):
     return max(found)
 
 
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.slow)])
 def test_kitchen_is_registered(device, kitchen, seed, angle_between, tolerances):
     result = of_kitchen(device, kitchen, VOXEL / 2, seed)
     assert result.score > 0.5
@@ -168,14 +160,12 @@ def test_kitchen_is_registered(device, kitchen, seed, angle_between, tolerances)
     assert np.linalg.norm(result.transformation[:3, 3] - kitchen.T[:3, 3]) < tolerances.kitchen_distance
 
 
-@pytest.mark.parametrize("seed", range(3))
-def test_kitchen_is_registered_as_well_as_by_open3d_at_its_last_scale(
-    device, kitchen, oracle_fitness, seed, tolerances
-):
+def test_kitchen_is_registered_as_well_as_by_open3d_at_its_last_scale(device, kitchen, best_of_open3d, tolerances):
     """Open3D ends at a mu of the distance in metres, ours at its square: the same scale is that of the root."""
-    T = of_kitchen(device, kitchen, np.sqrt(VOXEL / 2), seed).transformation
     pair = [loom.PointCloud(c.points, device=device) for c in (kitchen.source, kitchen.target)]
-    assert reg.evaluate_registration(*pair, VOXEL / 2, T).fitness > oracle_fitness - tolerances.fgr_fitness
+    for seed in range(3):
+        T = of_kitchen(device, kitchen, np.sqrt(VOXEL / 2), seed).transformation
+        assert reg.evaluate_registration(*pair, VOXEL / 2, T).fitness > best_of_open3d - tolerances.fgr_fitness
 
 
 def of_kitchen(device, kitchen, distance, seed):
@@ -212,8 +202,9 @@ def test_empty_clouds_end_with_a_reason(device):
         assert_no_pose(reg.registration_fgr_based_on_feature_matching(*pair, *features), "0 given")
 
 
-@pytest.mark.parametrize("shape", ["one place", "line", "plane"])
-@pytest.mark.parametrize("tuple_test", [True, False])
+@pytest.mark.parametrize(
+    ("shape", "tuple_test"), [("one place", True), ("one place", False), ("line", False), ("plane", True)]
+)
 def test_degenerate_clouds_end_without_an_exception(device, rng, shape, tuple_test):
     t = rng.uniform(-1, 1, (200, 1))
     points = {
