@@ -178,10 +178,16 @@ def test_the_good_arguments_are_taken(call):
 
 
 CASES = [(call, name) for call, (_, names) in TABLE.items() for name, good in names.items() if good != "True"]
-# Values that it takes run a whole registration each; of its other arguments no hostile value is taken, or few are.
-DEAR = {
+# Values that are taken run a whole registration each. The forms of ICP check the arguments that they share at once.
+FORMS = ("registration_icp_batch", "registration_colored_icp", "registration_generalized_icp", "multi_scale_icp")
+DEAR = {(call, name) for call in FORMS for name in TABLE[call][1] if name in set(TABLE["registration_icp"][1])}
+DEAR |= {("registration_symmetric_icp", name) for name in TABLE["registration_symmetric_icp"][1]}
+DEAR |= {
     ("register_stations", name) for name in ("rough", "voxel_size", "overlap", "position_sigma", "level_sigma", "seed")
 }
+DEAR |= {("register_nonrigid", name) for name in ("max_distance", "landmark_weight", "stiffness", "tolerance")}
+DEAR |= {("register_pair", name) for name in ("init", "distance", "free", "prior")}
+DEAR &= set(CASES)
 
 
 def marked(values, dear):
@@ -210,7 +216,7 @@ def test_a_hostile_value_is_refused_by_name(call, argument):
 CLOUDS = ("source", "target")
 
 
-@pytest.mark.parametrize("call", marked(calls_of_clouds(TABLE, CLOUDS), {"register_stations"}))
+@pytest.mark.parametrize("call", marked(calls_of_clouds(TABLE, CLOUDS), {"register_stations", *FORMS}))
 def test_a_hostile_cloud_is_answered_without_a_warning(call):
     faults = faults_of_clouds(TABLE[call], CLOUDS, things())
     assert not faults, "\n".join(faults)

@@ -36,7 +36,7 @@ def test_a_hundred_scans_drift_by_less_than_one_percent_and_deskewing_matters(de
     assert skewed.segment_rotation > 2 * straight.segment_rotation
 
 
-@pytest.mark.parametrize("speed", [1.0, 38.0, 45.0])
+@pytest.mark.parametrize("speed", [1.0, 45.0])
 def test_a_drive_may_begin_at_any_speed(device, street, speed):
     scans = street.drive(6, speed=speed, beams=40, azimuths=360, seed=3)
     gaps = follow(scans, device).poses[:, :3, 3] - truth_of(scans).poses[:, :3, 3]
@@ -257,7 +257,7 @@ def test_a_driver_may_write_all_scans_into_one_buffer(fast_drive):
     np.testing.assert_array_equal(reused.poses, apart.poses)
 
 
-@pytest.mark.parametrize("turns", [1, 2, 5])
+@pytest.mark.parametrize("turns", [1, 5])
 def test_a_scan_takes_as_many_turns_as_it_may_and_says_so(device, rng, turns):
     from pointloom.core.devices import resolve_device
     from pointloom.kernels.lang import vec3

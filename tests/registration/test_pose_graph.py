@@ -27,7 +27,7 @@ from .pose_rings import (
 from .poses import as_pose
 
 
-@pytest.mark.parametrize("seed", [3, 8])
+@pytest.mark.parametrize("seed", [3, pytest.param(8, marks=pytest.mark.slow)])
 def test_both_methods_find_the_same_minimum(seed, tolerances):
     """Open3D's Gauss-Newton anchors no node, its system is singular: both walks come out spoilt at one distance."""
     scene = ring(60, seed=seed, noise=0.02, outliers=10)
@@ -70,7 +70,7 @@ def test_the_least_cost_is_stationary():
 
 @pytest.mark.parametrize("method", METHODS)
 @given(data=st.data())
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=10, deadline=None)
 def test_trees_are_met_exactly(method, data):
     count = data.draw(st.integers(2, 12))
     rng = np.random.default_rng(data.draw(st.integers(0, 2**32)))
@@ -115,8 +115,7 @@ def test_scans_registered_in_pairs_come_together(device, fragment, rng):
     assert solved.edges[2].confidence > 0.9
 
 
-@pytest.mark.parametrize("method", METHODS)
-@pytest.mark.parametrize("reference", [0, 7, 19])
+@pytest.mark.parametrize(("method", "reference"), [(METHODS[0], 0), (METHODS[1], 7), (METHODS[0], 19)])
 def test_the_reference_keeps_its_pose_to_the_bit(reference, method):
     scene = ring(20, seed=5)
     solved = solve(scene, method, reference=reference)
@@ -202,7 +201,7 @@ def test_the_graph_that_was_given_stays_as_it_was():
 
 @pytest.mark.parametrize("method", METHODS)
 def test_two_runs_give_the_same_bits(method):
-    scene = ring(60, seed=10, noise=0.02, outliers=5)
+    scene = ring(30, seed=10, noise=0.02, outliers=5)
     first, second = solve(scene, method, 0.1), solve(scene, method, 0.1)
     assert poses_of(first).tobytes() == poses_of(second).tobytes()
     assert confidences_of(first).tobytes() == confidences_of(second).tobytes()

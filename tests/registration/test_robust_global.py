@@ -8,7 +8,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import pointloom as loom
-from pointloom.kernels.lang import cpu_compiler
 from pointloom.registration.globally import robust_global
 from pointloom.registration.globally.robust_global import rate_support
 
@@ -28,7 +27,7 @@ def rough_pair(rng, count=1000, right=30, noise=0.003):
     return p, q, pairs[rng.permutation(count)], T
 
 
-@pytest.mark.parametrize(("count", "right"), [(300, 30), (1000, 30), (2000, 25), (3000, 30)])
+@pytest.mark.parametrize(("count", "right"), [(300, 30), (2000, 25)])
 def test_the_pose_is_found_among_wrong_correspondences(device, rng, tolerances, count, right):
     p, q, pairs, T = rough_pair(rng, count, right)
     source, target = loom.PointCloud(p, device=device), loom.PointCloud(q, device=device)
@@ -67,17 +66,14 @@ def test_two_motions_with_as_many_correspondences_leave_doubt(device, rng):
     assert most.score > 0.8 and most.converged
 
 
-@pytest.mark.parametrize("compiler", ["warp", pytest.param("taichi", marks=pytest.mark.slow)])
 @settings(max_examples=15, deadline=None)
 @given(seed=st.integers(0, 2**31 - 1), count=st.integers(8, 40))
-def test_exact_correspondences_give_the_exact_pose(compiler, seed, count):
+def test_exact_correspondences_give_the_exact_pose(seed, count):
     rng = np.random.default_rng(seed)
     T, p = random_pose(rng, 10.0), rng.random((count, 3))
     pairs = np.column_stack([np.arange(count)] * 2)
-    with cpu_compiler(compiler):
-        result = reg.registration_robust_based_on_correspondence(
-            loom.PointCloud(p), loom.PointCloud(moved(p, T)), pairs, 0.02
-        )
+    clouds = loom.PointCloud(p), loom.PointCloud(moved(p, T))
+    result = reg.registration_robust_based_on_correspondence(*clouds, pairs, 0.02)
     np.testing.assert_allclose(result.transformation, T, atol=1e-5 * (1 + np.abs(T).max()))
     assert result.fitness == 1.0
 

@@ -41,7 +41,7 @@ class Broken(Wall):
 
 
 def test_exact_frames_of_the_room_fuse_to_its_surface(device):
-    frames = room_sequence(24, width=320, height=240, noise=False, device=device)
+    frames = room_sequence(12, width=200, height=150, noise=False, device=device)
     mesh = loom.fuse(frames, voxel_size=VOXEL, device=device, read_ahead=0).mesh
     errors = surface_errors(mesh.vertices, device=device)
     assert np.median(errors) < 0.05 * VOXEL
@@ -104,7 +104,7 @@ def test_frames_without_colour_give_a_mesh_without():
     assert result.mesh.vertex_colors is None
 
 
-@pytest.mark.parametrize(("frame_count", "threshold"), [(1, 0), (9, 0), (10, 1), (29, 1), (30, 3)])
+@pytest.mark.parametrize(("frame_count", "threshold"), [(1, 0), (10, 1), (30, 3)])
 def test_the_more_frames_the_more_often_a_voxel_must_be_seen(frame_count, threshold):
     result = loom.fuse(Wall(frame_count), voxel_size=0.05)
     assert result.weight_threshold == threshold

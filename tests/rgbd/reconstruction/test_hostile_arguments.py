@@ -76,7 +76,10 @@ def test_the_table_names_every_argument_of_every_public_call():
 CASES = [(call, name) for call, (_, names) in TABLE.items() for name in names]
 
 
-@pytest.mark.parametrize(("call", "argument"), CASES)
+@pytest.mark.parametrize(
+    ("call", "argument"),
+    [pytest.param(*case, marks=pytest.mark.slow if case[0] == "run_system" else ()) for case in CASES],
+)
 def test_a_hostile_value_is_refused_by_name(call, argument):
     function, expressions = TABLE[call]
     good = {name: eval(expression, dict(things())) for name, expression in expressions.items()}
