@@ -37,12 +37,13 @@ CHECK_NEEDS := { $(PIP) check --quiet || $(PIP) check; }
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: gpu-kit gpu-run help setup setup-runtime test test-all test-cuda-emulated test-cuda-emulated-quick test-browser oracle mutants lint format types check-cuda cuda-cache trust bench docs docs-clean demo clean distclean
+.PHONY: gpu-kit gpu-run help setup setup-test setup-runtime test test-all test-cuda-emulated test-cuda-emulated-quick test-browser oracle mutants nightly lint format types check-cuda cuda-cache trust bench docs docs-clean demo clean distclean
 
 help: ## Print the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-24s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
 setup: $(FULL) ## Make .venv with everything that tests, lint, types and the site need
+setup-test: $(TEST) ## Make .venv with what `make test` needs
 setup-runtime: $(RUNTIME) ## Make .venv with what pointloom itself needs
 
 test: $(TEST) ## Run the tests that take a moment each, most of them on one CPU compiler (some minutes)
@@ -73,6 +74,9 @@ test-browser: $(BROWSER) ## Run the viewer's tests in Chromium
 mutants: $(FULL) ## Small changes of behaviour, one at a time: do the tests notice? (half an hour, not in CI)
 	@$(BIN)/python tests/mutants/run.py $(ARGS)
 
+nightly: $(BENCH) $(EMULATION) $(BROWSER) ## Everything that is too slow for CI, with a table of results (many hours)
+	@$(BIN)/python scripts/nightly.py $(ARGS)
+
 lint: $(FULL) ## Check style and format
 	@$(BIN)/ruff check .
 	@$(BIN)/ruff format --check .
@@ -84,8 +88,8 @@ format: $(FULL) ## Mend style and format
 types: $(FULL) ## Check the types
 	@$(BIN)/python scripts/check_types.py
 
-check-cuda: $(RUNTIME) ## Compile every kernel for sm_75, sm_90 and sm_120 (needs no GPU)
-	@$(BIN)/python -m pointloom.kernels.check_cuda
+check-cuda: $(RUNTIME) ## Compile every kernel for sm_75, sm_90 and sm_120, or ARGS=90 for one (needs no GPU)
+	@$(BIN)/python -m pointloom.kernels.check_cuda $(ARGS)
 
 cuda-cache: $(RUNTIME) ## Compile all kernels for GPUs ahead, into a wheel in dist/ (no GPU; goes on where it stopped)
 	@$(BIN)/python -m pointloom.kernels.cuda_cache $(ARGS)

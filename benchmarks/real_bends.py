@@ -11,11 +11,11 @@ The sources' own points are in that surface, so an unbent copy would have none.
 from __future__ import annotations
 
 import argparse
-import os
 import time
 from pathlib import Path
 
 import numpy as np
+from real_data import DataMissingError, real_data
 from scipy.spatial import cKDTree
 
 import pointloom as loom
@@ -86,13 +86,13 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--bodies", nargs="+", default=list(BODIES))
     options = parser.parse_args()
-    folder = Path(os.environ.get("POINTLOOM_DATA", "."))
     print("| body | bend | surface, rigid | surface | 95 % | points | CPU [s] | verdict |")
     print("|---|---|---|---|---|---|---|---|")
     for name in options.bodies:
-        path = folder / BODIES[name]
-        if not path.exists():
-            print(f"left out: {path} is not there")
+        try:
+            path = real_data(BODIES[name])
+        except DataMissingError as error:
+            print(f"left out: {error}")
             continue
         points = points_of(path, 0)
         for field, bend in FIELDS.items():

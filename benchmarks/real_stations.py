@@ -11,13 +11,13 @@ stations' positions against theirs, relative to the reference station.
 from __future__ import annotations
 
 import argparse
-import os
 import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from real_data import real_data
 from scipy.spatial.transform import Rotation
 
 import pointloom as loom
@@ -106,7 +106,6 @@ def main() -> None:
     parser.add_argument("--sets", nargs="+", default=list(SETS))
     parser.add_argument("--seed", type=int, default=0)
     options = parser.parse_args()
-    folder = Path(os.environ.get("POINTLOOM_DATA", "."))
     print(
         "| set | placed | pairs | rough [mm] | off, median | largest | said | sigma0 | taken out | CPU [s] | verdict |"
     )
@@ -114,7 +113,7 @@ def main() -> None:
     for name in options.sets:
         read, *numbers = SETS[name]
         try:
-            clouds, truth = read(folder)
+            clouds, truth = read(real_data())
         except OSError as error:
             print(f"{name} left out: {error}")
             continue

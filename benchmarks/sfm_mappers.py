@@ -10,7 +10,6 @@ best similarity; of Sceaux there is no truth, and the cameras of both mappers ar
 from __future__ import annotations
 
 import argparse
-import os
 import resource
 import shutil
 from pathlib import Path
@@ -18,6 +17,7 @@ from typing import Any
 
 import numpy as np
 import sfm_accuracy
+from real_data import real_data
 
 import pointloom as loom
 
@@ -58,7 +58,7 @@ def main() -> None:
 def compare(name: str, work: Path) -> None:
     make, folder = SETS[name]
     work.mkdir()
-    data = None if folder is None else Path(os.environ["POINTLOOM_DATA"]) / folder
+    data = None if folder is None else real_data(folder)
     pictures, truth, options, _ = make(work, data)
     intrinsic = None if "unknown" in name else options.get("intrinsic")
     loom.sfm.find_features(pictures, work / "f.db", intrinsic=intrinsic, max_size=1000, max_features=2048)

@@ -9,13 +9,13 @@ same. Retrieval proposes each picture's most alike; beside it stands what the or
 from __future__ import annotations
 
 import argparse
-import os
 import shutil
 import sqlite3
 import time
 from pathlib import Path
 
 import numpy as np
+from real_data import real_data
 
 import pointloom as loom
 from pointloom.photos.sfm.matches import OVERLAP, _in_a_row
@@ -30,7 +30,7 @@ def main() -> None:
     arguments.add_argument("work", type=Path)
     work = arguments.parse_args().work
     (work / "pictures").mkdir(parents=True)
-    found = sorted((Path(os.environ["POINTLOOM_DATA"]) / "rgbd-7scenes-redkitchen").glob("*.color.jpg"))[:300:STRIDE]
+    found = sorted(real_data("rgbd-7scenes-redkitchen").glob("*.color.jpg"))[:300:STRIDE]
     order = np.random.default_rng(0).permutation(len(found))
     for place, k in enumerate(order):
         shutil.copy(found[k], work / "pictures" / f"{place:03d}.jpg")

@@ -8,7 +8,6 @@ beside SciPy's LinearNDInterpolator. The tiles with known ground are those of be
 
 from __future__ import annotations
 
-import os
 import sys
 import time
 import warnings
@@ -17,6 +16,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from real_data import real_data
 
 FOOT = 0.3048
 
@@ -25,7 +25,7 @@ def main() -> None:
     """Print the tables of docs/terrain.md; write the picture where a name is given."""
     import pointloom as loom
 
-    data = Path(os.environ["POINTLOOM_DATA"])
+    data = real_data()
     warnings.simplefilter("ignore", loom.UnitWarning)
     cloud = loom.read_point_cloud(data / "lidar-pdal" / "laz" / "autzen_trim.laz")
     print("| ground points left out | inverse distance: rms, median [m] | triangles |\n|---|---|---|")

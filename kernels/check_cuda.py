@@ -1,4 +1,6 @@
-"""Compile every kernel for CUDA on a machine without a GPU: python -m pointloom.kernels.check_cuda [module ...].
+"""Compile every kernel for CUDA on a machine without a GPU: python -m pointloom.kernels.check_cuda [90] [module ...].
+
+A number is an architecture, such as 90 for sm_90. All of ARCHITECTURES are compiled if none is given.
 
 Warp carries NVRTC, so nothing else is needed. One line a module: kernels, bytes of each cubin, seconds. Then the
 kernels that hold something in local memory (spilled registers, or vectors with a computed index) or many registers:
@@ -113,14 +115,16 @@ def report_heavy(compiled: Compiled) -> list[str]:
     return lines
 
 
-def check_module(name: str, *, may_be_empty: bool = False) -> tuple[int, list[str], str]:
+def check_module(
+    name: str, *, architectures: tuple[int, ...] = ARCHITECTURES, may_be_empty: bool = False
+) -> tuple[int, list[str], str]:
     """Compile one module: how many kernels it has, lines about them, and what is wrong; no lines where it has none."""
     try:
         importlib.import_module(name)
         if may_be_empty and name not in lang.LAUNCHED:
             return 0, [], ""
         lang.settle(name)
-        compiled = compile_module(name)
+        compiled = compile_module(name, architectures)
     except Exception as error:  # a rule of the language, NVRTC, a name that is no module: all are findings
         return 0, [], f"{name}: FAILED\n{type(error).__name__}: {error}"
     count = len(next(iter(compiled.usage.values())))
@@ -129,19 +133,23 @@ def check_module(name: str, *, may_be_empty: bool = False) -> tuple[int, list[st
     return count, [line, *report_heavy(compiled)], ""
 
 
-def check_package() -> Iterator[tuple[int, list[str], str]]:
+def check_package(architectures: tuple[int, ...]) -> Iterator[tuple[int, list[str], str]]:
     """Compile the whole package, a process a core, since NVRTC uses one; the results in the modules' order."""
     package = importlib.import_module(__package__ or "pointloom.kernels")
     found = [m.name for m in pkgutil.walk_packages(package.__path__, package.__name__ + ".")]
     spawn = multiprocessing.get_context("spawn")
     with ProcessPoolExecutor(len(os.sched_getaffinity(0)), spawn) as pool:
-        yield from pool.map(functools.partial(check_module, may_be_empty=True), found)
+        yield from pool.map(functools.partial(check_module, architectures=architectures, may_be_empty=True), found)
 
 
-def main(names: list[str]) -> int:
-    """Compile the named modules, or all of the package; the exit status."""
+def main(words: list[str]) -> int:
+    """Compile the named modules, or all of the package, for the numbered architectures, or all; the exit status."""
+    names = [word for word in words if not word.isdecimal()]
+    architectures = tuple(int(word) for word in words if word.isdecimal()) or ARCHITECTURES
     failures, kernels, start = 0, 0, time.perf_counter()
-    for count, lines, failure in (check_module(name) for name in names) if names else check_package():
+    for count, lines, failure in (
+        (check_module(name, architectures=architectures) for name in names) if names else check_package(architectures)
+    ):
         kernels += count
         failures += bool(failure)
         for line in lines:

@@ -9,8 +9,8 @@ takes the package index from its own settings). Versions that the files hold alr
 upgrade is asked for. Only hashes of wheels that these machines can install are kept, and no address of an index.
 
 The files build on each other: runtime.txt (with the build backend, for the editable install), test.txt (`make test`),
-full.txt (Open3D, Taichi, lint, types, the site), bench.txt (the libraries that the benchmarks compare with). The Makefile installs them as they stand,
-without pip's resolver, and then has `pip check` look for what they lack.
+full.txt (Open3D, Taichi, lint, types, the site), bench.txt (the libraries that the benchmarks compare with). The
+Makefile installs them as they stand, without pip's resolver, and then `pip check` looks for missing packages.
 """
 
 from __future__ import annotations

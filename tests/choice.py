@@ -1,9 +1,10 @@
 """The tests of `make test`, the compilers that tests run on, and the tests that share a process.
 
 `make test` is `pytest --quick`, `make test-all` is pytest without it. `--quick` leaves out the tests that are marked
-`slow`, those that need Open3D itself (tests/oracle.py) and all runs on Taichi, which is optional. Without it the tests
-of tests/kernels that take `device`, and others marked `both_compilers`, run on Warp and on Taichi. All operations are
-compared on the two compilers by tests/test_compilers.py.
+`slow`, those that need Open3D itself (tests/oracle.py) and all runs on Taichi, which is optional. `--rest` runs those,
+and the tests that use stored answers of Open3D once more with Open3D. Without either option the tests of tests/kernels
+that take `device`, and others marked `both_compilers`, run on Warp and on Taichi. All operations are compared on the
+two compilers by tests/test_compilers.py.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ import pytest
 
 from . import oracle
 
-OPTION = "--quick"
+OPTION, REST = "--quick", "--rest"
 COMPILERS = {"cpu-taichi": "taichi", "cpu-warp": "warp"}
 HAS_TAICHI = importlib.util.find_spec("taichi") is not None
 TESTS = Path(__file__).parent
@@ -33,6 +34,7 @@ DEAREST = (
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption(OPTION, action="store_true", help="the tests of `make test`: no slow ones, no Open3D, no Taichi")
+    parser.addoption(REST, action="store_true", help="the tests that --quick leaves out, and Open3D's stored answers")
 
 
 def places_of(definition: pytest.Item) -> list[str]:
@@ -43,13 +45,14 @@ def places_of(definition: pytest.Item) -> list[str]:
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Leave out tests, and begin with the groups that take longest in processes of pytest-xdist."""
-    quick, mode = config.getoption(OPTION), oracle.mode_of(config)
+    quick, rest, mode = config.getoption(OPTION), config.getoption(REST), oracle.mode_of(config)
     kept = [
         item
         for item in items
-        if not (quick and item.get_closest_marker("slow"))
-        and not ((quick or not HAS_TAICHI) and needs_taichi(item))
-        and oracle.is_selected(mode, getattr(item, "fixturenames", ()))
+        if (HAS_TAICHI or not needs_taichi(item))
+        and oracle.is_selected(mode, fixtures_of(item))
+        and not (quick and is_left_out(item))
+        and not (rest and not is_left_out(item) and "oracle" not in fixtures_of(item))
     ]
     if len(kept) < len(items):
         chosen = set(kept)
@@ -57,6 +60,15 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         items[:] = kept
     if hasattr(config, "workerinput"):
         items.sort(key=lambda item: rank_of(group_of(item.path), DEAREST))
+
+
+def is_left_out(item: pytest.Item) -> bool:
+    """True if a test does not run in `make test`."""
+    return item.get_closest_marker("slow") is not None or needs_taichi(item) or "o3d" in fixtures_of(item)
+
+
+def fixtures_of(item: pytest.Item) -> Sequence[str]:
+    return getattr(item, "fixturenames", ())
 
 
 def needs_taichi(item: pytest.Item) -> bool:

@@ -126,62 +126,59 @@ def rng() -> np.random.Generator:
     return np.random.default_rng(0)
 
 
-# What is said of whole scans, and does not hold of their cuts: the test, and what its name has in brackets.
-OF_WHOLE_SCANS = (
-    ("test_errors_on_tiles_with_known_ground_are_small", ""),
-    ("test_the_page_shows_what_the_script_gives", ""),
-    ("test_labels_of_the_fragment_are_open3ds", "0.05-200"),
-    ("test_the_depth_image_of_a_cloud_is_open3ds", ""),
-    ("test_two_runs_of_a_projection_give_the_same_bits", ""),
-    ("test_shapes_of_the_fragment_are_those_of_float64", ""),
-    ("test_orientation_is_open3ds_rule_on_the_whole_graph", "15-lidar"),
-    ("test_radius_outliers_are_open3ds", "fragment"),
-    ("test_final_plane_fits_the_inliers_at_least_as_well_as_open3ds_fit", "fragment"),
-    ("test_points_left_of_the_fragment_are_open3ds", "-2"),
-    ("test_lidar_scans_end_near_the_truth", "symmetric"),
-    ("test_scans_registered_in_pairs_come_together", ""),
-    ("test_parts_that_share_a_fifth_stay_where_they_belong", ""),
-    ("test_the_kitchen_lies_closer_under_the_pose_found_than_under_the_published_one", ""),
-    ("test_voxels_have_the_oracle_s_values_weights_and_colours", "redwood5"),
-    ("test_keypoints_of_real_scans_are_open3ds", "fragment"),
-    ("test_keypoints_of_real_scans_are_open3ds", "terrain"),
-    ("test_points_on_planes_are_open3ds", "terrain-count"),
-    ("test_bilateral_means_are_open3ds", "terrain-count"),
-    ("test_laplacian_passes_are_open3ds", "terrain"),
-)
-
-
+@pytest.hookimpl(tryfirst=True)  # before -m selects
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    for item in items if not os.environ.get("POINTLOOM_DATA") else ():
-        name, _, case = item.name.partition("[")
-        if any(name == test and part in case for test, part in OF_WHOLE_SCANS):
-            item.add_marker(pytest.mark.skip(reason="said of whole scans: POINTLOOM_DATA names no folder of them"))
+    """Mark the tests that read real data: those with the fixture `real_file`, but not on the `shipped` scans."""
+    for item in items:
+        params = item.callspec.params if hasattr(item, "callspec") else {}
+        if "real_file" in item.fixturenames and params.get("scan_set") != "shipped":
+            item.add_marker(pytest.mark.real_data)
+        elif item.get_closest_marker("real_data"):
+            raise pytest.UsageError(f"{item.nodeid} is marked real_data, but does not use the fixture real_file")
 
 
-class ShippedData(type(Path())):
-    """A folder of tests/data, which holds parts of the real data: who asks for what is not there skips, and says so."""
-
-    is_shipped = True
-
-    def __truediv__(self, name: str) -> ShippedData:
-        found = super().__truediv__(name)
-        if not found.exists():
-            pytest.skip(f"{found.relative_to(SHIPPED)} is not in tests/data, and POINTLOOM_DATA names no folder")
-        return found
+is_of_real_data = False  # the test that runs now
 
 
-SHIPPED = Path(__file__).parent / "data"
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtest_setup(item: pytest.Item) -> None:
+    global is_of_real_data
+    is_of_real_data = item.get_closest_marker("real_data") is not None
 
 
 @pytest.fixture(scope="session")
-def data() -> Path:
-    """The folder of real scans: the one that POINTLOOM_DATA names, else the cuts whose licences allow to ship them."""
+def real_file() -> Callable[[str], Path]:
+    """A function: the path of a file or folder of the real data. The test is skipped if it does not exist."""
     folder = os.environ.get("POINTLOOM_DATA", "")
-    if not folder:
-        return ShippedData(SHIPPED)
-    if not Path(folder).is_dir():
-        pytest.fail(f"POINTLOOM_DATA: {folder} is no folder")
-    return Path(folder)
+    if folder and not Path(folder).is_dir():
+        pytest.fail(f"POINTLOOM_DATA: expected a folder, got {folder}")
+
+    def find(name: str) -> Path:
+        assert is_of_real_data, f"{name}: the test is not marked real_data; name the fixture in its signature"
+        path = Path(folder, name)
+        if not folder or not path.exists():
+            pytest.skip(f"{name} does not exist in POINTLOOM_DATA ({folder or 'not set'})")
+        return path
+
+    return find
+
+
+@pytest.fixture(scope="session")
+def shipped_file() -> Callable[[str], Path]:
+    """A function: the path of a file or folder of tests/data, which must exist."""
+    return lambda name: (Path(__file__).parent / "data" / name).resolve(strict=True)
+
+
+@pytest.fixture(scope="session", params=["shipped", "real"])
+def scan_set(request: pytest.FixtureRequest) -> str:
+    """The scans of a test that runs on both: shipped or made-up ones, and real ones."""
+    return request.param
+
+
+@pytest.fixture(scope="session")
+def scan_file(scan_set, real_file, shipped_file) -> Callable[[str], Path]:
+    """`shipped_file` or `real_file`: tests/data holds cuts of scans by the paths of the whole ones."""
+    return {"shipped": shipped_file, "real": real_file}[scan_set]
 
 
 @pytest.fixture(scope="session")
@@ -209,15 +206,20 @@ def to_open3d(o3d):
 
 
 @pytest.fixture(scope="session")
-def fragment(data):
-    """The indoor fragment, or the corner of it that is shipped, as Open3D reads it: `legacy`, and its arrays."""
-    import open3d as o3d
+def fragment(scan_file):
+    """The arrays of the indoor fragment (real), or of a corner of it (shipped), in float64."""
+    import pointloom as loom
 
-    legacy = o3d.io.read_point_cloud(str(data / "cloud-cupoch" / "fragment.pcd"))
-    points, normals, colors = (np.asarray(a) for a in (legacy.points, legacy.normals, legacy.colors))
-    assert points.shape == normals.shape == colors.shape
-    assert len(points) == (8000 if isinstance(data, ShippedData) else 113662)
-    return SimpleNamespace(legacy=legacy, points=points, normals=normals, colors=colors)
+    cloud = loom.read_point_cloud(scan_file("cloud-cupoch/fragment.pcd"))
+    points, normals, colors = (np.asarray(a, np.float64) for a in (cloud.points, cloud.normals, cloud.colors))
+    assert points.shape == normals.shape == colors.shape and len(points) in (8000, 113662)
+    return SimpleNamespace(points=points, normals=normals, colors=colors)
+
+
+@pytest.fixture(scope="session")
+def legacy_fragment(o3d, scan_file):
+    """The fragment as Open3D reads it."""
+    return o3d.io.read_point_cloud(str(scan_file("cloud-cupoch/fragment.pcd")))
 
 
 @pytest.fixture(scope="session")
@@ -234,20 +236,20 @@ def made_street():
 
 
 @pytest.fixture(scope="session")
-def lidar(data, made_street):
-    """One scan of a turning LiDAR, [n, 4]: x, y, z [m] and intensity; its density varies a thousandfold.
+def lidar(scan_set, real_file, made_street):
+    """One scan of a rotating LiDAR, (n, 4): x, y, z [m] and intensity; its density varies a thousandfold.
 
-    KITTI's, 17,238 points; its licence is for research alone, so a fresh clone takes a made-up street.
+    KITTI's (real), 17,238 points, whose license does not allow to ship it, or one of a made-up street (shipped).
     """
-    if not isinstance(data, ShippedData):
-        return np.fromfile(data / "lidar-kitti-frame" / "kitti" / "000008.bin", np.float32).reshape(-1, 4)
+    if scan_set == "real":
+        return np.fromfile(real_file("lidar-kitti-frame/kitti/000008.bin"), np.float32).reshape(-1, 4)
     points = made_street.drive(1, speed=0.0, beams=40, azimuths=480, noise=0.02).scans[0]
     return np.column_stack([points, np.linspace(0, 1, len(points))]).astype(np.float32)
 
 
 @pytest.fixture(scope="session")
-def terrain(data):
+def terrain(shipped_file):
     """An airborne tile at UTM coordinates, [n, 3] float64; its file holds y in steps of 0.5 m."""
     import pointloom as loom
 
-    return loom.read_point_cloud(data / "lidar-pcl-terrain" / "samp21-utm.pcd").points
+    return loom.read_point_cloud(shipped_file("lidar-pcl-terrain/samp21-utm.pcd")).points

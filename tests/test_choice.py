@@ -52,18 +52,22 @@ def test_of_a_compiler(compiler):
 
 def test_of_open3d(o3d):
     pass
+
+def test_of_a_stored_answer(oracle):
+    pass
 """
 PLAIN = 'addopts = "-p no:dash -p no:hypothesispytest -p no:benchmark"\n'  # a start in half the time
 CONFTEST = """
 import pytest
-from tests import choice, oracle
+from tests import choice
+from tests import oracle as answers
 
-choice.HAS_TAICHI, oracle.HAS_OPEN3D = {installed}, {installed}
+choice.HAS_TAICHI, answers.HAS_OPEN3D = {installed}, {installed}
 pytest_collection_modifyitems = choice.pytest_collection_modifyitems
 
 def pytest_addoption(parser):
     choice.pytest_addoption(parser)
-    oracle.pytest_addoption(parser)
+    answers.pytest_addoption(parser)
 
 def pytest_generate_tests(metafunc):
     if "device" in metafunc.fixturenames:
@@ -72,10 +76,14 @@ def pytest_generate_tests(metafunc):
 @pytest.fixture
 def o3d():
     pass
+
+@pytest.fixture
+def oracle():
+    pass
 """
 QUICK_TESTS = [
     "test_a_claim", "test_a_claim_of_which_one_case_is_slow[1]", "test_of_a_compiler[warp]",
-    "test_of_a_device[cpu-warp]", "test_of_the_compilers[cpu-warp]",
+    "test_of_a_device[cpu-warp]", "test_of_a_stored_answer", "test_of_the_compilers[cpu-warp]",
 ]  # fmt: skip
 SLOW_TESTS = ["test_a_claim_of_which_one_case_is_slow[9]", "test_a_slow_claim"]
 NEED_MORE = ["test_of_a_compiler[taichi]", "test_of_open3d", "test_of_taichi", "test_of_the_compilers[cpu-taichi]"]
@@ -147,6 +155,7 @@ def test_make_test_leaves_out_slow_tests_open3d_and_taichi(run_suite):
 @pytest.mark.slow
 def test_all_tests_are_those_and_the_others(run_suite):
     assert run_suite() == sorted([*QUICK_TESTS, *SLOW_TESTS, *NEED_MORE])
+    assert run_suite("--rest") == sorted([*SLOW_TESTS, *NEED_MORE, "test_of_a_stored_answer"])
     assert run_suite(installed=False) == sorted([*QUICK_TESTS, *SLOW_TESTS])
 
 

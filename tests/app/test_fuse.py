@@ -76,8 +76,8 @@ def test_outputs_are_checked_before_the_frames_are(tmp_path):
     assert (tmp_path / "there.ply").read_bytes() == b"kept"
 
 
-def test_the_kitchen_becomes_a_mesh(device, data, tmp_path):
-    kitchen, options = data / "rgbd-7scenes-redkitchen", FolderOptions(every=50)
+def test_the_kitchen_becomes_a_mesh(device, real_file, tmp_path):
+    kitchen, options = real_file("rgbd-7scenes-redkitchen"), FolderOptions(every=50)
     outputs = ModelOutputs(tmp_path / "kitchen.ply")
     report = fuse_folder(kitchen, outputs, options=options, voxel_size=0.04, device=device).to_json()
     assert report["poor"] is None

@@ -12,15 +12,15 @@ from .commands import answer, run
 
 
 @pytest.fixture
-def autzen(data):
+def autzen(scan_file):
     """110,000 points in feet, compressed; every 22nd in tests/data."""
-    return data / "lidar-pdal" / "laz" / "autzen_trim.laz"
+    return scan_file("lidar-pdal/laz/autzen_trim.laz")
 
 
-def test_info_tells_what_the_header_says(autzen, data):
+def test_info_tells_what_the_header_says(autzen, shipped_file):
     header = laspy.read(autzen).header
     count, low, high = header.point_count, header.mins, header.maxs
-    small = data / "lidar-pdal" / "autzen" / "autzen-utm.las"
+    small = shipped_file("lidar-pdal/autzen/autzen-utm.las")
     first, second = answer("info", autzen, small)["files"]
     assert (first["kind"], first["points"], first["point_format"]) == ("point cloud", count, 3)
     assert first["version"] == "LAS 1.2, compressed"

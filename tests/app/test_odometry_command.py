@@ -81,11 +81,11 @@ def test_a_scan_that_does_not_overlap_is_a_poor_result(drive, tmp_path, rng):
 
 
 @pytest.mark.slow
-def test_a_path_that_was_lost_is_a_poor_result_and_names_the_scans(data, tmp_path):
+def test_a_path_that_was_lost_is_a_poor_result_and_names_the_scans(real_file, tmp_path):
     folder = tmp_path / "submaps"
     folder.mkdir()
     for number in range(5):  # submaps of a drive, 3 to 12 m apart
-        points = np.fromfile(data / "reg-gtsam-points" / "kitti_07_dump" / f"{number:06}" / "points.bin", "<f4")
+        points = np.fromfile(real_file(f"reg-gtsam-points/kitti_07_dump/{number:06}/points.bin"), "<f4")
         loom.write_point_cloud(folder / f"{number}.ply", loom.PointCloud(points.reshape(-1, 3)[::3]))
     report = poor_answer("odometry", folder, "-o", tmp_path / "a.txt", "--device", "cpu")
     assert report["strayed"][0] == 3  # the first two are turned by 32 and 49 degrees, and found

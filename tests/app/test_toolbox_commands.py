@@ -150,9 +150,9 @@ def test_a_wrong_call_exits_with_2_and_names_the_option(words, hint):
     assert others in ([], [f"See 'pointloom {words.split()[0]} --help'."])
 
 
-def test_the_whole_chain_works_on_a_lidar_tile(data, tmp_path):
+def test_the_whole_chain_works_on_a_lidar_tile(scan_file, tmp_path):
     laspy = pytest.importorskip("laspy")
-    source, last = data / "lidar-pdal" / "laz" / "autzen_trim.laz", tmp_path / "0.laz"
+    source, last = scan_file("lidar-pdal/laz/autzen_trim.laz"), tmp_path / "0.laz"
     steps = (
         ["sample", "--every", "20"],
         ["clean", "--duplicates", "--neighbors", "8"],

@@ -12,15 +12,15 @@ import pointloom as loom
 
 
 @pytest.fixture(scope="module")
-def raw(data):
+def raw(shipped_file):
     """A depth image with holes [mm]."""
-    return np.asarray(Image.open(data / "rgbd-cupoch-redwood5" / "depth" / "00002.png"))
+    return np.asarray(Image.open(shipped_file("rgbd-cupoch-redwood5/depth/00002.png")))
 
 
 @pytest.fixture(scope="module")
-def color(data):
+def color(shipped_file):
     """Its colours."""
-    return np.asarray(Image.open(data / "rgbd-cupoch-redwood5" / "color" / "00002.jpg"))
+    return np.asarray(Image.open(shipped_file("rgbd-cupoch-redwood5/color/00002.jpg")))
 
 
 @pytest.fixture(scope="module")

@@ -13,11 +13,11 @@ PRIME_SENSE = (640, 480, 525.0, 525.0, 319.5, 239.5)
 
 
 @pytest.fixture(scope="module")
-def frame(data):
+def frame(shipped_file):
     """A redwood frame as Open3D images and as arrays, its camera in both forms, and a pose."""
     import open3d as o3d
 
-    folder = data / "rgbd-cupoch-redwood5"
+    folder = shipped_file("rgbd-cupoch-redwood5")
     depth = o3d.io.read_image(str(folder / "depth" / "00002.png"))
     color = o3d.io.read_image(str(folder / "color" / "00002.jpg"))
     pose = np.eye(4)

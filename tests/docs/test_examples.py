@@ -11,7 +11,7 @@ OTHERS = sorted(set(EXAMPLES.glob("*/plot_*.py")) - set(CHAPTERS))
 
 
 # What a second of CPU does not do; `make docs` runs all of them too.
-LONG = {"02", "07", "08", "09", "11", "13", "14", "15"}
+LONG = {"01", "02", "03", "06", "07", "08", "09", "10", "11", "13", "14", "15"}
 CHAPTERS_BY_TIME = [
     pytest.param(path, marks=[pytest.mark.slow] if path.stem.split("_")[1] in LONG else []) for path in CHAPTERS
 ]

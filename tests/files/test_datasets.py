@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import json
-import os
 import re
 import shutil
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -29,9 +27,6 @@ from .frame_folders import (
     write_listing,
     write_poses,
 )
-
-DATA = os.environ.get("POINTLOOM_DATA")
-needs_data = pytest.mark.skipif(not DATA, reason="POINTLOOM_DATA is not set: no real RGB-D frames")
 
 
 @pytest.mark.parametrize("layout", LAYOUTS)
@@ -276,9 +271,8 @@ def test_pictures_that_change_after_opening_are_noticed(tmp_path):
 # Real recordings
 
 
-@needs_data
-def test_the_red_kitchen_opens_with_its_own_camera():
-    dataset = open_dataset(Path(str(DATA)) / "rgbd-7scenes-redkitchen", every=100)
+def test_the_red_kitchen_opens_with_its_own_camera(real_file):
+    dataset = open_dataset(real_file("rgbd-7scenes-redkitchen"), every=100)
     assert (dataset.layout, len(dataset), dataset.depth_scale) == ("7scenes", 3, 1000)
     assert dataset.intrinsic == PinholeCameraIntrinsic(640, 480, 585, 585, 320, 240)
     assert dataset.intrinsic_doubt == ""
@@ -287,10 +281,10 @@ def test_the_red_kitchen_opens_with_its_own_camera():
     assert 0 < frame.depth.max() < 10_000
 
 
-def test_redwood_frames_meet_in_the_world(data):
+def test_redwood_frames_meet_in_the_world(scan_set, scan_file):
     """The depth of the last frame, seen from the first, agrees to centimetres where both see."""
-    dataset = open_dataset(data / "rgbd-cupoch-redwood5")
-    assert dataset.layout == "redwood" and len(dataset) >= 3
+    dataset = open_dataset(scan_file("rgbd-cupoch-redwood5"))
+    assert dataset.layout == "redwood" and len(dataset) == {"shipped": 3, "real": 5}[scan_set]
     first, last = dataset.read(0), dataset.read(len(dataset) - 1)
     K = dataset.intrinsic.matrix
     v, u = np.nonzero(last.depth)
@@ -304,9 +298,8 @@ def test_redwood_frames_meet_in_the_world(data):
     assert np.median(np.abs(there - points[2][seen])[there > 0]) < 0.01
 
 
-@needs_data
-def test_a_3dmatch_sequence_takes_the_matrix_above_it():
-    dataset = open_dataset(Path(str(DATA)) / "rgbd-nvblox-3dmatch" / "seq-01")
+def test_a_3dmatch_sequence_takes_the_matrix_above_it(real_file):
+    dataset = open_dataset(real_file("rgbd-nvblox-3dmatch/seq-01"))
     assert [f.name[-3:] for f in dataset.frames] == ["000", "001", "002", "116", "422"]
     assert dataset.intrinsic.fx == pytest.approx(570.342205)
 

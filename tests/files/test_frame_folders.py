@@ -14,6 +14,7 @@ from pointloom.files.frames.datasets import open_dataset, open_frames
 from pointloom.files.frames.rgbd_sources import RGBDSource
 from pointloom.files.pictures.image_files import write_png
 
+from ..scan_cases import on_sets
 from .frame_folders import (
     LAYOUTS,
     SMALL,
@@ -254,9 +255,10 @@ def test_a_folder_above_points_to_the_frames_and_an_empty_one_tells_what_was_loo
 # Real recordings
 
 
-@pytest.mark.parametrize(
-    ("name", "layout", "count", "posed"),
-    [
+@on_sets(
+    "name layout count posed",
+    shipped=[("rgbd-cupoch-redwood5", "redwood", 3, True)],
+    real=[
         ("rgbd-cupoch-redwood5", "redwood", 5, True),
         ("rgbd-nvblox-3dmatch/seq-01", "7scenes", 5, True),
         ("rgbd-slambook-ch7", "pictures", 2, False),
@@ -264,12 +266,12 @@ def test_a_folder_above_points_to_the_frames_and_an_empty_one_tells_what_was_loo
         ("rgbd-tum-pairs/case_2", "pictures", 2, True),
     ],
 )
-def test_small_real_sets_open(data, name, layout, count, posed):
+def test_small_real_sets_open(scan_file, name, layout, count, posed):
     options = {}
     if layout == "pictures":
         options = {"intrinsic": PinholeCameraIntrinsic(640, 480, 525.0, 525.0, 319.5, 239.5), "depth_scale": 5000}
-    source = open_frames(data / name, **options)
-    assert (source.layout, len(source)) == (layout, 3 if hasattr(data, "is_shipped") else count)
+    source = open_frames(scan_file(name), **options)
+    assert (source.layout, len(source)) == (layout, count)
     for frame in source:
         metres = frame.depth[frame.depth > 0] / source.depth_scale
         assert 0.5 < np.median(metres) < 5

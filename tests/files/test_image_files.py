@@ -13,6 +13,7 @@ from PIL import Image, ImageFile
 from pointloom.core.errors import FileError
 from pointloom.files.pictures.image_files import PictureHeader, read_color, read_depth, read_picture_header, write_png
 
+from ..scan_cases import on_sets
 from .png_files import png_claiming, with_checksums
 
 BITS = settings(
@@ -58,14 +59,16 @@ def test_open3d_reads_what_we_write(tmp_path, depth, color):
         assert np.array_equal(np.asarray(o3d.io.read_image(str(tmp_path / name))), array)
 
 
-def test_real_frames_are_read_as_open3d_reads_them(data):
+@on_sets("name", shipped=["rgbd-cupoch-redwood5/depth/00004"], real=["rgbd-7scenes-redkitchen/frame-000007.depth"])
+def test_real_depth_is_read_as_open3d_reads_it(scan_file, name):
     o3d = pytest.importorskip("open3d", exc_type=ImportError)
-    paths = [data / "rgbd-cupoch-redwood5" / "depth" / "00004.png"]
-    if not hasattr(data, "is_shipped"):
-        paths.append(data / "rgbd-7scenes-redkitchen" / "frame-000007.depth.png")
-    for path in paths:
-        assert np.array_equal(read_depth(path), np.asarray(o3d.io.read_image(str(path))))
-    path = data / "rgbd-cupoch-redwood5" / "color" / "00004.jpg"
+    path = scan_file(f"{name}.png")
+    assert np.array_equal(read_depth(path), np.asarray(o3d.io.read_image(str(path))))
+
+
+def test_real_color_is_read_as_open3d_reads_it(shipped_file):
+    o3d = pytest.importorskip("open3d", exc_type=ImportError)
+    path = shipped_file("rgbd-cupoch-redwood5/color/00004.jpg")
     theirs = np.asarray(o3d.io.read_image(str(path))).astype(int)
     assert np.abs(read_color(path).astype(int) - theirs).max() <= 3  # two JPEG decoders round differently
 

@@ -9,10 +9,11 @@ from pointloom.core.errors import FileError
 from pointloom.files.points.kitti_bin import read_kitti_bin
 
 
-def test_a_real_scan_is_read_to_the_bit(data, lidar):
-    table = read_kitti_bin(data / "lidar-kitti-frame" / "kitti" / "000008.bin")
-    np.testing.assert_array_equal(table.points, lidar[:, :3])
-    np.testing.assert_array_equal(table.attributes["intensity"], lidar[:, 3])
+def test_a_real_scan_is_read_to_the_bit(real_file):
+    path = real_file("lidar-kitti-frame/kitti/000008.bin")
+    table, rows = read_kitti_bin(path), np.fromfile(path, np.float32).reshape(-1, 4)
+    np.testing.assert_array_equal(table.points, rows[:, :3])
+    np.testing.assert_array_equal(table.attributes["intensity"], rows[:, 3])
     assert table.points.dtype == table.attributes["intensity"].dtype == np.float32
 
 

@@ -15,13 +15,13 @@ from pointloom.files.points.las_crs import crs_name
 from pointloom.files.points.las_writer import write_las
 from pointloom.files.table import PointTable
 
-from .las_files import FILES, edited, make
+from .las_files import FILES, SHIPPED_FILES, edited, make
 
 
 @pytest.fixture(scope="module", params=FILES)
-def real(request, data):
-    path = data / "lidar-pdal" / request.param
-    return path, len(laspy.read(path)) if hasattr(data, "is_shipped") else FILES[request.param]
+def real(request, scan_set, scan_file):
+    counts = {"shipped": SHIPPED_FILES, "real": FILES}[scan_set]
+    return scan_file(f"lidar-pdal/{request.param}"), counts[request.param]
 
 
 # ------------------------------------------------------------------------------------------------ reading
@@ -42,8 +42,8 @@ def test_every_value_of_a_real_file_is_laspys(real):
     np.testing.assert_array_equal(table.colors, (rgb / np.float32(255)).astype(np.float32))
 
 
-def test_coordinates_are_scale_times_the_stored_integers_plus_the_offset(data):
-    path = data / "lidar-pdal" / "autzen" / "autzen-utm.las"
+def test_coordinates_are_scale_times_the_stored_integers_plus_the_offset(shipped_file):
+    path = shipped_file("lidar-pdal/autzen/autzen-utm.las")
     content = path.read_bytes()
     begin, (length,) = struct.unpack_from("<I", content, 96)[0], struct.unpack_from("<H", content, 105)
     raw = np.ndarray((1065, 3), "<i4", content, begin, (length, 4))
@@ -109,8 +109,8 @@ def test_bytes_that_no_record_describes_are_kept_as_they_are(tmp_path, rng):
     assert table.attributes["ExtraBytes"].dtype == np.uint8
 
 
-def test_the_coordinate_system_is_named(data):
-    names = {name: crs_name(open_las(data / "lidar-pdal" / name).header) for name in FILES}
+def test_the_coordinate_system_is_named(shipped_file):
+    names = {name: crs_name(open_las(shipped_file(f"lidar-pdal/{name}")).header) for name in FILES}
     assert names["autzen/autzen-utm.las"] == "NAD83 / UTM zone 10N"
     assert names["laz/autzen_trim.laz"] == "NAD_1983_HARN_Lambert_Conformal_Conic"
     assert names["las/1.2-with-color.las"] is None
@@ -136,8 +136,8 @@ def test_memory_is_about_that_of_the_result(tmp_path, rng):
 
 
 @pytest.mark.parametrize("name", ["autzen/autzen-thin-srs.las", "laz/autzen_trim.laz"])
-def test_the_parts_of_a_file_are_the_whole(data, name, device):
-    path = data / "lidar-pdal" / name
+def test_the_parts_of_a_file_are_the_whole(scan_file, name, device):
+    path = scan_file(f"lidar-pdal/{name}")
     whole = loom.read_point_cloud(path, device=device)
     size = len(whole) // 3
     parts = list(loom.read_las_chunks(path, size, device=device))
@@ -149,9 +149,9 @@ def test_the_parts_of_a_file_are_the_whole(data, name, device):
         np.testing.assert_array_equal(np.concatenate([part[name] for part in parts]), whole[name])
 
 
-def test_parts_have_one_origin_whatever_the_header_says_of_its_box(data, tmp_path):
+def test_parts_have_one_origin_whatever_the_header_says_of_its_box(shipped_file, tmp_path):
     path = tmp_path / "a.las"
-    path.write_bytes((data / "lidar-pdal" / "autzen" / "autzen-utm.las").read_bytes())
+    path.write_bytes((shipped_file("lidar-pdal/autzen/autzen-utm.las")).read_bytes())
     for low, high in ((0.0, 1.0), (-1e300, 1e300), (np.nan, np.nan)):
         edited(path, (179, "<6d", high, low, high, low, high, low))
         parts = list(loom.read_las_chunks(path, 400))

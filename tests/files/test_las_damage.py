@@ -253,9 +253,9 @@ FUZZ = """
 
 
 @pytest.mark.slow
-def test_damaged_bytes_give_a_table_or_a_file_error_within_little_memory(tmp_path, rng, data):
+def test_damaged_bytes_give_a_table_or_a_file_error_within_little_memory(tmp_path, rng, shipped_file):
     paths = [tmp_path / "a.las", tmp_path / "b.laz", tmp_path / "c.laz"]
-    paths[0].write_bytes((data / "lidar-pdal" / "autzen" / "autzen-utm.las").read_bytes())
+    paths[0].write_bytes((shipped_file("lidar-pdal/autzen/autzen-utm.las")).read_bytes())
     make(paths[1], 3, 1500, rng)
     make(paths[2], 7, 1500, rng, [laspy.ExtraBytesParams("height", "f4")])
     answer = run_in_little_memory(tmp_path, FUZZ, *paths)

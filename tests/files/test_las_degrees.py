@@ -125,8 +125,8 @@ def test_metres_near_zero_keep_their_origin_at_zero(tmp_path, rng):
     assert not loom.read_point_cloud(tmp_path / "room.ply").origin.any()
 
 
-def test_metres_keep_their_whole_origin(data):
-    cloud = loom.read_point_cloud(data / "lidar-pdal" / "autzen" / "autzen-utm.las")
+def test_metres_keep_their_whole_origin(shipped_file):
+    cloud = loom.read_point_cloud(shipped_file("lidar-pdal/autzen/autzen-utm.las"))
     assert (cloud.origin == np.round(cloud.origin)).all()
 
 
@@ -159,9 +159,9 @@ def test_steps_are_no_finer_than_float32_tells_points_apart(tmp_path, rng):
     np.testing.assert_allclose(read_las(tmp_path / "a.las").points, points, rtol=0, atol=0.0005001)
 
 
-def test_the_coordinate_system_survives_from_las_to_las_to_the_byte(data, tmp_path):
+def test_the_coordinate_system_survives_from_las_to_las_to_the_byte(scan_file, tmp_path):
     for name in ("autzen/autzen-utm.las", "autzen/autzen-thin-srs.las", "laz/autzen_trim.laz"):
-        source = data / "lidar-pdal" / name
+        source = scan_file(f"lidar-pdal/{name}")
         cloud = loom.read_point_cloud(source)
         loom.write_point_cloud(tmp_path / "b.laz", cloud, like=source)
         before, after = open_las(source).header, open_las(tmp_path / "b.laz").header

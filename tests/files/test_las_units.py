@@ -133,11 +133,11 @@ def test_text_and_keys_that_differ_are_a_warning_and_the_header_says_which_count
         assert loom.read_point_cloud(path).unit == unit
 
 
-def test_real_files_are_in_the_units_that_they_tell(data):
+def test_real_files_are_in_the_units_that_they_tell(shipped_file):
     units = {"laz/autzen_trim.laz": "foot", "autzen/autzen-thin-srs.las": "foot", "autzen/autzen-utm.las": "metre"}
     for name, unit in units.items():
-        assert loom.read_point_cloud(data / "lidar-pdal" / name).unit == unit, name
-    assert loom.read_point_cloud(data / "lidar-pdal" / "las" / "1.2-with-color.las").unit is None
+        assert loom.read_point_cloud(shipped_file(f"lidar-pdal/{name}")).unit == unit, name
+    assert loom.read_point_cloud(shipped_file("lidar-pdal/las/1.2-with-color.las")).unit is None
 
 
 @pytest.mark.parametrize("name", ["a.las", "a.laz"])

@@ -75,9 +75,9 @@ def test_what_is_written_is_right_for_laspy(tmp_path, rng):
         np.testing.assert_array_equal(found["ring"], np.arange(100))
 
 
-def test_a_las_file_written_like_another_has_its_integers_and_its_coordinate_system(data, tmp_path):
+def test_a_las_file_written_like_another_has_its_integers_and_its_coordinate_system(scan_file, tmp_path):
     for name in ("autzen/autzen-utm.las", "laz/autzen_trim.laz"):
-        source = data / "lidar-pdal" / name
+        source = scan_file(f"lidar-pdal/{name}")
         write_las(tmp_path / "b.las", read_las(source), like=open_las(source).header)
         before, after = laspy.read(source), laspy.read(tmp_path / "b.las")
         assert before.header.point_format.id == after.header.point_format.id

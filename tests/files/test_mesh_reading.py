@@ -36,8 +36,8 @@ def sorted_facets(vertices, triangles):
 
 
 @pytest.mark.parametrize("name", MESHES)
-def test_real_files_are_what_a_reading_by_hand_gives(data, name):
-    path = data / "mesh-common3d" / name
+def test_real_files_are_what_a_reading_by_hand_gives(real_file, name):
+    path = real_file(f"mesh-common3d/{name}")
     vertices, triangles = [], []
     for line in path.read_text().splitlines():
         kind, *words = line.split() or [""]
@@ -50,9 +50,9 @@ def test_real_files_are_what_a_reading_by_hand_gives(data, name):
     np.testing.assert_array_equal(table.triangles, triangles)
 
 
-def test_a_real_file_has_the_triangles_that_open3d_reads(data):
+def test_a_real_file_has_the_triangles_that_open3d_reads(real_file):
     o3d = pytest.importorskip("open3d")
-    path = data / "mesh-common3d" / "fandisk.obj"
+    path = real_file("mesh-common3d/fandisk.obj")
     ours, theirs = loom.read_triangle_mesh(path), o3d.io.read_triangle_mesh(str(path))
     # its parser of decimals is a bit off: 15.2005 and so on come as the float32 beside the nearest
     np.testing.assert_allclose(
@@ -238,8 +238,8 @@ def test_vertices_come_in_the_order_of_the_facets_and_minus_zero_is_zero(tmp_pat
 
 
 @pytest.mark.parametrize("name", ["fandisk.obj", "stanford-bunny.obj"])
-def test_real_meshes_through_stl_keep_their_triangles(data, tmp_path, name):
-    source = read_obj(data / "mesh-common3d" / name)
+def test_real_meshes_through_stl_keep_their_triangles(real_file, tmp_path, name):
+    source = read_obj(real_file(f"mesh-common3d/{name}"))
     write_stl(tmp_path / "m.stl", MeshTable(source.vertices, source.triangles))
     table, corners = read_stl(tmp_path / "m.stl"), source.vertices.astype(np.float32)[source.triangles]
     np.testing.assert_array_equal(table.vertices[table.triangles], corners)

@@ -130,8 +130,8 @@ def test_open3d_reads_what_we_write_and_we_read_what_open3d_writes(extension, rn
 
 
 @pytest.mark.parametrize("extension", [".ply", ".pcd"])
-def test_the_fragment_reads_as_in_open3d(extension, fragment, data, tmp_path):
-    cloud = loom.read_point_cloud(data / "cloud-cupoch" / "fragment.pcd")
+def test_the_fragment_reads_as_in_open3d(extension, fragment, scan_file, tmp_path):
+    cloud = loom.read_point_cloud(scan_file("cloud-cupoch/fragment.pcd"))
     path = tmp_path / f"fragment{extension}"
     loom.write_point_cloud(path, cloud)
     for found in (cloud, loom.read_point_cloud(path)):

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -27,8 +25,6 @@ FORMATS = [
 BITS = settings(
     max_examples=200, derandomize=True, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
 )
-DATA = os.environ.get("POINTLOOM_DATA")
-needs_data = pytest.mark.skipif(not DATA, reason="POINTLOOM_DATA is not set: no real trajectories")
 
 
 def rotations(generator, count):
@@ -100,13 +96,11 @@ def test_we_read_what_open3d_writes(tmp_path, trajectory, name):
     np.testing.assert_allclose(ours.poses, trajectory.poses, rtol=0, atol=1e-11 if name == "t.json" else 3e-6)
 
 
-@needs_data
-def test_real_logs_are_read_in_full():
-    folder = Path(str(DATA))
-    assert len(read_trajectory(folder / "rgbd-cupoch-redwood5/trajectory.log")) == 5
-    odometry = read_trajectory(folder / "rgbd-cupoch-redwood5/odometry.log")
+def test_real_logs_are_read_in_full(real_file):
+    assert len(read_trajectory(real_file("rgbd-cupoch-redwood5/trajectory.log"))) == 5
+    odometry = read_trajectory(real_file("rgbd-cupoch-redwood5/odometry.log"))
     assert odometry.poses[0, :3, 3].tolist() == [2, 2, -0.3]
-    pairs = read_trajectory(folder / "reg-3dmatch-logs/configs/benchmarks/3DMatch/7-scenes-redkitchen/gt.log")
+    pairs = read_trajectory(real_file("reg-3dmatch-logs/configs/benchmarks/3DMatch/7-scenes-redkitchen/gt.log"))
     assert pairs.ids is not None and pairs.ids[1].tolist() == [0, 2, 60]
 
 

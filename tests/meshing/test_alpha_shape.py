@@ -68,8 +68,8 @@ def test_the_faces_are_those_of_open3d(device, rng, alpha):
 
 @pytest.mark.slow
 @pytest.mark.slow_on_emulated_cuda("8,171 stars")
-def test_the_faces_of_the_whole_bunny_are_those_of_open3d(device, data):
-    path = data / "reg-bunny-scans" / "reconstruction" / "bun_zipper_res2.ply"
+def test_the_faces_of_the_whole_bunny_are_those_of_open3d(device, real_file):
+    path = real_file("reg-bunny-scans/reconstruction/bun_zipper_res2.ply")
     points = np.unique((loom.read_point_cloud(path).points * 1000).astype(np.float32), axis=0).astype(np.float64)
     mesh = alpha_shape(PointCloud(points, device=device), 6.0)
     assert len(mesh) == 17234
@@ -195,8 +195,8 @@ def test_auto_makes_one_closed_shape_of_an_even_surface(device):
 
 
 @pytest.mark.slow_on_emulated_cuda("8,171 stars with many points each")
-def test_auto_makes_one_shape_of_the_bunny(device, data):
-    path = data / "reg-bunny-scans" / "reconstruction" / "bun_zipper_res2.ply"
+def test_auto_makes_one_shape_of_the_bunny(device, real_file):
+    path = real_file("reg-bunny-scans/reconstruction/bun_zipper_res2.ply")
     mesh = alpha_shape(loom.read_point_cloud(path, device=device))
     assert is_closed(mesh.triangles)
     from scipy.sparse import coo_matrix

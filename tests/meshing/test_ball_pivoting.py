@@ -75,8 +75,8 @@ def test_open3d_s_triangles_are_there_but_where_they_share_an_edge(device, rng, 
 
 
 @pytest.mark.parametrize("radius", [0.002, 0.003])
-def test_the_bunny_has_open3d_s_triangles_and_no_more_edges_of_holes(data, radius):
-    path = data / "reg-bunny-scans" / "reconstruction" / "bun_zipper_res2.ply"
+def test_the_bunny_has_open3d_s_triangles_and_no_more_edges_of_holes(real_file, radius):
+    path = real_file("reg-bunny-scans/reconstruction/bun_zipper_res2.ply")
     bunny = loom.read_triangle_mesh(path).remove_unreferenced_vertices().compute_vertex_normals()
     cloud = loom.PointCloud(bunny.vertices, normals=bunny.vertex_normals)
     # Open3D's threshold of area makes nothing of triangles of 2 mm in metres: it gets millimetres
@@ -194,8 +194,8 @@ def test_radii_are_doubled_until_most_points_have_a_neighbor(device, rng):
 
 
 @pytest.mark.parametrize("scan", [pytest.param("bun_zipper.ply", marks=pytest.mark.slow), "bun045.ply"])
-def test_radii_from_the_spacing_make_most_of_a_scan(data, scan):
-    folder = data / "reg-bunny-scans"
+def test_radii_from_the_spacing_make_most_of_a_scan(real_file, scan):
+    folder = real_file("reg-bunny-scans")
     if scan == "bun_zipper.ply":
         mesh = loom.read_triangle_mesh(folder / "reconstruction" / scan)
         bunny = mesh.remove_unreferenced_vertices().compute_vertex_normals()

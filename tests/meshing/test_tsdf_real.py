@@ -11,6 +11,8 @@ from pointloom.files.frames.datasets import open_dataset
 from pointloom.kernels.images.depth import largest_depth
 from pointloom.kernels.volumes.tsdf_blocks import SIDE, block_box, touched_blocks
 
+from ..scan_cases import on_sets
+
 VOXEL, TRUNCATION, DEPTH_MAX = 0.02, 0.08, 3.0
 
 
@@ -74,14 +76,10 @@ def flat_key(voxels):
     return (voxels + (1 << 20)) @ np.array([1 << 42, 1 << 21, 1])
 
 
-def open_set(data, name, **options):
-    return open_dataset(data / name, **options)
-
-
 @pytest.mark.parametrize(("name", "every"), [("rgbd-7scenes-redkitchen", 60), ("rgbd-cupoch-redwood5", 1)])
-def test_voxels_have_the_oracle_s_values_weights_and_colours(device, data, name, every):
+def test_voxels_have_the_oracle_s_values_weights_and_colours(device, real_file, name, every):
     """The same blocks and, by half a pixel's shift of the oracle's camera, the same pixels."""
-    dataset = open_set(data, name, every=every)
+    dataset = open_dataset(real_file(name), every=every)
     volume, grid = fuse(dataset, device, 4), oracle_grid(SIDE)
     for frame in frames_of(dataset, 4):
         blocks = block_coordinates(frame, dataset)
@@ -116,11 +114,13 @@ def two_way(a, b):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    ("name", "every", "threshold"), [("rgbd-7scenes-redkitchen", 20, 3), ("rgbd-cupoch-redwood5", 1, 1)]
+@on_sets(
+    "name every threshold",
+    shipped=[("rgbd-cupoch-redwood5", 1, 1)],
+    real=[("rgbd-cupoch-redwood5", 1, 1), ("rgbd-7scenes-redkitchen", 20, 3)],
 )
-def test_the_mesh_is_within_half_a_voxel_of_the_oracle_s(device, data, name, every, threshold):
-    dataset = open_set(data, name, every=every)
+def test_the_mesh_is_within_half_a_voxel_of_the_oracle_s(device, scan_file, name, every, threshold):
+    dataset = open_dataset(scan_file(name), every=every)
     mesh, grid = fuse(dataset, device).extract_triangle_mesh(threshold), oracle_grid(16)
     for frame in frames_of(dataset):
         oracle_integrate(grid, frame, dataset.intrinsic, dataset.depth_scale)
@@ -139,8 +139,8 @@ def test_the_mesh_is_within_half_a_voxel_of_the_oracle_s(device, data, name, eve
     assert np.median(cKDTree(vertices).query(mesh.vertices)[0]) < VOXEL / 1000
 
 
-def test_a_cast_view_shows_the_depth_of_a_frame(device, data):
-    dataset = open_set(data, "rgbd-7scenes-redkitchen", every=20)
+def test_a_cast_view_shows_the_depth_of_a_frame(device, real_file):
+    dataset = open_dataset(real_file("rgbd-7scenes-redkitchen"), every=20)
     volume, frame = fuse(dataset, device), dataset.read(3)
     view = volume.ray_cast(dataset.intrinsic, np.linalg.inv(frame.T_world_camera), weight_threshold=0)
     truth = frame.depth / dataset.depth_scale

@@ -15,11 +15,11 @@ MAKERS = ("get_oriented_bounding_box", "get_minimal_oriented_bounding_box")
 
 
 @pytest.fixture(scope="module")
-def scans(fragment, lidar, data):
+def scans(fragment, lidar, scan_file):
     """Real scans that float32 holds exactly, about their middle."""
     import open3d as o3d
 
-    terrain = np.asarray(o3d.io.read_point_cloud(str(data / "lidar-pcl-terrain" / "samp12-utm.pcd")).points)
+    terrain = np.asarray(o3d.io.read_point_cloud(str(scan_file("lidar-pcl-terrain/samp12-utm.pcd"))).points)
     clouds = {"fragment": fragment.points, "lidar": lidar[:, :3], "terrain": terrain - terrain.mean(axis=0).round()}
     return {name: points.astype(np.float32).astype(float) for name, points in clouds.items()}
 

@@ -16,6 +16,8 @@ from scipy.spatial.distance import cdist
 import pointloom as loom
 from pointloom.kernels import lang
 
+from ..scan_cases import on_sets
+
 
 def brute_dbscan(points, eps, min_points):
     """Labels by the definition, from all distances in float64."""
@@ -73,7 +75,10 @@ def oracle(to_open3d):
     return labels
 
 
-@pytest.mark.parametrize(("eps", "min_points"), [(0.02, 10), (0.01, 5), (0.006, 4), (0.05, 200)])
+FRAGMENT_CASES = [(0.02, 10), (0.01, 5), (0.006, 4)]
+
+
+@on_sets("eps min_points", shipped=FRAGMENT_CASES, real=[*FRAGMENT_CASES, (0.05, 200)])
 def test_labels_of_the_fragment_are_open3ds(device, eps, min_points, fragment, oracle):
     points = fragment.points if (eps, min_points) == (0.02, 10) else fragment.points[::2]
     found = loom.PointCloud(points, device=device).cluster_dbscan(eps, min_points)
@@ -92,9 +97,9 @@ def test_labels_of_a_lidar_scan_are_open3ds(device, eps, min_points, lidar, orac
 
 
 @pytest.mark.parametrize(("eps", "min_points"), [(1.2, 3), (2.0, 6), (2.5, 10)])
-def test_labels_at_utm_coordinates_are_open3ds_at_the_origin(device, eps, min_points, data, oracle):
+def test_labels_at_utm_coordinates_are_open3ds_at_the_origin(device, eps, min_points, shipped_file, oracle):
     """The tile's coordinates are multiples of half a metre, so distances of exactly eps abound."""
-    cloud = loom.read_point_cloud(data / "lidar-pcl-terrain" / "samp21-utm.pcd")
+    cloud = loom.read_point_cloud(shipped_file("lidar-pcl-terrain/samp21-utm.pcd"))
     assert np.abs(cloud.points).max() > 5e6
     expected = oracle("terrain", cloud.points - cloud.origin, eps, min_points)
     assert (expected < 0).any() and expected.max() > 10

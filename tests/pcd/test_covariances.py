@@ -10,6 +10,8 @@ from scipy.spatial import cKDTree
 
 import pointloom as loom
 
+from ..scan_cases import ON_SCANS, on_sets
+
 SETTINGS = settings(
     max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture], derandomize=True
 )
@@ -52,11 +54,11 @@ def assert_agree(found, expected, tolerances):
 
 
 @pytest.fixture(scope="module")
-def scans(fragment, lidar, data):
+def scans(fragment, lidar, shipped_file):
     """Points by name as float32 holds them, and a length [m] to scale the searches by; the tile about its middle."""
     import open3d as o3d
 
-    tile = np.asarray(o3d.io.read_point_cloud(str(data / "lidar-pcl-terrain" / "samp21-utm.pcd")).points)
+    tile = np.asarray(o3d.io.read_point_cloud(str(shipped_file("lidar-pcl-terrain/samp21-utm.pcd"))).points)
     tile = (tile - np.round(tile.mean(axis=0))).astype(np.float32).astype(float)
     return {
         "fragment": (fragment.points[::10], 1.0),
@@ -65,7 +67,7 @@ def scans(fragment, lidar, data):
     }
 
 
-@pytest.mark.parametrize("scan", ["fragment", "lidar", "terrain"])
+@ON_SCANS
 @pytest.mark.parametrize("search", SEARCHES)
 def test_covariances_of_scans_are_open3ds(device, scan, search, scans, to_open3d, tolerances):
     points, scale = scans[scan]
@@ -78,10 +80,11 @@ def test_covariances_of_scans_are_open3ds(device, scan, search, scans, to_open3d
     assert_agree(found[sure], oracle_covariances(to_open3d(points), limits)[sure], tolerances)
 
 
+@on_sets("scan", shipped=["terrain"])
 @pytest.mark.parametrize("search", [{"radius": 5.0, "max_nn": 20}, {"radius": 5.0, "max_nn": None}], ids=str)
-def test_covariances_at_utm_coordinates_are_those_at_the_origin(device, search, scans, to_open3d, tolerances):
+def test_covariances_at_utm_coordinates_are_those_at_the_origin(device, scan, search, scans, to_open3d, tolerances):
     """Open3D's cancel there: E[x x'] is 1e13 times the covariance."""
-    points, _ = scans["terrain"]
+    points, _ = scans[scan]
     points = np.round(points * 8) / 8  # float32 holds these about any origin of whole metres
     here = loom.PointCloud(points, device=device).estimate_covariances(**search).covariances
     utm = points + np.array([500_000.0, 5_400_000.0, 0.0])

@@ -12,34 +12,41 @@ from PIL import Image
 
 import pointloom as loom
 
+from ..scan_cases import ON_REAL_SCANS, on_sets
+
 PRIME_SENSE = (640, 480, 525.0, 525.0, 319.5, 239.5)
-FORMATS = {
-    "redwood": ("color/00002.jpg", "depth/00002.png"),
-    "tum": ("other_formats/TUM_color.png", "other_formats/TUM_depth.png"),
-    "sun": ("other_formats/SUN_color.jpg", "other_formats/SUN_depth.png"),
-    "nyu": ("other_formats/NYU_color.ppm", "other_formats/NYU_depth.pgm"),
+FILES = {
+    "tum": ("TUM_color.png", "TUM_depth.png"),
+    "sun": ("SUN_color.jpg", "SUN_depth.png"),
+    "nyu": ("NYU_color.ppm", "NYU_depth.pgm"),
 }
 
 
 @pytest.fixture(scope="module")
-def frames(data):
-    """Colour and raw depth of one frame a format; in a fresh clone Redwood's in the words of each."""
-    folder = data / "rgbd-cupoch-redwood5"
-    shipped = hasattr(data, "is_shipped")
-    found = {
-        name: (np.asarray(Image.open(folder / color).convert("RGB")), np.asarray(Image.open(folder / depth)))
-        for name, (color, depth) in FORMATS.items()
-        if name == "redwood" or not shipped
+def redwood(shipped_file):
+    """Color and raw depth of a frame in millimeters."""
+    return read_frame(shipped_file("rgbd-cupoch-redwood5"), "color/00002.jpg", "depth/00002.png")
+
+
+@pytest.fixture(scope="module")
+def frames(scan_set, redwood, real_file):
+    """Color and raw depth of a frame in each format: its files (real), or Redwood's frame encoded (shipped)."""
+    if scan_set == "real":
+        return {name: read_frame(real_file("rgbd-cupoch-redwood5/other_formats"), *FILES[name]) for name in FILES}
+    color, depth = redwood
+    millimetres = depth.astype(np.uint16)
+    shares = 351.3 / np.maximum(millimetres, 500) * 1000  # NYU's own scale: metres = 351.3 / (1092.5 - word)
+    words = np.where(millimetres > 0, np.rint(1092.5 - shares), 2047).astype(np.uint16)
+    return {
+        "redwood": redwood,
+        "tum": (color, 5 * millimetres),
+        "sun": (color, (millimetres << 3) | (millimetres >> 13)),
+        "nyu": (color, words.byteswap()),
     }
-    if shipped:
-        color, depth = found["redwood"]
-        millimetres = depth.astype(np.uint16)
-        shares = 351.3 / np.maximum(millimetres, 500) * 1000  # NYU's own scale: metres = 351.3 / (1092.5 - word)
-        words = np.where(millimetres > 0, np.rint(1092.5 - shares), 2047).astype(np.uint16)
-        found["tum"] = color, 5 * millimetres
-        found["sun"] = color, (millimetres << 3) | (millimetres >> 13)
-        found["nyu"] = color, words.byteswap()
-    return found
+
+
+def read_frame(folder, color, depth):
+    return np.asarray(Image.open(folder / color).convert("RGB")), np.asarray(Image.open(folder / depth))
 
 
 @pytest.fixture(scope="module")
@@ -73,7 +80,7 @@ def tensor_image(array):
 
 
 @pytest.mark.parametrize("to_intensity", [True, False])
-@pytest.mark.parametrize("layout", FORMATS)
+@on_sets("layout", shipped=("redwood", *FILES), real=FILES)
 def test_images_of_a_data_set_are_open3ds(device, layout, to_intensity, frames, camera, tolerances):
     import open3d as o3d
 
@@ -115,10 +122,10 @@ def test_every_raw_depth_is_decoded_as_by_open3d(device, layout, tolerances):
     assert (found == 7).sum() <= 1 and len(np.unique(found)) > 500
 
 
-def test_color_and_depth_have_open3ds_defaults(device, frames, tolerances):
+def test_color_and_depth_have_open3ds_defaults(device, redwood, tolerances):
     import open3d as o3d
 
-    color, raw = frames["redwood"][0], 2 * frames["redwood"][1]
+    color, raw = redwood[0], 2 * redwood[1]
     image = loom.RGBDImage.from_color_and_depth(color, raw, device=device)
     oracle = o3d.geometry.RGBDImage.create_from_color_and_depth(open3d_image(color), open3d_image(raw))
     np.testing.assert_allclose(image.depth, np.asarray(oracle.depth), rtol=tolerances.float32_relative)
@@ -163,10 +170,10 @@ def test_raw_depth_of_another_kind_is_refused(layout, depth, error, message):
 
 
 @pytest.mark.parametrize("stride", [1, 3])
-def test_normals_of_a_depth_image_are_open3ds_of_its_grid(device, stride, frames, camera, tolerances):
+def test_normals_of_a_depth_image_are_open3ds_of_its_grid(device, stride, redwood, camera, tolerances):
     import open3d as o3d
 
-    raw = frames["redwood"][1]
+    raw = redwood[1]
     cloud = loom.PointCloud.from_depth_image(
         raw, camera.ours, stride=stride, project_valid_depth_only=False, with_normals=True, device=device
     )
@@ -189,8 +196,8 @@ def test_normals_of_a_depth_image_are_open3ds_of_its_grid(device, stride, frames
     assert ((kept.points * kept.normals).sum(axis=1) <= 1e-6).all(), "towards the camera"
 
 
-def test_normals_turn_with_the_camera(device, frames, camera):
-    color, raw = frames["redwood"]
+def test_normals_turn_with_the_camera(device, redwood, camera):
+    color, raw = redwood
     image = loom.RGBDImage(color, raw, device=device)
     near = loom.PointCloud.from_rgbd_image(image, camera.ours, stride=4, with_normals=True)
     turned = loom.PointCloud.from_rgbd_image(image, camera.ours, camera.extrinsic, stride=4, with_normals=True)
@@ -245,6 +252,7 @@ def facing(camera, points):
     return extrinsic
 
 
+@ON_REAL_SCANS
 def test_the_depth_image_of_a_cloud_is_open3ds(device, fragment, camera, tolerances):
     extrinsic = facing(camera, fragment.points)
     cloud = loom.PointCloud(fragment.points, device=device)
@@ -256,7 +264,7 @@ def test_the_depth_image_of_a_cloud_is_open3ds(device, fragment, camera, toleran
 
 
 @pytest.mark.parametrize("moved", [False, True])
-@pytest.mark.parametrize("layout", ["redwood", "tum"])
+@on_sets("layout", shipped=("redwood", "tum"), real=["tum"])
 def test_a_depth_image_comes_back_from_its_cloud(device, layout, moved, frames, camera):
     raw = frames[layout][1]
     extrinsic = camera.extrinsic if moved else None
@@ -277,8 +285,8 @@ def test_every_16_bit_depth_comes_back(device):
         np.testing.assert_array_equal(np.rint(back).astype(np.uint16), raw)
 
 
-def test_an_rgbd_image_comes_back_from_its_cloud(device, frames, camera):
-    color, raw = frames["redwood"]
+def test_an_rgbd_image_comes_back_from_its_cloud(device, redwood, camera):
+    color, raw = redwood
     image = loom.RGBDImage(color, raw, device=device)
     cloud = loom.PointCloud.from_rgbd_image(image, camera.ours)
     back = cloud.project_to_rgbd_image(640, 480, camera.ours)
@@ -316,8 +324,8 @@ def test_the_nearest_point_of_each_pixel_wins_ties_to_the_first(seed, count, siz
     np.testing.assert_array_equal(image.color, seen)
 
 
-def test_a_camera_at_utm_coordinates_sees_the_same(device, frames, camera):
-    raw = frames["redwood"][1]
+def test_a_camera_at_utm_coordinates_sees_the_same(device, redwood, camera):
+    raw = redwood[1]
     utm = np.array([5e5, 5.4e6, 100.25])
     extrinsic = camera.extrinsic.copy()
     extrinsic[:3, 3] -= extrinsic[:3, :3] @ utm
@@ -335,6 +343,7 @@ def test_clouds_of_no_points_give_empty_images(device):
         assert not cloud.project_to_rgbd_image(4, 3, intrinsic).color.any()
 
 
+@ON_REAL_SCANS
 def test_two_runs_of_a_projection_give_the_same_bits(device, fragment, camera):
     cloud = loom.PointCloud(fragment.points, colors=fragment.colors, device=device)
     extrinsic = facing(camera, fragment.points)

@@ -10,6 +10,8 @@ from scipy.spatial.distance import cdist
 
 import pointloom as loom
 
+from ..scan_cases import ON_SCANS
+
 lattice = st.lists(st.tuples(*[st.integers(-3, 3)] * 3), min_size=0, max_size=40)
 
 
@@ -24,7 +26,7 @@ def scans(fragment, lidar, terrain):
     return {"fragment": fragment.points[::4], "lidar": lidar[:, :3].astype(float), "terrain": terrain - terrain.mean(0)}
 
 
-@pytest.mark.parametrize("scan", ["fragment", "lidar", "terrain"])
+@ON_SCANS
 def test_distances_to_another_cloud_are_open3ds(device, scan, scans, to_open3d, tolerances):
     source, target = halves(scans[scan])
     found = loom.PointCloud(source, device=device).compute_point_cloud_distance(loom.PointCloud(target, device=device))
@@ -32,14 +34,14 @@ def test_distances_to_another_cloud_are_open3ds(device, scan, scans, to_open3d, 
     np.testing.assert_allclose(found, expected, rtol=tolerances.distance_relative, atol=tolerances.distance_absolute)
 
 
-@pytest.mark.parametrize("scan", ["fragment", "lidar", "terrain"])
+@ON_SCANS
 def test_distances_to_the_nearest_neighbour_are_open3ds(device, scan, scans, to_open3d, tolerances):
     found = loom.PointCloud(scans[scan], device=device).compute_nearest_neighbor_distance()
     expected = np.asarray(to_open3d(scans[scan]).compute_nearest_neighbor_distance())
     np.testing.assert_allclose(found, expected, rtol=tolerances.distance_relative, atol=tolerances.distance_absolute)
 
 
-@pytest.mark.parametrize("scan", ["fragment", "lidar", "terrain"])
+@ON_SCANS
 def test_mean_covariance_and_mahalanobis_distances_are_open3ds(device, scan, scans, to_open3d, tolerances):
     cloud, oracle = loom.PointCloud(scans[scan], device=device), to_open3d(scans[scan])
     mean, covariance = cloud.compute_mean_and_covariance()

@@ -7,6 +7,8 @@ import pytest
 
 import pointloom as loom
 
+from ..scan_cases import ON_REAL_SCANS, on_sets
+
 
 def bumpy(rng, count=600):
     xy = rng.random((count, 2))
@@ -41,6 +43,7 @@ def lists_of(cloud, radius=None, max_nn=30):
     return [row[row >= 0] for row in found.indices]
 
 
+@ON_REAL_SCANS
 @pytest.mark.parametrize("search", [{"radius": 0.1}, {"max_nn": 20}, {"radius": 0.06, "max_nn": None}], ids=str)
 def test_shapes_of_the_fragment_are_those_of_float64(device, search, fragment, tolerances):
     cloud = loom.PointCloud(fragment.points[::17], device=device)
@@ -51,7 +54,7 @@ def test_shapes_of_the_fragment_are_those_of_float64(device, search, fragment, t
     np.testing.assert_array_equal(loom.estimate_curvature(cloud, **search)["curvature"], shapes["curvature"])
 
 
-@pytest.mark.parametrize("scan", ["lidar", "terrain"])
+@on_sets("scan", shipped=("lidar", "terrain"), real=["lidar"])
 def test_shapes_of_scans_are_those_of_float64(device, scan, lidar, terrain, tolerances):
     """The tile at UTM coordinates by radius: on its grid of 0.5 m many neighbours tie for the last place of a count."""
     points, search = (lidar[:, :3], {"max_nn": 20}) if scan == "lidar" else (terrain, {"radius": 4.3, "max_nn": None})

@@ -9,6 +9,8 @@ from hypothesis import strategies as st
 
 import pointloom as loom
 
+from ..scan_cases import on_sets
+
 
 def oracle_features(to_open3d, cloud, radius=None, max_nn=None):
     """Open3D's features, [n, 33], of the very float32 numbers that the cloud holds."""
@@ -25,9 +27,9 @@ def oracle_features(to_open3d, cloud, radius=None, max_nn=None):
 
 
 @pytest.fixture(scope="module")
-def terrain(data):
+def terrain(shipped_file):
     """Airborne points in UTM metres."""
-    return loom.read_point_cloud(data / "lidar-pcl-terrain" / "samp41-utm.pcd").points
+    return loom.read_point_cloud(shipped_file("lidar-pcl-terrain/samp41-utm.pcd")).points
 
 
 @pytest.fixture(scope="module")
@@ -85,7 +87,7 @@ def doubtful_points(cloud, radius, max_nn, tolerances):
     return set(np.flatnonzero(uncertain)).union(*rows)
 
 
-@pytest.mark.parametrize(("scene", "search"), CASES, ids=lambda v: v if isinstance(v, str) else str(list(v.values())))
+@on_sets("scene search", shipped=CASES, real=[case for case in CASES if case[0] != "terrain"])
 def test_fpfh_of_real_scans_is_open3ds(device, scene, search, scenes, oracles, tolerances):
     cloud = scenes[scene].to(device)
     found = loom.compute_fpfh_feature(cloud, **search)

@@ -28,9 +28,9 @@ def scoring():
 
 
 @pytest.fixture(scope="module")
-def tiles(data, scoring):
+def tiles(real_file, scoring):
     """Points and true ground of the tiles by name."""
-    found = scoring.tiles(data / "lidar-pcl-terrain")
+    found = scoring.tiles(real_file("lidar-pcl-terrain"))
     assert len(found) == 9
     return found
 

@@ -14,11 +14,11 @@ TURN = np.array([[0.8, 0.0, 0.6], [0.36, 0.8, -0.48], [-0.48, 0.6, 0.64]])
 
 
 @pytest.fixture(scope="module")
-def terrain(data):
+def terrain(scan_file):
     """Airborne points about their middle; the file holds them at 5e5, 5.4e6, where Open3D is inexact."""
     import open3d as o3d
 
-    points = np.asarray(o3d.io.read_point_cloud(str(data / "lidar-pcl-terrain" / "samp12-utm.pcd")).points)
+    points = np.asarray(o3d.io.read_point_cloud(str(scan_file("lidar-pcl-terrain/samp12-utm.pcd"))).points)
     assert points.max() > 5e6
     return points - points.mean(axis=0).round()
 
@@ -51,9 +51,9 @@ def assert_encloses(hull, points, limit):
 
 
 @pytest.mark.parametrize("scan", ["fragment", "lidar", "terrain"])
-def test_the_hull_of_a_scan_is_open3ds(device, scan, request, to_open3d, tolerances):
-    points = getattr(request.getfixturevalue(scan), "points", request.getfixturevalue(scan))
-    points = np.asarray(points)[:, :3].astype(np.float32).astype(float)
+def test_the_hull_of_a_scan_is_open3ds(device, scan, fragment, lidar, terrain, to_open3d, tolerances):
+    points = {"fragment": fragment.points, "lidar": lidar[:, :3], "terrain": terrain}[scan]
+    points = points.astype(np.float32).astype(float)
     hull, indices = loom.PointCloud(points, device=device).compute_convex_hull()
     mesh, expected = to_open3d(points).compute_convex_hull()
     assert rows_of(points[indices]) == rows_of(points[expected])

@@ -210,8 +210,8 @@ def test_the_cuda_array_interface_is_read_as_it_says(rng, monkeypatch):
 # ------------------------------------------------------------------------------------------------ Open3D
 
 
-def test_a_legacy_cloud_comes_and_goes(fragment, device):
-    cloud = loom.PointCloud.from_open3d(fragment.legacy, device=device)
+def test_a_legacy_cloud_comes_and_goes(fragment, legacy_fragment, device):
+    cloud = loom.PointCloud.from_open3d(legacy_fragment, device=device)
     np.testing.assert_array_equal(cloud.points, fragment.points.astype(np.float32))
     np.testing.assert_array_equal(cloud.normals, fragment.normals.astype(np.float32))
     back = cloud.to_open3d()

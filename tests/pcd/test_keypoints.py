@@ -9,13 +9,15 @@ from hypothesis import strategies as st
 
 import pointloom as loom
 
+from ..scan_cases import on_sets
+
 RADII = {"fragment": (0.06, 0.04), "lidar": (1.0, 0.7), "terrain": (6.0, 4.0)}
 
 
 @pytest.fixture(scope="module")
-def scans(fragment, lidar, data):
+def scans(fragment, lidar, scan_file):
     """Real coordinates about an origin of their own, as float32 holds them."""
-    utm = loom.read_point_cloud(data / "lidar-pcl-terrain" / "samp11-utm.pcd").points
+    utm = loom.read_point_cloud(scan_file("lidar-pcl-terrain/samp11-utm.pcd")).points
     found = {"fragment": fragment.points[::3], "lidar": lidar[:, :3], "terrain": utm - np.round(np.median(utm, axis=0))}
     return {name: np.float32(points).astype(float) for name, points in found.items()}
 
@@ -79,7 +81,7 @@ def mean_spacing(points):
     return cKDTree(points).query(points, 2)[0][:, 1].mean()
 
 
-@pytest.mark.parametrize("scan", RADII)
+@on_sets("scan", shipped=["lidar"], real=RADII)
 @pytest.mark.parametrize("given", ["defaults", "radii"])
 def test_keypoints_of_real_scans_are_open3ds(device, scan, given, scans, oracle):
     """Where points have the same neighbours, rounding decides in Open3D which of them stays; here all stay."""

@@ -100,9 +100,9 @@ def test_no_direction_is_thinner_than_the_normal(points, k, scale):
 
 
 @pytest.fixture(scope="module")
-def utm_scan(data):
+def utm_scan(shipped_file):
     """The coordinates of an airborne scan, about 4.9e5 and 4.9e6, as numbers."""
-    las = (data / "lidar-pdal" / "autzen" / "autzen-utm.las").read_bytes()
+    las = shipped_file("lidar-pdal/autzen/autzen-utm.las").read_bytes()
     start, length = struct.unpack_from("<I", las, 96)[0], struct.unpack_from("<H", las, 105)[0]
     count, scale, offset = (struct.unpack_from("<I", las, 107)[0], *np.frombuffer(las, "<f8", 6, 131).reshape(2, 3))
     rows = np.frombuffer(las, np.dtype({"names": ["xyz"], "formats": ["<3i4"], "itemsize": length}), count, start)

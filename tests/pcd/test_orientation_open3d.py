@@ -11,6 +11,7 @@ import scipy.sparse as sp
 from scipy.sparse.csgraph import breadth_first_order, minimum_spanning_tree
 from scipy.spatial import Delaunay, cKDTree
 
+from ..scan_cases import on_sets
 from .orientation import agreement, orient
 
 
@@ -40,18 +41,19 @@ def orient_along(points, normals, edges):
     return normals * signs[:, None]
 
 
+FRAGMENT = pytest.param("fragment", marks=pytest.mark.slow)
+
+
 @pytest.fixture(scope="module")
-def scans(fragment, lidar, data, to_open3d):
+def scans(fragment, lidar, terrain, to_open3d):
     """Points and float32 normals of an indoor scan, a LiDAR frame and a terrain tile about its middle, all thinned."""
     import open3d as o3d
 
-    tile = o3d.io.read_point_cloud(str(data / "lidar-pcl-terrain" / "samp21-utm.pcd"))
-    tile = np.asarray(tile.points)
     found = {}
     for name, points, voxel in (
         ("fragment", fragment.points, 0.03),
         ("lidar", lidar[:, :3], 0.3),
-        ("terrain", tile - np.round(tile.mean(axis=0)), 3.0),
+        ("terrain", terrain - np.round(terrain.mean(axis=0)), 3.0),
     ):
         cloud = to_open3d(points).voxel_down_sample(voxel)
         cloud.points = o3d.utility.Vector3dVector(np.asarray(cloud.points).astype(np.float32))
@@ -101,7 +103,7 @@ def test_orientation_of_the_fragment_is_open3ds(device, k, scans, oracle, tolera
     assert agreement(orient(*scans["fragment"], k, device), oracle("fragment", k)) >= tolerances.orientation_share
 
 
-@pytest.mark.parametrize("scan", ["lidar", "terrain", pytest.param("fragment", marks=pytest.mark.slow)])
+@on_sets("scan", shipped=("terrain", FRAGMENT), real=("lidar", FRAGMENT))
 @pytest.mark.parametrize("k", [15, pytest.param(30, marks=pytest.mark.slow)])
 def test_orientation_is_open3ds_rule_on_the_whole_graph(device, scan, k, scans, oracle, graphs, tolerances):
     """Open3D leaves out neighbours that are edges of its Delaunay tetrahedra but not of its Euclidean tree.

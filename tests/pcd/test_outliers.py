@@ -10,6 +10,8 @@ from scipy.spatial.distance import cdist
 
 import pointloom as loom
 
+from ..scan_cases import ON_SCANS, on_sets
+
 
 @pytest.fixture(scope="module")
 def scans(fragment, lidar, terrain):
@@ -17,7 +19,7 @@ def scans(fragment, lidar, terrain):
     return {"fragment": fragment.points[::2], "lidar": lidar[:, :3].astype(float), "terrain": terrain - terrain.mean(0)}
 
 
-@pytest.mark.parametrize("scan", ["fragment", "lidar", "terrain"])
+@ON_SCANS
 @pytest.mark.parametrize(("nb_neighbors", "std_ratio"), [(20, 2.0), (6, 0.5)])
 def test_statistical_outliers_are_open3ds(device, scan, nb_neighbors, std_ratio, scans, to_open3d, tolerances):
     points = scans[scan]
@@ -42,7 +44,7 @@ def test_points_at_one_place_are_no_statistical_outliers(device, rng, to_open3d)
     assert set(range(500, 525)) <= set(indices.tolist())
 
 
-@pytest.mark.parametrize("scan", ["fragment", "lidar", "terrain"])
+@on_sets("scan", shipped=("lidar", "terrain"), real=("fragment", "lidar"))
 def test_radius_outliers_are_open3ds(device, scan, scans, to_open3d):
     points = scans[scan].astype(np.float32).astype(float)
     radius = {"fragment": 0.03, "lidar": 0.4, "terrain": 3.1}[scan]

@@ -10,6 +10,8 @@ from hypothesis import strategies as st
 import pointloom as loom
 from pointloom.kernels.lang import cpu_compiler
 
+from ..scan_cases import on_sets
+
 LIMITS = {"ransac_n": 3, "num_iterations": 1000, "probability": 1.0}
 
 
@@ -43,43 +45,44 @@ def cluttered(rng, count=4000, share=0.5, noise=0.003, normal=(0.3, -0.2, 1.0), 
 
 
 @pytest.fixture(scope="module")
-def terrain(data):
+def terrain(scan_file):
     """An airborne tile at UTM coordinates, float64 [n, 3]."""
-    return loom.read_point_cloud(data / "lidar-pcl-terrain" / "samp31-utm.pcd").points
-
-
-def scene_of(name, request):
-    if name == "fragment":
-        return request.getfixturevalue("fragment").points[::4], 0.02
-    if name == "lidar":
-        return request.getfixturevalue("lidar")[:, :3].astype(float), 0.1
-    points = request.getfixturevalue("terrain")
-    return points - np.round(np.median(points, axis=0)), 0.5
+    return loom.read_point_cloud(scan_file("lidar-pcl-terrain/samp31-utm.pcd")).points
 
 
 @pytest.fixture(scope="module")
-def oracle_planes():
-    """Open3D's planes by scene, computed once for all devices."""
+def scans(fragment, lidar, terrain):
+    """Points by name, the tile about its middle, and a threshold for each."""
+    return {
+        "fragment": (fragment.points[::4], 0.02),
+        "lidar": (lidar[:, :3].astype(float), 0.1),
+        "terrain": (terrain - np.round(np.median(terrain, axis=0)), 0.5),
+    }
+
+
+@pytest.fixture(scope="module")
+def oracle_planes(scans):
+    """Open3D's planes by scan, computed once for all devices."""
     return {}
 
 
-@pytest.mark.parametrize("name", ["fragment", "lidar", "terrain"])
-def test_plane_of_a_real_scan_is_as_good_as_open3ds(device, name, request, to_open3d, oracle_planes, tolerances):
-    points, threshold = scene_of(name, request)
+@pytest.mark.parametrize("scan", ["fragment", "lidar", "terrain"])
+def test_plane_of_a_real_scan_is_as_good_as_open3ds(device, scan, scans, to_open3d, oracle_planes, tolerances):
+    points, threshold = scans[scan]
     model, inliers = loom.PointCloud(points, device=device).segment_plane(threshold, **LIMITS)
-    if name not in oracle_planes:
-        oracle_planes[name] = oracle(to_open3d(points), threshold, **LIMITS)
-    expected, their_inliers = oracle_planes[name]
+    if scan not in oracle_planes:
+        oracle_planes[scan] = oracle(to_open3d(points), threshold, **LIMITS)
+    expected, their_inliers = oracle_planes[scan]
     assert len(inliers) > tolerances.plane_inliers * len(their_inliers)
     assert degrees_between(model[:3], expected[:3]) < tolerances.plane_degrees
     shared = np.intersect1d(inliers, their_inliers).size / np.union1d(inliers, their_inliers).size
     assert shared > tolerances.plane_overlap
 
 
-@pytest.mark.parametrize("name", ["fragment", "lidar", "terrain"])
-def test_final_plane_fits_the_inliers_at_least_as_well_as_open3ds_fit(device, name, request, to_open3d, tolerances):
+@on_sets("scan", shipped=("lidar", "terrain"), real=("fragment", "lidar", "terrain"))
+def test_final_plane_fits_the_inliers_at_least_as_well_as_open3ds_fit(device, scan, scans, to_open3d, tolerances):
     """Open3D's fit of the very same points, through a threshold that takes all of them."""
-    points, threshold = scene_of(name, request)
+    points, threshold = scans[scan]
     cloud = loom.PointCloud(points, device=device)
     model, inliers = cloud.segment_plane(threshold, num_iterations=100)
     chosen = cloud.points[inliers]

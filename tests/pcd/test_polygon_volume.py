@@ -93,9 +93,9 @@ def test_choices_in_a_lidar_scan_are_open3ds(device, lidar, open3d_volume):
 
 
 @pytest.mark.parametrize("axis", range(3))
-def test_choices_at_utm_coordinates_are_open3ds(device, axis, data, open3d_volume):
+def test_choices_at_utm_coordinates_are_open3ds(device, axis, shipped_file, open3d_volume):
     """Open3D's arithmetic is exact enough there; float32 would round the corners by half a metre."""
-    cloud = loom.read_point_cloud(data / "lidar-pcl-terrain" / "samp21-utm.pcd").to(device)
+    cloud = loom.read_point_cloud(shipped_file("lidar-pcl-terrain/samp21-utm.pcd")).to(device)
     low, high = np.quantile(cloud.points, [0.05, 0.95], axis=0)
     corners = star((low + high) / 2, (high - low) * 0.6, axis) + 0.12345
     volume = loom.SelectionPolygonVolume(corners, "XYZ"[axis], low[axis], high[axis])

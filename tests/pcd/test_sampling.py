@@ -13,9 +13,9 @@ import pointloom as loom
 
 
 @pytest.fixture(scope="module")
-def terrain(data):
+def terrain(shipped_file):
     """A terrain tile at UTM coordinates: the cloud, and its float32 points about the origin, which the cloud holds."""
-    cloud = loom.read_point_cloud(data / "lidar-pcl-terrain" / "samp21-utm.pcd")
+    cloud = loom.read_point_cloud(shipped_file("lidar-pcl-terrain/samp21-utm.pcd"))
     assert cloud.points.max() > 5e6
     return cloud, cloud.points - cloud.origin
 

@@ -9,6 +9,8 @@ from hypothesis import strategies as st
 
 import pointloom as loom
 
+from ..scan_cases import on_sets
+
 
 def first_rows(points):
     """Rows of first occurrences, by a set; a row with a NaN equals none."""
@@ -20,7 +22,7 @@ def first_rows(points):
     return rows
 
 
-@pytest.mark.parametrize("digits", [1, 2])
+@on_sets("digits", shipped=[1], real=[1, 2])
 def test_points_left_of_the_fragment_are_open3ds(device, digits, fragment, to_open3d):
     """Rounded to a lattice of 10 cm and of 1 cm, so that most are duplicates."""
     points = np.round(fragment.points, digits).astype(np.float32)
@@ -39,8 +41,8 @@ def test_points_left_of_a_lidar_scan_are_open3ds(device, lidar, to_open3d, rng):
     assert len(found) < 0.7 * len(points)
 
 
-def test_duplicates_at_utm_coordinates_are_removed(device, data, to_open3d):
-    cloud = loom.read_point_cloud(data / "lidar-pcl-terrain" / "samp21-utm.pcd").to(device)
+def test_duplicates_at_utm_coordinates_are_removed(device, shipped_file, to_open3d):
+    cloud = loom.read_point_cloud(shipped_file("lidar-pcl-terrain/samp21-utm.pcd")).to(device)
     twice = cloud + cloud.select_by_index(np.arange(len(cloud))[::-1])
     found, oracle = twice.remove_duplicated_points(), to_open3d(cloud.points).remove_duplicated_points()
     np.testing.assert_array_equal(found.points, np.asarray(oracle.points))
@@ -96,11 +98,11 @@ def test_indices_of_any_whole_type_select_and_invert(device, dtype, rng):
         assert 93 not in cloud.select_by_index(-indices[:1], invert=True)["row"]
 
 
-def test_all_but_some_indices_are_open3ds(device, fragment, rng):
+def test_all_but_some_indices_are_open3ds(device, fragment, legacy_fragment, rng):
     indices = rng.integers(0, len(fragment.points), 5000)
     cloud = loom.PointCloud(fragment.points, device=device)
     for invert in (False, True):
-        expected = np.asarray(fragment.legacy.select_by_index(indices, invert).points)
+        expected = np.asarray(legacy_fragment.select_by_index(indices, invert).points)
         found = cloud.select_by_index(indices if invert else np.unique(indices), invert)
         np.testing.assert_array_equal(found.points, expected)
 

@@ -2,16 +2,24 @@
 
 from __future__ import annotations
 
+from itertools import product
+
 import numpy as np
 import pytest
 
 import pointloom as loom
+
+from ..scan_cases import on_sets
 
 SEARCHES = {
     "hybrid": {"radius": 0.1, "max_nn": 30},
     "count": {"radius": None, "max_nn": 20},
     "radius": {"radius": 0.07, "max_nn": None},
 }
+
+
+CASES = list(product(("fragment", "lidar", "terrain"), SEARCHES))
+ON_SEARCHES = on_sets("scan search", shipped=[case for case in CASES if case != ("terrain", "count")], real=CASES)
 
 
 def open3d_search(search):
@@ -26,9 +34,9 @@ def open3d_search(search):
 
 
 @pytest.fixture(scope="module")
-def scans(data, fragment, lidar, to_open3d):
+def scans(scan_file, fragment, lidar, to_open3d):
     """Points of an indoor fragment, a LiDAR scan and an airborne tile about its middle; normals; and spacings."""
-    tile = loom.read_point_cloud(data / "lidar-pcl-terrain" / "CSite1_red2-utm.pcd").points
+    tile = loom.read_point_cloud(scan_file("lidar-pcl-terrain/CSite1_red2-utm.pcd")).points
     found = {}
     for name, points, spacing in (
         ("fragment", fragment.points[::8], 1.0),
@@ -43,7 +51,7 @@ def scans(data, fragment, lidar, to_open3d):
 
 
 @pytest.fixture(scope="module")
-def once():
+def once(scan_set):
     """A function (key, make) that makes each thing once: what Open3D finds serves every device."""
     made = {}
 
@@ -69,8 +77,7 @@ def assert_points(found, expected, start, tolerances, *, share=None):
     assert moves.max() > 0 and error.max() <= moves.max()
 
 
-@pytest.mark.parametrize("search", SEARCHES)
-@pytest.mark.parametrize("scan", ["fragment", "lidar", "terrain"])
+@ON_SEARCHES
 def test_points_on_planes_are_open3ds(device, scan, search, scans, once, to_open3d, tolerances):
     points, _, spacing = scans[scan]
     limits = scaled(SEARCHES[search], spacing)
@@ -79,8 +86,7 @@ def test_points_on_planes_are_open3ds(device, scan, search, scans, once, to_open
     assert_points(found.points, expected, points, tolerances)
 
 
-@pytest.mark.parametrize("search", SEARCHES)
-@pytest.mark.parametrize("scan", ["fragment", "lidar", "terrain"])
+@ON_SEARCHES
 def test_bilateral_means_are_open3ds(device, scan, search, scans, once, to_open3d, tolerances):
     points, normals, spacing = scans[scan]
     limits, sigmas = scaled(SEARCHES[search], spacing), {"sigma_s": 0.05 * spacing, "sigma_r": 0.01 * spacing}
@@ -94,7 +100,7 @@ def test_bilateral_means_are_open3ds(device, scan, search, scans, once, to_open3
 
 
 @pytest.mark.parametrize("fixed", [False, True])
-@pytest.mark.parametrize("scan", ["fragment", "lidar", "terrain"])
+@on_sets("scan", shipped=("fragment", "lidar"), real=("fragment", "lidar", "terrain"))
 def test_laplacian_passes_are_open3ds(device, scan, fixed, scans, once, to_open3d, tolerances):
     points = scans[scan][0]
     cloud, oracle = loom.PointCloud(points, device=device), to_open3d(points)

@@ -34,7 +34,7 @@ def visible(points, camera, radius, device):
 
 
 @pytest.fixture(scope="module")
-def views(fragment, lidar, data, to_open3d):
+def views(fragment, lidar, scan_file, to_open3d):
     """Scans with the tutorial's camera, a scanner's own place and an aeroplane's, and what Open3D sees of them."""
     import open3d as o3d
 
@@ -43,7 +43,7 @@ def views(fragment, lidar, data, to_open3d):
         return points, camera, radius, rows_of(points[indices]), len(mesh.triangles)
 
     size = np.linalg.norm(np.ptp(fragment.points, axis=0))
-    terrain = np.asarray(o3d.io.read_point_cloud(str(data / "lidar-pcl-terrain" / "samp12-utm.pcd")).points)
+    terrain = np.asarray(o3d.io.read_point_cloud(str(scan_file("lidar-pcl-terrain/samp12-utm.pcd"))).points)
     terrain = terrain - terrain.mean(axis=0).round()
     scan = lidar[:, :3].astype(float)
     reach = np.linalg.norm(np.ptp(scan, axis=0))

@@ -38,13 +38,13 @@ def surface_pair():
 
 
 @pytest.fixture(scope="session")
-def kitti_pair(data, made_street):
-    """Two LiDAR scans of 69,000 points and `T`, which takes the source's coordinates to the target's.
+def street_pair(scan_set, real_file, made_street):
+    """Two LiDAR scans and `T`, which takes the source's coordinates to the target's.
 
-    A fresh clone, which has no KITTI, takes each other ray of the made-up street with noise of 2 cm, as far apart.
+    KITTI's of 69,000 points each (real), or each other ray of the made-up street with noise of 2 cm (shipped).
     """
-    if not hasattr(data, "is_shipped"):
-        folder = data / "reg-small-gicp"
+    if scan_set == "real":
+        folder = real_file("reg-small-gicp")
         return SimpleNamespace(
             source=loom.read_point_cloud(folder / "source.ply").points,
             target=loom.read_point_cloud(folder / "target.ply").points,
@@ -57,19 +57,21 @@ def kitti_pair(data, made_street):
 
 
 @pytest.fixture(scope="session")
-def kitchen_pair(data):
-    """Fragments 4 (source) and 0 (target) of a kitchen, 55 % overlap, and `T`: 12.7 degrees and 0.69 m.
+def room_pair(scan_set, real_file, shipped_file):
+    """Two scans of a room and `T`, 12.7 degrees from the identity.
 
-    A fresh clone, which has no 3DMatch, takes two frames of a living room, the source turned by as much.
+    Fragments 4 (source) and 0 (target) of 3DMatch's kitchen with 55 % overlap (real), or two frames of a living room,
+    the source rotated by as much (shipped).
     """
-    if not hasattr(data, "is_shipped"):
-        folder = data / "reg-teaser-3dmatch" / "data"
+    if scan_set == "real":
+        folder = real_file("reg-teaser-3dmatch/data")
         return SimpleNamespace(
             source=loom.read_point_cloud(folder / "cloud_bin_4.ply").points,
             target=loom.read_point_cloud(folder / "cloud_bin_0.ply").points,
             T=np.loadtxt(folder / "T_0_from_4.txt"),
         )
-    folder, camera = data / "rgbd-cupoch-redwood5", loom.PinholeCameraIntrinsic(640, 480, 525.0, 525.0, 319.5, 239.5)
+    folder = shipped_file("rgbd-cupoch-redwood5")
+    camera = loom.PinholeCameraIntrinsic(640, 480, 525.0, 525.0, 319.5, 239.5)
     poses = loom.read_trajectory(folder / "trajectory.log").poses
     depths = [loom.read_depth(folder / "depth" / f"{k:05d}.png") for k in (0, 4)]
     target, source = (loom.PointCloud.from_depth_image(depth, camera, stride=2).points for depth in depths)

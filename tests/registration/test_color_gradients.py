@@ -35,11 +35,11 @@ def reference_gradients(points, normals, intensities, radius, max_nn):
 
 
 @pytest.fixture(scope="module")
-def frames(data):
+def frames(real_file):
     """Two coloured RGB-D frames, thinned: points, normals and colours as float32."""
     clouds = []
     for name in ("frame_1.ply", "frame_2.ply"):
-        cloud = loom.read_point_cloud(data / "reg-cilantro" / name).uniform_down_sample(23)
+        cloud = loom.read_point_cloud(real_file(f"reg-cilantro/{name}")).uniform_down_sample(23)
         good = np.isfinite(cloud.normals).all(axis=1) & np.isfinite(cloud.points).all(axis=1)
         clouds.append(cloud.select_by_mask(good))
     return [
@@ -47,16 +47,17 @@ def frames(data):
     ]
 
 
-@pytest.mark.parametrize("scene", ["fragment", "frame"])
-def test_gradients_are_the_least_squares_of_the_neighbours(device, scene, frames, fragment, tolerances):
-    if scene == "frame":
-        points, normals, colors, radius = frames[0].points, frames[0].normals, frames[0].colors, 0.03
-    else:
-        part = np.s_[40000:44000]
-        points, normals, colors = (
-            a[part].astype(np.float32) for a in (fragment.points, fragment.normals, fragment.colors)
-        )
-        radius = 0.06
+def test_gradients_in_the_fragment_are_the_least_squares_of_the_neighbours(device, scan_set, fragment, tolerances):
+    part = {"shipped": np.s_[:4000], "real": np.s_[40000:44000]}[scan_set]
+    arrays = (a[part].astype(np.float32) for a in (fragment.points, fragment.normals, fragment.colors))
+    check_gradients(device, *arrays, 0.06, tolerances)
+
+
+def test_gradients_in_a_frame_are_the_least_squares_of_the_neighbours(device, frames, tolerances):
+    check_gradients(device, frames[0].points, frames[0].normals, frames[0].colors, 0.03, tolerances)
+
+
+def check_gradients(device, points, normals, colors, radius, tolerances):
     intensities, found = gradients_of(points, normals, colors, radius, 30, device)
     expected = reference_gradients(points, normals, intensities.astype(np.float64), radius, 30)
     error = np.abs(found - expected).max(axis=1) / np.maximum(

@@ -9,6 +9,7 @@ from scipy.spatial import cKDTree
 
 import pointloom as loom
 
+from ..scan_cases import on_sets
 from .poses import as_pose
 
 reg = loom.registration
@@ -20,20 +21,20 @@ def exact(points):
 
 
 @pytest.fixture(scope="module")
-def scans(kitti_pair, kitchen_pair, fragment, terrain):
+def scans(street_pair, room_pair, fragment, terrain):
     """(source, target, pose, distance) of real pairs, thinned."""
     middle = np.floor(terrain.mean(axis=0))
     halves = fragment.points[::9], fragment.points[4::9]
-    street = [p[p.any(axis=1)] for p in (kitti_pair.source, kitti_pair.target)]  # rays without a return lie at zero
+    street = [p[p.any(axis=1)] for p in (street_pair.source, street_pair.target)]  # rays without a return lie at zero
     return {
-        "kitti": (exact(street[0][::14]), exact(street[1][::12]), kitti_pair.T, 1.0),
-        "kitchen": (exact(kitchen_pair.source[::50]), exact(kitchen_pair.target[::50]), kitchen_pair.T, 0.1),
+        "lidar": (exact(street[0][::14]), exact(street[1][::12]), street_pair.T, 1.0),
+        "room": (exact(room_pair.source[::50]), exact(room_pair.target[::50]), room_pair.T, 0.1),
         "fragment": (exact(halves[0]), exact(halves[1]), as_pose([0.01, 0, 0.02], [0.03, 0, 0]), 0.04),
         "terrain": (exact(terrain[::3] - middle), exact(terrain[1::3] - middle), as_pose([0, 0, 0.01], [2, 1, 0]), 8.0),
     }
 
 
-NAMES = pytest.mark.parametrize("name", ["kitti", "kitchen", "fragment", "terrain"])
+ON_PAIRS = on_sets("scan", shipped=("lidar", "room", "fragment", "terrain"), real=("lidar", "room", "fragment"))
 
 
 def theirs_of(o3d, source, target, distance, T):
@@ -78,10 +79,10 @@ def check(device, case, theirs, tolerances):
     np.testing.assert_array_equal(found, found.T)
 
 
-@NAMES
-def test_evaluations_of_real_scans_are_open3ds(device, scans, o3d, name, tolerances):
-    source, target, T, distance = scans[name]
-    check(device, scans[name], theirs_of(o3d, source, target, distance, T), tolerances)
+@ON_PAIRS
+def test_evaluations_of_real_scans_are_open3ds(device, scans, o3d, scan, tolerances):
+    source, target, T, distance = scans[scan]
+    check(device, scans[scan], theirs_of(o3d, source, target, distance, T), tolerances)
 
 
 def test_an_evaluation_is_open3ds(device, rng, oracle, tolerances):

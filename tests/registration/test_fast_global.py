@@ -125,11 +125,11 @@ def test_errors_are_no_larger_than_open3ds(device, rng, outliers, angle_between,
 
 
 @pytest.fixture(scope="module")
-def kitchen(kitchen_pair):
+def kitchen(room_pair):
     """The kitchen down-sampled, with features, as arrays."""
-    found = SimpleNamespace(T=kitchen_pair.T)
+    found = SimpleNamespace(T=room_pair.T)
     for name in ("source", "target"):
-        cloud = loom.PointCloud(getattr(kitchen_pair, name)).voxel_down_sample(VOXEL)
+        cloud = loom.PointCloud(getattr(room_pair, name)).voxel_down_sample(VOXEL)
         cloud = cloud.estimate_normals(radius=2 * VOXEL, max_nn=30)
         feature = loom.compute_fpfh_feature(cloud, radius=5 * VOXEL, max_nn=100)
         setattr(found, name, SimpleNamespace(points=cloud.points, feature=feature.copy()))

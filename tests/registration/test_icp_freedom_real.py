@@ -16,37 +16,37 @@ def thinned(points, size, device):
     return loom.PointCloud(points, device=device).voxel_down_sample(size).estimate_normals(max_nn=10)
 
 
-def test_a_street_that_is_level_is_registered_as_well_by_four_degrees_of_freedom(device, kitti_pair, angle_between):
+def test_a_street_that_is_level_is_registered_as_well_by_four_degrees_of_freedom(device, street_pair, angle_between):
     """The truth tilts by 0.16 degrees. Six degrees of freedom end 0.66 degrees and 1.0 cm off, four 0.23 and 1.5."""
-    source, target = (thinned(p, 0.4, device) for p in (kitti_pair.source, kitti_pair.target))
+    source, target = (thinned(p, 0.4, device) for p in (street_pair.source, street_pair.target))
     rules = reg.ICPConvergenceCriteria(1e-6, 1e-6, 50)
     free, level = (
         reg.registration_icp(source, target, 1.0, None, GENERALIZED, rules, free=f).transformation
         for f in (None, LEVEL)
     )
     assert (level[2, :3] == [0, 0, 1]).all() and (level[:2, 2] == 0).all()  # level, to the bit
-    assert angle_between(level, kitti_pair.T) < min(0.4, angle_between(free, kitti_pair.T) + 0.05)
-    assert np.linalg.norm((level - kitti_pair.T)[:3, 3]) < 0.05
+    assert angle_between(level, street_pair.T) < min(0.4, angle_between(free, street_pair.T) + 0.05)
+    assert np.linalg.norm((level - street_pair.T)[:3, 3]) < 0.05
     assert np.linalg.norm((level - free)[:3, 3]) < 0.05
 
 
-def test_a_street_that_was_tilted_is_registered_once_gravity_has_levelled_it(device, kitti_pair, angle_between):
+def test_a_street_that_was_tilted_is_registered_once_gravity_has_levelled_it(device, street_pair, angle_between):
     """The scan in a sensor that hangs 10 degrees askew: its accelerometer says so, and four degrees do the rest."""
     askew = as_pose([0.15, -0.1, 0])
-    source = thinned((kitti_pair.source - askew[:3, 3]) @ askew[:3, :3], 0.4, device)
-    target = thinned(kitti_pair.target, 0.4, device)
+    source = thinned((street_pair.source - askew[:3, 3]) @ askew[:3, :3], 0.4, device)
+    target = thinned(street_pair.target, 0.4, device)
     init = reg.levelled(None, up_in_source=askew[:3, :3].T @ [0, 0, 9.81])
     found = reg.registration_icp(source, target, 1.0, init, GENERALIZED, free=LEVEL).transformation
-    assert angle_between(found, kitti_pair.T @ askew) < 0.4
+    assert angle_between(found, street_pair.T @ askew) < 0.4
     up = found[:3, :3] @ askew[:3, :3].T @ [0, 0, 1]
     np.testing.assert_allclose(up, [0, 0, 1], atol=1e-12)
     tilted = reg.registration_icp(source, target, 1.0, None, GENERALIZED, free=LEVEL)
-    assert angle_between(tilted.transformation, kitti_pair.T @ askew) > 8  # a wrong gravity stays in the pose
+    assert angle_between(tilted.transformation, street_pair.T @ askew) > 8  # a wrong gravity stays in the pose
 
 
-def test_an_airborne_survey_stays_level_at_its_own_coordinates(device, data):
+def test_an_airborne_survey_stays_level_at_its_own_coordinates(device, real_file):
     """Half of the points against the others, shifted and turned: feet, 640 km from zero."""
-    points = loom.read_point_cloud(data / "lidar-pdal" / "laz" / "autzen_trim.laz").points
+    points = loom.read_point_cloud(real_file("lidar-pdal/laz/autzen_trim.laz")).points
     half, middle = np.random.default_rng(0).random(len(points)) < 0.5, points.mean(axis=0)
     T = as_pose([0, 0, 0.026])
     T[:3, 3] = middle - T[:3, :3] @ middle + [1.5, -1.0, 0.7]

@@ -9,6 +9,7 @@ from scipy.spatial.transform import Rotation
 import pointloom as loom
 from pointloom.registration.rigid import fit_pose, nearest_rotation
 
+from ..scan_cases import ON_REAL_SCANS, on_sets
 from .poses import as_pose, bunny_pose
 
 reg = loom.registration
@@ -37,35 +38,35 @@ def make_pair(source, target, T, voxel, max_nn, distance):
 
 
 @pytest.fixture(scope="module")
-def street(kitti_pair):
-    """KITTI at 0.25 m, planes of 10 neighbours: a street has edges that 20 reach over."""
-    return make_pair(kitti_pair.source, kitti_pair.target, kitti_pair.T, 0.25, 10, 1.0)
+def street(street_pair):
+    """The street at 0.25 m, planes of 10 neighbors: a street has edges that 20 reach over."""
+    return make_pair(street_pair.source, street_pair.target, street_pair.T, 0.25, 10, 1.0)
 
 
 @pytest.fixture(scope="module")
-def kitchen(kitchen_pair):
-    return make_pair(kitchen_pair.source, kitchen_pair.target, kitchen_pair.T, 0.05, 30, 0.1)
+def room(room_pair):
+    return make_pair(room_pair.source, room_pair.target, room_pair.T, 0.05, 30, 0.1)
 
 
 @pytest.fixture(scope="module")
-def bunny(data):
+def bunny(real_file):
     """Scans of the bunny from 45 and from 0 degrees."""
-    folder = data / "reg-bunny-scans"
+    folder = real_file("reg-bunny-scans")
     points = [loom.read_point_cloud(next(folder.rglob(name))).points for name in ("bun045.ply", "bun000.ply")]
     return make_pair(*points, bunny_pose(), 0.002, 20, 0.005)
 
 
 @pytest.fixture(scope="module")
-def small_bunny(data):
+def small_bunny(shipped_file):
     """PCL's test clouds of the same two scans, 361 and 397 points."""
-    points = [loom.read_point_cloud(data / "pcl-tests" / "test" / f"bun{i}.pcd").points for i in (4, 0)]
+    points = [loom.read_point_cloud(shipped_file(f"pcl-tests/test/bun{i}.pcd")).points for i in (4, 0)]
     return make_pair(*points, bunny_pose(), 1e-4, 15, 0.02)
 
 
 @pytest.fixture(scope="module")
-def desk(data):
+def desk(real_file):
     """Two coloured frames at close range; parts of them move against each other by a centimetre."""
-    clouds = [loom.read_point_cloud(data / "reg-cilantro" / f"frame_{i}.ply") for i in (2, 1)]
+    clouds = [loom.read_point_cloud(real_file(f"reg-cilantro/frame_{i}.ply")) for i in (2, 1)]
     thin = [prepared(c.points, 0.01, 30, c.colors) for c in clouds]
     return SimpleNamespace(source=thin[0], target=thin[1], distance=0.05, T=np.eye(4))
 
@@ -137,20 +138,22 @@ def test_icp_of_a_street_is_open3ds(device, street, o3d, to_open3d, kind, tolera
     assert result.fitness == pytest.approx(expected.fitness, abs=1e-3)
 
 
-def test_icp_to_planes_of_a_street_is_no_worse_than_open3ds(device, kitti_pair, angle_between):
+def test_icp_to_planes_of_a_street_is_no_worse_than_open3ds(device, street_pair, angle_between):
     """Open3D from identity: 0.774 degrees with planes of 20 neighbours; a robust kernel takes it to a third."""
-    pair = make_pair(kitti_pair.source, kitti_pair.target, kitti_pair.T, 0.25, 20, 1.0)
+    pair = make_pair(street_pair.source, street_pair.target, street_pair.T, 0.25, 20, 1.0)
     plain, robust = (run(device, pair, kind) for kind in ("plane", "robust"))
     assert angle_between(plain.transformation, pair.T) <= 0.774
     assert angle_between(robust.transformation, pair.T) < 0.3
     assert shift_between(robust.transformation, pair.T) < 0.01
 
 
-@pytest.mark.parametrize(
-    ("name", "degrees", "metres"), [("kitchen", 1.8, 0.03), ("bunny", 0.3, 3e-4), ("small_bunny", 2.5, 2.5e-3)]
+@on_sets(
+    "name degrees metres",
+    shipped=[("room", 1.8, 0.03), ("small_bunny", 2.5, 2.5e-3)],
+    real=[("room", 1.8, 0.03), ("bunny", 0.3, 3e-4)],
 )
 @pytest.mark.parametrize("kind", ["plane", "symmetric", "generalised"])
-def test_scans_are_brought_to_their_true_pose(device, name, degrees, metres, kind, request, angle_between):
+def test_scans_are_brought_to_their_true_pose(device, name, degrees, metres, kind, scan_file, request, angle_between):
     """From 3 degrees and a few steps of the scan off it. The fragments of the kitchen are bent against each other."""
     pair = request.getfixturevalue(name)
     middle = pair.target.points.mean(axis=0)
@@ -164,22 +167,22 @@ def test_scans_are_brought_to_their_true_pose(device, name, degrees, metres, kin
 
 
 @pytest.mark.parametrize("kind", ["plane", "symmetric", "generalised"])
-def test_icp_of_a_kitchen_is_open3ds(device, data, kitchen, o3d, to_open3d, kind, angle_between):
+def test_icp_of_a_room_is_open3ds(device, scan_set, room, o3d, to_open3d, kind, angle_between):
     """The best fit lies 1.5 degrees from the published pose, whose rotation is rounded: Open3D keeps it skewed."""
     rules = reg.ICPConvergenceCriteria(0, 0, 40)
-    result = run(device, kitchen, kind, kitchen.T, rules=rules)
-    init = kitchen.T.copy()
+    result = run(device, room, kind, room.T, rules=rules)
+    init = room.T.copy()
     init[:3, :3] = nearest_rotation(init[:3, :3])
-    expected = run_open3d(o3d, to_open3d, kitchen, kind, init, rules=rules)
+    expected = run_open3d(o3d, to_open3d, room, kind, init, rules=rules)
     assert angle_between(result.transformation, expected.transformation) < 0.01
     assert shift_between(result.transformation, expected.transformation) < 1e-4
-    if not hasattr(data, "is_shipped"):
-        assert angle_between(result.transformation, kitchen.T) > 0.5
+    if scan_set == "real":
+        assert angle_between(result.transformation, room.T) > 0.5
 
 
-def test_a_rigid_copy_is_recovered(device, data, angle_between):
+def test_a_rigid_copy_is_recovered(device, real_file, angle_between):
     """The dragon, 100,000 points of 4 decimals, turned by 3.76 degrees; a tenth of the source on all of the target."""
-    source, target = (np.loadtxt(data / "reg-simpleicp" / f"dragon{i}.xyz") for i in (2, 1))
+    source, target = (np.loadtxt(real_file(f"reg-simpleicp/dragon{i}.xyz")) for i in (2, 1))
     T = fit_pose(source, target)
     assert np.abs(source @ T[:3, :3].T + T[:3, 3] - target).max() < 2e-4  # row by row, to the rounding of the files
     clouds = loom.PointCloud(source[::10], device=device), loom.PointCloud(target, device=device)
@@ -209,23 +212,23 @@ def test_frames_of_a_desk_meet_where_icp_brings_them(device, desk, angle_between
     assert result.fitness > 0.99
 
 
-def test_scales_bring_a_kitchen_from_farther_away(device, kitchen_pair, angle_between):
+def test_scales_bring_a_room_from_farther_away(device, room_pair, angle_between):
     """Open3D's tutorial of multi-scale ICP: 10, 5 and 2.5 cm."""
-    clouds = [loom.PointCloud(p[::2], device=device) for p in (kitchen_pair.source, kitchen_pair.target)]
+    clouds = [loom.PointCloud(p[::2], device=device) for p in (room_pair.source, room_pair.target)]
     clouds = [c.voxel_down_sample(0.02).estimate_normals(max_nn=20) for c in clouds]
     rules = [reg.ICPConvergenceCriteria(1e-4, 1e-4, 20), reg.ICPConvergenceCriteria(1e-5, 1e-5, 15)]
     rules += [reg.ICPConvergenceCriteria(1e-6, 1e-6, 10)]
-    init = as_pose([0.05, -0.08, 0.05], [0.05, 0.05, -0.05]) @ kitchen_pair.T
+    init = as_pose([0.05, -0.08, 0.05], [0.05, 0.05, -0.05]) @ room_pair.T
     loss = reg.TransformationEstimationPointToPlane(reg.TukeyLoss(0.1))
     result = reg.multi_scale_icp(*clouds, [0.1, 0.05, 0.025], rules, [0.3, 0.14, 0.07], init, loss)
-    assert angle_between(result.transformation, kitchen_pair.T) < 1.8 < 6 < angle_between(init, kitchen_pair.T)
+    assert angle_between(result.transformation, room_pair.T) < 1.8 < 6 < angle_between(init, room_pair.T)
 
 
 @pytest.fixture(scope="module")
-def parted_kitchen(kitchen_pair):
+def parted_kitchen(room_pair):
     """Two parts of one fragment that share 22 %, of other points each, and four poses a degree from the true one."""
     rng = np.random.default_rng(0)
-    points = kitchen_pair.source
+    points = room_pair.source
     along = np.linalg.eigh(np.cov((points - points.mean(axis=0)).T))[1][:, 2]
     place = np.argsort(np.argsort(points @ along)) / len(points)
     mine = rng.random(len(points)) < 0.5
@@ -241,6 +244,7 @@ def parted_kitchen(kitchen_pair):
 
 
 @pytest.mark.slow
+@ON_REAL_SCANS
 def test_parts_that_share_a_fifth_stay_where_they_belong(device, parted_kitchen, o3d, to_open3d, angle_between):
     """From a degree off: with all pairs within 0.3 m both libraries end farther off, with the overlap found nearer."""
     pair = parted_kitchen
@@ -264,10 +268,10 @@ def test_the_overlap_that_is_found_does_whole_scans_no_harm(device, street, angl
     assert shift_between(result.transformation, street.T) < 0.03
 
 
-@pytest.mark.parametrize("name", ["street", "kitchen", "bunny", "small_bunny", "desk"])
+@on_sets("scan", shipped=("street", "room", "small_bunny"), real=("street", "room", "bunny", "desk"))
 @pytest.mark.parametrize("kind", list(KINDS))
-def test_real_scans_determine_all_six_motions(device, name, kind, request):
-    pair = request.getfixturevalue(name)
+def test_real_scans_determine_all_six_motions(device, scan, kind, scan_file, request):
+    pair = request.getfixturevalue(scan)
     result = run(device, pair, kind, pair.T, rules=reg.ICPConvergenceCriteria(max_iteration=2))
     assert result.degenerate_directions.shape == (0, 6) and result.fitness > 0.2
 
@@ -292,9 +296,9 @@ def test_terrain_at_utm_coordinates_is_registered_as_about_its_middle(device, te
 
 
 @pytest.mark.parametrize("pair", [(1, 4), (2, 4)])
-def test_submaps_of_streets_determine_every_motion_under_generalized_icp(data, pair):
+def test_submaps_of_streets_determine_every_motion_under_generalized_icp(real_file, pair):
     """Their walls are few beside the ground, and their covariances weigh pairs of ground most."""
-    folder = data / "reg-gtsam-points" / "kitti_07_dump"
+    folder = real_file("reg-gtsam-points/kitti_07_dump")
     rows = [line.split()[1:] for line in (folder / "graph.txt").read_text().splitlines() if line.startswith("v")]
     poses = []
     for row in rows:

@@ -51,9 +51,9 @@ def quadric():
 
 
 @pytest.fixture(scope="module")
-def bunny(data):
+def bunny(shipped_file):
     """PCL's two scans, the second with normals of ten points."""
-    source, target = (loom.read_point_cloud(data / "pcl-tests" / "test" / f"bun{k}.pcd") for k in (0, 4))
+    source, target = (loom.read_point_cloud(shipped_file(f"pcl-tests/test/bun{k}.pcd")) for k in (0, 4))
     return source, target.estimate_normals(max_nn=10)
 
 

@@ -114,13 +114,13 @@ def test_a_sensor_at_rest_stays(device, street):
     assert odometry.steps[-1].threshold == 2.0
 
 
-def test_two_real_scans_lie_on_each_other(device, kitti_pair, angle_between):
+def test_two_real_scans_lie_on_each_other(device, street_pair, angle_between):
     odometry = LidarOdometry(device=device, min_range=0.0)
-    odometry.register(loom.PointCloud(kitti_pair.target, device=device))
-    T = odometry.register(loom.PointCloud(kitti_pair.source, device=device))
+    odometry.register(loom.PointCloud(street_pair.target, device=device))
+    T = odometry.register(loom.PointCloud(street_pair.source, device=device))
     # the given pose is an estimate itself: another one of this pair lies 0.23 degrees and 1.9 cm from it
-    assert angle_between(T, kitti_pair.T) < 0.3
-    assert np.linalg.norm(T[:3, 3] - kitti_pair.T[:3, 3]) < 0.03
+    assert angle_between(T, street_pair.T) < 0.3
+    assert np.linalg.norm(T[:3, 3] - street_pair.T[:3, 3]) < 0.03
 
 
 def plane_weights(tree, place, reach) -> np.ndarray:
@@ -137,7 +137,7 @@ def plane_weights(tree, place, reach) -> np.ndarray:
 
 
 @pytest.mark.parametrize("reach", [0.0, 0.8])
-def test_a_scan_lies_where_the_loop_written_out_puts_it(device, kitti_pair, tolerances, reach):
+def test_a_scan_lies_where_the_loop_written_out_puts_it(device, street_pair, tolerances, reach):
     from pointloom.core.devices import resolve_device
     from pointloom.kernels.lang import vec3
     from pointloom.kernels.memory import upload
@@ -147,9 +147,9 @@ def test_a_scan_lies_where_the_loop_written_out_puts_it(device, kitti_pair, tole
 
     where = resolve_device(device)
     voxel_map = VoxelMap(1.0, 20, where)
-    voxel_map.add(upload(kitti_pair.target[::9], vec3, where), np.eye(4), 150.0)
+    voxel_map.add(upload(street_pair.target[::9], vec3, where), np.eye(4), 150.0)
     points, origin = voxel_map.points(np.zeros(3))
-    target, source = points.numpy().astype(np.float64) + origin, kitti_pair.source[::61].astype(np.float32)
+    target, source = points.numpy().astype(np.float64) + origin, street_pair.source[::61].astype(np.float32)
     tree, T, kappa, known = cKDTree(target), np.eye(4), 0.2, {}
     step = np.ones(6)
     while np.linalg.norm(step) > 1e-10:  # eqs. 9 to 12, with a matrix for each pair

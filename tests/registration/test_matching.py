@@ -13,6 +13,8 @@ import pointloom as loom
 from pointloom.kernels.features.feature_matching import FeatureMatch, pair_features
 from pointloom.registration import correspondences_from_features
 
+from ..scan_cases import on_sets
+
 LIMIT = 1e15  # numbers beyond it make a row unusable
 
 
@@ -86,7 +88,7 @@ def open3d_pairs(o3d, a, b, mutual, share=0.1):
 
 
 @pytest.fixture(scope="module")
-def scenes(kitchen_pair, kitti_pair, terrain):
+def scenes(room_pair, street_pair, terrain):
     """FPFH of both clouds of real pairs."""
 
     def features(points, voxel_size):
@@ -95,8 +97,8 @@ def scenes(kitchen_pair, kitti_pair, terrain):
         return loom.compute_fpfh_feature(cloud, radius=5 * voxel_size, max_nn=100)
 
     return {
-        "kitchen": (features(kitchen_pair.source, 0.05), features(kitchen_pair.target, 0.05)),
-        "kitti": (features(kitti_pair.source, 0.7), features(kitti_pair.target, 0.7)),
+        "room": (features(room_pair.source, 0.05), features(room_pair.target, 0.05)),
+        "lidar": (features(street_pair.source, 0.7), features(street_pair.target, 0.7)),
         "terrain": (features(terrain[::2], 2.5), features(terrain[1::2], 2.5)),
     }
 
@@ -105,9 +107,9 @@ def sqdists_of(a, b, pairs):
     return ((a[pairs[:, 0]].astype(float) - b[pairs[:, 1]]) ** 2).sum(axis=1)
 
 
-@pytest.mark.parametrize("scene", ["kitchen", "kitti", "terrain"])
-def test_matches_of_real_scans_are_open3ds(device, scene, scenes, o3d, tolerances):
-    a, b = scenes[scene]
+@on_sets("scan", shipped=("room", "lidar", "terrain"), real=("room", "lidar"))
+def test_matches_of_real_scans_are_open3ds(device, scan, scenes, o3d, tolerances):
+    a, b = scenes[scan]
     assert min(len(a), len(b)) > 1000
     found = correspondences_from_features(a, b, device=device)
     expected = open3d_pairs(o3d, a, b, False)
@@ -133,8 +135,8 @@ def is_tied(a, b, i, j, share):
 
 
 def test_the_tutorials_matches_are_open3ds_to_the_last(device, scenes, o3d):
-    """No two rows of the kitchen are as near as rounding; the ratio leaves the same as SciPy's two nearest."""
-    a, b = scenes["kitchen"]
+    """No two rows of the room are as near as rounding; the ratio leaves the same as SciPy's two nearest."""
+    a, b = scenes["room"]
     for mutual in (False, True):
         expected = open3d_pairs(o3d, a, b, mutual)
         assert np.array_equal(correspondences_from_features(a, b, mutual, device=device), expected)

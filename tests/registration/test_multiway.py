@@ -111,8 +111,8 @@ SCANS = ("bun000", "bun045", "bun090", "bun180", "bun270", "bun315", "chin", "ea
 
 
 @pytest.mark.slow
-def test_ten_scans_of_the_bunny_come_together_from_no_guess(data, o3d):
-    folder = data / "reg-bunny-scans"
+def test_ten_scans_of_the_bunny_come_together_from_no_guess(real_file, o3d):
+    folder = real_file("reg-bunny-scans")
     scans = [loom.read_point_cloud(folder / "data" / f"{name}.ply") for name in SCANS]
     found = reg.register_fragments(scans, voxel_size=0.003)
     assert found.placed.all()

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from pointloom import registration as reg
 
+from ..scan_cases import ON_REAL_SCANS
 from .pose_rings import (
     METHODS,
     TIGHT,
@@ -87,6 +88,7 @@ def test_trees_are_met_exactly(method, data):
     assert len(solved.edges) == count - 1
 
 
+@ON_REAL_SCANS
 def test_scans_registered_in_pairs_come_together(device, fragment, rng):
     """Three views of a room by ICP, whose results and information go into the edges as they are."""
     import pointloom as loom

@@ -17,11 +17,11 @@ DISTANCE = 1.5 * VOXEL
 
 
 @pytest.fixture(scope="module")
-def kitchen(kitchen_pair):
+def kitchen(room_pair):
     """The kitchen down-sampled, with normals and features, as arrays."""
-    found = SimpleNamespace(T=kitchen_pair.T)
+    found = SimpleNamespace(T=room_pair.T)
     for name in ("source", "target"):
-        cloud = loom.PointCloud(getattr(kitchen_pair, name)).voxel_down_sample(VOXEL)
+        cloud = loom.PointCloud(getattr(room_pair, name)).voxel_down_sample(VOXEL)
         cloud = cloud.estimate_normals(radius=2 * VOXEL, max_nn=30)
         cloud = cloud.orient_normals_towards_camera_location(cloud.get_center())  # a side that turns with the cloud
         feature = loom.compute_fpfh_feature(cloud, radius=5 * VOXEL, max_nn=100)

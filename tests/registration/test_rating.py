@@ -24,6 +24,7 @@ from pointloom.registration.globally import rating
 from pointloom.registration.globally.rating import Evidence, surface_of
 from pointloom.registration.rigid import symmetric_matrices
 
+from ..scan_cases import ON_REAL_SCANS
 from .poses import as_pose, moved
 from .room_corners import ONE, OTHER, corner
 
@@ -63,9 +64,9 @@ def hall(rng, count=40000):
     return points + rng.normal(0, 0.002, points.shape)
 
 
-def submaps(data):
+def submaps(real_file):
     """Submaps 0 to 4 of a drive, and their poses."""
-    folder = data / "reg-gtsam-points" / "kitti_07_dump"
+    folder = real_file("reg-gtsam-points/kitti_07_dump")
     points, poses = [], []
     for k, line in enumerate((folder / "graph.txt").read_text().split("\n")[:5]):
         numbers = np.array(line.split()[1:], float)
@@ -172,18 +173,18 @@ def test_two_runs_give_the_same_number(device, rng):
     )
 
 
-def test_right_and_wrong_poses_of_rooms_are_told_apart(device, kitchen_pair, rng):
-    source, target = kitchen_pair.source[::8], kitchen_pair.target[::8]
+def test_right_and_wrong_poses_of_rooms_are_told_apart(device, room_pair, rng):
+    source, target = room_pair.source[::8], room_pair.target[::8]
     clouds = [loom.PointCloud(points, device=device) for points in (source, target)]
-    assert rate(*clouds, kitchen_pair.T, 0.075) > 0.9
+    assert rate(*clouds, room_pair.T, 0.075) > 0.9
     for k in range(5):
-        wrong = kitchen_pair.T @ about(source, 0.5 * rng.normal(size=3), 0.4 * rng.normal(size=3))
+        wrong = room_pair.T @ about(source, 0.5 * rng.normal(size=3), 0.4 * rng.normal(size=3))
         assert rate(*clouds, wrong, 0.075) < 0.3, k
 
 
 @pytest.mark.slow
-def test_right_and_wrong_poses_of_streets_are_told_apart(device, data):
-    points, poses = submaps(data)
+def test_right_and_wrong_poses_of_streets_are_told_apart(device, real_file):
+    points, poses = submaps(real_file)
     clouds = [loom.PointCloud(p, device=device) for p in points]
     for i, j, least in ((0, 1, 0.9), (0, 2, 0.8), (1, 3, 0.8), (2, 4, 0.7)):
         T = np.linalg.inv(poses[j]) @ poses[i]
@@ -196,9 +197,10 @@ def test_right_and_wrong_poses_of_streets_are_told_apart(device, data):
             assert rate(clouds[i], clouds[j], T @ wrong, 0.9) < 0.4, (i, j)
 
 
-def test_unrelated_scans_are_not_believed(device, data, kitchen_pair, rng):
-    bunny = loom.read_point_cloud(data / "reg-bunny-scans" / "data" / "bun000.ply").points[::2] * 20
-    kitchen = kitchen_pair.target[::8]
+@ON_REAL_SCANS
+def test_unrelated_scans_are_not_believed(device, real_file, room_pair, rng):
+    bunny = loom.read_point_cloud(real_file("reg-bunny-scans/data/bun000.ply")).points[::2] * 20
+    kitchen = room_pair.target[::8]
     clouds = [loom.PointCloud(points, device=device) for points in (bunny - bunny.mean(axis=0), kitchen)]
     for _ in range(4):
         T = as_pose(rng.normal(size=3) * 2, kitchen[rng.integers(len(kitchen))])

@@ -240,9 +240,9 @@ def test_two_rasters_of_one_name_are_refused(files, tmp_path):
 @pytest.mark.slow
 @pytest.mark.parametrize("size", [70.0, 95.3, 1000.0])
 @pytest.mark.parametrize("name", ["lidar-pcl-terrain/samp11-utm.pcd", "lidar-pdal/laz/autzen_trim.laz"])
-def test_real_surveys_are_the_same_by_tiles(data, tmp_path, name, size):
+def test_real_surveys_are_the_same_by_tiles(scan_file, tmp_path, name, size):
     rasterio = pytest.importorskip("rasterio")
-    path, scale = data / name, 3.28 if "pdal" in name else 1.0  # feet
+    path, scale = scan_file(name), 3.28 if "pdal" in name else 1.0  # feet
     if path.suffix == ".pcd":
         cloud = loom.read_point_cloud(path)
         path = tmp_path / "survey.laz"

@@ -110,9 +110,9 @@ def test_gaussians_are_small_gicps(device, kitti_scan, tolerances):
 
 
 @pytest.fixture(scope="module")
-def kitti_scan(data):
+def kitti_scan(real_file):
     """A part of a LiDAR scan, float32 [n, 3]."""
-    points = loom.read_point_cloud(data / "reg-small-gicp" / "target.ply").points
+    points = loom.read_point_cloud(real_file("reg-small-gicp/target.ply")).points
     return points[::7].astype(np.float32)
 
 

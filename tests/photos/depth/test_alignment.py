@@ -75,8 +75,8 @@ def errors_of(z, ok):
     return np.array(ours), np.array(best)
 
 
-def test_40_percent_wrong_points_leave_a_real_scene_within_1_3_percent(data):
-    z = read_depth(data / "rgbd-7scenes-redkitchen" / "frame-000100.depth.png") / 1000
+def test_40_percent_wrong_points_leave_a_real_scene_within_1_3_percent(real_file):
+    z = read_depth(real_file("rgbd-7scenes-redkitchen/frame-000100.depth.png")) / 1000
     ours, best = errors_of(z, (z > 0.3) & (z < 5))
     assert np.median(ours) <= 0.013
     assert (ours <= 1.12 * best).all()  # no worse than with every pixel's true depth, up to the noise of 180 points

@@ -27,13 +27,12 @@ def made_pictures():
     return pictures, CAMERA
 
 
-def real_pictures(data, first, second):
-    """Two frames of the kitchen; in a fresh clone of a living room."""
-    shipped = hasattr(data, "is_shipped")
-    frames = loom.open_dataset(data / ("rgbd-cupoch-redwood5" if shipped else "rgbd-7scenes-redkitchen"))
-    first, second = (0, 1) if shipped else (first, second)
-    chosen = {frame.name: frame for frame in (frames.read(first), frames.read(second))}
-    return [(frame.color, frame.depth) for frame in chosen.values()], frames.intrinsic
+@pytest.fixture(scope="module")
+def real_pictures(scan_set, scan_file):
+    """Two frames and their camera: of a living room (shipped), and of the kitchen (real)."""
+    name, *chosen = {"shipped": ("rgbd-cupoch-redwood5", 0, 1), "real": ("rgbd-7scenes-redkitchen", 100, 103)}[scan_set]
+    frames = loom.open_dataset(scan_file(name))
+    return [(frame.color, frame.depth) for frame in map(frames.read, chosen)], frames.intrinsic
 
 
 def legacy(pictures, camera, with_depth, steps):
@@ -99,13 +98,13 @@ def test_the_tensor_odometry_of_made_pictures(device, method, steps, tolerances)
 
 @pytest.mark.slow
 @pytest.mark.parametrize("with_depth", [True, False])
-def test_the_legacy_odometry_of_real_pictures(data, with_depth, tolerances):
-    check_legacy(*real_pictures(data, 100, 103), "cpu", with_depth, (20, 10, 5), tolerances)
+def test_the_legacy_odometry_of_real_pictures(real_pictures, with_depth, tolerances):
+    check_legacy(*real_pictures, "cpu", with_depth, (20, 10, 5), tolerances)
 
 
 @pytest.mark.parametrize("method", list(od.Method))
-def test_the_tensor_odometry_of_real_pictures(data, method, tolerances):
-    check_tensor(*real_pictures(data, 100, 103), "cpu", method, (10, 5, 3), tolerances)
+def test_the_tensor_odometry_of_real_pictures(real_pictures, method, tolerances):
+    check_tensor(*real_pictures, "cpu", method, (10, 5, 3), tolerances)
 
 
 def test_the_information_of_two_depths(device):

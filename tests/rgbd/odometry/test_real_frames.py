@@ -14,9 +14,9 @@ od = loom.odometry
 
 
 @pytest.fixture(scope="module")
-def kitchen(data):
+def kitchen(real_file):
     """A function that prepares a frame, and its pose."""
-    frames = loom.open_dataset(data / "rgbd-7scenes-redkitchen")
+    frames = loom.open_dataset(real_file("rgbd-7scenes-redkitchen"))
 
     def prepare(i):
         frame = frames.read(int(i))
@@ -42,8 +42,8 @@ def test_far_apart_in_the_kitchen(kitchen, i, j):
     assert not od.align_frames(kitchen(i)[0], kitchen(j)[0]).success
 
 
-def test_a_desk_is_no_kitchen(kitchen, data):
-    folder = data / "rgbd-slambook-ch7"
+def test_a_desk_is_no_kitchen(kitchen, real_file):
+    folder = real_file("rgbd-slambook-ch7")
     camera = loom.PinholeCameraIntrinsic(640, 480, 521.0, 521.0, 325.1, 249.7)
     desks = []
     for name in "12":
