@@ -65,9 +65,7 @@ def test_the_report_is_json_and_names_files_that_are_there(room):
     assert all(Path(path).is_file() for path in report.files)
 
 
-def test_open3d_reads_the_pose_graphs(room):
-    import open3d as o3d
-
+def test_open3d_reads_the_pose_graphs(room, o3d):
     _, folder, report = room
     graph = o3d.io.read_pose_graph(str(folder / "scene" / "refined_registration_optimized.json"))
     assert (len(graph.nodes), len(graph.edges)) == (3, report.edges)

@@ -98,6 +98,7 @@ def test_frames_go_through_the_grid(whole):
     assert np.median(cloud.compute_point_cloud_distance(written)) < 1e-5
 
 
+@pytest.mark.slow
 def test_a_run_without_slac_takes_nothing_of_an_earlier_one_with_it(whole, job, tmp_path):
     report = rec.run_system(bent_walk(), SETTINGS, job, resume=True)
     assert report.slac is None
@@ -157,7 +158,9 @@ def test_an_interrupted_stage_resumes_to_the_same_bits(whole, job):
         assert digest_of(job) == whole[2], f"interrupted before line {stop} of {lines}"
 
 
-@pytest.mark.parametrize("name", ["control_grid.npz", "optimized_posegraph_slac.json"])
+@pytest.mark.parametrize(
+    "name", [pytest.param("control_grid.npz", marks=pytest.mark.slow), "optimized_posegraph_slac.json"]
+)
 def test_a_damaged_file_is_made_again(whole, job, name):
     content = whole[2]
     path = job / "slac" / name
@@ -168,6 +171,7 @@ def test_a_damaged_file_is_made_again(whole, job, name):
     assert digest_of(job) == content
 
 
+@pytest.mark.slow
 def test_another_stiffness_is_another_stage(whole, job):
     _, report, content = whole
     softer = dataclasses.replace(SETTINGS, regularizer_weight=0.1)
