@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import json
-from functools import cache
-from typing import Any
 
 import numpy as np
 import pytest
@@ -14,19 +12,8 @@ import pointloom as loom
 from pointloom.app.shell.cli import cli
 from pointloom.core.timing import Clock
 
-from ...hostile import faults_of, missing_from, public_arguments, read_table
 from ..sequences import CAMERA, waves
 from .walls import Wall
-
-CALLS = """
-loom.fuse(frames=wall, voxel_size=0.1, truncation=0.4, depth_max=3.0, weight_threshold=0.0, device="cpu", read_ahead=0, progress=None, clock=None)
-"""  # noqa: E501
-TABLE = read_table(CALLS, {})
-
-
-@cache
-def things() -> dict[str, Any]:
-    return {"loom": loom, "wall": Wall(1)}
 
 
 @pytest.fixture(scope="module")
@@ -109,15 +96,3 @@ def test_the_command_gives_the_same_bits_figures_and_lines(folder, tmp_path, ref
     unpadded = [line.split() for line in shown.stdout.splitlines()]
     for line in str(result).splitlines():
         assert any(told[: len(line.split())] == line.replace("volume", "volume,").split() for told in unpadded), line
-
-
-def test_the_table_names_every_argument():
-    assert missing_from(TABLE, public_arguments(loom, set(loom.__all__) - {"fuse"})) == {}
-
-
-@pytest.mark.parametrize("argument", TABLE["fuse"][1])
-def test_a_hostile_value_is_refused_by_name(argument):
-    function, expressions = TABLE["fuse"]
-    good = {name: eval(expression, dict(things())) for name, expression in expressions.items()}
-    faults = faults_of(eval(function, dict(things())), good, argument)
-    assert not faults, "\n".join(faults)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from functools import cache
 from typing import Any
 
 import numpy as np
@@ -15,18 +14,7 @@ from pointloom.app.shell.cli import cli
 from pointloom.rgbd.reconstruction.config import ReconstructionConfig
 from pointloom.rgbd.reconstruction.fragment_model import FragmentOptions
 
-from ...hostile import faults_of, missing_from, public_arguments, read_table
 from ..sequences import CAMERA, waves
-
-CALLS = """
-loom.reconstruct(frames=frames, voxel_size=0.1, depth_max=3.0, fragments=None, device="cpu", read_ahead=0, progress=None, clock=None)
-"""  # noqa: E501
-TABLE = read_table(CALLS, {})
-
-
-@cache
-def things() -> dict[str, Any]:
-    return {"loom": loom, "frames": loom.frames_from(waves()[:1], CAMERA)}
 
 
 @pytest.fixture(scope="module")
@@ -95,15 +83,3 @@ def test_by_fragments_the_command_gives_the_same_bits_and_figures(folder, tmp_pa
     assert report.items() >= own.items()
     for label in ("frames", "fragments", "stages", "mesh", "bounds"):
         assert f"  {label} " in str(result)
-
-
-def test_the_table_names_every_argument():
-    assert missing_from(TABLE, public_arguments(loom, set(loom.__all__) - {"reconstruct"})) == {}
-
-
-@pytest.mark.parametrize("argument", TABLE["reconstruct"][1])
-def test_a_hostile_value_is_refused_by_name(argument):
-    function, expressions = TABLE["reconstruct"]
-    good = {name: eval(expression, dict(things())) for name, expression in expressions.items()}
-    faults = faults_of(eval(function, dict(things())), good, argument)
-    assert not faults, "\n".join(faults)

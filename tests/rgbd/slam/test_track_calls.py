@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import json
-from functools import cache
-from typing import Any
 
 import numpy as np
 import pytest
@@ -15,27 +13,7 @@ from pointloom.app.shell.cli import cli
 from pointloom.core.errors import FileError
 from pointloom.core.timing import Clock
 
-from ...hostile import faults_of, missing_from, public_arguments, read_table
-from ..sequences import CAMERA, waves
-
-CALLS = """
-loom.track(frames=frames, voxel_size=0.1, depth_max=3.0, device="cpu", read_ahead=0, progress=None, clock=None)
-loom.check_focal(frames=frames, trajectory=turning, uncertain=[7], depth_max=3.0, device="cpu")
-"""
-TABLE = read_table(CALLS, {})
-
-
-def turning_path() -> loom.Trajectory:
-    """Four poses, each turned by 15 degrees from the one before."""
-    poses = np.tile(np.eye(4), (4, 1, 1))
-    for pose, angle in zip(poses, np.radians(15) * np.arange(4), strict=True):
-        pose[:3, :3] = [[np.cos(angle), 0, np.sin(angle)], [0, 1, 0], [-np.sin(angle), 0, np.cos(angle)]]
-    return loom.Trajectory(poses)
-
-
-@cache
-def things() -> dict[str, Any]:
-    return {"loom": loom, "frames": loom.frames_from(waves()[:2], CAMERA), "turning": turning_path()}
+from ..sequences import CAMERA, turning_path, waves
 
 
 class Damaged:
@@ -141,21 +119,3 @@ def test_a_number_of_no_frame_is_refused():
     for frames in (Damaged(), loom.frames_from(waves(), CAMERA)):
         with pytest.raises(ValueError, match=r"trajectory: names frame 9[0-2], and frames has no such frame"):
             loom.check_focal(frames, strange)
-
-
-def test_the_table_names_every_argument():
-    assert missing_from(TABLE, public_arguments(loom, set(loom.__all__) - {"track", "check_focal"})) == {}
-
-
-CASES = [(call, name) for call, (_, names) in TABLE.items() for name in names]
-
-
-@pytest.mark.parametrize(
-    ("call", "argument"),
-    [pytest.param(*case, marks=pytest.mark.slow if case == ("check_focal", "depth_max") else ()) for case in CASES],
-)
-def test_a_hostile_value_is_refused_by_name(call, argument):
-    function, expressions = TABLE[call]
-    good = {name: eval(expression, dict(things())) for name, expression in expressions.items()}
-    faults = faults_of(eval(function, dict(things())), good, argument)
-    assert not faults, "\n".join(faults)
