@@ -78,18 +78,6 @@ def test_exact_correspondences_give_the_exact_pose(seed, count):
     assert result.fitness == 1.0
 
 
-def test_coordinates_far_from_zero_cost_nothing(device, rng, tolerances):
-    p, q, pairs, T = rough_pair(rng, 600, 40)
-    far = np.array([5e5, 5.4e6, 300.0])
-    T_far = T.copy()
-    T_far[:3, 3] += far - T[:3, :3] @ far
-    source, target = loom.PointCloud(p + far, device=device), loom.PointCloud(q + far, device=device)
-    assert source.origin.any()
-    result = reg.registration_robust_based_on_correspondence(source, target, pairs, 0.015)
-    angle, distance = misplacement(result.transformation, T_far, p + far)
-    assert angle < tolerances.robust_degrees and distance < tolerances.robust_distance and result.score > 0.8
-
-
 def test_points_that_are_not_finite_and_duplicates_change_nothing(device, rng, tolerances):
     p, q, pairs, T = rough_pair(rng, 500, 40)
     p[7], q[9, 1] = np.nan, np.inf
@@ -99,15 +87,6 @@ def test_points_that_are_not_finite_and_duplicates_change_nothing(device, rng, t
     result = reg.registration_robust_based_on_correspondence(source, target, pairs, 0.015)
     angle, distance = misplacement(result.transformation, T, p[np.isfinite(p).all(axis=1)])
     assert angle < tolerances.robust_degrees and distance < tolerances.robust_distance
-
-
-@pytest.mark.parametrize("count", [0, 1, 2])
-def test_too_few_correspondences_are_a_reason(device, count):
-    cloud = loom.PointCloud(np.eye(3), device=device)
-    pairs = np.column_stack([np.arange(count)] * 2)
-    result = reg.registration_robust_based_on_correspondence(cloud, cloud, pairs, 0.1)
-    assert (result.transformation == np.eye(4)).all() and result.fitness == 0 and result.score == 0
-    assert not result.converged and f"of {count} correspondences" in result.reason
 
 
 def test_three_correspondences_give_a_pose_that_is_not_believed(device):
