@@ -72,55 +72,6 @@ def check_gradients(device, points, normals, colors, radius, tolerances):
     assert flat.all(), "a gradient lies in the plane"
 
 
-def colored_step(source, target, gradients, pairs, lambda_geometric):
-    """One step of coloured ICP from pairs [m, 2] in float64 (Open3D's rows, no kernel)."""
-    p, q, n = (
-        source.points[pairs[:, 0]].astype(float),
-        target.points[pairs[:, 1]].astype(float),
-        target.normals[pairs[:, 1]],
-    )
-    n, g, d = n.astype(float), gradients[pairs[:, 1]].astype(float), p - q
-    change = source.colors.mean(axis=1)[pairs[:, 0]] - target.colors.mean(axis=1)[pairs[:, 1]]
-    height = (d * n).sum(axis=1)
-    r = np.concatenate([height, change - (g * (d - height[:, None] * n)).sum(axis=1)])
-    h = (g * n).sum(axis=1)[:, None] * n - g
-    J = np.vstack([np.hstack([np.cross(p, n), n]), np.hstack([np.cross(p, h), h])])
-    w = np.repeat([lambda_geometric, 1 - lambda_geometric], len(p))
-    x = np.linalg.solve((J * w[:, None]).T @ J, -(J * w[:, None]).T @ r)
-    T = np.eye(4)
-    T[:3, :3], T[:3, 3] = Rotation.from_euler("xyz", x[:3]).as_matrix(), x[3:]
-    return T
-
-
-def open3d_step(o3d, to_open3d, source, target, distance, lambda_geometric):
-    """One step of Open3D's colored ICP, and the pairs that it began with."""
-    module = o3d.pipelines.registration
-    clouds = [to_open3d(c.points, c.normals, c.colors) for c in (source, target)]
-    estimator = module.TransformationEstimationForColoredICP(lambda_geometric)
-    step, start = (
-        module.registration_colored_icp(
-            *clouds, distance, np.eye(4), estimator, module.ICPConvergenceCriteria(0.0, 0.0, count)
-        )
-        for count in (1, 0)
-    )
-    return step.transformation, np.asarray(start.correspondence_set)
-
-
-@pytest.mark.parametrize("lambda_geometric", [0.968, 0.3])
-def test_a_step_with_our_gradients_is_open3ds(device, lambda_geometric, frames, o3d, to_open3d, tolerances):
-    """Two real frames, as far apart as their own sampling; Open3D makes its gradients itself."""
-    source, target, distance = frames[1], frames[0], 0.02
-    expected, pairs = open3d_step(o3d, to_open3d, source, target, distance, lambda_geometric)
-    assert len(pairs) > 0.5 * len(source.points)
-    _, gradients = gradients_of(target.points, target.normals, target.colors, 2 * distance, 30, device)
-    found = colored_step(source, target, gradients, pairs, lambda_geometric)
-    moved = np.abs(expected - np.eye(4)).max()
-    assert moved > 1e-3
-    np.testing.assert_allclose(found, expected, atol=tolerances.colored_step * moved)
-    without = colored_step(source, target, gradients * 0.9, pairs, lambda_geometric)
-    assert np.abs(without - expected).max() > 100 * tolerances.colored_step * moved, "the step depends on the gradients"
-
-
 def test_gradients_do_not_depend_on_the_unit_of_length(device, rng):
     """Open3D's do, as its neighbors are not projected onto the plane."""
     points = wavy(rng, 800)
@@ -204,9 +155,3 @@ def test_gradients_of_lattices_are_the_least_squares(rows, radius, normal):
     intensities, found = gradients_of(points, normals, colors, radius, 64)
     expected = reference_gradients(points, normals, intensities.astype(np.float64), radius, 64)
     np.testing.assert_allclose(found, expected, atol=1e-5)
-
-
-def test_two_runs_give_the_same_bits(device, frames):
-    frame = frames[0]
-    runs = [gradients_of(frame.points, frame.normals, frame.colors, 0.04, 30, device)[1] for _ in range(2)]
-    np.testing.assert_array_equal(*(run.view(np.int32) for run in runs))

@@ -65,19 +65,6 @@ def test_a_path_that_was_lost_says_from_where(device, fast_drive):
     assert right.summary.unsettled == tuple(step.index for step in right.steps if step.reason == "max_iteration")
 
 
-def test_the_map_holds_the_street_where_it_is(device, fast_drive):
-    odometry = follow(fast_drive, device)
-    points = odometry.map.points
-    x, y, z = points.T
-    heading = np.arctan2(0.2, 1)  # of the road at the start
-    across = -np.sin(heading) * x + np.cos(heading) * y
-    ground = np.abs(z + 1.8) < 0.5
-    assert ground.sum() > 500 and np.abs(z[ground] + 1.8).mean() < 0.1
-    voxel_map = odometry._known.map
-    assert len(points) == voxel_map.counts.numpy()[: voxel_map.count].sum()
-    assert np.abs(across).max() < 90
-
-
 def test_the_map_follows_the_sensor(device, fast_drive):
     odometry = follow(fast_drive, device, max_range=12.0, voxel_size=0.5, min_range=1.0)
     gaps = np.linalg.norm(odometry.map.points - odometry.poses[-1][:3, 3], axis=1)

@@ -222,11 +222,6 @@ def test_equal_rows_match_the_first_of_them(device):
     assert len(correspondences_from_features(a, b, ratio=1.0, device=device)) == 0, "all are ambiguous"
 
 
-def test_of_equal_rows_scattered_among_others_the_first_matches(device, rng):
-    rows = rng.integers(0, 2, (40, 6)).astype(np.float32)[rng.integers(0, 40, 900)]
-    assert_all_as_expected(device, rows[:400], rows[400:])
-
-
 def pairs_of_shares(o3d, a, b, shares):
     return [open3d_pairs(o3d, a, b, True, share) for share in shares]
 
@@ -310,13 +305,6 @@ def test_features_are_left_as_they_are(device, rng):
     correspondences_from_features(*held, True)
     assert np.array_equal(a, before[0]) and np.array_equal(b, before[1])
     assert np.array_equal(held[0].numpy(), a) and np.array_equal(held[1].numpy(), b)
-
-
-def test_features_of_other_widths_match_as_float32_does(rng):
-    a, b = (rng.normal(size=(n, 5)).astype(np.float32) for n in (9, 12))
-    doubles = [wp.array(x.astype(np.float64), dtype=wp.float64, device="cpu") for x in (a, b)]
-    found = np.asarray(correspondences_from_features(*doubles))
-    np.testing.assert_array_equal(found, correspondences_from_features(a, b))
 
 
 def test_open3ds_own_object_is_refused_with_the_way_to_pass_it(o3d):

@@ -101,13 +101,6 @@ def test_what_was_assigned_as_lists_is_written_as_arrays_are(tmp_path):
     assert_same(reg.read_pose_graph(tmp_path / "graph.json"), expected)
 
 
-def test_the_optimised_graph_is_written_and_read(tmp_path):
-    graph = reg.PoseGraph([reg.PoseGraphNode(), reg.PoseGraphNode()], [reg.PoseGraphEdge(0, 1)])
-    solved = reg.global_optimization(graph)
-    reg.write_pose_graph(tmp_path / "graph.json", solved)
-    assert_same(reg.read_pose_graph(tmp_path / "graph.json"), solved)
-
-
 IDENTITY = np.eye(4).ravel().tolist()
 
 

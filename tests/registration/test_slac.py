@@ -169,13 +169,6 @@ def test_fragments_that_nothing_joins_stay():
     assert (grid.get_curr_positions() == grid.get_init_positions()).all()
 
 
-def test_no_steps_move_nothing_and_measure():
-    clouds, graph = two()
-    solved, _ = slac.run_slac_optimizer_for_fragments(clouds, graph, slac.SLACOptimizerParams(max_iterations=0))
-    assert np.abs(solved.nodes[1].pose - graph.nodes[1].pose).max() < 1e-12
-    assert solved.report.rmse.shape == (1,) and solved.report.rmse[0] > 0.005 and not len(solved.report.turns)
-
-
 def test_fragments_may_be_files(tmp_path):
     clouds, graph = two()
     for i, cloud in enumerate(clouds):
