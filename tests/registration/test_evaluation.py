@@ -145,14 +145,6 @@ def test_points_at_the_distance_do_not_count(device):
     assert reg.evaluate_registration(source, target, np.nextafter(0.5, 1)).fitness == 1
 
 
-@pytest.mark.parametrize("distance", [1e-12, 1e6, 1e150])
-def test_any_distance_may_be_the_greatest(device, distance, rng):
-    source, target = (loom.PointCloud(rng.random((64, 3)), device=device) for _ in range(2))
-    result = reg.evaluate_registration(source, target, distance)
-    assert result.fitness == float(distance > 1)
-    assert np.isfinite(result.inlier_rmse)
-
-
 @pytest.mark.parametrize("counts", [(0, 5), (5, 0), (0, 0), (1, 1), (2, 1), (1, 2)])
 def test_tiny_clouds_are_evaluated(device, counts):
     source, target = (loom.PointCloud(np.zeros((n, 3)), device=device) for n in counts)
@@ -162,17 +154,6 @@ def test_tiny_clouds_are_evaluated(device, counts):
     assert result.correspondence_set.shape == (counts[0] if paired else 0, 2)
     information = reg.get_information_matrix_from_point_clouds(source, target, 1.0, np.eye(4))
     np.testing.assert_array_equal(information, np.diag([0, 0, 0, 1, 1, 1]) * (counts[0] if paired else 0))
-
-
-def test_points_that_are_not_finite_neither_pair_nor_count(device, rng):
-    source, target = rng.random((100, 3)), rng.random((100, 3))
-    holes = source.copy(), target.copy()
-    holes[0][::4, 1], holes[1][1::5, 0] = np.nan, -np.inf
-    clouds = (loom.PointCloud(p, device=device) for p in holes)
-    result = reg.evaluate_registration(*clouds, 10.0)
-    assert result.fitness == 1.0 and len(result.correspondence_set) == 75
-    rows, columns = result.correspondence_set.T
-    assert (rows % 4 != 0).all() and (columns % 5 != 1).all()
 
 
 def test_pairs_are_there_after_other_evaluations(device, rng):

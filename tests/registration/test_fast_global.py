@@ -85,25 +85,13 @@ def test_errors_are_no_larger_than_open3ds(device, rng, outliers, angle_between,
 
 
 @pytest.fixture(scope="module")
-def kitchen(room_pair):
-    """The kitchen down-sampled, with features, as arrays."""
-    found = SimpleNamespace(T=room_pair.T)
-    for name in ("source", "target"):
-        cloud = loom.PointCloud(getattr(room_pair, name)).voxel_down_sample(VOXEL)
-        cloud = cloud.estimate_normals(radius=2 * VOXEL, max_nn=30)
-        feature = loom.compute_fpfh_feature(cloud, radius=5 * VOXEL, max_nn=100)
-        setattr(found, name, SimpleNamespace(points=cloud.points, feature=feature.copy()))
-    return found
-
-
-@pytest.fixture(scope="module")
-def best_of_open3d(kitchen, o3d, to_open3d):
+def best_of_open3d(featured, o3d, to_open3d):
     """The best fitness of Open3D over three seeds, from the same points and features."""
     r = o3d.pipelines.registration
     features = [r.Feature(), r.Feature()]
-    for feature, cloud in zip(features, (kitchen.source, kitchen.target), strict=True):
+    for feature, cloud in zip(features, (featured.source, featured.target), strict=True):
         feature.data = cloud.feature.T.astype(np.float64)
-    pair = [to_open3d(cloud.points) for cloud in (kitchen.source, kitchen.target)]
+    pair = [to_open3d(cloud.points) for cloud in (featured.source, featured.target)]
     option = r.FastGlobalRegistrationOption(maximum_correspondence_distance=VOXEL / 2, decrease_mu=True)
     found = []
     for seed in range(3):
@@ -113,25 +101,25 @@ def best_of_open3d(kitchen, o3d, to_open3d):
 
 
 @pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.slow)])
-def test_kitchen_is_registered(device, kitchen, seed, angle_between, tolerances):
-    result = of_kitchen(device, kitchen, VOXEL / 2, seed)
+def test_kitchen_is_registered(device, featured, seed, angle_between, tolerances):
+    result = of_kitchen(device, featured, VOXEL / 2, seed)
     assert result.score > 0.5
-    assert angle_between(result.transformation, kitchen.T) < tolerances.fgr_degrees
-    assert np.linalg.norm(result.transformation[:3, 3] - kitchen.T[:3, 3]) < tolerances.kitchen_distance
+    assert angle_between(result.transformation, featured.T) < tolerances.fgr_degrees
+    assert np.linalg.norm(result.transformation[:3, 3] - featured.T[:3, 3]) < tolerances.kitchen_distance
 
 
-def test_kitchen_is_registered_as_well_as_by_open3d_at_its_last_scale(device, kitchen, best_of_open3d, tolerances):
+def test_kitchen_is_registered_as_well_as_by_open3d_at_its_last_scale(device, featured, best_of_open3d, tolerances):
     """Open3D ends at a mu of the distance in metres, ours at its square: the same scale is that of the root."""
-    pair = [loom.PointCloud(c.points, device=device) for c in (kitchen.source, kitchen.target)]
+    pair = [loom.PointCloud(c.points, device=device) for c in (featured.source, featured.target)]
     for seed in range(3):
-        T = of_kitchen(device, kitchen, np.sqrt(VOXEL / 2), seed).transformation
+        T = of_kitchen(device, featured, np.sqrt(VOXEL / 2), seed).transformation
         assert reg.evaluate_registration(*pair, VOXEL / 2, T).fitness > best_of_open3d - tolerances.fgr_fitness
 
 
-def of_kitchen(device, kitchen, distance, seed):
-    pair = [loom.PointCloud(c.points, device=device) for c in (kitchen.source, kitchen.target)]
+def of_kitchen(device, featured, distance, seed):
+    pair = [loom.PointCloud(c.points, device=device) for c in (featured.source, featured.target)]
     option = reg.FastGlobalRegistrationOption(maximum_correspondence_distance=distance)
-    features = kitchen.source.feature, kitchen.target.feature
+    features = featured.source.feature, featured.target.feature
     return reg.registration_fgr_based_on_feature_matching(*pair, *features, option, seed=seed)
 
 

@@ -87,13 +87,6 @@ def test_empty_clouds_are_left_out(fragments):
     assert reg.register_fragments(clouds, voxel_size=0.06).placed.tolist() == [False, True, True]
 
 
-def test_progress_counts_the_pairs(fragments):
-    seen = []
-    clouds = [loom.PointCloud(p) for p in fragments.clouds[:3]]
-    reg.register_fragments(clouds, voxel_size=0.06, neighbors=1, progress=lambda *step: seen.append(step))
-    assert seen == [("pairs", 0, 2), ("pairs", 1, 2), ("pairs", 2, 2)]
-
-
 def test_a_known_pair_is_refined_and_not_sought(fragments):
     clouds = [loom.PointCloud(p) for p in fragments.clouds[:2]]
     truth = np.linalg.inv(fragments.poses[0]) @ fragments.poses[1]

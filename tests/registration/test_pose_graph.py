@@ -172,6 +172,7 @@ def test_confidence_follows_from_the_residual():
 def test_preference_and_threshold_decide_what_is_kept():
     scene = ring(12, seed=8, noise=0.02)
     graph, kept = to_graph(scene), []
+    before = poses_of(graph), confidences_of(graph)
     for preference, threshold in ((0.1, 0.25), (1.0, 0.25), (10.0, 0.25), (1.0, 0.0), (1.0, 1.0)):
         option = reg.GlobalOptimizationOption(0.05, threshold, preference, 0)
         solved = reg.global_optimization(graph, option=option)
@@ -180,6 +181,9 @@ def test_preference_and_threshold_decide_what_is_kept():
     uncertain = sum(edge.uncertain for edge in graph.edges)
     assert kept[0] < kept[1] < kept[2] == kept[3] == uncertain, kept
     assert kept[4] == 0
+    assert graph.report is None and len(graph.edges) == len(scene.edges), "the graph that was given stays as it was"
+    for old, new in zip(before, (poses_of(graph), confidences_of(graph)), strict=True):
+        np.testing.assert_array_equal(old, new)
 
 
 @pytest.mark.parametrize("method", METHODS)

@@ -9,8 +9,8 @@ import pointloom as loom
 from pointloom.registration.globally.global_registration import _is_equal
 from pointloom.registration.globally.rating import Evidence
 
-from .hilly_clouds import hills, misplacement, random_pose
-from .poses import moved
+from .hilly_clouds import hills, misplacement
+from .poses import moved, random_pose
 from .room_corners import ONE, OTHER, corner
 
 reg = loom.registration

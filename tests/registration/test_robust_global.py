@@ -11,8 +11,8 @@ import pointloom as loom
 from pointloom.registration.globally import robust_global
 from pointloom.registration.globally.robust_global import rate_support
 
-from .hilly_clouds import misplacement, random_pose
-from .poses import moved
+from .hilly_clouds import misplacement
+from .poses import moved, random_pose
 
 reg = loom.registration
 
