@@ -37,7 +37,7 @@ CHECK_NEEDS := { $(PIP) check --quiet || $(PIP) check; }
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: gpu-kit gpu-run help setup setup-test setup-runtime test test-all test-cuda-emulated test-cuda-emulated-quick test-browser oracle mutants nightly lint format types check-cuda cuda-cache trust bench docs docs-clean demo clean distclean
+.PHONY: gpu-kit gpu-run help setup setup-test setup-runtime test test-all test-cuda-emulated test-cuda-emulated-quick test-browser oracle flakes mutants nightly lint format types check-cuda cuda-cache trust bench docs docs-clean demo clean distclean
 
 help: ## Print the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-24s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -70,6 +70,12 @@ oracle: $(FULL) ## Compute Open3D's stored answers again (tests/oracle_answers)
 # In one process: a second Chromium would only take the cores that the first draws with.
 test-browser: $(BROWSER) ## Run the viewer's tests in Chromium
 	@$(BIN)/python -m pytest -n 0 $(if $(filter tests%,$(ARGS)),,tests/browser) $(ARGS)
+
+# Where the machine's speed matters most: pages, threads, processes.
+RUNS ?= 20
+LOADED_RUNS ?= 10
+flakes: $(BROWSER) ## Run the tests of pages, threads and processes RUNS times, LOADED_RUNS times beside busy processes
+	@$(BIN)/python tests/flakes.py --runs $(RUNS) --loaded-runs $(LOADED_RUNS) $(ARGS)
 
 mutants: $(FULL) ## Small changes of behaviour, one at a time: do the tests notice? (half an hour, not in CI)
 	@$(BIN)/python tests/mutants/run.py $(ARGS)

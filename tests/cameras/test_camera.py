@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import contextlib
 import json
+import tempfile
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -26,18 +28,13 @@ def store(path, content) -> str:
     return str(path)
 
 
-def test_matrix_holds_the_focal_lengths_and_the_principal_point():
+def test_a_matrix_holds_the_camera_and_is_a_copy():
     assert CAMERA.matrix.tolist() == [[525.1, 0, 1 / 3], [0, 525.25, 239.5], [0, 0, 1]]
     assert CAMERA.matrix.dtype == np.float64
-
-
-def test_camera_cannot_be_changed_through_its_matrix():
+    assert PinholeCameraIntrinsic.from_matrix(CAMERA.matrix, 640, 480) == CAMERA
     CAMERA.matrix[0, 0] = 1.0
     assert CAMERA.matrix[0, 0] == 525.1
-
-
-def test_camera_comes_back_from_its_matrix():
-    assert PinholeCameraIntrinsic.from_matrix(CAMERA.matrix, 640, 480) == CAMERA
+    assert PinholeCameraIntrinsic(64, 48, 525, 525, -20.5, 100).cx == -20.5
 
 
 def test_numpy_numbers_are_taken_as_plain_ones():
@@ -45,31 +42,15 @@ def test_numpy_numbers_are_taken_as_plain_ones():
     assert [type(v) for v in (camera.width, camera.height, camera.fx, camera.cx)] == [int, int, float, float]
 
 
-@pytest.mark.parametrize(
-    ("field", "value", "error"),
-    [
-        ("width", 0, ValueError),
-        ("height", -480, ValueError),
-        ("width", 640.0, TypeError),
-        ("width", True, TypeError),
-        ("fx", 0.0, ValueError),
-        ("fy", -525.0, ValueError),
-        ("fx", float("nan"), ValueError),
-        ("fy", float("inf"), ValueError),
-        ("cx", float("nan"), ValueError),
-        ("cy", float("-inf"), ValueError),
-        ("cx", "middle", TypeError),
-        ("cy", None, TypeError),
-    ],
-)
-def test_impossible_values_are_refused_by_name(field, value, error):
-    values = {"width": 640, "height": 480, "fx": 525.0, "fy": 525.0, "cx": 319.5, "cy": 239.5, field: value}
-    with pytest.raises(error, match=field):
-        PinholeCameraIntrinsic(**values)
-
-
-def test_principal_point_may_lie_outside_the_picture():
-    assert PinholeCameraIntrinsic(64, 48, 525, 525, -20.5, 100).cx == -20.5
+def test_impossible_values_are_refused_by_name():
+    """NaN, infinities and what is no number: tests/pcd/test_hostile_arguments.py."""
+    values = {"width": 640, "height": 480, "fx": 525.0, "fy": 525.0, "cx": 319.5, "cy": 239.5}
+    for name, value in (("width", 0), ("height", -480), ("fx", 0.0), ("fy", -525.0), ("fy", np.inf), ("cy", -np.inf)):
+        with pytest.raises(ValueError, match=name):
+            PinholeCameraIntrinsic(**values | {name: value})
+    for factor in (0, -1, 1e-4):
+        with pytest.raises(ValueError, match="factor"):
+            CAMERA.scaled(factor)
 
 
 @pytest.mark.parametrize(
@@ -94,49 +75,40 @@ def test_scaling_keeps_the_borders_of_the_picture_in_place():
             assert small_ray == pytest.approx(ray, abs=1e-12)
 
 
-def test_scaling_by_one_changes_nothing():
-    assert CAMERA.scaled(1).matrix == pytest.approx(CAMERA.matrix, abs=1e-12)
+def open3d_cameras(o3d):
+    """Sizes and matrices of its three defaults."""
+    kinds = o3d.camera.PinholeCameraIntrinsicParameters
+    names = (kinds.PrimeSenseDefault, kinds.Kinect2DepthCameraDefault, kinds.Kinect2ColorCameraDefault)
+    cameras = [o3d.camera.PinholeCameraIntrinsic(name) for name in names]
+    return [(camera.width, camera.height, np.asarray(camera.intrinsic_matrix)) for camera in cameras]
 
 
-@pytest.mark.parametrize("factor", [0, -1, float("nan"), 1e-4])
-def test_scaling_to_nothing_is_refused(factor):
-    with pytest.raises(ValueError, match="factor"):
-        CAMERA.scaled(factor)
+def test_defaults_are_those_of_open3d(oracle):
+    makers = ("prime_sense_default", "kinect2_depth_default", "kinect2_color_default")
+    for maker, (width, height, matrix) in zip(makers, oracle("cameras/defaults", open3d_cameras), strict=True):
+        camera = getattr(PinholeCameraIntrinsic, maker)()
+        assert (camera.width, camera.height) == (width, height) and np.array_equal(camera.matrix, matrix)
 
 
-@pytest.mark.parametrize(
-    ("ours", "theirs"),
-    [
-        ("prime_sense_default", "PrimeSenseDefault"),
-        ("kinect2_depth_default", "Kinect2DepthCameraDefault"),
-        ("kinect2_color_default", "Kinect2ColorCameraDefault"),
-    ],
-)
-def test_defaults_are_those_of_open3d(ours, theirs):
-    camera = pytest.importorskip("open3d", exc_type=ImportError).camera
-    camera_ours = getattr(PinholeCameraIntrinsic, ours)()
-    camera_theirs = camera.PinholeCameraIntrinsic(getattr(camera.PinholeCameraIntrinsicParameters, theirs))
-    assert (camera_ours.width, camera_ours.height) == (camera_theirs.width, camera_theirs.height)
-    assert np.array_equal(camera_ours.matrix, camera_theirs.intrinsic_matrix)
+def open3d_files(o3d):
+    """What it writes for the camera, alone and with a pose, and the matrix that it reads from our file."""
+    with tempfile.TemporaryDirectory() as folder:
+        path, parameters = f"{folder}/camera.json", o3d.camera.PinholeCameraParameters()
+        write_pinhole_camera_intrinsic(path, CAMERA)
+        read = o3d.io.read_pinhole_camera_intrinsic(path)
+        parameters.intrinsic, parameters.extrinsic = read, np.eye(4)
+        o3d.io.write_pinhole_camera_intrinsic(path, read)
+        alone = Path(path).read_text()
+        o3d.io.write_pinhole_camera_parameters(path, parameters)
+        return alone, Path(path).read_text(), np.asarray(read.intrinsic_matrix)
 
 
-def test_file_gives_back_every_bit(tmp_path):
+def test_files_come_back_and_are_open3ds(tmp_path, oracle):
+    *texts, matrix = oracle("cameras/files", open3d_files)
+    assert np.array_equal(matrix, CAMERA.matrix)
     write_pinhole_camera_intrinsic(tmp_path / "camera.json", CAMERA)
-    assert read_pinhole_camera_intrinsic(tmp_path / "camera.json") == CAMERA
-
-
-def test_open3d_reads_our_file_and_we_read_theirs(tmp_path):
-    o3d = pytest.importorskip("open3d", exc_type=ImportError)
-    write_pinhole_camera_intrinsic(tmp_path / "ours.json", CAMERA)
-    theirs = o3d.io.read_pinhole_camera_intrinsic(str(tmp_path / "ours.json"))
-    assert (theirs.width, theirs.height) == (640, 480)
-    assert np.array_equal(theirs.intrinsic_matrix, CAMERA.matrix)
-    o3d.io.write_pinhole_camera_intrinsic(str(tmp_path / "theirs.json"), theirs)
-    assert read_pinhole_camera_intrinsic(tmp_path / "theirs.json") == CAMERA
-    parameters = o3d.camera.PinholeCameraParameters()
-    parameters.intrinsic, parameters.extrinsic = theirs, np.eye(4)
-    o3d.io.write_pinhole_camera_parameters(str(tmp_path / "parameters.json"), parameters)
-    assert read_pinhole_camera_intrinsic(tmp_path / "parameters.json") == CAMERA
+    for text in ((tmp_path / "camera.json").read_text(), *texts):
+        assert read_pinhole_camera_intrinsic(store(tmp_path / "text.json", text)) == CAMERA
 
 
 def test_metadata_of_a_recorder_does_no_harm(tmp_path):
@@ -151,18 +123,13 @@ def test_metadata_of_a_recorder_does_no_harm(tmp_path):
         ("{\n\n]", "line 3"),
         ("[]", "expected a JSON object, got a list"),
         ("\xff\xfe", "JSON"),
-        ("[" * 100_000, "JSON"),
         ({"width": 640, "height": 480}, "key intrinsic_matrix"),
-        ({"width": 640, "intrinsic_matrix": MATRIX}, "key height"),
         ({"width": 640, "height": 480, "intrinsic_matrix": MATRIX, "distortion": [0.1]}, "key distortion"),
         ({"width": 640, "height": 480, "intrinsic_matrix": MATRIX[:8]}, "9 numbers, got 8"),
         ({"width": 640, "height": 480, "intrinsic_matrix": [*MATRIX[:8], "1"]}, "finite numbers, got '1'"),
-        ({"width": 640, "height": 480, "intrinsic_matrix": [*MATRIX[:8], True]}, "finite numbers"),
-        ({"width": 640, "height": 480, "intrinsic_matrix": "eye"}, "9 numbers, got a str"),
         ({"width": 640, "height": 480, "intrinsic_matrix": [525, 0, 320, 0, 525, 240, 0, 0, 1]}, "column by column"),
         ({"width": 640, "height": 480, "intrinsic_matrix": [525, 0, 0, 0.1, 525, 0, 320, 240, 1]}, "skew"),
         ({"width": 640, "height": 0, "intrinsic_matrix": MATRIX}, "height"),
-        ({"width": "640", "height": 480, "intrinsic_matrix": MATRIX}, "width"),
         ('{"width": 640, "height": 480, "intrinsic_matrix": [NaN,0,0,0,5,0,3,2,1]}', "NaN"),
         ('{"width": 640, "height": 480, "intrinsic_matrix": [1e999,0,0,0,5,0,3,2,1]}', "1e999"),
         ('{"width": 640, "width": 641, "height": 480, "intrinsic_matrix": [5,0,0,0,5,0,3,2,1]}', "given twice"),
@@ -186,7 +153,7 @@ def test_missing_file_and_folder_are_file_errors(tmp_path):
 
 
 @settings(
-    max_examples=300, derandomize=True, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+    max_examples=100, derandomize=True, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
 )
 @given(start=st.integers(0, 200), length=st.integers(0, 8), patch=st.binary(max_size=8))
 def test_changed_bytes_give_a_camera_or_a_file_error(tmp_path, start, length, patch):

@@ -58,18 +58,12 @@ def colmap():
 
 
 @pytest.mark.parametrize("model", LENSES)
-def test_points_are_seen_where_colmap_sees_them(colmap, model):
-    points, pixels, _ = colmap[model]
+def test_points_and_pixels_are_where_colmap_has_them(colmap, model):
+    points, pixels, rays = colmap[model]
     assert np.isfinite(points).all()
     assert np.abs(camera_of(model).project(points) - pixels).max() < 1e-9
-
-
-@pytest.mark.parametrize("model", LENSES)
-def test_pixels_see_the_rays_that_colmap_gives_them(colmap, model):
-    _, _, rays = colmap[model]
-    focal = LENSES[model][0]
     off = np.abs(camera_of(model).unproject(GRID)[:, :2] - rays)
-    assert (off / (1 + (rays**2).sum(axis=1, keepdims=True)) * focal).max() < EARLY
+    assert (off / (1 + (rays**2).sum(axis=1, keepdims=True)) * LENSES[model][0]).max() < EARLY
 
 
 @pytest.mark.parametrize("model", OURS)
@@ -89,7 +83,7 @@ def test_a_ray_beyond_the_fold_between_two_directions_has_no_pixel():
     assert np.isnan(pixels[0]).all() and np.abs(camera.unproject(pixels[1:]) - rays[1:]).max() < 1e-6
 
 
-@settings(max_examples=60, deadline=None, derandomize=True)
+@settings(max_examples=25, deadline=None, derandomize=True)
 @given(st.data())
 def test_whatever_the_lens_an_answer_is_never_a_wrong_one(data):
     """What has a ray comes back to its pixel, and no two rays that the lens sees share a pixel.
@@ -143,10 +137,10 @@ def test_a_solution_beyond_the_fold_is_no_ray(model):
     k1, k2, p1, p2 = -0.3, 0.02, 2e-3, -1e-3
     params = {"OPENCV": [200, 200, 320, 240, k1, k2, p1, p2], "METASHAPE": [200, 320, 240, k1, k2, 0, 0, p2, p1, 0, 0]}
     camera = camera_of(model, params.get(model, [*params["OPENCV"], 0, 0, 0, 0]))
-    pixels = np.stack(np.meshgrid(np.linspace(-2000, 3000, 120), np.linspace(-2000, 3000, 120)), -1).reshape(-1, 2)
+    pixels = np.stack(np.meshgrid(np.linspace(-2000, 3000, 60), np.linspace(-2000, 3000, 60)), -1).reshape(-1, 2)
     rays = camera.unproject(pixels)
     known = np.isfinite(rays[:, 0])
-    assert 0 < known.sum() < 40
+    assert 0 < known.sum() < 16
     assert np.abs(camera.project(rays[known]) - pixels[known]).max() < 1e-9
     assert np.hypot(*rays[known, :2].T).max() < 1.2  # r - 0.3 r^3 + 0.02 r^5 turns at 1.12
 
@@ -209,12 +203,9 @@ def test_a_straight_camera_has_the_size_asked_for():
     assert (small.cy + 0.5) / 320 == pytest.approx((straight.cy + 0.5) / straight.height)
 
 
-def test_a_lens_has_no_intrinsic():
+def test_a_lens_has_no_intrinsic_and_without_an_inverse_along_a_border_no_straight_camera():
     with pytest.raises(ValueError, match="undistort_picture"):
         _ = camera_of("SIMPLE_RADIAL").intrinsic
-
-
-def test_a_lens_without_an_inverse_along_a_border_has_no_straight_camera():
     with pytest.raises(ValueError, match="no inverse along the left or right border"):
         camera_of("SIMPLE_RADIAL", [100, 320, 240, -0.3]).undistorted()
 
@@ -240,13 +231,6 @@ def test_a_lens_without_an_inverse_along_a_border_has_no_straight_camera():
 def test_what_is_no_camera_is_refused(arguments, message):
     with pytest.raises(ValueError, match=message):
         loom.CameraModel(*arguments)
-
-
-@pytest.mark.parametrize("size", [0, 1, 7])
-def test_any_number_of_points_is_projected(size):
-    camera = camera_of("OPENCV")
-    assert camera.project(np.ones((size, 3))).shape == (size, 2)
-    assert camera.unproject(np.ones((size, 2))).shape == (size, 3)
 
 
 def test_points_that_are_not_finite_are_seen_nowhere():

@@ -1,7 +1,5 @@
 """Arrays come back as they came: whose they are, where they are, at which address, and with the same numbers."""
 
-from __future__ import annotations
-
 import gc
 import pickle
 import subprocess
@@ -39,9 +37,6 @@ def clouds(library, device, surface):
     return theirs, ours
 
 
-# ------------------------------------------------------------------------------------------------ in
-
-
 def test_a_cloud_holds_the_memory_that_it_was_given(library, device, surface):
     points, normals, label = library.make(surface), library.make(surface), library.make(np.arange(400, dtype=np.int32))
     cloud = loom.PointCloud(points, normals=normals, label=label)
@@ -49,6 +44,8 @@ def test_a_cloud_holds_the_memory_that_it_was_given(library, device, surface):
     for name, given in (("points", points), ("normals", normals), ("label", label)):
         assert cloud.array(name).ptr == library.address(given)
     np.testing.assert_array_equal(cloud.points, surface.astype(np.float64))
+    cloud.points = library.make(surface + 1)
+    np.testing.assert_array_equal(cloud.points, surface + np.float32(1))
 
 
 def test_what_is_written_to_a_shared_array_is_noticed(library, surface):
@@ -65,11 +62,9 @@ def test_what_is_written_to_a_shared_array_is_noticed(library, surface):
 @pytest.mark.parametrize(
     "convert",
     [
-        lambda p: p.astype(np.float64),
         lambda p: p.astype(np.float16),
         lambda p: (p * 100).astype(np.int32),
         lambda p: p.astype(np.float64) + np.float64([5e5, 5.4e6, 100]),
-        lambda p: p + np.float32([2e4, 0, 0]),
         lambda p: np.vstack([p, [[np.nan, 0, 0], [np.inf, 1, 1]]]),
         lambda p: p[:0],
     ],
@@ -89,18 +84,6 @@ def test_colors_of_both_kinds_are_taken(library, device, surface, rng):
         np.testing.assert_array_equal(theirs.colors, loom.PointCloud(surface, colors=colors, device=device).colors)
     with pytest.raises(ValueError, match=r"colors: expected 0..1, got .*; divide 8-bit colours by 255"):
         loom.PointCloud(library.make(surface), colors=library.make(np.full((400, 3), 7, np.float32)))
-
-
-def test_assigned_arrays_are_taken_too(library, surface):
-    cloud = loom.PointCloud(library.make(surface))
-    cloud.normals, cloud["label"] = library.make(surface), library.make(np.arange(400))
-    assert cloud["label"].tolist() == list(range(400))
-    np.testing.assert_array_equal(cloud.normals, surface)
-    cloud.points = library.make(surface + 1)
-    np.testing.assert_array_equal(cloud.points, surface + np.float32(1))
-
-
-# ------------------------------------------------------------------------------------------------ out
 
 
 def test_operations_of_a_cloud_give_arrays_of_its_library(library, clouds):
@@ -232,9 +215,6 @@ def test_a_pickled_result_needs_no_device(clouds):
     )
 
 
-# ------------------------------------------------------------------------------------------------ pictures
-
-
 def test_depth_and_colour_pictures_are_taken_where_they_are(library, device, rng):
     camera = loom.PinholeCameraIntrinsic(16, 12, 20.0, 20.0, 7.5, 5.5)
     color = rng.integers(0, 256, (12, 16, 3)).astype(np.uint8)
@@ -261,9 +241,6 @@ def test_depth_and_colour_pictures_are_taken_where_they_are(library, device, rng
     np.testing.assert_array_equal(library.host(normals), expected)
 
 
-# ------------------------------------------------------------------------------------------------ what is what
-
-
 def test_a_cloud_speaks_dlpack_where_its_origin_is_zero(library, clouds, surface):
     ours = clouds[1]
     for cloud in clouds:
@@ -284,14 +261,6 @@ def test_a_cloud_from_a_file_gives_what_it_is_told_to(library, device, surface):
     assert theirs.array("points") is cloud.array("points")
     assert package(theirs.to(device, arrays="numpy").cluster_dbscan(0.1, 4)) == "numpy"
     assert package(cloud.cluster_dbscan(0.1, 4)) == "numpy"
-
-
-@pytest.mark.parametrize("name", ["tensorflow", "", None, 3])
-def test_a_library_that_is_not_known_is_refused(name):
-    if name is None:
-        return
-    with pytest.raises(ValueError, match="arrays: expected one of numpy, warp, torch, cupy, jax, got"):
-        loom.PointCloud([[0, 0, 0]]).to("cpu", arrays=name)
 
 
 def test_a_library_that_is_not_installed_is_named(monkeypatch):

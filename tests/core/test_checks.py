@@ -1,7 +1,5 @@
 """The checks of what users pass in: each at its limit, and a step beyond."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """Results that nobody takes are told, those that somebody takes are not, and no operation is without the guard."""
 
-from __future__ import annotations
-
 import inspect
 import io
 import warnings
@@ -87,21 +85,14 @@ def warned(line, *, in_a_function):
 
 
 @pytest.mark.parametrize("in_a_function", [False, True])
-@pytest.mark.parametrize("line", lines(DROPPED))
-def test_what_nobody_takes_is_told(line, in_a_function):
-    assert any("the result is dropped" in message for message in warned(line, in_a_function=in_a_function))
-
-
-@pytest.mark.parametrize("in_a_function", [False, True])
-@pytest.mark.parametrize("line", lines(TAKEN))
-def test_what_somebody_takes_is_not(line, in_a_function):
-    assert warned(line, in_a_function=in_a_function) == []
-
-
-def test_the_remedy_of_a_pair_is_a_pair():
-    assert warned("box.cut()", in_a_function=False) == [
-        "Box.cut: the result is dropped; it returns a new object and changes nothing: write box, _ = box.cut(...)"
-    ]
+def test_what_nobody_takes_is_told_and_what_somebody_takes_is_not(in_a_function):
+    for line in lines(DROPPED):
+        messages = warned(line, in_a_function=in_a_function)
+        assert any("the result is dropped" in message for message in messages), line
+    for line in lines(TAKEN):
+        assert warned(line, in_a_function=in_a_function) == [], line
+    pair = "Box.cut: the result is dropped; it returns a new object and changes nothing: write box, _ = box.cut(...)"
+    assert warned("box.cut()", in_a_function=in_a_function) == [pair]
 
 
 def test_without_positions_of_the_source_a_call_on_its_own_is_told():
@@ -110,8 +101,6 @@ def test_without_positions_of_the_source_a_call_on_its_own_is_told():
     with pytest.warns(loom.DroppedResultWarning):
         exec(bare, {"box": Box()})
 
-
-# ----------------------------------------------------------------------------------------- every operation has it
 
 FOR_CODE_ON_THE_DEVICE = {"with_arrays", "select_rows", "geometry"}
 

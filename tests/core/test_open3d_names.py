@@ -1,7 +1,5 @@
 """Each of Open3D's names is here, or a row says what it is here; rows are true, and messages end in them."""
 
-from __future__ import annotations
-
 import re
 
 import numpy as np
@@ -15,15 +13,13 @@ from ..test_imports import ROOT
 
 
 @pytest.mark.parametrize("module", HOMES)
-def test_each_name_of_open3d_is_here_or_has_a_row(module):
-    open3d = pytest.importorskip("open3d", exc_type=ImportError)
-    assert [told.name for told in names_of(open3d, module) if not told.here] == []
+def test_each_name_of_open3d_is_here_or_has_a_row(module, o3d):
+    assert [told.name for told in names_of(o3d, module) if not told.here] == []
 
 
 @pytest.mark.parametrize("kind", CLASSES)
-def test_each_member_of_its_classes_is_here_or_has_a_row(kind):
-    open3d = pytest.importorskip("open3d", exc_type=ImportError)
-    assert [told.name for told in members_of(open3d, kind) if not told.here] == []
+def test_each_member_of_its_classes_is_here_or_has_a_row(kind, o3d):
+    assert [told.name for told in members_of(o3d, kind) if not told.here] == []
 
 
 def test_rows_name_what_is_there():
@@ -48,8 +44,6 @@ def test_the_page_shows_the_same_rows():
             assert f"| `{names}` | {row} |".replace("| `*", "| `*") in page, f"{section}: {names}"
     assert {*MODULES, ARGUMENTS, SHAPES} <= sections().keys()
 
-
-# ------------------------------------------------------------------------------------------------ what is said
 
 MESSAGES = [
     ("loom.KDTreeFlann(cloud)", r"no attribute 'KDTreeFlann'; here: loom\.NearestNeighborSearch\(cloud\): knn_search"),

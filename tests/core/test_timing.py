@@ -55,6 +55,7 @@ def test_a_stage_that_fails_is_not_counted(now):
     assert clock.seconds == {}
 
 
+@pytest.mark.slow
 def test_seconds_of_the_cpu_are_those_of_processes_too():
     clock, begun = Clock(), time.process_time()
     subprocess.run([sys.executable, "-c", "sum(range(3_000_000))"], check=True)

@@ -1,7 +1,5 @@
 """A length in another unit is told where it leaves nothing, and one that leaves something is not."""
 
-from __future__ import annotations
-
 import warnings
 
 import numpy as np

@@ -19,29 +19,24 @@ def noted(events: Events) -> Any:
     return lambda event, data: events.append((event, data))
 
 
-def bumps(count: int = 2000) -> np.ndarray:
+def bumps(count: int = 1000) -> np.ndarray:
     x, y = np.random.default_rng(0).uniform(-1, 1, (2, count))
     return np.column_stack([x, y, 0.2 * np.sin(3 * x) * np.cos(4 * y)])
 
 
-def test_what_is_reported_inside_a_block_reaches_its_watcher_and_nothing_else_does():
+def test_what_is_reported_inside_a_block_reaches_its_watchers_the_outer_one_first():
     events: Events = []
     report("before")
     with watch(noted(events)):
-        assert watched()
-        report("inside", number=1)
-    report("after")
-    assert events == [("inside", {"number": 1})]
-    assert not watched()
-
-
-def test_watchers_nest_and_the_outer_one_hears_first():
-    order: list[str] = []
-    with watch(lambda event, data: order.append("outer")):
-        with watch(lambda event, data: order.append("inner")):
-            report("both")
+        with watch(lambda event, data: events.append(("inner", data))):
+            assert watched()
+            report("inside", number=1)
         report("one")
-    assert order == ["outer", "inner", "outer"]
+    report("after")
+    assert events == [("inside", {"number": 1}), ("inner", {"number": 1}), ("one", {})]
+    assert not watched()
+    with pytest.raises(TypeError, match="callback"), watch(3):  # pyright: ignore[reportArgumentType]
+        pass
 
 
 def test_what_a_watcher_calls_itself_is_not_reported():
@@ -84,12 +79,6 @@ def test_clouds_that_stand_for_others_are_reported_as_those():
     assert events == [("step", {"source": "whole", "pose": 1, "scale": 2}), ("step", {"source": "thin"})]
 
 
-@pytest.mark.parametrize("bad", [3, "watcher"])
-def test_a_watcher_has_to_be_a_function(bad: Any):
-    with pytest.raises(TypeError, match="callback"), watch(bad):
-        pass
-
-
 def test_icp_reports_its_start_and_every_step_as_its_callback_hears_them(device):
     target = loom.PointCloud(bumps(), device=device)
     source = loom.PointCloud(bumps() + SHIFT, device=device)
@@ -109,11 +98,9 @@ def test_icp_reports_its_start_and_every_step_as_its_callback_hears_them(device)
     assert events[-1][1]["result"] is result
 
 
-@pytest.mark.parametrize("method", ["registration_icp", "registration_generalized_icp", "registration_symmetric_icp"])
-def test_icp_has_the_same_bits_watched_or_not(device, method):
-    target = loom.PointCloud(bumps(), device=device).estimate_normals(max_nn=20)
-    source = loom.PointCloud(bumps() + SHIFT, device=device).estimate_normals(max_nn=20)
-    register = getattr(loom.registration, method)
+def test_icp_has_the_same_bits_watched_or_not(device):
+    target, source = (loom.PointCloud(points, device=device) for points in (bumps(), bumps() + SHIFT))
+    register = loom.registration.registration_icp
     alone = register(source, target, 0.2)
     with watch(lambda event, data: None):
         seen = register(source, target, 0.2)

@@ -74,10 +74,8 @@ def test_a_covered_lens_still_has_the_sensors_noise():
     assert 0 < frame.color.max() < 20
 
 
-@pytest.mark.parametrize(
-    ("value", "error"), [(-1, ValueError), (256, ValueError), (np.nan, ValueError), ("2", TypeError)]
-)
-@pytest.mark.parametrize("make", [room_sequence, room_loop_sequence])
-def test_noise_out_of_range_is_refused(make, value, error):
-    with pytest.raises(error, match="color_noise"):
-        make(9, **SMALL, color_noise=value)
+def test_noise_out_of_range_is_refused():
+    for make in (room_sequence, room_loop_sequence):
+        for value in (-1, 256, np.nan):
+            with pytest.raises(ValueError, match="color_noise"):
+                make(9, **SMALL, color_noise=value)

@@ -1,7 +1,5 @@
 """Clouds with everything that a cloud may hold, and how to compare them."""
 
-from __future__ import annotations
-
 import numpy as np
 
 import pointloom as loom

@@ -1,7 +1,5 @@
 """Made points of simple shapes, with the true normals."""
 
-from __future__ import annotations
-
 import numpy as np
 
 SIZES = {"plane": (), "sphere": (0.5,), "cylinder": (0.3,), "cone": (0.4,), "torus": (0.5, 0.15)}
@@ -31,6 +29,12 @@ def made_shape(kind, count, rng, noise=0.0, sizes=None, arc=1.0, motion=True):
     if not motion:
         R, t = np.eye(3), np.zeros(3)
     return points @ R.T + t, t, R[:, 2]
+
+
+def bumpy(rng, count=600):
+    """Points of a surface over the unit square."""
+    xy = rng.random((count, 2))
+    return np.column_stack([xy, 0.1 * np.sin(9 * xy[:, 0]) * np.cos(7 * xy[:, 1])])
 
 
 def factory(rng, noise=0.0, clutter=0.25):

@@ -1,7 +1,5 @@
 """What the tests of orientation share: a call, random signs, and a surface whose normals are known."""
 
-from __future__ import annotations
-
 import numpy as np
 
 import pointloom as loom

@@ -1,7 +1,5 @@
 """M3C2: what it says is that of brute force in float64, and what has not changed is not called a change."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from scipy.spatial import cKDTree
@@ -49,7 +47,7 @@ def brute(first, second, cores):
 @pytest.mark.parametrize("at", [(0, 0, 0), (6.3e5, 5.4e6, 300)], ids=["at the origin", "in UTM"])
 def test_all_that_it_says_is_that_of_brute_force_in_float64(at, device):
     first, second = epoch(0, at=at), epoch(1, at=at, sunk=0.3)
-    cores = first[::200]
+    cores = first[::400]
     clouds = [loom.PointCloud(points, device=device) for points in (first, second, cores)]
     found = loom.change.m3c2(
         *clouds[:2], core_points=clouds[2], normal_radii=RADII, cylinder_radius=CYLINDER, max_distance=REACH,
@@ -132,35 +130,9 @@ def test_empty_cylinders_and_points_that_are_not_finite_have_no_distance(device)
     assert np.isnan(found.directions[1:]).all() and np.isnan(found.scales[1:]).all()
 
 
-def test_few_points_are_no_verdict(device):
-    first = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0.0]])
-    core = loom.PointCloud([[0.3, 0.3, 0]], device=device)
-    found = compared(first, first + np.array([0, 0, 0.5]), device, core_points=core, normal_radii=3, cylinder_radius=3)
-    assert found.distances[0] == 0.5 and found.level_of_detection[0] < 0.5 and not found.is_significant[0]
-
-
 @pytest.mark.parametrize("empty", [0, 1, 2])
 def test_empty_clouds(empty, device):
     clouds = [epoch(0, count=500), epoch(1, count=500), epoch(0, count=5)]
     clouds[empty] = np.zeros((0, 3))
     found = compared(*clouds[:2], device, core_points=loom.PointCloud(clouds[2], device=device))
     assert len(found.distances) == len(clouds[2]) and np.isnan(found.distances).all()
-
-
-@pytest.mark.parametrize(
-    ("options", "message"),
-    [
-        ({"normal_radii": None}, "normal_radii: expected the radii"),
-        ({"normal_radii": []}, "normal_radii"),
-        ({"normal_radii": [1, -1]}, "normal_radii"),
-        ({"normal_radii": [1, np.nan]}, "normal_radii"),
-        ({"cylinder_radius": 0}, "cylinder_radius"),
-        ({"max_distance": np.inf}, "max_distance"),
-        ({"registration_error": -1}, "registration_error"),
-        ({"orientation": (0, 0, 0)}, "orientation"),
-        ({"directions": np.zeros((3, 3))}, "directions"),
-    ],
-)
-def test_what_cannot_be_meant_is_an_error(options, message):
-    with pytest.raises(ValueError, match=message):
-        compared(epoch(0, count=50), epoch(1, count=50), "cpu", **options)

@@ -1,7 +1,5 @@
 """PointCloud: what it accepts and refuses, and how precisely it holds coordinates far from zero."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -9,8 +7,6 @@ import pointloom as loom
 from pointloom.core.coordinates import ORIGIN_LIMIT
 
 from .full_clouds import EXTRAS, UTM, assert_same, contents, full_cloud, rigid
-
-# ------------------------------------------------------------------------------------------------ construction
 
 
 def test_a_cloud_gives_back_what_it_was_made_of(device, rng):
@@ -40,7 +36,7 @@ def test_an_empty_cloud_takes_every_operation(device):
         assert cloud.get_min_bound().tolist() == cloud.get_max_bound().tolist() == [0, 0, 0]
 
 
-@pytest.mark.parametrize("dtype", ["i1", "u1", "i2", "u4", "i8", "f2", "f4", "f8", ">f4", ">f8", ">i2", "?"])
+@pytest.mark.parametrize("dtype", ["i1", "u2", "u4", "i8", "f2", "f4", ">f8", "?"])
 def test_points_and_attributes_of_any_number_type_are_taken(device, dtype):
     values = np.array([[0, 1, 0], [1, 1, 0], [1, 0, 1]]).astype(dtype)
     cloud = loom.PointCloud(values, device=device, extra=values[:, 0], wide=values)
@@ -51,51 +47,15 @@ def test_points_and_attributes_of_any_number_type_are_taken(device, dtype):
     assert len(cloud.voxel_down_sample(0.25)) == 3
 
 
-def test_whole_numbers_beyond_the_origins_limit_are_exact(device):
-    points = np.array([[500_000, 5_400_000, 10], [500_003, 5_400_001, -10]])
-    np.testing.assert_array_equal(loom.PointCloud(points, device=device).points, points)
-
-
 def test_8_bit_colours_are_divided_by_255(device):
     cloud = loom.PointCloud(np.zeros((2, 3)), colors=np.array([[255, 0, 51], [1, 2, 3]], np.uint8), device=device)
     np.testing.assert_allclose(cloud.colors, [[1, 0, 0.2], [1 / 255, 2 / 255, 3 / 255]], rtol=6.1e-8)
 
 
-@pytest.mark.parametrize(
-    ("arguments", "error", "message"),
-    [
-        ({"points": np.zeros((3, 100))}, ValueError, r"points: expected shape \[n, 3\], got \[3, 100\]"),
-        ({"points": np.zeros(3)}, ValueError, r"points: expected shape \[n, 3\], got \[3\]"),
-        ({"points": np.zeros((3, 0))}, ValueError, r"points: expected shape \[n, 3\], got \[3, 0\]"),
-        ({"points": np.zeros((2, 3, 3))}, ValueError, r"points: expected shape \[n, 3\], got \[2, 3, 3\]"),
-        ({"points": "abc"}, TypeError, "points: expected real numbers"),
-        ({"points": [[0, 0, 0], [1, 1]]}, TypeError, "points: expected numbers"),
-        ({"points": np.zeros((2, 3), complex)}, TypeError, "points: expected real numbers, got complex128"),
-        ({"points": [[1e300, 0, 0], [-1e300, 0, 0]]}, ValueError, "points: .* reach beyond float32"),
-        ({"origin": [0, np.nan, 0]}, ValueError, "origin: expected finite numbers"),
-        ({"origin": [0, 0]}, ValueError, r"origin: expected shape \[3\], got \[2\]"),
-        ({"normals": np.zeros((3, 3))}, ValueError, r"normals: expected shape \[2, 3\] as the cloud has 2 points"),
-        ({"normals": np.zeros((2, 2))}, ValueError, r"normals: expected shape \[n, 3\], got \[2, 2\]"),
-        ({"normals": [[1e39, 0, 0]] * 2}, ValueError, r"normals: 1e\+39 is beyond the range of float32"),
-        ({"colors": np.zeros((1, 3))}, ValueError, "colors: expected shape"),
-        ({"colors": np.full((2, 3), 1.01)}, ValueError, "colors: expected 0..1, got 1.01..1.01; divide 8-bit"),
-        ({"colors": np.full((2, 3), -0.01)}, ValueError, "colors: expected 0..1"),
-        ({"colors": np.full((2, 3), 255)}, ValueError, "colors: expected 0..1, got 255..255; divide 8-bit"),
-        ({"colors": np.full((2, 3), np.nan)}, ValueError, "colors: expected 0..1, got nan"),
-        ({"colors": [[1e300, 0, 0]] * 2}, ValueError, "colors: expected 0..1"),
-        ({"ring": np.zeros(3)}, ValueError, r"ring: expected shape \[2\] or \[2, c\], got \[3\]"),
-        ({"ring": 5}, ValueError, r"ring: expected shape \[2\] or \[2, c\], got \[\]"),
-        ({"ring": np.zeros((2, 2, 2))}, ValueError, r"ring: expected shape \[2\] or \[2, c\], got \[2, 2, 2\]"),
-        ({"ring": ["a", "b"]}, TypeError, "ring: expected real numbers"),
-        ({"ring": np.zeros(2, np.longdouble)}, TypeError, "ring: expected numbers of 64 bits at most"),
-        ({"device": "gpu"}, loom.DeviceError, "device: expected one of cpu"),
-        ({"device": "cuda:99"}, loom.DeviceError, "device: expected one of cpu"),
-        ({"device": object()}, loom.DeviceError, "device: expected one of cpu"),
-    ],
-)
-def test_wrong_arguments_are_named(arguments, error, message):
-    with pytest.raises(error, match=message):
-        loom.PointCloud(**({"points": np.zeros((2, 3))} | arguments))
+def test_a_device_that_is_none_is_named():
+    for device in ("gpu", "cuda:99", object()):
+        with pytest.raises(loom.DeviceError, match="device: expected one of cpu"):
+            loom.PointCloud(device=device)
 
 
 def test_nan_and_infinite_points_are_taken_and_kept(device):
@@ -153,9 +113,6 @@ def test_the_device_array_is_shared_and_not_copied(device, rng):
         assert np.shares_memory(np.from_dlpack(cloud.array("time")), cloud.array("time").numpy())
 
 
-# ------------------------------------------------------------------------------------------------ far coordinates
-
-
 def test_the_origin_stays_at_zero_up_to_its_limit_and_moves_beyond(device):
     at = loom.PointCloud([[ORIGIN_LIMIT, 0, -ORIGIN_LIMIT]], device=device)
     beyond = loom.PointCloud([[ORIGIN_LIMIT + 1, 0, 0], [ORIGIN_LIMIT - 3, 10, 0]], device=device)
@@ -201,12 +158,6 @@ def test_one_stray_point_takes_no_precision_from_the_others(device, stray, rng, 
         T[:3, 3] = UTM - 2 * shift
         moved = cloud.transform(T)
         np.testing.assert_allclose(moved.points[1:], points[1:] + T[:3, 3], rtol=0, atol=2 * limit)
-
-
-def test_zeros_of_missing_measurements_take_no_precision_from_a_far_cloud(device, rng, tolerances):
-    points = np.vstack([np.zeros((9000, 3)), rng.random((500, 3)) + UTM])
-    found = loom.PointCloud(points, device=device).points
-    np.testing.assert_allclose(found[9000:], points[9000:], rtol=0, atol=2 * tolerances.float32_relative + 1e-9)
 
 
 def test_a_transform_moves_the_origin_with_the_cloud(device, rng, tolerances):

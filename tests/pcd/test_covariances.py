@@ -1,39 +1,22 @@
 """Covariances: Open3D's on real scans, exact far from the origin, defined in every degenerate neighbourhood."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial import cKDTree
 
 import pointloom as loom
 
 from ..scan_cases import ON_SCANS, on_sets
+from .any_cloud import examples
+from .open3d_clouds import covariances_of
 
-SETTINGS = settings(
-    max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture], derandomize=True
-)
 SEARCHES = {
     "hybrid": {"radius": 0.1, "max_nn": 30},
     "count": {"max_nn": 20},
     "radius": {"radius": 0.05, "max_nn": None},
 }
-
-
-def oracle_covariances(cloud, search):
-    import open3d as o3d
-
-    radius, max_nn = search.get("radius"), search.get("max_nn")
-    if radius is None:
-        parameter = o3d.geometry.KDTreeSearchParamKNN(max_nn)
-    elif max_nn is None:
-        parameter = o3d.geometry.KDTreeSearchParamRadius(radius)
-    else:
-        parameter = o3d.geometry.KDTreeSearchParamHybrid(radius, max_nn)
-    cloud.estimate_covariances(parameter)
-    return np.asarray(cloud.covariances)
 
 
 def untied(points, search):
@@ -54,12 +37,9 @@ def assert_agree(found, expected, tolerances):
 
 
 @pytest.fixture(scope="module")
-def scans(fragment, lidar, shipped_file):
+def scans(fragment, lidar, terrain):
     """Points by name as float32 holds them, and a length [m] to scale the searches by; the tile about its middle."""
-    import open3d as o3d
-
-    tile = np.asarray(o3d.io.read_point_cloud(str(shipped_file("lidar-pcl-terrain/samp21-utm.pcd"))).points)
-    tile = (tile - np.round(tile.mean(axis=0))).astype(np.float32).astype(float)
+    tile = (terrain - np.round(terrain.mean(axis=0))).astype(np.float32).astype(float)
     return {
         "fragment": (fragment.points[::10], 1.0),
         "lidar": (lidar[:, :3].astype(float), 10.0),
@@ -69,7 +49,7 @@ def scans(fragment, lidar, shipped_file):
 
 @ON_SCANS
 @pytest.mark.parametrize("search", SEARCHES)
-def test_covariances_of_scans_are_open3ds(device, scan, search, scans, to_open3d, tolerances):
+def test_covariances_of_scans_are_open3ds(device, scan, search, scans, o3d, tolerances):
     points, scale = scans[scan]
     limits = dict(SEARCHES[search])
     if "radius" in limits:
@@ -77,12 +57,12 @@ def test_covariances_of_scans_are_open3ds(device, scan, search, scans, to_open3d
     found = loom.PointCloud(points, device=device).estimate_covariances(**limits).covariances
     sure = untied(points, limits)
     assert sure.mean() > 0.5
-    assert_agree(found[sure], oracle_covariances(to_open3d(points), limits)[sure], tolerances)
+    assert_agree(found[sure], covariances_of(o3d, points, limits)[sure], tolerances)
 
 
 @on_sets("scan", shipped=["terrain"])
 @pytest.mark.parametrize("search", [{"radius": 5.0, "max_nn": 20}, {"radius": 5.0, "max_nn": None}], ids=str)
-def test_covariances_at_utm_coordinates_are_those_at_the_origin(device, scan, search, scans, to_open3d, tolerances):
+def test_covariances_at_utm_coordinates_are_those_at_the_origin(device, scan, search, scans, o3d, tolerances):
     """Open3D's cancel there: E[x x'] is 1e13 times the covariance."""
     points, _ = scans[scan]
     points = np.round(points * 8) / 8  # float32 holds these about any origin of whole metres
@@ -91,9 +71,18 @@ def test_covariances_at_utm_coordinates_are_those_at_the_origin(device, scan, se
     there = loom.PointCloud(utm, device=device).estimate_covariances(**search).covariances
     sure = untied(points, search)
     assert_agree(there[sure], here[sure], tolerances)
-    assert_agree(here[sure], oracle_covariances(to_open3d(points), search)[sure], tolerances)
-    spoiled = np.abs(oracle_covariances(to_open3d(utm), search) - here).max(axis=(1, 2))
+    assert_agree(here[sure], covariances_of(o3d, points, search)[sure], tolerances)
+    spoiled = np.abs(covariances_of(o3d, utm, search) - here).max(axis=(1, 2))
     assert np.median(spoiled / np.abs(here).max(axis=(1, 2))) > 10 * tolerances.covariance_relative
+
+
+@pytest.mark.parametrize("search", SEARCHES)
+def test_covariances_of_a_bumpy_surface_are_open3ds(device, search, rng, oracle, tolerances):
+    xy = rng.random((200, 2))
+    points = np.column_stack([xy, 0.1 * np.sin(9 * xy[:, 0])]).astype(np.float32).astype(float)
+    found = loom.PointCloud(points, device=device).estimate_covariances(**SEARCHES[search]).covariances
+    expected = oracle(f"pcd/covariances/{search}", covariances_of, points, SEARCHES[search])
+    assert_agree(found, expected, tolerances)
 
 
 @given(
@@ -103,7 +92,7 @@ def test_covariances_at_utm_coordinates_are_those_at_the_origin(device, scan, se
     spoiled=st.booleans(),
     search=st.sampled_from([{"max_nn": 1}, {"max_nn": 7}, {"radius": 1.5}, {"radius": 1.5, "max_nn": None}]),
 )
-@SETTINGS
+@examples(15)
 def test_covariances_are_numpys_of_the_neighbours_found(device, seed, count, lattice, spoiled, search, tolerances):
     rng = np.random.default_rng(seed)
     points = (rng.integers(0, 4, (count, 3)) if lattice else rng.normal(size=(count, 3))).astype(np.float32)
@@ -130,13 +119,12 @@ def test_covariances_are_numpys_of_the_neighbours_found(device, seed, count, lat
 
 
 @pytest.mark.parametrize("search", [{"max_nn": 10}, {"radius": 0.5}, {"radius": 0.5, "max_nn": None}], ids=str)
-def test_fewer_than_three_neighbours_give_the_identity_as_in_open3d(device, search, to_open3d):
+def test_fewer_than_three_neighbours_give_the_identity(device, search):
     points = np.array([[0, 0, 0], [0.1, 0, 0]])
     for count in (0, 1, 2):
         cloud = loom.PointCloud(points[:count].reshape(-1, 3), device=device)
         found = cloud.estimate_covariances(**search).covariances
         np.testing.assert_array_equal(found, np.tile(np.eye(3), (count, 1, 1)))
-    np.testing.assert_array_equal(oracle_covariances(to_open3d(points), search), found)
 
 
 def test_equal_and_collinear_points_have_their_plain_covariance(device):
@@ -147,25 +135,20 @@ def test_equal_and_collinear_points_have_their_plain_covariance(device):
     np.testing.assert_array_equal(found, np.tile(np.diag([0, 0, 6]), (3, 1, 1)))
 
 
-def test_covariances_travel_with_their_points(device, rng):
+def test_covariances_are_matrices_that_travel_with_their_points(device, rng):
+    bare = loom.PointCloud(np.zeros((2, 3)), device=device)
+    with pytest.raises(ValueError, match=r"no covariances: call estimate_covariances\(\)"):
+        _ = bare.covariances
+    with pytest.raises(ValueError, match=r"covariances: expected shape \[2, 3, 3\], got \[2, 9\]"):
+        bare.covariances = np.zeros((2, 9))
+    bare.covariances = np.arange(18.0).reshape(2, 3, 3)
+    assert bare.has_covariances and bare.covariances.dtype == np.float32
+    np.testing.assert_array_equal(bare.covariances, np.arange(18.0).reshape(2, 3, 3))
     cloud = loom.PointCloud(rng.random((100, 3)), device=device).estimate_covariances(max_nn=8)
     rows = [5, 3, 99]
     np.testing.assert_array_equal(cloud.select_by_index(rows).covariances, cloud.covariances[rows])
     assert cloud.attributes["covariances"].shape == (100, 9)
     np.testing.assert_array_equal(cloud.covariances, cloud.covariances.transpose(0, 2, 1))
-
-
-def test_covariances_are_assigned_as_matrices(device):
-    cloud = loom.PointCloud(np.zeros((2, 3)), device=device)
-    assert not cloud.has_covariances
-    with pytest.raises(ValueError, match=r"no covariances: call estimate_covariances\(\)"):
-        _ = cloud.covariances
-    matrices = np.arange(18.0).reshape(2, 3, 3)
-    cloud.covariances = matrices
-    assert cloud.has_covariances and cloud.covariances.dtype == np.float32
-    np.testing.assert_array_equal(cloud.covariances, matrices)
-    with pytest.raises(ValueError, match=r"covariances: expected shape \[2, 3, 3\], got \[2, 9\]"):
-        cloud.covariances = matrices.reshape(2, 9)
 
 
 def test_stored_covariances_do_not_change_the_normals_fitted(device, rng):
@@ -181,27 +164,6 @@ def test_lists_made_in_parts_give_the_same(device, rng, monkeypatch):
     whole = cloud.estimate_covariances(max_nn=9).covariances
     monkeypatch.setattr("pointloom.kernels.surface.covariances.LIST_ENTRIES", 1000)
     np.testing.assert_array_equal(cloud.estimate_covariances(max_nn=9).covariances, whole)
-
-
-@pytest.mark.parametrize("search", [{"max_nn": 20}, {"radius": 0.2}, {"radius": 0.2, "max_nn": None}], ids=str)
-def test_two_runs_give_the_same_bits(device, search, rng):
-    cloud = loom.PointCloud(rng.random((2000, 3)), device=device)
-    first, second = (cloud.estimate_covariances(**search).covariances for _ in range(2))
-    np.testing.assert_array_equal(first.view(np.int32), second.view(np.int32))
-
-
-@pytest.mark.parametrize(
-    ("arguments", "error", "message"),
-    [
-        ({"radius": None, "max_nn": None}, ValueError, "radius, max_nn: give at least one"),
-        ({"radius": 0.0}, ValueError, "radius: expected a finite number > 0"),
-        ({"max_nn": 0}, ValueError, "max_nn: expected a whole number >= 1"),
-        ({"max_nn": 2.5}, TypeError, "max_nn: expected a whole number"),
-    ],
-)
-def test_wrong_limits_are_refused(arguments, error, message):
-    with pytest.raises(error, match=message):
-        loom.PointCloud(np.zeros((3, 3))).estimate_covariances(**arguments)
 
 
 def test_covariances_turn_with_the_cloud(device, rng, tolerances):

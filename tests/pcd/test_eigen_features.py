@@ -1,18 +1,12 @@
 """Shapes of neighbourhoods against NumPy in float64, and defined in every degenerate one."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
 import pointloom as loom
 
 from ..scan_cases import ON_REAL_SCANS, on_sets
-
-
-def bumpy(rng, count=600):
-    xy = rng.random((count, 2))
-    return np.column_stack([xy, 0.1 * np.sin(9 * xy[:, 0]) * np.cos(7 * xy[:, 1])])
+from .made_shapes import bumpy
 
 
 def plain_shapes(near):
@@ -92,9 +86,9 @@ def check_density(shapes, lists, held, radius=None, max_nn=30):
 def test_lines_planes_and_balls_are_told_apart(device, rng):
     line = np.outer(np.linspace(0, 1, 100), [0, 0.6, 0.8])
     wall = np.column_stack([np.zeros(400), rng.random((400, 2))])
-    ball = rng.normal(size=(4000, 3))
+    ball = rng.normal(size=(1000, 3))
     for points, name, upright in ((line, "linearity", None), (wall, "planarity", 1.0), (ball, "sphericity", None)):
-        shapes = loom.compute_eigen_features(loom.PointCloud(points, device=device), radius=10.0, max_nn=4000)
+        shapes = loom.compute_eigen_features(loom.PointCloud(points, device=device), radius=10.0, max_nn=1000)
         assert np.nanmin(shapes[name]) > 0.7
         total = shapes["linearity"] + shapes["planarity"] + shapes["sphericity"]
         np.testing.assert_allclose(total, 1, atol=1e-6)

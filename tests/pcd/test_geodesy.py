@@ -53,12 +53,6 @@ def test_the_axes_are_east_north_and_up():
     np.testing.assert_allclose(u, [0, 0, 1], atol=1e-9)
 
 
-@pytest.mark.parametrize("given", [(91.0, 0.0), (0.0, 181.0), (np.nan, 0.0), (0.0, 0.0, 2e5)])
-def test_what_is_no_place_on_the_earth_is_refused(given):
-    with pytest.raises(ValueError, match=r"latitude|longitude|altitude"):
-        loom.video.WorldFrame(*given)
-
-
 def test_metres_that_lie_in_no_zone_are_refused():
     with pytest.raises(ValueError, match=r"easting and northing of EPSG:32632"):
         from_utm(np.array([[8.25, 47.5, 400.0]]) * 1e6, 32632)

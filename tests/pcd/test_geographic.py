@@ -1,9 +1,6 @@
 """Degrees to UTM: published points, what defines the projection, and nothing lost on the way."""
 
-from __future__ import annotations
-
 import numpy as np
-import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -43,7 +40,7 @@ def test_the_meridian_keeps_its_length():
     np.testing.assert_array_equal(easting, 0)
 
 
-@settings(max_examples=60, derandomize=True, deadline=None, database=None)
+@settings(max_examples=25, derandomize=True, deadline=None, database=None)
 @given(st.floats(-30, 30), st.floats(-80, 84))
 def test_angles_are_kept(longitude, latitude):
     """With the meridian's length this defines the projection: the north and east on the ground stay at right angles."""
@@ -80,25 +77,3 @@ def test_the_south_counts_from_ten_million_and_a_zone_may_be_given():
     assert loom.project_to_utm(across, epsg=32760).points[0, 0] > loom.project_to_utm(cloud).points[0, 0]
     assert loom.utm_epsg(loom.PointCloud([[180.0, 3.0, 0]])) == 32601
     assert loom.utm_epsg(loom.PointCloud([[359.0, 3.0, 0]])) == 32630
-
-
-@pytest.mark.parametrize(
-    ("points", "options", "reason"),
-    [
-        ([[493994.0, 4877429.0, 130.0]], {}, "expected longitudes to 360 and latitudes -80..84"),
-        ([[10.0, 85.0, 0.0]], {}, "latitudes -80..84"),
-        ([[np.nan, 0, 0]], {}, "no finite point tells its zone"),
-        ([[10.0, 45.0, 0.0], [55.0, 45.0, 0.0]], {"epsg": 32632}, "46 degrees from the middle of zone 32"),
-        ([[10.0, 45.0, 0.0]], {"epsg": 4326}, "expected 32601..32660 or 32701..32760, got 4326"),
-        ([[10.0, 45.0, 0.0]], {"epsg": 32661}, "got 32661"),
-        ([[10.0, 45.0, 0.0]], {"epsg": 32600}, "got 32600"),
-    ],
-)
-def test_what_cannot_be_projected_is_refused(points, options, reason):
-    with pytest.raises(ValueError, match=reason):
-        loom.project_to_utm(loom.PointCloud(points), **options)
-
-
-def test_normals_of_degrees_are_refused():
-    with pytest.raises(ValueError, match=r'cloud\.without\("normals"\)'):
-        loom.project_to_utm(loom.PointCloud([[10.0, 45.0, 0.0]], normals=[[0, 0, 1]]))

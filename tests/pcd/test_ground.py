@@ -1,7 +1,5 @@
 """Ground: few errors on airborne scans with known ground, and exact answers on terrain made by formula."""
 
-from __future__ import annotations
-
 import importlib.util
 import sys
 from pathlib import Path
@@ -12,7 +10,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import pointloom as loom
-from pointloom.kernels.lang import cpu_compiler
 
 
 @pytest.fixture(scope="module")
@@ -35,7 +32,7 @@ def tiles(real_file, scoring):
     return found
 
 
-def village(rng, count=30_000, slope=0.1):
+def village(rng, count=15_000, slope=0.1):
     """A slope of 100 x 80 m with two houses and trees, and which of its points are ground."""
     x, y = rng.random((2, count)) * [[100], [80]]
     house = (abs(x - 30) < 8) & (abs(y - 40) < 10) | (abs(x - 70) < 6) & (abs(y - 25) < 6)
@@ -137,29 +134,15 @@ def test_equal_points_lines_and_nothing_finite_are_answered(device, points):
     assert found.tolist() == [bool(np.isfinite(points).all())] * len(points)
 
 
-@pytest.mark.parametrize("compiler", ["warp", pytest.param("taichi", marks=pytest.mark.slow)])
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=20, deadline=None)
 @given(seed=st.integers(0, 2**20), count=st.integers(1, 60), spread=st.floats(0.01, 30))
-def test_the_lowest_point_of_a_flat_scene_is_ground(compiler, seed, count, spread):
+def test_the_lowest_point_of_a_flat_scene_is_ground(seed, count, spread):
     """Points on a level floor stay ground whatever stands on it."""
     rng = np.random.default_rng(seed)
     floor = np.column_stack([rng.random((count, 2)) * spread, np.zeros(count)])
     above = floor[: count // 2] + np.array([0, 0, 3.0])
-    with cpu_compiler(compiler):
-        found = loom.classify_ground(loom.PointCloud(np.vstack([floor, above])))
+    found = loom.classify_ground(loom.PointCloud(np.vstack([floor, above])))
     assert found[:count].all() and not found[count:].any()
-
-
-@pytest.mark.slow  # a line of tests/test_compilers.py
-@pytest.mark.taichi
-def test_two_runs_and_both_compilers_agree(rng):
-    points, _ = village(rng, 8000)
-    results = []
-    for compiler in ("taichi", "warp", "taichi"):
-        with cpu_compiler(compiler):
-            results.append(loom.classify_ground(loom.PointCloud(points)))
-    np.testing.assert_array_equal(results[0], results[1])
-    np.testing.assert_array_equal(results[0], results[2])
 
 
 def test_ridges_of_steep_hills_are_ground(device, rng):
@@ -167,28 +150,6 @@ def test_ridges_of_steep_hills_are_ground(device, rng):
     points = rng.random((30_000, 3)) * [150, 150, 0]
     points[:, 2] = 15 * np.sin(points[:, 0] / 15) * np.cos(points[:, 1] / 25)
     assert loom.classify_ground(loom.PointCloud(points, device=device)).mean() > 0.97
-
-
-@pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        ({"cell_size": 0.0}, "cell_size: expected a finite number > 0"),
-        ({"slope": -0.1}, "slope: expected a finite number >= 0"),
-        ({"max_window": np.inf}, "max_window: expected a finite number > 0"),
-        ({"elevation_threshold": np.nan}, "elevation_threshold: expected a finite number >= 0"),
-        ({"scaling": -1}, "scaling: expected a finite number >= 0"),
-        ({"cell_size": 1e-4, "max_window": 0.1}, r"max_window: 0.1 m are more than 512 cells of 0.0001 m; take larger"),
-        ({"cell_size": 1e-6}, r"cell_size: 1e-06 m makes a grid of .* cells, more than 2\^28; take larger cells"),
-    ],
-)
-def test_wrong_arguments_are_refused(arguments, message):
-    with pytest.raises(ValueError, match=message):
-        loom.classify_ground(loom.PointCloud([[0, 0, 0], [1, 1, 0.0]]), **arguments)
-
-
-def test_what_is_no_cloud_is_refused():
-    with pytest.raises(TypeError, match="cloud: expected a PointCloud, got list"):
-        loom.classify_ground([[0, 0, 0]])
 
 
 def test_a_stray_return_below_is_left_out_and_a_steep_pit_is_kept(device, rng):

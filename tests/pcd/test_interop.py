@@ -1,7 +1,5 @@
 """Clouds to and from Open3D, arrays shared with other libraries, pickles."""
 
-from __future__ import annotations
-
 import copy
 import gc
 import pickle
@@ -9,7 +7,6 @@ import sys
 import weakref
 
 import numpy as np
-import open3d as o3d
 import pytest
 import warp as wp
 from hypothesis import given, settings
@@ -18,6 +15,8 @@ from hypothesis.extra import numpy as st_numpy
 
 import pointloom as loom
 from pointloom.core import exchange
+
+from .full_clouds import UTM, assert_same, contents, full_cloud
 
 
 class Shared:
@@ -46,57 +45,23 @@ class OnGpu:
 
 @pytest.fixture
 def cloud(rng, device):
-    """A cloud with everything, at UTM coordinates."""
-    return loom.PointCloud(
-        rng.random((50, 3)) * 10 + [5e5, 5.4e6, 100],
-        normals=rng.normal(size=(50, 3)),
-        colors=rng.random((50, 3)),
-        device=device,
-        label=np.arange(50),
-        flag=np.arange(50) % 2 == 0,
-        feature=rng.random((50, 4)),
-    )
+    return full_cloud(rng, device, shift=UTM)
 
 
-def assert_equal(left, right):
-    for field in ("points", "normals", "colors", "origin"):
-        np.testing.assert_array_equal(getattr(left, field), getattr(right, field))
-    assert left.attributes.keys() == right.attributes.keys()
-    for name, values in left.attributes.items():
-        assert values.dtype == right[name].dtype
-        np.testing.assert_array_equal(values, right[name])
-
-
-# ------------------------------------------------------------------------------------------------ DLPack
-
-
-@pytest.mark.parametrize("wrap", [lambda values: values, Shared, lambda values: o3d.core.Tensor(values)])
+@pytest.mark.parametrize("wrap", [lambda values: values, Shared])
 def test_arrays_of_another_library_are_shared(rng, wrap):
     points = rng.random((100, 3)).astype(np.float32)
-    tensor = wrap(points)
-    memory = tensor.numpy() if isinstance(tensor, o3d.core.Tensor) else points
     shared = loom.PointCloud.from_dlpack(
-        tensor, normals=points.copy(), label=np.arange(100), feature=np.zeros((100, 2))
+        wrap(points), normals=points.copy(), label=np.arange(100), feature=np.zeros((100, 2))
     )
     out = np.from_dlpack(shared.array("points"))
     assert out.shape == (100, 3)
-    assert np.shares_memory(out, memory)
+    assert np.shares_memory(out, points)
     np.testing.assert_array_equal(shared.points, points.astype(np.float64))
-    memory[7] = 1, 2, 3
+    points[7] = 1, 2, 3
     assert shared.points[7].tolist() == [1, 2, 3]
     assert shared.attributes["feature"].shape == (100, 2)
     assert shared["label"].dtype == np.int64
-
-
-def test_operations_on_a_shared_cloud_give_what_they_give_on_a_copy(rng, device):
-    points, colors = rng.random((2000, 3)).astype(np.float32), rng.random((2000, 3)).astype(np.float32)
-    shared = loom.PointCloud.from_dlpack(points, colors=colors, origin=[1e6, 0, 0])
-    copied = loom.PointCloud(points.astype(np.float64) + np.array([1e6, 0, 0]), colors=colors, origin=[1e6, 0, 0])
-    for each in (shared, copied):
-        assert each.origin.tolist() == [1e6, 0, 0]
-    results = [each.voxel_down_sample(0.2).estimate_normals(radius=0.5) for each in (shared, copied)]
-    for field in ("points", "normals", "colors"):
-        np.testing.assert_array_equal(getattr(results[0], field), getattr(results[1], field))
 
 
 @pytest.mark.slow
@@ -119,7 +84,7 @@ def test_the_source_lives_as_long_as_the_cloud_and_no_longer():
 
 
 def test_what_pointloom_holds_is_shared_with_numpy_and_warp(cloud):
-    for name, shape in (("points", (50, 3)), ("colors", (50, 3)), ("label", (50,)), ("feature", (50, 4))):
+    for name, shape in (("points", (200, 3)), ("colors", (200, 3)), ("label", (200,)), ("pair", (200, 2))):
         array = cloud.array(name)
         if array.device.is_cpu:
             assert np.from_dlpack(array).shape == shape
@@ -134,7 +99,7 @@ def test_what_pointloom_holds_is_shared_with_numpy_and_warp(cloud):
     np.testing.assert_array_equal(again.points, cloud.points)
 
 
-@settings(max_examples=60, derandomize=True, deadline=None, database=None)
+@settings(max_examples=25, derandomize=True, deadline=None, database=None)
 @given(
     values=st_numpy.arrays(
         st.sampled_from([np.dtype(code) for code in ("f4", "f8", "i1", "u2", "i4", "u8", "?")]),
@@ -153,14 +118,10 @@ def test_an_attribute_of_any_type_and_shape_is_shared_as_it_is(values):
     ("points", "error", "reason"),
     [
         (np.zeros((4, 3)), TypeError, "expected float32, which is what a cloud holds, got float64; convert it there"),
-        (np.zeros((4, 3), np.int32), TypeError, "expected float32"),
         (np.zeros((4, 2), np.float32), ValueError, r"expected shape \[n, 3\], got \[4, 2\]"),
-        (np.zeros(3, np.float32), ValueError, r"expected shape \[n, 3\], got \[3\]"),
         (np.zeros((8, 3), np.float32)[::2], ValueError, "expected a contiguous array"),
-        (np.zeros((3, 4), np.float32).T, ValueError, "expected a contiguous array"),
         (np.broadcast_to(np.zeros(3, np.float32), (4, 3)), TypeError, "ndarray cannot be shared: .*readonly"),
         ([[1.0, 2, 3]], TypeError, "expected an array with __dlpack__ or __cuda_array_interface__, got list"),
-        (None, TypeError, "expected an array .*, got NoneType"),
     ],
 )
 def test_what_cannot_be_shared_is_an_error_that_says_how(points, error, reason):
@@ -207,9 +168,6 @@ def test_the_cuda_array_interface_is_read_as_it_says(rng, monkeypatch):
         loom.PointCloud.from_dlpack(masked)
 
 
-# ------------------------------------------------------------------------------------------------ Open3D
-
-
 def test_a_legacy_cloud_comes_and_goes(fragment, legacy_fragment, device):
     cloud = loom.PointCloud.from_open3d(legacy_fragment, device=device)
     np.testing.assert_array_equal(cloud.points, fragment.points.astype(np.float32))
@@ -219,7 +177,7 @@ def test_a_legacy_cloud_comes_and_goes(fragment, legacy_fragment, device):
         np.testing.assert_array_equal(np.asarray(getattr(back, name)), cloud[name].astype(np.float64))
 
 
-def test_a_legacy_cloud_far_from_zero_keeps_its_place(rng, device, to_open3d, tolerances):
+def test_a_legacy_cloud_far_from_zero_keeps_its_place(rng, device, o3d, to_open3d, tolerances):
     points = rng.random((200, 3)) * 100 + np.array([5e5, 5.4e6, 100])
     legacy = to_open3d(points)
     legacy.estimate_covariances(o3d.geometry.KDTreeSearchParamKNN(10))
@@ -236,7 +194,7 @@ def test_a_legacy_cloud_far_from_zero_keeps_its_place(rng, device, to_open3d, to
 
 
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])
-def test_a_tensor_cloud_comes_and_goes_with_all_it_holds(rng, device, dtype):
+def test_a_tensor_cloud_comes_and_goes_with_all_it_holds(rng, device, dtype, o3d):
     tensor = o3d.t.geometry.PointCloud()
     held = {
         "positions": rng.random((30, 3)).astype(dtype),
@@ -260,13 +218,13 @@ def test_a_tensor_cloud_comes_and_goes_with_all_it_holds(rng, device, dtype):
     assert loom.PointCloud(np.zeros((3, 3)), a=np.arange(3)).to_open3d_tensor().point["a"].shape == (3, 1)
 
 
-def test_16_bit_colors_of_a_tensor_cloud_are_parts_of_65535():
+def test_16_bit_colors_of_a_tensor_cloud_are_parts_of_65535(o3d):
     tensor = o3d.t.geometry.PointCloud(o3d.core.Tensor(np.zeros((1, 3), np.float32)))
     tensor.point.colors = o3d.core.Tensor(np.array([[0, 257, 65535]], np.uint16))
     np.testing.assert_allclose(loom.PointCloud.from_open3d(tensor).colors, [[0, 1 / 255, 1]], rtol=1e-6)
 
 
-def test_clouds_without_points_come_and_go(device):
+def test_clouds_without_points_come_and_go(device, o3d):
     for empty in (o3d.geometry.PointCloud(), o3d.t.geometry.PointCloud()):
         cloud = loom.PointCloud.from_open3d(empty, device=device)
         assert len(cloud) == 0
@@ -275,7 +233,7 @@ def test_clouds_without_points_come_and_go(device):
 
 
 def test_what_is_no_open3d_cloud_is_refused(monkeypatch):
-    for wrong in (np.zeros((3, 3)), o3d.geometry.TriangleMesh(), None):
+    for wrong in (np.zeros((3, 3)), loom.TriangleMesh(), None):
         with pytest.raises(TypeError, match="cloud: expected an open3d"):
             loom.PointCloud.from_open3d(wrong)
     with pytest.raises(TypeError, match="half: Open3D has no float16"):
@@ -286,13 +244,10 @@ def test_what_is_no_open3d_cloud_is_refused(monkeypatch):
             call()
 
 
-# ------------------------------------------------------------------------------------------------ pickle
-
-
-@pytest.mark.parametrize("protocol", range(2, pickle.HIGHEST_PROTOCOL + 1))
+@pytest.mark.parametrize("protocol", [2, pickle.HIGHEST_PROTOCOL])
 def test_a_cloud_survives_a_pickle(cloud, protocol):
     found = pickle.loads(pickle.dumps(cloud, protocol))
-    assert_equal(found, cloud)
+    assert_same(contents(found), contents(cloud))
     assert found.device == cloud.device
     assert len(found.voxel_down_sample(5.0)) == len(cloud.voxel_down_sample(5.0))
 
@@ -308,11 +263,11 @@ def test_a_pickle_keeps_the_grid_and_an_empty_cloud(device):
 
 def test_a_deep_copy_shares_nothing_and_a_shallow_one_all(cloud):
     shallow, deep = copy.copy(cloud), copy.deepcopy(cloud)
-    assert_equal(deep, cloud)
-    for name in ("points", "normals", "label", "feature"):
+    assert_same(contents(deep), contents(cloud))
+    for name in ("points", "normals", "label", "pair"):
         assert shallow.array(name) is cloud.array(name)
         assert deep.array(name).ptr != cloud.array(name).ptr
-    shallow["label"] = np.zeros(50)
+    shallow["label"] = np.zeros(200)
     assert cloud["label"].any()
     cloud.array("points").fill_(0)
     assert deep.points.std() > 1

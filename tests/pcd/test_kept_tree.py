@@ -152,8 +152,6 @@ def test_the_kept_tree_is_right_after_smoothing_with_fixed_neighbourhoods(device
     np.testing.assert_array_equal(download(cloud.search_tree().points), before)
 
 
-# ------------------------------------------------------------------------------------------------ squares of distances
-
 CORNERS = np.array([[0, 0, 0], [1, 0, 0], [0, 2, 0], [0, 0, 4.0], [3, 3, 3]])
 ICP = loom.registration.registration_icp
 SEARCHES = {

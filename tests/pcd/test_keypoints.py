@@ -1,15 +1,15 @@
 """ISS keypoints: Open3D's on real scans, and defined where Open3D's are rounding."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 import pointloom as loom
 
 from ..scan_cases import on_sets
+from .any_cloud import examples
+from .open3d_clouds import cloud_of
 
 RADII = {"fragment": (0.06, 0.04), "lidar": (1.0, 0.7), "terrain": (6.0, 4.0)}
 
@@ -23,19 +23,13 @@ def scans(fragment, lidar, scan_file):
 
 
 @pytest.fixture(scope="module")
-def oracle(scans, to_open3d):
-    """Open3D's keypoints of a scan, as indices, computed once."""
-    import open3d as o3d
-
-    known = {}
+def keypoints_of(scans, o3d):
+    """A function: Open3D's keypoints of a scan, as indices."""
 
     def compute(name, **arguments):
-        key = (name, *arguments.items())
-        if key not in known:
-            found = o3d.geometry.keypoint.compute_iss_keypoints(to_open3d(scans[name]), **arguments)
-            places = {tuple(p): i for i, p in enumerate(scans[name])}
-            known[key] = sorted(places[tuple(p)] for p in np.asarray(found.points))
-        return known[key]
+        found = o3d.geometry.keypoint.compute_iss_keypoints(cloud_of(o3d, scans[name]), **arguments)
+        places = {tuple(p): i for i, p in enumerate(scans[name])}
+        return sorted(places[tuple(p)] for p in np.asarray(found.points))
 
     return compute
 
@@ -83,14 +77,14 @@ def mean_spacing(points):
 
 @on_sets("scan", shipped=["lidar"], real=RADII)
 @pytest.mark.parametrize("given", ["defaults", "radii"])
-def test_keypoints_of_real_scans_are_open3ds(device, scan, given, scans, oracle):
+def test_keypoints_of_real_scans_are_open3ds(device, scan, given, scans, keypoints_of):
     """Where points have the same neighbours, rounding decides in Open3D which of them stays; here all stay."""
     points, radii = scans[scan], RADII[scan]
     arguments = dict(zip(("salient_radius", "non_max_radius"), radii, strict=True)) if given == "radii" else {}
     keypoints, indices = loom.compute_iss_keypoints(
         loom.PointCloud(points, device=device), return_indices=True, **arguments
     )
-    expected = oracle(scan, **arguments)
+    expected = keypoints_of(scan, **arguments)
     np.testing.assert_array_equal(keypoints.points, points[indices])
     assert (np.diff(indices) > 0).all() and len(expected) > 100
     if given == "defaults":
@@ -99,11 +93,11 @@ def test_keypoints_of_real_scans_are_open3ds(device, scan, given, scans, oracle)
     assert_same_but_for_ties(points, indices, expected, radii)
 
 
-def test_gammas_and_counts_are_open3ds(device, scans, oracle):
+def test_gammas_and_counts_are_open3ds(device, scans, keypoints_of):
     limits = {"gamma_21": 0.6, "gamma_32": 0.3, "min_neighbors": 12}
     cloud = loom.PointCloud(scans["terrain"], device=device)
     indices = loom.compute_iss_keypoints(cloud, 6.0, 3.0, **limits, return_indices=True)[1]
-    expected = oracle("terrain", salient_radius=6.0, non_max_radius=3.0, **limits)
+    expected = keypoints_of("terrain", salient_radius=6.0, non_max_radius=3.0, **limits)
     assert_same_but_for_ties(scans["terrain"], indices, expected, (6.0, 3.0), **limits)
     assert 0 < len(indices) < len(loom.compute_iss_keypoints(cloud, 6.0, 3.0))
 
@@ -126,7 +120,7 @@ def test_keypoints_at_utm_coordinates_are_those_at_the_origin(device, scans):
     assert (keypoints.origin == utm).all()
 
 
-@settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@examples(15)
 @given(seed=st.integers(0, 2**32 - 1), count=st.integers(0, 80), min_neighbors=st.integers(1, 8))
 def test_keypoints_are_those_of_their_definition(device, seed, count, min_neighbors):
     """Random points, lattice points, duplicates and NaN against float64 NumPy; lattices tie."""
@@ -163,20 +157,20 @@ def test_clouds_that_do_not_vary_have_no_keypoints(device, rng):
             assert len(keypoints) == len(indices) == 0
 
 
-@pytest.mark.parametrize("scale", [1e-9, 1.0, 1e9])
-def test_keypoints_do_not_depend_on_scale(device, scale, rng, to_open3d):
-    """Open3D finds none in a small cloud: it takes covariances below 1e-12 m^2 for zero."""
-    import open3d as o3d
+def open3d_keypoints(o3d, points):
+    cloud = cloud_of(o3d, points)
+    return np.asarray(o3d.geometry.keypoint.compute_iss_keypoints(cloud, 0.15, 0.1).points)
 
+
+@pytest.mark.parametrize("scale", [1e-9, 1.0, 1e9])
+def test_keypoints_are_open3ds_and_do_not_depend_on_scale(device, scale, rng, oracle):
+    """Open3D finds none in a small cloud: it takes covariances below 1e-12 m^2 for zero."""
     points = np.float32(rng.random((2000, 3)) * [1, 1, 0.2]).astype(float)
     factor = 2.0 ** np.round(np.log2(scale))  # exact in float32
     cloud = loom.PointCloud(points * factor, device=device, origin=np.zeros(3))
     found = loom.compute_iss_keypoints(cloud, 0.15 * factor, 0.1 * factor, return_indices=True)[1]
-    expected = o3d.geometry.keypoint.compute_iss_keypoints(to_open3d(points), 0.15, 0.1)
-    assert sorted(map(tuple, points[found])) == sorted(map(tuple, np.asarray(expected.points)))
-    if scale < 1:
-        small = o3d.geometry.keypoint.compute_iss_keypoints(to_open3d(points * factor), 0.15 * factor, 0.1 * factor)
-        assert len(small.points) == 0
+    expected = oracle("pcd/keypoints/slab", open3d_keypoints, points)
+    assert sorted(map(tuple, points[found])) == sorted(map(tuple, expected))
 
 
 def test_attributes_stay_with_their_keypoints(device, rng):
@@ -187,25 +181,3 @@ def test_attributes_stay_with_their_keypoints(device, rng):
     np.testing.assert_array_equal(keypoints.normals, cloud.normals[indices])
     np.testing.assert_array_equal(keypoints.colors, cloud.colors[indices])
     assert len(cloud) == 1000 and len(loom.compute_iss_keypoints(cloud, 0.2, 0.2)) == len(indices)
-
-
-def test_two_runs_give_the_same_keypoints(device, scans):
-    cloud = loom.PointCloud(scans["lidar"], device=device)
-    runs = [loom.compute_iss_keypoints(cloud, return_indices=True)[1].tolist() for _ in range(2)]
-    assert runs[0] == runs[1]
-
-
-@pytest.mark.parametrize(
-    ("arguments", "error", "message"),
-    [
-        ({"salient_radius": -1.0}, ValueError, "salient_radius: expected a finite number >= 0"),
-        ({"non_max_radius": np.inf}, ValueError, "non_max_radius: expected a finite number >= 0"),
-        ({"gamma_21": np.nan}, ValueError, "gamma_21: expected a finite number >= 0"),
-        ({"gamma_32": "wide"}, TypeError, "gamma_32: expected a number"),
-        ({"min_neighbors": 0}, ValueError, "min_neighbors: expected a whole number >= 1"),
-        ({"min_neighbors": 2.5}, TypeError, "min_neighbors: expected a whole number"),
-    ],
-)
-def test_wrong_arguments_are_refused(arguments, error, message):
-    with pytest.raises(error, match=message):
-        loom.compute_iss_keypoints(loom.PointCloud(np.zeros((3, 3))), **arguments)

@@ -78,10 +78,3 @@ def test_points_and_normals_that_are_not_finite_are_in_no_pair(device, rng):
 def test_few_points_disagree_in_nothing(device, count):
     points = ball(3)[:count]
     assert loom.PointCloud(points, normals=points, device=device).normal_disagreement(30) == 0
-
-
-def test_a_cloud_without_normals_and_a_count_below_one_are_refused():
-    with pytest.raises(ValueError, match=r"the cloud has no normals: call cloud = cloud\.estimate_normals"):
-        loom.PointCloud(ball(5)).normal_disagreement()
-    with pytest.raises(ValueError, match="k: expected a whole number >= 1, got 0"):
-        loom.PointCloud(ball(5), normals=ball(5)).normal_disagreement(0)

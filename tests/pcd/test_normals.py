@@ -1,9 +1,5 @@
 """Normals: against Open3D on real scans, exact far from the origin, and defined in every degenerate neighbourhood."""
 
-from __future__ import annotations
-
-import struct
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -11,26 +7,13 @@ from hypothesis import strategies as st
 
 import pointloom as loom
 
+from .open3d_clouds import cloud_of, normals_of
+
 SEARCHES = {
     "hybrid": {"radius": 0.1, "max_nn": 30},
     "count": {"max_nn": 30},
     "radius": {"radius": 0.03, "max_nn": None},
 }
-
-
-def oracle_normals(cloud, search):
-    import open3d as o3d
-
-    radius, max_nn = search.get("radius"), search.get("max_nn")
-    if radius is None:
-        parameter = o3d.geometry.KDTreeSearchParamKNN(max_nn)
-    elif max_nn is None:
-        parameter = o3d.geometry.KDTreeSearchParamRadius(radius)
-    else:
-        parameter = o3d.geometry.KDTreeSearchParamHybrid(radius, max_nn)
-    cloud.normals = o3d.utility.Vector3dVector()
-    cloud.estimate_normals(parameter)
-    return np.asarray(cloud.normals)
 
 
 def assert_agree(found, expected, tolerances):
@@ -41,9 +24,9 @@ def assert_agree(found, expected, tolerances):
 
 
 @pytest.fixture(scope="module")
-def fragment_normals(fragment, to_open3d):
+def fragment_normals(fragment, o3d):
     """Open3D's normals of the fragment, by search."""
-    return {name: oracle_normals(to_open3d(fragment.points), search) for name, search in SEARCHES.items()}
+    return {name: normals_of(o3d, fragment.points, search) for name, search in SEARCHES.items()}
 
 
 @pytest.mark.parametrize("search", SEARCHES)
@@ -52,34 +35,22 @@ def test_normals_of_the_fragment_are_open3ds(device, search, fragment, fragment_
     assert_agree(found, fragment_normals[search], tolerances)
 
 
-@pytest.mark.parametrize("search", [{"max_nn": 20}, {"radius": 1.0, "max_nn": 30}], ids=str)
-def test_normals_of_a_lidar_frame_are_open3ds(device, search, lidar, to_open3d, tolerances):
-    """But for neighbourhoods along one beam or of too few points, where no plane is better than another."""
-    cloud = loom.PointCloud(lidar[:, :3], device=device)
-    found = cloud.estimate_normals(**search).normals
-    expected = oracle_normals(to_open3d(cloud.points), search)
-    shapes = loom.compute_eigen_features(cloud, radius=search.get("radius"), max_nn=search["max_nn"])
-    middle, low = shapes["eigenvalues"][:, 1], shapes["eigenvalues"][:, 2]
-    plain = (middle > 1e-5) & (low < 0.9 * middle)
-    assert plain.mean() > 0.75
-    assert_agree(found[plain], expected[plain], tolerances)
-
-
-def test_normals_of_a_depth_frame_lie_on_open3ds_side(device, rng, to_open3d, tolerances):
+@pytest.mark.parametrize("search", [{"max_nn": 20}, {"radius": 0.1, "max_nn": 30}, {"radius": 0.1, "max_nn": None}])
+def test_normals_of_a_depth_frame_lie_on_open3ds_side(device, search, rng, oracle, tolerances):
     """Noise as of a camera, so that no two neighbours are equally far, of which Open3D takes some."""
-    v, u = np.mgrid[:90, :120]
-    depth = np.minimum(2.0 + 0.01 * u, 1.4 + 0.02 * v) + 0.3 * np.sin(u / 9) * np.cos(v / 7)  # two walls, a relief
+    v, u = np.mgrid[:24, :32]
+    depth = np.minimum(2.0 + 0.04 * u, 1.4 + 0.08 * v) + 0.3 * np.sin(u / 3) * np.cos(v / 2)  # two walls, a relief
     depth = (depth + rng.normal(0, 2e-3, depth.shape)).astype(np.float32)
-    camera = loom.PinholeCameraIntrinsic(120, 90, 105.0, 105.0, 59.5, 44.5)
-    cloud = loom.PointCloud.from_depth_image(depth, camera, device=device)
-    found = cloud.estimate_normals(max_nn=30).normals
-    assert_agree(found, oracle_normals(to_open3d(cloud.points), {"max_nn": 30}), tolerances)
+    points = np.stack([(u - 15.5) / 28 * depth, (v - 11.5) / 28 * depth, depth], -1).reshape(-1, 3).astype(np.float32)
+    name = "pcd/normals/" + "-".join(search) + ("" if search["max_nn"] else "-all")
+    found = loom.PointCloud(points, device=device).estimate_normals(**search).normals
+    assert_agree(found, oracle(name, normals_of, points.astype(float), search), tolerances)
 
 
 lattice = st.lists(st.tuples(*[st.integers(-3, 3)] * 3), min_size=1, max_size=40)
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=20, deadline=None)
 @given(points=lattice, k=st.integers(1, 45), scale=st.sampled_from([1.0, 1e-3, 1e3]))
 def test_no_direction_is_thinner_than_the_normal(points, k, scale):
     """The spread along the normal is the least of all directions, whatever the neighbours are."""
@@ -102,19 +73,15 @@ def test_no_direction_is_thinner_than_the_normal(points, k, scale):
 @pytest.fixture(scope="module")
 def utm_scan(shipped_file):
     """The coordinates of an airborne scan, about 4.9e5 and 4.9e6, as numbers."""
-    las = shipped_file("lidar-pdal/autzen/autzen-utm.las").read_bytes()
-    start, length = struct.unpack_from("<I", las, 96)[0], struct.unpack_from("<H", las, 105)[0]
-    count, scale, offset = (struct.unpack_from("<I", las, 107)[0], *np.frombuffer(las, "<f8", 6, 131).reshape(2, 3))
-    rows = np.frombuffer(las, np.dtype({"names": ["xyz"], "formats": ["<3i4"], "itemsize": length}), count, start)
-    return rows["xyz"] * scale + offset
+    return loom.read_point_cloud(shipped_file("lidar-pdal/autzen/autzen-utm.las")).points
 
 
 @pytest.mark.parametrize("search", [{"radius": 85.0, "max_nn": 30}, {"radius": 85.0, "max_nn": None}], ids=str)
-def test_normals_at_utm_coordinates_are_as_exact_as_at_the_origin(device, search, utm_scan, to_open3d, tolerances):
+def test_normals_at_utm_coordinates_are_as_exact_as_at_the_origin(device, search, utm_scan, o3d, tolerances):
     assert np.abs(utm_scan).max() > 4e6
     found = loom.PointCloud(utm_scan, device=device).estimate_normals(**search).normals
     moved = utm_scan - utm_scan.mean(axis=0)
-    expected = oracle_normals(to_open3d(moved), search)
+    expected = normals_of(o3d, moved, search)
     assert_agree(found, expected, tolerances)
     at_origin = loom.PointCloud(moved, device=device).estimate_normals(**search).normals
     assert_agree(at_origin, found, tolerances)
@@ -123,28 +90,6 @@ def test_normals_at_utm_coordinates_are_as_exact_as_at_the_origin(device, search
 def wavy(rng, count=1500):
     xy = rng.random((count, 2)) * 2
     return np.column_stack([xy, 0.1 * np.sin(5 * xy[:, 0]) + 0.01 * rng.normal(size=count)])
-
-
-@pytest.mark.parametrize("search", [{"max_nn": 12}, {"radius": 0.2}, {"radius": 0.2, "max_nn": None}], ids=str)
-def test_normals_are_the_smallest_axis_of_the_neighbours_covariance(device, search, rng, tolerances):
-    """Against float64 NumPy with the neighbours of our own search, so nothing is hidden in a choice of neighbours."""
-    points = wavy(rng, 701)
-    cloud = loom.PointCloud(points, device=device)
-    found = cloud.estimate_normals(**search).normals.astype(float)
-    finder = loom.NearestNeighborSearch(cloud)
-    radius, k = search.get("radius", np.inf), search.get("max_nn", 30)
-    if k is None:
-        lists = np.split(*(lambda n: (n.indices, np.cumsum(n.counts)[:-1]))(finder.radius_search(cloud, radius)))
-    elif np.isinf(radius):
-        lists = finder.knn_search(cloud, k).indices
-    else:
-        lists = finder.hybrid_search(cloud, radius, k).indices
-    held = cloud.points
-    for row in range(0, 701, 3):
-        near = held[[i for i in lists[row] if i >= 0]]
-        values, vectors = np.linalg.eigh(np.cov(near.T, bias=True))
-        gap = (values[1] - values[0]) / values[2]
-        assert 1 - abs(found[row] @ vectors[:, 0]) < 4 * tolerances.unit_length + (1e-12 / max(gap, 1e-9)) ** 2
 
 
 @pytest.mark.parametrize("search", [{"max_nn": 9}, {"radius": 0.2}, {"radius": 0.2, "max_nn": None}], ids=str)
@@ -208,7 +153,7 @@ def test_equal_points_have_the_z_axis(device):
         assert found.tolist() == [[0, 0, 1]] * 50
 
 
-@pytest.mark.parametrize("scale", [1e-12, 1e-6, 1e6, 1e12])
+@pytest.mark.parametrize("scale", [1e-12, 1e12])
 def test_normals_do_not_depend_on_scale(device, scale, rng):
     points = wavy(rng, 500)
     found = loom.PointCloud(points * scale, device=device, origin=np.zeros(3)).estimate_normals(max_nn=10).normals
@@ -226,19 +171,23 @@ def test_normals_take_the_sign_of_earlier_ones(device, rng):
     np.testing.assert_array_equal(cloud.estimate_normals(max_nn=12).normals, plain.normals)
 
 
-def test_orientation_to_a_direction_and_to_a_camera_is_open3ds(device, rng, to_open3d):
-    points, normals = rng.normal(size=(800, 3)), rng.normal(size=(800, 3))
+def open3d_orientations(o3d, points, normals):
+    clouds = [cloud_of(o3d, points, normals) for _ in range(2)]
+    clouds[0].orient_normals_to_align_with_direction([0, 0.6, -0.8])
+    clouds[1].orient_normals_towards_camera_location([3, -2, 0.5])
+    return [np.asarray(cloud.normals) for cloud in clouds]
+
+
+def test_orientation_to_a_direction_and_to_a_camera_is_open3ds(device, rng, oracle):
+    points, normals = rng.normal(size=(300, 3)), rng.normal(size=(300, 3))
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
     normals[5] = 0
     cloud = loom.PointCloud(points, normals=normals, device=device)
-    oracle = to_open3d(cloud.points, cloud.normals)
-    oracle.orient_normals_to_align_with_direction([0, 0.6, -0.8])
-    found = cloud.orient_normals_to_align_with_direction([0, 0.6, -0.8]).normals
-    np.testing.assert_allclose(found, np.asarray(oracle.normals), atol=1e-7)
-    oracle = to_open3d(cloud.points, cloud.normals)
-    oracle.orient_normals_towards_camera_location([3, -2, 0.5])
+    held = cloud.points.copy(), cloud.normals.copy()
+    along, towards = oracle("pcd/normals/oriented", open3d_orientations, *held)
+    np.testing.assert_allclose(cloud.orient_normals_to_align_with_direction([0, 0.6, -0.8]).normals, along, atol=1e-7)
     found = cloud.orient_normals_towards_camera_location([3, -2, 0.5]).normals
-    np.testing.assert_allclose(found, np.asarray(oracle.normals), atol=2e-7)
+    np.testing.assert_allclose(found, towards, atol=2e-7)
 
 
 def test_a_camera_is_a_place_in_the_world_also_at_utm(device, rng):
@@ -249,38 +198,6 @@ def test_a_camera_is_a_place_in_the_world_also_at_utm(device, rng):
         camera = utm + np.array([1, 1, height])
         found = cloud.orient_normals_towards_camera_location(camera).normals
         assert ((camera - points) * found).sum(axis=1).min() > 0
-
-
-@pytest.mark.parametrize(
-    ("arguments", "error", "message"),
-    [
-        ({"radius": None, "max_nn": None}, ValueError, "radius, max_nn: give at least one"),
-        ({"radius": 0.0}, ValueError, "radius: expected a finite number > 0"),
-        ({"radius": np.inf}, ValueError, "radius: expected a finite number > 0"),
-        ({"max_nn": 0}, ValueError, "max_nn: expected a whole number >= 1"),
-        ({"max_nn": 2.5}, TypeError, "max_nn: expected a whole number"),
-    ],
-)
-def test_wrong_limits_are_refused(arguments, error, message):
-    with pytest.raises(error, match=message):
-        loom.PointCloud(np.zeros((3, 3))).estimate_normals(**arguments)
-
-
-@pytest.mark.parametrize("reference", [(np.nan, 0, 0), (0, np.inf, 0)])
-def test_an_orientation_that_is_not_finite_is_refused(reference):
-    cloud = loom.PointCloud(np.zeros((3, 3)), normals=np.ones((3, 3)))
-    for orient in (cloud.orient_normals_to_align_with_direction, cloud.orient_normals_towards_camera_location):
-        with pytest.raises(ValueError, match="expected finite numbers"):
-            orient(reference)
-        with pytest.raises(ValueError, match=r"expected shape \[3\]"):
-            orient([1, 0])
-
-
-@pytest.mark.parametrize("search", [{"max_nn": 20}, {"radius": 0.2}, {"radius": 0.2, "max_nn": None}], ids=str)
-def test_two_runs_give_the_same_bits(device, search, rng):
-    cloud = loom.PointCloud(wavy(rng), device=device)
-    first, second = (cloud.estimate_normals(**search).normals for _ in range(2))
-    np.testing.assert_array_equal(first.view(np.int32), second.view(np.int32))
 
 
 @pytest.mark.parametrize(
@@ -304,16 +221,15 @@ def test_normals_of_walls_and_lines_depend_on_no_order(device, search, rng):
     np.testing.assert_array_equal(found[1], found[3])
 
 
-def test_normalized_normals_are_open3ds(device, rng, to_open3d, tolerances):
-    normals = rng.normal(size=(500, 3)) * 10 ** rng.uniform(-18, 18, (500, 1))
+def test_normalized_normals_have_unit_length(device, rng, tolerances):
+    """As in Open3D those of length zero stay."""
+    normals = (rng.normal(size=(500, 3)) * 10 ** rng.uniform(-18, 18, (500, 1))).astype(np.float32)
     normals[3], normals[4, 1] = 0, np.nan
-    cloud = loom.PointCloud(rng.random((500, 3)), normals=normals, device=device)
-    oracle = to_open3d(cloud.points, cloud.normals)
-    oracle.normalize_normals()
-    found, expected = cloud.normalize_normals().normals, np.asarray(oracle.normals)
+    found = loom.PointCloud(rng.random((500, 3)), normals=normals, device=device).normalize_normals().normals
     np.testing.assert_array_equal(found[3], 0)
-    good = np.arange(500) != 4
-    np.testing.assert_allclose(found[good], expected[good], rtol=tolerances.float32_relative)
+    good, exact = ~np.isin(np.arange(500), (3, 4)), normals.astype(float)
+    expected = exact[good] / np.linalg.norm(exact[good], axis=1, keepdims=True)
+    np.testing.assert_allclose(found[good], expected, rtol=tolerances.float32_relative)
     assert np.isnan(found[4, 1])
 
 

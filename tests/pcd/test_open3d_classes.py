@@ -1,7 +1,5 @@
 """What Open3D's classes are asked and given is asked and given alike here: questions, aliases, assignments, copies."""
 
-from __future__ import annotations
-
 import copy
 import io
 import pickle
@@ -50,6 +48,7 @@ def test_all_shapes_are_bounded_and_moved_alike(shapes, kind):
 def test_questions_may_be_called(shapes):
     cloud, mesh, lines = (shapes[name] for name in ("cloud", "mesh", "lines"))
     assert cloud.has_points() and not cloud.has_covariances()
+    assert cloud.has_points() is True and cloud.has_points == True and repr(cloud.has_colors) == "False"  # noqa: E712
     assert cloud.estimate_covariances(max_nn=4).has_covariances() and not mesh.has_triangle_uvs
     assert mesh.has_vertices() and mesh.has_triangles() and not mesh.has_vertex_normals() and not mesh.has_textures()
     assert mesh.compute_vertex_normals().has_vertex_normals() and not mesh.has_vertex_colors
@@ -71,9 +70,6 @@ def test_the_makers_have_open3d_names():
     assert len(grid) == len(loom.TriangleMesh.create_box().voxelize(0.5))
     low = loom.VoxelGrid.create_from_triangle_mesh_within_bounds(loom.TriangleMesh.create_box(), 0.5, [0] * 3, [1] * 3)
     assert 0 < len(low) < len(grid)
-
-
-# ------------------------------------------------------------------------------------------------ assignments
 
 
 def test_vertices_and_triangles_are_assigned(shapes):
@@ -124,9 +120,6 @@ def test_a_cloud_is_an_array_of_its_points(shapes):
     assert np.linalg.norm(cloud, axis=1).shape == (8,)
 
 
-# ------------------------------------------------------------------------------------------------ cameras
-
-
 def test_cameras_are_made_as_open3d_makes_them():
     made = loom.PinholeCameraIntrinsic(loom.PinholeCameraIntrinsicParameters.PrimeSenseDefault)
     assert made == loom.PinholeCameraIntrinsic.prime_sense_default()
@@ -138,9 +131,6 @@ def test_cameras_are_made_as_open3d_makes_them():
         loom.PinholeCameraIntrinsic()
     with pytest.raises(TypeError, match="cx, cy: missing"):
         loom.PinholeCameraIntrinsic(8, 6, 8.0, 8.0)
-
-
-# ------------------------------------------------------------------------------------------------ copies
 
 
 @pytest.mark.parametrize("take", [copy.copy, copy.deepcopy, lambda image: pickle.loads(pickle.dumps(image))])
@@ -165,9 +155,6 @@ def test_images_and_scenes_are_copied(take, device):
     assert scene.cast_rays(ray)["t_hit"].tolist() == [4] and other.cast_rays(ray)["t_hit"].tolist() == [9]
 
 
-# ------------------------------------------------------------------------------------------------ pictures
-
-
 def test_a_picture_shows_itself(shapes, tmp_path):
     picture = loom.render(shapes["mesh"], size=(32, 24))
     assert repr(picture) == "Picture(32 x 24)" and isinstance(picture, Picture)
@@ -179,9 +166,6 @@ def test_a_picture_shows_itself(shapes, tmp_path):
     assert type(picture / 2) is np.ndarray and type(picture.mean(axis=2)) is np.ndarray and picture.max() <= 255
     loom.save_picture(tmp_path / "a.png", picture)
     np.testing.assert_array_equal(loom.read_color(tmp_path / "a.png"), picture)
-
-
-# ------------------------------------------------------------------------------------------------ volumes
 
 
 def test_a_volume_takes_an_image_as_open3d_does(device):
@@ -196,9 +180,6 @@ def test_a_volume_takes_an_image_as_open3d_does(device):
         volume.integrate(grey, CAMERA, np.eye(4))
     plain = loom.TSDFVolume(voxel_size=0.1, color=False, device=device)
     assert plain.integrate(grey, CAMERA, np.eye(4)) > 0
-
-
-# ------------------------------------------------------------------------------------------------ paths
 
 
 def test_the_tilde_is_the_home(tmp_path, monkeypatch, shapes):

@@ -1,14 +1,11 @@
 """Flat patches: those of Open3D on a real scan, the faces of rooms, and none where nothing is flat."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import pointloom as loom
-from pointloom.kernels.lang import cpu_compiler
 
 TUTORIAL = {"normal_variance_threshold_deg": 60, "coplanarity_deg": 75, "outlier_ratio": 0.75}
 ROOM = np.array([6.0, 4.0, 2.7])  # [m]
@@ -42,10 +39,8 @@ def matches(box, others, tolerances):
 
 
 @pytest.fixture(scope="module", params=["stored", "fitted"])
-def scan(request, fragment, to_open3d):
+def scan(request, fragment, o3d, to_open3d):
     """Half of the fragment with normals, and Open3D's patches of it."""
-    import open3d as o3d
-
     cloud = loom.PointCloud(fragment.points[::2], normals=fragment.normals[::2])
     if request.param == "fitted":
         cloud = cloud.estimate_normals(max_nn=30)
@@ -64,54 +59,40 @@ def test_patches_of_the_fragment_are_open3ds(device, scan, tolerances):
 
 
 @pytest.mark.parametrize(
-    ("noise", "shift"), [(0.0, 0.0), (0.005, 0.0), (0.02, 0.0), (0.005, 5.0e6)], ids=["exact", "fine", "rough", "utm"]
+    ("noise", "shift", "turned"), [(0.0, 0.0, False), (0.02, 0.0, False), (0.005, 5.0e6, True)], ids=str
 )
-def test_a_room_has_its_six_faces(device, noise, shift, rng):
+def test_a_room_has_its_six_faces(device, noise, shift, turned, rng):
     """Open3D finds only some of them without noise: none of the points is closer than 0 to an exact plane."""
-    points, _ = room(rng, 24_000, noise)
-    world = points + np.array([shift / 10, shift, 100])
-    patches = loom.PointCloud(world, device=device).estimate_normals(max_nn=30).detect_planar_patches()
+    points, _ = room(rng, 12_000, noise)
+    R, place = np.eye(3), np.array([shift / 10, shift, 100])
+    if turned:
+        R = np.linalg.qr(rng.normal(size=(3, 3)))[0]
+        R *= np.sign(np.linalg.det(R))
+    cloud = loom.PointCloud(points @ R.T + place, device=device).estimate_normals(max_nn=30)
+    patches = cloud.detect_planar_patches()
     assert len(patches) == 6
     faces = set()
     for patch in patches:
-        axis = int(np.abs(patch.R[:, 2]).argmax())
-        assert abs(patch.R[axis, 2]) > 0.999
-        middle = patch.center - [shift / 10, shift, 100]
+        np.testing.assert_allclose(patch.R.T @ patch.R, np.eye(3), atol=1e-9)
+        own, middle = R.T @ patch.R, R.T @ (patch.center - place)
+        axis = int(np.abs(own[:, 2]).argmax())
+        assert abs(own[axis, 2]) > 0.999 and np.linalg.det(patch.R) > 0
+        assert not turned or np.abs(own[:, 0]).max() > 0.99, "sides along the room's own edges"
         faces.add((axis, bool(middle[axis] > ROOM[axis] / 2)))
         assert min(abs(middle[axis]), abs(middle[axis] - ROOM[axis])) < 0.15
-        sides = np.delete(ROOM, axis)
-        assert (np.sort(patch.extent[:2]) > 0.75 * np.sort(sides)).all()
-        assert (np.sort(patch.extent[:2]) < np.sort(sides) + 0.2).all()
+        sides = np.sort(np.delete(ROOM, axis))
+        assert (np.sort(patch.extent[:2]) > 0.75 * sides).all() and (np.sort(patch.extent[:2]) < sides + 0.2).all()
     assert len(faces) == 6
 
 
-def test_a_turned_room_has_turned_boxes(device, rng):
-    points, _ = room(rng, 24_000, 0.004)
-    R = np.linalg.qr(rng.normal(size=(3, 3)))[0]
-    R *= np.sign(np.linalg.det(R))
-    patches = loom.PointCloud(points @ R.T, device=device).estimate_normals(max_nn=30).detect_planar_patches()
-    assert len(patches) == 6
-    for patch in patches:
-        assert np.abs(R.T @ patch.R[:, 2]).max() > 0.999
-        assert np.abs(R.T @ patch.R[:, 0]).max() > 0.99, "sides along the room's own edges"
-        np.testing.assert_allclose(patch.R.T @ patch.R, np.eye(3), atol=1e-9)
-        assert np.linalg.det(patch.R) > 0
-
-
-def test_a_floor_with_a_step_is_two_patches_and_one_in_open3d(device, rng, to_open3d):
+def test_a_floor_with_a_step_is_two_patches(device, rng):
     """The halves do not fit each other; rough points on the step fit both, and tie them together in Open3D."""
-    import open3d as o3d
-
     x, y = rng.random((2, 24_000)) * [[2], [1.5]]
     rough = np.where((x > 0.95) & (x < 1.15), 0.0075, 0.003)
     height = 0.04 * np.clip((x - 1) / 0.1, 0, 1) + rough * rng.normal(size=len(x))
     frame = [[0, 0, 1.5], [2, 1.5, 1.5]]  # far above, so that a half is no eighth of the box
     points = np.vstack([np.column_stack([x, y, height]), frame])
     cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=30)
-    oracle = to_open3d(cloud.points.copy(), cloud.normals.copy())
-    limits = dict(TUTORIAL, min_plane_edge_length=0, min_num_points=0)
-    (theirs,) = oracle.detect_planar_patches(**limits, search_param=o3d.geometry.KDTreeSearchParamKNN(30))
-    assert sorted(theirs.extent)[1:] == pytest.approx([1.5, 2.0], abs=0.1)
     ours = sorted(cloud.detect_planar_patches(**TUTORIAL), key=lambda patch: patch.center[0])
     assert len(ours) == 2
     for patch, middle, level in zip(ours, (0.5, 1.5), (0.0, 0.04), strict=True):
@@ -137,7 +118,7 @@ def test_box_of_a_rectangle_is_the_rectangle(device, rng):
 
 def test_normals_need_no_common_side(device, rng):
     """Open3D takes the median of the signed normals, which means nothing where signs are mixed."""
-    points, _ = room(rng, 24_000, 0.004)
+    points, _ = room(rng, 12_000, 0.004)
     cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=30)
     expected = cloud.detect_planar_patches()
     cloud.normals = cloud.normals * rng.choice([-1.0, 1.0], len(cloud))[:, None]
@@ -183,7 +164,7 @@ def test_limits_choose_patches(device, rng):
     assert cloud.detect_planar_patches(radius=1e-6) == [], "no neighbour to grow to"
 
 
-@pytest.mark.parametrize("count", [0, 1, 2, 3, 9, 12])
+@pytest.mark.parametrize("count", [0, 1, 2, 12])
 def test_clouds_of_a_few_points_have_no_patches(device, count):
     points = np.column_stack([np.arange(count), np.arange(count) % 3, np.zeros(count)]).astype(float).reshape(-1, 3)
     cloud = loom.PointCloud(points, normals=np.tile([0, 0, 1.0], (count, 1)), device=device)
@@ -197,50 +178,15 @@ def test_equal_points_and_lines_end(device, points):
     assert all(np.sort(patch.extent)[1] < 0.002 * patch.extent.max() for patch in patches), "a tenth of a degree"
 
 
-@pytest.mark.parametrize("compiler", ["warp", pytest.param("taichi", marks=pytest.mark.slow)])
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=10, deadline=None)
 @given(seed=st.integers(0, 2**20), kind=st.sampled_from(["lattice", "noise", "copies", "nan"]))
-def test_boxes_of_any_cloud_are_boxes(compiler, seed, kind):
+def test_boxes_of_any_cloud_are_boxes(seed, kind):
     rng = np.random.default_rng(seed)
     points = rng.integers(0, 5, (150, 3)).astype(float) if kind == "lattice" else rng.random((150, 3))
     if kind == "copies":
         points = np.repeat(points[:15], 10, axis=0)
     if kind == "nan":
         points[rng.random(150) < 0.3] = np.nan
-    with cpu_compiler(compiler):
-        patches = loom.PointCloud(points).estimate_normals(max_nn=8).detect_planar_patches(80, 30, 1.0, max_nn=8)
+    patches = loom.PointCloud(points).estimate_normals(max_nn=8).detect_planar_patches(80, 30, 1.0, max_nn=8)
     sizes = [patch.extent[:2].prod() for patch in patches]
     assert np.isfinite(sizes).all() and (np.array(sizes) >= 0).all()
-
-
-def test_two_runs_give_the_same_boxes(device, fragment):
-    cloud = loom.PointCloud(fragment.points[::4], normals=fragment.normals[::4], device=device)
-    first, second = (cloud.detect_planar_patches(**TUTORIAL) for _ in range(2))
-    assert len(first) == len(second) > 3
-    for a, b in zip(first, second, strict=True):
-        for name in ("center", "R", "extent"):
-            np.testing.assert_array_equal(getattr(a, name), getattr(b, name))
-
-
-@pytest.mark.parametrize(
-    ("arguments", "error", "message"),
-    [
-        ({"normal_variance_threshold_deg": -1}, ValueError, "normal_variance_threshold_deg: expected a finite number"),
-        ({"normal_variance_threshold_deg": 91}, ValueError, "normal_variance_threshold_deg: expected degrees in 0..90"),
-        ({"coplanarity_deg": np.nan}, ValueError, "coplanarity_deg: expected a finite number"),
-        ({"outlier_ratio": 1.5}, ValueError, "outlier_ratio: expected a number in 0..1"),
-        ({"min_plane_edge_length": -0.1}, ValueError, "min_plane_edge_length: expected a finite number >= 0"),
-        ({"min_num_points": -1}, ValueError, "min_num_points: expected a whole number >= 0"),
-        ({"max_nn": 1}, ValueError, "max_nn: expected a whole number >= 2"),
-        ({"radius": 0.0}, ValueError, "radius: expected a finite number > 0"),
-    ],
-)
-def test_wrong_arguments_are_refused(rng, arguments, error, message):
-    cloud = loom.PointCloud(rng.random((10, 3)), normals=np.ones((10, 3)))
-    with pytest.raises(error, match=message):
-        cloud.detect_planar_patches(**arguments)
-
-
-def test_a_cloud_without_normals_is_refused(rng):
-    with pytest.raises(ValueError, match=r"the cloud has no normals: call cloud = cloud.estimate_normals\(\)"):
-        loom.PointCloud(rng.random((10, 3))).detect_planar_patches()

@@ -1,14 +1,12 @@
 """Neighbour search is exact: against float64 brute force and Open3D, on every kind of cloud and every path."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial.distance import cdist
 
@@ -18,6 +16,7 @@ from pointloom.kernels.search.point_tree import LEAF, PointTree
 from pointloom.kernels.search.tree_search import search_nearest
 from pointloom.pcd.kept_tree import SMALLEST_EXTENT
 
+from .any_cloud import NOT_FINITE, WHOLE, clouds, examples, real
 from .nearest_oracle import EXACT, SHAPES, assert_nearest, make_cloud, queries_for, rows_of, sphere, square_distances
 
 
@@ -39,7 +38,7 @@ def test_neighbours_within_a_radius_are_those_of_brute_force(device, shape, rng,
     places = queries_for(cloud.points, rng)
     expected, own = square_distances(cloud, places), square_distances(cloud, cloud.points)
     near = np.sqrt(np.partition(own, min(15, len(cloud) - 1), axis=1)[:, min(15, len(cloud) - 1)].mean()) or 0.1
-    for radius in (near / 30, near, 4 * near, 1e7):
+    for radius in (near / 30, near, 1e7):
         found = search.hybrid_search(places, radius, 12)
         assert_nearest(found, expected, 12, radius, tolerances, shape in EXACT)
         found = search.hybrid_search(cloud, radius, 12)
@@ -48,7 +47,7 @@ def test_neighbours_within_a_radius_are_those_of_brute_force(device, shape, rng,
         assert_nearest(rows, expected, len(cloud), radius, tolerances, shape in EXACT)
 
 
-@pytest.mark.parametrize("count", [0, 1, 2, LEAF - 1, LEAF, LEAF + 1, 2 * LEAF, 8 * LEAF + 1])
+@pytest.mark.parametrize("count", [0, 1, 2, LEAF, LEAF + 1, 8 * LEAF + 1])
 def test_small_clouds_have_all_their_neighbours(device, count, rng, tolerances):
     cloud = loom.PointCloud(rng.random((count, 3)), device=device)
     search = loom.NearestNeighborSearch(cloud)
@@ -80,24 +79,6 @@ def test_asking_for_more_neighbours_than_there_are_takes_all(device, operation, 
     assert compute(cloud, len(cloud) + 1) == compute(cloud, len(cloud) + 70) == compute(cloud, len(cloud))
 
 
-BEYOND_A_LARGE_CLOUD = """
-import numpy as np, pointloom as loom
-points = np.random.default_rng(0).random((262_145, 3))
-indices, _, counts = loom.NearestNeighborSearch(points, device="cpu").knn_search(points[:1], len(points) + 1)
-assert np.array_equal(np.sort(indices[0]), np.arange(-1, len(points))) and counts[0] == len(points)
-"""
-
-
-@pytest.mark.slow
-def test_asking_for_more_neighbours_than_a_large_cloud_has_ends():
-    """In a process of its own: a walk that left the boxes of so many points read memory that was not there."""
-    environment = os.environ | {"POINTLOOM_CPU": "warp", "PYTHONPATH": os.pathsep.join(p for p in sys.path if p)}
-    run = subprocess.run(
-        [sys.executable, "-c", BEYOND_A_LARGE_CLOUD], capture_output=True, text=True, env=environment, timeout=300
-    )
-    assert run.returncode == 0, run.stderr
-
-
 @pytest.mark.parametrize("far", [1e20, 3e38])
 def test_a_point_too_far_for_a_squared_distance_is_nobodys_neighbour_and_an_outlier(device, far, rng):
     points = rng.random((600, 3))
@@ -119,42 +100,7 @@ def test_no_queries_give_empty_rows(device, rng):
     assert found.indices.shape == found.sqdists.shape == found.counts.shape == (0,)
 
 
-def test_search_agrees_with_open3d_on_a_lidar_scan(device, lidar, tolerances):
-    import open3d as o3d
-
-    cloud = loom.PointCloud(lidar[:, :3], device=device)
-    search = loom.NearestNeighborSearch(cloud)
-    oracle = o3d.core.nns.NearestNeighborSearch(o3d.core.Tensor(lidar[:, :3].astype(np.float64)))
-    oracle.knn_index()
-    oracle.hybrid_index(1.0)
-    oracle.fixed_radius_index(0.3)
-    some = o3d.core.Tensor(lidar[::3, :3].astype(np.float64))
-    places = lidar[::3, :3]
-    relative = tolerances.sqdist_relative
-
-    _, sqdists = (t.numpy() for t in oracle.knn_search(some, 20))
-    np.testing.assert_allclose(search.knn_search(places, 20).sqdists, sqdists, rtol=relative)
-    _, sqdists, counts = (t.numpy() for t in oracle.hybrid_search(some, 1.0, 30))
-    found = search.hybrid_search(places, 1.0, 30)
-    np.testing.assert_array_equal(found.counts, counts.ravel())
-    missing = np.arange(30) >= found.counts[:, None]  # where Open3D has a distance of 0
-    np.testing.assert_allclose(found.sqdists, np.where(missing, np.inf, sqdists), rtol=relative)
-    _, sqdists, splits = (t.numpy() for t in oracle.fixed_radius_search(some, 0.3, True))
-    found = search.radius_search(places, 0.3)
-    np.testing.assert_array_equal(found.counts, np.diff(splits))
-    np.testing.assert_allclose(found.sqdists, sqdists, rtol=relative)
-
-
-def test_k_nearest_of_a_lidar_scan_to_itself_are_those_of_brute_force(device, lidar, tolerances):
-    cloud = loom.PointCloud(lidar[:, :3], device=device)
-    found = loom.NearestNeighborSearch(cloud).knn_search(cloud, 20)
-    some = np.random.default_rng(1).permutation(len(lidar))[:400]
-    part = loom.pcd.search.Neighbors(*(a[some] for a in found))
-    assert_nearest(part, square_distances(cloud, lidar[some, :3]), 20, np.inf, tolerances)
-
-
-@pytest.mark.parametrize("k", [1, 10, 40])
-@pytest.mark.parametrize("radius", [0.05, 0.25, 0.7, 10.0, np.inf])
+@pytest.mark.parametrize(("k", "radius"), [(1, 10.0), (10, 0.05), (10, 0.25), (40, 0.7), (40, np.inf)])
 def test_gathering_walking_and_the_overflow_between_them_agree_bit_for_bit(device, radius, k, rng, monkeypatch):
     """The density jumps by a factor of 400, so that what one group finds misleads the next."""
     points = np.concatenate([sphere(rng, 3001), 0.05 * sphere(rng, 1000)])
@@ -182,14 +128,6 @@ def test_a_search_in_parts_gives_the_same_bits(device, radius, rng, monkeypatch)
         np.testing.assert_array_equal(part.numpy().view(np.int32), expected.numpy().view(np.int32))
 
 
-def test_a_query_is_its_own_nearest_neighbour_at_distance_zero(device, rng):
-    points = rng.random((777, 3))
-    cloud = loom.PointCloud(points, device=device)
-    found = loom.NearestNeighborSearch(cloud).knn_search(cloud, 1)
-    np.testing.assert_array_equal(found.indices[:, 0], np.arange(777))
-    assert (found.sqdists == 0).all()
-
-
 def test_ties_go_to_the_lower_index(device):
     points = np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]], float)
     search = loom.NearestNeighborSearch(np.concatenate([points, points]), device=device)
@@ -198,23 +136,38 @@ def test_ties_go_to_the_lower_index(device):
     assert search.radius_search(np.zeros((1, 3)), 1.5).indices.tolist() == list(range(12))
 
 
-def test_many_equal_points_give_the_lowest_indices(device):
-    search = loom.NearestNeighborSearch(np.ones((5000, 3)), device=device)
-    for found in (search.knn_search(np.ones((3, 3)), 7), search.hybrid_search(np.ones((3, 3)), 0.1, 7)):
-        assert found.indices.tolist() == [list(range(7))] * 3
+def open3d_neighbors(o3d, points, queries, radii):
+    """Indices and distances within each radius, and the distances of the 8 nearest."""
+    search = o3d.core.nns.NearestNeighborSearch(o3d.core.Tensor(points))
+    search.knn_index()
+    within = []
+    for radius in radii:
+        search.fixed_radius_index(float(radius))
+        within.append([t.numpy() for t in search.fixed_radius_search(o3d.core.Tensor(queries), float(radius), True)])
+    return search.knn_search(o3d.core.Tensor(queries), min(8, len(points)))[1].numpy(), within
 
 
-def test_the_boundary_of_a_radius_is_excluded_as_in_open3d(device):
-    import open3d as o3d
-
+def test_the_boundary_of_a_radius_is_excluded_as_in_open3d(device, oracle):
     points = np.array([[0.0, 0, 0], [0.5, 0, 0], [0, 0.25, 0], [3, 4, 0]])
     search = loom.NearestNeighborSearch(points, device=device)
-    for radius in (0.25, 0.5, 5.0, np.nextafter(0.5, 1), np.nextafter(np.float32(0.5), np.float32(1))):
-        oracle = o3d.core.nns.NearestNeighborSearch(o3d.core.Tensor(points))
-        oracle.fixed_radius_index(float(radius))
-        expected = oracle.fixed_radius_search(o3d.core.Tensor(points[:1]), float(radius), True)[0].numpy()
+    radii = [0.25, 0.5, 5.0, np.nextafter(0.5, 1), float(np.nextafter(np.float32(0.5), np.float32(1)))]
+    _, within = oracle("pcd/search/boundary", open3d_neighbors, points, points[:1], radii)
+    for radius, (expected, _, _) in zip(radii, within, strict=True):
         assert search.radius_search(points[:1], radius).indices.tolist() == expected.tolist(), radius
         assert search.hybrid_search(points[:1], radius, 4).counts.tolist() == [len(expected)], radius
+
+
+def test_neighbours_in_a_made_cloud_are_open3ds(device, rng, oracle, tolerances):
+    points, queries = (rng.random((n, 3)).astype(np.float32).astype(float) for n in (500, 60))
+    search, radii = loom.NearestNeighborSearch(points, device=device), [0.05, 0.2]
+    nearest, within = oracle("pcd/search/uniform", open3d_neighbors, points, queries, radii)
+    relative = tolerances.sqdist_relative
+    np.testing.assert_allclose(search.knn_search(queries, 8).sqdists, nearest, rtol=relative, atol=1e-9)
+    for radius, (indices, sqdists, splits) in zip(radii, within, strict=True):
+        found = search.radius_search(queries, radius)
+        np.testing.assert_array_equal(found.indices, indices)
+        np.testing.assert_allclose(found.sqdists, sqdists, rtol=relative, atol=1e-9)
+        np.testing.assert_array_equal(found.counts, np.diff(splits))
 
 
 def test_points_and_queries_that_are_not_finite_are_nobodys_neighbours(device, rng, tolerances):
@@ -231,25 +184,7 @@ def test_points_and_queries_that_are_not_finite_are_nobodys_neighbours(device, r
         assert_nearest(rows_of(search.radius_search(queries, 0.2), 605), d, 605, 0.2, tolerances)
 
 
-def test_a_cloud_that_is_mostly_nan_is_searched_like_its_finite_part(device, rng):
-    points = np.full((6000, 3), np.nan)
-    rows = np.sort(rng.permutation(6000)[:77])
-    points[rows] = rng.random((77, 3))
-    cloud, part = (loom.PointCloud(p, device=device) for p in (points, points[rows]))
-    found = loom.NearestNeighborSearch(cloud).hybrid_search(cloud, 0.3, 9)
-    expected = loom.NearestNeighborSearch(part).hybrid_search(part, 0.3, 9)
-    assert found.counts.sum() == expected.counts.sum() > 0
-    np.testing.assert_array_equal(found.indices[rows], np.where(expected.indices < 0, -1, rows[expected.indices]))
-
-
-def test_a_cloud_without_a_finite_point_has_no_neighbours(device):
-    search = loom.NearestNeighborSearch(np.full((9, 3), np.nan), device=device)
-    for found in (search.knn_search(np.zeros((2, 3)), 3), search.hybrid_search(np.zeros((2, 3)), 1.0, 3)):
-        assert found.counts.tolist() == [0, 0] and (found.indices == -1).all() and np.isposinf(found.sqdists).all()
-    assert search.radius_search(np.zeros((2, 3)), 1.0).counts.tolist() == [0, 0]
-
-
-@pytest.mark.parametrize("scale", [2e-13, 1e-6, 1e12, 1e18])
+@pytest.mark.parametrize("scale", [2e-13, 1e18])
 def test_neighbours_are_exact_at_any_scale(device, scale, rng, tolerances):
     """Beyond these the points are refused: test_kept_tree.py."""
     cloud = loom.PointCloud(rng.random((300, 3)) * scale, device=device, origin=np.zeros(3))
@@ -257,18 +192,13 @@ def test_neighbours_are_exact_at_any_scale(device, scale, rng, tolerances):
     assert_nearest(search.knn_search(cloud, 8), square_distances(cloud, cloud.points), 8, np.inf, tolerances)
 
 
-@pytest.mark.parametrize("radius", [1e-300, 1e-30, 1e30, 1e200, 1.7e308])
+@pytest.mark.parametrize("radius", [1e-300, 1e30, 1.7e308])
 def test_any_positive_radius_is_taken(device, radius, rng):
     search = loom.NearestNeighborSearch(rng.random((50, 3)), device=device)
     expected = 1 if radius < 1 else 50
     places = search.cloud
     assert (search.radius_search(places, radius).counts == expected).all()
     assert (search.hybrid_search(places, radius, 60).counts == expected).all()
-
-
-def test_a_point_is_within_any_radius_of_itself_and_of_its_copies(device):
-    search = loom.NearestNeighborSearch(np.array([[0.1, 0.2, 0.3]] * 3 + [[1, 1, 1.0]]), device=device)
-    assert search.radius_search(np.array([[0.1, 0.2, 0.3]]), 1e-30).indices.tolist() == [0, 1, 2]
 
 
 def test_utm_coordinates_keep_their_detail(device, rng, tolerances):
@@ -302,27 +232,6 @@ def test_a_search_does_not_follow_what_is_assigned_to_the_cloud_later(device, rn
             np.testing.assert_array_equal(after.sqdists, before.sqdists)
 
 
-def test_a_query_array_is_never_taken_for_the_points_of_the_tree(device, rng):
-    points = rng.random((400, 3)).astype(np.float32)
-    tree = PointTree(loom.PointCloud(points, device=device).array("points"))
-    for _ in range(4):
-        queries = loom.PointCloud(points[::-1], device=device).array("points")
-        assert tree.source.ptr != queries.ptr
-
-
-def test_two_runs_give_the_same_bits(device, rng):
-    cloud = loom.PointCloud(sphere(rng, 3000), device=device)
-    runs = [loom.NearestNeighborSearch(cloud) for _ in range(2)]
-    for call in (
-        lambda s: s.knn_search(cloud, 15),
-        lambda s: s.hybrid_search(cloud, 0.2, 15),
-        lambda s: s.radius_search(cloud, 0.1),
-    ):
-        first, second = call(runs[0]), call(runs[1])
-        for a, b in zip(first, second, strict=True):
-            np.testing.assert_array_equal(a.view(np.int32), b.view(np.int32))
-
-
 DIGEST = """
 import hashlib, numpy as np, pointloom as loom
 rng = np.random.default_rng(3)
@@ -343,11 +252,10 @@ print([hashlib.sha256(np.ascontiguousarray(r).tobytes()).hexdigest()[:16] for r 
 
 @pytest.mark.slow
 @pytest.mark.slow_on_emulated_cuda("its processes run on the CPU alone")
-@pytest.mark.parametrize("compiler", ["warp", "taichi"])
-def test_one_and_two_threads_give_the_same_bits(compiler):
+def test_one_and_two_threads_give_the_same_bits():
     digests = []
     for threads in ("1", "2"):
-        environment = os.environ | {"POINTLOOM_CPU": compiler, "POINTLOOM_CPU_THREADS": threads}
+        environment = os.environ | {"POINTLOOM_CPU": "warp", "POINTLOOM_CPU_THREADS": threads}
         environment["PYTHONPATH"] = os.pathsep.join(p for p in sys.path if p)
         run = subprocess.run([sys.executable, "-c", DIGEST], capture_output=True, text=True, env=environment)
         assert run.returncode == 0, run.stderr
@@ -355,39 +263,13 @@ def test_one_and_two_threads_give_the_same_bits(compiler):
     assert digests[0] == digests[1] and digests[0].count("'") == 34
 
 
-@pytest.mark.parametrize(
-    ("call", "error", "message"),
-    [
-        (lambda s: s.knn_search(np.zeros((1, 3)), 0), ValueError, "k: expected a whole number >= 1, got 0"),
-        (lambda s: s.knn_search(np.zeros((1, 3)), 2.0), TypeError, "k: expected a whole number, got 2.0"),
-        (lambda s: s.knn_search(np.zeros((1, 2)), 1), ValueError, r"queries: expected shape \[n, 3\], got \[1, 2\]"),
-        (lambda s: s.knn_search(np.zeros(2), 1), ValueError, r"queries: expected shape \[n, 3\], got \[2\]"),
-        (lambda s: s.knn_search("abc", 1), TypeError, "queries: expected real numbers"),
-        (lambda s: s.radius_search(np.zeros((1, 3)), 0), ValueError, "radius: expected a finite number > 0"),
-        (lambda s: s.radius_search(np.zeros((1, 3)), np.nan), ValueError, "radius: expected a finite number > 0"),
-        (lambda s: s.radius_search(np.zeros((1, 3)), -1), ValueError, "radius: expected a finite number > 0"),
-        (lambda s: s.hybrid_search(np.zeros((1, 3)), 1, 0), ValueError, "max_nn: expected a whole number >= 1"),
-        (lambda s: s.hybrid_search(np.zeros((1, 3)), "x", 1), TypeError, "radius: expected a number"),
-    ],
-)
-def test_wrong_arguments_are_named(call, error, message):
-    with pytest.raises(error, match=message):
-        call(loom.NearestNeighborSearch(np.zeros((2, 3))))
+SIZES = [real(1).map(lambda x, size=size: x * size) for size in (1e-25, 1e15)]
+SMALL = clouds(WHOLE, real(10), *SIZES, NOT_FINITE)
 
 
-numbers = st.one_of(
-    st.integers(-3, 3).map(float),
-    st.floats(-10, 10, width=32, allow_subnormal=False),
-    st.floats(-1, 1, width=32, allow_subnormal=False).map(lambda x: x * 1e-25),
-    st.floats(-1, 1, width=32, allow_subnormal=False).map(lambda x: x * 1e15),
-    st.sampled_from([np.nan, np.inf, -np.inf]),
-)
-clouds = st.lists(st.tuples(numbers, numbers, numbers), max_size=40).map(lambda p: np.array(p, float).reshape(-1, 3))
-
-
-@settings(derandomize=True, deadline=None, max_examples=60)
-@given(points=clouds, queries=clouds, k=st.integers(1, 12), radius=st.sampled_from([1e-20, 1.0, 5.0, 1e14]))
-def check_any_cloud(device, tolerances, points, queries, k, radius):
+@examples(30)
+@given(points=SMALL, queries=SMALL, k=st.integers(1, 12), radius=st.sampled_from([1e-20, 1.0, 5.0, 1e14]))
+def test_any_small_cloud_is_searched_exactly(device, tolerances, points, queries, k, radius):
     cloud = loom.PointCloud(points, device=device, origin=np.zeros(3))
     finite = cloud.points[np.isfinite(cloud.points).all(axis=1)]
     if len(finite) and 0 < np.ptp(finite, axis=0).max() < SMALLEST_EXTENT:
@@ -401,7 +283,3 @@ def check_any_cloud(device, tolerances, points, queries, k, radius):
     assert_nearest(rows_of(search.radius_search(queries, radius), 41), expected, 41, radius, tolerances)
     own = square_distances(cloud, cloud.points)
     assert_nearest(search.hybrid_search(cloud, radius, k), own, k, radius, tolerances)
-
-
-def test_any_small_cloud_is_searched_exactly(device, tolerances):
-    check_any_cloud(device, tolerances)

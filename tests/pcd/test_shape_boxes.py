@@ -1,7 +1,5 @@
 """Boxes of found planes: cartons on a floor, what was not seen of them, a room; bad input."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """What is asked as a kind that it is none of is not sure, and the reason says what it is; what is beside a shape."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

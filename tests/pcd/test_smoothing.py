@@ -1,15 +1,11 @@
 """Smoothing: brute force on small clouds, less noise on surfaces that are known, and the rest of the contract."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import pointloom as loom
-
-# ------------------------------------------------------------------------------------------ brute force
 
 
 def brute_neighbors(points, row, k, radius):
@@ -54,7 +50,7 @@ def brute_averages(points, factors, k, fixed):
     return points
 
 
-@settings(derandomize=True, deadline=None, max_examples=30)  # the first example compiles
+@settings(derandomize=True, deadline=None, max_examples=12)
 @given(seed=st.integers(0, 2**32 - 1), count=st.integers(2, 60), k=st.integers(1, 12), missing=st.integers(0, 5))
 def test_small_clouds_are_smoothed_as_by_brute_force(seed, count, k, missing):
     rng = np.random.default_rng(seed)
@@ -84,25 +80,6 @@ def test_small_clouds_are_smoothed_as_by_brute_force(seed, count, k, missing):
         np.testing.assert_array_equal(found["label"], np.arange(len(held)))
         error = np.abs(found.points[good] - expected).max(axis=1)
         assert (error > 1e-5).mean() <= 0.05, "1e-5: planes through near-isotropic neighbours amplify rounding"
-
-
-@settings(derandomize=True, deadline=None, max_examples=30)  # the first example compiles
-@given(seed=st.integers(0, 2**32 - 1), count=st.integers(1, 80), side=st.integers(1, 4))
-def test_points_of_a_lattice_with_duplicates_stay_inside_its_box(seed, count, side):
-    """Ties and equal points everywhere: which neighbours are taken is open, the hull of the result is not."""
-    points = np.random.default_rng(seed).integers(0, side, (count, 3)).astype(np.float64)
-    cloud = loom.PointCloud(points)
-    for smooth in (
-        cloud.smooth_laplacian(3, 0.5, 5), cloud.smooth_laplacian(3, 0.5, 5, True),
-        cloud.smooth_bilateral(radius=1.5, max_nn=8, sigma_s=1, sigma_r=1),
-        cloud.smooth_bilateral(radius=1.5, max_nn=None, sigma_s=1, sigma_r=1),
-    ):  # fmt: skip
-        found = smooth.points
-        assert np.isfinite(found).all()
-        assert found.min() >= -1e-6 and found.max() <= side - 1 + 1e-6
-
-
-# ------------------------------------------------------------------------------------------ what it is for
 
 
 def wave(rng, count=4000, noise=0.01):
@@ -163,8 +140,6 @@ def test_taubin_keeps_a_sphere_that_laplacian_shrinks(device, rng):
         assert radius[0] < 0.993 < 0.997 < radius[1] < 1.003
 
 
-# ------------------------------------------------------------------------------------------ the rest of the contract
-
 OPERATIONS = {
     "mls": lambda cloud: cloud.smooth_mls(radius=0.2, max_nn=20),
     "mls radius": lambda cloud: cloud.smooth_mls(radius=0.2, max_nn=None),
@@ -187,20 +162,6 @@ def test_smoothing_at_utm_coordinates_is_as_exact_as_at_the_origin(device, opera
 
 
 @pytest.mark.parametrize("operation", OPERATIONS.values(), ids=OPERATIONS)
-def test_a_nan_spoils_no_other_point(device, operation, rng):
-    points = wave(rng, 1000)[0]
-    bad = rng.permutation(1000)[:60]
-    spoiled = points.copy()
-    spoiled[bad, rng.integers(0, 3, 60)] = np.nan
-    spoiled[bad[:10]] = [np.inf, 0, -np.inf]
-    found = operation(loom.PointCloud(spoiled, device=device)).points
-    good = np.setdiff1d(np.arange(1000), bad)
-    np.testing.assert_array_equal(found[bad], spoiled.astype(np.float32)[bad])
-    expected = operation(loom.PointCloud(points[good], device=device)).points
-    np.testing.assert_allclose(found[good], expected, rtol=0, atol=1e-6, err_msg="summed in another order")
-
-
-@pytest.mark.parametrize("operation", OPERATIONS.values(), ids=OPERATIONS)
 def test_attributes_travel_and_the_cloud_itself_stays(device, operation, rng):
     points = wave(rng, 300)[0]
     cloud = loom.PointCloud(points, colors=rng.random((300, 3)), label=np.arange(300), device=device)
@@ -214,28 +175,15 @@ def test_attributes_travel_and_the_cloud_itself_stays(device, operation, rng):
 
 
 @pytest.mark.parametrize("operation", OPERATIONS.values(), ids=OPERATIONS)
-@pytest.mark.parametrize("count", [0, 1, 2, 3])
-def test_clouds_of_a_few_points_are_smoothed(device, operation, count):
-    points = np.array([[0, 0, 0], [0.1, 0, 0], [0, 0.1, 0.0]])[:count]
-    found = operation(loom.PointCloud(points, device=device)).points
-    assert found.shape == (count, 3) and np.isfinite(found).all()
-    if count < 2:
-        np.testing.assert_array_equal(found, points)
-    assert np.abs(found).max(initial=0) <= 0.1 + 1e-7
-
-
-@pytest.mark.parametrize("operation", OPERATIONS.values(), ids=OPERATIONS)
-@pytest.mark.parametrize("fill", [0.3, np.nan])
-def test_equal_points_and_none_that_is_finite_stay(device, operation, fill):
-    points = np.full((70, 3), fill, np.float32)
-    np.testing.assert_array_equal(operation(loom.PointCloud(points, device=device)).points, points)
-
-
-@pytest.mark.parametrize("operation", OPERATIONS.values(), ids=OPERATIONS)
-def test_two_runs_give_the_same_bits(device, operation, rng):
-    cloud = loom.PointCloud(wave(rng, 2000)[0], device=device)
-    first, second = (operation(cloud).array("points").numpy() for _ in range(2))
-    np.testing.assert_array_equal(first.view(np.int32), second.view(np.int32))
+def test_a_few_points_equal_ones_and_none_that_is_finite_are_smoothed(device, operation):
+    points = np.array([[0, 0, 0], [0.1, 0, 0], [0, 0.1, 0.0]])
+    for count in (0, 1, 2, 3):
+        found = operation(loom.PointCloud(points[:count], device=device)).points
+        assert found.shape == (count, 3) and np.isfinite(found).all()
+        assert np.abs(found).max(initial=0) <= (0.1 + 1e-7 if count > 1 else 0)
+    for fill in (0.3, np.nan):
+        same = np.full((70, 3), fill, np.float32)
+        np.testing.assert_array_equal(operation(loom.PointCloud(same, device=device)).points, same)
 
 
 def test_points_of_a_plane_and_of_a_line_stay_on_it(device, rng):
@@ -298,25 +246,3 @@ def test_no_pass_and_no_factor_change_nothing(device, rng):
         cloud.smooth_laplacian(2, 0.0), cloud.smooth_laplacian(2, 0.0, use_fixed_neighborhoods=True),
     ):  # fmt: skip
         np.testing.assert_array_equal(found.points, cloud.points)
-
-
-@pytest.mark.parametrize(
-    ("name", "arguments", "error", "message"),
-    [
-        ("smooth_mls", {"radius": None, "max_nn": None}, ValueError, "radius, max_nn: give at least one"),
-        ("smooth_mls", {"radius": 0.0}, ValueError, "radius: expected a finite number > 0"),
-        ("smooth_mls", {"max_nn": 0}, ValueError, "max_nn: expected a whole number >= 1"),
-        ("smooth_mls", {"max_nn": 2.5}, TypeError, "max_nn: expected a whole number"),
-        ("smooth_bilateral", {"radius": np.nan}, ValueError, "radius: expected a finite number > 0"),
-        ("smooth_bilateral", {"sigma_s": 0}, ValueError, "sigma_s: expected a finite number > 0"),
-        ("smooth_bilateral", {"sigma_r": -1}, ValueError, "sigma_r: expected a finite number > 0"),
-        ("smooth_laplacian", {"iterations": -1}, ValueError, "iterations: expected a whole number >= 0"),
-        ("smooth_laplacian", {"lambda_": np.nan}, ValueError, "lambda_: expected a finite number"),
-        ("smooth_laplacian", {"lambda_": "x"}, TypeError, "lambda_: expected a number"),
-        ("smooth_taubin", {"mu": np.inf}, ValueError, "mu: expected a finite number"),
-        ("smooth_taubin", {"knn": 0}, ValueError, "knn: expected a whole number >= 1"),
-    ],
-)
-def test_wrong_arguments_are_named(name, arguments, error, message):
-    with pytest.raises(error, match=message):
-        getattr(loom.PointCloud(np.zeros((3, 3))), name)(**arguments)

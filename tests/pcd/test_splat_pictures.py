@@ -55,9 +55,7 @@ def reference(splats, camera, T, near=0.01):
     sizes = splats.scales.astype(float)
     axes = T[:3, :3] @ splats._axes()
     columns, rows = np.meshgrid(np.arange(camera.width), np.arange(camera.height))
-    rays = np.stack(
-        [(columns - camera.cx) / camera.fx, (rows - camera.cy) / camera.fy, np.ones(columns.shape)], axis=-1
-    )
+    rays = rays_of(camera)
     left = np.ones(columns.shape)
     color, depth, median, normals = (np.zeros((*columns.shape, k)).squeeze() for k in (3, 1, 1, 3))
     for i in np.argsort(q[:, 2], kind="stable"):
@@ -96,7 +94,7 @@ def reference(splats, camera, T, near=0.01):
     )
 
 
-@pytest.mark.parametrize("degree", range(5))
+@pytest.mark.parametrize("degree", [0, 2, 4])
 def test_a_picture_is_that_of_the_equations(degree, device):
     splats = made(degree=degree, seed=degree, device=device)
     T = pose_at([0.1, 0.2, -1.5])
@@ -123,10 +121,7 @@ def test_a_flat_splat_gives_the_depth_of_its_plane(device):
     turn = np.roll(tilt.as_quat(), 1)
     splats = loom.GaussianSplats([[0, 0, 3]], [[0.8, 0.8, 1e-6]], [turn], [0.95], [[0, 0, 0]], device=device)
     picture = splats.rasterize(CAMERA, np.eye(4))
-    columns, rows = np.meshgrid(np.arange(CAMERA.width), np.arange(CAMERA.height))
-    rays = np.stack(
-        [(columns - CAMERA.cx) / CAMERA.fx, (rows - CAMERA.cy) / CAMERA.fy, np.ones(columns.shape)], axis=-1
-    )
+    rays = rays_of(CAMERA)
     normal = tilt.as_matrix()[:, 2]
     plane = 3 * normal[2] / (rays @ normal)
     seen = picture.opacity > 0.3
@@ -171,6 +166,7 @@ def test_splats_that_are_not_finite_are_not_drawn(device):
     np.testing.assert_array_equal(picture.color, others.color)
 
 
+@pytest.mark.slow
 def test_the_exponential_is_right_to_two_units_in_the_last_place(device):
     x = np.concatenate([np.linspace(-87, 88, 20_001), [0, -np.inf, np.inf, -200, 1e-7]]).astype(np.float32)
     place = resolve_device(device)
@@ -178,18 +174,3 @@ def test_the_exponential_is_right_to_two_units_in_the_last_place(device):
     launch(exp_kernel, len(x), [upload(x, float32, place), out])
     expected = np.exp(np.clip(x.astype(np.float64), -87, 88))
     assert np.abs(download(out) / expected - 1).max() < 2 * np.finfo(np.float32).eps
-
-
-@pytest.mark.parametrize(
-    ("changed", "error", "told"),
-    [
-        ({"intrinsic": np.eye(3)}, TypeError, "intrinsic: expected a PinholeCameraIntrinsic"),
-        ({"extrinsic": np.diag([2, 1, 1, 1])}, ValueError, "extrinsic"),
-        ({"near": 0}, ValueError, "near"),
-        ({"background": (2, 0, 0)}, ValueError, "background"),
-    ],
-)
-def test_wrong_arguments_are_named(changed, error, told):
-    given = {"intrinsic": CAMERA, "extrinsic": np.eye(4)} | changed
-    with pytest.raises(error, match=told):
-        made(5).rasterize(**given)

@@ -21,5 +21,6 @@ def training():
     sys.modules.pop("splat_gradients", None)
 
 
+@pytest.mark.slow
 def test_gradients_are_differences_of_a_float64_picture(training, device):
     assert training.largest_differences(device).max() < 1e-5

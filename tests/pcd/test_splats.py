@@ -114,22 +114,3 @@ def test_a_cloud_of_the_centres_has_colours_and_shortest_axes():
     np.testing.assert_allclose(np.abs(cloud.normals), [[0, 1, 0]], atol=1e-6)  # z turned by a quarter about x
     np.testing.assert_allclose(cloud.colors, [[0.5 + 0.28209479, 0.5, 0]], atol=1e-6)
     np.testing.assert_allclose(cloud["opacity"], [0.25], atol=1e-6)
-
-
-def test_what_harmonics_cannot_follow_is_refused():
-    splats = made(3)
-    for wrong in (np.diag([1.0, 1, -1, 1]), np.diag([1.0, 2, 1, 1])):
-        with pytest.raises(ValueError, match="transformation: expected a rotation with one scale"):
-            splats.transform(wrong)
-
-
-def test_rows_that_are_no_splats_are_named():
-    good = [[[0, 0, 0]] * 2, [[1, 1, 1]] * 2, [[1, 0, 0, 0]] * 2, [0.5, 0.5], [[0, 0, 0]] * 2]
-    for place, value, message in (
-        (1, [[1, 1, 1], [1, 0, 1]], "scales: expected three finite numbers above 0 in each row; row 1"),
-        (2, [[1, 0, 0, 0], [0, 0, 0, 0]], "rotations: .* row 1"),
-        (3, [0.5, 1.5], "opacities: expected a number from 0 to 1 in each row; row 1"),
-        (4, np.zeros((2, 5, 3)), r"harmonics: expected shape \[2, K, 3\]"),
-    ):
-        with pytest.raises(ValueError, match=message):
-            loom.GaussianSplats(*good[:place], value, *good[place + 1 :])

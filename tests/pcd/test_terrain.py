@@ -1,7 +1,5 @@
 """Rasters and heights above ground are those of float64 sums, of SciPy's triangles, and of cells fixed in space."""
 
-from __future__ import annotations
-
 import signal
 import sys
 
@@ -11,7 +9,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import pointloom as loom
-from pointloom.kernels.lang import cpu_compiler
 from pointloom.pcd.raster_cells import NoGroundError
 
 ORIGIN = np.array([500_000.0, 4_000_000.0, 250.0])
@@ -58,7 +55,7 @@ def local(cloud, mask):
     return points.astype(np.float32).astype(np.float64)
 
 
-@pytest.mark.parametrize(("cell", "reach"), [(1.0, 3.0), (0.7, 1.1), (6.5, 30.0)])
+@pytest.mark.parametrize(("cell", "reach"), [(1.5, 4.0), (1.1, 1.5), (6.5, 30.0)])
 def test_bare_earth_is_the_inverse_distance_of_its_definition(device, rng, cell, reach):
     cloud = survey(rng, device, 600)
     raster = loom.terrain.rasterize(cloud, cell, "dtm", reach=reach, neighbors=5, corner=ORIGIN[:2] + 0.3)
@@ -156,7 +153,7 @@ def test_ground_depends_on_nothing_beyond_its_reach(device, rng):
     assert not np.array_equal(np.asarray(other)[:9000], alone)
 
 
-@settings(max_examples=10)
+@settings(max_examples=6)
 @given(shift=st.tuples(st.integers(-3000, 3000), st.integers(-3000, 3000)))
 def test_ground_and_rasters_move_with_whole_cells(shift):
     points = np.random.default_rng(0).random((500, 3)) * (16, 8, 0.5)
@@ -170,14 +167,6 @@ def test_ground_and_rasters_move_with_whole_cells(shift):
     rasters = [loom.terrain.rasterize(cloud, 1.0, reach=4) for cloud in clouds]
     np.testing.assert_array_equal(rasters[0].values, rasters[1].values)
     np.testing.assert_array_equal(rasters[1].corner - rasters[0].corner, shift)
-
-
-def test_houses_of_a_village_are_no_ground_within_a_finite_reach(device, rng):
-    x, y = rng.random((2, 20_000)) * [[100], [80]]
-    house = (abs(x - 30) < 8) & (abs(y - 40) < 10) | (abs(x - 70) < 6) & (abs(y - 25) < 6)
-    cloud = loom.PointCloud(np.column_stack([x, y, 0.1 * x + np.where(house, 6.0, 0.0)]), device=device)
-    ground = np.asarray(loom.classify_ground(cloud, corner=(0, 0)))
-    assert (ground == ~house).mean() > 0.999
 
 
 def test_filled_cells_are_marked_and_the_rest_stays(rng):
@@ -223,7 +212,7 @@ def test_a_geotiff_that_cannot_be_written_leaves_nothing(tmp_path, rng):
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="a limit of the size of files stands for a full disk")
-@pytest.mark.parametrize("missing", [1, 9, 5000, 100_000])
+@pytest.mark.parametrize("missing", [1, 5000])
 def test_a_disk_that_is_full_at_the_very_end_is_noticed(tmp_path, missing):
     pytest.importorskip("rasterio")
     import resource
@@ -259,33 +248,34 @@ def test_all_points_on_a_line_have_heights_but_no_triangles(device):
         loom.terrain.rasterize(cloud, 1.0, method="tin")
 
 
-def test_what_no_raster_can_be_made_of_is_said_by_name(rng):
-    points = rng.random((5, 3)) * (100, 100, 1)
-    cloud = loom.PointCloud(points, **GROUND)
-    rasterize = loom.terrain.rasterize
-    with pytest.raises(ValueError, match="has no classification; set"):
-        rasterize(loom.PointCloud(points), 1.0)
-    bare = loom.PointCloud(points, classification=np.ones(5, np.uint8))
+POINTS = np.random.default_rng(0).random((5, 3)) * (100, 100, 1)
+
+
+@pytest.mark.parametrize(
+    ("cloud", "options", "message"),
+    [
+        (loom.PointCloud(POINTS), {}, "has no classification; set"),
+        (loom.PointCloud(POINTS, **GROUND), {"cell": 1e-4}, r"makes [\d,]+ x [\d,]+ cells, [\d,]+ GB, and 2\^28"),
+        (loom.PointCloud(POINTS, **GROUND, unit="degree"), {}, "is in degrees"),
+        (loom.PointCloud(np.full((5, 3), np.nan), **GROUND), {}, "no finite points"),
+        (loom.PointCloud(POINTS, **GROUND), {"bounds": (0, 0, 0, 1)}, r"bounds: expected \(x0, y0, x1, y1\)"),
+        (loom.PointCloud(POINTS, **GROUND), {"kind": "dem"}, "kind: expected 'dtm' or"),
+        (loom.PointCloud(POINTS, **GROUND), {"kind": "intensity"}, "the cloud has no intensity"),
+        (loom.PointCloud(POINTS, **GROUND), {"classes": (2, 256)}, "classes: expected classes of LAS"),
+        (loom.PointCloud(POINTS, **GROUND), {"corner": (1e90, 0)}, r"corner: is more than 2\^48 cells away"),
+    ],
+)
+def test_what_no_raster_can_be_made_of_is_said_by_name(cloud, options, message):
+    with pytest.raises(ValueError, match=message):
+        loom.terrain.rasterize(cloud, **{"cell": 1.0} | options)
+
+
+def test_a_cloud_without_ground_is_said_by_name():
+    bare = loom.PointCloud(POINTS, classification=np.ones(5, np.uint8))
     with pytest.raises(NoGroundError, match=r"has no points of class 2; classify_ground\(cloud\)"):
-        rasterize(bare, 1.0)
+        loom.terrain.rasterize(bare, 1.0)
     with pytest.raises(NoGroundError, match="has no points of class 2 or 8"):
         loom.height_above_ground(bare, classes=(2, 8))
-    with pytest.raises(ValueError, match=r"makes [\d,]+ x [\d,]+ cells, [\d,]+ GB, and 2\^28 is the most"):
-        rasterize(cloud, 1e-4)
-    with pytest.raises(ValueError, match="is in degrees"):
-        rasterize(loom.PointCloud(points, **GROUND, unit="degree"), 1.0)
-    with pytest.raises(ValueError, match="no finite points"):
-        rasterize(loom.PointCloud(np.full((5, 3), np.nan), **GROUND), 1.0)
-    with pytest.raises(ValueError, match=r"bounds: expected \(x0, y0, x1, y1\)"):
-        rasterize(cloud, 1.0, bounds=(0, 0, 0, 1))
-    with pytest.raises(ValueError, match="kind: expected 'dtm' or"):
-        rasterize(cloud, 1.0, "dem")
-    with pytest.raises(ValueError, match="the cloud has no intensity"):
-        rasterize(cloud, 1.0, "intensity")
-    with pytest.raises(ValueError, match="classes: expected classes of LAS"):
-        rasterize(cloud, 1.0, classes=(2, 256))
-    with pytest.raises(ValueError, match=r"corner: is more than 2\^48 cells away"):
-        rasterize(cloud, 1.0, corner=(1e90, 0))
 
 
 def test_a_raster_that_exceeds_the_memory_is_refused_with_numbers(monkeypatch, rng):
@@ -294,21 +284,3 @@ def test_a_raster_that_exceeds_the_memory_is_refused_with_numbers(monkeypatch, r
         MemoryError, match=r"cell: 1 makes [\d,]+ x [\d,]+ cells, which take 0\.\d+ GB, and cpu has 0\.00"
     ):
         loom.terrain.rasterize(loom.PointCloud(rng.random((5, 3)) * 50, **GROUND), 1.0)
-
-
-@pytest.mark.slow
-@pytest.mark.both_compilers
-@pytest.mark.taichi
-def test_both_compilers_give_the_same_bits(rng):
-    cloud = survey(rng, count=800)
-    cloud = cloud.select_by_mask(np.isfinite(cloud.points).all(axis=1))
-
-    def products():
-        found = [loom.terrain.rasterize(cloud, 1.0, kind, reach=3).values for kind in ("dtm", "dsm", "intensity")]
-        found += [loom.terrain.rasterize(cloud, 1.0, method="tin").values, loom.height_above_ground(cloud, reach=3)]
-        return [*found, loom.classify_ground(cloud, max_window=3.0, corner=(0, 0))]
-
-    warp = products()
-    with cpu_compiler("taichi"):
-        for mine, theirs in zip(warp, products(), strict=True):
-            np.testing.assert_array_equal(np.asarray(mine), np.asarray(theirs))

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial import cKDTree
 
 import pointloom as loom
+
+from .any_cloud import NOT_FINITE, WHOLE, clouds, examples, real
+from .open3d_clouds import cloud_of
 
 
 def matched(found, expected, limit):
@@ -32,16 +35,6 @@ def test_the_fragments_voxels_and_means_are_open3ds(device, size, fragment, to_o
     np.testing.assert_allclose(found.normals[rows], np.asarray(expected.normals), rtol=0, atol=limit)
     if size >= 0.1:
         assert np.linalg.norm(found.normals, axis=1).min() < 0.9, "means of normals are not made unit again"
-
-
-@pytest.mark.parametrize(("scan", "size"), [("lidar", 0.4), ("lidar", 3.0), ("terrain", 2.5), ("terrain", 20.0)])
-def test_the_voxels_of_scans_are_open3ds(device, scan, size, lidar, terrain, to_open3d, tolerances):
-    points = lidar[:, :3] if scan == "lidar" else terrain - terrain.mean(axis=0)
-    cloud = loom.PointCloud(points, device=device)
-    found = cloud.voxel_down_sample(size)
-    expected = np.asarray(to_open3d(cloud.points).voxel_down_sample(size).points)
-    reach = np.abs(expected).max()  # a mean is rounded once to float32
-    matched(found.points, expected, np.sqrt(3) * tolerances.float32_relative * reach)
 
 
 def brute_force(points, size):
@@ -78,8 +71,8 @@ def test_floating_attributes_are_averaged_and_others_taken_from_the_first_point(
 
 @pytest.mark.filterwarnings("ignore::pointloom.UnitWarning")  # which such a length is right to cause
 def test_means_are_summed_in_double_precision(device, rng):
-    """100,000 points near 9,999 m: a float32 sum would be off by metres, a mean by centimetres."""
-    points = (9999 + rng.random((100_000, 3)) * 0.5).astype(np.float32)
+    """30,000 points near 9,999 m: a float32 sum would be off by metres, a mean by centimetres."""
+    points = (9999 + rng.random((30_000, 3)) * 0.5).astype(np.float32)
     found = loom.PointCloud(points, device=device).voxel_down_sample(10.0)
     expected = points.astype(np.float64).mean(axis=0)
     np.testing.assert_allclose(found.points, expected[None], rtol=6.1e-8)
@@ -106,13 +99,21 @@ def test_a_grid_is_the_same_at_negative_coordinates(device, rng):
     np.testing.assert_allclose(there.points, here.points - 8, rtol=0, atol=1e-6)
 
 
-def test_voxels_at_utm_coordinates_are_those_at_the_origin(device, rng, to_open3d, tolerances):
+def open3d_voxels(o3d, points, size, *vectors):
+    cloud = cloud_of(o3d, points, *vectors).voxel_down_sample(size)
+    return [np.asarray(getattr(cloud, name)) for name in ("points", "normals", "colors")]
+
+
+def test_voxels_of_a_made_cloud_are_open3ds_also_at_utm_coordinates(device, rng, oracle, tolerances):
     utm = np.array([501234.0, 5412345.0, 212.0])
-    points = rng.random((3000, 3)) * [50, 50, 5]
-    found = loom.PointCloud(points + utm, device=device).voxel_down_sample(0.75)
-    centred = loom.PointCloud(points + utm, device=device).points - utm  # as held: float32 about the origin
-    expected = np.asarray(to_open3d(centred).voxel_down_sample(0.75).points)
-    matched(found.points - utm, expected, tolerances.position / 100)
+    points = rng.random((600, 3)) * [50, 50, 5]
+    vectors = {"normals": rng.normal(size=(600, 3)), "colors": rng.random((600, 3))}
+    cloud = loom.PointCloud(points + utm, device=device, **vectors)
+    found, centred = cloud.voxel_down_sample(10.0), cloud.points - utm  # as held: float32 about the origin
+    expected = oracle("pcd/voxel_down_sample/uniform", open3d_voxels, centred, 10.0, cloud.normals, cloud.colors)
+    rows = matched(found.points - utm, expected[0], tolerances.position / 100)
+    for name, values in zip(("normals", "colors"), expected[1:], strict=True):
+        np.testing.assert_allclose(found[name][rows], values, rtol=0, atol=tolerances.voxel_attribute)
 
 
 def test_points_that_are_not_finite_are_dropped(device, rng):
@@ -127,20 +128,12 @@ def test_points_that_are_not_finite_are_dropped(device, rng):
     assert len(nothing) == 0 and list(nothing.attributes) == ["time"]
 
 
-def test_nan_normals_are_left_out_of_a_mean(device, to_open3d):
+def test_nan_normals_are_left_out_of_a_mean(device):
     """Open3D leaves them out of the sum, yet divides by all points: its mean of two normals and a NaN is 2/3 long."""
     normals = np.array([[0, 0, 1], [np.nan] * 3, [0, 0, 1], [np.nan] * 3])
     points = np.array([[0, 0, 0], [0.1, 0, 0], [0.2, 0, 0], [5, 5, 5]])
     found = loom.PointCloud(points, normals=normals, device=device).voxel_down_sample(1.0).normals
     assert found[0].tolist() == [0, 0, 1] and np.isnan(found[1]).all()
-    expected = np.asarray(to_open3d(points, normals).voxel_down_sample(1.0).normals)
-    assert np.isclose(expected[:, 2], 2 / 3).any()
-
-
-@pytest.mark.parametrize("count", [1, 2, 9])
-def test_equal_points_become_one(device, count):
-    found = loom.PointCloud(np.full((count, 3), 0.3), device=device).voxel_down_sample(1e-6)
-    np.testing.assert_array_equal(found.points, np.full((1, 3), np.float32(0.3)))
 
 
 @pytest.mark.filterwarnings("ignore::pointloom.UnitWarning")  # which such a length is right to cause
@@ -151,50 +144,15 @@ def test_a_voxel_larger_than_the_cloud_gives_its_mean(device, rng):
         np.testing.assert_allclose(found, points.astype(float).mean(axis=0)[None], rtol=6.1e-8)
 
 
-@pytest.mark.parametrize("size", [1e-7, 1e-30, 1e-320])
-def test_a_voxel_too_small_for_the_grid_is_a_clear_error(device, size, rng):
-    cloud = loom.PointCloud(rng.random((50, 3)), device=device)
-    with pytest.raises(ValueError, match=rf"voxel_size: {size} makes a grid of .* cells, more than 2\^62; take larger"):
-        cloud.voxel_down_sample(size)
-
-
-@pytest.mark.parametrize("size", [0, -1, np.nan, np.inf])
-def test_a_voxel_size_that_is_none_is_refused(size):
-    with pytest.raises(ValueError, match="voxel_size: expected a finite number > 0"):
-        loom.PointCloud(np.zeros((2, 3))).voxel_down_sample(size)
-    with pytest.raises(TypeError, match="voxel_size: expected a number"):
-        loom.PointCloud(np.zeros((2, 3))).voxel_down_sample("small")
-
-
-def test_two_runs_give_the_same_bits_and_no_order_of_voxels_is_left_open(device, rng):
-    points, colors = rng.random((5000, 3)), rng.random((5000, 3))
-    cloud = loom.PointCloud(points, colors=colors, device=device)
-    first, second = cloud.voxel_down_sample(0.1), cloud.voxel_down_sample(0.1)
-    np.testing.assert_array_equal(first.points, second.points)
-    np.testing.assert_array_equal(first.colors, second.colors)
-    cells = np.floor((first.points - (cloud.get_min_bound() - 0.05)) / 0.1)
-    keys = (cells @ [1e6, 1e3, 1]).tolist()
-    assert keys == sorted(keys), "x is slowest"
-
-
-number = st.one_of(
-    st.integers(-3, 3).map(float),
-    st.floats(-5, 5, width=32, allow_subnormal=False),
-    st.sampled_from([np.nan, np.inf, -np.inf, 900.0, 1e-20]),
+@examples(30)
+@given(
+    points=clouds(WHOLE, real(5), NOT_FINITE, st.sampled_from([900.0, 1e-20])),
+    size=st.sampled_from([0.01, 0.5, 1.0, 100.0]),
 )
-clouds = st.lists(st.tuples(number, number, number), max_size=40).map(lambda p: np.array(p, float).reshape(-1, 3))
-
-
-@settings(derandomize=True, deadline=None, max_examples=60)
-@given(points=clouds, size=st.sampled_from([0.01, 0.5, 1.0, 100.0]))
-def check_any_cloud(device, points, size):
+def test_any_small_cloud_is_averaged_as_numpy_averages(device, points, size):
     cloud = loom.PointCloud(points, device=device, row=np.arange(len(points)), time=np.arange(len(points)) * 1.5)
     found, groups = cloud.voxel_down_sample(size), brute_force(cloud.points, size)
     assert found["row"].tolist() == [g[0] for g in groups]
     np.testing.assert_allclose(found["time"], [np.mean(g) * 1.5 for g in groups], rtol=1e-15)
     means = np.array([cloud.points[g].sum(axis=0) / len(g) for g in groups]).reshape(-1, 3)
     np.testing.assert_array_equal(found.points, means.astype(np.float32))
-
-
-def test_any_small_cloud_is_averaged_as_numpy_averages(device):
-    check_any_cloud(device)

@@ -7,7 +7,6 @@ import shutil
 import subprocess
 import sys
 import threading
-import time
 
 import numpy as np
 import pytest
@@ -134,16 +133,16 @@ def test_a_script_without_a_guard_may_start_a_cluster_whose_processes_end_with_i
 @pytest.mark.slow
 def test_workers_of_a_runner_that_is_killed_end_and_the_job_goes_on(files, expected, tmp_path):
     loom.scale.plan_tiles(files, STEPS, tmp_path / "job", size=4.0)
-    program = "import sys, pointloom as loom; loom.scale.run_tiles(sys.argv[1], dask=2)"
+    program = "import sys, pointloom as loom; say = lambda *at: print(at, flush=True)\n"
+    program += "loom.scale.run_tiles(sys.argv[1], dask=2, progress=say)"
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path), "POINTLOOM_CPU_THREADS": "1"}
-    runner = subprocess.Popen([sys.executable, "-c", program, str(tmp_path / "job")], env=environment)
-    with Manifest(tmp_path / "job") as manifest:
-        while not manifest.counts("tiles", "pass > 0")["waiting"]:
-            time.sleep(0.05)
-            assert runner.poll() is None
-    workers = psutil.Process(runner.pid).children(recursive=True)
-    runner.kill()
-    runner.wait()
+    command = [sys.executable, "-c", program, str(tmp_path / "job")]
+    with subprocess.Popen(command, env=environment, stdout=subprocess.PIPE) as runner:
+        with Manifest(tmp_path / "job") as manifest:  # looked at with each step
+            assert any(manifest.counts("tiles", "pass > 0")["waiting"] for _ in runner.stdout)
+        workers = psutil.Process(runner.pid).children(recursive=True)
+        runner.kill()
+        runner.wait()
     gone, alive = psutil.wait_procs(workers, timeout=30)
     assert gone and not alive
     assert loom.scale.run_tiles(tmp_path / "job").is_finished
@@ -158,7 +157,9 @@ def test_a_cluster_that_lacks_workers_or_goes_away_is_an_error_by_name(files, tm
         with pytest.raises(loom.FileError, match="there was no worker at"):
             loom.scale.run_tiles(tmp_path / "job", scheduler=empty.scheduler_address)
         monkeypatch.setattr(cluster, "MOST_LONELY", 60)
-        closing = threading.Timer(1.0, empty.close)
+        asked, waited = threading.Event(), cluster._waited
+        monkeypatch.setattr(cluster, "_waited", lambda *given: (asked.set(), waited(*given))[1])
+        closing = threading.Thread(target=lambda: asked.wait(60) and empty.close())
         closing.start()
         with pytest.raises(loom.FileError, match="has gone"):
             loom.scale.run_tiles(tmp_path / "job", scheduler=empty.scheduler_address)

@@ -278,13 +278,12 @@ def test_a_damaged_file_is_an_error_by_name_and_leaves_no_bucket(files, tmp_path
 def test_a_runner_that_is_killed_takes_its_workers_along_and_is_gone_on_with(files, tmp_path, expected):
     job = tmp_path / "job"
     loom.scale.plan_tiles(files, RADIUS, job, size=4.0)
-    program = "import sys, pointloom as loom; loom.scale.run_tiles(sys.argv[1], workers=2)"
-    runner = subprocess.Popen([sys.executable, "-c", program, str(job)], env=os.environ | {"PYTHONPATH": SOURCES})
-    while not loom.scale.tile_status(job).done:
-        time.sleep(0.05)
-        assert runner.poll() is None
-    runner.kill()
-    runner.wait()
+    program = "import sys, pointloom as loom; say = lambda *at: print(at, flush=True)\n"
+    program += "loom.scale.run_tiles(sys.argv[1], workers=2, progress=say)"
+    environment = os.environ | {"PYTHONPATH": SOURCES}
+    with subprocess.Popen([sys.executable, "-c", program, str(job)], env=environment, stdout=subprocess.PIPE) as runner:
+        assert any(loom.scale.tile_status(job).done for _ in runner.stdout)  # looked at with each step
+        runner.kill()
     before = loom.scale.tile_status(job)
     assert before.done and not before.is_finished
     status = loom.scale.run_tiles(job)

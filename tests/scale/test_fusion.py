@@ -359,13 +359,12 @@ def test_workers_that_are_killed_at_random_lose_and_double_nothing(walk, whole, 
 def test_a_runner_that_is_killed_is_gone_on_with(walk, whole, tmp_path):
     job = tmp_path / "job"
     loom.scale.plan_fusion(walk, job, voxel_size=VOXEL, size=0.65)
-    program = "import sys, pointloom as loom; loom.scale.run_job(sys.argv[1], workers=2)"
-    runner = subprocess.Popen([sys.executable, "-c", program, str(job)], env=os.environ | {"PYTHONPATH": SOURCES})
-    while loom.scale.job_status(job).done < 5:
-        time.sleep(0.05)
-        assert runner.poll() is None
-    runner.kill()
-    runner.wait()
+    program = "import sys, pointloom as loom; say = lambda *at: print(at, flush=True)\n"
+    program += "loom.scale.run_job(sys.argv[1], workers=2, progress=say)"
+    environment = os.environ | {"PYTHONPATH": SOURCES}
+    with subprocess.Popen([sys.executable, "-c", program, str(job)], env=environment, stdout=subprocess.PIPE) as runner:
+        assert any(loom.scale.job_status(job).done >= 5 for _ in runner.stdout)  # looked at with each step
+        runner.kill()
     before = loom.scale.job_status(job)
     assert before.done and not before.is_finished
     assert loom.scale.run_job(job).is_finished

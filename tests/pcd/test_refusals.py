@@ -1,0 +1,310 @@
+"""Arguments that make no sense are refused by an error that names them: one table for all operations on clouds.
+
+Values that are no numbers at all, or not finite, are tried by test_hostile_arguments.py.
+"""
+
+import re
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+
+CAMERA = loom.PinholeCameraIntrinsic(3, 2, 1, 1, 0, 0)
+NAMES = {
+    "loom": loom,
+    "np": np,
+    "nan": np.nan,
+    "inf": np.inf,
+    "camera": CAMERA,
+    "cloud": loom.PointCloud(np.zeros((3, 3)), normals=np.ones((3, 3))),
+    "bare": loom.PointCloud(np.zeros((3, 3))),
+    "random": loom.PointCloud(np.random.default_rng(0).random((10, 3)), normals=np.ones((10, 3))),
+    "gap": loom.PointCloud([[0, 0, 0], [nan := np.nan, 0, 0], [1, 1, 1]]),
+    "far": loom.PointCloud([[0, 0, 0], [1e9, 1e9, 1e9]]),
+    "pair": loom.PointCloud([[0, 0, 0], [1, 1, 1]]),
+    "search": loom.NearestNeighborSearch(np.zeros((2, 3))),
+    "square": [[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]],
+    "project": lambda **given: loom.PointCloud([[0, 0, 1.0]]).project_to_depth_image(
+        **{"width": 3, "height": 2, "intrinsic": CAMERA} | given
+    ),
+    "depth_cloud": lambda **given: loom.PointCloud.from_depth_image(
+        **{"depth": np.full((2, 3), 1000, np.uint16), "intrinsic": CAMERA} | given
+    ),
+    "changed": lambda **given: loom.change.m3c2(
+        *(loom.PointCloud(np.random.default_rng(seed).random((50, 3)) * 30) for seed in (0, 1)),
+        **{"normal_radii": 1.0, "cylinder_radius": 1.0, "max_distance": 2.0} | given,
+    ),
+    "splats": lambda **given: loom.GaussianSplats(
+        **{"centers": [[0, 0, 0]] * 2, "scales": [[1, 1, 1]] * 2, "rotations": [[1, 0, 0, 0]] * 2}
+        | {"opacities": [0.5, 0.5], "harmonics": [[0, 0, 0]] * 2}
+        | given
+    ),
+}
+VALUES = """
+loom.PointCloud(np.zeros((3, 100))) | points: expected shape [n, 3], got [3, 100]
+loom.PointCloud(np.zeros((3, 0))) | points: expected shape
+loom.PointCloud([[1e300, 0, 0], [-1e300, 0, 0]]) | beyond float32
+loom.PointCloud(origin=[0, 0]) | origin
+loom.PointCloud([[0, 0, 0]], normals=np.zeros((3, 3))) | normals: expected shape [1, 3] as the cloud has 1 points
+loom.PointCloud([[0, 0, 0]], normals=[[1e39, 0, 0]]) | normals: 1e+39 is beyond
+loom.PointCloud([[0, 0, 0]], colors=np.zeros((2, 3))) | colors: expected shape
+loom.PointCloud([[0, 0, 0]], colors=[[1.01] * 3]) | colors: expected 0..1, got 1.01..1.01; divide 8-bit
+loom.PointCloud([[0, 0, 0]], colors=[[-0.01] * 3]) | colors: expected 0..1
+loom.PointCloud([[0, 0, 0]], colors=[[nan] * 3]) | colors: expected 0..1
+loom.PointCloud([[0, 0, 0]], ring=[1, 2]) | ring: expected shape [1] or [1, c]
+loom.PointCloud([[0, 0, 0]], ring=np.zeros((1, 2, 2))) | ring: expected shape
+loom.PointCloud([[1, 2, 3]], unit='ell') | unit
+cloud.paint_uniform_color([255, 0, 0]) | divide 8-bit colours by 255
+cloud.paint_uniform_color([0, -0.1, 0]) | color
+cloud.concatenate([]) | clouds
+cloud.to("cpu", arrays="tensorflow") | arrays: expected one of numpy, warp, torch, cupy, jax
+cloud.translate([1, 2]) | translation
+cloud.rotate([[2, 0, 0], [0, 1, 0], [0, 0, 1]]) | R: expected a rigid motion
+cloud.scale(0) | scale
+cloud.scale(2, [0, 0]) | center
+cloud.transform(np.full((4, 4), nan)) | transformation
+bare.transform(np.diag([1.0, 1, 1, 2])) | transformation
+cloud.transform(np.diag([0.0, 1, 1, 1])) | transformation
+bare.transform(np.diag([inf, 1, 1, 1])) | transformation
+cloud.cluster_dbscan(0, 1) | eps
+cloud.cluster_dbscan(inf, 1) | eps
+cloud.cluster_dbscan(1.0, 0) | min_points
+cloud.cluster_euclidean(0) | tolerance
+cloud.cluster_euclidean(1, 0) | min_cluster_size
+cloud.cluster_euclidean(1, 1, 0) | max_cluster_size
+cloud.cluster_euclidean(1, 5, 4) | max_cluster_size: expected at least min_cluster_size = 5
+cloud.estimate_covariances(radius=None, max_nn=None) | radius, max_nn: give at least one
+cloud.estimate_covariances(radius=0) | radius
+cloud.estimate_covariances(max_nn=0) | max_nn
+cloud.estimate_normals(radius=None, max_nn=None) | radius, max_nn: give at least one
+cloud.estimate_normals(radius=0.0) | radius
+cloud.estimate_normals(max_nn=0) | max_nn
+cloud.orient_normals_to_align_with_direction((nan, 0, 0)) | expected finite numbers
+cloud.orient_normals_towards_camera_location((0, inf, 0)) | expected finite numbers
+cloud.orient_normals_consistent_tangent_plane(0) | k
+cloud.orient_normals_consistent_tangent_plane(5, lambda_penalty=-1) | lambda_penalty
+cloud.orient_normals_consistent_tangent_plane(5, cos_alpha_tol=1.5) | cos_alpha_tol: expected a cosine
+cloud.orient_normals_consistent_tangent_plane(5, cos_alpha_tol=-0.5) | cos_alpha_tol
+bare.orient_normals_consistent_tangent_plane(5) | no normals: call cloud = cloud.estimate_normals()
+bare.normalize_normals() | no normals
+bare.flip_normals() | no normals
+bare.normal_disagreement() | no normals
+cloud.normal_disagreement(0) | k
+bare.detect_planar_patches() | no normals
+bare.region_growing() | no normals
+loom.detect_shapes(bare) | no normals
+loom.detect_shapes(cloud, kinds=('cube',)) | kinds
+bare.project_to_rgbd_image(3, 2, camera) | no colors: assign cloud.colors
+cloud.remove_statistical_outlier(0, 1.0) | nb_neighbors
+cloud.remove_statistical_outlier(5, 0.0) | std_ratio
+cloud.remove_radius_outlier(0, 1.0) | nb_points
+cloud.remove_radius_outlier(5, 0.0) | radius
+random.detect_planar_patches(normal_variance_threshold_deg=-1) | normal_variance_threshold_deg
+random.detect_planar_patches(normal_variance_threshold_deg=91) | normal_variance_threshold_deg
+random.detect_planar_patches(outlier_ratio=1.5) | outlier_ratio
+random.detect_planar_patches(min_plane_edge_length=-0.1) | min_plane_edge_length
+random.detect_planar_patches(min_num_points=-1) | min_num_points
+random.detect_planar_patches(max_nn=1) | max_nn
+random.detect_planar_patches(radius=0.0) | radius
+random.segment_plane(distance_threshold=0.0) | distance_threshold
+random.segment_plane(ransac_n=2) | ransac_n
+random.segment_plane(ransac_n=11) | ransac_n: 11 points a sample, but the cloud has 10 finite points
+random.segment_plane(num_iterations=0) | num_iterations
+random.segment_plane(probability=0.0) | probability
+random.segment_plane(probability=1.1) | probability
+random.segment_plane(seed=-1) | seed
+random.segment_plane(seed=2**31) | seed
+random.segment_planes(min_points=0) | min_points
+random.segment_planes(max_planes=0) | max_planes
+cloud.smooth_mls(radius=None, max_nn=None) | radius, max_nn: give at least one
+cloud.smooth_mls(radius=0.0) | radius
+cloud.smooth_mls(max_nn=0) | max_nn
+cloud.smooth_bilateral(sigma_s=0) | sigma_s
+cloud.smooth_bilateral(sigma_r=-1) | sigma_r
+cloud.smooth_laplacian(iterations=-1) | iterations
+cloud.smooth_taubin(mu=inf) | mu
+cloud.smooth_taubin(knn=0) | knn
+loom.compute_fpfh_feature(cloud, radius=None, max_nn=None) | radius, max_nn: give at least one
+loom.compute_fpfh_feature(cloud, radius=0.0) | radius
+loom.compute_fpfh_feature(cloud, max_nn=0) | max_nn
+loom.compute_fpfh_feature(bare) | FPFH needs normals
+loom.compute_eigen_features(cloud, radius=None, max_nn=None) | radius, max_nn: give at least one
+loom.compute_eigen_features(cloud, max_nn=0) | max_nn
+loom.estimate_curvature(cloud, radius=0.0) | radius
+loom.compute_iss_keypoints(cloud, salient_radius=-1.0) | salient_radius
+loom.compute_iss_keypoints(cloud, non_max_radius=inf) | non_max_radius
+loom.compute_iss_keypoints(cloud, min_neighbors=0) | min_neighbors
+loom.compute_metrics(cloud, loom.PointCloud()) | no finite point
+loom.compute_metrics(loom.PointCloud(), cloud) | no finite point
+loom.compute_metrics(cloud, cloud, fscore_radius=[0.0]) | fscore_radius
+search.knn_search(np.zeros((1, 3)), 0) | k: expected a whole number >= 1
+search.knn_search(np.zeros((1, 2)), 1) | queries: expected shape
+search.radius_search(np.zeros((1, 3)), 0) | radius
+search.hybrid_search(np.zeros((1, 3)), 1, 0) | max_nn
+cloud.hidden_point_removal([0, 0, 5], 0) | radius
+cloud.hidden_point_removal([0, 0, 5], inf) | radius
+cloud.hidden_point_removal([0, 0], 10) | camera_location
+cloud.hidden_point_removal([0, 0, nan], 10) | finite
+cloud.voxel_down_sample(0) | voxel_size: expected a finite number > 0
+cloud.voxel_down_sample(inf) | voxel_size
+pair.voxel_down_sample(1e-10) | voxel_size: 1e-10 makes a grid of
+pair.voxel_down_sample(1e-320) | more than 2^62; take larger
+pair.voxel_down_sample(1.0, 'median') | reduction
+pair.voxel_down_sample_and_trace(0) | voxel_size
+pair.voxel_down_sample_and_trace(1, [0, 0, nan]) | min_bound
+pair.voxel_down_sample_and_trace(1, [0, 0, 0], [1, 2, inf]) | max_bound
+pair.voxel_down_sample_and_trace(1e-9, [0, 0, 0], [9, 9, 9]) | voxel_size: 1e-09 makes more than 2^31 voxels
+pair.voxel_down_sample_and_trace(1e-9, [1e9, 0, 0]) | voxel_size: 1e-09 puts more than 2^53 voxels between min_bound
+pair.voxel_down_sample_and_trace(1e-8, [0, 0, 0]) | voxel_size: 1e-08 makes a grid of
+far.thin(0) | spacing
+far.thin(1e-9) | spacing
+far.thin(1, (0, nan, 0)) | corner
+gap.uniform_down_sample(0) | every_k_points
+gap.random_down_sample(1.5) | sampling_ratio: expected a share 0..1, got 1.5
+gap.random_down_sample(-0.1) | sampling_ratio
+gap.random_down_sample(0.5, seed=-1) | seed
+gap.random_down_sample(0.5, seed=2**31) | seed
+gap.farthest_point_down_sample(4) | num_samples: expected at most the cloud's 3 points
+gap.farthest_point_down_sample(-1) | num_samples
+gap.farthest_point_down_sample(2, -1) | start_index
+gap.farthest_point_down_sample(2, 1) | remove_non_finite_points()
+loom.classify_ground(pair, cell_size=0.0) | cell_size
+loom.classify_ground(pair, slope=-0.1) | slope
+loom.classify_ground(pair, max_window=inf) | max_window
+loom.classify_ground(pair, scaling=-1) | scaling
+loom.classify_ground(pair, cell_size=1e-4, max_window=0.1) | max_window: 0.1 m are more than 512 cells of 0.0001 m
+loom.classify_ground(pair, cell_size=1e-6) | cell_size: 1e-06 m makes a grid of
+changed(normal_radii=None) | normal_radii: expected the radii
+changed(normal_radii=[]) | normal_radii
+changed(normal_radii=[1, -1]) | normal_radii
+changed(cylinder_radius=0) | cylinder_radius
+changed(max_distance=inf) | max_distance
+changed(registration_error=-1) | registration_error
+changed(orientation=(0, 0, 0)) | orientation
+changed(directions=np.zeros((3, 3))) | directions
+project(width=4) | intrinsic: made for 3 x 2 pixels, but the image has 4 x 2
+project(height=0) | height
+project(extrinsic=np.diag([2.0, 2, 2, 1])) | extrinsic: expected a rigid motion
+project(depth_scale=0) | depth_scale
+project(depth_max=nan) | depth_max
+depth_cloud(depth=np.zeros((3, 2), np.uint16)) | intrinsic: made for 3 x 2 pixels, but the image has 2 x 3
+depth_cloud(depth=np.zeros((2, 3, 1), np.uint16)) | depth: expected shape
+depth_cloud(depth=np.full((2, 3), -1)) | depth: integer depths must lie in 0..65535
+depth_cloud(depth=np.full((2, 3), 70000)) | depth: integer depths must lie in 0..65535
+depth_cloud(extrinsic=np.diag([1.0, 1, -1, 1])) | extrinsic: expected a rigid motion
+depth_cloud(extrinsic=np.full((4, 4), nan)) | extrinsic: expected a rigid motion, got NaN
+depth_cloud(depth_scale=0) | depth_scale
+depth_cloud(depth_trunc=0) | depth_trunc
+depth_cloud(depth_trunc=nan) | depth_trunc
+depth_cloud(stride=0) | stride
+loom.RGBDImage(np.zeros((3, 3, 3), np.uint8), np.zeros((2, 3), np.uint16)) | color: 3 x 3 pixels, but the depth image
+loom.RGBDImage(np.zeros((2, 3, 4), np.uint8), np.zeros((2, 3), np.uint16)) | color: expected shape
+loom.RGBDImage.from_sun_format(np.zeros((2, 3, 3), np.uint8), np.full((2, 3), 70000)) | depth: integer depths
+loom.RGBDImage.from_nyu_format(np.zeros((2, 3, 3), np.uint8), np.zeros((2, 3, 1), np.uint16)) | depth: expected shape
+loom.RGBDImage.from_sun_format(np.zeros((2, 3, 3), np.uint8), np.zeros((3, 3), np.uint16)) | color: 3 x 2 pixels
+loom.filter_depth_bilateral(np.ones((4, 4)), kernel_size=0) | kernel_size
+loom.filter_depth_bilateral(np.ones((4, 4)), value_sigma=0) | value_sigma
+loom.filter_depth_bilateral(np.ones((4, 4)), dist_sigma=inf) | dist_sigma
+loom.erode_depth_edges(np.ones((4, 4)), radius=-1) | radius
+loom.erode_depth_edges(np.ones((4, 4)), depth_threshold=0) | depth_threshold
+loom.erode_depth_edges(np.ones(4)) | depth: expected shape [h, w], got [4]
+loom.pyrdown_depth(np.ones((4, 4)), diff_threshold=0) | diff_threshold
+loom.pyrdown_depth(np.ones((4, 4)), depth_scale=-1) | depth_scale
+loom.create_depth_pyramid(np.ones((4, 4)), levels=0) | levels
+loom.create_depth_pyramid(np.ones((4, 4)), levels=4) | expected at least 2 x 2 pixels to halve, got 1 x 1
+loom.pyrdown_color(np.ones((1, 5), np.uint8)) | color: expected at least 2 x 2 pixels to halve
+loom.SelectionPolygonVolume(square[:2], 'Z', 0, 1) | bounding_polygon: expected at least three corners, got 2
+loom.SelectionPolygonVolume([[0, 0, nan]] * 3, 'Z', 0, 1) | bounding_polygon: expected finite numbers
+loom.SelectionPolygonVolume(square, 'W', 0, 1) | orthogonal_axis
+loom.SelectionPolygonVolume(square, 'Z', 1, 0) | axis_min, axis_max: expected min <= max, got 1 and 0
+loom.SelectionPolygonVolume(square, 'Z', 0, inf) | axis_min, axis_max
+loom.AxisAlignedBoundingBox([0, 0, 0], [1, -1, 1]) | expected
+loom.AxisAlignedBoundingBox([0, nan, 0], [1, 1, 1]) | expected
+loom.AxisAlignedBoundingBox([0, 0, 0], [1, 1, 1]).scale(0, [0, 0, 0]) | scale
+loom.AxisAlignedBoundingBox([0, 0, 0], [1, 1, 1]).translate([0, 0, nan]) | translation
+loom.AxisAlignedBoundingBox().get_point_indices_within_bounding_box(np.zeros((3, 2))) | points: expected shape
+loom.OrientedBoundingBox([0, 0, 0], np.eye(3) * 2, [1, 1, 1]) | R
+loom.OrientedBoundingBox([0, 0, 0], np.diag([1, 1, -1]), [1, 1, 1]) | R
+loom.OrientedBoundingBox([0, 0, inf], np.eye(3), [1, 1, 1]) | center
+loom.OrientedBoundingBox([0, 0, 0], np.eye(3), [1, -1, 1]) | extent
+loom.OrientedBoundingBox([0, 0, 0], np.eye(3), [1, 1, 1]).scale(-1, [0, 0, 0]) | scale
+loom.OrientedBoundingBox([0, 0, 0], np.eye(3), [1, 1, 1]).translate([0, 0, nan]) | translation
+loom.OrientedBoundingBox.create_from_points([]) | at least one finite point
+loom.OrientedBoundingBox.create_from_points_minimal([]) | at least one finite point
+loom.LineSet([[0, 0, 0], [1, 1, 1]], [[0, 2]]) | expected indices of 2 points, got 0 to 2
+loom.LineSet([[0, 0, 0], [1, 1, 1]], [[-1, 0]]) | got -1 to 0
+loom.LineSet([[0, 0, 0], [nan, 1, 1]], [[0, 1]]) | points: expected finite coordinates, got 1 points without
+loom.project_to_utm(loom.PointCloud([[493994.0, 4877429.0, 130.0]])) | expected longitudes to 360 and latitudes -80..84
+loom.project_to_utm(loom.PointCloud([[10.0, 85.0, 0.0]])) | latitudes -80..84
+loom.project_to_utm(loom.PointCloud([[nan, 0, 0]])) | no finite point tells its zone
+loom.project_to_utm(loom.PointCloud([[10.0, 45.0, 0.0], [55.0, 45, 0]]), epsg=32632) | 46 degrees from the middle
+loom.project_to_utm(loom.PointCloud([[10.0, 45.0, 0.0]]), epsg=4326) | expected 32601..32660 or 32701..32760, got 4326
+loom.project_to_utm(loom.PointCloud([[10.0, 45.0, 0.0]]), epsg=32600) | got 32600
+loom.project_to_utm(loom.PointCloud([[10.0, 45.0, 0.0]], normals=[[0, 0, 1]])) | cloud.without("normals")
+splats(scales=[[1, 1, 1], [1, 0, 1]]) | scales: expected three finite numbers above 0 in each row; row 1
+splats(rotations=[[1, 0, 0, 0], [0, 0, 0, 0]]) | rotations
+splats(opacities=[0.5, 1.5]) | opacities: expected a number from 0 to 1 in each row; row 1
+splats(harmonics=np.zeros((2, 5, 3))) | harmonics: expected shape [2, K, 3]
+splats().transform(np.diag([1.0, 1, -1, 1])) | transformation: expected a rotation with one scale
+splats().transform(np.diag([1.0, 2, 1, 1])) | transformation: expected a rotation with one scale
+splats().rasterize(camera, np.diag([2, 1, 1, 1])) | extrinsic
+splats().rasterize(camera, np.eye(4), near=0) | near
+splats().rasterize(camera, np.eye(4), background=(2, 0, 0)) | background
+loom.fit_shape(random, 'cube') | kind
+loom.fit_shape(random, 'sphere', start=loom.fit_shape(random, 'plane')) | start: expected a sphere, got a plane
+loom.fit_shape(random, 'plane', weights=[1.0]) | weights: expected shape [10]
+loom.fit_shape(random, 'plane', weights=[-1.0] * 10) | weights: expected 0 or more, got -1 at 0
+loom.fit_shape(random, 'plane', weights=[0.0] * 10) | 0 finite points with a weight
+loom.fit_shape(loom.PointCloud(np.eye(3)), 'sphere') | 4 unknowns
+loom.fit_shape(loom.PointCloud(np.ones((30, 3))), 'sphere') | all 30 points are equal
+loom.fit_shape(loom.PointCloud(), 'sphere') | has 0 finite points
+loom.video.WorldFrame(91.0, 0.0) | latitude
+loom.video.WorldFrame(0.0, 181.0) | longitude
+loom.video.WorldFrame(0.0, 0.0, 2e5) | altitude
+loom.Panorama(160, 100) | width: expected twice the height of 100
+loom.Panorama(256, 128, side=4) | side
+loom.Panorama(256, 128).apply(np.zeros((256, 128), np.uint8)) | picture
+loom.Panorama(256, 128).apply(np.zeros((128, 256, 4), np.uint8)) | picture
+"""
+TYPES = """
+loom.PointCloud([[0, 0, 0], [1, 1]]) | points: expected numbers
+loom.PointCloud(np.zeros((2, 3), complex)) | points: expected real numbers, got complex128
+loom.PointCloud([[0, 0, 0]], ring=['a']) | ring: expected real numbers
+loom.PointCloud([[0, 0, 0]], ring=np.zeros(1, np.longdouble)) | ring: expected numbers of 64 bits at most
+cloud.concatenate([cloud, 3]) | clouds: expected a PointCloud, got int
+cloud + 3 | a cloud and a int cannot be added
+1 + cloud | a cloud and a int cannot be added
+cloud.crop((0, 1)) | expected a bounding box, got tuple
+cloud.estimate_normals(max_nn=2.5) | max_nn: expected a whole number
+gap.farthest_point_down_sample(2.0) | num_samples: expected a whole number, got 2.0
+loom.classify_ground([[0, 0, 0]]) | cloud: expected a PointCloud, got list
+project(intrinsic=np.eye(3)) | intrinsic: expected a PinholeCameraIntrinsic, got ndarray
+depth_cloud(intrinsic=np.eye(3)) | intrinsic: expected a PinholeCameraIntrinsic
+depth_cloud(depth=np.zeros((2, 3), complex)) | depth: expected integers or floats, got complex128
+loom.create_normal_map(np.ones((4, 4)), intrinsic=np.eye(3)) | intrinsic: expected a PinholeCameraIntrinsic
+loom.RGBDImage(np.zeros((2, 3, 3)), np.zeros((2, 3), np.uint16)) | color: expected uint8, got float64
+loom.RGBDImage.from_sun_format(np.zeros((2, 3, 3), np.uint8), np.ones((2, 3))) | depth: expected the file's integers
+loom.pyrdown_color(np.ones((4, 4))) | color: expected uint8, got float64
+loom.AxisAlignedBoundingBox() + 1 | unsupported operand
+loom.LineSet([[0, 0, 0], [1, 0, 0]], [[0, 1]]) + np.eye(3) | unsupported operand
+splats().rasterize(np.eye(3), np.eye(4)) | intrinsic: expected a PinholeCameraIntrinsic
+loom.Panorama(256, 128).apply(np.zeros((128, 256))) | picture
+"""
+INDICES = """
+gap.farthest_point_down_sample(2, 3) | start_index: 3 reaches beyond a cloud of 3 points
+cloud.select_by_index([3]) | indices: 3..3 reach beyond a cloud of 3 points
+cloud.select_by_index([0, -4], invert=True) | indices: -4..0 reach beyond a cloud of 3 points
+cloud.select_by_index(np.array([2**64 - 1], np.uint64)) | indices: 18446744073709551615
+loom.compute_fpfh_feature(cloud, indices=[3]) | reach beyond a cloud of 3 points
+"""
+KINDS = {ValueError: VALUES, TypeError: TYPES, IndexError: INDICES}
+
+
+@pytest.mark.parametrize(
+    ("line", "error"), [(line, error) for error, lines in KINDS.items() for line in lines.strip().splitlines()]
+)
+def test_what_makes_no_sense_is_refused_by_name(line, error):
+    call, _, words = line.rpartition(" | ")
+    with pytest.raises(error, match=rf"(^|\W){re.escape(words)}(?!\w)"):
+        eval(call, dict(NAMES))
