@@ -84,7 +84,7 @@ def test_levelled_stations_stay_level():
 
 
 def test_right_surveys_raise_no_alarm():
-    for seed in range(3):
+    for seed in (0, 4, 8):  # a level of significance that is not shared alarms at 4 and 8
         _, observed, first = survey(seed, level=True)
         assert not snoop(first, observed, level=True, reference=0)[2]
 
