@@ -12,7 +12,8 @@ BIN := .venv/bin
 # Bytecode is kept, also where the surroundings say not to (containers): without it each process of tests compiles every
 # file that it imports anew, and pytest rewrites every assertion, 14 s of CPU a process.
 unexport PYTHONDONTWRITEBYTECODE
-PYTEST := $(BIN)/python -m pytest -n $(WORKERS) --dist loadscope --no-loadscope-reorder
+# One thread for OpenBLAS: several processes of tests share the cores.
+PYTEST := OPENBLAS_NUM_THREADS=$${OPENBLAS_NUM_THREADS:-1} $(BIN)/python -m pytest -n $(WORKERS) --dist loadscope --no-loadscope-reorder
 # What `make test` leaves out of test-all: tests/choice.py says how, CONTRIBUTING.md why.
 QUICK := --quick
 PIP := $(BIN)/python -m pip --no-input --disable-pip-version-check

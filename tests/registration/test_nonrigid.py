@@ -289,3 +289,13 @@ def test_points_that_are_none_stay_so(device):
     found = bend(*clouds, node_spacing=0.9, stiffness=[10.0], max_iteration=3)
     assert np.isnan(found.warped.points[::50]).all() and np.isfinite(found.warped.points[1::50]).all()
     assert (found.correspondences[::50] == -1).all() and found.matched > 0.2
+
+
+@LONG
+@pytest.mark.slow
+def test_points_that_are_none_leave_a_good_result(device, swaying):
+    body, scan, _ = swaying
+    holed = body.copy()
+    holed[::50] = np.nan
+    found = bend(loom.PointCloud(holed, device=device), loom.PointCloud(scan, device=device))
+    assert (found.correspondences[::50] == -1).all() and found.poor is None
