@@ -326,9 +326,9 @@ def _kernel(M: Array) -> Array:
 
 def _factor_of(system: sp.spmatrix) -> SparseFactor:
     """The factors of normal equations."""
-    system = system.tocsc()
-    factor = SparseFactor(system.indptr, system.indices)
-    factor.factor(system.data)
+    columns = sp.csc_matrix(system)
+    factor = SparseFactor(columns.indptr, columns.indices)
+    factor.factor(columns.data)
     return factor
 
 
