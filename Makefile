@@ -14,7 +14,7 @@ BIN := .venv/bin
 unexport PYTHONDONTWRITEBYTECODE
 # One thread for OpenBLAS: several processes of tests share the cores.
 PYTEST := OPENBLAS_NUM_THREADS=$${OPENBLAS_NUM_THREADS:-1} $(BIN)/python -m pytest -n $(WORKERS) --dist loadscope --no-loadscope-reorder
-# What `make test` leaves out of test-all: tests/choice.py says how, CONTRIBUTING.md why.
+# What `make test` runs: tests/choice.py.
 QUICK := --quick
 PIP := $(BIN)/python -m pip --no-input --disable-pip-version-check
 
@@ -47,10 +47,10 @@ setup: $(FULL) ## Make .venv with everything that tests, lint, types and the sit
 setup-test: $(TEST) ## Make .venv with what `make test` needs
 setup-runtime: $(RUNTIME) ## Make .venv with what pointloom itself needs
 
-test: $(TEST) ## Run the tests that take a moment each, most of them on one CPU compiler (some minutes)
+test: $(TEST) ## Run the quick tests (some 5 minutes; no data, no network, no Open3D)
 	@$(PYTEST) $(QUICK) $(ARGS)
 
-test-all: $(FULL) ## Run all tests on all compilers, as CI does (some twenty minutes)
+test-all: $(FULL) ## Run all tests, beside Open3D and with Taichi where a test needs them (some 15 minutes)
 	@$(PYTEST) $(ARGS)
 
 # Folders whose tests use the device; ARGS may name others.
