@@ -11,7 +11,8 @@ import pytest
 import pointloom.open3d as o3d
 from pointloom.core.errors import PointloomError
 
-from ..drawing.viewer.pages import HELLO, line_of, say, wait_until
+from ..drawing.viewer.events import announced_events, wait_until  # noqa: F401  a fixture
+from ..drawing.viewer.pages import HELLO, line_of, say
 from .runner import differences, draw_nothing, found_by
 
 FRAMES = 60  # that an unattended window lives for

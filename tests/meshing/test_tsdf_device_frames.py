@@ -7,6 +7,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.kernels.lang import cpu_compiler, float32, uint8, uint16
+from pointloom.kernels.linear_algebra import inv
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.volumes import device_frames
 from pointloom.meshing.volume.block_count import BlockCount
@@ -135,7 +136,7 @@ def test_rendered_maps_are_the_cast_picture_in_the_cameras_frame(device, origin)
     volume, _ = painted_wall(device, origin=origin)
     T = look_at(np.add((0.05, -0.1, -1.0), origin), np.add((0.3, 0.1, 0.0), origin))
     extrinsic = np.linalg.inv(T)
-    depth, normals, _ = rendered(volume, np.linalg.inv(extrinsic))
+    depth, normals, _ = rendered(volume, inv(extrinsic))  # by the inverse that `ray_cast` takes
     view = volume.ray_cast(CAMERA, extrinsic, weight_threshold=0)
     assert np.array_equal(depth, view.depth)
     both = np.isfinite(normals).all(-1) & np.isfinite(view.normals).all(-1)

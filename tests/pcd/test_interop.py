@@ -232,7 +232,7 @@ def test_clouds_without_points_come_and_go(device, o3d):
         assert cloud.to_open3d_tensor().is_empty()
 
 
-def test_what_is_no_open3d_cloud_is_refused(monkeypatch):
+def test_what_is_no_open3d_cloud_is_refused(monkeypatch, o3d):
     for wrong in (np.zeros((3, 3)), loom.TriangleMesh(), None):
         with pytest.raises(TypeError, match="cloud: expected an open3d"):
             loom.PointCloud.from_open3d(wrong)
