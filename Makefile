@@ -12,8 +12,9 @@ BIN := .venv/bin
 # Bytecode is kept, also where the surroundings say not to (containers): without it each process of tests compiles every
 # file that it imports anew, and pytest rewrites every assertion, 14 s of CPU a process.
 unexport PYTHONDONTWRITEBYTECODE
-PYTEST := $(BIN)/python -m pytest -n $(WORKERS) --dist loadscope --no-loadscope-reorder
-# What `make test` leaves out of test-all: tests/choice.py says how, CONTRIBUTING.md why.
+# One thread for OpenBLAS: several processes of tests share the cores.
+PYTEST := OPENBLAS_NUM_THREADS=$${OPENBLAS_NUM_THREADS:-1} $(BIN)/python -m pytest -n $(WORKERS) --dist loadscope --no-loadscope-reorder
+# What `make test` runs: tests/choice.py.
 QUICK := --quick
 PIP := $(BIN)/python -m pip --no-input --disable-pip-version-check
 
@@ -37,7 +38,7 @@ CHECK_NEEDS := { $(PIP) check --quiet || $(PIP) check; }
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: gpu-kit gpu-run help setup setup-test setup-runtime test test-all test-cuda-emulated test-cuda-emulated-quick test-browser oracle mutants nightly lint format types check-cuda cuda-cache trust bench docs docs-clean demo clean distclean
+.PHONY: gpu-kit gpu-run help setup setup-test setup-runtime test test-all test-cuda-emulated test-cuda-emulated-quick test-browser oracle flakes mutants nightly lint format types check-cuda cuda-cache trust bench docs docs-clean demo clean distclean
 
 help: ## Print the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-24s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -46,10 +47,10 @@ setup: $(FULL) ## Make .venv with everything that tests, lint, types and the sit
 setup-test: $(TEST) ## Make .venv with what `make test` needs
 setup-runtime: $(RUNTIME) ## Make .venv with what pointloom itself needs
 
-test: $(TEST) ## Run the tests that take a moment each, most of them on one CPU compiler (some minutes)
+test: $(TEST) ## Run the quick tests (some 5 minutes; no data, no network, no Open3D)
 	@$(PYTEST) $(QUICK) $(ARGS)
 
-test-all: $(FULL) ## Run all tests on all compilers, as CI does (some twenty minutes)
+test-all: $(FULL) ## Run all tests, beside Open3D and with Taichi where a test needs them (some 15 minutes)
 	@$(PYTEST) $(ARGS)
 
 # Folders whose tests use the device; ARGS may name others.
@@ -70,6 +71,12 @@ oracle: $(FULL) ## Compute Open3D's stored answers again (tests/oracle_answers)
 # In one process: a second Chromium would only take the cores that the first draws with.
 test-browser: $(BROWSER) ## Run the viewer's tests in Chromium
 	@$(BIN)/python -m pytest -n 0 $(if $(filter tests%,$(ARGS)),,tests/browser) $(ARGS)
+
+# Where the machine's speed matters most: pages, threads, processes.
+RUNS ?= 20
+LOADED_RUNS ?= 10
+flakes: $(BROWSER) ## Run the tests of pages, threads and processes RUNS times, LOADED_RUNS times beside busy processes
+	@$(BIN)/python tests/flakes.py --runs $(RUNS) --loaded-runs $(LOADED_RUNS) $(ARGS)
 
 mutants: $(FULL) ## Small changes of behaviour, one at a time: do the tests notice? (half an hour, not in CI)
 	@$(BIN)/python tests/mutants/run.py $(ARGS)

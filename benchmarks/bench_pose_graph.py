@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 from contest import OURS, Contestant, Operation, Trial, load_open3d, timed
+from scenes import inverse, product
 
 NOISE = 2e-4  # [rad] and [m] of each edge
 DISTANCE = 0.05  # [m] that correspondences were taken at
@@ -44,13 +45,13 @@ def walk(true: np.ndarray, closures: list[tuple[int, int]]) -> Walk:
     wrong = poses_of(rng.normal(0, 1, (len(closures), 6)))
     edges = []
     for k, (i, j) in enumerate(steps + closures):
-        measured = np.linalg.inv(true[j]) @ true[i] @ noise[k]
+        measured = product(product(inverse(true[j]), true[i]), noise[k])
         if k >= len(steps) and rng.random() < WRONG_SHARE:
             measured = wrong[k - len(steps)]
         edges.append((i, j, measured, k >= len(steps)))
     poses = [true[0]]
     for edge in edges[: len(steps)]:
-        poses.append(poses[-1] @ np.linalg.inv(edge[2]))
+        poses.append(product(poses[-1], inverse(edge[2])))
     return Walk(np.array(poses), edges)
 
 

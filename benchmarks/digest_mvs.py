@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+import scenes
 from digest_scenes import loom, pose_of
 
 
@@ -16,12 +17,13 @@ def noisy_depth_maps(d: Any) -> Any:
     cameras, maps = [], []
     for k in range(4):
         T = pose_of(2.0 * k - 3.0, [0.1 * k, 0.02 * k, 0.0])
-        rays = np.stack([(u - lens.cx) / lens.fx, (v - lens.cy) / lens.fy, np.ones_like(u)], -1) @ T[:3, :3]
-        normal = np.array([0.2, 0.1, -1.0]) / np.linalg.norm([0.2, 0.1, -1.0])
-        center = -T[:3, :3].T @ T[:3, 3]
-        depth = (normal @ (np.array([0.0, 0.0, 3.0]) - center)) / (rays @ normal)
+        ways = np.stack([(u - lens.cx) / lens.fx, (v - lens.cy) / lens.fy, np.ones_like(u)], -1)
+        rays = np.einsum("vuj,jk->vuk", ways, T[:3, :3])
+        normal = np.array([0.2, 0.1, -1.0]) / np.sqrt(1.05)
+        center = scenes.inverse(T)[:3, 3]
+        depth = (normal * (np.array([0.0, 0.0, 3.0]) - center)).sum() / (rays * normal).sum(axis=-1)
         depth = depth * (1 + 0.003 * rng.normal(size=depth.shape)) * (rng.random(depth.shape) > 0.1)
-        normals = np.broadcast_to(T[:3, :3] @ normal, (*depth.shape, 3))
+        normals = np.broadcast_to(scenes.product(T[:3, :3], normal), (*depth.shape, 3))
         cameras.append(mvs.PosedCamera(lens, T))
         maps.append(mvs.DepthMap(np.maximum(depth, 0), normals, rng.random(depth.shape)))
     return mvs.DepthMaps(cameras, [(1, 2), (0, 2, 3), (1, 0, 3), (2, 1)], maps)

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import scenes
 from digest_scenes import HEIGHT, WIDTH, Place, about, loom, pose_of, reg
 
 
@@ -210,7 +211,7 @@ ON_CLOUDS: dict[str, Callable[[Place], Any]] = {
     "icp, symmetric": lambda p: icp(p, "Symmetric"),
     "icp, generalised": lambda p: icp(p, "ForGeneralizedICP"),
     "icp, generalised, own covariances": lambda p: reg().registration_generalized_icp(
-        p.other.transform(np.linalg.inv(p.pose)), p.cloud, p.reach
+        p.other.transform(scenes.inverse(p.pose)), p.cloud, p.reach
     ),
     "icp, generalised, voxels": lambda p: icp(p, "ForGeneralizedICP", voxel_size=4 * p.spacing),
     "registration_icp_batch, three poses": from_poses,

@@ -305,7 +305,7 @@ def rgbd_odometry(d: Scenes) -> list[Any]:
 
 def albedo(d: Scenes) -> Any:
     camera, pictures, poses = posed_pictures(d)
-    textured = pictured_grid(d).project_images_to_albedo(pictures, camera, list(np.linalg.inv(poses)), 64)
+    textured = pictured_grid(d).project_images_to_albedo(pictures, camera, [scenes.inverse(pose) for pose in poses], 64)
     return textured.textures[0]
 
 
@@ -313,7 +313,7 @@ def picture_texture(d: Scenes) -> list[Any]:
     """The grid's texture out of its pictures, at exposures of their own."""
     camera, pictures, poses = posed_pictures(d)
     exposed = [(picture * gain).astype(np.uint8) for picture, gain in zip(pictures, (0.9, 1.0, 0.8), strict=True)]
-    given = (pictured_grid(d), exposed, camera, list(np.linalg.inv(poses)))
+    given = (pictured_grid(d), exposed, camera, [scenes.inverse(pose) for pose in poses])
     found = loom().color_map.texture_from_pictures(*given, smoothness=0.2)
     return [found.mesh.textures[0], found.mesh.triangle_uvs, found.views, found.energy, found.step_before]
 
@@ -499,8 +499,12 @@ def reconstructed(d: Scenes) -> list[Any]:
 def aligned_fragments(d: Scenes) -> list[Any]:
     """Fragments aligned together, bent and as they are."""
     rec, count = loom().reconstruction, len(d.fragments)
-    poses = [np.linalg.inv(pose_of(50.0 * k + 0.2, [k + 0.01, 0.2, 0])) for k in range(count)]
-    edges = [(i, j, np.linalg.inv(poses[j]) @ poses[i]) for i in range(count) for j in range(i + 1, min(i + 3, count))]
+    poses = [scenes.inverse(pose_of(50.0 * k + 0.2, [k + 0.01, 0.2, 0])) for k in range(count)]
+    edges = [
+        (i, j, scenes.product(scenes.inverse(poses[j]), poses[i]))
+        for i in range(count)
+        for j in range(i + 1, min(i + 3, count))
+    ]
     graph = reg().PoseGraph([reg().PoseGraphNode(T) for T in poses], [reg().PoseGraphEdge(*edge) for edge in edges])
     params = rec.SLACOptimizerParams(max_iterations=2, voxel_size=0.1, distance_threshold=0.15)
     solved, grid = rec.run_slac_optimizer_for_fragments(d.fragments, graph, params)

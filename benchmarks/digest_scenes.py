@@ -60,7 +60,7 @@ class Place:
     @cached_property
     def source(self) -> Any:
         """The other sampling with normals, moved away."""
-        return self.other.estimate_normals(max_nn=12).transform(np.linalg.inv(self.pose))
+        return self.other.estimate_normals(max_nn=12).transform(scenes.inverse(self.pose))
 
     @property
     def reach(self) -> float:
@@ -71,7 +71,7 @@ class Place:
     def camera(self) -> NDArray[np.float64]:
         """T_camera_world of a camera above the middle that looks down."""
         T = np.diag([1.0, -1.0, -1.0, 1.0])
-        T[:3, 3] = -T[:3, :3] @ self.above(0.75)
+        T[:3, 3] = -scenes.product(T[:3, :3], self.above(0.75))
         return T
 
     def above(self, share: float) -> NDArray[np.float64]:
@@ -109,7 +109,7 @@ TURNED = pose_of(75.0, [0.5, -0.2, 0.1])  # of a pair that is registered from no
 def about(middle: NDArray[np.float64], T: NDArray[np.float64]) -> NDArray[np.float64]:
     """A motion about a point other than the origin."""
     moved = T.copy()
-    moved[:3, 3] += middle - T[:3, :3] @ middle
+    moved[:3, 3] += middle - scenes.product(T[:3, :3], middle)
     return moved
 
 
@@ -187,7 +187,7 @@ class Scenes:
         parts = [points[0][points[0][:, 0] < 0.7], points[1][points[1][:, 0] > -1.3]]
         source, target = (self.cloud(part).voxel_down_sample(0.06).estimate_normals(max_nn=20) for part in parts)
         up = [c.orient_normals_to_align_with_direction() for c in (source, target)]
-        return [up[0].transform(np.linalg.inv(TURNED)), up[1]]
+        return [up[0].transform(scenes.inverse(TURNED)), up[1]]
 
     @cached_property
     def features(self) -> list[NDArray[np.float32]]:
@@ -243,7 +243,7 @@ class Scenes:
     def extrinsics(self, shift: Any = (0, 0, 0)) -> NDArray[np.float64]:
         """T_camera_world of the frames, the world moved by a shift [m]."""
         Ts = self.frames.extrinsics.copy()
-        Ts[:, :3, 3] -= Ts[:, :3, :3] @ np.asarray(shift, np.float64)
+        Ts[:, :3, 3] -= np.einsum("nij,j->ni", Ts[:, :3, :3], np.asarray(shift, np.float64))
         return Ts
 
     @cached_property

@@ -17,6 +17,18 @@ SURFACE_EDGE = 4.0  # [m]
 SURFACE_NOISE = 0.002  # [m]
 
 
+def product(A: NDArray[np.float64], B: NDArray[np.float64]) -> NDArray[np.float64]:
+    """`A @ B` of poses or of a pose and a place, with the same bits on every processor, which BLAS does not give."""
+    return np.einsum("ij,jk->ik", A, B) if B.ndim == 2 else np.einsum("ij,j->i", A, B)
+
+
+def inverse(T: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The inverse of a rigid motion, with the same bits on every processor."""
+    back = np.eye(4)
+    back[:3, :3], back[:3, 3] = T[:3, :3].T, -product(T[:3, :3].T, T[:3, 3])
+    return back
+
+
 def bumpy_surface(count: int, seed: int = 0) -> NDArray[np.float64]:
     """Points of a bumpy 4 x 4 m surface with 2 mm of noise, float64 [n, 3] that float32 holds exactly.
 
@@ -137,10 +149,12 @@ def room_frames(count: int = 30, width: int = 640, height: int = 480, seed: int 
         angle = 2 * np.pi * k / 120
         pose = _look(np.array([0.3 * np.cos(angle), 0.3 * np.sin(angle), 0.1]), angle, tilt=0.2 * np.sin(3 * angle))
         rotation = pose[:3, :3].astype(np.float32)
-        depth = _cast_room(pose[:3, 3], rays @ rotation.T)  # rays have z = 1: their parameter is the depth
+        depth = _cast_room(
+            pose[:3, 3], np.einsum("ij,kj->ik", rays, rotation)
+        )  # rays have z = 1: their parameter is the depth
         depth *= 1 + DEPTH_NOISE * rng.standard_normal(depth.shape, np.float32)
         depths[k] = np.round(1000 * depth).reshape(height, width)
-        extrinsics[k] = np.linalg.inv(pose)
+        extrinsics[k] = inverse(pose)
     return Frames(depths, extrinsics, intrinsic)
 
 
@@ -148,7 +162,7 @@ def _look(position: NDArray[np.float64], angle: float, tilt: float) -> NDArray[n
     """T_world_camera of a camera (x right, y down, z ahead) that looks along an angle in the xy plane."""
     ahead = np.array([np.cos(angle) * np.cos(tilt), np.sin(angle) * np.cos(tilt), np.sin(tilt)])
     right = np.cross(ahead, [0, 0, 1.0])
-    right /= np.linalg.norm(right)
+    right /= np.sqrt((right * right).sum())
     pose = np.eye(4)
     pose[:3, :3] = np.stack([right, np.cross(ahead, right), ahead], axis=1)
     pose[:3, 3] = position
@@ -165,8 +179,8 @@ def _cast_room(origin: NDArray[np.float64], rays: NDArray[np.float32]) -> NDArra
         a = np.einsum("ij,ij->i", rays, rays)
         for x, y, z, radius in SPHERES:
             to_center = (np.array([x, y, z]) - origin).astype(np.float32)
-            b = rays @ to_center
-            discriminant = b * b - a * (to_center @ to_center - np.float32(radius * radius))
+            b = np.einsum("ij,j->i", rays, to_center)
+            discriminant = b * b - a * ((to_center * to_center).sum() - np.float32(radius * radius))
             hits = np.flatnonzero((discriminant > 0) & (b > 0))
             along = (b[hits] - np.sqrt(discriminant[hits])) / a[hits]
             depth[hits] = np.fmin(depth[hits], along)
@@ -180,7 +194,8 @@ def wavy_ball(count: int) -> NDArray[np.float32]:
     """A ball with waves as a sampled distance, float32 [count, count, count] over [-1, 1]^3."""
     x = np.linspace(-1, 1, count, dtype=np.float32)
     x, y, z = np.meshgrid(x, x, x, indexing="ij", sparse=True)
-    waves = np.float32(0.05) * np.sin(9 * x) * np.sin(8 * y) * np.sin(7 * z)
+    sines = [np.sin(k * side.astype(np.float64)).astype(np.float32) for k, side in ((9, x), (8, y), (7, z))]
+    waves = np.float32(0.05) * sines[0] * sines[1] * sines[2]
     return (np.sqrt(x * x + y * y + z * z) - np.float32(0.7) + waves).astype(np.float32)
 
 

@@ -25,6 +25,7 @@ from ..core.json_files import check_keys, read_json_object
 from ..core.known_names import ToldNames
 from ..core.paths import path_of
 from ..core.quaternions import nearest_rotations, quaternions_to_rotations, rotations_to_quaternions
+from ..kernels.linear_algebra import inv
 from .camera import LARGEST_NUMBER, PinholeCameraIntrinsic, intrinsic_to_json, read_json_matrix
 
 FORMATS = ("log", "tum", "kitti", "json")
@@ -313,7 +314,7 @@ def _read_json(path: str | os.PathLike[str]) -> Trajectory:
         optional = {"class_name", "intrinsic", *versions}
         check_keys(path, camera, required={"extrinsic"}, optional=optional, where=f"{place}.")
         T_camera_world = read_json_matrix(path, camera["extrinsic"], 4, where=f"key {place}.extrinsic")
-        poses.append(np.linalg.inv(_rigid(path, T_camera_world, where=f"key {place}.extrinsic")))
+        poses.append(inv(_rigid(path, T_camera_world, where=f"key {place}.extrinsic")))
     return Trajectory(np.array(poses))
 
 
@@ -379,6 +380,6 @@ def _format_json(poses: NDArray[np.float64], intrinsic: PinholeCameraIntrinsic) 
             "intrinsic": intrinsic_to_json(intrinsic),
             **version,
         }
-        for T_camera_world in np.linalg.inv(poses)
+        for T_camera_world in inv(poses)
     ]
     return json.dumps({"class_name": "PinholeCameraTrajectory", "parameters": parameters, **version}, indent=1) + "\n"

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..kernels.linear_algebra import det, matmul, norm
 from .plain_poses import is_plainly_rigid
 from .progress import ReportProgress
 from .verbosity import LoggedProgress
@@ -116,7 +117,7 @@ def check_direction(name: str, direction: Any) -> NDArray[np.float64]:
     if not size > 0:
         raise ValueError(f"{name}: expected a direction, got {vector.tolist()}")
     vector = vector / size  # whose square does not overflow
-    return vector / np.linalg.norm(vector)
+    return vector / norm(vector)
 
 
 def check_color(name: str, color: Any) -> NDArray[np.float64]:
@@ -372,7 +373,7 @@ def check_rigid(name: str, matrix: Any, *, tolerance: float = RIGID_TOLERANCE) -
         raise ValueError(f"{name}: expected a rigid motion with last row (0, 0, 0, 1), got {T[3].tolist()}")
     R = T[:3, :3]
     with np.errstate(over="ignore", invalid="ignore"):
-        error, determinant = np.abs(R @ R.T - np.eye(3)).max(), np.linalg.det(R)
+        error, determinant = np.abs(matmul(R, R.T) - np.eye(3)).max(), det(R)
     if not error <= tolerance or determinant < 0:  # not of NaN, which is what huge entries come to
         raise ValueError(
             f"{name}: expected a rigid motion, got a rotation part with R R^T - I up to {error:.3g} "

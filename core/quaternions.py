@@ -5,6 +5,14 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from ..kernels.linear_algebra import det, eigh
+
+NEARLY_SINGULAR = 1e-3  # a determinant, as a fraction of the cube of the Frobenius norm; a rotation's is 0.19
+MAX_NEWTON_STEPS = 20
+NEARLY_ONE = 0.1
+ROUNDING = 1e-15  # a step of no more is none, so a rotation keeps its bits
+CONVERGED = 1e-9  # the change of a step; convergence is quadratic, so what is left is rounding
+
 
 def quaternions_to_rotations(quaternions: NDArray[np.float64]) -> NDArray[np.float64]:
     """Rotations, shape [n, 3, 3], of unit quaternions (x, y, z, w), shape [n, 4]."""
@@ -38,8 +46,49 @@ def rotations_to_quaternions(R: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def nearest_rotations(M: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The rotations nearest to matrices, shape [n, 3, 3], in the Frobenius norm."""
-    U, _, Vt = np.linalg.svd(M)
-    signs = np.ones((len(M), 1, 3))
-    signs[:, 0, 2] = np.sign(np.linalg.det(U @ Vt))
-    return (U * signs) @ Vt
+    """The rotations nearest to matrices, shape [n, 3, 3], in the Frobenius norm.
+
+    Newton's iteration for the polar factor (Higham 1986) where a matrix is not nearly singular or mirrored, else the
+    quaternion of Horn 1987.
+    """
+    M = np.asarray(M, np.float64)
+    sizes = _sizes(M)
+    is_regular = det(M) > NEARLY_SINGULAR * sizes**3
+    R = np.empty(M.shape)
+    R[is_regular] = _polar_factors(np.ldexp(M[is_regular], 1 - np.frexp(sizes[is_regular, None, None])[1]))
+    R[~is_regular] = _best_rotations(M[~is_regular])
+    return R
+
+
+def _polar_factors(R: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The orthogonal polar factors of regular matrices."""
+    for _ in range(MAX_NEWTON_STEPS):
+        inverses = _cofactors(R) / det(R)[:, None, None]  # transposed
+        scales = np.sqrt(_sizes(inverses) / _sizes(R))[:, None, None]
+        roots = np.sqrt(np.where(np.abs(scales - 1) < NEARLY_ONE, 1.0, scales))
+        steps = (inverses / roots - R * roots) / 2
+        lengths = np.abs(steps).max(axis=(1, 2), keepdims=True, initial=0.0)
+        R = R * roots + np.where(lengths < ROUNDING, 0.0, steps)
+        if not (lengths > CONVERGED).any():
+            break
+    return R
+
+
+def _sizes(M: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The Frobenius norms of matrices [n, 3, 3]."""
+    return np.sqrt((M * M).sum(axis=(1, 2)))
+
+
+def _cofactors(M: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The cofactors of matrices [n, 3, 3]."""
+    after, before = M[:, [1, 2, 0]], M[:, [2, 0, 1]]
+    return after[:, :, [1, 2, 0]] * before[:, :, [2, 0, 1]] - after[:, :, [2, 0, 1]] * before[:, :, [1, 2, 0]]
+
+
+def _best_rotations(M: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The rotations R of largest trace of R^T M: the main eigenvector of a 4x4 matrix is the quaternion."""
+    N = np.zeros((len(M), 4, 4))
+    N[:, :3, :3] = M + M.transpose(0, 2, 1) - 2 * np.trace(M, axis1=1, axis2=2)[:, None, None] * np.eye(3)
+    N[:, :3, 3] = np.stack([M[:, 2, 1] - M[:, 1, 2], M[:, 0, 2] - M[:, 2, 0], M[:, 1, 0] - M[:, 0, 1]], axis=1)
+    N[:, 3, :3] = N[:, :3, 3]
+    return _polar_factors(quaternions_to_rotations(eigh(N)[1][:, :, 3]))  # without the roundings of the quaternions

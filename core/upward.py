@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..kernels.linear_algebra import matmul, norm
 from .checks import check_direction, shown
 
 Direction = tuple[float, float, float]
@@ -39,8 +40,8 @@ def up_under(up: Direction | None, A: NDArray[Any]) -> Direction | None:
     """
     if up is None:
         return None
-    turned = np.asarray(A, np.float64) @ np.array(up)
-    length = float(np.linalg.norm(turned))
+    turned = matmul(np.asarray(A, np.float64), np.array(up))
+    length = float(norm(turned))
     if not 0 < length < np.inf:
         return None
     x, y, z = (turned / length + 0.0).tolist()  # no -0

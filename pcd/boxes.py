@@ -14,6 +14,7 @@ from ..core.coordinates import finite_box
 from ..core.dropped_results import returns_new
 from ..core.wording import rounded
 from ..kernels.extent.masks import mask_aligned_box, mask_oriented_box
+from ..kernels.linear_algebra import matmul
 from .bounding_box import BoundingBox
 from .convex_hull import find_extremes
 from .minimal_box import fit_principal_box, fit_smallest_box
@@ -306,7 +307,7 @@ class OrientedBoundingBox(BoundingBox):
 
     def get_box_points(self) -> NDArray[np.float64]:
         """The corners in Open3D's order, shape [8, 3]."""
-        return self._center + (CORNERS * (self._extent / 2)) @ self._R.T
+        return self._center + matmul(CORNERS * (self._extent / 2), self._R.T)
 
     def get_axis_aligned_bounding_box(self) -> AxisAlignedBoundingBox:
         """The smallest aligned box around it."""
@@ -340,7 +341,7 @@ class OrientedBoundingBox(BoundingBox):
         """The box turned about a point, its middle if none is given."""
         turn = check_shape("R", R, (3, 3))
         about = self._center if center is None else check_finite("center", check_shape("center", center, (3,)))
-        return self._like(turn @ (self._center - about) + about, turn @ self._R, self._extent)
+        return self._like(matmul(turn, self._center - about) + about, matmul(turn, self._R), self._extent)
 
     def _like(self, *parts: NDArray[np.float64]) -> OrientedBoundingBox:
         box = OrientedBoundingBox(*parts)
@@ -353,7 +354,7 @@ class OrientedBoundingBox(BoundingBox):
 
     def _holds(self, points: NDArray[np.float64]) -> NDArray[np.bool_]:
         with np.errstate(invalid="ignore", over="ignore"):  # points that are infinite or huge are outside
-            return np.logical_and.reduce(np.abs((points - self._center) @ self._R) <= self._extent / 2, axis=1)
+            return np.logical_and.reduce(np.abs(matmul(points - self._center, self._R)) <= self._extent / 2, axis=1)
 
 
 def _centered(points: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

@@ -14,6 +14,7 @@ from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.select import gather_rows, positions_of
 from ..kernels.extent.hull_filter import farthest_rows, gather_positions, mask_outer, scale_points
 from ..kernels.lang import int32
+from ..kernels.linear_algebra import matmul
 from ..kernels.memory import download, upload
 
 if TYPE_CHECKING:
@@ -127,15 +128,15 @@ def _find_flat_extremes(positions: NDArray[np.float64], tolerance: float) -> Ext
     if size == 0:
         return Extremes(np.zeros(1, np.int64), none, 0)
     along = arms[lengths.argmax()] / size
-    across = arms - np.outer(arms @ along, along)
+    across = arms - np.outer(matmul(arms, along), along)
     widths = np.linalg.norm(across, axis=1)
     if widths.max() <= tolerance:
-        places = arms @ along
+        places = matmul(arms, along)
         return Extremes(np.array(sorted({int(places.argmin()), int(places.argmax())})), none, 1)
     aside = across[widths.argmax()] / widths.max()
-    if len(positions) > 3 and np.abs(arms @ np.cross(along, aside)).max() > tolerance:
+    if len(positions) > 3 and np.abs(matmul(arms, np.cross(along, aside))).max() > tolerance:
         return None
-    hull = _run_qhull(np.column_stack([arms @ along, arms @ aside]), "Qt")
+    hull = _run_qhull(np.column_stack([matmul(arms, along), matmul(arms, aside)]), "Qt")
     assert hull is not None  # not all are on a line
     rows = np.sort(hull.vertices).astype(np.int64)
     ring = np.searchsorted(rows, hull.vertices).astype(np.int32)

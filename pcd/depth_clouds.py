@@ -17,6 +17,7 @@ from ..core.gpu_arrays import device_for
 from ..core.told_arguments import told_arguments
 from ..kernels.images.depth import PixelGrid, color_pixels, pixel_normals, unproject_depth
 from ..kernels.images.depth_projection import project_points, read_colors, read_depth
+from ..kernels.linear_algebra import inv, matmul
 from .selection import Selection
 
 NOBODY_MEASURES = 1000.0  # [m] and more, by a depth camera
@@ -174,7 +175,7 @@ class DepthClouds(Selection):
     ) -> Self:
         """`from_depth_image` for depth in metres that is on the device, float32 [h * w], and colours [h * w, 3]."""
         step = check_count("stride", stride)
-        T_world_camera = np.eye(4) if extrinsic is None else np.linalg.inv(check_rigid("extrinsic", extrinsic))
+        T_world_camera = np.eye(4) if extrinsic is None else inv(check_rigid("extrinsic", extrinsic))
         _, origin = split_origin(T_world_camera[None, :3, 3])
         local = T_world_camera.copy()
         local[:3, 3] -= origin
@@ -201,5 +202,5 @@ class DepthClouds(Selection):
         farthest = check_positive("depth_max", depth_max, allow_infinite=True)
         T_camera_world = np.eye(4) if extrinsic is None else check_rigid("extrinsic", extrinsic)
         T_camera_points = T_camera_world.copy()
-        T_camera_points[:3, 3] += T_camera_world[:3, :3] @ self._origin
+        T_camera_points[:3, 3] += matmul(T_camera_world[:3, :3], self._origin)
         return project_points(self._arrays["points"], T_camera_points, camera, farthest), rows, columns

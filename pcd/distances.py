@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from ..core.devices import check_same_device
 from ..core.units import common_unit
 from ..kernels.extent.mean_covariance import mahalanobis_distances, mean_and_covariance
+from ..kernels.linear_algebra import pinvh
 from ..kernels.search.neighbor_distances import nearest_distances
 from .point_arrays import PointArrays, check_cloud
 from .selection import Selection
@@ -84,7 +85,7 @@ class Distances(Selection):
         """
         points = self._arrays["points"]
         count, mean, covariance = mean_and_covariance(points)
-        inverse = np.linalg.pinv(covariance, rcond=FLAT, hermitian=True) if count else np.zeros((3, 3))
+        inverse = pinvh(covariance, FLAT) if count else np.zeros((3, 3))
         return self.handed_out(mahalanobis_distances(points, np.nan_to_num(mean), inverse))
 
 

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..core.checks import check_count, check_finite, check_number, check_rows
+from ..kernels.linear_algebra import matmul
 from .geographic import krueger_series
 
 Array = NDArray[np.float64]
@@ -87,7 +88,7 @@ class WorldFrame:
         Raises:
             ValueError: Not of that shape, or no place on the Earth.
         """
-        return (geocentric(places) - self._middle) @ self._turn.T
+        return matmul(geocentric(places) - self._middle, self._turn.T)
 
     def to_geodetic(self, points: ArrayLike) -> Array:
         """Latitude, longitude [degrees] and altitude [m].
@@ -99,7 +100,7 @@ class WorldFrame:
             ValueError: Not of that shape, or not finite.
         """
         metres = check_finite("points", check_rows("points", points, 3).astype(np.float64))
-        return geodetic(metres @ self._turn + self._middle)
+        return geodetic(matmul(metres, self._turn) + self._middle)
 
     def to_utm(self, points: ArrayLike, epsg: int | None = None) -> Array:
         """Easting, northing and altitude [m].

@@ -11,6 +11,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from ..kernels.linear_algebra import matmul, solve
+
 MOST_DEGREE = 4
 FIRST = 0.5 / math.sqrt(math.pi)  # the harmonic of degree 0
 
@@ -54,11 +56,12 @@ def turns_of_harmonics(R: NDArray[np.float64], degree: int) -> NDArray[np.float6
     size = (degree + 1) ** 2 - 1
     turns = np.zeros((size, size))
     directions = _spread(4 * (size + 1))
-    before, after = harmonics_at(directions @ R, degree), harmonics_at(directions, degree)
+    before, after = harmonics_at(matmul(directions, R), degree), harmonics_at(directions, degree)
     for band in range(1, degree + 1):
         columns = slice(band**2, (band + 1) ** 2)
         rows = slice(band**2 - 1, (band + 1) ** 2 - 1)
-        turns[rows, rows] = np.linalg.lstsq(after[:, columns], before[:, columns], rcond=None)[0]
+        part = after[:, columns]
+        turns[rows, rows] = solve(matmul(part.T, part), matmul(part.T, before[:, columns]))
     return turns
 
 

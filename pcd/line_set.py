@@ -13,6 +13,7 @@ from ..core.checks import check_count, check_positive, check_rigid, check_rows, 
 from ..core.dropped_results import returns_new
 from ..core.html_tables import array_type, html_table
 from ..core.yes_or_no import YesOrNo
+from ..kernels.linear_algebra import inv, matmul
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from .motion import Movable
 
@@ -149,13 +150,13 @@ class LineSet(Movable):
         """
         if not isinstance(intrinsic, PinholeCameraIntrinsic):
             raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
-        T_world_camera = np.linalg.inv(check_rigid("extrinsic", extrinsic))
+        T_world_camera = inv(check_rigid("extrinsic", extrinsic))
         size = check_positive("scale", scale)
         left, right = -intrinsic.cx / intrinsic.fx, (intrinsic.width - intrinsic.cx) / intrinsic.fx
         top, bottom = -intrinsic.cy / intrinsic.fy, (intrinsic.height - intrinsic.cy) / intrinsic.fy
         corners = [(0, 0, 0), (left, top, 1), (right, top, 1), (right, bottom, 1), (left, bottom, 1)]
         local = size * np.array([*corners, *np.eye(3)])
-        return cls(local @ T_world_camera[:3, :3].T + T_world_camera[:3, 3], CAMERA_EDGES, CAMERA_COLORS)
+        return cls(matmul(local, T_world_camera[:3, :3].T) + T_world_camera[:3, 3], CAMERA_EDGES, CAMERA_COLORS)
 
     def __repr__(self) -> str:
         return f"LineSet({len(self.points)} points, {len(self.lines)} lines)"
@@ -245,4 +246,4 @@ class LineSet(Movable):
 
     def _mapped(self, name: str, T: Rows) -> LineSet:
         """The lines under an affine map."""
-        return dataclasses.replace(self, points=self.points @ T[:3, :3].T + T[:3, 3])
+        return dataclasses.replace(self, points=matmul(self.points, T[:3, :3].T) + T[:3, 3])

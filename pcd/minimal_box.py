@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..kernels.extent.box_fit import smallest_frame
+from ..kernels.linear_algebra import eigh, matmul, norm
 from .convex_hull import Extremes
 
 ROUNDING = 4 * float(np.finfo(np.float64).eps)  # of a coordinate: of the turn into a box's axes, and of the centre
@@ -25,7 +26,7 @@ def fit_principal_box(positions: NDArray[np.float64], origin: NDArray[np.float64
     """
     vertices = positions[extremes.rows]
     arms = vertices - vertices.mean(axis=0)
-    _, axes = np.linalg.eigh(arms.T @ arms / len(arms))
+    _, axes = eigh(matmul(arms.T, arms) / len(arms))
     R = axes[:, ::-1].copy()
     R[:, 2] = np.cross(R[:, 0], R[:, 1])
     return _enclose(positions, origin, R)
@@ -73,22 +74,22 @@ def _smallest_rectangle(arms: NDArray[np.float64], triangles: NDArray[np.int32])
     a, b, c = (arms[triangles[:, k]] for k in range(3))
     normals = np.cross(b - a, c - a)
     normal = normals[np.einsum("ij,ij->i", normals, normals).argmax()]
-    normal = normal / np.linalg.norm(normal)
+    normal = normal / norm(normal)
     sides = np.concatenate([b - a, c - b, a - c])
     along = sides / np.linalg.norm(sides, axis=1, keepdims=True)
-    along = along - np.outer(along @ normal, normal)
+    along = along - np.outer(matmul(along, normal), normal)
     along /= np.linalg.norm(along, axis=1, keepdims=True)
     across = np.cross(normal, along)
-    areas = [np.ptp(arms @ u) * np.ptp(arms @ v) for u, v in zip(along, across, strict=True)]
+    areas = [np.ptp(matmul(arms, u)) * np.ptp(matmul(arms, v)) for u, v in zip(along, across, strict=True)]
     best = int(np.argmin(areas))
     return np.stack([along[best], across[best], normal], axis=1)
 
 
 def _frame_along(direction: NDArray[np.float64]) -> NDArray[np.float64]:
     """A right-handed frame whose first axis is a direction."""
-    first = direction / np.linalg.norm(direction)
+    first = direction / norm(direction)
     second = np.cross(np.eye(3)[np.abs(first).argmin()], first)
-    second /= np.linalg.norm(second)
+    second /= norm(second)
     return np.stack([first, second, np.cross(first, second)], axis=1)
 
 
@@ -98,10 +99,10 @@ def _enclose(positions: NDArray[np.float64], origin: NDArray[np.float64], R: NDA
     The frame may come from a hull that leaves out what float32 rounds; the box does not.
     """
     middle = (positions.min(axis=0) + positions.max(axis=0)) / 2
-    turned = (positions - middle) @ R
+    turned = matmul(positions - middle, R)
     low, high = turned.min(axis=0), turned.max(axis=0)
-    center = origin + (middle + R @ ((low + high) / 2))
-    offsets = np.abs((positions + (origin - center)) @ R).max(axis=0)  # as a crop to the box finds them
+    center = origin + (middle + matmul(R, (low + high) / 2))
+    offsets = np.abs(matmul(positions + (origin - center), R)).max(axis=0)  # as a crop to the box finds them
     extent = np.maximum(high - low, 2 * offsets)
     rounding = ROUNDING * (np.abs(positions).max() + np.abs(origin - center).max())
     along_coordinate = np.abs(R).max(axis=0) == 1  # there a thickness of zero is exact, in any order of sums

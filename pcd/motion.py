@@ -13,6 +13,7 @@ from ..core.dropped_results import returns_new
 from ..core.known_names import ToldNames
 from ..kernels.algebra.transform import transform_covariances, transform_directions, transform_points
 from ..kernels.lang import float32
+from ..kernels.linear_algebra import inv, matmul
 from .bounding import Bounding
 from .units import unit_under
 
@@ -98,16 +99,17 @@ class Motion(Bounding, Movable):
         """The cloud under an affine map; errors call it by the argument that it was made of."""
         A, t = T[:3, :3], T[:3, 3]
         low, high = self.device_bounds()
-        middle, half = A @ ((low + high) / 2) + t, np.abs(A) @ ((high - low) / 2)
+        middle, half = matmul(A, (low + high) / 2) + t, matmul(np.abs(A), (high - low) / 2)
         corners = np.stack([middle - half, middle + half])
         if not np.abs(corners).max() <= LARGEST_NUMBER or np.ptp(corners, axis=0).max() > 2 * FLOAT32_MAX:
             reach = f"{corners[0].tolist()}..{corners[1].tolist()}"
             raise ValueError(f"{name}: takes the points to {reach}, beyond what float32 holds about their middle")
         _, origin = split_origin(corners)
-        carried = np.round(A @ self._origin + t)  # near most of the points still, whatever a stray one does to the box
+        # near most of the points still, whatever a stray one does to the box
+        carried = np.round(matmul(A, self._origin) + t)
         if origin.any() and np.abs(corners - carried).max() < FLOAT32_MAX:
             origin = carried
-        cloud = self._under(A, A @ self._origin + t - origin, origin)
+        cloud = self._under(A, matmul(A, self._origin) + t - origin, origin)
         cloud._unit = unit_under(self._unit, A)
         return cloud
 
@@ -122,7 +124,7 @@ class Motion(Bounding, Movable):
         arrays = dict(self._arrays)
         arrays["points"] = transform_points(arrays["points"], A, shift)
         if self.has_normals:
-            arrays["normals"] = transform_directions(arrays["normals"], np.linalg.inv(A).T)
+            arrays["normals"] = transform_directions(arrays["normals"], inv(A).T)
         if (
             "covariances" in arrays
             and arrays["covariances"].dtype == float32
@@ -137,5 +139,5 @@ class Motion(Bounding, Movable):
 def map_about(A: NDArray[np.float64], center: NDArray[np.float64], step: Any = 0.0) -> NDArray[np.float64]:
     """The 4x4 map that applies A about a point, and then a step."""
     T = np.eye(4)
-    T[:3, :3], T[:3, 3] = A, center - A @ center + np.asarray(step, np.float64)
+    T[:3, :3], T[:3, 3] = A, center - matmul(A, center) + np.asarray(step, np.float64)
     return T

@@ -14,6 +14,7 @@ from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.select import gather_rows, invert_mask, positions_of
 from ..kernels.extent.masks import mask_finite
 from ..kernels.lang import int32
+from ..kernels.linear_algebra import matmul, norm
 from ..kernels.memory import full
 from ..kernels.segmentation.plane_fit import PlaneSearch, label_rows
 from .length_doubts import warn_of_long
@@ -162,11 +163,11 @@ class Planes(PlanarPatches):
 
     def _world_plane(self, plane: NDArray[np.float64], center: NDArray[np.float64]) -> NDArray[np.float64]:
         """A plane relative to a place of the cloud's own frame, in world coordinates and with its sign fixed."""
-        normal = plane[:3] / np.linalg.norm(plane[:3])
+        normal = plane[:3] / norm(plane[:3])
         if normal[np.argmax(np.abs(normal))] < 0:
             normal, plane = -normal, -plane
         normal = normal + 0.0  # no minus zero
-        return np.append(normal, plane[3] - normal @ (center + self._origin))
+        return np.append(normal, plane[3] - matmul(normal, center + self._origin))
 
 
 def _check_search(

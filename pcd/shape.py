@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -9,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..core.checks import check_count, check_rows
+from ..kernels.linear_algebra import matmul
 
 KINDS = ("plane", "sphere", "cylinder", "cone", "torus")
 UNKNOWNS = {  # in the order of the covariance
@@ -107,7 +109,7 @@ class Shape:
             [3.0]
         """
         y = check_rows("points", points, 3, dtype=np.float64) - self.center
-        h = y @ self.axis
+        h = matmul(y, self.axis)
         q = np.linalg.norm(y - h[:, None] * self.axis, axis=1)
         if self.kind == "plane":
             return h
@@ -143,7 +145,7 @@ class Shape:
         low, high = self.extent
         if self.kind == "plane":
             corners = np.array([[low[0], low[1], 0], [high[0], low[1], 0], [high[0], high[1], 0], [low[0], high[1], 0]])
-            return ShapeSurface(self.center + corners @ self.frame, np.array([[0, 1, 2], [0, 2, 3]], np.int32))
+            return ShapeSurface(self.center + matmul(corners, self.frame), np.array([[0, 1, 2], [0, 2, 3]], np.int32))
         around = 2 * np.pi * np.arange(steps + 1) / steps
         if self.kind == "sphere":
             t = np.pi * np.arange(steps // 2 + 2) / (steps // 2 + 1)
@@ -154,12 +156,12 @@ class Shape:
             profile = np.array([[self.radius, low[2]], [self.radius, high[2]]])
         else:
             ends = np.maximum([low[2], high[2]], 0.0)
-            profile = np.stack([ends * np.tan(self.half_angle), ends], 1)
+            profile = np.stack([ends * math.tan(self.half_angle), ends], 1)
         ring = np.stack([np.cos(around), np.sin(around)], 1)
         rows = np.concatenate(
             [profile[:, None, :1] * ring[None], np.broadcast_to(profile[:, None, 1:], (len(profile), steps + 1, 1))], 2
         )
-        return ShapeSurface(self.center + rows.reshape(-1, 3) @ self.frame, _strips(len(profile), steps + 1))
+        return ShapeSurface(self.center + matmul(rows.reshape(-1, 3), self.frame), _strips(len(profile), steps + 1))
 
     def to_json(self) -> dict[str, Any]:
         """All of it in JSON's types; numbers that are not finite are None."""

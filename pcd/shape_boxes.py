@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any
 
@@ -9,9 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.checks import check_positive, shown
+from ..core.quaternions import nearest_rotations
 from ..core.told_arguments import told_arguments
 from ..kernels.arrays.sort import positions
 from ..kernels.lang import int32
+from ..kernels.linear_algebra import det, matmul, norm
 from ..kernels.memory import upload
 from ..kernels.segmentation.shape_parts import bounds_in_frame, reach_across, rows_labelled
 from .cloud import PointCloud
@@ -66,7 +69,7 @@ class BoxShape:
 
     def to_mesh(self) -> ShapeSurface:
         """Its six faces as twelve triangles: `loom.TriangleMesh(*box.to_mesh())`."""
-        vertices = self.center + ((CORNERS - 0.5) * self.size) @ self.axes
+        vertices = self.center + matmul((CORNERS - 0.5) * self.size, self.axes)
         return ShapeSurface(vertices, np.concatenate([SIDES[:, :3], SIDES[:, [0, 2, 3]]]).astype(np.int32))
 
     def to_json(self) -> dict[str, Any]:
@@ -182,7 +185,7 @@ def _group_of(first: int, free: list[int], planes: dict[int, Shape], sides: _Sid
         for k in free:
             if k in group:
                 continue
-            along = [abs(float(planes[k].axis @ axis)) for axis in axes]
+            along = [abs(float(matmul(planes[k].axis, axis))) for axis in axes]
             near = [n for n, cosine in enumerate(along) if cosine >= np.sqrt(1 - off * off)]
             if not near and (len(axes) == 3 or max(along) > off):
                 continue
@@ -210,14 +213,14 @@ def _axes_of(planes: dict[int, Shape], group: dict[int, int]) -> NDArray[np.floa
     """The rotation nearest to the normals of a group, each by its points."""
     sums = np.zeros((3, 3))
     for k, number in group.items():
-        way = np.sign(sums[number] @ planes[k].axis) or 1.0
+        way = np.sign(matmul(sums[number], planes[k].axis)) or 1.0
         sums[number] += way * planes[k].support * planes[k].axis
     if not sums[2].any():
         sums[2] = np.cross(sums[0], sums[1])
-        sums[2] *= planes[next(iter(group))].support / np.linalg.norm(sums[2])
-    u, _, vt = np.linalg.svd(sums)
-    axes = u @ vt
-    return axes * np.array([[1], [1], [np.sign(np.linalg.det(axes))]])
+        sums[2] *= planes[next(iter(group))].support / norm(sums[2])
+    if det(sums) < 0:
+        sums[2] = -sums[2]
+    return nearest_rotations(sums[None])[0]
 
 
 def _box_of(cloud: PointCloud, found: DetectedShapes, planes: dict[int, Shape], group: dict[int, int]) -> BoxShape:
@@ -233,7 +236,7 @@ def _box_of(cloud: PointCloud, found: DetectedShapes, planes: dict[int, Shape], 
         across = [reach[k][:, number] for k in group if group[k] != number]
         seen = [min(bound[0] for bound in across), max(bound[1] for bound in across)]
         for k in (k for k in group if group[k] == number):
-            height = float((planes[k].center - place) @ axes[number])
+            height = float(matmul(planes[k].center - place, axes[number]))
             side = int(abs(height - seen[1]) < abs(height - seen[0]))
             seen[side], faces[number, side] = height, k
         ends[number] = seen
@@ -241,17 +244,17 @@ def _box_of(cloud: PointCloud, found: DetectedShapes, planes: dict[int, Shape], 
             length = f"{seen[1] - seen[0]:.4g} m"
             said.append(f"size open: no face across axis {number} was seen, {length} is how far the points reach")
     size, total = ends[:, 1] - ends[:, 0], sum(planes[k].support for k in group)
-    tilts = [float(np.linalg.norm(np.cross(planes[k].axis, axes[number]))) for k, number in group.items()]
+    tilts = [float(norm(np.cross(planes[k].axis, axes[number]))) for k, number in group.items()]
     said += [f"face {k}: {reason}" for k in group for reason in planes[k].reasons]
     said += _apart(group, reach)
     return BoxShape(
-        center=place + ends.mean(axis=1) @ axes,
+        center=place + matmul(ends.mean(axis=1), axes),
         axes=axes,
         size=size,
         faces=faces,
         support=total,
         rms=float(np.sqrt(sum(planes[k].support * planes[k].rms ** 2 for k in group) / total)),
-        tilt=float(np.arcsin(min(1.0, max(tilts)))),
+        tilt=math.asin(min(1.0, max(tilts))),
         reasons=tuple(said),
     )
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -114,7 +115,7 @@ def _shape_in_world(
         axis=axis + 0.0,
         radius=radius,
         minor_radius=float(fit.shape[7]) if kind == TORUS else nan,
-        half_angle=float(np.arctan2(fit.shape[7], fit.shape[6])) if kind == CONE else nan,
+        half_angle=math.atan2(fit.shape[7], fit.shape[6]) if kind == CONE else nan,
         extent=bounds,
         support=int(found.rows.size),
         rms=fit.rms,
@@ -180,8 +181,8 @@ def is_flat(search: ShapeSearch, found: Found, plane: FlatFit) -> bool:
 
 def is_open(found: Found, length: float) -> bool:
     """Whether a cone may as well be a cylinder: by its half angle's error, or as it tapers by less than the noise."""
-    angle = float(np.arctan2(found.fit.shape[7], found.fit.shape[6]))
-    return bool(CERTAIN * np.sqrt(found.fit.covariance[-1, -1]) > angle or np.tan(angle) * length < found.fit.rms)
+    angle = math.atan2(found.fit.shape[7], found.fit.shape[6])
+    return bool(CERTAIN * np.sqrt(found.fit.covariance[-1, -1]) > angle or math.tan(angle) * length < found.fit.rms)
 
 
 def plane_of(search: ShapeSearch, found: Found) -> FlatFit:

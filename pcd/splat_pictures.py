@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..cameras.camera import PinholeCameraIntrinsic
 from ..core.checks import check_color, check_positive, check_rigid
 from ..kernels.drawing.z_buffer import View
+from ..kernels.linear_algebra import matmul, solve
 from ..kernels.memory import download
 from ..kernels.splats.blending import SplatSurface, find_surface
 from ..kernels.splats.projection import ProjectedSplats, SplatColumns, project_splats
@@ -77,7 +78,7 @@ def list_splats(
         surfaces: Whether depths are asked for.
     """
     rotation, offset = np.asarray(view.rotation, np.float64), np.asarray(view.offset, np.float64)
-    eye = -np.linalg.solve(rotation, offset)
+    eye = -solve(rotation, offset)
     projected, counts = project_splats(splats, view, eye, near, share, surfaces=surfaces)
     return TileLists(projected, counts, view.camera.width, view.camera.height), projected
 
@@ -86,7 +87,7 @@ def surface_before(
     splats: Pictured, intrinsic: PinholeCameraIntrinsic, T: NDArray[np.float64], near: float = NEAR
 ) -> SplatSurface:
     """What a camera at T_camera_world sees, on the device; nothing is checked."""
-    view = View(intrinsic, T[:3, :3], T[:3, :3] @ splats.cloud.origin + T[:3, 3])
+    view = View(intrinsic, T[:3, :3], matmul(T[:3, :3], splats.cloud.origin) + T[:3, 3])
     lists, projected = list_splats(columns_of(splats), view, near=near, surfaces=True)
     return find_surface(lists, projected, view)
 

@@ -20,7 +20,9 @@ from ..core.checks import (
 )
 from ..core.devices import check_same_device
 from ..core.dropped_results import returns_new
+from ..core.quaternions import nearest_rotations
 from ..kernels.arrays.select import positions_of
+from ..kernels.linear_algebra import cube_root, det, matmul
 from ..kernels.splats.masks import mask_splats
 from ..kernels.splats.motion import turn_harmonics, turn_quaternions
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
@@ -185,7 +187,7 @@ class GaussianSplats(Movable, Pictured):
         """Covariances R S^2 R^T [m^2], float64 [n, 3, 3]."""
         axes = self._axes()
         axes = axes * np.exp(self._cloud["scale"].astype(np.float64))[:, None]
-        return axes @ axes.transpose(0, 2, 1)
+        return matmul(axes, axes.transpose(0, 2, 1))
 
     def to_point_cloud(self) -> PointCloud:
         """The centres as a cloud: colours as seen from nowhere (degree 0), and `opacity`, 0 to 1.
@@ -390,8 +392,7 @@ def _check_all(name: str, sound: Any, what: str) -> None:
 def similarity_of(name: str, T: NDArray[np.float64]) -> tuple[NDArray[np.float64], float]:
     """The rotation and the scale of a similarity."""
     A = T[:3, :3]
-    factor = float(np.cbrt(np.linalg.det(A)))
-    if not factor > 0 or np.abs(A @ A.T / factor**2 - np.eye(3)).max() > _TURN_TOLERANCE:
+    factor = cube_root(float(det(A)))
+    if not factor > 0 or np.abs(matmul(A, A.T) / factor**2 - np.eye(3)).max() > _TURN_TOLERANCE:
         raise ValueError(f"{name}: expected a rotation with one scale and a translation, got {T.tolist()}")
-    U, _, Vt = np.linalg.svd(A)
-    return (A / factor if np.array_equal(A, factor * np.eye(3)) else U @ Vt), factor
+    return (A / factor if np.array_equal(A, factor * np.eye(3)) else nearest_rotations(A[None])[0]), factor

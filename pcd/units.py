@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from ..core.checks import RIGID_TOLERANCE
 from ..core.dropped_results import returns_new
 from ..core.units import LengthUnit, check_unit
+from ..kernels.linear_algebra import matmul
 
 
 class InUnit:
@@ -82,4 +83,4 @@ class InUnit:
 
 def unit_under(unit: LengthUnit | None, A: NDArray[Any]) -> LengthUnit | None:
     """The unit behind a map with the 3x3 part A: none where it changes lengths by more than rounding may."""
-    return unit if np.abs(A @ A.T - np.eye(3)).max() <= RIGID_TOLERANCE else None
+    return unit if np.abs(matmul(A, A.T) - np.eye(3)).max() <= RIGID_TOLERANCE else None

@@ -7,6 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from ..kernels.linear_algebra import eigh, matmul
 from .rigid import make_pose, nearest_rotation, rotation_of
 
 Matrix = NDArray[np.float64]
@@ -33,7 +34,7 @@ def moved(pose: Matrix, motion: Matrix, about: Matrix | None = None) -> Matrix:
     """A pose turned about a place, that of the sensor if none, and then shifted: (turn [rad], translation [m])."""
     turn, place = rotation_of(motion[:3]), pose[:3, 3]
     middle = place if about is None else about
-    return make_pose(nearest_rotation(turn @ pose[:3, :3]), turn @ (place - middle) + middle + motion[3:])
+    return make_pose(nearest_rotation(matmul(turn, pose[:3, :3])), matmul(turn, place - middle) + middle + motion[3:])
 
 
 def spanned(rows: Matrix) -> tuple[tuple[float, float, float], ...]:
@@ -41,7 +42,7 @@ def spanned(rows: Matrix) -> tuple[tuple[float, float, float], ...]:
 
     The largest part of each is positive.
     """
-    left, sizes, _ = np.linalg.svd(rows)
-    kept = left.T[: len(sizes)][sizes > math.sqrt(0.5)]
+    squares, vectors = eigh(matmul(rows, rows.T))
+    kept = vectors.T[::-1][squares[::-1] > 0.5]
     signs = [math.copysign(1.0, row[np.abs(row).argmax()]) for row in kept]
     return tuple(tuple(float(v) for v in row * sign) for row, sign in zip(kept, signs, strict=True))  # type: ignore[misc]

@@ -5,10 +5,13 @@ Twists are (rotation [rad], translation [m]), rotation first. Poses T_a_b take c
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
 from ..core.quaternions import nearest_rotations
+from ..kernels.linear_algebra import cube_root, det, matmul, norm
 
 Matrix = NDArray[np.float64]
 SMALL_ANGLE = 1e-6  # [rad] below it series to second order are exact in float64
@@ -20,12 +23,12 @@ def rotations_of(vectors: NDArray[np.float64]) -> Matrix:
     K = skews(vectors)
     first = np.sinc(angles / np.pi)  # sin(a) / a
     second = np.sinc(angles / (2 * np.pi)) ** 2 / 2  # (1 - cos(a)) / a^2
-    return np.eye(3) + first[:, None, None] * K + second[:, None, None] * (K @ K)
+    return np.eye(3) + first[:, None, None] * K + second[:, None, None] * matmul(K, K)
 
 
 def scale_of(T: Matrix) -> float:
     """The scale of a similarity; negative of one that mirrors."""
-    return float(np.cbrt(np.linalg.det(T[:3, :3])))
+    return cube_root(float(det(T[:3, :3])))
 
 
 def rotation_of(vector: NDArray[np.float64]) -> Matrix:
@@ -41,16 +44,16 @@ def about_up(yaw: float) -> Matrix:
 def rotation_vector(R: Matrix) -> NDArray[np.float64]:
     """The logarithm of a rotation, length 0..pi [rad]; exact near 0 and near pi, where an arc cosine is not."""
     axis = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]) / 2  # sine times axis
-    sine, cosine = float(np.linalg.norm(axis)), (float(np.trace(R)) - 1) / 2
-    angle = float(np.arctan2(sine, cosine))
+    sine, cosine = float(norm(axis)), (float(np.trace(R)) - 1) / 2
+    angle = math.atan2(sine, cosine)
     if sine > SMALL_ANGLE:
         return axis * (angle / sine)
     if cosine > 0:
         return axis
     outer = (R + R.T) / 2 + np.eye(3)  # twice the axis' outer product, near half a turn
     column = outer[:, int(np.argmax(np.diag(outer)))]
-    column = column / np.linalg.norm(column)
-    return column * (angle if column @ axis >= 0 else -angle)
+    column = column / norm(column)
+    return column * (angle if matmul(column, axis) >= 0 else -angle)
 
 
 def skews(vectors: NDArray[np.float64]) -> Matrix:
@@ -68,12 +71,12 @@ def skew(v: NDArray[np.float64]) -> Matrix:
 def pose_of(twist: NDArray[np.float64]) -> Matrix:
     """The exponential of a twist (rotation, translation), shape [6]: a pose [4, 4]."""
     rotation, K = twist[:3], skew(twist[:3])
-    angle = float(np.linalg.norm(rotation))
+    angle = float(norm(rotation))
     if angle < SMALL_ANGLE:
-        V = np.eye(3) + K / 2 + K @ K / 6
+        V = np.eye(3) + K / 2 + matmul(K, K) / 6
     else:
-        V = np.eye(3) + (1 - np.cos(angle)) / angle**2 * K + (angle - np.sin(angle)) / angle**3 * (K @ K)
-    return make_pose(rotation_of(rotation), V @ twist[3:])
+        V = np.eye(3) + (1 - np.cos(angle)) / angle**2 * K + (angle - np.sin(angle)) / angle**3 * matmul(K, K)
+    return make_pose(rotation_of(rotation), matmul(V, twist[3:]))
 
 
 def make_pose(R: Matrix, t: NDArray[np.float64]) -> Matrix:
@@ -85,13 +88,13 @@ def make_pose(R: Matrix, t: NDArray[np.float64]) -> Matrix:
 
 def invert_pose(T: Matrix) -> Matrix:
     """The inverse of a pose."""
-    return make_pose(T[:3, :3].T, -T[:3, :3].T @ T[:3, 3])
+    return make_pose(T[:3, :3].T, matmul(-T[:3, :3].T, T[:3, 3]))
 
 
 def adjoint_of(T: Matrix) -> Matrix:
     """Takes twists of the coordinates that a pose takes to twists of those it takes them to, [6, 6]."""
     R = T[:3, :3]
-    return np.block([[R, np.zeros((3, 3))], [skew(T[:3, 3]) @ R, R]])
+    return np.block([[R, np.zeros((3, 3))], [matmul(skew(T[:3, 3]), R), R]])
 
 
 def symmetric_matrices(triangles: NDArray[np.float64]) -> Matrix:
@@ -108,21 +111,21 @@ def nearest_rotation(M: Matrix) -> Matrix:
 
 def pose_error(T: Matrix, T_true: Matrix) -> tuple[float, float]:
     """How far a pose lies from the true one: (angle [rad] by the logarithm, distance of the translations [m])."""
-    angle = float(np.linalg.norm(rotation_vector(T[:3, :3] @ T_true[:3, :3].T)))
-    return angle, float(np.linalg.norm(T[:3, 3] - T_true[:3, 3]))
+    angle = float(norm(rotation_vector(matmul(T[:3, :3], T_true[:3, :3].T))))
+    return angle, float(norm(T[:3, 3] - T_true[:3, 3]))
 
 
 def to_local(T: Matrix, source_origin: NDArray[np.float64], target_origin: NDArray[np.float64]) -> Matrix:
     """A pose between world coordinates as one between coordinates about the clouds' origins."""
     local = T.copy()
-    local[:3, 3] = T[:3, :3] @ source_origin + T[:3, 3] - target_origin
+    local[:3, 3] = matmul(T[:3, :3], source_origin) + T[:3, 3] - target_origin
     return local
 
 
 def to_world(T: Matrix, source_origin: NDArray[np.float64], target_origin: NDArray[np.float64]) -> Matrix:
     """The inverse of `to_local`."""
     world = T.copy()
-    world[:3, 3] = T[:3, 3] + target_origin - T[:3, :3] @ source_origin
+    world[:3, 3] = T[:3, 3] + target_origin - matmul(T[:3, :3], source_origin)
     return world
 
 
@@ -138,10 +141,10 @@ def fit_pose(
     Umeyama 1991, eqs. 40 to 43.
     """
     w = np.full(len(source), 1 / len(source)) if weights is None else weights / weights.sum()
-    source_mean, target_mean = w @ source, w @ target
+    source_mean, target_mean = matmul(w, source), matmul(w, target)
     s, t = source - source_mean, target - target_mean
-    A = fit_moments((t * w[:, None]).T @ s, float(w @ (s * s).sum(axis=1)), with_scaling=with_scaling)
-    return make_pose(A, target_mean - A @ source_mean)
+    A = fit_moments(matmul((t * w[:, None]).T, s), float(matmul(w, (s * s).sum(axis=1))), with_scaling=with_scaling)
+    return make_pose(A, target_mean - matmul(A, source_mean))
 
 
 def fit_moments(cross: Matrix, spread: float, *, with_scaling: bool = False) -> Matrix:
@@ -152,7 +155,5 @@ def fit_moments(cross: Matrix, spread: float, *, with_scaling: bool = False) -> 
         spread: Weighted sum of |s|^2.
         with_scaling: Whether there is a scale.
     """
-    U, D, Vt = np.linalg.svd(cross)
-    signs = np.array([1.0, 1.0, np.sign(np.linalg.det(U) * np.linalg.det(Vt))])
-    R = (U * signs) @ Vt
-    return float((D * signs).sum() / spread) * R if with_scaling else R
+    R = nearest_rotation(cross)
+    return float((R * cross).sum() / spread) * R if with_scaling else R

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 from typing import ClassVar
 
 import numpy as np
@@ -10,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..core.checks import check_number, check_numeric, check_positive
 from ..kernels.icp import robust_weights
+from ..kernels.linear_algebra import elementwise
 
 LEAST = robust_weights.LEAST_RESIDUAL
 
@@ -139,7 +141,7 @@ class GeneralizedLoss(_Scaled):
         elif abs(shape) <= robust_weights.TO_ZERO:
             weights = 2 / (square + 2)
         elif shape < robust_weights.MINUS_INFINITY:
-            weights = np.exp(-square / 2)
+            weights = elementwise(math.exp, -square / 2)
         else:
-            weights = (square / abs(shape - 2) + 1) ** (shape / 2 - 1)
+            weights = elementwise(math.pow, square / abs(shape - 2) + 1, shape / 2 - 1)
         return weights / self.k**2

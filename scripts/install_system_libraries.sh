@@ -4,7 +4,7 @@
 #   scripts/install_system_libraries.sh runtime PYTHON   venv for PYTHON; pointloom itself loads nothing that may be missing
 #   scripts/install_system_libraries.sh test PYTHON      ... and what Taichi and Open3D load, and ffmpeg
 #   scripts/install_system_libraries.sh emulation PYTHON ... and gcc, with which the emulated CUDA device compiles
-#   scripts/install_system_libraries.sh browser PYTHON   ... and Chromium, in which the viewer is tested
+#   scripts/install_system_libraries.sh browser PYTHON   ... and Chromium and Mesa's llvmpipe, in which pages are tested
 #
 # As root they are installed with apt-get. Otherwise the line to run is printed and the script goes on with status 0:
 # without libX11 Taichi does not import, without any of the others Open3D does not; tests of videos skip without ffmpeg.
@@ -16,7 +16,9 @@ test_libraries="libX11.so.6=libx11-6 libGL.so.1=libgl1 libEGL.so.1=libegl1 libus
 
 case "${1:-}" in
     runtime) wanted="" ;;
-    test | emulation | browser) wanted=$test_libraries ;;
+    test | emulation) wanted=$test_libraries ;;
+    # Chromium draws with llvmpipe through EGL, without X; where Mesa is missing, with its own SwiftShader.
+    browser) wanted="$test_libraries libEGL_mesa.so.0=libegl-mesa0" ;;
     *)
         echo "usage: $0 runtime|test|emulation|browser PYTHON" >&2
         exit 2
@@ -55,7 +57,7 @@ fi
 chromium="chromium chromium-browser google-chrome google-chrome-stable chrome"
 # shellcheck disable=SC2086  # one argument a name
 if [ "$1" = browser ] && [ -z "${POINTLOOM_CHROMIUM:-}" ] && [ -z "$(command -v $chromium)" ]; then
-    packages="$packages chromium"
+    packages="$packages chromium libgl1-mesa-dri"
 fi
 packages=${packages# }
 [ -n "$packages" ] || exit 0

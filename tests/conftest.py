@@ -207,13 +207,19 @@ def to_open3d(o3d):
 
 @pytest.fixture(scope="session")
 def fragment(scan_file):
-    """The indoor fragment (real), or a corner of it (shipped), as Open3D reads it: `legacy`, and its arrays."""
-    import open3d as o3d
+    """The arrays of the indoor fragment (real), or of a corner of it (shipped), in float64."""
+    import pointloom as loom
 
-    legacy = o3d.io.read_point_cloud(str(scan_file("cloud-cupoch/fragment.pcd")))
-    points, normals, colors = (np.asarray(a) for a in (legacy.points, legacy.normals, legacy.colors))
+    cloud = loom.read_point_cloud(scan_file("cloud-cupoch/fragment.pcd"))
+    points, normals, colors = (np.asarray(a, np.float64) for a in (cloud.points, cloud.normals, cloud.colors))
     assert points.shape == normals.shape == colors.shape and len(points) in (8000, 113662)
-    return SimpleNamespace(legacy=legacy, points=points, normals=normals, colors=colors)
+    return SimpleNamespace(points=points, normals=normals, colors=colors)
+
+
+@pytest.fixture(scope="session")
+def legacy_fragment(o3d, scan_file):
+    """The fragment as Open3D reads it."""
+    return o3d.io.read_point_cloud(str(scan_file("cloud-cupoch/fragment.pcd")))
 
 
 @pytest.fixture(scope="session")

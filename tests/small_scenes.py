@@ -7,8 +7,6 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 import pointloom as loom
 
 BENCHMARKS = str(Path(__file__).parents[1] / "benchmarks")
@@ -48,4 +46,4 @@ class SmallScenes(digest_scenes.Scenes):
         parts = [points[0][points[0][:, 0] < 0.7], points[1][points[1][:, 0] > -1.3]]
         source, target = (self.cloud(part).voxel_down_sample(0.12).estimate_normals(max_nn=20) for part in parts)
         up = [c.orient_normals_to_align_with_direction() for c in (source, target)]
-        return [up[0].transform(np.linalg.inv(digest_scenes.TURNED)), up[1]]
+        return [up[0].transform(scenes.inverse(digest_scenes.TURNED)), up[1]]

@@ -34,7 +34,8 @@
  *
  * Pictures
  *   looks: { pointFactor, wireframe, normals, light 0..2 }; after a change redraw(). redraw() draws soon, when something
- *   has changed; settled() resolves when the picture with all changes so far is drawn whole.
+ *   has changed; settled() resolves when the picture with all changes so far is drawn whole; ready() when textures are
+ *   decoded too and the page has its layout.
  *   pickDepth(x, y) -> depth [m] at a place of the canvas [CSS px], or null; pick(x, y) -> place or null;
  *   project(point) -> [x, y, depth]; unproject(x, y, depth); screenshot() -> Promise of a Blob (PNG), labels included;
  *   statistics() -> { draws, calls, uploads, bytes, kept, nodes, points, triangles, every, labels }; destroy()
@@ -298,6 +299,14 @@ class Engine {
     return this.pace.atRest();
   }
 
+  /** Resolves when the layout is done, all arrays and textures are on the card and a picture with them is drawn whole. */
+  async ready() {
+    await nextFrame();
+    await nextFrame(); // sizes of elements are observed behind the first
+    await Promise.all([...this.geometries].map(({ texture }) => texture?.ready));
+    await this.settled();
+  }
+
   draw(every) {
     if (this.painter.gl.isContextLost()) return;
     const nodes = this.tree.seen();
@@ -361,6 +370,10 @@ class Engine {
     this.overlay.replaceChildren();
     this.painter.gl.getExtension("WEBGL_lose_context")?.loseContext(); // a browser has few, and frees them late
   }
+}
+
+function nextFrame() {
+  return new Promise((done) => requestAnimationFrame(done));
 }
 
 function bytesOf(arrays) {

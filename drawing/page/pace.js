@@ -69,6 +69,5 @@ class Pace {
   tell(settled) {
     this.settled = settled;
     if (settled) for (const resolve of this.resting.splice(0)) resolve();
-    document.documentElement.dataset.settled = settled;
   }
 }

@@ -169,8 +169,9 @@ function say(text) {
 try {
   if (!window.DecompressionStream) throw new Error(TOO_OLD);
   const player = new Player();
-  player.start().catch((error) => say(error.message));
+  const started = player.start().catch((error) => say(error.message));
   // for whoever embeds the page, and for its tests
+  window.pointloom = { ready: () => started.then(() => player.timeline.going).then(() => player.engine.ready()) };
   window.recording = {
     project: (point) => player.engine.project(point),
     go: (frame) => player.goTo(frame),

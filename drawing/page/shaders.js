@@ -223,6 +223,7 @@ void main() {
 // The depths around a pixel as three bytes each, since depths themselves cannot be read back.
 const PROBE_FRAGMENT = `
 precision highp float;
+precision highp int;
 precision highp sampler2D;
 uniform sampler2D depths;
 uniform ivec2 corner;

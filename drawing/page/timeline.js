@@ -18,9 +18,14 @@ class Timeline {
     return this.frames.length - 1;
   }
 
-  async go(frame) {
+  /** Resolves once the frame asked for last is shown. */
+  go(frame) {
     this.wanted = clamp(frame, 0, this.last);
-    if (this.busy) return;
+    if (!this.busy) this.going = this.move();
+    return this.going;
+  }
+
+  async move() {
     this.busy = true;
     try {
       while (this.frame !== this.wanted) {

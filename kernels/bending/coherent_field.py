@@ -12,6 +12,7 @@ from ..algebra.transform import narrow, widen
 from ..array_types import Array2, Doubles, Points, Positions
 from ..arrays.packed_keys import key_index, pack_key
 from ..arrays.select import gather_rows
+from ..arrays.sparse_factor import solve_symmetric
 from ..lang import (
     array,
     atomic_max,
@@ -29,6 +30,7 @@ from ..lang import (
     vec3d,
     vec4d,
 )
+from ..linear_algebra import solve
 from ..memory import download, empty, upload, zeros
 from .coherent_drift import falloff, pulls
 
@@ -215,7 +217,7 @@ class CoherentField:
         launch(pull_rows_kernel, count, [self.rows, self.places, sums, size, right])
         lower = np.tril(np.asarray(download(square)).reshape(count, count))  # sync
         matrix = lower + np.tril(lower, -1).T + damping * np.eye(count)
-        values = np.linalg.solve(matrix, np.asarray(download(right)).reshape(count, 3))
+        values = solve_symmetric(matrix, np.asarray(download(right)).reshape(count, 3))
         given = upload(values, vec3d, device)
         launch(move_places_kernel, size, [self.rows, count, self.places, given, moved])
         return values
@@ -225,7 +227,7 @@ class CoherentField:
         corner = empty((self.count, self.count), float64, self.places.device)
         chosen = upload(self.pivots.astype(np.int32), int32, self.places.device)
         launch(pick_corner_kernel, self.count * self.count, [self.rows, chosen, self.count, corner])
-        return np.linalg.solve(np.asarray(download(corner)).reshape(self.count, self.count), values)  # sync
+        return solve(np.asarray(download(corner)).reshape(self.count, self.count), values)  # sync
 
     def centers(self) -> np.ndarray:
         """The places of the pivots, float64 [k, 3]; one sync."""

@@ -39,6 +39,7 @@ from ..lang import (
     vec3d,
     vec4d,
 )
+from ..linear_algebra import matmul
 from ..memory import download, empty, full, upload, zeros
 
 LAST_INDEX = 0x7FFFFFFF  # keys hold it less the index, so that of two points equally far the first is the larger key
@@ -246,7 +247,7 @@ def mask_outer(points: Positions, centre: np.ndarray, corners: np.ndarray, plane
         width: Cells along an edge of each of the cube's six faces.
     """
     device = points.device
-    normals, offsets = planes[:, :3], -(planes[:, 3] + planes[:, :3] @ centre)
+    normals, offsets = planes[:, :3], -(planes[:, 3] + matmul(planes[:, :3], centre))
     arms = corners - centre
     ahead = offsets > LEAST_OFFSET * np.abs(arms).max(initial=0)
     nodes = full(6 * (width + 1) ** 2, UNCOVERED, float64, device)

@@ -9,6 +9,7 @@ import numpy as np
 
 from ..array_types import Device
 from ..lang import array, cross, dot, float64, func, int32, kernel, launch, struct, tid, vec3d
+from ..linear_algebra import matmul
 from ..memory import download, empty, upload
 from .hull_filter import aim_direction, grid_place, locate_direction
 
@@ -53,7 +54,9 @@ class ClimbedHull:
         launch(aim_table_kernel, directions.size, [TABLE_WIDTH, directions])
         aims = download(directions)  # sync
         rows = max(1, TABLE_CHUNK // len(vertices))
-        table = np.concatenate([(aims[k : k + rows] @ vertices.T).argmax(axis=1) for k in range(0, len(aims), rows)])
+        table = np.concatenate(
+            [matmul(aims[k : k + rows], vertices.T).argmax(axis=1) for k in range(0, len(aims), rows)]
+        )
         ends = np.concatenate([edges, edges[:, ::-1]])
         ends = ends[np.lexsort((ends[:, 1], ends[:, 0]))]
         starts = np.searchsorted(ends[:, 0], np.arange(len(vertices) + 1))

@@ -17,6 +17,7 @@ import numpy as np
 
 from ..array_types import Bytes, Device, Scalars
 from ..lang import array, float32, kernel, launch, struct, tid, uint8, vector
+from ..linear_algebra import elementwise
 from ..memory import empty, upload
 
 LANES = 16  # pixels a thread
@@ -136,7 +137,7 @@ def blur_rows_kernel(between: array(dtype=float32), level: int, weights: array(d
 def blur_weights(sigma: float) -> np.ndarray:
     """Of a blur, [2 r + 1]; they sum to 1."""
     reach = max(math.ceil(CUT * sigma), 1)
-    weights = np.exp(-0.5 * (np.arange(-reach, reach + 1) / sigma) ** 2)
+    weights = elementwise(math.exp, -0.5 * (np.arange(-reach, reach + 1) / sigma) ** 2)
     return (weights / weights.sum()).astype(np.float32)
 
 

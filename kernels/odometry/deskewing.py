@@ -30,6 +30,7 @@ from ..lang import (
     vec3,
     vec3d,
 )
+from ..linear_algebra import matmul
 from ..memory import empty, full
 
 RUN = 4096  # times a thread on the CPU: its two atomics cost less than 1 % of its reads
@@ -53,7 +54,7 @@ class ScrewMotion:
 
     def __init__(self, span: Doubles, twist: np.ndarray) -> None:
         """The motion whose logarithm is `twist`, (rotation, translation), float64 [6]."""
-        self.span, self.angle = span, math.sqrt(float(twist[:3] @ twist[:3]))
+        self.span, self.angle = span, math.sqrt(float(matmul(twist[:3], twist[:3])))
         axis = twist[:3] / self.angle if self.angle > 0 else twist[:3]
         self.axis, self.velocity = vec3(*map(float, axis)), vec3(*map(float, twist[3:]))
 

@@ -186,12 +186,11 @@ def distinct_poses(poses: np.ndarray, spread: np.ndarray, apart: float) -> np.nd
     """
     moved = np.einsum("kij,pj->kpi", poses[:, :3, :3], spread) + poses[:, None, :3, 3]
     flat = moved.reshape(len(poses), 3 * len(spread)) / np.sqrt(max(len(spread), 1))
-    squares = (flat * flat).sum(axis=1)
-    alike = squares[:, None] + squares - 2 * flat @ flat.T <= apart * apart
     kept, left = [], np.ones(len(poses), bool)
     while left.any():
         kept.append(int(np.argmax(left)))
-        left &= ~alike[kept[-1]]
+        gaps = flat - flat[kept[-1]]
+        left &= ~((gaps * gaps).sum(axis=1) <= apart * apart)
         left[kept[-1]] = False
     return np.array(kept, np.int64)
 

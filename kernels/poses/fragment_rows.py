@@ -40,6 +40,7 @@ from ..lang import (
     vec3d,
     vector,
 )
+from ..linear_algebra import solve
 from ..memory import download, empty, upload, zeros
 from ..search.nearest_point import find_nearest
 from ..search.point_tree import PointTree
@@ -285,7 +286,7 @@ class Pairs:
         fragments, device = self.fragments, self.partners.device
         trees = {int(t): PointTree(fragments.part(int(t))) for t in np.unique(self.ends[:, 1])}
         for k, (s, t) in enumerate(self.ends.tolist()):
-            T = np.linalg.solve(poses[t], poses[s])
+            T = solve(poses[t], poses[s])
             queries = transform_points(fragments.part(s), T[:3, :3], T[:3, 3])
             nearest = find_nearest(trees[t], queries, radius=self.distance)
             where = [int(fragments.firsts[s]), int(fragments.firsts[t]), int(self.firsts[k])]

@@ -38,6 +38,7 @@ from ..lang import (
     vec3,
     vector,
 )
+from ..linear_algebra import norm
 from ..memory import copy, download, empty, full, zeros
 from ..search.bucket_walk import next_bucket, start_walk, walk
 from ..search.hilbert_order import HilbertOrder
@@ -342,4 +343,4 @@ def middle_of(low: np.ndarray, high: np.ndarray) -> np.ndarray:
 
 def half_diagonal(low: np.ndarray, high: np.ndarray) -> float:
     """Half the diagonal of a box; zero where it is empty."""
-    return 0.5 * float(np.linalg.norm(high.astype(np.float64) - low)) if np.isfinite(low).all() else 0.0
+    return 0.5 * float(norm(high.astype(np.float64) - low)) if np.isfinite(low).all() else 0.0

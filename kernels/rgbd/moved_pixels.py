@@ -16,6 +16,7 @@ import numpy as np
 from ..algebra.camera import CameraLike
 from ..array_types import Scalars
 from ..lang import array, float32, floor, func, kernel, launch, struct, tid, vec3, vec4, vec4i
+from ..linear_algebra import inv, matmul
 from ..memory import empty
 from .pyramid import NO_DEPTH, SAME_SURFACE, FrameLevels, nearest_depth
 
@@ -78,7 +79,7 @@ class EarlierView:
 
     def __init__(self, free: FreeSpace, camera: CameraLike, T_earlier_now: np.ndarray) -> None:
         K = np.array([[camera.fx, 0.0, camera.cx], [0.0, camera.fy, camera.cy], [0.0, 0.0, 1.0]])
-        rays = T_earlier_now[:3, :3] @ np.linalg.inv(K)
+        rays = matmul(T_earlier_now[:3, :3], inv(K))
         self.least, self.lens = free.least, vec4(*map(float, free.lens))
         self.size = vec4i(int(free.size[0]), int(free.size[1]), 0, 0)
         self.along_u, self.along_v, self.ray = (vec3(*rays[:, k].tolist()) for k in range(3))

@@ -18,6 +18,7 @@ from ..arrays.run_medians import find_statistics
 from ..arrays.run_sums import sum_columns
 from ..arrays.sort import fill_positions_kernel
 from ..lang import array, atomic_add, dot, float32, float64, float_bits, int32, kernel, launch, sqrt, tid, vec3
+from ..linear_algebra import eigh
 from ..memory import download, empty, upload, zeros
 
 if TYPE_CHECKING:
@@ -314,7 +315,7 @@ class Runs:
         launch(fill_positions_kernel, size, [order])
         s = download(sum_columns(products, order, self.starts))  # sync
         matrices = s[:, [[0, 1, 2], [1, 3, 4], [2, 4, 5]]]
-        return np.linalg.eigh(matrices)[1][:, :, 2].astype(np.float32)
+        return eigh(matrices)[1][:, :, 2].astype(np.float32)
 
 
 class Limits:

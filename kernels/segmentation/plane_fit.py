@@ -33,6 +33,7 @@ from ..lang import (
     vec4d,
     vector,
 )
+from ..linear_algebra import eigh, matmul
 from ..memory import download, empty, upload, zeros
 from .best_plane import PARTIALS, BestPlane
 from .plane_blocks import BLOCK, PointBlocks, distances_of_block, reaches_block
@@ -264,11 +265,11 @@ class PlaneSearch:
         launch(pack_fit_kernel, 1, [mean, reduce(add_products, rows.size, [self.points, rows, mean]), packed])
         numbers = download(packed)  # sync
         s = numbers[3:]
-        values, vectors = np.linalg.eigh(s[[[0, 1, 2], [1, 3, 4], [2, 4, 5]]])
+        values, vectors = eigh(s[[[0, 1, 2], [1, 3, 4], [2, 4, 5]]])
         if not values[1] > FLAT * values[2]:
             return plane
         normal = vectors[:, 0]
-        return np.append(normal, -normal @ (numbers[:3] - self.center))
+        return np.append(normal, matmul(-normal, numbers[:3] - self.center))
 
     def _draw(self, sample_size: int, size: int, seed: int, first: int) -> Array1[vec4d]:
         samples, planes = empty(size * sample_size, int32, self.device), empty(size, vec4d, self.device)

@@ -17,6 +17,7 @@ from ..array_types import Array1, Doubles, Indices, Points, Vectors
 from ..arrays.segment_blocks import SegmentBlocks
 from ..arrays.side_by_side import SideBySide, read_together
 from ..lang import float64, int32, launch, loop_while, reduce, reduce_segments, uint8, vec3d
+from ..linear_algebra import eigh, matmul, norm
 from ..memory import download, empty
 from .shape_fit_rows import (
     COUNT,
@@ -100,7 +101,7 @@ class Selection:
 def frame_of(direction: NDArray[np.float64]) -> NDArray[np.float64]:
     """Rows u, v, a of a right-handed frame about a unit direction."""
     u = np.cross(np.eye(3)[np.argmin(np.abs(direction))], direction)
-    u /= np.linalg.norm(u)
+    u /= norm(u)
     return np.stack([u, np.cross(direction, u), direction])
 
 
@@ -117,7 +118,7 @@ def flat_fit(sums: NDArray[np.float64], count: int) -> FlatFit:
     mean, products = sums[:3], np.zeros((3, 3))
     products[np.triu_indices(3)] = sums[3:9]
     products += np.triu(products, 1).T
-    values, vectors = np.linalg.eigh(products - np.outer(mean, mean))
+    values, vectors = eigh(products - np.outer(mean, mean))
     return FlatFit(np.concatenate([mean, vectors[:, 0], [1.0, 1.0]]), float(np.sqrt(max(values[0], 0.0))))
 
 
@@ -188,12 +189,12 @@ class ShapeFitter:
             reason = "the fit has left what is a shape"
         else:
             d = 1 / np.sqrt(np.maximum(np.diag(h), 1e-300))
-            values, vectors = np.linalg.eigh(h * np.outer(d, d))
+            values, vectors = eigh(h * np.outer(d, d))
             if values[0] <= OPEN * values[-1]:
                 weak = NAMES[free[int(np.argmax(np.abs(vectors[:, 0])))]]
                 reason = f"the points leave {weak} open"
             else:
-                inverse = (vectors / values) @ vectors.T * np.outer(d, d)
+                inverse = matmul(vectors / values, vectors.T) * np.outer(d, d)
                 covariance = inverse / np.outer(scales, scales) * squares / (count - len(free))
         frame = np.eye(3) if kind == SPHERE else frame_of(shape[3:6])
         return ShapeFit(shape.copy(), covariance, frame, float(np.sqrt(squares / max(count, 1))), count, reason)

@@ -12,6 +12,8 @@ Source: Brown and Lowe, "Automatic Panoramic Image Stitching using Invariant Fea
 here of logarithms, with bends, and from triangles.
 """
 
+import math
+
 import numpy as np
 
 from ..algebra.transform import narrow
@@ -32,6 +34,7 @@ from ..lang import (
     vec3d,
     vec3i,
 )
+from ..linear_algebra import elementwise, solve
 from ..memory import download, empty, upload, zeros
 from ..rays.triangle_voxels import widened_corners
 from .face_views import FaceViews
@@ -161,14 +164,14 @@ def find_exposures(vertices: Points, triangles: Triangles, views: FaceViews, pic
     device, n = vertices.device, pictures.count
     levels = np.arange(LEVELS + 1)
     tells = (levels >= DARKEST * LEVELS) & (levels <= BRIGHTEST * LEVELS)
-    table = upload(np.where(tells, np.rint(FINE * np.log(np.maximum(levels, 2))), 0), int32, device)
+    table = upload(np.where(tells, np.rint(FINE * elementwise(math.log, np.maximum(levels, 2))), 0), int32, device)
     reaches, sums = empty(views.count, int32, device), zeros(3 * n * n * NUMBERS, int64, device)
     launch(measure_reaches_kernel, triangles.size, [vertices, triangles, views, pictures, reaches])
     launch(sum_differences_kernel, triangles.size, [views, reaches, table, n, sums])
     units = np.array([1, LEVELS, LEVELS**2, LEVELS, LEVELS**2, LEVELS**2, FINE, FINE * LEVELS, FINE * LEVELS], float)
     every = download(sums).reshape(3, n, n, NUMBERS) / units  # sync
     solved = np.array([_solve(channel) for channel in every])
-    gains, bends = np.exp(solved[:, 0]).T, np.clip(solved[:, 1], -STRONGEST, STRONGEST).T
+    gains, bends = elementwise(math.exp, solved[:, 0]).T, np.clip(solved[:, 1], -STRONGEST, STRONGEST).T
     return Exposures(*(upload(np.ascontiguousarray(part), vec3d, device) for part in (gains, bends)))
 
 
@@ -186,4 +189,4 @@ def _solve(sums: np.ndarray) -> np.ndarray:
     weight = A[0, rows, 0, rows].mean() + 1e-9
     A[0, rows, 0, rows] += DRAWN * weight
     A[1, :, 1, :] += ALIKE * weight * (np.eye(n) - 1 / n) + DRAWN * weight * np.eye(n)
-    return np.linalg.solve(A.reshape(2 * n, 2 * n), b.reshape(-1)).reshape(2, n)
+    return solve(A.reshape(2 * n, 2 * n), b.reshape(-1)).reshape(2, n)

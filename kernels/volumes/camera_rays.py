@@ -27,6 +27,7 @@ from ..lang import (
     vec3d,
     vec3i,
 )
+from ..linear_algebra import inv, matmul
 from ..memory import empty, fill
 from .block_signs import HALF, PARTS, BlockSigns
 from .tsdf_blocks import SIDE
@@ -84,7 +85,7 @@ class CameraRays:
         base = np.floor(place)
         self.R, self.base, self.start = mat33d(*T_volume_camera[:3, :3].ravel()), vec3i(*base.astype(int)), place - base
         K = np.array([[camera.fx, 0.0, camera.cx], [0.0, camera.fy, camera.cy], [0.0, 0.0, 1.0]])
-        self.sight = mat33d(*(T_volume_camera[:3, :3] @ np.linalg.inv(K) / blocks.voxel_size).ravel())
+        self.sight = mat33d(*(matmul(T_volume_camera[:3, :3], inv(K)) / blocks.voxel_size).ravel())
         self.columns, rows = -(-camera.width // TILE), -(-camera.height // TILE)
         device = blocks.keys.device
         self.nears, self.fars = empty(self.columns * rows, int32, device), empty(self.columns * rows, int32, device)

@@ -39,6 +39,7 @@ from ..lang import (
     uint8,
     uint16,
 )
+from ..linear_algebra import inv
 from ..memory import copy, download, empty, fill, free_bytes, zeros
 from .frame_record import (
     COUNTED,
@@ -281,7 +282,7 @@ class DeviceFrames:
         if pixels is not None:
             copy(self._frame.pixels, pixels, count=pixels.size)
         number = blocks.changes.count + 1
-        blocks.record.write(T_volume_camera, np.linalg.inv(T_volume_camera), low, size, number)
+        blocks.record.write(T_volume_camera, inv(T_volume_camera), low, size, number)
         if self._has_room(known):
             counts = blocks.begin_on_device()
             self._run_all()

@@ -36,6 +36,7 @@ from ..lang import (
     vec3d,
     vec3i,
 )
+from ..linear_algebra import matmul
 from ..memory import download, empty, full, upload, zeros
 
 SIDE = 8  # voxels a block edge
@@ -238,7 +239,7 @@ def frame_box(
     block_size = SIDE * voxel_size
     corners, _ = _corner_rays(camera.width, camera.height, camera.fx, camera.fy, camera.cx, camera.cy)
     ends = corners * (farthest + truncation)
-    ends = ends @ T_volume_camera[:3, :3].T + T_volume_camera[:3, 3]
+    ends = matmul(ends, T_volume_camera[:3, :3].T) + T_volume_camera[:3, 3]
     low = np.floor(np.minimum.reduce(ends) / block_size) - 1
     size = np.floor(np.maximum.reduce(ends) / block_size) + 2 - low
     return low, size, ray_slots(camera, truncation, voxel_size)

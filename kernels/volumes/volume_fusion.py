@@ -42,6 +42,7 @@ from ..lang import (
     vec3i,
     vector,
 )
+from ..linear_algebra import inv, matmul
 from ..memory import copy, empty
 from .block_rows import SeenBlocks, voxel_near
 from .frame_record import FrameRecord
@@ -217,7 +218,7 @@ class BlockReach:
 
     def __init__(self, back: np.ndarray) -> None:
         """`back` is the float64 [4, 4] of R_back and t_back."""
-        there = np.linalg.inv(back)
+        there = inv(back)
         half = np.abs(there[:3, :3]).sum(axis=1) * HALF
         half_back = np.abs(back[:3, :3]).sum(axis=1) * (HALF - 0.5)
         self.R, self.t, self.half = mat33d(*there[:3, :3].ravel()), vec3d(*there[:3, 3]), vec3d(*half)
@@ -303,8 +304,8 @@ def check_reach(keys: np.ndarray, back: np.ndarray) -> None:
     boxes = block_box(keys)
     low, high = boxes.min(axis=0) * SIDE, (boxes.max(axis=0) + 1) * SIDE
     corners = np.array(list(itertools.product(*zip(low, high, strict=True))), np.float64)
-    there = np.linalg.inv(back)
-    moved = (corners @ there[:3, :3].T + there[:3, 3]) / SIDE
+    there = inv(back)
+    moved = (matmul(corners, there[:3, :3].T) + there[:3, 3]) / SIDE
     low = np.floor(moved.min(axis=0)) - 2
     if beyond_reach(low, np.ceil(moved.max(axis=0)) + 2 - low):
         far = np.abs(moved).max()

@@ -13,6 +13,7 @@ from ...cameras.trajectory import Trajectory
 from ...kernels.arrays.select import gather_rows, invert_mask, positions_of
 from ...kernels.arrays.side_by_side import read_together
 from ...kernels.lang import loop_while
+from ...kernels.linear_algebra import inv, matmul
 from ...kernels.search.tree_search import search_nearest
 from ...kernels.textures.color_steps import COUNT, SQUARES, ColorSearch
 from ...kernels.textures.hidden_vertices import plant_trees, render_depth
@@ -174,7 +175,7 @@ def _check_input(mesh: Any, images: Any, trajectory: Any, intrinsic: Any) -> Pos
     if not len(mesh.array("vertices")):
         raise ValueError("mesh: it has no vertices, so there is nothing to colour")
     checked = check_images(NAMES, images, intrinsic, trajectory.poses, mesh.device)
-    inverse = [np.linalg.inv(pose) for pose in checked.T_camera_world]
+    inverse = [inv(pose) for pose in checked.T_camera_world]
     return PosedImages(checked.colors, checked.depths, checked.cameras, np.array(inverse))
 
 
@@ -264,10 +265,10 @@ def _world_poses(
 ) -> NDArray[np.float64]:
     """T_world_camera of each picture; one that did not move keeps its bits."""
     start = images.T_camera_world.copy()
-    start[:, :3, 3] += start[:, :3, :3] @ mesh.origin
+    start[:, :3, 3] += matmul(start[:, :3, :3], mesh.origin)
     result = given.poses.copy()
     for i, pose in enumerate(np.array(poses, np.float64)):
         if (pose != start[i]).any():
-            result[i] = np.linalg.inv(pose)
+            result[i] = inv(pose)
             result[i, :3, 3] += mesh.origin
     return result

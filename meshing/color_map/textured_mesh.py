@@ -11,6 +11,7 @@ from ...cameras.trajectory import Trajectory
 from ...core.audience import Audience, to_caller
 from ...core.reports import Fields, Report
 from ...core.wording import format_share, plain
+from ...kernels.linear_algebra import inv, matmul
 from ..mesh.mesh import TriangleMesh
 from .results import ColorMapResult
 
@@ -142,7 +143,7 @@ def task_fields(mesh: TriangleMesh, frame_count: int, depth_max: float) -> Field
 
 def mean_motion(before: Trajectory, after: Trajectory) -> tuple[float, float]:
     """How far poses were turned [degrees] and moved [m], in the mean."""
-    T = np.linalg.inv(before.poses) @ after.poses
+    T = matmul(inv(before.poses), after.poses)
     cosines = (np.trace(T[:, :3, :3], axis1=1, axis2=2) - 1) / 2
     turned = float(np.degrees(np.arccos(np.clip(cosines, -1, 1))).mean())
     return turned, float(np.linalg.norm(T[:, :3, 3], axis=1).mean())

@@ -14,6 +14,7 @@ from ...core.checks import check_count, check_list, check_name, check_positive, 
 from ...core.progress import ReportProgress
 from ...files.frames.datasets import Frame
 from ...files.frames.rgbd_sources import RGBDSource
+from ...kernels.linear_algebra import inv
 from ..mesh.mesh import TriangleMesh
 from ..mesh.mesh_albedo import MOST_TEXELS
 from .optimizers import run_non_rigid_optimizer, run_rigid_optimizer
@@ -171,6 +172,6 @@ def _paint_atlas(colors: ColorMapResult, camera: PinholeCameraIntrinsic, size: i
     if mesh.triangle_uvs is None:
         mesh = mesh.compute_uvatlas(size, gutter=GUTTER)
     pictures = [colors.unwarped_image(i) for i in range(len(colors.view_counts))]
-    extrinsics = [np.linalg.inv(pose) for pose in colors.trajectory.poses]
+    extrinsics = [inv(pose) for pose in colors.trajectory.poses]
     textured, share = mesh._with_albedo(pictures, camera, extrinsics, size)
     return textured.with_arrays(vertex_colors=None), share  # viewers multiply them with the texture

@@ -7,6 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...kernels.linear_algebra import matmul
+
 LIBRARY = "manifold3d"
 
 
@@ -52,7 +54,7 @@ def turn_by_depth(loops: list[NDArray[np.float64]]) -> list[bool]:
 def signed_area(loop: NDArray[np.float64]) -> float:
     """The area of an outline, below zero where it runs clockwise."""
     x, y = (loop - loop[0]).T
-    return float(x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2
+    return float(matmul(x, np.roll(y, -1)) - matmul(y, np.roll(x, -1))) / 2
 
 
 def encloses(loop: NDArray[np.float64], point: NDArray[np.float64]) -> bool:

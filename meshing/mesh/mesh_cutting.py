@@ -15,6 +15,7 @@ from ...kernels.arrays.bounds import bound_points
 from ...kernels.arrays.concatenation import concatenate_rows
 from ...kernels.arrays.select import positions_of
 from ...kernels.lang import int32, vec3i
+from ...kernels.linear_algebra import matmul, norm
 from ...kernels.memory import upload
 from ...kernels.meshes import clean_triangles, mesh_edits, plane_cut
 from ...kernels.meshes.holes import spread_corners
@@ -36,7 +37,7 @@ class _Plane(NamedTuple):
     def axes(self) -> NDArray[np.float64]:
         """Two axes in the plane, [2, 3], to the left of each other seen against the normal."""
         u = np.cross(np.eye(3)[np.abs(self.normal).argmin()], self.normal)
-        u /= np.linalg.norm(u)
+        u /= norm(u)
         return np.array([u, np.cross(self.normal, u)])
 
 
@@ -161,7 +162,7 @@ class MeshCutting(MeshTrim, MeshCleaning):
         """
         plane, mesh = self._plane(point, normal)
         points, ends = mesh._section(plane)
-        flat = (points - self._origin) @ plane.axes().T
+        flat = matmul(points - self._origin, plane.axes().T)
         loops, paths = join_lines(ends, dict(enumerate(flat)))
         return [points[[*loop, loop[0]]] for loop in loops] + [points[path] for path in paths]
 
@@ -174,12 +175,14 @@ class MeshCutting(MeshTrim, MeshCleaning):
         low, high, count = bound_points(vertices)  # sync
         largest = np.abs([low, high]).max(axis=0).astype(np.float64) if count else np.zeros(3)
         slack = float(
-            np.abs(way) @ (plane_cut.ROUNDING * largest + plane_cut.COARSE * (np.abs(self._origin) + np.abs(place)))
+            matmul(
+                np.abs(way), plane_cut.ROUNDING * largest + plane_cut.COARSE * (np.abs(self._origin) + np.abs(place))
+            )
         )
         mesh = self
         if count < vertices.size:
             mesh = self._without(clean_triangles.mask_not_finite(vertices, self._arrays["triangles"]))  # sync
-        return _Plane(way, float(way @ (self._origin - place)), slack), mesh
+        return _Plane(way, float(matmul(way, self._origin - place)), slack), mesh
 
     def _cut_by(self, plane: _Plane) -> tuple[LevelCut, wp.array, Self]:
         """(the cut, the side of each piece, all pieces as a mesh)."""
@@ -208,7 +211,7 @@ class MeshCutting(MeshTrim, MeshCleaning):
         """The pieces above a plane, closed along it."""
         ends = outline(found.rows)[:, ::-1]  # as the lid's triangles run
         used = np.unique(ends)
-        flat = found.places(used) @ plane.axes()[::-1].T  # seen from below
+        flat = matmul(found.places(used), plane.axes()[::-1].T)  # seen from below
         loops, paths = join_lines(ends, dict(zip(used.tolist(), flat, strict=True)))
         if paths:
             warnings.warn(f"cap: {len(paths)} outlines are not closed, as the mesh is not; no lid there", stacklevel=4)

@@ -14,6 +14,7 @@ from ...core.upward import up_under
 from ...kernels.algebra.transform import transform_points
 from ...kernels.extent.mean_covariance import mean_and_covariance
 from ...kernels.lang import vec3
+from ...kernels.linear_algebra import det, inv, matmul
 from ...kernels.memory import full
 from ...kernels.meshes import mesh_edits
 from ...pcd.motion import Movable
@@ -42,14 +43,14 @@ class MeshMotion(MeshArrays, Movable):
 
     def _mapped(self, name: str, T: NDArray[np.float64]) -> Self:
         """The mesh under an affine map; errors call it by the argument that it was made of."""
-        A, determinant = T[:3, :3], float(np.linalg.det(T[:3, :3]))
+        A, determinant = T[:3, :3], float(det(T[:3, :3]))
         if determinant == 0:
             raise ValueError(f"{name}: expected a matrix with an inverse, got one that flattens space")
-        target = A @ self._origin + T[:3, 3]
+        target = matmul(A, self._origin) + T[:3, 3]
         origin = np.round(target) if np.abs(target).max() > ORIGIN_LIMIT else np.zeros(3)
         arrays: dict[str, Any] = {"vertices": transform_points(self._arrays["vertices"], A, target - origin)}
         if "vertex_normals" in self._arrays:
-            arrays["vertex_normals"] = mesh_edits.turn_normals(self._arrays["vertex_normals"], np.linalg.inv(A).T)
+            arrays["vertex_normals"] = mesh_edits.turn_normals(self._arrays["vertex_normals"], inv(A).T)
         if determinant < 0:
             arrays["triangles"] = mesh_edits.flip_triangles(self._arrays["triangles"])
             if "triangle_uvs" in self._arrays:

@@ -24,6 +24,7 @@ from ...core.checks import (
 from ...core.coordinates import split_origin
 from ...core.dropped_results import returns_new
 from ...kernels.lang import int32, vec3, vec3i
+from ...kernels.linear_algebra import matmul, norm
 from ...kernels.memory import upload
 from .flat_polygons import fill_loops, signed_area, turn_by_depth
 from .mesh_measures import MeshMeasures
@@ -107,7 +108,7 @@ class MeshSweeps(MeshShapes, MeshMeasures):
         corners = self.vertices
         check_vertex_count("resolution", (steps + 1) * len(corners))
         shares = np.linspace(0, 1, steps + 1)[:, None, None]
-        along = (corners @ way)[:, None] * way
+        along = matmul(corners, way)[:, None] * way
         across, side = corners - along, np.cross(way, corners)
         rings = along + np.cos(whole * shares) * across + np.sin(whole * shares) * side + rise * shares * way
         is_closed = not rise and abs(abs(float(angle)) - 360) < 1e-9 and steps > 2
@@ -320,16 +321,16 @@ def _flattened(places: NDArray[np.float64], count: int) -> NDArray[np.float64]:
     local = places - places[0]
     ring = local[:count]
     normal = np.cross(ring, np.roll(ring, -1, axis=0)).sum(axis=0)
-    size, length = np.linalg.norm(normal), np.linalg.norm(np.roll(ring, -1, axis=0) - ring, axis=1).sum()
+    size, length = norm(normal), np.linalg.norm(np.roll(ring, -1, axis=0) - ring, axis=1).sum()
     if not size > 1e-12 * length**2:
         raise ValueError("outline: its corners lie on a line, or it crosses itself")
     normal /= size
-    off = np.abs(local @ normal).max()
+    off = np.abs(matmul(local, normal)).max()
     if off > 1e-6 * length:
         raise ValueError(f"outline, holes: corners lie up to {off:g} m off their plane")
     u = np.cross(np.eye(3)[np.abs(normal).argmin()], normal)
-    u /= np.linalg.norm(u)
-    return local @ np.array([u, np.cross(normal, u)]).T
+    u /= norm(u)
+    return matmul(local, np.array([u, np.cross(normal, u)]).T)
 
 
 def _check_area(flat: NDArray[np.float64], order: list[Any], triangles: NDArray[np.int64]) -> None:

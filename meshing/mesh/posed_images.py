@@ -15,6 +15,7 @@ from ...core.checks import check_list, check_rigid
 from ...core.devices import check_same_device
 from ...kernels.arrays.concatenation import concatenate_rows
 from ...kernels.lang import uint8
+from ...kernels.linear_algebra import matmul
 from ...kernels.textures.posed_pictures import PosedPictures, smooth_brightness
 
 MOST_PIXELS = 2**31 - 1  # in all: device code counts them in 32 bits
@@ -43,7 +44,7 @@ class PosedImages:
         layout = np.column_stack([sizes, firsts[:-1]])
         lenses = np.array([(camera.fx, camera.fy, camera.cx, camera.cy) for camera in self.cameras])
         poses = self.T_camera_world.copy()
-        poses[:, :3, 3] += poses[:, :3, :3] @ origin
+        poses[:, :3, 3] += matmul(poses[:, :3, :3], origin)
         pixels = concatenate_rows(self.colors)
         return PosedPictures(layout, lenses, poses, pixels, smooth_brightness(pixels, layout), margin)
 

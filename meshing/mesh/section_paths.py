@@ -5,10 +5,13 @@ In NumPy: a section has some roots of the triangles' number of lines.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 
 import numpy as np
 from numpy.typing import NDArray
+
+from ...kernels.linear_algebra import matmul
 
 Ends = NDArray[np.int64]
 ABOVE, BELOW = 1, -1
@@ -126,7 +129,7 @@ def _leftmost(path: list[int], lines: Iterable[tuple[int, int]], places) -> tupl
 
     def turn(line: tuple[int, int]) -> float:
         way = places[line[1]] - here
-        angle = np.arctan2(back[0] * way[1] - back[1] * way[0], back @ way)
+        angle = math.atan2(back[0] * way[1] - back[1] * way[0], matmul(back, way))
         return float(-angle % (2 * np.pi)) or 2 * np.pi  # clockwise from where we came
 
     return min(lines, key=turn)

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from ...core.checks import check_count, check_finite, check_number, check_shape, check_transformation
 from ...core.coordinates import ORIGIN_LIMIT
+from ...kernels.linear_algebra import inv, matmul, norm
 
 MOST_PIXELS = 2**28  # of a picture: as many as a camera of clouds may have
 MATRICES = ("intrinsic_matrix", "extrinsic_matrix", "width_px", "height_px")
@@ -55,20 +56,20 @@ def _camera_of_view(given: dict[str, Any], width: int, height: int) -> tuple[NDA
     right = _unit("up", np.cross(up, forward), "the camera looks along it, or it is zero")
     T = np.eye(4)
     T[:3, :3] = right, np.cross(forward, right), forward
-    T[:3, 3] = -T[:3, :3] @ eye
+    T[:3, 3] = matmul(-T[:3, :3], eye)
     return np.array([[focal, 0, width / 2], [0, focal, height / 2], [0, 0, 1]]), T
 
 
 def _unit(name: str, v: NDArray[np.float64], complaint: str) -> NDArray[np.float64]:
-    size = np.linalg.norm(v)
+    size = norm(v)
     if not size > 0:
         raise ValueError(f"{name}: {complaint}")
     return v / size
 
 
 def _rays(K: NDArray[Any], T: NDArray[Any], width: int, height: int) -> NDArray[Any]:
-    back = np.linalg.inv(T)
-    to_scene = back[:3, :3] @ np.linalg.inv(K)
+    back = inv(T)
+    to_scene = matmul(back[:3, :3], inv(K))
     far = np.abs(back[:3, 3]).max() > ORIGIN_LIMIT
     rays = np.empty((height, width, 6), np.float64 if far else np.float32)
     columns, rows = np.arange(width) + 0.5, np.arange(height) + 0.5

@@ -15,6 +15,7 @@ from ...core.gpu_arrays import take_places
 from ...kernels.algebra.transform import transform_points
 from ...kernels.arrays.origins import add_origin
 from ...kernels.lang import float64, vec3
+from ...kernels.linear_algebra import inv
 from ...kernels.memory import upload, zeros
 from ...kernels.meshes.pseudonormals import Pseudonormals, volume_of_shell
 from ...kernels.rays.closest_points import ClosestPoints, describe, find_sides, mark_inside, sign_distances
@@ -239,7 +240,7 @@ class SceneDistances(SceneGeometries):
 
     def _seen_from(self, number: int, queries: wp.array) -> wp.array:
         """Queries about the scene's origin as a geometry's stored vertices count."""
-        back = np.linalg.inv(self._stored_poses()[number])
+        back = inv(self._stored_poses()[number])
         if np.array_equal(back, np.eye(4)):
             return queries
         return transform_points(queries, back[:3, :3], back[:3, 3])

@@ -12,6 +12,7 @@ from ...core.coordinates import ORIGIN_LIMIT
 from ...core.devices import check_same_device, resolve_device
 from ...core.known_names import KnownNames
 from ...core.pickled_arrays import device_like
+from ...kernels.linear_algebra import matmul
 from ...kernels.rays.scene_trees import SceneTrees
 from ...kernels.rays.triangle_tree import TriangleTree
 from ..mesh.mesh import TriangleMesh
@@ -185,7 +186,7 @@ class SceneGeometries(KnownNames):
         """What the scene's float32 positions count from: zero, or where the first mesh's do if that is far away."""
         if not self._poses:
             return np.zeros(3)
-        place = self._poses[0][:3, :3] @ self._meshes[self._mesh_of[0]].origin + self._poses[0][:3, 3]
+        place = matmul(self._poses[0][:3, :3], self._meshes[self._mesh_of[0]].origin) + self._poses[0][:3, 3]
         return place if np.abs(place).max() > ORIGIN_LIMIT else np.zeros(3)
 
     def _stored_poses(self) -> NDArray[np.float64]:

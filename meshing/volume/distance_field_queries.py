@@ -16,6 +16,7 @@ from ...core.told_arguments import told_arguments
 from ...kernels.array_types import Positions
 from ...kernels.arrays.origins import add_origin
 from ...kernels.lang import float64, mat44d, vec3d
+from ...kernels.linear_algebra import det, matmul
 from ...kernels.memory import cast, download, upload
 from ...kernels.volumes import distance_queries as queries
 from ...kernels.volumes.distance_queries import HALF_DIAGONAL, DistanceGrid
@@ -258,8 +259,8 @@ def check_poses(name: str, poses: Any) -> NDArray[np.float64]:
         raise ValueError(f"{name}: expected shape [m, 4, 4], got {list(motions.shape)}")
     with np.errstate(over="ignore", invalid="ignore"):
         R = motions[:, :3, :3]
-        error = np.abs(R @ R.transpose(0, 2, 1) - np.eye(3)).max(axis=(1, 2), initial=0.0)
-        is_right = (error <= RIGID_TOLERANCE) & (np.linalg.det(R) > 0) & np.isfinite(motions).all(axis=(1, 2))
+        error = np.abs(matmul(R, R.transpose(0, 2, 1)) - np.eye(3)).max(axis=(1, 2), initial=0.0)
+        is_right = (error <= RIGID_TOLERANCE) & (det(R) > 0) & np.isfinite(motions).all(axis=(1, 2))
         is_right &= (motions[:, 3] == (0, 0, 0, 1)).all(axis=1)
     if not is_right.all():
         row = int(np.flatnonzero(~is_right)[0])

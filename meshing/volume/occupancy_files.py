@@ -6,6 +6,7 @@ odds float32 [512 m], log odds, 1e9 where no ray was.
 
 from __future__ import annotations
 
+import math
 import os
 
 import numpy as np
@@ -20,7 +21,7 @@ FORMAT = b"pointloom occupancy grid 1"
 
 def log_odds_of(probability: float) -> float:
     """log(p / (1 - p)), rounded to float32."""
-    return float(np.float32(np.log(probability / (1.0 - probability))))
+    return float(np.float32(math.log(probability / (1.0 - probability))))
 
 
 def find_fault_of_model(hit: float, miss: float, low: float, high: float) -> str:

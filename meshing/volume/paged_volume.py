@@ -18,6 +18,7 @@ from ...core.known_names import ToldNames
 from ...core.told_arguments import told_arguments
 from ...kernels.arrays.block_keys import BIAS
 from ...kernels.lang import vec3, vec3i
+from ...kernels.linear_algebra import inv
 from ...kernels.memory import upload
 from ...kernels.volumes.tsdf_blocks import MAX_BLOCKS, SIDE, frame_box
 from ...pcd.cloud import PointCloud
@@ -274,7 +275,7 @@ class PagedTSDFVolume(ToldNames):
         volume = self._volume
         _, far, _ = check_view(intrinsic, depth_min, depth_max, weight_threshold)
         far = min(far, 4 * BIAS * SIDE * volume.voxel_size)  # beyond which no block has a key
-        T = np.linalg.inv(check_rigid("extrinsic", extrinsic))
+        T = inv(check_rigid("extrinsic", extrinsic))
         T[:3, 3] -= volume.origin
         low, size, _ = frame_box(far, intrinsic, T, volume.truncation, volume.voxel_size)
         volume.bring_box(low, low + size)

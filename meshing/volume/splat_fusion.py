@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_list, check_positive, check_progress, check_rigid
 from ...core.progress import ReportProgress
+from ...kernels.linear_algebra import inv, matmul, norm
 from ...kernels.splats.blending import color_surface
 from ...pcd.splat_pictures import surface_before
 from ...pcd.splats import GaussianSplats
@@ -99,7 +100,7 @@ def fuse_splats(
     for done, T in enumerate(poses):
         say("fuse splats", done, len(poses))
         seen = surface_before(splats, intrinsic, T)
-        T_world_camera, colors = np.linalg.inv(T), color_surface(seen)
+        T_world_camera, colors = inv(T), color_surface(seen)
         try:
             volume.integrate_device_frame(seen.medians, intrinsic, T_world_camera, colors, depth_max=farthest)
         except ValueError as error:
@@ -129,10 +130,10 @@ def views_around(
         around = math.sqrt(1 - z * z)
         forward = -np.array([around * math.cos(angle), around * math.sin(angle), z])
         right = np.cross([0.0, 0.0, -1.0], forward) if around > 0.05 else np.array([1.0, 0.0, 0.0])
-        right = right - (right @ forward) * forward
-        right /= np.linalg.norm(right)
+        right = right - matmul(right, forward) * forward
+        right /= norm(right)
         T = np.eye(4)
         T[:3, :3] = np.stack([right, np.cross(forward, right), forward])
-        T[:3, 3] = -T[:3, :3] @ (middle - away * forward)
+        T[:3, 3] = matmul(-T[:3, :3], middle - away * forward)
         poses.append(T)
     return camera, poses

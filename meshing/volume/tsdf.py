@@ -22,6 +22,7 @@ from ...core.pickled_arrays import device_like
 from ...core.told_arguments import told_arguments
 from ...core.watching import report
 from ...kernels.images import depth as depth_images
+from ...kernels.linear_algebra import inv
 from ...kernels.memory import download
 from ...kernels.volumes.block_rows import SeenBlocks
 from ...kernels.volumes.block_surface import BlockSurface
@@ -174,7 +175,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
         self._check_color(pixels is not None or color is not None)
         if color is not None:
             pixels = upload_color(color, height, width, self.device)
-        T = np.linalg.inv(T_camera_world)
+        T = inv(T_camera_world)
         count = self.integrate_device_frame(raw, camera, T, pixels, scale, farthest)
         self._library = library
         report("integrate", volume=self, intrinsic=camera, T_world_camera=T)
@@ -244,7 +245,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
         keys: Any = self._kept(touched_blocks(metric, frame.farthest, camera, T, self.truncation, self.voxel_size))
         if not keys.size:
             return 0
-        integrate_depth(keys, frame, np.linalg.inv(T), self._blocks)
+        integrate_depth(keys, frame, inv(T), self._blocks)
         return keys.size
 
     def _kept(self, keys: Any) -> Any:
@@ -313,7 +314,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
             TypeError: An intrinsic of another type.
         """
         near, far, threshold = check_view(intrinsic, depth_min, depth_max, weight_threshold)
-        T = self._place_of(np.linalg.inv(check_rigid("extrinsic", extrinsic)))
+        T = self._place_of(inv(check_rigid("extrinsic", extrinsic)))
         seen, colored = SeenBlocks(self._blocks, threshold), self.has_frame_colors
         return cast_view(seen, intrinsic, T, (near, far), self.origin, colored, self._library)
 

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 import os
 
 import numpy as np
 
 from ...files.points.vdb import SIDE, VdbGrid, write_vdb_grids
+from ...kernels.linear_algebra import elementwise
 from ...kernels.memory import download
 from ...kernels.volumes.distance_sweeps import FAR
 from ...kernels.volumes.occupancy_blocks import UNKNOWN
@@ -88,7 +90,7 @@ def _occupancy_grid(grid: OccupancyGrid) -> VdbGrid:
     arrays = grid._downloaded()
     odds = arrays["odds"].reshape(-1, BLOCK_VOXELS)
     known = odds != UNKNOWN
-    chances = 1.0 / (1.0 + np.exp(-np.where(known, odds, 0.0).astype(np.float64)))
+    chances = 1.0 / (1.0 + elementwise(math.exp, -np.where(known, odds, 0.0).astype(np.float64)))
     place = grid.origin + 0.5 * grid.voxel_size
     blocks = block_box(arrays["keys"])
     return VdbGrid("probability", blocks, chances.astype(np.float32), known, 0.5, place, grid.voxel_size)

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...core.checks import check_list, check_positive, check_rigid
 from ...core.coordinates import choose_origin
 from ...core.devices import check_same_device
+from ...kernels.linear_algebra import inv, matmul
 from ...kernels.memory import download
 from ...kernels.volumes.volume_fusion import check_reach, fuse_moved
 from .tsdf import TSDFVolume
@@ -113,7 +114,7 @@ def fuse_volumes(
     if not filled:
         return result
     moved = _in_fixed_order([m for m in moved if m.volume.frame_count])
-    origin = choose_origin((moved[0].pose[:3, :3] @ moved[0].volume.origin + moved[0].pose[:3, 3])[None])
+    origin = choose_origin((matmul(moved[0].pose[:3, :3], moved[0].volume.origin) + moved[0].pose[:3, 3])[None])
     if (moved[0].pose == np.eye(4)).all():
         origin = moved[0].volume.origin  # its grid stays
     backs = [_way_back(m, origin, size) for m in moved]
@@ -153,7 +154,7 @@ def _way_back(moved: _Moved, origin: Matrix, voxel_size: float) -> Matrix:
     """The voxels of the result in those of a volume: exactly the identity where both grids are one."""
     volume, R, t = moved.volume, moved.pose[:3, :3], moved.pose[:3, 3]
     back = np.eye(4)
-    turn = np.linalg.inv(R)  # of a matrix that files rounded to a few digits the way back, not the transpose
+    turn = inv(R)  # of a matrix that files rounded to a few digits the way back, not the transpose
     back[:3, :3] = turn * (voxel_size / volume.voxel_size)
-    back[:3, 3] = (turn @ (origin - t) - volume.origin) / volume.voxel_size
+    back[:3, 3] = (matmul(turn, origin - t) - volume.origin) / volume.voxel_size
     return back

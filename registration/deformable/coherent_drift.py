@@ -25,6 +25,7 @@ from ...kernels.arrays.side_by_side import read_together
 from ...kernels.bending.coherent_drift import Drift, map_places_kernel, place_points, sum_places, sum_pulls, sum_targets
 from ...kernels.bending.coherent_field import CoherentField, move_points
 from ...kernels.lang import launch, mat33d, reduce, vec3d
+from ...kernels.linear_algebra import EPSILON, matmul, pinvh
 from ...kernels.memory import clone, download, empty
 from ...pcd.cloud import PointCloud
 from ..given_pairs import check_clouds
@@ -204,7 +205,7 @@ class _Drifting:
         first = place_points(start.device_array("points"), np.eye(3), np.zeros(3))
         count = first.size
         total = np.asarray(download(reduce(sum_places, count, [first])), np.float64).ravel() / count  # sync
-        radius = float(np.sqrt(max(total[3] - total[:3] @ total[:3], 0.0)))
+        radius = float(np.sqrt(max(total[3] - matmul(total[:3], total[:3]), 0.0)))
         if radius <= 0:
             raise ValueError("source: all of its points are at one place")
         self.center, self.unit = start.origin + total[:3], 1 / radius
@@ -214,7 +215,7 @@ class _Drifting:
         self.size, self.number = count, self.drift.targets.size
         sums = [reduce(sum_places, places.size, [places]) for places in (self.places, self.drift.targets)]
         ours, theirs = (np.asarray(part, np.float64).ravel() for part in read_together(sums))  # sync
-        cross = ours[:3] @ theirs[:3]
+        cross = matmul(ours[:3], theirs[:3])
         squares = self.number * ours[3] + self.size * theirs[3] - 2 * cross
         self.variance = max(squares / (3 * self.size * self.number), FLOOR)
         self.odds, self.taken, self.matched = outliers / (1 - outliers), 0, 1.0
@@ -267,11 +268,16 @@ class _Drifting:
         spread[np.triu_indices(3)] = moments[16:] / total
         spread = spread + np.triu(spread, 1).T - np.outer(mean_y, mean_y)
         if with_scaling is None:
-            self.A = np.linalg.lstsq(spread, cross.T, rcond=None)[0].T
+            self.A = matmul(cross, pinvh(spread, 3 * EPSILON))
         else:
             self.A = fit_moments(cross, float(np.trace(spread)), with_scaling=with_scaling)
-        self.t = mean_x - self.A @ mean_y
-        rest = squares / total - mean_x @ mean_x - 2 * (cross * self.A).sum() + (self.A @ spread * self.A).sum()
+        self.t = mean_x - matmul(self.A, mean_y)
+        rest = (
+            squares / total
+            - matmul(mean_x, mean_x)
+            - 2 * (cross * self.A).sum()
+            + (matmul(self.A, spread) * self.A).sum()
+        )
         self.variance, self.matched = float(rest) / 3, float(total) / self.number
         self.moved = empty(self.size, vec3d, self.places.device)
         launch(map_places_kernel, self.size, [self.places, mat33d(*self.A.ravel()), vec3d(*self.t), self.moved])
@@ -291,7 +297,7 @@ class _Drifting:
         """The map in world coordinates, and what it makes of the source."""
         T, field = self.begin, None
         if self.field is None:
-            T = make_pose(self.A, self.t / self.unit + self.center - self.A @ self.center) @ self.begin
+            T = matmul(make_pose(self.A, self.t / self.unit + self.center - matmul(self.A, self.center)), self.begin)
         else:
             centers = self.field.centers()
             weights = self.field.weights_of(self.values)

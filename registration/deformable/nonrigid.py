@@ -42,6 +42,7 @@ from ...kernels.bending.surface_pairs import (
     pin_rows_kernel,
 )
 from ...kernels.lang import float64, int32, launch, mat33d, vec3, vec3d
+from ...kernels.linear_algebra import eigh, matmul, norm
 from ...kernels.memory import download, empty, rows_of, upload
 from ...kernels.search.nearest_point import find_nearest
 from ...kernels.search.point_tree import PointTree
@@ -142,7 +143,7 @@ def register_nonrigid(
                 f"{name}: expected at least {FEWEST_POINTS} finite points, got {cloud.search_tree().count}"
             )
     low, high = (np.asarray(bound) for bound in source.device_bounds())
-    spacing = _check_spacing(node_spacing, float(np.linalg.norm(high - low)))
+    spacing = _check_spacing(node_spacing, float(norm(high - low)))
     limit = None if max_distance is None else check_positive("max_distance", max_distance, maximum=LARGEST_NUMBER)
     reach = 2 * spacing if limit is None else limit
     pins = _check_landmarks(landmarks, low, high, spacing)
@@ -166,14 +167,14 @@ def _turned_round(source: PointCloud, found: NonRigidResult, bend: Any, *, is_gi
     """
     points = source.remove_non_finite_points().points
     center, best, begin = points.mean(axis=0), found, None
-    for axis in np.linalg.eigh(np.cov((points - center).T))[1].T:
+    for axis in eigh(matmul((points - center).T, points - center) / max(len(points) - 1, 1))[1].T:
         turn = map_about(2 * np.outer(axis, axis) - np.eye(3), center)
         try:
-            other = bend(found.rigid_pose @ turn, "bend, turned round")
+            other = bend(matmul(found.rigid_pose, turn), "bend, turned round")
         except ValueError:  # no point near the target from there
             continue
         if other.strain < BETTER * best.strain and other.matched >= 0.98 * best.matched:
-            best, begin = other, found.rigid_pose @ turn
+            best, begin = other, matmul(found.rigid_pose, turn)
     if begin is None or not is_given:
         return best
     return replace(found, better_start=begin)
@@ -241,7 +242,7 @@ class _Bending:
         self.spacing, self.reach, self.pins = spacing, reach, pins
         low, high = source.device_bounds()
         # what lies on the target is judged at the scale of the body where nodes are farther apart
-        self.grain = min(spacing, float(np.linalg.norm(np.asarray(high) - np.asarray(low))) / NODES_ACROSS)
+        self.grain = min(spacing, float(norm(np.asarray(high) - np.asarray(low))) / NODES_ACROSS)
         if init is None and len(pins[0]) >= 3:
             init = fit_pose(*pins)
         method = TransformationEstimationPointToPlane()
@@ -267,7 +268,7 @@ class _Bending:
         T = to_local(self.pose, source.origin, self.target.origin)
         host = np.asarray(download(nodes), np.float64).reshape(-1, 3)
         rotations = upload(np.tile(T[:3, :3], (len(host), 1, 1)), mat33d, device)
-        self.graph = DeformationGraph(nodes, rotations, upload(host @ T[:3, :3].T + T[:3, 3], vec3d, device))
+        self.graph = DeformationGraph(nodes, rotations, upload(matmul(host, T[:3, :3].T) + T[:3, 3], vec3d, device))
         points = source.device_array("points")
         self.influence = Influence(points, self.graph)
         around = neighbors_of(self.graph, self.influence)

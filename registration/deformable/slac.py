@@ -20,6 +20,7 @@ from ...files.points.point_cloud import read_point_cloud
 from ...kernels.algebra.transform import transform_points
 from ...kernels.arrays.concatenation import concatenate_rows
 from ...kernels.lang import launch, mat44d
+from ...kernels.linear_algebra import matmul
 from ...kernels.memory import download
 from ...kernels.poses.anchor_ties import shift_anchors_kernel
 from ...kernels.poses.control_lattice import motion_of, move_anchors_kernel
@@ -184,7 +185,7 @@ class _Alignment:
         self.fragments = Fragments(concatenate_rows(parts), concatenate_rows(normals), counts, lattice)
         self.origin, self.poses = origin, self.graph.poses.copy()
         self.poses[:, :3, :3] = nearest_rotations(self.poses[:, :3, :3])
-        self.poses[:, :3, 3] += self.poses[:, :3, :3] @ origin
+        self.poses[:, :3, 3] += matmul(self.poses[:, :3, :3], origin)
         self.middle = self.poses[:, :3, 3].mean(axis=0)
         self.poses[:, :3, 3] -= self.middle
         self.shares = _agreement(clouds, self.graph, self.params.distance_threshold)
@@ -231,8 +232,8 @@ class _Alignment:
         solution, turns = task.solve()
         motions = np.array(download(solution[: 2 * count]), np.float64).reshape(count, 6)  # sync
         R = rotations_of(motions[:, :3])
-        self.poses[:, :3, 3] = (R @ self.poses[:, :3, 3, None])[:, :, 0] + motions[:, 3:]
-        self.poses[:, :3, :3] = nearest_rotations(R @ self.poses[:, :3, :3])
+        self.poses[:, :3, 3] = matmul(R, self.poses[:, :3, 3, None])[:, :, 0] + motions[:, 3:]
+        self.poses[:, :3, :3] = nearest_rotations(matmul(R, self.poses[:, :3, :3]))
         launch(shift_anchors_kernel, lattice.anchor_count, [2 * count, solution, lattice.shifts])
         self.fragments.bend()
         return turns
@@ -245,10 +246,10 @@ class _Alignment:
             back = mat44d(*invert_pose(motion).ravel())
             given = [lattice.anchor_keys, lattice.cell_size, back, lattice.shifts]
             launch(move_anchors_kernel, lattice.anchor_count, given)
-            self.poses = self.poses @ motion
+            self.poses = matmul(self.poses, motion)
         for node in np.flatnonzero(held):
             part = parts == parts[node]
-            self.poses[part] = first[node] @ invert_pose(self.poses[node]) @ self.poses[part]
+            self.poses[part] = matmul(first[node], invert_pose(self.poses[node]), self.poses[part])
 
     def _concluded(
         self,
@@ -260,7 +261,7 @@ class _Alignment:
     ) -> PoseGraph:
         """The graph at the new poses; those that were held keep their bits."""
         poses = self.poses.copy()
-        poses[:, :3, 3] += self.middle - (poses[:, :3, :3] @ self.origin)
+        poses[:, :3, 3] += self.middle - matmul(poses[:, :3, :3], self.origin)
         poses[held] = self.graph.poses[held]
         counts = np.zeros(len(used), np.int64)
         counts[used] = np.diff(rows.starts)

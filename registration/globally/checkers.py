@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_angle, check_list, check_numeric, check_positive, check_shape, check_transformation
+from ...kernels.linear_algebra import matmul, norm
 from ...kernels.poses.pose_hypotheses import Checks
 from ...pcd.cloud import PointCloud
 from ..given_pairs import check_clouds, check_pairs
@@ -109,7 +110,7 @@ class CorrespondenceCheckerBasedOnDistance(CorrespondenceChecker):
         return f"CorrespondenceCheckerBasedOnDistance(distance_threshold={self.distance_threshold})"
 
     def _passes(self, source: PointCloud, target: PointCloud, pairs: NDArray[Any], T: NDArray[np.float64]) -> bool:
-        moved = source.points[pairs[:, 0]] @ T[:3, :3].T + T[:3, 3]
+        moved = matmul(source.points[pairs[:, 0]], T[:3, :3].T) + T[:3, 3]
         return not (np.linalg.norm(moved - target.points[pairs[:, 1]], axis=1) > self.distance_threshold).any()
 
     def _tighten(self, checks: Checks) -> None:
@@ -146,8 +147,8 @@ class CorrespondenceCheckerBasedOnNormal(CorrespondenceChecker):
     def _passes(self, source: PointCloud, target: PointCloud, pairs: NDArray[Any], T: NDArray[np.float64]) -> bool:
         if not source.has_normals or not target.has_normals:
             return True
-        scale = float(np.linalg.norm(T[:3, 0]))
-        turned = source.normals[pairs[:, 0]].astype(np.float64) @ T[:3, :3].T / scale
+        scale = float(norm(T[:3, 0]))
+        turned = matmul(source.normals[pairs[:, 0]].astype(np.float64), T[:3, :3].T) / scale
         cosines = (turned * target.normals[pairs[:, 1]]).sum(axis=1)
         return not (cosines < math.cos(self.normal_angle_threshold)).any()
 
@@ -189,9 +190,9 @@ class CorrespondenceCheckerBasedOnSourceRotation(CorrespondenceChecker):
         return f"CorrespondenceCheckerBasedOnSourceRotation(rotation_threshold={self.rotation_threshold.tolist()})"
 
     def _passes(self, source: PointCloud, target: PointCloud, pairs: NDArray[Any], T: NDArray[np.float64]) -> bool:
-        R = T[:3, :3] / np.linalg.norm(T[:3, 0])
+        R = T[:3, :3] / norm(T[:3, 0])
         turn = np.array(
-            [np.arctan2(R[2, 1], R[2, 2]), np.arcsin(np.clip(R[2, 0], -1, 1)), np.arctan2(R[1, 0], R[0, 0])]
+            [math.atan2(R[2, 1], R[2, 2]), math.asin(np.clip(R[2, 0], -1, 1)), math.atan2(R[1, 0], R[0, 0])]
         )
         return bool((np.abs(turn) <= self.rotation_threshold).all())
 

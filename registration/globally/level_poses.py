@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...kernels.linear_algebra import matmul
 from ..icp.constraint import MOTIONS, check_free
 from ..rigid import about_up, make_pose
 
@@ -46,7 +48,7 @@ def level_poses(
     kept = np.flatnonzero(np.arccos(np.clip(R[:, 2, 2], -1, 1)) <= MOST_TILT)
     level = []
     for T in poses[kept]:
-        yaw = np.arctan2(T[1, 0] - T[0, 1], T[0, 0] + T[1, 1])  # that of the largest trace of R^T Rz
-        turn = about_up(float(yaw))
-        level.append(make_pose(turn, T[:3, :3] @ middle + T[:3, 3] - turn @ middle))
+        yaw = math.atan2(T[1, 0] - T[0, 1], T[0, 0] + T[1, 1])  # that of the largest trace of R^T Rz
+        turn = about_up(yaw)
+        level.append(make_pose(turn, matmul(T[:3, :3], middle) + T[:3, 3] - matmul(turn, middle)))
     return np.array(level).reshape(-1, 4, 4), kept

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_positive, check_rigid
+from ...kernels.linear_algebra import eigh, matmul
 from ...kernels.poses.pair_probes import compare_pair, find_hold
 from ...pcd.cloud import PointCloud
 from ..given_pairs import check_clouds
@@ -86,7 +87,7 @@ class Localisability:
             raise ValueError("prior: no motion is open; registration_icp needs none")
         check_positive("sigma", sigma)
         rows = self.open_motions * ([self.lever] * 3 + [1.0] * 3) / sigma
-        return Prior(transformation, information=rows.T @ rows)
+        return Prior(transformation, information=matmul(rows.T, rows))
 
     def __str__(self) -> str:
         lines = ["motion (turn by lever, translation)                   share   held"]
@@ -151,7 +152,7 @@ def localisability(
     if hold is None or hold.matches < ENOUGH:
         return Localisability(T, target.origin.copy(), distance, np.eye(6), np.zeros(6), ("none",) * 6)
     (matrix,) = symmetric_matrices(hold.triangle[None])
-    shares, vectors = np.linalg.eigh(matrix / hold.matches)
+    shares, vectors = eigh(matrix / hold.matches)
     scale = np.array([hold.lever] * 3 + [1.0] * 3)
     suspects = vectors.T[shares < SUSPECT_SHARE]
     kinds = ["full"] * 6

@@ -15,6 +15,7 @@ from ...core.reports import Fields, Report
 from ...core.told_arguments import told_arguments
 from ...core.units import LengthUnit, symbol_of
 from ...core.wording import format_share, plain
+from ...kernels.linear_algebra import matmul, norm
 from ...pcd.cloud import PointCloud
 from ..given_pairs import check_clouds
 from ..icp.constraint import Prior, make_constraint
@@ -315,7 +316,7 @@ def _motion(source: PointCloud, T: Matrix) -> tuple[float, float]:
     """The angle of a pose [degrees], and how far it moves the middle: a turn far from zero makes any other shift."""
     middle = (source.get_min_bound() + source.get_max_bound()) / 2
     angle = float(np.degrees(pose_error(T, np.eye(4))[0]))
-    return angle, float(np.linalg.norm(T[:3, :3] @ middle + T[:3, 3] - middle))
+    return angle, float(norm(matmul(T[:3, :3], middle) + T[:3, 3] - middle))
 
 
 def _by_role(counts: tuple[int, int]) -> dict[str, int]:

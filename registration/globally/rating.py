@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from functools import cached_property
 from typing import NamedTuple
@@ -11,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_positive, check_transformation
 from ...kernels.arrays.concatenation import concatenate_rows
+from ...kernels.linear_algebra import det, eigvalsh, matmul, solve
 from ...kernels.memory import contiguous, download
 from ...kernels.poses.overlap_evidence import ALIGNED_AT, MATCHED_AT, weigh_overlaps
 from ...kernels.poses.sight import Sight, find_sight
@@ -91,14 +93,14 @@ class Evidence(NamedTuple):
         """Logarithm of the odds of the whole, not counting doubt; minus infinity without a match."""
         if not self.matches:
             return -np.inf
-        weighed = SHARE_WEIGHT * np.log(self.share + LEAST_SHARE)
-        return float(weighed + FIRMNESS_WEIGHT * np.log(self.firmness + LEAST_FIRMNESS) + OFFSET)
+        weighed = SHARE_WEIGHT * math.log(self.share + LEAST_SHARE)
+        return float(weighed + FIRMNESS_WEIGHT * math.log(self.firmness + LEAST_FIRMNESS) + OFFSET)
 
     @property
     def score_with_planes(self) -> float:
         """What all matches together say of the pose, 0..1."""
         doubt = min(1.0, self.firmness / FIRM) ** 2 * min(1.0, self.matches / ENOUGH)
-        return float(doubt / (1 + np.exp(-self.odds))) if self.matches else 0.0
+        return float(doubt / (1 + math.exp(-self.odds))) if self.matches else 0.0
 
     @property
     def score(self) -> float:
@@ -196,7 +198,7 @@ def rate_registration(
     check_clouds(source, target)
     distance = check_positive("max_correspondence_distance", max_correspondence_distance)
     T = check_transformation("transformation", transformation)
-    if np.abs(T[:3, :3] @ T[:3, :3].T - np.eye(3)).max() > 0.05 or np.linalg.det(T[:3, :3]) < 0:
+    if np.abs(matmul(T[:3, :3], T[:3, :3].T) - np.eye(3)).max() > 0.05 or det(T[:3, :3]) < 0:
         source, T = source.transform(T), np.eye(4)
     try:
         size = distance / VOXELS
@@ -316,8 +318,8 @@ def _evidence_of(both: tuple[NDArray[np.float64], NDArray[np.float64]]) -> Evide
     for sums in both:
         near, matched = symmetric_matrices(sums[:42].reshape(2, 21))
         ridge = RIDGE * np.trace(near) / 6 * np.eye(6)
-        share = float(np.trace(np.linalg.solve(near + ridge, matched))) / 6
-        firmness = max(float(np.linalg.eigvalsh(matched / sums[MATCHED_AT])[0]), 0.0)
+        share = float(np.trace(solve(near + ridge, matched))) / 6
+        firmness = max(float(eigvalsh(matched / sums[MATCHED_AT])[0]), 0.0)
         found.append((share, firmness, float(sums[MATCHED_AT]), float(-sums[ALIGNED_AT] / sums[MATCHED_AT])))
     share, firmness, matches, square = np.min(found, axis=0).tolist()
     return Evidence(share, firmness, matches, aligned=-square)

@@ -14,6 +14,7 @@ from ...kernels.arrays.bounds import bound_each
 from ...kernels.arrays.row_numbers import distinct_pairs
 from ...kernels.arrays.subsets import draw_rows
 from ...kernels.lang import int32
+from ...kernels.linear_algebra import matmul
 from ...kernels.memory import upload
 from ...kernels.poses.consensus_poses import find_consensus
 from ...kernels.poses.pair_fits import PairCoordinates
@@ -161,7 +162,7 @@ def _register(source: PointCloud, target: PointCloud, pairs: wp.array, bound: fl
         result.score = 0.0
         return result
     T = make_pose(found.poses[0][:3, :3], found.poses[0][:3, 3])
-    T[:3, 3] += target.origin - T[:3, :3] @ source.origin
+    T[:3, 3] += target.origin - matmul(T[:3, :3], source.origin)
     result = evaluate_registration(source, target, bound, T)
     result.score = rate_support(found.support)
     _conclude(result)
@@ -206,7 +207,7 @@ def find_poses(source: Any, target: Any, pairs: Any, bound: float, seed: int) ->
     poses, support = find_consensus(coordinates, bound, bound, np.vstack([spreads[0], -spreads[0]]))
     a, b = (middle.astype(np.float64) for middle in middles)
     for pose in poses:
-        pose[:3, 3] += b - pose[:3, :3] @ a
+        pose[:3, 3] += b - matmul(pose[:3, :3], a)
     return Consensus(poses, support)
 
 

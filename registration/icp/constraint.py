@@ -15,6 +15,7 @@ from ...kernels.algebra.rigid_solve import square
 from ...kernels.icp.freedom import STILL, STILL_TURNING, Freedom, motion_state
 from ...kernels.icp.loop import RegistrationLoop
 from ...kernels.lang import int32, mat33d, mat44d, vec3d
+from ...kernels.linear_algebra import cube_root, det, eigh, eigvalsh, matmul, norm
 from ...kernels.memory import download
 from ..rigid import nearest_rotation, rotation_vector, to_local
 
@@ -86,7 +87,7 @@ def check_information(name: str, matrix: Any) -> Matrix:
     largest = float(np.abs(M).max())
     if np.abs(M - M.T).max() > SYMMETRIC * largest:
         raise ValueError(f"{name}: expected a symmetric matrix, got entries that differ by {np.abs(M - M.T).max():.3g}")
-    values = np.linalg.eigvalsh((M + M.T) / 2)
+    values = eigvalsh((M + M.T) / 2)
     if values[0] < -INDEFINITE * max(values[-1], -values[0]):
         raise ValueError(
             f"{name}: expected no negative eigenvalue, got {values[0]:.3g}; a covariance is inverted first"
@@ -188,10 +189,10 @@ def check_free(free: Any) -> tuple[str, ...]:
 
 def _check_frame(frame: Any) -> Matrix:
     F = check_finite("frame", check_shape("frame", frame, (3, 3)))
-    error = float(np.abs(F.T @ F - np.eye(3)).max())
+    error = float(np.abs(matmul(F.T, F) - np.eye(3)).max())
     if error > ORTHONORMAL:
         raise ValueError(f"frame: expected orthonormal columns, the axes, got F^T F - I up to {error:.3g}")
-    if np.linalg.det(F) < 0:
+    if det(F) < 0:
         raise ValueError("frame: expected right-handed axes, got left-handed ones; turn one of the columns around")
     return F if error == 0 else nearest_rotation(F)
 
@@ -278,11 +279,11 @@ def make_freedom(
 
 def _from_prior(T: Matrix, T_prior: Matrix, pivot: NDArray[np.float64]) -> tuple[Matrix, NDArray[np.float64]]:
     """R R_p^T, and the way of the pivot's image from where a prior has it to where a pose has it, the pivot itself."""
-    scale = np.cbrt(np.linalg.det(T[:3, :3]))
+    scale = cube_root(float(det(T[:3, :3])))
     R = T[:3, :3] / scale
-    place = R.T @ (pivot - T[:3, 3]) / scale
-    turned = nearest_rotation(R @ T_prior[:3, :3].T)
-    return turned, pivot - (T_prior[:3, :3] @ place + T_prior[:3, 3])
+    place = matmul(R.T, pivot - T[:3, 3]) / scale
+    turned = nearest_rotation(matmul(R, T_prior[:3, :3].T))
+    return turned, pivot - (matmul(T_prior[:3, :3], place) + T_prior[:3, 3])
 
 
 def _check_reach(
@@ -293,24 +294,24 @@ def _check_reach(
     Raises:
         ValueError: The message says by how much.
     """
-    values, vectors = np.linalg.eigh(np.asarray(prior.information))
+    values, vectors = eigh(np.asarray(prior.information))
     root = np.sqrt(np.maximum(values, 0))[:, None] * vectors.T
     x = np.zeros(6)
 
     def away(x: NDArray[np.float64]) -> NDArray[np.float64]:
-        D = constraint.frame @ euler_rotation(x[:3]) @ constraint.frame.T
-        return np.concatenate([rotation_vector(D @ turned), shifted + constraint.frame @ x[3:]])
+        D = matmul(constraint.frame, euler_rotation(x[:3]), constraint.frame.T)
+        return np.concatenate([rotation_vector(matmul(D, turned)), shifted + matmul(constraint.frame, x[3:])])
 
     steps = 1e-6 * np.eye(6)[free]
     for _ in range(ROUNDS):
         J = np.stack([(away(x + s) - away(x - s)) / 2e-6 for s in steps], axis=1)
-        x[free] -= np.linalg.lstsq(root @ J, root @ away(x), rcond=1e-9)[0]
+        x[free] -= np.linalg.lstsq(matmul(root, J), matmul(root, away(x)), rcond=1e-9)[0]
     xi = away(x)
-    sigmas = float(np.linalg.norm(root @ xi))
+    sigmas = float(norm(matmul(root, xi)))
     if sigmas > MOST_SIGMAS:
         fixed = ", ".join(name for name in MOTIONS if name not in constraint.free)
         raise ValueError(
-            f"prior: {np.linalg.norm(xi[:3]):.3g} rad and {np.linalg.norm(xi[3:]):.3g} m from all poses that init and "
+            f"prior: {norm(xi[:3]):.3g} rad and {norm(xi[3:]):.3g} m from all poses that init and "
             f"free reach, {sigmas:.3g} standard deviations; begin at the prior (init), free {fixed}, or trust it less"
         )
 

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.units import asked_by_user, warn_of_units
+from ...kernels.linear_algebra import matmul, norm
 from ...pcd.cloud import PointCloud
 
 DOUBTFUL = 0.05  # of fitness: below it is looked at where the clouds are
@@ -35,10 +36,10 @@ def _where(source: PointCloud, target: PointCloud, pose: NDArray[np.float64], re
         if not len(cloud):
             return f"the {name} has no points", 1.0, 0.0
         box = cloud.get_axis_aligned_bounding_box()
-        middles.append(T[:3, :3] @ box.get_center() + T[:3, 3])
+        middles.append(matmul(T[:3, :3], box.get_center()) + T[:3, 3])
         longest.append(box.get_max_extent())
         said.append(f"the {name} spans {' x '.join(f'{length:.3g}' for length in box.get_extent())} m")
-    away = float(np.linalg.norm(middles[0] - middles[1]))
+    away = float(norm(middles[0] - middles[1]))
     unit = "; in another unit?" if max(longest) > OTHER_UNIT * min(longest) else ""
     hint = f"{', '.join(said)}, their middles {away:.3g} m apart, within {reach:g} m{unit}"
     return hint, max(longest) / min(longest) if min(longest) else 1.0, away / max(longest) if max(longest) else 0.0

@@ -21,6 +21,7 @@ from ...kernels.icp.pair_rejection import PairRejection
 from ...kernels.icp.step import StepRules
 from ...kernels.icp.voxel_gaussians import VoxelGaussians
 from ...kernels.lang import int32
+from ...kernels.linear_algebra import matmul
 from ...kernels.memory import download, empty, upload
 from ...kernels.search.many_clouds import ManyClouds
 from ...kernels.search.point_forest import PointForest
@@ -235,7 +236,7 @@ class IterativeRegistration:
         for job, t in enumerate(self.target_of):
             shift = np.eye(6)  # G(q + o) = G(q) (I, 0; -[o]x, I)
             shift[3:, :3] = -skew(self._target_origins[t])
-            matrices[job] = shift.T @ matrices[job] @ shift
+            matrices[job] = matmul(shift.T, matrices[job], shift)
         return matrices
 
     def _world(self, job: int, pose: NDArray[np.float64]) -> NDArray[np.float64]:

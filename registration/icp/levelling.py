@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_direction, check_rigid
+from ...kernels.linear_algebra import matmul, norm
 from ..rigid import nearest_rotation, rotation_of
 
 OPPOSITE = 1e-9  # of the sine: directions as near to opposite have no shortest turn
@@ -40,12 +43,12 @@ def levelled(
     """
     T = np.eye(4) if init is None else np.array(check_rigid("init", init))
     T[:3, :3] = nearest_rotation(T[:3, :3])
-    up = T[:3, :3] @ check_direction("up_in_source", up_in_source)
-    up, wanted = up / np.linalg.norm(up), check_direction("up_in_target", up_in_target)
+    up = matmul(T[:3, :3], check_direction("up_in_source", up_in_source))
+    up, wanted = up / norm(up), check_direction("up_in_target", up_in_target)
     axis = np.cross(up, wanted)
-    sine, cosine = float(np.linalg.norm(axis)), float(up @ wanted)
+    sine, cosine = float(norm(axis)), float(matmul(up, wanted))
     if sine > OPPOSITE:
-        T[:3, :3] = rotation_of(axis * (np.arctan2(sine, cosine) / sine)) @ T[:3, :3]
+        T[:3, :3] = matmul(rotation_of(axis * (math.atan2(sine, cosine) / sine)), T[:3, :3])
     elif cosine < 0:
         raise ValueError("up_in_source: upside down under init, so every way to turn it is as short; is it gravity?")
     return T

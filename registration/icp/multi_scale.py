@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 from ...core.checks import check_callback, check_list, check_number, check_positive
 from ...core.told_arguments import told_arguments
 from ...core.watching import standing_for
+from ...kernels.linear_algebra import matmul
 from ...pcd.cloud import PointCloud
 from ..given_pairs import check_clouds
 from ..result import RegistrationResult
@@ -97,7 +98,7 @@ def multi_scale_icp(
     constraint = make_constraint(free, frame, pivot, prior, noise)
     anchor = np.eye(4) if constraint is None else check_poses("init", init, method)
     if constraint is not None:
-        constraint = constraint.about(anchor[:3, :3] @ source.get_center() + anchor[:3, 3])
+        constraint = constraint.about(matmul(anchor[:3, :3], source.get_center()) + anchor[:3, 3])
     weighed = _with_weights(source, weights)
     pose, steps = init, 0
     result: RegistrationResult | None = None

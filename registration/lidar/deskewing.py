@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_numeric, check_rigid
 from ...kernels.lang import float64
+from ...kernels.linear_algebra import matmul, norm
 from ...kernels.memory import cast, upload
 from ...kernels.odometry.deskewing import bound_times
 from ...kernels.odometry.deskewing import deskew_points as move_points
@@ -91,7 +94,7 @@ def point_times(cloud: PointCloud, timestamps: ArrayLike | None) -> wp.array | N
 def twist_of(T: NDArray[np.float64]) -> NDArray[np.float64]:
     """The logarithm of a pose, (rotation, translation), shape [6]: the inverse of `rigid.pose_of` below half a turn."""
     rotation = rotation_vector(T[:3, :3])
-    angle, K = float(np.linalg.norm(rotation)), skew(rotation)
-    factor = 1 / 12 + angle**2 / 720 if angle < SMALL_ANGLE else (1 - angle / 2 / np.tan(angle / 2)) / angle**2
-    V_inverse = np.eye(3) - K / 2 + factor * (K @ K)
-    return np.concatenate([rotation, V_inverse @ T[:3, 3]])
+    angle, K = float(norm(rotation)), skew(rotation)
+    factor = 1 / 12 + angle**2 / 720 if angle < SMALL_ANGLE else (1 - angle / 2 / math.tan(angle / 2)) / angle**2
+    V_inverse = np.eye(3) - K / 2 + factor * matmul(K, K)
+    return np.concatenate([rotation, matmul(V_inverse, T[:3, 3])])

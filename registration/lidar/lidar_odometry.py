@@ -16,6 +16,7 @@ from ...core.checks import check_count, check_positive, check_rigid
 from ...core.devices import check_same_device, resolve_device
 from ...core.units import METRE, common_unit
 from ...core.watching import report
+from ...kernels.linear_algebra import matmul, norm
 from ...kernels.odometry.map_aligner import MapAligner
 from ...kernels.odometry.odometry_sampling import thin_in_turn
 from ...kernels.odometry.voxel_map import VoxelMap
@@ -206,13 +207,13 @@ class LidarOdometry:
         raw = RawScan(scan.device_array("points"), scan.origin, times if self.deskew else None)
         voxel_map = self._empty_map(scan.device) if known.map is None else known.map
         motion, has_prior = (known.motion, False) if motion is None else (motion, True)
-        predicted = self._last_pose() @ motion
+        predicted = matmul(self._last_pose(), motion)
         thinned = self._thin(raw, motion)
         step = self._match(voxel_map, thinned, predicted, has_prior=has_prior, is_start=not known.has_motion)
         if raw.times is not None and step.is_sound and step.iterations:
             if known.first is not None:
                 step, thinned, voxel_map = self._straighten_start(known.first, raw, step, voxel_map)
-            elif known.threshold.error_of(invert_pose(predicted) @ step.pose) > known.threshold.min_motion:
+            elif known.threshold.error_of(matmul(invert_pose(predicted), step.pose)) > known.threshold.min_motion:
                 step, thinned = self._straighten_again(raw, step, voxel_map)
         self._next = self._place(step, thinned, voxel_map, predicted, raw)
         self._next.join(self.max_range)
@@ -300,7 +301,7 @@ class LidarOdometry:
             parts, aside = (), known.aside
         threshold, first = known.threshold, known.first
         if step.iterations and step.is_sound:
-            threshold = threshold.updated(invert_pose(predicted) @ step.pose)
+            threshold = threshold.updated(matmul(invert_pose(predicted), step.pose))
         if step.reason != NO_POINTS:  # as long as nothing was seen, the next scan is the first
             first = raw.kept() if step.reason == FIRST_SCAN else None
         after = replace(known.after(step, last_pose, aside), threshold=threshold, map=voxel_map, first=first)
@@ -314,7 +315,7 @@ class LidarOdometry:
 
     def _straighten_again(self, raw: RawScan, step: OdometryStep, voxel_map: VoxelMap) -> tuple[OdometryStep, Thinned]:
         """Register a scan once more whose motion was not the one predicted, straightened with the one found."""
-        thinned = self._thin(raw, invert_pose(self._last_pose()) @ step.pose)
+        thinned = self._thin(raw, matmul(invert_pose(self._last_pose()), step.pose))
         again = self._match(voxel_map, thinned, step.pose)
         return (again if again.is_sound else step), thinned
 
@@ -326,21 +327,21 @@ class LidarOdometry:
         Without this the map would begin with a scan as skewed as the start was fast, and keep it.
         """
         start = self._last_pose()
-        thinned = self._thin(second, invert_pose(start) @ step.pose)
+        thinned = self._thin(second, matmul(invert_pose(start), step.pose))
         for _ in range(START_TURNS):
-            motion = invert_pose(start) @ step.pose
+            motion = matmul(invert_pose(start), step.pose)
             straight = self._empty_map(voxel_map.device)
             straight.add(self._thin(first, motion).kept, start, self.max_range)
             again = self._match(straight, self._thin(second, motion), step.pose)
             if not again.is_sound:
                 break
             step, voxel_map = again, straight
-            thinned = self._thin(second, invert_pose(start) @ step.pose)
+            thinned = self._thin(second, matmul(invert_pose(start), step.pose))
         return step, thinned, voxel_map
 
     def _prune(self) -> None:
         """Drop what is out of range, not at every scan: what stays longer is never reached by a scan."""
         known, place = self._known, self._last_pose()[:3, 3]
-        if known.map is not None and np.linalg.norm(place - known.pruned_at) > PRUNE_SHARE * self.max_range:
+        if known.map is not None and norm(place - known.pruned_at) > PRUNE_SHARE * self.max_range:
             near = known.map.without_far(place, self.max_range + 2 * self.voxel_size)
             self._known = replace(known, map=near, pruned_at=place.copy())

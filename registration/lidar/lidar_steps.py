@@ -14,6 +14,7 @@ from ...core.checks import check_list
 from ...core.number_runs import some_runs
 from ...core.reports import Fields, Report
 from ...core.wording import format_share, plain
+from ...kernels.linear_algebra import eigh, matmul, norm
 
 Matrix = NDArray[np.float64]
 Direction = tuple[float, float, float]
@@ -292,8 +293,8 @@ def _resting(steps: Sequence[OdometryStep]) -> list[OdometryStep]:
     """Matched scans at whose pose the scanner was three scans before too."""
     found = []
     for before, step in zip(steps, steps[3:], strict=False):
-        way = np.linalg.norm(step.pose[:3, 3] - before.pose[:3, 3])
-        turn = np.linalg.norm(step.pose[:3, :3] - before.pose[:3, :3]) / math.sqrt(2)
+        way = norm(step.pose[:3, 3] - before.pose[:3, 3])
+        turn = norm(step.pose[:3, :3] - before.pose[:3, :3]) / math.sqrt(2)
         if step.is_sound and step.iterations and way < REST[0] and turn < REST[1]:
             found.append(step)
     return found
@@ -308,7 +309,7 @@ def _open_motions(steps: Sequence[OdometryStep]) -> str:
     ):
         if found:
             rows = np.array(found)
-            values, vectors = np.linalg.eigh(rows.T @ rows / len(steps))
+            values, vectors = eigh(matmul(rows.T, rows) / len(steps))
             ways += [(float(values[i]), f"{word} {_direction(vectors[:, i])}") for i in (2, 1, 0)]
     return ", ".join(way for share, way in ways if share > 0.5) or max(ways, default=(0.0, ""))[1]
 

@@ -8,6 +8,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
+from ...kernels.linear_algebra import matmul
 from ...kernels.odometry.voxel_map import VoxelMap
 from ..rigid import invert_pose, pose_of
 from .deskewing import twist_of
@@ -70,11 +71,11 @@ class Known:
     def after(self, step: OdometryStep, last_pose: Matrix, aside: Aside | None) -> Known:
         """The motion and the last sound scan once a step is taken; `aside` is that of the step."""
         if not step.is_sound:
-            return replace(self, motion=invert_pose(last_pose) @ step.pose, aside=aside)
-        motion = invert_pose(last_pose) @ step.pose
+            return replace(self, motion=matmul(invert_pose(last_pose), step.pose), aside=aside)
+        motion = matmul(invert_pose(last_pose), step.pose)
         if self.sound is not None and step.index - self.sound[0] > 1 and not step.has_joined:
             gap = step.index - self.sound[0]
-            motion = pose_of(twist_of(invert_pose(self.sound[1]) @ step.pose) / gap)
+            motion = pose_of(twist_of(matmul(invert_pose(self.sound[1]), step.pose)) / gap)
         has_motion = self.has_motion or (self.sound is not None and step.iterations > 0)
         has_way = self.has_way or (has_motion and not step.is_undetermined and not step.rivals)
         began = step.index if self.sound is None else self.began

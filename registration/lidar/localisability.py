@@ -14,6 +14,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
+from ...kernels.linear_algebra import EPSILON, eigh, matmul, pinvh
 from ...kernels.odometry.pose_probes import compare_poses
 from ...kernels.odometry.voxel_map import VoxelMap
 from ..open_motions import JUDGING_POINTS, STEP_VOXELS, SUSPECT_SHARE, moved, rises_clearly, spanned
@@ -56,13 +57,13 @@ class OpenDirections:
     def weight(self) -> Matrix:
         """What to add to the normal equations, in units of their trace, so that these motions are left out, [6, 6]."""
         rows = self.scale[:, None] * self.basis
-        return HELD_WEIGHT * (rows @ rows.T)
+        return HELD_WEIGHT * matmul(rows, rows.T)
 
     def taken_from(self, pose: Matrix, held: Matrix) -> Matrix:
         """A pose whose part along these directions is that of another one."""
-        turn = rotation_vector(held[:3, :3] @ pose[:3, :3].T)
+        turn = rotation_vector(matmul(held[:3, :3], pose[:3, :3].T))
         way = np.concatenate([turn, held[:3, 3] - pose[:3, 3]]) * self.scale
-        return moved(pose, self.basis @ (self.basis.T @ way) / self.scale)
+        return moved(pose, matmul(self.basis, matmul(self.basis.T, way)) / self.scale)
 
     def translations(self) -> tuple[tuple[float, float, float], ...]:
         """Unit directions along which the sensor may slide, its largest part first positive."""
@@ -90,7 +91,7 @@ def open_directions(
         return OpenDirections(1.0, np.eye(6), is_blind=True)
     lever = max(math.sqrt(np.trace(told[:3, :3]) / planes), size)
     scale = np.array([lever] * 3 + [1.0] * 3)
-    values, vectors = np.linalg.eigh(told / np.outer(scale, scale) / planes)
+    values, vectors = eigh(told / np.outer(scale, scale) / planes)
     suspects = vectors[:, values < SUSPECT_SHARE]
     if not suspects.shape[1]:
         return None
@@ -105,8 +106,8 @@ def weak_ways(told: Matrix, count: int) -> Matrix:
     planes = float(np.trace(told[3:, 3:]))
     if planes < LEAST_PLANES * count:
         return np.empty((0, 3))
-    alone = told[3:, 3:] - told[3:, :3] @ np.linalg.pinv(told[:3, :3], hermitian=True) @ told[:3, 3:]
-    values, vectors = np.linalg.eigh(alone / planes)
+    alone = told[3:, 3:] - matmul(told[3:, :3], pinvh(told[:3, :3], 3 * EPSILON), told[:3, 3:])
+    values, vectors = eigh(alone / planes)
     return vectors.T[values < SEARCHED_SHARE]
 
 
@@ -126,7 +127,7 @@ def places_along(
         reach: Half its length [m].
     """
     step = max(STEP_VOXELS * voxel_map.voxel_size, 2 * reach / MOST_PLACES)
-    middle = float(way @ (guess[:3, 3] - pose[:3, 3]))
+    middle = float(matmul(way, guess[:3, 3] - pose[:3, 3]))
     shifts = np.arange(math.floor((middle - reach) / step), math.ceil((middle + reach) / step) + 1) * step
     poses = np.array([pose, *(moved(pose, np.concatenate([np.zeros(3), s * way])) for s in shifts)])
     total, _, pairs, _ = compare_poses(points, JUDGING_POINTS, voxel_map, poses, voxel_map.voxel_size)[1:].T

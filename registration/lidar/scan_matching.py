@@ -14,6 +14,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
+from ...kernels.linear_algebra import matmul, norm
 from ...kernels.odometry.map_aligner import Leg, MapAligner, Reached
 from ...kernels.odometry.map_course import CHEAPEST, CONVERGED, LOST, OF_FIRST
 from ...kernels.odometry.pose_probes import compare_poses
@@ -180,7 +181,7 @@ def _search_along(
 
 
 def _distance(A: Matrix, B: Matrix) -> float:
-    return float(np.linalg.norm(A[:3, 3] - B[:3, 3]))
+    return float(norm(A[:3, 3] - B[:3, 3]))
 
 
 def _leg(
@@ -218,7 +219,7 @@ def start_guesses(pose: Matrix, threshold: float) -> list[Matrix]:
         for k in range(START_DIRECTIONS):
             angle = 2 * math.pi * k / START_DIRECTIONS
             step = np.array([math.cos(angle), math.sin(angle), 0.0]) * ring * threshold
-            guesses.append(pose @ make_pose(np.eye(3), step))
+            guesses.append(matmul(pose, make_pose(np.eye(3), step)))
     return guesses
 
 
@@ -232,7 +233,7 @@ def wide_guesses(predicted: Matrix, last: Matrix) -> list[Matrix]:
                 for sign in (-1.0, 1.0):
                     twist = np.zeros(6)
                     twist[axis] = sign * math.radians(angle)
-                    guesses.append(pose @ pose_of(twist))
+                    guesses.append(matmul(pose, pose_of(twist)))
     return guesses
 
 
@@ -256,14 +257,14 @@ class AdaptiveThreshold:
 
     def value(self, poses: Matrix) -> float:
         """The threshold for the next scan; the initial one as long as the sensor has not left its place."""
-        if not len(poses) or np.linalg.norm(poses[-1, :3, 3] - poses[0, :3, 3]) <= MOVED * self.min_motion:
+        if not len(poses) or norm(poses[-1, :3, 3] - poses[0, :3, 3]) <= MOVED * self.min_motion:
             return self.initial
         return math.sqrt(self.sqsum / self.count)
 
     def error_of(self, deviation: Matrix) -> float:
         """How far [m] a point at full range moves with the pose found in the frame of the predicted (eqs. 6, 7)."""
-        angle = float(np.linalg.norm(rotation_vector(deviation[:3, :3])))
-        return 2 * self.max_range * math.sin(angle / 2) + float(np.linalg.norm(deviation[:3, 3]))
+        angle = float(norm(rotation_vector(deviation[:3, :3])))
+        return 2 * self.max_range * math.sin(angle / 2) + float(norm(deviation[:3, 3]))
 
     def updated(self, deviation: Matrix) -> AdaptiveThreshold:
         """The threshold that knows how far a pose found lies from the predicted one (eq. 8); the smallest motions say

@@ -14,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from ...kernels.linear_algebra import matmul, norm
 from ...pcd.cloud import PointCloud
 from ..icp.constraint import make_constraint
 from ..icp.estimation import TransformationEstimationForGeneralizedICP
@@ -143,7 +144,7 @@ def refine_pairs(
         refined.append(pair._replace(transformation=result.transformation, fitness=result.fitness))
         # the edge's matrix weighs a misfit in the source's coordinates, the problem's one in the target's
         A = adjoint_of(result.transformation)
-        information.append(A.T @ matrix @ A)
+        information.append(matmul(A.T, matrix, A))
     return refined, information
 
 
@@ -159,10 +160,10 @@ def _agreement(extents: Sequence[Extent], pairs: Sequence[FragmentPair], toleran
     for k, pair in enumerate(pairs):
         a, b = pair.source, pair.target
         for c in sorted(beside[a] & beside[b]):
-            round_trip = invert_pose(pair.transformation) @ known[c, b] @ known[a, c]
-            angle = float(np.linalg.norm(rotation_vector(round_trip[:3, :3])))
+            round_trip = matmul(invert_pose(pair.transformation), known[c, b], known[a, c])
+            angle = float(norm(rotation_vector(round_trip[:3, :3])))
             middle = extents[a].origin
-            shift = float(np.linalg.norm(round_trip[:3, :3] @ middle + round_trip[:3, 3] - middle))
+            shift = float(norm(matmul(round_trip[:3, :3], middle) + round_trip[:3, 3] - middle))
             support[k] += pair.score * (shift + angle * extents[a].radius < tolerance)
     return support
 
@@ -199,7 +200,7 @@ def candidates_to_close(
     for (i, a), (j, b) in itertools.combinations(enumerate(members.tolist()), 2):
         low, high = np.maximum(boxes[i][0], boxes[j][0]), np.minimum(boxes[i][1], boxes[j][1])
         if frozenset((a, b)) not in known and (low < high).all():
-            found.append(FragmentPair(b, a, invert_pose(poses[a]) @ poses[b], 0.0, np.nan))
+            found.append(FragmentPair(b, a, matmul(invert_pose(poses[a]), poses[b]), 0.0, np.nan))
     return found
 
 

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from ...cameras.camera import LARGEST_NUMBER
 from ...core.checks import check_count, check_list, check_number, check_rigid, check_shape
+from ...kernels.linear_algebra import eigvalsh, matmul
 
 if TYPE_CHECKING:
     from .reports import GlobalOptimizationReport, RefinementReport
@@ -205,7 +206,7 @@ def _check_poses(items: str, name: str, poses: NDArray[np.float64]) -> None:
     """All at once the rule of `check_rigid`, which then words the error."""
     R = poses[:, :3, :3]
     with np.errstate(invalid="ignore", over="ignore"):
-        skewed = np.abs(R @ R.transpose(0, 2, 1) - np.eye(3)).max(axis=(1, 2), initial=0) > ROTATION_TOLERANCE
+        skewed = np.abs(matmul(R, R.transpose(0, 2, 1)) - np.eye(3)).max(axis=(1, 2), initial=0) > ROTATION_TOLERANCE
         mirrored = np.einsum("ni,ni->n", np.cross(R[:, 0], R[:, 1]), R[:, 2]) < 0
         other = np.abs(poses[:, 3] - (0, 0, 0, 1)).max(axis=1, initial=0) > LAST_ROW_TOLERANCE
     suspects = skewed | mirrored | other | ~np.isfinite(poses).all(axis=(1, 2))
@@ -228,7 +229,7 @@ def _check_information(information: NDArray[np.float64]) -> NDArray[np.float64]:
     try:
         np.linalg.cholesky(lifted)  # a fraction of the cost of eigenvalues
     except np.linalg.LinAlgError:
-        eigenvalues = np.linalg.eigvalsh(symmetric)
+        eigenvalues = eigvalsh(symmetric)
         below = eigenvalues[:, 0] < -np.maximum(slack, 0)
         _refuse(below, "edges", "information: expected a positive semi-definite matrix, not eigenvalues", eigenvalues)
     return symmetric

@@ -11,6 +11,7 @@ Newton), or damped ones (Marquardt 1963), the damping after Nielsen 1999.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -18,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.quaternions import rotations_to_quaternions
+from ...kernels.linear_algebra import elementwise
 from .connected_parts import connected_parts
 from .pose_graph import GraphArrays
 from .pose_graph_system import EdgeMeasurements, Misfit, NodePoses, NormalEquations
@@ -180,6 +182,6 @@ def _length(values: Array) -> float:
 def _extent(poses: NodePoses) -> float:
     """Length of all poses as one vector: rotation vectors [rad], and positions about their mean [m]."""
     quaternions = rotations_to_quaternions(poses.rotations)
-    half_angles = np.arctan2(np.sqrt((quaternions[:, :3] ** 2).sum(axis=1)), quaternions[:, 3])
+    half_angles = elementwise(math.atan2, np.sqrt((quaternions[:, :3] ** 2).sum(axis=1)), quaternions[:, 3])
     centred = poses.positions - poses.positions.mean(axis=0)
     return float(np.sqrt((4 * half_angles * half_angles).sum() + (centred * centred).sum()))

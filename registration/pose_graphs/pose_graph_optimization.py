@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from ...core.checks import check_count, check_positive, check_share, shown
 from ...core.dropped_results import returns_new
 from ...core.quaternions import nearest_rotations
+from ...kernels.linear_algebra import matmul
 from ..icp.constraint import MOTIONS, check_free
 from ..rigid import nearest_rotation
 from .pose_graph import GraphArrays, PoseGraph, PoseGraphNode, check_pose_graph
@@ -290,10 +291,10 @@ def _mean_undone(old_rotations: Array, old_positions: Array, rotations: Array, p
     Means are chordal: of rotation matrices, and of where the motions take the middle of the old positions.
     """
     middle = old_positions.mean(axis=0)
-    turns = rotations @ nearest_rotations(old_rotations).transpose(0, 2, 1)
+    turns = matmul(rotations, nearest_rotations(old_rotations).transpose(0, 2, 1))
     shifts = positions - middle - np.einsum("nij,nj->ni", turns, old_positions - middle)
     R = nearest_rotation(turns.mean(axis=0)).T
-    return R @ rotations, (positions - middle - shifts.mean(axis=0)) @ R.T + middle
+    return matmul(R, rotations), matmul(positions - middle - shifts.mean(axis=0), R.T) + middle
 
 
 def _with_report(

@@ -19,6 +19,8 @@ from numpy.typing import NDArray
 from scipy.sparse.linalg import splu
 
 from ...core.quaternions import nearest_rotations, rotations_to_quaternions
+from ...kernels.arrays.sparse_factor import SparseFactor
+from ...kernels.linear_algebra import matmul
 from ..rigid import rotations_of, skews
 from .pose_graph import GraphArrays
 
@@ -36,7 +38,7 @@ class NodePoses:
 
     def moved(self, step: Array) -> NodePoses:
         """The poses after a step [n, 6]: turned about their own positions, then shifted."""
-        return NodePoses(rotations_of(step[:, :3]) @ self.rotations, self.positions + step[:, 3:])
+        return NodePoses(matmul(rotations_of(step[:, :3]), self.rotations), self.positions + step[:, 3:])
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,7 +72,7 @@ class EdgeMeasurements:
     def misfit(self, poses: NodePoses) -> Misfit:
         """The residuals at these poses."""
         to_misfit, apart = self._frames(poses)
-        quaternions = rotations_to_quaternions(to_misfit @ poses.rotations[self.source])
+        quaternions = rotations_to_quaternions(matmul(to_misfit, poses.rotations[self.source]))
         translations = _apply(to_misfit, apart) - _apply(self.rotations.transpose(0, 2, 1), self.translations)
         residuals = np.concatenate([2 * quaternions[:, :3], translations], axis=1)
         squares = (residuals * _apply(self.information, residuals)).sum(axis=1)
@@ -82,16 +84,16 @@ class EdgeMeasurements:
         turning = misfit.scalars[:, None, None] * np.eye(3) - skews(misfit.residuals[:, :3]) / 2
         by_source = np.zeros((len(self.source), 6, 6))
         by_target = np.zeros_like(by_source)
-        by_source[:, :3, :3] = turning @ to_misfit
+        by_source[:, :3, :3] = matmul(turning, to_misfit)
         by_source[:, 3:, 3:] = to_misfit
         by_target[:, :3, :3] = -by_source[:, :3, :3]
-        by_target[:, 3:, :3] = to_misfit @ skews(apart)
+        by_target[:, 3:, :3] = matmul(to_misfit, skews(apart))
         by_target[:, 3:, 3:] = -to_misfit
         return by_source, by_target
 
     def _frames(self, poses: NodePoses) -> tuple[Array, Array]:
         """Rotations from the world to the frames of the misfits, [m, 3, 3]; from target to source, [m, 3] [m]."""
-        to_misfit = (poses.rotations[self.target] @ self.rotations).transpose(0, 2, 1)
+        to_misfit = matmul(poses.rotations[self.target], self.rotations).transpose(0, 2, 1)
         return to_misfit, poses.positions[self.source] - poses.positions[self.target]
 
 
@@ -137,6 +139,7 @@ class NormalEquations:
         self.columns = columns[self.order]
         self.starts = np.concatenate([[0], np.cumsum(np.bincount(rows, minlength=count))])
         ones = self._matrix(np.ones((len(rows), 6, 6)))
+        self.factor = SparseFactor(ones.indptr, ones.indices)
         self.diagonal = np.flatnonzero(ones.indices == np.repeat(np.arange(6 * count), np.diff(ones.indptr)))
 
     def linearise(self, poses: NodePoses, misfit: Misfit, weights: Array) -> None:
@@ -146,11 +149,13 @@ class NormalEquations:
         """
         by_source, by_target = self.edges.jacobians(poses, misfit)
         information = weights[:, None, None] * self.edges.information
-        weighted_source, weighted_target = information @ by_source, information @ by_target
+        weighted_source, weighted_target = matmul(information, by_source), matmul(information, by_target)
         source_across, target_across = by_source.transpose(0, 2, 1), by_target.transpose(0, 2, 1)
-        ends = np.concatenate([source_across @ weighted_source, target_across @ weighted_target])
+        ends = np.concatenate([matmul(source_across, weighted_source), matmul(target_across, weighted_target)])
         upper = self.upper[:, None, None]
-        between = np.where(upper, source_across, target_across) @ np.where(upper, weighted_target, weighted_source)
+        between = matmul(
+            np.where(upper, source_across, target_across), np.where(upper, weighted_target, weighted_source)
+        )
         pulls = np.concatenate(
             [_apply(weighted_source.transpose(0, 2, 1), misfit.residuals),
              _apply(weighted_target.transpose(0, 2, 1), misfit.residuals)]
@@ -176,9 +181,10 @@ class NormalEquations:
         Raises:
             RuntimeError: Singular.
         """
-        damped = self.matrix.copy()
-        damped.data[self.diagonal] += damping * self.scale
-        return splu(damped, permc_spec="NATURAL", **SYMMETRIC).solve(self.right)
+        damped = self.matrix.data.copy()
+        damped[self.diagonal] += damping * self.scale
+        self.factor.factor(damped)
+        return self.factor.solve(self.right)
 
     def step_of(self, solution: Array, count: int) -> Array:
         """The solution as a step of all nodes, [count, 6]; 0 of those that are anchored."""
@@ -223,4 +229,4 @@ def _sums(rows: NDArray[np.int64], columns: NDArray[np.int64], shape: tuple[int,
 
 
 def _apply(matrices: Array, vectors: Array) -> Array:
-    return (matrices @ vectors[:, :, None])[:, :, 0]
+    return matmul(matrices, vectors[:, :, None])[:, :, 0]

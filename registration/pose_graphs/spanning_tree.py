@@ -8,6 +8,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from ...kernels.linear_algebra import matmul
 from ..rigid import invert_pose
 
 Array = NDArray[np.float64]
@@ -64,10 +65,10 @@ def chain(first: Array, roots: Iterable[int], pairs: Sequence[Pair], tree: Seque
         for k in waiting:
             pair = pairs[k]
             if pair.target in reached:
-                poses[pair.source] = poses[pair.target] @ pair.transformation
+                poses[pair.source] = matmul(poses[pair.target], pair.transformation)
                 reached.add(pair.source)
             elif pair.source in reached:
-                poses[pair.target] = poses[pair.source] @ invert_pose(pair.transformation)
+                poses[pair.target] = matmul(poses[pair.source], invert_pose(pair.transformation))
                 reached.add(pair.target)
             else:
                 rest.append(k)

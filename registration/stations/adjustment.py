@@ -13,6 +13,7 @@ for use in geodetic networks; of one row the square of his w).
 from __future__ import annotations
 
 import dataclasses
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -20,8 +21,9 @@ from typing import Any
 import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
-from scipy.sparse.linalg import splu
 
+from ...kernels.arrays.sparse_factor import SparseFactor
+from ...kernels.linear_algebra import eigh, elementwise, inv, matmul
 from ..pose_graphs.pose_graph import GraphArrays
 from ..pose_graphs.pose_graph_system import EdgeMeasurements, NodePoses
 from ..rigid import rotations_of, skew
@@ -29,6 +31,7 @@ from .observations import Array, ControlPoint, StationPair, TargetObservation
 
 LEVEL_ROWS = [2, 3, 4, 5]  # yaw, x, y, z of the six of a pose
 NOTHING = 1e-12  # of the largest eigenvalue: what is determined by no more is not determined
+NO_MOTION = 1e-12  # the square of the length up to which a vector of motions is zero
 UNTESTABLE = 1e-6  # of a row's redundancy: an observation that nothing checks
 MOST_STEPS, MOST_HALVINGS = 60, 12
 SETTLED = 1e-7  # standard deviations that a step moves all unknowns by, together
@@ -129,8 +132,8 @@ class _Rows:
         k = len(root)
         for first, J in blocks:
             rows, columns = np.indices((k, J.shape[1]))
-            self.entries.append(((rows + self.count).ravel(), (columns + first).ravel(), (root @ J).ravel()))
-        self.right.append(root @ residual)
+            self.entries.append(((rows + self.count).ravel(), (columns + first).ravel(), matmul(root, J).ravel()))
+        self.right.append(matmul(root, residual))
         self.groups.append(Group(kind, observation, slice(self.count, self.count + k), residual))
         self.count += k
 
@@ -172,9 +175,9 @@ class _Network:
             if one.name in self.column:
                 # in the station's axes: a turn of all together changes no residual
                 Rt, apart = poses.rotations[one.station].T, poses.positions[one.station] - places[one.name]
-                J = np.hstack([Rt @ skew(apart), Rt])[:, self.motions]
+                J = np.hstack([matmul(Rt, skew(apart)), Rt])[:, self.motions]
                 blocks = [(self.size * one.station, J), (self.column[one.name], -Rt)]
-                rows.add("target", one, np.asarray(one.position) + Rt @ apart, np.eye(3) / one.sigma, blocks)
+                rows.add("target", one, np.asarray(one.position) + matmul(Rt, apart), np.eye(3) / one.sigma, blocks)
         for point in observed.control:
             if point.name in self.column:
                 root = np.diag(1 / np.asarray(point.sigma))
@@ -183,7 +186,7 @@ class _Network:
         if observed.tilt_sigma and not self.level:
             upright = skew(np.array([0.0, 0.0, 1.0]))
             for i, R in enumerate(poses.rotations):  # where up is in the station's axes
-                J = np.hstack([R.T @ upright, np.zeros((3, 3))])[:2]
+                J = np.hstack([matmul(R.T, upright), np.zeros((3, 3))])[:2]
                 rows.add("level", i, R[2, :2].copy(), np.eye(2) / observed.tilt_sigma, [(6 * i, J)])
         if observed.positions is not None:
             shift = np.hstack([np.zeros((3, 3)), np.eye(3)])[:, self.motions]
@@ -213,7 +216,7 @@ class _Network:
         steps = np.zeros((self.count, 6))
         steps[:, self.motions] = step[: self.size * self.count].reshape(self.count, self.size)
         moved = {name: places[name] + step[first : first + 3] for name, first in self.column.items()}
-        return NodePoses(rotations_of(steps[:, :3]) @ poses.rotations, poses.positions + steps[:, 3:]), moved
+        return NodePoses(matmul(rotations_of(steps[:, :3]), poses.rotations), poses.positions + steps[:, 3:]), moved
 
 
 def adjust(first: Array, observed: Observed, *, level: bool, reference: int = 0) -> Adjusted:
@@ -230,7 +233,7 @@ def adjust(first: Array, observed: Observed, *, level: bool, reference: int = 0)
     poses, places = NodePoses(first[:, :3, :3].copy(), first[:, :3, 3] - pivot), {}
     for one in observed.targets:
         if one.name in network.column and one.name not in places:
-            at = poses.rotations[one.station] @ np.asarray(one.position)
+            at = matmul(poses.rotations[one.station], np.asarray(one.position))
             places[one.name] = at + poses.positions[one.station]
     poses, places, converged = _descend(network, poses, places, reference)
     rows = network.rows(poses, places)
@@ -240,7 +243,7 @@ def adjust(first: Array, observed: Observed, *, level: bool, reference: int = 0)
     groups = [_tested(group, A, Q, right) for group in rows.groups]
     size, turned = network.size, poses.rotations
     if level:
-        yaws = np.arctan2(turned[:, 1, 0], turned[:, 0, 0])
+        yaws = elementwise(math.atan2, turned[:, 1, 0], turned[:, 0, 0])
         turned = rotations_of(np.stack([0 * yaws, 0 * yaws, yaws], axis=1))
     found = np.tile(np.eye(4), (count, 1, 1))
     found[:, :3, :3], found[:, :3, 3] = turned, poses.positions + pivot
@@ -262,7 +265,7 @@ def adjust(first: Array, observed: Observed, *, level: bool, reference: int = 0)
 
 def root_of(information: Array) -> Array:
     """W with W^T W the information, a row for each direction that there is information of."""
-    values, vectors = np.linalg.eigh((information + information.T) / 2)
+    values, vectors = eigh((information + information.T) / 2)
     kept = values > NOTHING * max(values[-1], 0.0)
     return np.sqrt(values[kept])[:, None] * vectors[:, kept].T
 
@@ -276,8 +279,7 @@ def _descend(
         A, right = network.matrix(rows), np.concatenate([*rows.right, np.empty(0)])
         held = _held(A, network, reference)
         N = (A.T @ A).tocsc()
-        solver = splu((N + held).tocsc())
-        step = -solver.solve(A.T @ right)
+        step = -_factor_of(N + held).solve(A.T @ right)
         if float(np.sqrt(max((step * (N @ step)).sum(), 0.0))) < SETTLED:
             return poses, places, True
         squares = float((right * right).sum())
@@ -298,7 +300,7 @@ def _null_space(A: sp.csr_matrix) -> tuple[Array, Array]:
     N = np.asarray((A.T @ A).todense())
     stiff = np.sqrt(np.maximum(np.diag(N), 1e-300))
     stiff = np.where(np.diag(N) > 0, stiff, 1.0)
-    values, vectors = np.linalg.eigh(N / stiff[:, None] / stiff[None])
+    values, vectors = eigh(N / stiff[:, None] / stiff[None])
     return vectors[:, values < NOTHING * max(values[-1], 1.0)], stiff
 
 
@@ -308,23 +310,31 @@ def _conditions(A: sp.csr_matrix, network: _Network, reference: int) -> tuple[Ar
     part = slice(network.size * reference, network.size * (reference + 1))
     H = np.zeros((0, network.unknowns))
     if Z.shape[1]:
-        U, s, _ = np.linalg.svd(Z[part], full_matrices=False)
-        H = np.zeros((int((s > 1e-6).sum()), network.unknowns))
-        H[:, part] = (U[:, s > 1e-6] * 1.0).T
+        squares, U = eigh(matmul(Z[part], Z[part].T))
+        H = np.zeros((int((squares > NO_MOTION).sum()), network.unknowns))
+        H[:, part] = U[:, squares > NO_MOTION].T
     # what is left open once the datum is held is loose
-    left = Z @ _kernel(H @ Z) if Z.shape[1] else Z
+    left = matmul(Z, _kernel(matmul(H, Z))) if Z.shape[1] else Z
     return H, left, Z, stiff
 
 
 def _kernel(M: Array) -> Array:
-    _, s, Vt = np.linalg.svd(M, full_matrices=True)
-    rank = int((s > 1e-6).sum())
-    return Vt[rank:].T
+    """The vectors that a matrix takes to zero, as columns."""
+    squares, vectors = eigh(matmul(M.T, M))
+    return vectors[:, squares <= NO_MOTION]
+
+
+def _factor_of(system: sp.spmatrix) -> SparseFactor:
+    """The factors of normal equations."""
+    columns = sp.csc_matrix(system)
+    factor = SparseFactor(columns.indptr, columns.indices)
+    factor.factor(columns.data)
+    return factor
 
 
 def _held(A: sp.csr_matrix, network: _Network, reference: int) -> sp.csc_matrix:
     H, left, _, stiff = _conditions(A, network, reference)
-    full = H.T @ H + left @ left.T
+    full = matmul(H.T, H) + matmul(left, left.T)
     return sp.csc_matrix(full * stiff[:, None] * stiff[None])
 
 
@@ -332,13 +342,12 @@ def _cofactors(A: sp.csr_matrix, network: _Network, reference: int) -> tuple[Arr
     """Cofactors of the unknowns under the datum, its conditions, those of all, and which stations are loose."""
     H, left, Z, stiff = _conditions(A, network, reference)
     N = (A.T @ A).tocsc()
-    solver = splu((N + _held(A, network, reference)).tocsc())
-    Q = solver.solve(np.eye(network.unknowns))
+    Q = _factor_of(N + _held(A, network, reference)).solve(np.eye(network.unknowns))
     Q = (Q + Q.T) / 2 * stiff[:, None] * stiff[None]
     if Z.shape[1]:  # the conditions are exact: what they add is taken off again
         C = np.vstack([H, left.T])
-        G = Z @ np.linalg.inv(C @ Z)
-        Q = Q - G @ G.T
+        G = matmul(Z, inv(matmul(C, Z)))
+        Q = Q - matmul(G, G.T)
     Q = Q / stiff[:, None] / stiff[None]
     moves = (left.reshape(network.unknowns, -1) ** 2).sum(axis=1)[: network.size * network.count]
     loose = moves.reshape(network.count, network.size).sum(axis=1) > 1e-6
@@ -350,10 +359,10 @@ def _tested(group: Group, A: sp.csr_matrix, Q: Array, right: Array) -> Group:
     part = A[group.rows]
     columns = np.unique(part.indices)
     dense = np.asarray(part[:, columns].todense())
-    R = np.eye(len(dense)) - dense @ Q[np.ix_(columns, columns)] @ dense.T
-    values, vectors = np.linalg.eigh((R + R.T) / 2)
+    R = np.eye(len(dense)) - matmul(dense, Q[np.ix_(columns, columns)], dense.T)
+    values, vectors = eigh((R + R.T) / 2)
     seen = values > UNTESTABLE
-    along = vectors[:, seen].T @ right[group.rows]
+    along = matmul(vectors[:, seen].T, right[group.rows])
     statistic = float((along * along / values[seen]).sum()) if seen.any() else np.nan
     share = float(np.clip(np.trace(R) / max(len(R), 1), 0, 1))
     return dataclasses.replace(group, statistic=statistic, freedom=int(seen.sum()), redundancy=share)

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...kernels.linear_algebra import matmul, norm
 from ..pose_graphs.connected_parts import connected_parts
 from ..pose_graphs.spanning_tree import chain, spanning_tree
 from ..rigid import about_up, fit_pose, invert_pose, make_pose, rotation_vector
@@ -36,9 +38,9 @@ def links_of(
         a, b = pair.source, pair.target
         support = pair.score
         for c in {c for a_, c in known if a_ == a and (c, b) in known}:
-            T = invert_pose(pair.transformation) @ known[c, b] @ known[a, c]
-            shift = float(np.linalg.norm(T[:3, 3]))
-            support += pair.score * (shift < tolerance and float(np.linalg.norm(rotation_vector(T[:3, :3]))) < 0.1)
+            T = matmul(invert_pose(pair.transformation), known[c, b], known[a, c])
+            shift = float(norm(T[:3, 3]))
+            support += pair.score * (shift < tolerance and float(norm(rotation_vector(T[:3, :3]))) < 0.1)
         links.append(Link(a, b, pair.transformation, support))
     return links + _links_by_targets(targets, level)
 
@@ -71,9 +73,9 @@ def fit(source: Array, target: Array, level: bool) -> Array:
     if not level:
         return fit_pose(source, target)
     a, b = source - source.mean(axis=0), target - target.mean(axis=0)
-    yaw = np.arctan2((a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]).sum(), (a[:, :2] * b[:, :2]).sum())
+    yaw = math.atan2((a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]).sum(), (a[:, :2] * b[:, :2]).sum())
     R = about_up(float(yaw))
-    return make_pose(R, target.mean(axis=0) - R @ source.mean(axis=0))
+    return make_pose(R, target.mean(axis=0) - matmul(R, source.mean(axis=0)))
 
 
 def parts_by(links: Sequence[Link], count: int) -> NDArray[np.int32]:
@@ -101,7 +103,9 @@ def onto_control(
     moved, fixed = poses.copy(), np.zeros(int(parts.max(initial=-1)) + 1, bool)
     for part in range(len(fixed)):
         seen = [one for one in targets if parts[one.station] == part and one.name in places]
-        here = [poses[one.station][:3, :3] @ np.asarray(one.position) + poses[one.station][:3, 3] for one in seen]
+        here = [
+            matmul(poses[one.station][:3, :3], np.asarray(one.position)) + poses[one.station][:3, 3] for one in seen
+        ]
         there = [places[one.name] for one in seen]
         members = np.flatnonzero(parts == part)
         if positions is not None:
@@ -110,5 +114,5 @@ def onto_control(
             there += [positions[i] for i in known]
         if is_enough(np.array(there).reshape(-1, 3), level):
             fixed[part] = True
-            moved[members] = fit(np.array(here), np.array(there), level) @ poses[members]
+            moved[members] = matmul(fit(np.array(here), np.array(there), level), poses[members])
     return moved, fixed

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...kernels.linear_algebra import matmul, norm
 from ..rigid import invert_pose, rotation_vector
 from .observations import Array, StationPair
 
@@ -37,10 +38,10 @@ def loops_of(pairs: Sequence[StationPair], count: int) -> list[Loop]:
         if way:
             T = np.eye(4)
             for i, j in itertools.pairwise(way):
-                T = near[i][j] @ T
-            E = invert_pose(pair.transformation) @ T
-            turn = float(np.linalg.norm(rotation_vector(E[:3, :3])))
-            loops.append(Loop(tuple(way), turn, float(np.linalg.norm(E[:3, 3]))))
+                T = matmul(near[i][j], T)
+            E = matmul(invert_pose(pair.transformation), T)
+            turn = float(norm(rotation_vector(E[:3, :3])))
+            loops.append(Loop(tuple(way), turn, float(norm(E[:3, 3]))))
         near[a][b], near[b][a] = pair.transformation, invert_pose(pair.transformation)
     return loops
 

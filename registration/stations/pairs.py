@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...kernels.linear_algebra import eigh, inv, matmul, norm
 from ...pcd.cloud import PointCloud
 from ..globally.global_registration import Description, describe, register_described
 from ..globally.level_poses import LEVEL
@@ -87,7 +88,7 @@ class PairFinder:
         count = len(self.scans)
         pairs = [(j, i) for i, j in itertools.combinations(range(count), 2)]
         if positions is not None:
-            apart = {(a, b): float(np.linalg.norm(positions[a] - positions[b])) for a, b in pairs}
+            apart = {(a, b): float(norm(positions[a] - positions[b])) for a, b in pairs}
             reach = {(a, b): self.scans[a].radius + self.scans[b].radius + rough for a, b in pairs}
             pairs = [pair for pair in pairs if not apart[pair] > reach[pair]]
         if poses is None and positions is None and count > ALL_PAIRS:
@@ -102,7 +103,7 @@ class PairFinder:
 
     def _overlap(self, pair: tuple[int, int], poses: Array, reach: float) -> float:
         a, b = pair
-        X = invert_pose(poses[b]) @ poses[a]
+        X = matmul(invert_pose(poses[b]), poses[a])
         return evaluate_registration(self.scans[a].cloud, self.scans[b].cloud, reach, X).fitness
 
     def find(
@@ -126,7 +127,7 @@ class PairFinder:
         if poses is not None:
             sizes = [scale * self.size for scale in COARSE_TO_FINE]
             rules = [ICPConvergenceCriteria(max_iteration=50)] * len(sizes)
-            init, held = invert_pose(poses[b]) @ poses[a], {"free": self.free, "estimate_normals": True}
+            init, held = matmul(invert_pose(poses[b]), poses[a]), {"free": self.free, "estimate_normals": True}
             found = multi_scale_icp(source, target, sizes, rules, [REACH * s for s in sizes], init, PLANE, **held)
             if self._rate(a, b, found.transformation, RATED_WITHIN * sizes[-1]) > SURE:
                 return found.transformation, 1.0
@@ -169,7 +170,9 @@ class PairFinder:
         """The pairs registered from where an adjustment has put their stations, past minima that held them."""
         kept = [k for k, pair in enumerate(pairs) if placed[pair.source] and placed[pair.target] and pair.score > 0]
         ends = [(pairs[k].source, pairs[k].target) for k in kept]
-        found = self._refined(ends, [invert_pose(poses[b]) @ poses[a] for a, b in ends], [1.0] * len(kept), self.limit)
+        found = self._refined(
+            ends, [matmul(invert_pose(poses[b]), poses[a]) for a, b in ends], [1.0] * len(kept), self.limit
+        )
         renewed = dict(zip(kept, found, strict=True))
         return [renewed.get(k, pair) for k, pair in enumerate(pairs)]
 
@@ -239,10 +242,10 @@ def _clustered(J: Array, pull: Array, stiffness: Array, places: Array, edge: flo
     J = J / unit
     N = np.einsum("ni,n,nj->ij", J, stiffness, J)
     pulls = np.stack([np.bincount(block, J[:, k] * pull, count) for k in range(size)], axis=1)
-    values, vectors = np.linalg.eigh(N)
+    values, vectors = eigh(N)
     known = values > OPEN * values[-1]
     V = vectors[:, known] / values[known]
     errors = np.einsum("bi,ik->bk", pulls, V)
     covariance = np.einsum("bi,bj->ij", errors, errors) * count / (count - size)
-    information = vectors[:, known] @ np.linalg.inv(covariance) @ vectors[:, known].T
+    information = matmul(vectors[:, known], inv(covariance), vectors[:, known].T)
     return information * unit[:, None] * unit[None]

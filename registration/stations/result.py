@@ -13,6 +13,7 @@ from ...core.checks import check_list
 from ...core.reports import Fields, Report
 from ...core.units import LengthUnit
 from ...core.wording import plain
+from ...kernels.linear_algebra import norm
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
 from .adjustment import Group
@@ -193,7 +194,7 @@ class StationsResult(Report):
         return one.name if isinstance(one, ControlPoint) else self.names[one]
 
     def _outlier_in_words(self, one: Outlier) -> str:
-        size = float(np.linalg.norm(one.group.residual[-3:])) * MM
+        size = float(norm(one.group.residual[-3:])) * MM
         told = f"{one.group.kind} {self._name_of(one.group)}, {size:.0f} mm off"
         if one.exchanged:
             return f"{told} (its name and {one.exchanged} look exchanged)"
@@ -213,10 +214,10 @@ class StationsResult(Report):
         groups = [g for g in self.groups if g.kind == "pair"]
         rows = [["pair", "overlap", "rms [mm]", "off [mm]", 'turn ["]', "test", "redundancy"]]
         for g in groups:
-            turn = float(np.linalg.norm(g.residual[:-3]))
+            turn = float(norm(g.residual[:-3]))
             rows.append(
                 [self._name_of(g), f"{g.observation.fitness:.0%}", f"{g.observation.rms * MM:.1f}",
-                 f"{np.linalg.norm(g.residual[-3:]) * MM:.2f}", f"{np.degrees(turn) * 3600:.1f}",
+                 f"{norm(g.residual[-3:]) * MM:.2f}", f"{np.degrees(turn) * 3600:.1f}",
                  _test(g), f"{g.redundancy:.2f}"]
             )  # fmt: skip
         told = "PAIRS\n" + _table(rows) if groups else ""

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.special import chdtri
 
+from ...kernels.linear_algebra import matmul, norm
 from .adjustment import Adjusted, Array, Group, Observed, adjust
 from .observations import TargetObservation
 
@@ -101,11 +102,11 @@ def _with_exchange(outlier: Outlier, outliers: list[Outlier], found: Adjusted) -
             continue
         if one.name not in found.targets or other.name not in found.targets:
             continue
-        apart = np.linalg.norm(np.asarray(one.position) - np.asarray(other.position))
+        apart = norm(np.asarray(one.position) - np.asarray(other.position))
         T = found.poses[one.station]
         crossed = [(one, other.name), (other, one.name)]
         misses = [
-            np.linalg.norm(T[:3, :3] @ np.asarray(p.position) + T[:3, 3] - found.targets[name]) for p, name in crossed
+            norm(matmul(T[:3, :3], np.asarray(p.position)) + T[:3, 3] - found.targets[name]) for p, name in crossed
         ]
         if max(misses) < EXCHANGED * apart:
             return dataclasses.replace(outlier, exchanged=other.name)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 from collections.abc import Sequence
 from typing import Any
 
@@ -25,6 +26,7 @@ from ...core.checks import (
 from ...core.devices import check_same_device
 from ...core.progress import ReportProgress
 from ...core.units import common_unit
+from ...kernels.linear_algebra import elementwise, matmul, norm
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
 from ..rigid import about_up, invert_pose, make_pose, nearest_rotation
@@ -157,7 +159,7 @@ def _in_turns(
     found = None
     for turn in range(2):
         if found is not None:
-            inner = found.poses @ np.array([invert_pose(F) for F in survey.frames])
+            inner = matmul(found.poses, np.array([invert_pose(F) for F in survey.frames]))
             pairs = finder.again(pairs, inner, found.placed)
         tell("adjust", turn, 2)
         pairs = [_placed_rightly(pair, survey.positions, rough) for pair in pairs]
@@ -192,7 +194,7 @@ def adjust_stations(
     scale = max(sigma0, 1.0) if found.redundancy >= ENOUGH else 1.0
     sigmas, covariances = _sigmas(found, survey, scale)
     sigmas[~there] = np.nan
-    poses = found.poses @ survey.frames
+    poses = matmul(found.poses, survey.frames)
     if survey.poses is None:
         poses[~there] = np.eye(4)
     else:
@@ -256,9 +258,9 @@ class _Survey:
 
     def inner(self, poses: Array) -> Array:
         """Poses of the frames, of poses of the stations."""
-        found = poses @ np.array([invert_pose(F) for F in self.frames])
+        found = matmul(poses, np.array([invert_pose(F) for F in self.frames]))
         if self.level:
-            yaws = np.arctan2(found[:, 1, 0], found[:, 0, 0])
+            yaws = elementwise(math.atan2, found[:, 1, 0], found[:, 0, 0])
             found[:, :3, :3] = 0.0
             found[:, 0, 0] = found[:, 1, 1] = np.cos(yaws)
             found[:, 1, 0], found[:, 0, 1] = np.sin(yaws), -np.sin(yaws)
@@ -282,12 +284,12 @@ class _Survey:
         tilt, middle = np.eye(3), np.zeros(3)
         if level and self.poses is not None:
             R = self.poses[i, :3, :3]
-            yaw = np.arctan2(R[1, 0], R[0, 0])
-            tilt = np.eye(3) if np.array_equal(R[2], [0.0, 0.0, 1.0]) else about_up(float(yaw)).T @ R
+            yaw = math.atan2(R[1, 0], R[0, 0])
+            tilt = np.eye(3) if np.array_equal(R[2], [0.0, 0.0, 1.0]) else matmul(about_up(float(yaw)).T, R)
         low, high = np.asarray(self.clouds[i].get_min_bound()), np.asarray(self.clouds[i].get_max_bound())
         if len(self.clouds[i]) and ((low > 0) | (high < 0)).any() and np.abs(low + high).max() > 4 * (high - low).max():
             middle = (low + high) / 2
-        return make_pose(tilt, -tilt @ middle)
+        return make_pose(tilt, matmul(-tilt, middle))
 
 
 def _check_names(names: Any, count: int) -> tuple[str, ...]:
@@ -317,15 +319,15 @@ def _check_positions(positions: Any, count: int) -> Array:
 
 
 def _in_frame(one: TargetObservation, F: Array) -> TargetObservation:
-    return dataclasses.replace(one, position=F[:3, :3] @ np.asarray(one.position) + F[:3, 3])
+    return dataclasses.replace(one, position=matmul(F[:3, :3], np.asarray(one.position)) + F[:3, 3])
 
 
 def _placed_rightly(pair: StationPair, positions: Array | None, rough: float) -> StationPair:
     """The pair, with a reason not to use it where its stations are not as far apart as their positions."""
     if positions is None or pair.reason:
         return pair
-    said = float(np.linalg.norm(positions[pair.source] - positions[pair.target]))
-    found = float(np.linalg.norm(pair.transformation[:3, 3]))
+    said = float(norm(positions[pair.source] - positions[pair.target]))
+    found = float(norm(pair.transformation[:3, 3]))
     if not abs(found - said) > rough:
         return pair
     reason = f"it puts the stations {found:.2f} m apart, their positions {said:.2f} m"
@@ -338,7 +340,7 @@ def _held_at(poses: Array, began: Array, parts: NDArray[np.int32], fixed: NDArra
     if fixed[part]:
         return poses
     moved, members = poses.copy(), parts == part
-    moved[members] = began[reference] @ invert_pose(poses[reference]) @ poses[members]
+    moved[members] = matmul(began[reference], invert_pose(poses[reference]), poses[members])
     moved[reference] = began[reference]
     return moved
 

@@ -28,6 +28,7 @@ from ...core.errors import FileError
 from ...core.known_names import nearest_name
 from ...core.paths import path_of
 from ...files.models.sfm_model import SfmModel
+from ...kernels.linear_algebra import det, matmul, norm
 from ..rigid import fit_pose, scale_of
 
 FEWEST = 3  # pairs that a similarity needs
@@ -97,7 +98,7 @@ def scale_from_known(model: SfmModel, a: str | ArrayLike, b: str | ArrayLike, di
     _check_model(model)
     wanted = check_positive("distance", distance, maximum=1e30)
     places = [_place_of(model, name, value) for name, value in (("a", a), ("b", b))]
-    found = float(np.linalg.norm(places[1] - places[0]))
+    found = float(norm(places[1] - places[0]))
     extent = max(float(np.abs(place).max()) for place in places)
     if not found > EXACT * extent:
         raise ValueError("a, b: the two places are the same in the model; expected two that lie apart")
@@ -229,10 +230,10 @@ def _fit_triples(source: NDArray[np.float64], target: NDArray[np.float64]) -> ND
     """Similarities of many triples of pairs, [k, 3, 3] each; Umeyama 1991, eqs. 40 to 43."""
     means = source.mean(axis=1), target.mean(axis=1)
     s, t = source - means[0][:, None], target - means[1][:, None]
-    U, D, Vt = np.linalg.svd(t.transpose(0, 2, 1) @ s)
+    U, D, Vt = np.linalg.svd(matmul(t.transpose(0, 2, 1), s))
     signs = np.ones((len(s), 3))
-    signs[:, 2] = np.sign(np.linalg.det(U @ Vt))
-    R = (U * signs[:, None]) @ Vt
+    signs[:, 2] = np.sign(det(matmul(U, Vt)))
+    R = matmul(U * signs[:, None], Vt)
     with np.errstate(all="ignore"):
         scale = (D * signs).sum(axis=1) / (s * s).sum(axis=(1, 2))
         scale[~((D[:, 1] > STRAIGHT * D[:, 0]) & (scale > 0))] = np.nan  # three on a line
@@ -259,7 +260,7 @@ def _refine(
 
 
 def _distances(source: NDArray[np.float64], target: NDArray[np.float64], T: NDArray[np.float64]) -> NDArray[np.float64]:
-    return np.linalg.norm(source @ T[:3, :3].T + T[:3, 3] - target, axis=1)
+    return np.linalg.norm(matmul(source, T[:3, :3].T) + T[:3, 3] - target, axis=1)
 
 
 def _uncertainty(places: NDArray[np.float64], rmse: float) -> float:

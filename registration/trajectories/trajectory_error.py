@@ -17,8 +17,10 @@ from numpy.typing import NDArray
 
 from ...cameras.trajectory import Trajectory
 from ...core.checks import check_count, check_list, check_positive, shown
+from ...core.quaternions import nearest_rotations
 from ...core.reports import Fields, Report
 from ...core.wording import plain
+from ...kernels.linear_algebra import eigh, elementwise, matmul
 from ..rigid import fit_pose, make_pose, nearest_rotation, rotation_of, scale_of
 
 Matrix = NDArray[np.float64]
@@ -208,13 +210,13 @@ def evaluate_trajectory(
     T, scale = _alignment(P, Q, align, with_scale)
     P[:, :3, 3] *= scale
     R = T[:3, :3] / scale
-    aligned = R @ P[:, :3, :3]
-    gaps = P[:, :3, 3] @ R.T + T[:3, 3] - Q[:, :3, 3]
+    aligned = matmul(R, P[:, :3, :3])
+    gaps = matmul(P[:, :3, 3], R.T) + T[:3, 3] - Q[:, :3, 3]
     moved = _relative_errors(P, Q, np.arange(max(len(P) - step, 0)), np.arange(step, max(len(P), step)))
     segments, translation, rotation = _segment_errors(P, Q, limits)
     return TrajectoryError(
         pairs, T, scale,
-        _statistics(np.linalg.norm(gaps, axis=1)), _statistics(_angles(_transposed(Q[:, :3, :3]) @ aligned)),
+        _statistics(np.linalg.norm(gaps, axis=1)), _statistics(_angles(matmul(_transposed(Q[:, :3, :3]), aligned))),
         _statistics(np.linalg.norm(moved[:, :3, 3], axis=1)), _statistics(_angles(moved[:, :3, :3])),
         segments, translation, rotation, _name_of(align, with_scale),
     )  # fmt: skip
@@ -281,10 +283,8 @@ def _nearest_times(wanted: NDArray[np.float64], times: NDArray[np.float64]) -> N
 
 def _rigid_poses(poses: Matrix) -> Matrix:
     """The poses with each rotation the nearest true one."""
-    U, _, Vt = np.linalg.svd(poses[:, :3, :3])
-    U[:, :, 2] *= np.linalg.det(U @ Vt)[:, None]
     rigid = poses.copy()
-    rigid[:, :3, :3] = U @ Vt
+    rigid[:, :3, :3] = nearest_rotations(poses[:, :3, :3])
     return rigid
 
 
@@ -293,35 +293,37 @@ def _alignment(P: Matrix, Q: Matrix, align: bool | str | None, with_scale: bool)
     if align is False or align is None:
         return np.eye(4), 1.0
     if align == "first":
-        R = Q[0, :3, :3] @ P[0, :3, :3].T
-        return make_pose(R, Q[0, :3, 3] - R @ P[0, :3, 3]), 1.0
+        R = matmul(Q[0, :3, :3], P[0, :3, :3].T)
+        return make_pose(R, Q[0, :3, 3] - matmul(R, P[0, :3, 3])), 1.0
     source, target = P[:, :3, 3], Q[:, :3, 3]
     s, t = source - source.mean(axis=0), target - target.mean(axis=0)
-    U, D, _ = np.linalg.svd(t.T @ s)
+    cross = matmul(t.T, s)
+    values, axes = eigh(np.block([[np.zeros((3, 3)), cross], [cross.T, np.zeros((3, 3))]]))
+    smaller, larger = values[4:].tolist()  # singular values of `cross`
     extent = math.sqrt(float((s * s).sum() * (t * t).sum()))
-    if D[1] > STRAIGHT**2 * extent:
+    if smaller > STRAIGHT**2 * extent:
         T = fit_pose(source, target, with_scaling=with_scale)
         return T, scale_of(T)
-    if D[0] > STRAIGHT**2 * extent:
+    if larger > STRAIGHT**2 * extent:
         R = fit_pose(source, target)[:3, :3]
-        R = _turned_about(U[:, 0], Q[:, :3, :3], R @ P[:, :3, :3]) @ R
-        scale = float(D[0] / (s * s).sum()) if with_scale else 1.0
+        R = matmul(_turned_about(math.sqrt(2) * axes[:3, 5], Q[:, :3, :3], matmul(R, P[:, :3, :3])), R)
+        scale = larger / float((s * s).sum()) if with_scale else 1.0
     else:
-        R, scale = nearest_rotation((Q[:, :3, :3] @ _transposed(P[:, :3, :3])).sum(axis=0)), 1.0
-    return make_pose(scale * R, target.mean(axis=0) - scale * R @ source.mean(axis=0)), scale
+        R, scale = nearest_rotation(matmul(Q[:, :3, :3], _transposed(P[:, :3, :3])).sum(axis=0)), 1.0
+    return make_pose(scale * R, target.mean(axis=0) - matmul(scale * R, source.mean(axis=0))), scale
 
 
 def _turned_about(axis: NDArray[np.float64], wanted: Matrix, turned: Matrix) -> Matrix:
     """The rotation about an axis that brings orientations nearest to others, in the Frobenius norm."""
-    M = (wanted @ _transposed(turned)).sum(axis=0)
-    sine = float(axis @ [M[2, 1] - M[1, 2], M[0, 2] - M[2, 0], M[1, 0] - M[0, 1]])
-    cosine = float(np.trace(M) - axis @ M @ axis)
+    M = matmul(wanted, _transposed(turned)).sum(axis=0)
+    sine = float(matmul(axis, [M[2, 1] - M[1, 2], M[0, 2] - M[2, 0], M[1, 0] - M[0, 1]]))
+    cosine = float(np.trace(M) - matmul(axis, M, axis))
     return rotation_of(axis * math.atan2(sine, cosine))
 
 
 def _relative_errors(P: Matrix, Q: Matrix, first: NDArray[np.int64], last: NDArray[np.int64]) -> Matrix:
     """(Q_i^-1 Q_j)^-1 (P_i^-1 P_j), Sturm et al. 2012, eq. 1."""
-    return _inverses(_inverses(Q[first]) @ Q[last]) @ (_inverses(P[first]) @ P[last])
+    return matmul(_inverses(matmul(_inverses(Q[first]), Q[last])), matmul(_inverses(P[first]), P[last]))
 
 
 def _segment_errors(P: Matrix, Q: Matrix, lengths: list[float]) -> tuple[tuple[SegmentError, ...], float, float]:
@@ -346,7 +348,7 @@ def _segment_errors(P: Matrix, Q: Matrix, lengths: list[float]) -> tuple[tuple[S
 def _angles(R: Matrix) -> NDArray[np.float64]:
     """The angles [degrees] of rotations [n, 3, 3]; exact near zero, where an arc cosine is not."""
     axis = np.stack([R[:, 2, 1] - R[:, 1, 2], R[:, 0, 2] - R[:, 2, 0], R[:, 1, 0] - R[:, 0, 1]], axis=1)
-    return np.degrees(np.arctan2(np.linalg.norm(axis, axis=1), np.trace(R, axis1=1, axis2=2) - 1))
+    return np.degrees(elementwise(math.atan2, np.linalg.norm(axis, axis=1), np.trace(R, axis1=1, axis2=2) - 1))
 
 
 def _transposed(R: Matrix) -> Matrix:

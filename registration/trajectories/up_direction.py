@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...files.models.sfm_model import SfmModel
+from ...kernels.linear_algebra import eigh, matmul, norm
 
 Array = NDArray[np.float64]
 
@@ -67,7 +68,8 @@ def up_direction(model: SfmModel, attitudes: Mapping[str, Sequence[float]] | Non
         >>> poses = np.tile(np.eye(4), (5, 1, 1))
         >>> poses[:, 0, 0], poses[:, 0, 2] = np.cos(turns), np.sin(turns)  # turned about y, which points down
         >>> poses[:, 2, 0], poses[:, 2, 2] = -np.sin(turns), np.cos(turns)
-        >>> up_direction(loom.SfmModel(["a", "b", "c", "d", "e"], [camera] * 5, poses)).direction.round(6).tolist()
+        >>> found = up_direction(loom.SfmModel(["a", "b", "c", "d", "e"], [camera] * 5, poses))
+        >>> (found.direction.round(6) + 0.0).tolist()
         [0.0, -1.0, 0.0]
     """
     said = _by_attitudes(model, attitudes or {})
@@ -89,9 +91,9 @@ def _by_attitudes(model: SfmModel, attitudes: Mapping[str, Sequence[float]]) -> 
     known = [(k, attitudes[name]) for k, name in enumerate(model.names) if name in attitudes]
     if len(known) < FEWEST:
         return UpDirection(None, math.inf, "")
-    ups = np.array([model.T_camera_world[k, :3, :3].T @ up_in_camera(*angles[1:3]) for k, angles in known])
+    ups = np.array([matmul(model.T_camera_world[k, :3, :3].T, up_in_camera(*angles[1:3])) for k, angles in known])
     way, kept = _median_way(ups)
-    apart = np.degrees(np.arccos(np.clip(ups @ way, -1, 1)))
+    apart = np.degrees(np.arccos(np.clip(matmul(ups, way), -1, 1)))
     if float(np.median(apart)) > MOST_APART:
         reason = f"the attitudes that pictures tell lie {np.median(apart):.0f} degrees (median) apart in the model"
         return UpDirection(None, math.inf, "", reason)
@@ -101,14 +103,14 @@ def _by_attitudes(model: SfmModel, attitudes: Mapping[str, Sequence[float]]) -> 
 
 def _median_way(ways: Array) -> tuple[Array, NDArray[np.bool_]]:
     """The mean of directions without those that lie far from the rest, and which those are that stay."""
-    cosines = ways @ ways.T
+    cosines = matmul(ways, ways.T)
     way = ways[int(np.argmax(np.median(cosines, axis=1)))]  # more than half of them lie near it
     kept = np.ones(len(ways), bool)
     for _ in range(TURNS):
         gaps = np.linalg.norm(ways - way, axis=1)
         kept = gaps <= max(_CUT * float(np.median(gaps)), math.radians(1.0))
         mean = ways[kept].mean(axis=0)
-        way = mean / np.linalg.norm(mean)
+        way = mean / norm(mean)
     return way, kept
 
 
@@ -120,13 +122,13 @@ def _by_level_cameras(rotations: Array) -> UpDirection:
     kept = np.ones(count, bool)
     way, values = np.zeros(3), np.zeros(3)
     for _ in range(TURNS):
-        values, axes = np.linalg.eigh(x[kept].T @ x[kept] / kept.sum())
+        values, axes = eigh(matmul(x[kept].T, x[kept]) / kept.sum())
         way, before = axes[:, 0], kept
-        tilts = np.abs(x @ way)
+        tilts = np.abs(matmul(x, way))
         kept = tilts <= max(_CUT * float(np.median(tilts)), math.radians(2.0))
         if kept.sum() < FEWEST or (kept == before).all():
             break
-    if kept.sum() < max(FEWEST, count / 2) or float(np.median(np.abs(x @ way))) > MOST_TILT:
+    if kept.sum() < max(FEWEST, count / 2) or float(np.median(np.abs(matmul(x, way)))) > MOST_TILT:
         return _unknown("cameras were not held level")
     if not values[1] > LEAST_SPREAD:
         return _unknown("all pictures lie the same way, or turned by half: their sides do not tell what is up")
@@ -134,9 +136,9 @@ def _by_level_cameras(rotations: Array) -> UpDirection:
     sigma = max(sigma, math.degrees(0.01) / math.sqrt(float(values[1]) * kept.sum()))  # nobody holds one better
     if sigma > MOST_SIGMA:
         return _unknown(f"cameras were held so that up is known to {sigma:.0f} degrees alone")
-    sign = -float((down[kept] @ way).mean())
+    sign = -float(matmul(down[kept], way).mean())
     if abs(sign) < LEAST_SIGN:  # cameras that look down or up: nearly all look down
-        sign = -float((ahead[kept] @ way).mean())
+        sign = -float(matmul(ahead[kept], way).mean())
         if abs(sign) < LEAST_SIGN:
             return _unknown("pictures lie both ways up")
     return UpDirection(way * math.copysign(1.0, sign), sigma, "cameras")
@@ -153,4 +155,4 @@ def turn_upright(direction: Array) -> Array:
         return np.diag([1.0, -1.0, -1.0])
     axis = np.array([y, -x, 0.0])  # direction x z
     cross = np.array([[0, -axis[2], axis[1]], [axis[2], 0, -axis[0]], [-axis[1], axis[0], 0]])
-    return np.eye(3) + cross + cross @ cross / (1 + z)  # Rodrigues
+    return np.eye(3) + cross + matmul(cross, cross) / (1 + z)  # Rodrigues

@@ -16,7 +16,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from ..rigid import rotation_of, scale_of, skew, skews
+from ...kernels.linear_algebra import eigvalsh, inv, matmul, solve
+from ..rigid import nearest_rotation, rotation_of, scale_of, skew, skews
 from .up_direction import turn_upright
 
 Array = NDArray[np.float64]
@@ -71,12 +72,12 @@ class WeightedFit:
 
     def of(self, places: Array) -> Array:
         """Where it brings places of the model, [n, 3]."""
-        return places @ self.T[:3, :3].T + self.T[:3, 3]
+        return matmul(places, self.T[:3, :3].T) + self.T[:3, 3]
 
     def covariance_of(self, places: Array) -> Array:
         """How sure it is of where it brings places of the model, [n, 3, 3], which themselves are taken for sure."""
-        J = _derivatives((places - self.middle) @ self.T[:3, :3].T)
-        return J @ self.covariance @ J.transpose(0, 2, 1)
+        J = _derivatives(matmul(places - self.middle, self.T[:3, :3].T))
+        return matmul(J, self.covariance, J.transpose(0, 2, 1))
 
 
 class UndeterminedError(ValueError):
@@ -93,7 +94,7 @@ def fit_rows(rows: Rows, T: Array) -> WeightedFit:
     R = T[:3, :3] / scale
     middle = rows.source.mean(axis=0)
     x, weights = rows.source - middle, 1 / rows.sigma
-    shift = T[:3, :3] @ middle + T[:3, 3]
+    shift = matmul(T[:3, :3], middle) + T[:3, 3]
     anchor = rows.target.mean(axis=0)
     place, y = shift - anchor, rows.target - anchor
     normal = np.eye(7)
@@ -101,22 +102,21 @@ def fit_rows(rows: Rows, T: Array) -> WeightedFit:
         J, r = _system(rows, scale, R, place, x, y, weights)
         unit = np.linalg.norm(J, axis=0)
         unit[unit == 0] = 1.0
-        normal = J.T @ J
-        values = np.linalg.eigvalsh(normal / np.outer(unit, unit))
+        normal = matmul(J.T, J)
+        values = eigvalsh(normal / np.outer(unit, unit))
         if not values[0] > OPEN * values[-1]:
             raise UndeterminedError("what is known leaves scale, rotation or position open")
-        step = -np.linalg.solve(normal / np.outer(unit, unit), (J / unit).T @ r) / unit
+        step = -solve(normal / np.outer(unit, unit), matmul((J / unit).T, r)) / unit
         step[:4] *= min(1.0, 0.5 / float(np.abs(step[:4]).max() + 1e-300))
         scale *= math.exp(step[0])
-        R = rotation_of(step[1:4]) @ R
+        R = matmul(rotation_of(step[1:4]), R)
         place = place + step[4:]
         if np.abs(step[:4]).max() < STILL and np.abs(step[4:]).max() < STILL * (1 + np.abs(y).max()):
             break
-    U, _, Vt = np.linalg.svd(R)  # what rounding of many turns leaves
-    R = U @ Vt
+    R = nearest_rotation(R)  # what rounding of many turns leaves
     found = np.eye(4)
-    found[:3, :3], found[:3, 3] = scale * R, place + anchor - scale * R @ middle
-    covariance = np.linalg.inv(normal).astype(np.float64)
+    found[:3, :3], found[:3, 3] = scale * R, place + anchor - matmul(scale * R, middle)
+    covariance = inv(normal).astype(np.float64)
     sigmas = np.sqrt(np.diag(covariance))
     degrees = np.degrees(sigmas[1:4])
     return WeightedFit(found, scale, float(sigmas[0]), float(degrees[:2].max()), float(degrees[2]), covariance, middle)
@@ -126,12 +126,12 @@ def _system(
     rows: Rows, scale: float, R: Array, place: Array, x: Array, y: Array, weights: Array
 ) -> tuple[Array, Array]:
     """Derivatives by log scale, rotation from the left and translation, [k, 7], and residuals, over their sigmas."""
-    turned = scale * x @ R.T
+    turned = matmul(scale * x, R.T)
     J = _derivatives(turned)
     blocks = [(J * weights[:, :, None]).reshape(-1, 7)]
     gaps = [((turned + place - y) * weights).reshape(-1)]
     if rows.up is not None and math.isfinite(rows.up_sigma):
-        up = R @ rows.up
+        up = matmul(R, rows.up)
         block = np.zeros((3, 7))
         block[:, 1:4] = -skew(up)
         blocks.append(block / rows.up_sigma)
@@ -167,7 +167,7 @@ def fit_level(source: Array, target: Array, up: Array, *, seed: int = 0) -> Arra
         UndeterminedError: No two places lie apart.
     """
     turn = turn_upright(up)
-    s = source @ turn.T
+    s = matmul(source, turn.T)
     a, b = s[:, 0] + 1j * s[:, 1], target[:, 0] + 1j * target[:, 1]
     i, j = _pairs(len(a), seed).T
     with np.errstate(all="ignore"):
@@ -180,10 +180,10 @@ def fit_level(source: Array, target: Array, up: Array, *, seed: int = 0) -> Arra
     best = int(np.argmin(share))
     if not math.isfinite(share[best]):
         raise UndeterminedError("the places do not lie apart")
-    scale, angle = float(size[best]), float(np.angle(k[best]))
+    scale, angle = float(size[best]), math.atan2(k[best].imag, k[best].real)
     c, n = math.cos(angle), math.sin(angle)
     T = np.eye(4)
-    T[:3, :3] = scale * np.array([[c, -n, 0], [n, c, 0], [0, 0, 1]]) @ turn
+    T[:3, :3] = matmul(scale * np.array([[c, -n, 0], [n, c, 0], [0, 0, 1]]), turn)
     heights = target[:, 2] - scale * s[:, 2]
     height = float(np.nanmedian(heights)) if np.isfinite(heights).any() else 0.0
     T[:3, 3] = shift[best].real, shift[best].imag, height

@@ -24,6 +24,7 @@ from ...files.frames.frames import (
     read_frames,
 )
 from ...files.frames.rgbd_sources import RGBDSource
+from ...kernels.linear_algebra import inv
 from ...meshing.volume.surface_weights import least_weight
 from ...meshing.volume.tsdf import TSDFVolume
 from ..slam.model import Model
@@ -126,7 +127,7 @@ class _AsGiven:
         if not hasattr(self, "volume"):
             self.volume = TSDFVolume(color=frame.color is not None, **self._sizes)
         camera, limits = self._camera
-        self.volume.integrate(frame.depth, camera, np.linalg.inv(T_world_camera), color=frame.color, **limits)
+        self.volume.integrate(frame.depth, camera, inv(T_world_camera), color=frame.color, **limits)
         return T_world_camera
 
 

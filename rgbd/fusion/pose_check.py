@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
+from ...kernels.linear_algebra import inv, matmul
 from ...meshing.volume.tsdf import TSDFVolume
 
 Pose = NDArray[np.float64]
@@ -53,7 +54,7 @@ class PoseCheck:
             z = self._metres(depth)
             v, u = np.nonzero(self._seen(z))
             rays = np.stack([(u - K.cx) / K.fx, (v - K.cy) / K.fy, np.ones(len(u))], axis=1)
-            points = (rays * z[v, u, None]) @ pose[:3, :3].T + pose[:3, 3]
+            points = matmul(rays * z[v, u, None], pose[:3, :3].T) + pose[:3, 3]
             if len(points):
                 ends += [points.min(axis=0), points.max(axis=0)]
         return float(np.ptp(ends, axis=0).max()) if ends else 0.0
@@ -81,7 +82,7 @@ class PoseCheck:
                 continue
             near = min(0.1, 0.5 * float(z[seen].min()))
             view = volume.ray_cast(
-                self._camera, np.linalg.inv(pose), depth_min=near, depth_max=self.depth_max, weight_threshold=0
+                self._camera, inv(pose), depth_min=near, depth_max=self.depth_max, weight_threshold=0
             )
             model = np.asarray(view.depth).reshape(depth.shape)
             met = seen & (model > 0)

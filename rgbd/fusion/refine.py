@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from ...core.number_runs import some_frames
 from ...core.wording import format_share
+from ...kernels.linear_algebra import matmul, norm
 from ..odometry.alignment import align_frames
 from ..slam.model import Model
 
@@ -100,12 +101,12 @@ class PoseRefiner:
             surface = self._model.seen_from(T_world_camera, weight_threshold=SEEN_ONCE)
             found = align_frames(prepared.pyramid, surface)
             moved = found.transformation
-            shift, turn = float(np.linalg.norm(moved[:3, 3])), _angle(moved)
+            shift, turn = float(norm(moved[:3, 3])), _angle(moved)
             reason = found.reason or _why_too_far(shift, turn)
             if reason:
                 self._kept[number] = reason
             else:
-                pose = T_world_camera @ moved
+                pose = matmul(T_world_camera, moved)
                 self._shifts.append(shift)
                 self._turns.append(turn)
         self._model.integrate(prepared, pose)

@@ -18,6 +18,7 @@ from ...cameras.images import RGBDImage
 from ...kernels.images.depth import intensity_of
 from ...kernels.images.depth_filters import filter_bilateral, halve_color, halve_depth
 from ...kernels.lang import mat44d, reduce, uint8, vec3
+from ...kernels.linear_algebra import matmul, solve
 from ...kernels.memory import download, empty
 from ...kernels.rgbd import open3d_images as images
 from ...kernels.rgbd import open3d_rows as rows
@@ -68,7 +69,7 @@ def run_legacy(
             step = _solve(sums)
             if step is None:
                 return _failed(pose, "the pixels do not determine a step", steps)
-            pose, steps = step @ pose, steps + 1
+            pose, steps = matmul(step, pose), steps + 1
     information, pixels = _information(depths[0], levels[0][2], pose, rows.LEGACY, option.depth_diff_max)
     inliers = int(information[5, 5])
     return OdometryResult(True, pose, information, inliers=inliers, fitness=inliers / max(pixels, 1), iterations=steps)
@@ -98,7 +99,7 @@ def run_tensor(
             step = _solve(sums) if count else None
             if step is None:
                 return _failed(pose, "the pixels do not determine a step", steps)
-            pose, steps = step @ pose, steps + 1
+            pose, steps = matmul(step, pose), steps + 1
             new_rmse, new_fitness = sums[rows.SQUARES] / count, count / level[0].size
             settled = abs(fitness - new_fitness) < criterion.relative_fitness * fitness
             if settled and abs(rmse - new_rmse) < criterion.relative_rmse * rmse:
@@ -196,7 +197,7 @@ def _solve(sums: NDArray[np.float64]) -> NDArray[np.float64] | None:
     h[np.triu_indices(6)] = sums[:21]
     h = h + np.triu(h, 1).T
     try:
-        x = np.linalg.solve(h, -sums[21:27])
+        x = solve(h, -sums[21:27])
     except np.linalg.LinAlgError:
         return None
     if not np.isfinite(x).all() or abs(np.linalg.det(h)) < 1e-6:

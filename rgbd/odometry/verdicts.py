@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from ...kernels.linear_algebra import eigh, eigvalsh, matmul
 from ...kernels.rgbd import verdict_rows as at
 from ...kernels.rgbd.alignment import Alignment
 from ...registration.rigid import symmetric_matrices
@@ -110,7 +111,7 @@ def smallest_eigenvalue(sums: NDArray[np.float64], v: NDArray[np.float64]) -> fl
     if v[at.INLIERS] < FEWEST:
         return 0.0
     b = _about_middle(v)
-    values = np.linalg.eigvalsh(b.T @ symmetric_matrices(sums[None, :21])[0] @ b) / v[at.INLIERS]
+    values = eigvalsh(matmul(b.T, symmetric_matrices(sums[None, :21])[0], b)) / v[at.INLIERS]
     return float(values[0] * SHIFT * SHIFT)
 
 
@@ -124,18 +125,18 @@ def covariance_of(firm: NDArray[np.float64], v: NDArray[np.float64]) -> NDArray[
     if n < FEWEST or not v[at.PLANES]:
         return np.full((6, 6), np.inf)
     b = _about_middle(v)
-    values, vectors = np.linalg.eigh(b.T @ symmetric_matrices(firm[None, :21])[0] @ b)
+    values, vectors = eigh(matmul(b.T, symmetric_matrices(firm[None, :21])[0], b))
     unit = n / SHIFT**2
     kept = np.maximum(values - IMITATED * unit, LEAST_KEPT * unit)
     noise = SHARED * max(v[at.EXCESS] / v[at.PLANES], LEAST_EXCESS)
-    spread = b @ vectors
-    return (spread * np.minimum(noise / kept, MOST_OPEN**2)) @ spread.T
+    spread = matmul(b, vectors)
+    return matmul(spread * np.minimum(noise / kept, MOST_OPEN**2), spread.T)
 
 
 def _about_middle(v: NDArray[np.float64]) -> NDArray[np.float64]:
     """From a motion about the middle of the inliers, rotations in units of their spread, to one about the camera."""
     n = v[at.INLIERS]
     c = v[at.POINTS : at.POINTS + 3] / n
-    spread = np.sqrt(max((v[at.POINTS + 3] + v[at.POINTS + 6] + v[at.POINTS + 8]) / n - c @ c, 1e-12))
+    spread = np.sqrt(max((v[at.POINTS + 3] + v[at.POINTS + 6] + v[at.POINTS + 8]) / n - matmul(c, c), 1e-12))
     cross = np.array([[0, -c[2], c[1]], [c[2], 0, -c[0]], [-c[1], c[0], 0]])
     return np.block([[np.eye(3) / spread, np.zeros((3, 3))], [cross / spread, np.eye(3)]])

@@ -18,6 +18,7 @@ from ...core.progress import ReportProgress
 from ...core.records import digest_of, read_record, write_record
 from ...files.frames.frames import FrameSource
 from ...files.points.point_cloud import read_point_cloud, write_point_cloud
+from ...kernels.linear_algebra import matmul
 from ...pcd.cloud import PointCloud
 from ...registration.pose_graphs.pose_graph import PoseGraph, PoseGraphEdge, PoseGraphNode
 from ...registration.pose_graphs.pose_graph_files import write_pose_graph
@@ -79,7 +80,7 @@ class Fragment:
     def T_earlier(self, earlier: Fragment) -> Matrix:
         """T_earlier_this by the joint."""
         assert self.joint is not None
-        return earlier.poses[-1] @ self.joint.T_last_first
+        return matmul(earlier.poses[-1], self.joint.T_last_first)
 
 
 @dataclass(frozen=True, eq=False)
@@ -227,7 +228,7 @@ def _close_loops(draft: Draft, frames: Frames) -> tuple[PoseGraph, int]:
 def make_edge(source: int, target: int, T_target_source: Matrix, information: Matrix, *, uncertain: bool) -> Any:
     """An edge of a pose graph from what registration measured, whose information is about the target."""
     A = adjoint_of(T_target_source)  # the edge's weighs a misfit in the source's coordinates
-    matrix = A.T @ information @ A
+    matrix = matmul(A.T, information, A)
     return PoseGraphEdge(source, target, T_target_source, (matrix + matrix.T) / 2, uncertain)
 
 

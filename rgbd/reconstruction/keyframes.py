@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
+from ...kernels.linear_algebra import matmul
 from ...registration.rigid import invert_pose
 
 Matrix = NDArray[np.float64]
@@ -52,7 +53,7 @@ class Keyframe:
 
     def share_seen_by(self, other: Keyframe, T_other_self: Matrix, intrinsic: PinholeCameraIntrinsic) -> float:
         """Share of what it sees that another sees too, under a pose: in its picture, and not behind what it sees."""
-        points = self.points @ T_other_self[:3, :3].T + T_other_self[:3, 3]
+        points = matmul(self.points, T_other_self[:3, :3].T) + T_other_self[:3, 3]
         points = points[points[:, 2] > 0]
         z = points[:, 2]
         column = np.rint((points[:, 0] / z * intrinsic.fx + intrinsic.cx) / other.step).astype(np.int64)
@@ -72,7 +73,7 @@ def find_candidates(
     for b, later in enumerate(keyframes):
         chosen = []
         for a, earlier in enumerate(keyframes[:b]):
-            T = invert_pose(poses[earlier.place]) @ poses[later.place]
+            T = matmul(invert_pose(poses[earlier.place]), poses[later.place])
             if later.place - earlier.place < 2:
                 continue  # that pair is odometry's
             if min(_shares(later, earlier, T, intrinsic)) >= SHARED:

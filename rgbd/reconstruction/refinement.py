@@ -13,6 +13,7 @@ from ...core.devices import resolve_device
 from ...core.errors import FilePath
 from ...core.progress import ReportProgress
 from ...core.records import digest_of
+from ...kernels.linear_algebra import matmul
 from ...pcd.cloud import PointCloud
 from ...registration.icp.estimation import (
     TransformationEstimation,
@@ -121,7 +122,7 @@ def _refine_edges(
     edges, nodes = graph.edges, [PoseGraphNode(node.pose) for node in graph.nodes]
     if not edges:
         return PoseGraph(nodes)
-    start = np.array([invert_pose(nodes[e.target_node_id].pose) @ nodes[e.source_node_id].pose for e in edges])
+    start = np.array([matmul(invert_pose(nodes[e.target_node_id].pose), nodes[e.source_node_id].pose) for e in edges])
     poses, method = start, method_for(config, clouds)
     information: Sequence[Matrix] = []
     for done, (fineness, steps) in enumerate(SCALES):
@@ -157,4 +158,4 @@ def _moved(cloud: PointCloud, first: Matrix, last: Matrix) -> float:
     low, high = np.asarray(box.min_bound), np.asarray(box.max_bound)
     corners = np.array([[x, y, z] for x in (low[0], high[0]) for y in (low[1], high[1]) for z in (low[2], high[2])])
     D = last - first
-    return float(np.sqrt(((corners @ D[:3, :3].T + D[:3, 3]) ** 2).sum(axis=1).mean()))
+    return float(np.sqrt(((matmul(corners, D[:3, :3].T) + D[:3, 3]) ** 2).sum(axis=1).mean()))

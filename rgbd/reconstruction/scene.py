@@ -17,6 +17,7 @@ from ...core.progress import ReportProgress
 from ...core.records import digest_of, read_record, write_record
 from ...files.frames.frames import FrameSource
 from ...files.points.point_cloud import write_point_cloud
+from ...kernels.linear_algebra import matmul
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_files import write_triangle_mesh
 from ...meshing.mesh.mesh_summary import describe_mesh
@@ -140,7 +141,7 @@ def poses_of(fragments: list[Fragment], placement: Placement) -> tuple[NDArray[n
     """The frames of the placed fragments, and T_scene_camera of each, in order."""
     members = placement.members
     indices = np.concatenate([fragments[i].indices for i in members])
-    return indices, np.concatenate([placement.poses[i] @ fragments[i].poses for i in members])
+    return indices, np.concatenate([matmul(placement.poses[i], fragments[i].poses) for i in members])
 
 
 def extract_mesh(volume: TSDFVolume, threshold: float | None) -> tuple[TriangleMesh, float]:

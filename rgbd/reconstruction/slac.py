@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.images import RGBDImage
 from ...core.checks import check_positive, check_rigid
+from ...kernels.linear_algebra import inv, matmul
 from ...meshing.volume.tsdf import TSDFVolume
 from ...registration.deformable.control_grid import ControlGrid
 from ...registration.deformable.slac import (
@@ -82,11 +83,11 @@ def integrate_deformed(
     check_positive("depth_max", depth_max, allow_infinite=True)
     T = check_rigid("T_world_fragment", T_world_fragment)
     step = np.eye(4) if T_fragment_camera is None else check_rigid("T_fragment_camera", T_fragment_camera)
-    place = np.linalg.inv(step)
+    place = inv(step)
     if color is None:
         straight = grid.deform_depth(depth, intrinsic, place, depth_scale, depth_max)
-        return volume.integrate(straight, intrinsic, invert_pose(T @ step), depth_max=depth_max)
+        return volume.integrate(straight, intrinsic, invert_pose(matmul(T, step)), depth_max=depth_max)
     frame = RGBDImage(color, depth, depth_scale=depth_scale, depth_trunc=depth_max, device=grid.device)
     straight = grid.deform_rgbd(frame, intrinsic, place, depth_max=depth_max)
-    given = straight.depth, intrinsic, invert_pose(T @ step)
+    given = straight.depth, intrinsic, invert_pose(matmul(T, step))
     return volume.integrate(*given, color=straight.color, depth_max=depth_max)

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...kernels.linear_algebra import matmul
 from ...meshing.volume.surface_weights import least_weights
 from ...meshing.volume.tsdf import TSDFVolume
 from ...pcd.cloud import PointCloud
@@ -68,7 +69,7 @@ def fuse_frames(
                     volume.integrate(frame.depth, frames.intrinsic, invert_pose(pose), color, depth_max=limit)
                 else:
                     T = straight.T_fragment_camera[place]
-                    given = volume, straight.grid, frame.depth, frames.intrinsic, pose @ invert_pose(T), T, color
+                    given = volume, straight.grid, frame.depth, frames.intrinsic, matmul(pose, invert_pose(T)), T, color
                     integrate_deformed(*given, depth_max=limit)
             seen(frame)
     return lost

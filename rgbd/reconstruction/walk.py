@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from ...core.progress import ReportProgress
 from ...core.records import digest_of
+from ...kernels.linear_algebra import matmul
 from ..odometry.alignment import Method, align_frames
 from ..odometry.frames import OdometryFrame
 from ..odometry.results import OdometryResult
@@ -182,7 +183,7 @@ class Walk:
         assert draft is not None
         self._velocity = np.asarray(found.transformation)
         draft.motions.append(found)
-        self._add(draft, frame, current, draft.poses[-1] @ found.transformation)
+        self._add(draft, frame, current, matmul(draft.poses[-1], found.transformation))
 
     def _add(self, draft: Draft, frame: ReadFrame, current: OdometryFrame, pose: Matrix) -> None:
         if len(draft) % self.config.n_keyframes_per_n_frame == 0:

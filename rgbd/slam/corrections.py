@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.progress import ReportProgress
+from ...kernels.linear_algebra import matmul
 from ...kernels.memory import download
 from ...registration.rigid import invert_pose
 from .frames import SensorFrame
@@ -41,11 +42,11 @@ def close_and_correct(known: SlamMap, results: list[TrackingResult], progress: R
     numbers, poses = corrected_trajectory(submaps, closure.T_world_submap)
     own = [result for result in results if result.map == known.number]
     before = {result.index: result.pose for result in own if result.pose is not None}
-    corrections = {n: pose @ invert_pose(before[n]) for n, pose in zip(numbers.tolist(), poses, strict=True)}
+    corrections = {n: matmul(pose, invert_pose(before[n])) for n, pose in zip(numbers.tolist(), poses, strict=True)}
 
     def corrected(pose: Pose, number: int) -> Pose:
         place = max(int(np.searchsorted(numbers, number, side="right")) - 1, 0)
-        return clean_pose(corrections[int(numbers[place])] @ pose)
+        return clean_pose(matmul(corrections[int(numbers[place])], pose))
 
     for i, result in enumerate(results):
         if result.pose is not None and result.map == known.number:

@@ -15,6 +15,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from ...kernels.linear_algebra import matmul, solve
 from ...registration.rigid import adjoint_of, make_pose
 from ..odometry.frames import OdometryFrame
 from .frames import coarsest_level
@@ -54,26 +55,26 @@ class Drift:
             return np.zeros((6, 6))
         parts = self._parts(frame, pose)
         to_world = adjoint_of(pose)
-        noise = to_world @ own @ to_world.T
+        noise = matmul(to_world, own, to_world.T)
         whole = parts.sum(0)
         scale = np.abs(whole).max()
         if scale > 0:
             shares = np.trace(parts, axis1=1, axis2=2)
             even = OPEN * scale * np.eye(6)
             parts += even * (shares / shares.sum())[:, None, None]
-            row = np.linalg.solve(whole + even, np.concatenate(list(parts), 1))
+            row = solve(whole + even, np.concatenate(list(parts), 1))
         else:  # what no keyframe saw hangs on the latest
             row = np.concatenate([np.zeros((6, 6 * (count - 1))), np.eye(6)], 1)
         self._latest = row, noise
-        total = row @ self._joint @ row.T + noise
+        total = matmul(row, self._joint, row.T) + noise
         about = _about(pose[:3, 3])
-        return about @ total @ about.T
+        return matmul(about, total, about.T)
 
     def keep(self, frame: OdometryFrame) -> None:
         """The frame that was asked about last became a keyframe."""
         row, noise = self._latest
-        cross = row @ self._joint
-        corner = cross @ row.T + noise
+        cross = matmul(row, self._joint)
+        corner = matmul(cross, row.T) + noise
         self._joint = np.block([[self._joint, cross.T], [cross, corner]])
         depth, lens, _ = coarsest_level(frame)
         self._views.append((depth.astype(np.float32), lens))
@@ -89,10 +90,10 @@ class Drift:
         count, more = len(self._views), len(other._views)
         to_here = adjoint_of(T_here_other)
         blocks = np.kron(np.eye(more), to_here)
-        way = to_here @ to_here.T * deviation**2
+        way = matmul(to_here, to_here.T) * deviation**2
         joint = np.zeros((6 * (count + more),) * 2)
         joint[: 6 * count, : 6 * count] = self._joint
-        joint[6 * count :, 6 * count :] = blocks @ other._joint @ blocks.T + np.kron(np.ones((more, more)), way)
+        joint[6 * count :, 6 * count :] = matmul(blocks, other._joint, blocks.T) + np.kron(np.ones((more, more)), way)
         self._joint, self._views = joint, [*self._views, *other._views]
         row, noise = self._latest
         self._latest = np.concatenate([row, np.zeros((6, 6 * more))], 1), noise
@@ -105,18 +106,18 @@ class Drift:
         chosen = (z > 0) & (plane[..., 3] < 0)
         z, plane, u, v = z[chosen], plane[chosen], u[chosen], v[chosen]
         at = np.stack([(u - lens[2]) / lens[0] * z, (v - lens[3]) / lens[1] * z, z], 1)
-        points = at @ pose[:3, :3].T + pose[:3, 3]
-        normals = plane[:, :3] @ pose[:3, :3].T
+        points = matmul(at, pose[:3, :3].T) + pose[:3, 3]
+        normals = matmul(plane[:, :3], pose[:3, :3].T)
         rows = np.concatenate([np.cross(points, normals), normals], 1) / (1.0 + z * z)[:, None]
         seen = np.stack([self._sees(k, points) for k in range(len(self._views))]).astype(np.float64)
         seen /= np.maximum(seen.sum(0), 1.0)
-        return np.einsum("kp,pi,pj->kij", seen, rows, rows, optimize=True)
+        return matmul(seen, (rows[:, :, None] * rows[:, None]).reshape(len(rows), 36)).reshape(-1, 6, 6)
 
     def _sees(self, index: int, points: NDArray[np.float64]) -> NDArray[np.bool_]:
         """Which points a keyframe saw."""
         depth, lens = self._views[index]
         pose = self.keyframes.poses[index]
-        local = (points - pose[:3, 3]) @ pose[:3, :3]
+        local = matmul(points - pose[:3, 3], pose[:3, :3])
         z = np.maximum(local[:, 2], 1e-6)
         u = np.rint(lens[0] * local[:, 0] / z + lens[2])
         v = np.rint(lens[1] * local[:, 1] / z + lens[3])

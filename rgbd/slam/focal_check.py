@@ -21,6 +21,7 @@ from ...core.devices import resolve_device
 from ...core.errors import FileError
 from ...files.frames.frames import DEPTH_MAX, FrameSource, can_read, check_frames
 from ...files.frames.rgbd_sources import RGBDSource
+from ...kernels.linear_algebra import inv, matmul
 from ..odometry.alignment import align_frames
 from ..odometry.frames import OdometryFrame
 from ..odometry.results import OdometryResult
@@ -136,7 +137,7 @@ def check_focal(
         ends = [
             check_rigid(f"trajectory: the pose of frame {numbers[place]}", poses[place]) for place in (first, second)
         ]
-        start = np.linalg.inv(ends[0]) @ ends[1]
+        start = matmul(inv(ends[0]), ends[1])
         residuals = _residuals(read, frames.intrinsic, (int(numbers[first]), int(numbers[second])), start, options)
         if residuals is not None:
             found.append(residuals)
@@ -160,7 +161,7 @@ def turned_pairs(path: Trajectory) -> list[tuple[int, int]]:
     axes = path.poses[:, :3, 2]
     pairs = []
     for first in range(0, len(path), max(1, len(path) // PAIRS)):
-        turned = np.flatnonzero(axes[first + 1 :] @ axes[first] < math.cos(math.radians(TURN)))
+        turned = np.flatnonzero(matmul(axes[first + 1 :], axes[first]) < math.cos(math.radians(TURN)))
         if len(turned) and first + 1 + int(turned[0]) not in (second for _, second in pairs):
             pairs.append((first, first + 1 + int(turned[0])))
     return pairs

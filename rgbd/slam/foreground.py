@@ -13,6 +13,7 @@ import dataclasses
 import numpy as np
 from numpy.typing import NDArray
 
+from ...kernels.linear_algebra import matmul, norm
 from ...kernels.memory import download
 from ...kernels.rgbd import verdict_rows as at
 from ...kernels.rgbd.near_pixels import hide_near
@@ -87,7 +88,7 @@ class Layers:
     def _moved(self) -> tuple[float, float]:
         """How far the camera went by the far part [m], and how much it turned [rad]."""
         T = self.far.result.transformation
-        return float(np.linalg.norm(T[:3, 3])), float(np.linalg.norm(rotation_vector(T[:3, :3])))
+        return float(norm(T[:3, 3])), float(norm(rotation_vector(T[:3, :3])))
 
     @property
     def are_apart(self) -> bool:
@@ -106,7 +107,7 @@ class Layers:
         """T_world_camera by the far part; None where that does not fix it."""
         result = self.far.result
         is_fixed = self.is_told and result.smallest_eigenvalue > LEAST_EIGENVALUE
-        return self.start @ result.transformation if self.start is not None and is_fixed else None
+        return matmul(self.start, result.transformation) if self.start is not None and is_fixed else None
 
 
 class Foreground:
@@ -171,7 +172,7 @@ class Foreground:
         is_far = (self._count // (1 if self._count <= AT_ONCE else EVERY)) % 2 == 1
         back = BACK if not is_far else BACK_FAR if self._count > FIRST else FIRST
         _, earlier, pose = next(kept for kept in self._earlier if kept[0] >= self._count - back)
-        start = np.eye(4) if pose is None or expected is None else invert_pose(pose) @ expected
+        start = np.eye(4) if pose is None or expected is None else matmul(invert_pose(pose), expected)
         whole = _fit(frame.pyramid, earlier, start)
 
         def parted(at_depth: float) -> Layers:

@@ -13,6 +13,7 @@ import dataclasses
 import numpy as np
 from numpy.typing import NDArray
 
+from ...kernels.linear_algebra import matmul, norm
 from ...pcd.cloud import PointCloud
 from ...registration.globally.global_registration import FEWEST_POINTS
 from ...registration.globally.rating import Witness, rate_surfaces, surface_of
@@ -83,9 +84,9 @@ class Proposal:
 
     def ask(self, frame: SensorFrame, pose: Pose) -> bool:
         """Try a frame, tracked here at a pose, in the other map; whether enough of them agree by now."""
-        expected = self.T_other_here @ pose
+        expected = matmul(self.T_other_here, pose)
         attempt = self.other.tracker.try_place(frame, expected)
-        if attempt.verdict != "tracked" or apart(invert_pose(expected) @ attempt.pose) > AGREED:
+        if attempt.verdict != "tracked" or apart(matmul(invert_pose(expected), attempt.pose)) > AGREED:
             self._missed += 1
             return False
         self._agreed += 1
@@ -94,7 +95,7 @@ class Proposal:
 
 def apart(T: Pose) -> float:
     """How much a motion is: the larger of its shift [m] and its turn [rad]."""
-    return max(float(np.linalg.norm(T[:3, 3])), float(np.linalg.norm(rotation_vector(T[:3, :3]))))
+    return max(float(norm(T[:3, 3])), float(norm(rotation_vector(T[:3, :3]))))
 
 
 def judge_join(target: SlamMap, source: SlamMap, T_target_source: Pose) -> MapJoin:
@@ -125,13 +126,13 @@ def _views(target: SlamMap, source: SlamMap, T: Pose) -> tuple[list[Pose], list[
     moves: list[Pose] = []
     against = 0
     for pose in poses[:: max(1, -(-len(poses) // MOST_VIEWS))]:
-        seen, there = source.model.seen_from(pose), target.model.seen_from(T @ pose)
+        seen, there = source.model.seen_from(pose), target.model.seen_from(matmul(T, pose))
         found = align_frames(seen, there)
         if found.overlap < LEAST_OVERLAP:
             continue
         if _speaks_for(found):
             agreeing.append(pose)
-            moves.append(clean_pose(T @ pose @ found.transformation @ invert_pose(pose)))
+            moves.append(clean_pose(matmul(T, pose, found.transformation, invert_pose(pose))))
         elif found.overlap >= FIRM_OVERLAP and _speaks_against(found):
             against += 1
     return agreeing, moves, against

@@ -9,6 +9,7 @@ import warp as wp
 from numpy.typing import NDArray
 
 from ...kernels.lang import uint8
+from ...kernels.linear_algebra import matmul, norm
 from ...kernels.memory import copy, download, zeros
 from ...kernels.rgbd.keyframe_codes import FERNS, compare_codes, encode_frame
 from ...registration.rigid import rotation_vector
@@ -63,7 +64,7 @@ class Keyframes:
             copy(larger, self._codes, count=count * FERNS)
             self._codes = larger
         copy(self._codes, others._codes, count=len(others) * FERNS, offset=count * FERNS)
-        self.poses += [T @ pose for pose in others.poses]
+        self.poses += [matmul(T, pose) for pose in others.poses]
         self.numbers += others.numbers
 
     def is_new_view(self, pose: Pose) -> bool:
@@ -100,5 +101,5 @@ class Keyframes:
 
 def view_distance(a: Pose, b: Pose) -> float:
     """How far two views are apart: 1 for APART metres, or for TURNED radians."""
-    shift = float(np.linalg.norm(a[:3, 3] - b[:3, 3])) / APART
-    return shift + float(np.linalg.norm(rotation_vector(a[:3, :3].T @ b[:3, :3]))) / TURNED
+    shift = float(norm(a[:3, 3] - b[:3, 3])) / APART
+    return shift + float(norm(rotation_vector(matmul(a[:3, :3].T, b[:3, :3])))) / TURNED

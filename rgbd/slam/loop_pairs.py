@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...kernels.arrays.bounds import bound_points
+from ...kernels.linear_algebra import matmul
 from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
 from ...registration.globally.global_registration import FEWEST_POINTS, Description, describe, register_described
@@ -147,7 +148,7 @@ def find_candidates(
         for source in range(target + 1, len(surfaces)):
             if (source, target) in known or not len(surfaces[source].box) or not len(surfaces[target].box):
                 continue
-            T, limit = invert_pose(poses[target]) @ poses[source], float(limits[source, target])
+            T, limit = matmul(invert_pose(poses[target]), poses[source]), float(limits[source, target])
             if not np.isfinite(limit) or _boxes_meet(surfaces[source].box, surfaces[target].box, T, limit):
                 found.append(Candidate(source, target, T, limit))
     return found
@@ -155,16 +156,16 @@ def find_candidates(
 
 def _boxes_meet(source: Matrix, target: Matrix, T: Matrix, limit: float) -> bool:
     """Whether two boxes come within a distance, along the axes of either."""
-    there = source @ T[:3, :3].T + T[:3, 3]
+    there = matmul(source, T[:3, :3].T) + T[:3, 3]
     back = invert_pose(T)
-    here = target @ back[:3, :3].T + back[:3, 3]
+    here = matmul(target, back[:3, :3].T) + back[:3, 3]
     pairs = ((there, target), (here, source))
     return all((a.min(0) - limit <= b.max(0)).all() and (b.min(0) - limit <= a.max(0)).all() for a, b in pairs)
 
 
 def shift_of(box: Matrix, before: Matrix, after: Matrix) -> float:
     """How far a box goes from one pose to another: its farthest corner [m]."""
-    moved = box @ (after[:3, :3] - before[:3, :3]).T + (after[:3, 3] - before[:3, 3])
+    moved = matmul(box, (after[:3, :3] - before[:3, :3]).T) + (after[:3, 3] - before[:3, 3])
     return float(np.linalg.norm(moved, axis=1).max())
 
 
@@ -208,7 +209,7 @@ def _register(
     for c, result, matrix in zip(candidates, last.results(), information, strict=True):
         T = result.transformation
         A = adjoint_of(T)  # an edge's matrix weighs a misfit in the source's coordinates, the problem's in the target's
-        loops.append(_judge(surfaces, c, T, A.T @ matrix @ A, result.fitness))
+        loops.append(_judge(surfaces, c, T, matmul(A.T, matrix, A), result.fitness))
     return loops
 
 
@@ -245,13 +246,15 @@ def refine(surfaces: Sequence[SubmapSurface], loops: Sequence[Loop]) -> list[Loo
             T = result.transformation
             A = adjoint_of(T)
             residual = _plane_distance(surfaces[p.source].fine, surfaces[p.target].fine, T, result.correspondence_set)
-            refined.append(dataclasses.replace(p, T_target_source=T, information=A.T @ matrix @ A, residual=residual))
+            refined.append(
+                dataclasses.replace(p, T_target_source=T, information=matmul(A.T, matrix, A), residual=residual)
+            )
     return [p for p in refined if np.isfinite(p.residual)]
 
 
 def _plane_distance(source: PointCloud, target: PointCloud, T: Matrix, pairs: NDArray[np.int32]) -> float:
     """The distances of pairs of points along the target's normals, root of the mean square [m]."""
-    moved = source.points[pairs[:, 0]] @ T[:3, :3].T + T[:3, 3]
+    moved = matmul(source.points[pairs[:, 0]], T[:3, :3].T) + T[:3, 3]
     normals = target.normals
     assert normals is not None
     along = ((moved - target.points[pairs[:, 1]]) * normals[pairs[:, 1]]).sum(axis=1)

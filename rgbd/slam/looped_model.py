@@ -5,14 +5,13 @@ from __future__ import annotations
 import dataclasses
 from typing import Any
 
-import numpy as np
-
 from ...cameras.trajectory import Trajectory
 from ...core.progress import ReportProgress
 from ...core.reports import Fields
 from ...core.timing import Clock
 from ...files.frames.frames import FrameSource
 from ...files.frames.rgbd_sources import RGBDSource
+from ...kernels.linear_algebra import norm
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.volume.surface_weights import least_weight
 from ...meshing.volume.tsdf import TSDFVolume
@@ -124,6 +123,6 @@ def _close_loops(slam: Any, path: TrackedPath, progress: ReportProgress) -> tupl
         return volume, SlamAccount(path, **counts)
     loops = tuple((loop.target, loop.source) for loop in closure.loops)
     before, poses = path.trajectory.poses, slam.trajectory.poses
-    shifts = [np.linalg.norm(new[:3, 3] - old[:3, 3]) for new, old in zip(poses, before, strict=True)]
+    shifts = [norm(new[:3, 3] - old[:3, 3]) for new, old in zip(poses, before, strict=True)]
     corrected = float(max(shifts))
     return slam.volume, SlamAccount(path.with_poses(poses), loops=loops, corrected=corrected, **counts)

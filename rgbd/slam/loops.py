@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_positive, check_progress, check_seed
 from ...core.progress import ReportProgress
+from ...kernels.linear_algebra import matmul
 from ...kernels.poses.point_sums import place_moments
 from ...meshing.volume.tsdf import TSDFVolume
 from ...meshing.volume.volume_fusion import fuse_volumes
@@ -200,13 +201,13 @@ class _Search:
         for loop in sorted(found, key=lambda loop: (-loop.score, loop.target, loop.source)):
             a, b = groups[loop.target], groups[loop.source]
             if a != b:
-                target = self.poses[loop.target] @ loop.T_target_source
+                target = matmul(self.poses[loop.target], loop.T_target_source)
                 stays, goes = (a, b) if a < b else (b, a)
                 if stays == a:
-                    move = target @ invert_pose(self.poses[loop.source])
+                    move = matmul(target, invert_pose(self.poses[loop.source]))
                 else:
-                    move = self.poses[loop.source] @ invert_pose(target)
-                self.poses[groups == goes] = move @ self.poses[groups == goes]
+                    move = matmul(self.poses[loop.source], invert_pose(target))
+                self.poses[groups == goes] = matmul(move, self.poses[groups == goes])
                 groups[groups == goes] = stays
                 self.joins.add((loop.source, loop.target))
         self.loops = sorted([*self.loops, *found], key=lambda loop: (loop.target, loop.source))
@@ -246,7 +247,7 @@ class _Search:
         return _optimize_groups(self.poses, edges, self._groups(), option)
 
     def _tracked_edge(self, a: int, b: int, way: float) -> PoseGraphEdge:
-        T = invert_pose(self.submaps[a].T_world_submap) @ self.submaps[b].T_world_submap
+        T = matmul(invert_pose(self.submaps[a].T_world_submap), self.submaps[b].T_world_submap)
         weight = 1.0
         if self.loops:
             known = KNOWN * float(np.median([loop.residual for loop in self.loops]))
@@ -336,7 +337,7 @@ def corrected_trajectory(submaps: Sequence[Submap], T_world_submap: ArrayLike) -
     """
     ordered, order = _in_order(submaps)
     given = check_poses(ordered, T_world_submap)
-    moves = [given[place] @ invert_pose(s.T_world_submap) for s, place in zip(ordered, order, strict=True)]
+    moves = [matmul(given[place], invert_pose(s.T_world_submap)) for s, place in zip(ordered, order, strict=True)]
     numbers, tracked = tracked_run(ordered)
     middles = [float(submap.frames[len(submap.frames) // 2]) for submap in ordered]
     poses = np.empty_like(tracked)
@@ -344,19 +345,19 @@ def corrected_trajectory(submaps: Sequence[Submap], T_world_submap: ArrayLike) -
         k = max(int(np.searchsorted(middles, number, side="right")) - 1, 0)
         after = min(k + 1, len(ordered) - 1)
         if after == k or number <= middles[k]:
-            poses[i] = moves[k] @ pose
+            poses[i] = matmul(moves[k], pose)
         elif ordered[after].follows:
             share = (number - middles[k]) / (middles[after] - middles[k])
-            poses[i] = _between(moves[k] @ pose, moves[after] @ pose, share)
+            poses[i] = _between(matmul(moves[k], pose), matmul(moves[after], pose), share)
         else:
-            poses[i] = moves[k if number <= ordered[k].frames[-1] else after] @ pose
+            poses[i] = matmul(moves[k if number <= ordered[k].frames[-1] else after], pose)
     return numbers, poses
 
 
 def _between(first: Matrix, second: Matrix, share: float) -> Matrix:
     """From one pose to another by a share: the rotation about one axis, the position along a line."""
-    turn = rotation_of(share * rotation_vector(first[:3, :3].T @ second[:3, :3]))
-    return make_pose(first[:3, :3] @ turn, first[:3, 3] + share * (second[:3, 3] - first[:3, 3]))
+    turn = rotation_of(share * rotation_vector(matmul(first[:3, :3].T, second[:3, :3])))
+    return make_pose(matmul(first[:3, :3], turn), first[:3, 3] + share * (second[:3, 3] - first[:3, 3]))
 
 
 def fuse_submaps(

@@ -8,6 +8,7 @@ import itertools
 import numpy as np
 from numpy.typing import NDArray
 
+from ...kernels.linear_algebra import inv, matmul
 from ...meshing.volume.volume_fusion import fuse_volumes
 from ...registration.rigid import invert_pose
 from .frames import SensorFrame
@@ -63,8 +64,8 @@ def _pieces(known: SlamMap, results: list[TrackingResult]) -> list[Submap]:
 
 def _distinct(loops: list[Loop], places: list[Pose]) -> list[Pose]:
     """Where the loops put one map in the other, each place once: those that most loops agree on first."""
-    poses = [clean_pose(places[p.target] @ p.T_target_source @ np.linalg.inv(places[p.source])) for p in loops]
-    near = [[apart(np.linalg.inv(a) @ b) < AGREED for b in poses] for a in poses]
+    poses = [clean_pose(matmul(places[p.target], p.T_target_source, inv(places[p.source]))) for p in loops]
+    near = [[apart(matmul(inv(a), b)) < AGREED for b in poses] for a in poses]
     order = sorted(range(len(poses)), key=lambda k: (-sum(near[k]), -loops[k].score, k))
     kept: list[int] = []
     for k in order:
@@ -79,14 +80,14 @@ def merge_maps(target: SlamMap, source: SlamMap, T_target_source: Pose, results:
     turned = np.kron(np.eye(2), T[:3, :3])
     for i, result in enumerate(results):
         if result.map == source.number:
-            pose = None if result.pose is None else clean_pose(T @ result.pose)
-            covariance = turned @ result.covariance @ turned.T
+            pose = None if result.pose is None else clean_pose(matmul(T, result.pose))
+            covariance = matmul(turned, result.covariance, turned.T)
             results[i] = dataclasses.replace(result, pose=pose, covariance=covariance, map=target.number)
     target.keyframes.extend(source.keyframes, T)
     target.tracker.drift.take_over(source.tracker.drift, T, target.model.volume.voxel_size)
     if target.recorder is not None and source.recorder is not None:
         moved = [
-            dataclasses.replace(submap, T_world_submap=T @ submap.T_world_submap, follows=True)
+            dataclasses.replace(submap, T_world_submap=matmul(T, submap.T_world_submap), follows=True)
             for submap in source.recorder.finish()
         ]
         target.recorder.take_over(moved)
@@ -98,9 +99,9 @@ def hand_over(target: SlamMap, source: SlamMap, T_target_source: Pose) -> None:
     """The camera, which is in the source, is in the target from now on."""
     T, motion = T_target_source, source.tracker.motion
     assert motion.pose is not None
-    motion.pose = clean_pose(T @ motion.pose)
+    motion.pose = clean_pose(matmul(T, motion.pose))
     target.tracker.motion = motion
-    target.model.current_frame_pose = clean_pose(T @ source.model.current_frame_pose)
+    target.model.current_frame_pose = clean_pose(matmul(T, source.model.current_frame_pose))
 
 
 class Joining:
@@ -143,7 +144,7 @@ class Joining:
             if is_new_view or other.tracker.awaits_confirmation:
                 attempt, _ = other.tracker.locate(frame)
                 if attempt.verdict == "tracked":
-                    return Proposal(other, self._maps.here, clean_pose(attempt.pose @ invert_pose(pose)), pose)
+                    return Proposal(other, self._maps.here, clean_pose(matmul(attempt.pose, invert_pose(pose))), pose)
         return None
 
     def search(self) -> list[MapJoin]:

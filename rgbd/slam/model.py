@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_positive, check_rigid
 from ...core.watching import report
+from ...kernels.linear_algebra import inv, matmul
 from ...kernels.rgbd.model_maps import colors_of, hide_unseen
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.volume.tsdf import RayCast, TSDFVolume
@@ -173,7 +174,7 @@ class Model:
         pose = check_rigid("T_world_camera", T_world_camera)
         threshold = self.threshold if weight_threshold is None else weight_threshold
         limits = {"depth_min": DEPTH_MIN, "depth_max": self.depth_max}
-        return self.volume.ray_cast(self.intrinsic, np.linalg.inv(pose), weight_threshold=threshold, **limits)
+        return self.volume.ray_cast(self.intrinsic, inv(pose), weight_threshold=threshold, **limits)
 
     def seen_from(self, T_world_camera: Pose, *, weight_threshold: float | None = None) -> OdometryFrame:
         """The model as a frame for odometry, at the size that frames are compared at; it stays on the device.
@@ -219,4 +220,4 @@ def compared_camera(intrinsic: PinholeCameraIntrinsic) -> PinholeCameraIntrinsic
 
 def _moved(found: OdometryResult, pose: Pose) -> OdometryResult:
     """The result with its motion in the world."""
-    return dataclasses.replace(found, transformation=pose @ found.transformation)
+    return dataclasses.replace(found, transformation=matmul(pose, found.transformation))

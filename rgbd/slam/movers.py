@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...kernels.linear_algebra import matmul
 from ...kernels.rgbd.moved_pixels import FreeSpace, hide_moved
 from ...registration.rigid import invert_pose
 from .frames import SensorFrame
@@ -33,7 +34,7 @@ class Movers:
         asked = [self._earlier[index] for index in ASKED if index < len(self._earlier)]
         if not asked:
             return frame.depth
-        views = [(free, invert_pose(its_pose) @ pose) for free, its_pose in asked]
+        views = [(free, matmul(invert_pose(its_pose), pose)) for free, its_pose in asked]
         return hide_moved(frame.depth, frame.intrinsic, views)
 
     def add(self, frame: SensorFrame, pose: Pose) -> None:

@@ -8,6 +8,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from ...kernels.linear_algebra import eigvalsh
+
 Verdict = Literal["tracked", "uncertain", "lost"]
 
 
@@ -65,4 +67,4 @@ class TrackingResult:
     @property
     def position_deviation(self) -> float:
         """The standard deviation of the position along its most open direction [m]."""
-        return float(np.sqrt(max(np.linalg.eigvalsh(self.covariance[3:, 3:])[-1], 0.0)))
+        return float(np.sqrt(max(eigvalsh(self.covariance[3:, 3:])[-1], 0.0)))

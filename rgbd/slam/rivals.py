@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...kernels.linear_algebra import eigh, matmul, norm
 from ...meshing.volume.shift_scores import score_shifts
 from ..odometry.frames import OdometryFrame
 from .frames import coarsest_level
@@ -45,7 +46,7 @@ def find_rivals(model: Model, frame: OdometryFrame, pose: Pose, farthest: float 
         return []
     volume, threshold = model.volume, model.threshold
     side = BLOCK * volume.voxel_size
-    coarse = _ball(int(min(farthest, FARTHEST) / side)) * side @ axes.T
+    coarse = matmul(_ball(int(min(farthest, FARTHEST) / side)) * side, axes.T)
     here = np.zeros((1, 3))
     limits: dict[str, Any] = {"weight_threshold": threshold, "least": 0.0}
     least = COARSE_SHARE * float(score_shifts(volume, points, here, **limits, is_coarse=True)[0])
@@ -54,7 +55,7 @@ def find_rivals(model: Model, frame: OdometryFrame, pose: Pose, farthest: float 
     order = order[met[order] >= least]
     if not len(order):
         return []
-    fine = (coarse[order][:, None] + _steps() * FINE * volume.voxel_size @ axes.T).reshape(-1, 3)
+    fine = (coarse[order][:, None] + matmul(_steps() * FINE * volume.voxel_size, axes.T)).reshape(-1, 3)
     fine = fine[np.linalg.norm(fine, axis=1) > APART]
     least = ALIKE * float(score_shifts(volume, points, here, **limits)[0])
     scores = score_shifts(volume, points, fine, weight_threshold=threshold, least=0.8 * least)
@@ -68,10 +69,10 @@ def _points_of(frame: OdometryFrame, pose: Pose) -> tuple[NDArray[np.float64], N
     at = np.flatnonzero((depth > 0) & (planes[:, 3] < 0))
     rays = np.stack([(at % width - cx) / fx, (at // width - cy) / fy, np.ones(len(at))], 1)
     normals = planes[at, :3]
-    _, axes = np.linalg.eigh(normals.T @ normals)
+    _, axes = eigh(matmul(normals.T, normals))
     kept = np.random.default_rng(0).permutation(len(at))[:POINTS]
     points = rays[kept] * depth[at[kept], None]
-    return points @ pose[:3, :3].T + pose[:3, 3], pose[:3, :3] @ axes
+    return matmul(points, pose[:3, :3].T) + pose[:3, 3], matmul(pose[:3, :3], axes)
 
 
 def _best_apart(shifts: NDArray[np.float64], scores: NDArray[np.float32], least: float) -> list[NDArray[np.float64]]:
@@ -79,7 +80,7 @@ def _best_apart(shifts: NDArray[np.float64], scores: NDArray[np.float32], least:
     for index in np.argsort(-scores, kind="stable").tolist():
         if scores[index] < least or len(found) == MOST:
             break
-        if all(np.linalg.norm(shifts[index] - other) > APART for other in found):
+        if all(norm(shifts[index] - other) > APART for other in found):
             found.append(shifts[index])
     return found
 

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...kernels.linear_algebra import norm
 from ...kernels.memory import download
 from ...kernels.rgbd import stream_views as at
 from ...kernels.rgbd.stream_views import StreamView, compare_views, view_stream
@@ -94,4 +95,4 @@ def has_moved(sums: NDArray[np.float64], view: StreamView) -> bool:
     """Whether the colours of two views differ by more than noise."""
     shift = shift_of(sums, at.BRIGHT)
     changed = math.sqrt(sums[at.SHADES] / (view.columns * view.rows))
-    return bool(np.linalg.norm(shift) > MOVED) or changed > CHANGED
+    return bool(norm(shift) > MOVED) or changed > CHANGED

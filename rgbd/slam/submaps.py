@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_count, check_list, check_numeric, check_positive, check_rigid, check_share
+from ...kernels.linear_algebra import matmul, norm
 from ...meshing.volume.surface_weights import least_weight
 from ...meshing.volume.tsdf import TSDFVolume
 from ...pcd.cloud import PointCloud
@@ -76,7 +77,7 @@ class Submap:
     @property
     def T_world_camera(self) -> Matrix:
         """Where tracking put its cameras, float64 [n, 4, 4]."""
-        return self.T_world_submap @ self.T_submap_camera
+        return matmul(self.T_world_submap, self.T_submap_camera)
 
     @property
     def weight_threshold(self) -> float:
@@ -105,8 +106,8 @@ def _rigid(name: str, pose: ArrayLike) -> Matrix:
 
 def way_between(first: Matrix, second: Matrix) -> float:
     """How far a camera went between two poses [m], turns counted on an arm of a metre."""
-    motion = invert_pose(first) @ second
-    return float(np.linalg.norm(motion[:3, 3]) + ARM * np.linalg.norm(rotation_vector(motion[:3, :3])))
+    motion = matmul(invert_pose(first), second)
+    return float(norm(motion[:3, 3]) + ARM * norm(rotation_vector(motion[:3, :3])))
 
 
 class _Recording:
@@ -120,7 +121,7 @@ class _Recording:
         self.latest = T_world_submap
 
     def done(self) -> Submap:
-        poses = invert_pose(self.T_world_submap) @ np.array(self.poses)
+        poses = matmul(invert_pose(self.T_world_submap), np.array(self.poses))
         return Submap(self.volume, self.T_world_submap, np.array(self.numbers), poses, self.follows)
 
 
@@ -232,7 +233,7 @@ class SubmapRecorder:
             self.submaps.append(self._open.pop(0).done())
 
     def _record(self, recording: _Recording, number: int, depth: ArrayLike, pose: Matrix, color: Any) -> None:
-        extrinsic = invert_pose(pose) @ recording.T_world_submap
+        extrinsic = matmul(invert_pose(pose), recording.T_world_submap)
         recording.volume.integrate(depth, self._intrinsic, extrinsic, color, self._scale, self._depth_max)
         recording.way += way_between(recording.latest, pose)
         recording.latest = pose

@@ -17,6 +17,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
+from ...kernels.linear_algebra import matmul, norm
 from ...registration.rigid import invert_pose, make_pose, nearest_rotation, pose_of, rotation_of, rotation_vector
 from ..odometry.alignment import Method, align_frames, align_steps
 from ..odometry.frames import OdometryFrame
@@ -92,7 +93,7 @@ class Motion:
         if not 0.0 < share <= LONGEST_STEP:
             return self.pose
         turn = rotation_of(share * rotation_vector(self.step[:3, :3]))
-        return self.pose @ make_pose(turn, share * self.step[:3, 3])
+        return matmul(self.pose, make_pose(turn, share * self.step[:3, 3]))
 
     def ahead(self) -> list[Pose]:
         """Where the camera may be after frames were lost: half the way and all the way that its velocity leads."""
@@ -101,7 +102,7 @@ class Motion:
         if not self.missed or not (np.any(turn) or np.any(shift)):
             return []
         pose, twist = self.pose, np.concatenate([turn, shift])
-        return [pose @ pose_of(share * (self.missed + 1) * twist) for share in (1.0, 0.5)]
+        return [matmul(pose, pose_of(share * (self.missed + 1) * twist)) for share in (1.0, 0.5)]
 
     def reach(self, frame: SensorFrame) -> float:
         """How far the camera may be from where it stood, or its velocity led, by now [m]."""
@@ -119,7 +120,7 @@ class Motion:
     def advance(self, pose: Pose, frame: SensorFrame, *, is_tracked: bool, is_continuous: bool) -> None:
         """The next frame stands at a pose; one found from a keyframe, or one that may have slid, tells no velocity."""
         if self.pose is not None and is_continuous and not self.missed:
-            self.step, self.seconds = invert_pose(self.pose) @ pose, frame.seconds_since(self.time)
+            self.step, self.seconds = matmul(invert_pose(self.pose), pose), frame.seconds_since(self.time)
         else:
             self.step, self.seconds = np.eye(4), math.nan
         self.pose, self.time, self.missed = pose, frame.timestamp, 0
@@ -161,7 +162,7 @@ class Tracker:
             return attempt, is_anew
         if not is_anew and not self._rivals:
             return attempt, False
-        starts = self._rival_starts(frame, attempt.pose) if is_anew else [T @ attempt.pose for T in self._rivals]
+        starts = self._rival_starts(frame, attempt.pose) if is_anew else [matmul(T, attempt.pose) for T in self._rivals]
         best = self._beat_rivals(frame, attempt, starts, is_anew)
         return best, is_anew or best.pose is not attempt.pose
 
@@ -244,7 +245,7 @@ class Tracker:
             if rival.verdict == "tracked" and speaks_against(best.result, rival.result):
                 best = rival
         alike = [rival for rival in tried if rival is not best and not speaks_against(rival.result, best.result)]
-        self._rivals = [rival.pose @ invert_pose(best.pose) for rival in alike]
+        self._rivals = [matmul(rival.pose, invert_pose(best.pose)) for rival in alike]
         if not alike:
             return best
         off = min(_way(rival.pose, [best.pose]) for rival in alike)
@@ -260,13 +261,13 @@ class Tracker:
         if attempt.verdict == "tracked":
             return attempt
         result = align_frames(frame.pyramid, self.model.seen_from(place, weight_threshold=0.0))
-        pose = clean_pose(place @ result.transformation)
-        if not lies_on_model(result) or _apart(invert_pose(place) @ pose) > PLACE_OFF:
+        pose = clean_pose(matmul(place, result.transformation))
+        if not lies_on_model(result) or _apart(matmul(invert_pose(place), pose)) > PLACE_OFF:
             return dataclasses.replace(attempt, verdict="lost", reason="its shape fits, the model does not")
         if before is not None:
             pyramid, its_pose = before
             step = align_frames(frame.pyramid, pyramid)
-            if step.success and _apart(invert_pose(its_pose @ step.transformation) @ pose) < AGREED:
+            if step.success and _apart(matmul(invert_pose(matmul(its_pose, step.transformation)), pose)) < AGREED:
                 return Attempt(pose, result, "tracked")
         self._proposal = frame.pyramid, pose
         return Attempt(pose, result, "lost", "found by its shape; the next frame has to confirm it")
@@ -289,22 +290,22 @@ class Tracker:
         assert last is not None
         start = expected
         if before is not None:
-            found = align_frames(pyramid, before, invert_pose(last) @ expected)
+            found = align_frames(pyramid, before, matmul(invert_pose(last), expected))
             if found.success:
-                start = clean_pose(last @ found.transformation)
+                start = clean_pose(matmul(last, found.transformation))
         return self._try(pyramid, self.model.seen_from(start, weight_threshold=0.0), start, start, expected)
 
     def _recognize(self, frame: SensorFrame, pose: Pose, least_overlap: float) -> Attempt:
         """A frame tried at a place: aligned from there, and once more from where that led."""
         found = align_frames(frame.pyramid, self.model.seen_from(pose))
-        at = clean_pose(pose @ found.transformation)
+        at = clean_pose(matmul(pose, found.transformation))
         if found.success or agreement_of(found) > 0.5:
             again = align_frames(frame.pyramid, self.model.seen_from(at))
             moved = again.transformation
             verdict, reason = self._judge(again, least_overlap)
             if verdict == "tracked" and _apart(moved) > NEAR_AGAIN:
                 verdict, reason = "lost", "it has not settled"
-            attempt = Attempt(clean_pose(at @ moved), again, verdict, reason)
+            attempt = Attempt(clean_pose(matmul(at, moved)), again, verdict, reason)
             return self._settle(frame, attempt) if verdict == "tracked" else attempt
         return Attempt(at, found, "lost", found.reason)
 
@@ -318,19 +319,19 @@ class Tracker:
         is_near = _apart(result.transformation) < NEAR_AGAIN and result.fitness > found.result.fitness
         if not is_near or self._judge(result, SURE_OVERLAP)[0] != "tracked":
             return found
-        return Attempt(clean_pose(found.pose @ result.transformation), result, "tracked")
+        return Attempt(clean_pose(matmul(found.pose, result.transformation)), result, "tracked")
 
     def _try(self, pyramid: OdometryFrame, seen: OdometryFrame, at: Pose, start: Pose, expected: Pose) -> Attempt:
         """A frame aligned with the model as seen from `at`, from a start, and judged by what was expected."""
-        T = invert_pose(at) @ start
+        T = matmul(invert_pose(at), start)
         result = align_frames(pyramid, seen, T)
         if result.intensity_rmse > SUSPECT * self.motion.shades:
             by_shades = align_steps(pyramid, seen, T, Method.Hybrid, share=1.0)
-            between = _apart(invert_pose(result.transformation) @ by_shades.transformation)
+            between = _apart(matmul(invert_pose(result.transformation), by_shades.transformation))
             if between > PULLED and by_shades.intensity_rmse < PLAINLY * result.intensity_rmse:
                 result = by_shades
-        pose = clean_pose(at @ result.transformation)
-        verdict, reason = judge_tracking(result, invert_pose(expected) @ pose, self.motion.gap)
+        pose = clean_pose(matmul(at, result.transformation))
+        verdict, reason = judge_tracking(result, matmul(invert_pose(expected), pose), self.motion.gap)
         return Attempt(pose, result, verdict, reason)
 
 
@@ -341,12 +342,12 @@ def clean_pose(T: Pose) -> Pose:
 
 def _way(pose: Pose, others: list[Pose]) -> float:
     """How far a pose is from the nearest of others [m]."""
-    return min(float(np.linalg.norm(pose[:3, 3] - other[:3, 3])) for other in others)
+    return min(float(norm(pose[:3, 3] - other[:3, 3])) for other in others)
 
 
 def _apart(T: Pose) -> float:
     """How much a motion is: the larger of its shift [m] and its turn [rad]."""
-    return max(float(np.linalg.norm(T[:3, 3])), float(np.linalg.norm(rotation_vector(T[:3, :3]))))
+    return max(float(norm(T[:3, 3])), float(norm(rotation_vector(T[:3, :3]))))
 
 
 def _score(attempt: Attempt) -> float:

@@ -15,6 +15,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from ...kernels.linear_algebra import norm
 from ...registration.rigid import rotation_vector
 from ..odometry.frames import OdometryFrame
 from ..odometry.results import OdometryResult
@@ -92,8 +93,8 @@ def judge_tracking(
     """The verdict on a frame that was aligned from where it was expected; `moved` is how far off that was, `usual_gap`
     how far the run's frames are off the model's surface [m]."""
     agreement = agreement_of(result)
-    shift = float(np.linalg.norm(moved[:3, 3]))
-    turn = float(np.linalg.norm(rotation_vector(moved[:3, :3])))
+    shift = float(norm(moved[:3, 3]))
+    turn = float(norm(rotation_vector(moved[:3, :3])))
     if not np.isfinite(moved).all() or shift > MOST_SHIFT or turn > MOST_TURN:
         return "lost", f"it jumps by {shift:.2f} m, {np.rad2deg(turn):.0f} degrees"
     if result.overlap < LEAST_OVERLAP:

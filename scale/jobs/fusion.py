@@ -26,6 +26,7 @@ from ...core.errors import FileError, FilePath
 from ...core.paths import path_of
 from ...files.frames.datasets import Frame, RGBDDataset, open_frames
 from ...files.frames.frames import DEPTH_MAX, read_in_order
+from ...kernels.linear_algebra import inv
 from ...kernels.volumes.tsdf_blocks import SIDE, block_box
 from ...meshing.volume.surface_weights import least_weight
 from ...meshing.volume.volume_part import BlockFinder, PartSurface, VolumePart
@@ -150,7 +151,7 @@ class FusionJob(Job):
         color = frame.color if plan["color"] else None
         assert frame.T_world_camera is not None
         try:
-            volume.integrate(frame.depth, camera, np.linalg.inv(frame.T_world_camera), color=color, **limits)
+            volume.integrate(frame.depth, camera, inv(frame.T_world_camera), color=color, **limits)
         except ValueError as error:
             raise ValueError(f"frame {frame.name}: {error}") from error
 
@@ -232,7 +233,7 @@ def plan_fusion(
         raise FileError(frames, "holds no frames that can be fused")
     threshold = least_weight(len(found)) if weight_threshold is None else weight_threshold
     pose = np.array(found.frames[0].T_world_camera, np.float64)
-    first = np.linalg.inv(np.linalg.inv(pose))[None, :3, 3]  # as `integrate` has it
+    first = inv(inv(pose))[None, :3, 3]  # as `integrate` has it
     told |= {"weight_threshold": float(threshold), "origin": split_origin(first)[1].tolist()}
     told |= {"color": found.frames[0].color is not None, "digest": _digest(found), "left_out": found.left_out}
     starts = range(0, len(found), CHUNK)

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...kernels.linear_algebra import matmul, norm
 from ...registration.pose_graphs.connected_parts import connected_parts
 
 Box = tuple[NDArray[np.float64], NDArray[np.float64]]
@@ -33,10 +34,10 @@ def place_box(low: NDArray[Any], high: NDArray[Any], place: NDArray[np.float64],
     """Where a scan reaches at most: its box from low to high in its own frame, at a pose [4, 4] or, turned anyhow, at a
     position [3], which err by so much."""
     if place.shape == (3,):
-        radius = float(np.linalg.norm(np.maximum(np.abs(low), np.abs(high)))) + error
+        radius = float(norm(np.maximum(np.abs(low), np.abs(high)))) + error
         return place - radius, place + radius
     corners = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
-    moved = np.where(corners, high, low) @ place[:3, :3].T + place[:3, 3]
+    moved = matmul(np.where(corners, high, low), place[:3, :3].T) + place[:3, 3]
     return moved.min(axis=0) - error, moved.max(axis=0) + error
 
 
@@ -57,7 +58,7 @@ def nearest_of(pairs: Sequence[tuple[int, int]], boxes: Sequence[Box | None], co
     middles = {k: (box[0] + box[1]) / 2 for k, box in enumerate(boxes) if box is not None}
     beside: dict[int, list[tuple[float, tuple[int, int]]]] = {k: [] for k in middles}
     for i, j in pairs:
-        distance = float(np.linalg.norm(middles[i] - middles[j]))
+        distance = float(norm(middles[i] - middles[j]))
         for k in (i, j):
             beside[k].append((distance, (i, j)))
     return sorted({ends for found in beside.values() for _, ends in sorted(found)[:count]})

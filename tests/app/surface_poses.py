@@ -14,7 +14,7 @@ def moved(points: np.ndarray, T: np.ndarray) -> np.ndarray:
     return points @ T[:3, :3].T + T[:3, 3]
 
 
-def bumpy(rng: np.random.Generator, count: int = 8000) -> np.ndarray:
+def bumpy(rng: np.random.Generator, count: int = 5000) -> np.ndarray:
     """Points on a 2 x 2 m surface that fixes all six motions and looks like itself nowhere else."""
     x, y = rng.uniform(-1, 1, (2, count))
     return np.column_stack([x, y, 0.2 * np.sin(3 * x) * np.cos(4 * y) + 0.1 * np.sin(7 * y + x)])

@@ -1,6 +1,7 @@
 """The sofa of the demo: points off its surface by the noise, normals that look out of it, a surface that is right."""
 
 import numpy as np
+import pytest
 
 from pointloom.app.demos import demo_object
 from pointloom.app.demos.demo_object import LARGEST_RMSE, SofaFigures, make_sofa, scan_sofa
@@ -9,6 +10,7 @@ from pointloom.core.timing import Clock
 from pointloom.data.scenes.furniture import furnished_room, sofa
 
 
+@pytest.mark.slow
 def test_points_lie_off_the_surface_by_the_noise_and_not_without(device, monkeypatch):
     monkeypatch.setattr(demo_object, "POINTS", 8000)
     where = resolve_device(device)
@@ -18,6 +20,7 @@ def test_points_lie_off_the_surface_by_the_noise_and_not_without(device, monkeyp
     assert np.quantile(np.abs(exact), 0.95) < 3e-4  # but in the creases, which the grid rounds
 
 
+@pytest.mark.slow
 def test_normals_look_out_of_the_sofa(monkeypatch):
     cloud = scan_sofa(device=resolve_device("cpu"))
     solids = sofa().solids(resolve_device("cpu"))
@@ -26,6 +29,7 @@ def test_normals_look_out_of_the_sofa(monkeypatch):
     assert cloud.normal_disagreement() < 0.02
 
 
+@pytest.mark.slow
 def test_the_surface_is_closed_and_near_the_true_one():
     clock = Clock()
     mesh, figures = make_sofa(seed=3, noise=True, device=resolve_device("cpu"), clock=clock)
@@ -36,6 +40,7 @@ def test_the_surface_is_closed_and_near_the_true_one():
     assert "closed; off the true surface by" in str(figures)
 
 
+@pytest.mark.slow
 def test_a_seed_gives_the_same_bits_and_another_one_others(monkeypatch):
     monkeypatch.setattr(demo_object, "POINTS", 2000)
     first, again, other = (scan_sofa(seed=s, device=resolve_device("cpu")).points for s in (1, 1, 2))

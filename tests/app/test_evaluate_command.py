@@ -7,7 +7,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.cameras.trajectory import Trajectory, read_trajectory, write_trajectory
-from pointloom.drawing.render.trajectory_plot import TRUTH, trajectory_plot
+from pointloom.drawing.render.trajectory_plot import trajectory_plot
 from pointloom.files.pictures.image_files import read_color
 
 from .commands import answer, refusal, run
@@ -72,16 +72,6 @@ def test_trajectories_that_do_not_belong_together_are_an_error(paths, tmp_path):
     assert "cannot be read" in refusal("evaluate", paths[0], tmp_path / "none.txt")
 
 
-def test_a_picture_shows_both_paths_and_the_error(paths, tmp_path):
-    report = answer("evaluate", *paths, "--picture", tmp_path / "path.png")
-    assert report["files"] == [str(tmp_path / "path.png")]
-    picture = read_color(tmp_path / "path.png")
-    assert picture.shape == (960, 1280, 3)
-    truth = (picture == np.floor(np.array(TRUTH) * 255 + 0.5)).all(axis=2)
-    assert truth[:640].sum() > 300  # where the paths are
-    assert "path.png" in run("evaluate", *paths, "--picture", tmp_path / "path.png", "--force").stdout
-
-
 def test_a_picture_shows_the_estimate_as_it_was_aligned(paths, tmp_path):
     answer("evaluate", *paths, "--alignment", "sim3", "--picture", tmp_path / "path.png")
     estimate, truth = map(read_trajectory, paths)
@@ -100,11 +90,6 @@ def test_a_picture_is_of_the_poses_that_were_compared(tmp_path):
     assert report["compared"] == 4 and read_color(tmp_path / "part.png").shape == (960, 1280, 3)
 
 
-def test_without_a_picture_no_file_is_named(paths):
-    assert answer("evaluate", *paths)["files"] == []
-    assert "files" not in run("evaluate", *paths).stdout
-
-
 def test_where_a_picture_cannot_be_written_is_told_before_the_work(paths, tmp_path):
     missing = tmp_path / "none.txt"  # which would be an error too, later
     assert "written as .png" in refusal("evaluate", missing, paths[1], "--picture", tmp_path / "a.jpg")
@@ -112,9 +97,3 @@ def test_where_a_picture_cannot_be_written_is_told_before_the_work(paths, tmp_pa
     (tmp_path / "mine.png").write_text("mine")
     assert "--force" in refusal("evaluate", *paths, "--picture", tmp_path / "mine.png")
     assert (tmp_path / "mine.png").read_text() == "mine"
-
-
-def test_poses_that_cannot_be_compared_leave_no_picture(paths, tmp_path):
-    write_trajectory(tmp_path / "c.txt", Trajectory(path_of(7)), format="kitti")
-    refusal("evaluate", paths[0], tmp_path / "c.txt", "--picture", tmp_path / "a.png")
-    assert not (tmp_path / "a.png").exists()

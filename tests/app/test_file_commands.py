@@ -1,5 +1,7 @@
 """info, convert, downsample and normals: what they tell and write, and what they refuse."""
 
+from __future__ import annotations
+
 import json
 import shutil
 from pathlib import Path
@@ -11,9 +13,9 @@ import pointloom as loom
 from pointloom.cameras.trajectory import Trajectory, write_trajectory
 from pointloom.files.pictures.image_files import write_png
 
-from .commands import answer, names_in, run
-
-# ------------------------------------------------------------------------------------------------ info
+from ..files.sfm_models import ring_model
+from ..files.test_metashape import camera, document
+from .commands import answer, names_in, poor_answer, refusal, run
 
 
 def test_info_tells_what_a_cloud_holds(tmp_path):
@@ -100,9 +102,6 @@ def test_up_turns_what_says_which_axis_is_up(mesh, tmp_path):
     np.testing.assert_allclose(loom.read_triangle_mesh(tmp_path / "again.ply").vertices.T, [x, y, z], atol=1e-6)
     found = answer("compare-meshes", mesh, tmp_path / "turned.glb", "--up", "z", "--samples", "100")
     assert found["hausdorff"] < 1e-6
-    refused = run("convert", mesh, tmp_path / "other.ply", "--up", "z")
-    assert refused.exit_code == 2
-    assert "--up z is for .glb and .gltf, and none of the files is one" in refused.stderr
 
 
 def test_textures_are_told_converted_and_named_where_they_are_lost(tmp_path):
@@ -158,29 +157,7 @@ def test_info_goes_on_after_a_broken_file(cloud, tmp_path):
 @pytest.mark.parametrize("name", ["odd.docx", "odd.obj", "odd.json", "odd.txt", "odd.png", "odd.npy"])
 def test_info_refuses_what_it_does_not_know(tmp_path, name):
     (tmp_path / name).write_text("{}")
-    result = run("info", tmp_path / name)
-    assert result.exit_code == 1
-    assert result.stderr.startswith(f"error: {tmp_path / name}")
-
-
-# ------------------------------------------------------------------------------------------------ clouds
-
-
-@pytest.mark.parametrize("suffix", [".ply", ".pcd", ".npz"])
-def test_convert_keeps_every_value(cloud, tmp_path, suffix):
-    report = answer("convert", cloud, tmp_path / f"out{suffix}")
-    assert (report["points"], report["left_out"]) == (500, [])
-    before, after = loom.read_point_cloud(cloud), loom.read_point_cloud(tmp_path / f"out{suffix}")
-    for name in ("points", "colors", "intensity"):
-        np.testing.assert_array_equal(after[name], before[name])
-
-
-def test_convert_does_not_round_doubles(tmp_path, rng):
-    source, points = tmp_path / "a.xyz", rng.random((20, 3))
-    np.savetxt(source, points, fmt="%.17g")
-    assert run("convert", source, tmp_path / "b.pcd").exit_code == 0
-    assert run("convert", tmp_path / "b.pcd", tmp_path / "c.xyz").exit_code == 0
-    np.testing.assert_array_equal(np.loadtxt(tmp_path / "c.xyz"), points)
+    assert refusal("info", tmp_path / name).startswith(f"error: {tmp_path / name}")
 
 
 @pytest.mark.parametrize(
@@ -214,19 +191,15 @@ def test_convert_names_what_it_leaves_out(source, suffix, left_out, tmp_path, re
     ],
 )
 def test_convert_says_what_it_cannot_write(cloud, tmp_path, output, reason):
-    before = names_in(tmp_path)
-    result = run("convert", cloud, tmp_path / output)
-    assert result.exit_code == 1
-    assert reason in result.stderr
-    assert names_in(tmp_path) == before
+    assert reason in refusal("convert", cloud, tmp_path / output)
+    assert ".ply .pcd .npz .xyzn" in refusal("normals", cloud, tmp_path / "out.xyz")
+    assert names_in(tmp_path) == ["cloud.ply"]
 
 
 def test_text_is_written_where_the_format_has_it(cloud, tmp_path):
-    assert run("convert", cloud, tmp_path / "out.ply", "--ascii").exit_code == 0
+    answer("convert", cloud, tmp_path / "out.ply", "--ascii")
     assert b"format ascii" in (tmp_path / "out.ply").read_bytes()
-    result = run("convert", cloud, tmp_path / "out.npz", "--ascii")
-    assert result.exit_code == 1
-    assert "Leave out --ascii" in result.stderr
+    assert "Leave out --ascii" in refusal("convert", cloud, tmp_path / "out.npz", "--ascii")
 
 
 def test_downsample_is_the_library_s(cloud, device, tmp_path):
@@ -239,10 +212,8 @@ def test_downsample_is_the_library_s(cloud, device, tmp_path):
 
 def test_a_cloud_without_finite_points_is_a_poor_result(tmp_path):
     loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(np.full((4, 3), np.nan)))
-    result = run("downsample", tmp_path / "a.ply", tmp_path / "b.ply", "--voxel", "1", "--json")
-    assert result.exit_code == 3
-    assert json.loads(result.stdout)["files"] == []
-    assert "no point is finite" in result.stderr
+    report = poor_answer("downsample", tmp_path / "a.ply", tmp_path / "b.ply", "--voxel", "1")
+    assert report["files"] == [] and "no point is finite" in report["poor"]
     assert names_in(tmp_path) == ["a.ply"]
     assert run("normals", tmp_path / "a.ply", tmp_path / "b.ply", "--radius", "1").exit_code == 3
 
@@ -267,12 +238,6 @@ def test_a_radius_without_neighbours_is_a_poor_result(cloud, tmp_path):
     assert "out.ply" in result.stdout
 
 
-def test_normals_need_a_format_that_holds_them(cloud, tmp_path):
-    result = run("normals", cloud, tmp_path / "out.xyz")
-    assert result.exit_code == 1
-    assert ".ply .pcd .npz .xyzn" in result.stderr
-
-
 @pytest.mark.parametrize(("lonely", "exit_code"), [(40, 0), (60, 3)])
 def test_normals_are_poor_where_more_than_half_of_the_points_are_alone(tmp_path, lonely, exit_code):
     together = np.random.default_rng(0).random((100 - lonely, 3)) * 0.1
@@ -281,3 +246,38 @@ def test_normals_are_poor_where_more_than_half_of_the_points_are_alone(tmp_path,
     result = run("normals", tmp_path / "in.ply", tmp_path / "out.ply", "--radius", 1)
     assert result.exit_code == exit_code, result.stderr
     assert ("60.0% of the points have fewer than 3 neighbours within 1 m" in result.stderr) == (exit_code == 3)
+
+
+MODEL = ring_model()
+
+
+@pytest.mark.parametrize(("form", "place"), [("bin", "."), ("txt", "sparse/0")])
+def test_info_tells_what_a_model_of_colmap_holds(tmp_path, form, place):
+    loom.write_colmap_model(tmp_path / place, MODEL, format=form)
+    (report,) = answer("info", tmp_path)["files"]
+    assert report["kind"] == "COLMAP model"
+    assert report["form"] == {"bin": "binary", "txt": "text"}[form]
+    assert report["folder"] == (None if place == "." else place)
+    assert (report["pictures"], report["points"], report["observations"]) == (6, 40, len(MODEL.observations))
+    assert sorted(line.split()[0] for line in report["cameras"]) == ["OPENCV", "SIMPLE_RADIAL"]
+    assert report["mean_views"] == pytest.approx(len(MODEL.observations) / 40)
+    assert 0 < report["mean_error_px"] < 1
+    shown = run("info", tmp_path).stdout
+    assert "SIMPLE_RADIAL 640 x 480, 500, 320, 240, -0.05; 4 pictures" in shown
+    assert "arbitrary" in shown
+
+
+def test_info_tells_what_metashape_exported(tmp_path):
+    (tmp_path / "cameras.xml").write_text(document(camera() + camera("lost", None)))
+    (report,) = answer("info", tmp_path / "cameras.xml")["files"]
+    assert report["kind"] == "Metashape cameras"
+    assert report["pictures"] == 1
+    assert report["left_out"] == ["lost: not aligned"]
+    assert report["camera_bounds"] == {"min": [2, 3, 4], "max": [2, 3, 4]}
+
+
+def test_a_model_without_points_is_told(tmp_path):
+    loom.write_colmap_model(tmp_path, loom.SfmModel(MODEL.names, MODEL.cameras, MODEL.T_camera_world))
+    (report,) = answer("info", tmp_path)["files"]
+    assert (report["points"], report["mean_views"], report["bounds"]) == (0, None, None)
+    assert run("info", tmp_path).exit_code == 0

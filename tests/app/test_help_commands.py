@@ -138,9 +138,6 @@ def test_the_guide_for_assistants_is_printed_as_it_is():
     assert run("docs", "icp", "--skill").exit_code == 2
 
 
-# ------------------------------------------------------------------------------------------------ the man page
-
-
 @pytest.fixture(scope="module")
 def writer():
     spec = importlib.util.spec_from_file_location("write_man_page", ROOT / "scripts" / "write_man_page.py")

@@ -87,18 +87,6 @@ def test_convert_names_what_las_and_e57_cannot_hold(tmp_path, rng):
     np.testing.assert_array_equal(loom.read_point_cloud(tmp_path / "a.e57")["intensity"], cloud["intensity"])
 
 
-def test_the_other_commands_read_and_write_las(autzen, tmp_path):
-    report = answer("downsample", autzen, tmp_path / "small.laz", "--voxel", "40", "--device", "cpu")
-    assert report["points_in"] == len(laspy.read(autzen)) >= 5000
-    assert report["points"] == len(laspy.read(tmp_path / "small.laz").x) < report["points_in"] / 4
-    (small,) = answer("info", tmp_path / "small.laz")["files"]
-    assert small["coordinate_system"] == "NAD_1983_HARN_Lambert_Conformal_Conic"
-    assert (
-        answer("normals", tmp_path / "small.laz", tmp_path / "out.las", "--device", "cpu")["points"] == report["points"]
-    )
-    assert loom.read_point_cloud(tmp_path / "out.las").has_normals
-
-
 def test_damage_and_missing_packages_are_errors_of_one_line(autzen, tmp_path, monkeypatch):
     broken = tmp_path / "broken.laz"
     broken.write_bytes(autzen.read_bytes()[: autzen.stat().st_size * 5 // 6])

@@ -62,18 +62,21 @@ def test_register_records_a_search_as_a_start_and_a_result(pair, tmp_path):
     assert "ICP, voxels of 0.06 m, iteration 1" in text
 
 
+@pytest.mark.slow
 def test_a_poor_result_is_recorded_too(tmp_path, rng):
     for k, offset in enumerate((0, 50)):
         loom.write_point_cloud(tmp_path / f"{k}.ply", loom.PointCloud(bumpy(rng) + np.array([offset, 0, 0])))
-    words = [tmp_path / "0.ply", tmp_path / "1.ply", *VOXEL, "--init", "identity", "--record", tmp_path / "r.webp"]
-    assert poor_answer("register", *words)["files"] == [str(tmp_path / "r.webp")]
+    words = [tmp_path / "0.ply", tmp_path / "1.ply", *VOXEL, "--init", "identity", "--record", tmp_path / "r.html"]
+    assert poor_answer("register", *words)["files"] == [str(tmp_path / "r.html")]
 
 
 def test_odometry_records_scan_by_scan(drive, tmp_path):
-    file, poses = tmp_path / "drive.webp", tmp_path / "poses.txt"
+    file, poses = tmp_path / "drive.html", tmp_path / "poses.txt"
     report = answer("odometry", drive, "-o", poses, "--max-range", 30, "--min-range", 0.5, "--record", file)
     assert report["files"] == [str(poses), str(file)]
-    assert frame_count(file) == 4  # and the map of all
+    assert all(
+        f'"label":"{label}' in file.read_text() for label in ("scan 0", "scan 1", "scan 2", "the map of 3 scans")
+    )
 
 
 @pytest.mark.slow
@@ -88,37 +91,11 @@ def test_commands_of_frames_record_the_camera_and_the_surface(frames, tmp_path, 
     assert "the surface of" in text
 
 
-def test_multiway_records_where_clouds_end_up(tmp_path, rng):
-    folder = tmp_path / "scans"
-    folder.mkdir()
-    points = bumpy(rng)
-    for k, T in enumerate((np.eye(4), NEAR)):
-        loom.write_point_cloud(folder / f"{k}.ply", loom.PointCloud(moved(points, T)))
-    file = tmp_path / "r.html"
-    report = answer("multiway", folder, "-o", tmp_path / "p.log", *VOXEL, "--record", file)
-    assert report["files"][-1] == str(file)
-    assert "2 of 2 clouds placed, 2 in all" in file.read_text()
-
-
-def test_other_suffixes_are_wrong_calls_before_any_work(tmp_path):
-    result = run("register", "no.ply", "none.ply", "--record", tmp_path / "r.avi")
-    assert result.exit_code == 2
-    assert "--record" in result.stderr
-    assert ".html, .gif, .webp, .mp4" in result.stderr
-
-
 def test_a_place_that_cannot_be_written_is_told_before_any_work(pair, tmp_path):
     assert "does not exist" in refusal("register", *pair, "--record", tmp_path / "no" / "r.gif")
     (tmp_path / "r.gif").write_bytes(b"keep")
     assert "exists already" in refusal("register", *pair, "--record", tmp_path / "r.gif")
     assert (tmp_path / "r.gif").read_bytes() == b"keep"
-
-
-def test_one_file_for_two_outputs_is_refused(pair, drive, tmp_path):
-    for words in (["register", *pair, "--picture", "x.html"], ["odometry", drive, "-o", "x.html"]):
-        result = run(*words, "--record", "x.html")
-        assert result.exit_code == 2
-        assert "--record" in result.stderr
 
 
 def test_a_failure_before_the_first_frame_leaves_no_recording(tmp_path):

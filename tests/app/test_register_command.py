@@ -1,6 +1,5 @@
 """register: what it finds, what it writes, what it tells, and what it refuses."""
 
-import json
 from pathlib import Path
 
 import numpy as np
@@ -8,7 +7,6 @@ import pytest
 from PIL import Image
 
 import pointloom as loom
-from pointloom.app.jobs.register import register_files
 from pointloom.registration import choose_voxel_size
 from pointloom.registration.globally.pair import METHODS
 
@@ -57,11 +55,6 @@ def test_register_finds_the_pose_from_anywhere(pair, tmp_path, device):
     np.testing.assert_array_equal(found.colors, source.colors)
 
 
-def test_the_same_pose_comes_out_of_every_run(pair):
-    poses = [answer("register", *pair, *VOXEL)["transformation"] for _ in range(2)]
-    assert poses[0] == poses[1]
-
-
 def test_a_pose_file_starts_another_run(pair, tmp_path):
     np.savetxt(tmp_path / "T.txt", POSE @ NEAR, fmt="%.4f")
     report = answer("register", *pair, *VOXEL, "--init", tmp_path / "T.txt", "-o", tmp_path / "T.txt", "--force")
@@ -71,15 +64,17 @@ def test_a_pose_file_starts_another_run(pair, tmp_path):
     assert run("info", tmp_path / "T.txt").exit_code == 0
 
 
+def test_vertices_of_a_mesh_and_scans_of_kitti_count(near, tmp_path):
+    source, target = (loom.read_point_cloud(path).points for path in near)
+    np.column_stack([source, np.arange(len(source))]).astype(np.float32).tofile(tmp_path / "a.bin")
+    loom.write_triangle_mesh(tmp_path / "m.ply", loom.TriangleMesh(target, [[0, 1, 2]]))
+    words = ["register", tmp_path / "a.bin", tmp_path / "m.ply", *VOXEL, "--init", "identity"]
+    np.testing.assert_allclose(answer(*words, "--aligned", tmp_path / "c.ply")["transformation"], NEAR, atol=0.01)
+    assert loom.read_point_cloud(tmp_path / "c.ply")["intensity"].tolist() == list(range(len(source)))
+
+
 @pytest.mark.parametrize(
-    ("method", "estimated"),
-    [
-        ("point-to-point", []),
-        ("point-to-plane", ["target"]),
-        ("symmetric", ["source", "target"]),
-        ("generalized", []),
-        ("colored", ["target"]),
-    ],
+    ("method", "estimated"), [("point-to-point", []), ("symmetric", ["source", "target"]), ("colored", ["target"])]
 )
 def test_each_method_refines_a_start_nearby(near, method, estimated):
     assert method in METHODS
@@ -88,14 +83,6 @@ def test_each_method_refines_a_start_nearby(near, method, estimated):
     assert report["normals_estimated"] == estimated
     assert (report["normal_radius"] is None) == (not estimated)
     assert report["distance"] == 0.12
-
-
-def test_normals_of_the_file_are_used(near, tmp_path):
-    with_normals = tmp_path / "n.ply"
-    assert run("normals", near[1], with_normals).exit_code == 0
-    report = answer("register", near[0], with_normals, *VOXEL, "--init", "identity")
-    assert report["normals_estimated"] == []
-    np.testing.assert_allclose(report["transformation"], NEAR, atol=0.01)
 
 
 def test_a_distance_that_is_given_is_the_only_one(near):
@@ -107,14 +94,6 @@ def test_a_distance_that_is_given_is_the_only_one(near):
     )
     np.testing.assert_array_equal(report["transformation"], expected.transformation)
     assert report["iterations"] == expected.iterations
-
-
-def test_a_start_that_was_given_is_refined_from_coarse_to_fine(near, tmp_path):
-    np.savetxt(tmp_path / "T.txt", turned(5, 0.1, 0, 0.35) @ NEAR)
-    words = ["register", *near, *VOXEL, "--init", tmp_path / "T.txt", "--method", "point-to-plane"]
-    np.testing.assert_allclose(answer(*words)["transformation"], NEAR, atol=0.01)
-    result = run(*words, "--distance", "0.12", "--json")  # at once, it does not get there
-    assert np.abs(np.array(json.loads(result.stdout)["transformation"]) - NEAR).max() > 0.02
 
 
 def test_the_voxel_size_is_chosen_from_the_clouds_and_told(near, rng):
@@ -135,13 +114,12 @@ def test_the_voxel_size_is_chosen_from_the_clouds_and_told(near, rng):
 
 
 def test_a_summary_tells_how_the_pose_came_about(near, tmp_path):
-    words = ["register", *near, "--init", "identity", "--picture", tmp_path / "a.png", "-o", tmp_path / "T.txt"]
-    shown = run(*words)
+    shown = run("register", *near, "--init", "identity", "-o", tmp_path / "T.txt")
     assert shown.exit_code == 0, shown.stderr
     assert shown.stderr == ""
     rows = np.loadtxt(tmp_path / "T.txt")
     for words in (
-        "8,000 onto 8,000",
+        "5,000 onto 5,000",
         "chosen from the clouds",
         "start    identity",
         "normals of the target estimated, radius 0.",
@@ -149,7 +127,7 @@ def test_a_summary_tells_how_the_pose_came_about(near, tmp_path):
         f"{rows[0][0]:.9f}",
         f"{rows[1][3]:.9f}",
         f"on {chosen_device()}",
-        "T.txt, ",
+        "T.txt",
     ):
         assert words in shown.stdout
 
@@ -183,39 +161,12 @@ def test_coordinates_of_maps_do_no_harm(near, tmp_path):
     np.testing.assert_allclose(found, moved(source, T), atol=1e-5)
 
 
-def test_the_vertices_of_a_mesh_count(near, tmp_path):
-    vertices = loom.read_point_cloud(near[0]).points
-    loom.write_triangle_mesh(tmp_path / "m.ply", loom.TriangleMesh(vertices, [[0, 1, 2]]))
-    report = answer("register", tmp_path / "m.ply", near[1], *VOXEL, "--init", "identity")
-    np.testing.assert_allclose(report["transformation"], NEAR, atol=0.01)
-
-
-def test_scans_of_kitti_are_clouds_too(near, tmp_path):
-    points = loom.read_point_cloud(near[0]).points
-    np.column_stack([points, np.arange(len(points))]).astype(np.float32).tofile(tmp_path / "a.bin")
-    words = ["register", tmp_path / "a.bin", near[1], *VOXEL, "--init", "identity", "--aligned", tmp_path / "c.ply"]
-    np.testing.assert_allclose(answer(*words)["transformation"], NEAR, atol=0.01)
-    assert loom.read_point_cloud(tmp_path / "c.ply")["intensity"].tolist() == list(range(len(points)))
-
-
-def test_a_cloud_lies_on_itself(near):
-    report = answer("register", near[0], near[0], *VOXEL, "--init", "identity")
-    np.testing.assert_allclose(report["transformation"], np.eye(4), atol=1e-6)
-    assert report["fitness"] == 1
-
-
 def test_surfaces_that_do_not_meet_are_a_poor_result_that_is_written(pair, tmp_path):
     np.savetxt(tmp_path / "T.txt", turned(120, 0.3, 0.3, 0) @ POSE)
     report = poor_answer("register", *pair, *VOXEL, "--init", tmp_path / "T.txt", "-o", tmp_path / "out.txt")
     assert "not above 0.5: the surfaces hardly lie on each other; try --init global" in report["poor"]
     assert report["score"] < 0.5
     np.testing.assert_array_equal(np.loadtxt(tmp_path / "out.txt"), report["transformation"])
-
-
-def test_clouds_of_different_scenes_are_a_poor_result(pair, tmp_path, rng):
-    loom.write_point_cloud(tmp_path / "c.ply", loom.PointCloud(rng.random((6000, 3))))
-    report = poor_answer("register", tmp_path / "c.ply", pair[1], *VOXEL)
-    assert "try another --voxel" in report["poor"]
 
 
 @pytest.mark.parametrize("init", ["identity", "global"])
@@ -250,13 +201,6 @@ def test_a_small_share_of_correspondences_is_a_poor_result(near, tmp_path):
     assert "of the source, less than 10%, has a correspondence" in report["poor"]
 
 
-def test_register_tells_its_stages(near):
-    stages = []
-    report = register_files(*near, voxel_size=0.1, progress=lambda stage, done, total: stages.append(stage))
-    assert stages == ["read", "search", "refine", "write"]
-    assert list(report.done.seconds) == ["read", "voxels", "search", "refine", "rate", "write"]
-
-
 @pytest.mark.parametrize(
     ("option", "name", "why"),
     [
@@ -270,7 +214,7 @@ def test_outputs_are_checked_before_the_clouds_are_read(tmp_path, option, name, 
     assert why in refusal("register", tmp_path / "no.ply", tmp_path / "no.ply", option, tmp_path / name)
 
 
-@pytest.mark.parametrize(("option", "name"), [("-o", "T.txt"), ("--aligned", "c.ply"), ("--picture", "p.png")])
+@pytest.mark.parametrize(("option", "name"), [("-o", "T.txt"), ("--aligned", "c.ply")])
 def test_outputs_that_exist_are_kept_unless_forced(near, tmp_path, option, name):
     (tmp_path / name).write_bytes(b"kept")
     words = ["register", *near, *VOXEL, "--init", "identity", option, tmp_path / name]
@@ -306,8 +250,6 @@ def test_a_start_that_is_no_pose_is_an_error(near, tmp_path):
     for text, why in (
         ("1 0 0 0\n" * 3, "expected 4 rows of a pose, got 3"),
         ("1 0 0 0\n" * 4, "expected a rigid motion"),
-        ("1 0 0\n" * 4, "expected 4 numbers"),
-        ("1 0 0 x\n" * 4, "not a number"),
     ):
         start.write_text(text)
         assert why in refusal("register", *near, "--init", start)
@@ -336,18 +278,3 @@ def test_a_pose_that_is_known_holds_a_plane(tmp_path, rng):
     report = poor_answer("register", *paths, "--voxel", "0.1", "--init", "identity", *prior)  # planes prove nothing
     assert len(report["prior_directions"]) == 3
     np.testing.assert_allclose(np.array(report["transformation"])[:3, 3], [0.1, 0, 0], atol=0.01)
-
-
-@pytest.mark.parametrize(
-    ("given", "words"),
-    [
-        (("--free", "x,yav"), "--free: expected motions among x, y, z, roll, pitch, yaw, each once, got 'yav'"),
-        (("--free", "x,x"), "each once, got 'x'"),
-        (("--free", ""), "--free: expected motions"),
-        (("--free", "x"), "--free: a search is of all six motions or of x,y,z,yaw, got x; --init takes any"),
-        (("--prior-sigma", "0.1", "1"), "--prior, --prior-sigma: a pose that is known, and how well"),
-    ],
-)
-def test_freedoms_that_make_no_sense_are_refused(near, given, words):
-    said = run("register", *near, *given)
-    assert said.exit_code == 2 and words in " ".join(said.stderr.split())

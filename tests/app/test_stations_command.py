@@ -21,7 +21,7 @@ PLACES = {"A": [2, -3, 0.5], "B": [9, 4, 1.5], "C": [16, 2, 2], "D": [5, 12, 1]}
 def files(tmp_path_factory):
     """Three scans with rough poses, tables of what they saw, and the same with two names exchanged."""
     folder = tmp_path_factory.mktemp("stations")
-    clouds, truth = scan_all(BOXES, COURT[:3], 1, columns=300, rows=100)
+    clouds, truth = scan_all(BOXES, COURT[:3], 1, columns=120, rows=40)
     truth[:, :3, 3] += FAR
     rough = truth.copy()
     rough[:, :3, 3] += np.random.default_rng(0).normal(0, 0.2, (3, 3))

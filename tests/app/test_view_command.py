@@ -54,9 +54,6 @@ def red_pixels(path):
     return ((red - green > 60) & (red - blue > 60)).sum()
 
 
-# -- pictures and pages -----------------------------------------------------------------------------------------------
-
-
 @pytest.mark.slow
 def test_what_is_up_is_told_or_that_of_the_file(tmp_path):
     cone = loom.TriangleMesh.create_cone(0.5, 3.0)
@@ -109,18 +106,10 @@ def test_colors_and_view_change_the_picture(cloud, tmp_path):
     bounds = ([0, 0, 0], [1, 1, 1])
     loom.write_view(tmp_path / "view.json", loom.View.from_open3d(bounds, front=[0, 0, 1], up=[0, 1, 0]), bounds)
     pictures = []
-    for k, words in enumerate(
-        (
-            [],
-            ["--color-by", "intensity"],
-            ["--color-by", "height", "--colormap", "jet"],
-            ["--view", tmp_path / "view.json"],
-            ["--point-size", 9],
-        )
-    ):
+    for k, words in enumerate(([], ["--color-by", "height", "--colormap", "jet"], ["--view", tmp_path / "view.json"])):
         answer("view", cloud, "--screenshot", tmp_path / f"{k}.png", *words)
         pictures.append(loom.read_color(tmp_path / f"{k}.png").tobytes())
-    assert len(set(pictures)) == 5
+    assert len(set(pictures)) == 3
 
 
 def test_a_cloud_may_come_through_a_pipe(cloud, tmp_path):
@@ -155,9 +144,8 @@ def test_volumes_and_polygons_are_shown(tmp_path, mesh):
     volume.save(tmp_path / "volume.npz")
     polygon = loom.SelectionPolygonVolume([[0, 0, 0], [1, 0, 0], [1, 1, 0]], "Z", axis_min=0, axis_max=1)
     polygon.to_json(tmp_path / "cropped.json")
-    report = answer(
-        "view", tmp_path / "volume.npz", tmp_path / "cropped.json", mesh, "--screenshot", tmp_path / "out.png"
-    )
+    files = tmp_path / "volume.npz", tmp_path / "cropped.json", mesh
+    report = answer("view", *files, "--screenshot", tmp_path / "out.png")
     assert [one["kind"] for one in report["geometries"]] == ["TSDFVolume", "SelectionPolygonVolume", "TriangleMesh"]
 
 
@@ -165,15 +153,10 @@ def test_a_large_cloud_is_read_in_levels_of_detail(tmp_path, rng):
     points, colors = rng.random((30_000, 3)), np.tile([[1.0, 0, 0]], (30_000, 1))
     loom.write_point_cloud(tmp_path / "large.ply", loom.PointCloud(points, colors=colors, intensity=points[:, 0]))
     words = ["view", tmp_path / "large.ply", "--max-points", 10_000, "--force", "--screenshot", tmp_path / "out.png"]
-    assert answer(*words)["geometries"][0]["points"] == 30_000
-    assert red_pixels(tmp_path / "out.png") > 10_000
-    assert "intensity" not in answer(*words, "--color-by", "intensity")["geometries"][0]
+    assert answer(*words, "--save-html", tmp_path / "out.html")["geometries"][0]["points"] == 30_000
+    assert red_pixels(tmp_path / "out.png") > 10_000 and (tmp_path / "out.html").stat().st_size < 600_000
+    answer(*words, "--color-by", "intensity")
     assert red_pixels(tmp_path / "out.png") == 0
-    answer("view", tmp_path / "large.ply", "--max-points", 10_000, "--save-html", tmp_path / "out.html")
-    assert (tmp_path / "out.html").stat().st_size < 600_000
-
-
-# -- errors -----------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -187,7 +170,6 @@ def test_a_large_cloud_is_read_in_levels_of_detail(tmp_path, rng):
         (["cloud.ply", "--color-by", "ring"], "no cloud here has 'ring'; there are rgb, height, x, y, intensity"),
         (["mesh.ply", "--color-by", "height"], "no cloud here has 'height'; and there is no cloud"),
         (["cloud.ply", "--view", "other.json"], "other.json"),
-        (["cloud.ply", "--screenshot", "out.jpg"], "ends in .png"),
         (["cloud.ply", "--save-html", "out.txt"], "ends in .html"),
         (["cloud.ply", "--screenshot", "cloud.png"], "cloud.png: exists already"),
         (["cloud.ply", "--screenshot", "no/such/out.png"], "no/such"),
@@ -207,29 +189,6 @@ def test_errors_are_one_line_and_nothing_is_written(cloud, mesh, tmp_path, monke
     assert reason in told
     assert names_in(tmp_path) == before
     assert Path("cloud.png").read_text() == "kept"
-
-
-@pytest.mark.parametrize(
-    ("words", "hint"),
-    [
-        (["--port", "70000"], "--port"),
-        (["--max-points", "0"], "--max-points"),
-        (["--point-size", "0"], "above 0"),
-        (["--colormap", "jet"], "--colormap goes with --color-by"),
-        (["--colormap", "rainbow", "--color-by", "height"], "--colormap"),
-        (["--screenshot", "cloud.ply"], "is one of FILES"),
-        (["--screenshot", "a.png", "--save-html", "a.png"], "is the file of"),
-    ],
-)
-def test_wrong_calls_exit_with_2(cloud, tmp_path, monkeypatch, words, hint):
-    monkeypatch.chdir(tmp_path)
-    result = run("view", "cloud.ply", *words)
-    assert result.exit_code == 2
-    assert result.stdout == ""
-    assert hint in result.stderr
-
-
-# -- the server -------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.slow

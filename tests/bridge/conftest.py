@@ -10,8 +10,12 @@ import pytest
 from PIL import Image
 
 import pointloom as loom
+import pointloom.open3d as o3d
 
 FRAMES = (0, 1, 2)
+COUNT = 3
+EVERY = 7  # points of the two clouds
+FARTHEST = 4.0  # [m]
 POLYGON = [[-0.9, 0.0, 1.2], [0.6, 0.0, 1.2], [0.8, 0.0, 2.6], [-0.7, 0.0, 2.8]]
 
 
@@ -52,3 +56,34 @@ def street(rng: np.random.Generator) -> np.ndarray:
     cars = [rng.uniform(-0.5, 0.5, (400, 3)) * (4, 1.8, 1.4) + (x, y, -0.6) for x, y in ((-7, 3), (0, -4), (6, 2))]
     stray = rng.uniform(-12, 12, (40, 3)) * (1, 1, 0.4)
     return np.concatenate([road, wall, *cars, stray])
+
+
+@pytest.fixture(scope="session")
+def page_files(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with three frames of a made room, 320 x 240, and files that the pages on pipelines read."""
+    folder = tmp_path_factory.mktemp("pages")
+    frames = loom.data.room_frames(COUNT)
+    T_first_world = np.linalg.inv(frames[0].T_world_camera)
+    poses = np.array([T_first_world @ frame.T_world_camera for frame in frames])
+    camera = frames[0].intrinsic
+    for name in ("color", "depth"):
+        (folder / name).mkdir()
+    volume = loom.TSDFVolume(voxel_size=0.05, truncation=0.2)
+    for i, frame in enumerate(frames):
+        depth = (frame.depth * 1000).round().astype(np.uint16)
+        Image.fromarray(frame.color).save(folder / f"color/{i}.jpg", quality=95)
+        Image.fromarray(depth).save(folder / f"depth/{i}.png")
+        volume.integrate(depth, camera, np.linalg.inv(poses[i]), frame.color, depth_max=FARTHEST)
+        if i < 2:
+            rgbd = loom.RGBDImage.from_color_and_depth(frame.color, depth, 1000.0, FARTHEST, False)
+            cloud = loom.PointCloud.from_rgbd_image(rgbd, camera)
+            loom.write_point_cloud(folder / f"{i}.pcd", cloud.uniform_down_sample(EVERY))
+    loom.write_pinhole_camera_intrinsic(folder / "camera.json", camera)
+    path = loom.Trajectory(poses)
+    loom.write_trajectory(folder / "trajectory.log", path)
+    loom.write_trajectory(folder / "cameras.json", path, intrinsic=camera)
+    loom.write_triangle_mesh(folder / "room.ply", volume.extract_triangle_mesh(0))
+    option = o3d.visualization.RenderOption()
+    option.point_size, option.background_color, option.show_coordinate_frame = 2.0, (0.1, 0.2, 0.3), True
+    option.save_to_json(folder / "renderoption.json")
+    return folder

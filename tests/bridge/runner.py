@@ -11,8 +11,11 @@ from typing import Any
 
 import numpy as np
 
+import pointloom.open3d
+
 CHAPTERS = Path(__file__).parent / "chapters"
 IMPORT = "import open3d as o3d\n"
+LARGE = 600  # numbers of an array
 
 
 def found_by(chapter: str, package: str, folder: Path) -> dict[str, Any]:
@@ -42,6 +45,37 @@ def draw_nothing(monkeypatch: Any, module: ModuleType) -> list[int]:
     shown: list[int] = []
     monkeypatch.setattr(module.visualization, "draw_geometries", lambda shapes, **_: shown.append(len(shapes)))
     return shown
+
+
+def assert_found_by_both(
+    oracle: Any, script: str, folder: Path, monkeypatch: Any, tolerances: dict[str, float], usual: float
+) -> None:
+    """A script finds and draws with pointloom.open3d what it does with Open3D: all in live runs, or the stored part."""
+
+    def run(package: ModuleType) -> dict[str, Any]:
+        shown = draw_nothing(monkeypatch, package)
+        return found_by(script, package.__name__, folder) | {"windows": shown}
+
+    def compare_and_shorten(open3d: ModuleType) -> dict[str, Any]:
+        theirs = run(open3d)
+        assert differences(theirs, ours, tolerances, usual) == []
+        return shortened(theirs)
+
+    ours = run(pointloom.open3d)
+    stored = oracle(f"bridge/{Path(script).name}", compare_and_shorten)
+    assert differences(stored, shortened(ours), tolerances, usual) == []
+
+
+def shortened(found: dict[str, Any]) -> dict[str, Any]:
+    """What a script found, with large arrays by their shape and some of their rows: an answer that can be stored."""
+    short: dict[str, Any] = {}
+    for name, value in found.items():
+        if isinstance(value, np.ndarray) and value.size > LARGE:
+            rows = value.reshape(len(value), -1)[:: value.size // LARGE + 1]
+            value = rows.astype(np.float32) if rows.dtype.kind == "f" else rows
+            short[f"{name}: shape"] = str(found[name].shape)
+        short[name] = value
+    return short
 
 
 def differences(theirs: dict[str, Any], ours: dict[str, Any], tolerances: dict[str, float], usual: float) -> list[str]:

@@ -11,18 +11,13 @@ import pytest
 import pointloom as loom
 import pointloom.open3d as bridge
 
-from .pipeline_files import write_pipeline_files
-from .runner import differences, draw_nothing, found_by
-
-open3d = pytest.importorskip("open3d", exc_type=ImportError)
+from .runner import assert_found_by_both, differences, draw_nothing, found_by
 
 USUAL = 1e-6  # positions are float32 about an origin here, float64 there
 TOLERANCES = {
     "icp_registration": {},
     "colored_icp": {},
     "robust_kernels": {},
-    # ICP begins at poses that two draws of samples found, and ends where steps are small
-    "global_registration": {"icp": 1e-3, "icp fitness": 1e-3},
     # the misfit of a turn is 2 sin(a / 2) here and sin(a) there; a last step that still helps is taken
     "multiway_registration": {"poses": 1e-5, "again": 1e-5, "moved by": 1e-5, "confidence": 1e-5, "middle": 1e-5},
     # what brightness alone leaves nearly open is found by 35 steps of other sums
@@ -31,54 +26,22 @@ TOLERANCES = {
 VOXEL = 0.05  # [m] of rgbd_integration
 
 
-@pytest.fixture(scope="module")
-def folder_and_poses(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("pages")
-    return folder, write_pipeline_files(folder)
+@pytest.mark.parametrize("page", TOLERANCES)
+def test_a_page_gives_the_same_numbers(page, oracle, page_files, monkeypatch):
+    assert_found_by_both(oracle, f"../pages/{page}", page_files, monkeypatch, TOLERANCES[page], USUAL)
 
 
 @pytest.fixture
-def both(folder_and_poses, monkeypatch):
+def both(o3d, page_files, monkeypatch):
     """What a page's script finds with Open3D and with its names here, which draw the same."""
 
     def run(page):
-        shown = [draw_nothing(monkeypatch, module) for module in (open3d, bridge)]
-        pair = [
-            found_by(f"../pages/{page}", package, folder_and_poses[0]) for package in ("open3d", "pointloom.open3d")
-        ]
+        shown = [draw_nothing(monkeypatch, module) for module in (o3d, bridge)]
+        pair = [found_by(f"../pages/{page}", package, page_files) for package in ("open3d", "pointloom.open3d")]
         assert shown[0] == shown[1] != []
         return pair
 
     return run
-
-
-def apart(page, theirs, ours):
-    return differences(theirs, ours, TOLERANCES[page], USUAL)
-
-
-@pytest.mark.parametrize("page", ["icp_registration", "colored_icp", "robust_kernels", "multiway_registration"])
-def test_a_page_on_registration_gives_the_same_numbers(page, both):
-    assert apart(page, *both(page)) == []
-
-
-def test_registration_without_a_pose_comes_near_the_truth(both, folder_and_poses):
-    bridge.utility.random.seed(0)
-    theirs, ours = both("global_registration")
-    poses = [found.pop("poses") for found in (theirs, ours)][1]
-    features = [found.pop("target features") for found in (theirs, ours)]
-    counts = [found.pop("matches") for found in (theirs, ours)]
-    assert apart("global_registration", theirs, ours) == []
-    assert (
-        np.abs(features[0] - features[1]).mean() < 0.02
-    )  # of up to 200: an angle on the edge of two bins is in either
-    assert abs(counts[0] - counts[1]) < 0.01 * counts[0]
-    truth = np.linalg.inv(folder_and_poses[1][1]) @ folder_and_poses[1][0]
-    assert np.abs(poses["ransac"] - truth).max() < 0.1
-    assert np.abs(poses["fast"] - truth).max() < 0.05  # half a voxel
-
-
-def test_odometry_gives_the_same_numbers(both):
-    assert apart("rgbd_odometry", *both("rgbd_odometry")) == []
 
 
 def test_a_volume_has_the_same_surface(both):
@@ -111,8 +74,6 @@ def test_colour_maps_give_the_same_colours(both):
     assert differences(theirs, ours, {}, USUAL) == []
 
 
-# ----------------------------------------------------------------------------------------------- options and graphs
-
 OBJECTS = """
 registration.CauchyLoss(0.1), registration.L1Loss(), registration.L2Loss(), registration.TukeyLoss(k=0.1)
 registration.CorrespondenceCheckerBasedOnDistance(0.1), registration.CorrespondenceCheckerBasedOnEdgeLength()
@@ -132,13 +93,16 @@ odometry.RGBDOdometryJacobianFromHybridTerm()
 """
 
 
-@pytest.mark.parametrize("line", OBJECTS.strip().splitlines())
-def test_options_say_themselves_as_those_of_open3d(line):
-    theirs, ours = (eval(f"[{line}]", dict(vars(package.pipelines))) for package in (open3d, bridge))
-    for their, our in zip(theirs, ours, strict=True):
-        assert repr(our) == repr(their)
-        for copied in (copy.copy(our), copy.deepcopy(our), pickle.loads(pickle.dumps(our))):
-            assert repr(copied) == repr(their)
+def objects_of(package):
+    names = {name: getattr(package.pipelines, name) for name in ("registration", "odometry")}
+    return [one for line in OBJECTS.strip().splitlines() for one in eval(f"[{line}]", names)]
+
+
+def test_options_say_themselves_as_those_of_open3d(oracle):
+    texts = oracle("bridge/options", lambda open3d: [repr(one) for one in objects_of(open3d)])
+    for said, ours in zip(texts, objects_of(bridge), strict=True):
+        for same in (ours, copy.copy(ours), copy.deepcopy(ours), pickle.loads(pickle.dumps(ours))):
+            assert repr(same) == said
 
 
 def test_options_are_assigned_and_checked_where_they_are_used():
@@ -159,16 +123,20 @@ def test_options_are_assigned_and_checked_where_they_are_used():
         kinds.ScalableTSDFVolume(0.1, 0.4, kinds.TSDFVolumeColorType.Gray32)
 
 
-def test_pairs_fix_a_pose_as_in_open3d(rng):
+def poses_of_pairs(package, points, turned):
+    clouds = [package.geometry.PointCloud(package.utility.Vector3dVector(rows)) for rows in (points, turned)]
+    pairs = package.utility.Vector2iVector(np.column_stack([np.arange(20)] * 2))
+    methods = [package.pipelines.registration.TransformationEstimationPointToPoint(s) for s in (False, True)]
+    return [
+        (np.array(method.compute_transformation(*clouds, pairs)), method.compute_rmse(*clouds, pairs))
+        for method in methods
+    ]
+
+
+def test_pairs_fix_a_pose_as_in_open3d(oracle, rng):
     points, turned = rng.random((20, 3)), rng.random((20, 3))
-    found = []
-    for package in (open3d, bridge):
-        clouds = [package.geometry.PointCloud(package.utility.Vector3dVector(rows)) for rows in (points, turned)]
-        pairs = package.utility.Vector2iVector(np.column_stack([np.arange(20)] * 2))
-        for scaled in (False, True):
-            method = package.pipelines.registration.TransformationEstimationPointToPoint(scaled)
-            found.append((method.compute_transformation(*clouds, pairs), method.compute_rmse(*clouds, pairs)))
-    for (T, rmse), (T_ours, rmse_ours) in zip(found[:2], found[2:], strict=True):
+    wanted = oracle("bridge/pairs", poses_of_pairs, points, turned)
+    for (T, rmse), (T_ours, rmse_ours) in zip(wanted, poses_of_pairs(bridge, points, turned), strict=True):
         assert np.allclose(T_ours, T, atol=1e-6)
         assert rmse_ours == pytest.approx(rmse, abs=1e-6)
 

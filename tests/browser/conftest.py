@@ -1,13 +1,17 @@
-"""Chromium for the tests of what people see: Debian's own, driven by playwright, drawing in software.
+"""Chromium for the tests of the pages: Debian's package, driven by playwright, drawing in software.
 
-`make test-browser` runs this folder; the other targets leave it out, so that they need no browser. A test takes
-`open_page`; each page that it opened must end without an error on its console and without a request to elsewhere.
+`make test-browser` runs this folder. The other targets leave it out, so that they need no browser. A test takes
+`open_page`. Each page that it opened must end without an error on its console and without a request to another host.
+
+The trace of a failed test is kept in build/traces. A failed test runs once more in a fresh context, and each such retry
+is printed as a flake.
 """
 
 from __future__ import annotations
 
 import contextlib
 import os
+import re
 import secrets
 import shutil
 import threading
@@ -18,33 +22,84 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, ConsoleMessage, Error, Page, expect, sync_playwright
+from _pytest.runner import runtestprotocol
+from playwright.sync_api import (
+    Browser,
+    BrowserContext,
+    ConsoleMessage,
+    Error,
+    Page,
+    Playwright,
+    expect,
+    sync_playwright,
+)
 
 import pointloom as loom
 
-from .live_pages import OPEN, Program
-from .pixels import PATIENCE, wait_until
+from ..drawing.viewer.events import announced_events  # noqa: F401  a fixture
+from .live_pages import Program
+from .pixels import PATIENCE, ready
 from .viewer_scenes import HEIGHT, WIDTH
 
 HERE = Path(__file__).parent
+TRACES = HERE.parents[1] / "build" / "traces"
 NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
 MISSING = "no Chromium on the path: apt-get install chromium (or POINTLOOM_CHROMIUM=/path/to/it)"
 REBOUND = "rebound.test"  # a name of somebody else that leads to this machine
-# WebGL in software, and no calls home: the machine may have neither a GPU nor a network. Text and panels are drawn
-# without WebGL, which takes a third less time.
+# No calls home: the machine may have no network. Text and panels are drawn without WebGL, which takes less time.
 FLAGS = [
-    "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-quic", "--no-first-run",
-    "--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-gpu-rasterization",
-    f"--host-resolver-rules=MAP {REBOUND} 127.0.0.1",
+    "--use-gl=angle", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-sync",
+    "--disable-component-update", "--disable-gpu-rasterization", f"--host-resolver-rules=MAP {REBOUND} 127.0.0.1",
 ]  # fmt: skip
-# What the browser says of drawing in software; anything else on the console fails the test.
+# WebGL in software, the first that the machine has: the renderer's name, and what selects it. llvmpipe runs without X.
+RENDERERS = {
+    "llvmpipe": ["--use-angle=gl-egl", "--ignore-gpu-blocklist"],
+    "SwiftShader": ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+}
+MESA = {"EGL_PLATFORM": "surfaceless", "LIBGL_ALWAYS_SOFTWARE": "1"}
+RENDERER = """() => {
+    const gl = document.createElement("canvas").getContext("webgl2");
+    return gl ? gl.getParameter(gl.getExtension("WEBGL_debug_renderer_info").UNMASKED_RENDERER_WEBGL) : "none";
+}"""
+# The browser's messages about drawing in software. Any other message on the console fails the test.
 EXPECTED = ("GPU stall due to ReadPixels", "GroupMarkerNotSet", "swiftshader")
+FAILED = pytest.StashKey[bool]()
+printed: list[str] = []  # at the end
 
 
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
     """Only when asked for by name."""
     asked = [Path(os.fspath(config.invocation_params.dir), arg.split("::")[0]).resolve() for arg in config.args]
     return None if any(path == HERE or HERE in path.parents for path in asked) else True
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtest_protocol(item: pytest.Item, nextitem: pytest.Item | None) -> bool:
+    """Run a test, and once more in a fresh context if it failed."""
+    item.ihook.pytest_runtest_logstart(nodeid=item.nodeid, location=item.location)
+    reports = runtestprotocol(item, nextitem=nextitem, log=False)
+    if failed := next((report for report in reports if report.failed), None):
+        error = str(getattr(failed.longrepr, "reprcrash", failed.longrepr)).strip().splitlines()[0]
+        printed.append(f"FLAKE {item.nodeid}: {failed.when}: {error}")
+        item.user_properties.append(("flake", error))  # for tests/flakes.py
+        item._initrequest()  # type: ignore[attr-defined]  # fresh fixtures
+        reports = runtestprotocol(item, nextitem=nextitem, log=False)
+    for report in reports:
+        item.ihook.pytest_runtest_logreport(report=report)
+    item.ihook.pytest_runtest_logfinish(nodeid=item.nodeid, location=item.location)
+    return True
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(item: pytest.Item) -> Iterator[Any]:
+    report = yield
+    item.stash[FAILED] = report.failed
+    return report
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    for line in dict.fromkeys(printed):
+        terminalreporter.write_line(line)
 
 
 @pytest.fixture(scope="session")
@@ -55,9 +110,27 @@ def browser() -> Iterator[Browser]:
         pytest.exit(MISSING, returncode=1)
     expect.set_options(timeout=1000 * PATIENCE)  # 5 s else, which a busy machine may take
     with sync_playwright() as playwright:
-        chromium = playwright.chromium.launch(executable_path=path, args=FLAGS, chromium_sandbox=False)
+        chromium = launch(playwright, path)
         yield chromium
         chromium.close()
+
+
+def launch(playwright: Playwright, path: str) -> Browser:
+    """Chromium with the first renderer that works."""
+    for name, flags in RENDERERS.items():
+        environment = {**os.environ, **MESA}
+        chromium = playwright.chromium.launch(
+            executable_path=path, args=[*FLAGS, *flags], chromium_sandbox=False, env=environment
+        )
+        page = chromium.new_page()
+        found = page.evaluate(RENDERER)
+        page.close()
+        if name in found:
+            missing = "" if name == "llvmpipe" else "; no llvmpipe: apt-get install libegl-mesa0 libgl1-mesa-dri"
+            printed.append(f"Chromium drew with {name}{missing}")
+            return chromium
+        chromium.close()
+    pytest.exit(f"Chromium draws WebGL with {found}; expected one of {', '.join(RENDERERS)}", returncode=1)
 
 
 class Visit:
@@ -83,29 +156,36 @@ class Visit:
 
 
 @pytest.fixture
-def open_page(browser: Browser) -> Iterator[Callable[..., Page]]:
-    """Open a viewer's or a file's page: `open_page(url, width=640, height=480, offline=False, faults=True)`.
+def open_page(browser: Browser, request: pytest.FixtureRequest) -> Iterator[Callable[..., Page]]:
+    """Open a page of a viewer or of a file: `open_page(viewer, width=640, height=480, offline=False, faults=True)`.
 
-    One pixel of the picture is one of the window. `page.visit` holds what the page asked for and complained of; with
-    `faults=False` complaints are the test's own business.
+    One pixel of the image is one of the window. `page.visit` has the page's requests and its messages on the console.
+    With `faults=False` the test checks those itself.
     """
     visits: list[tuple[Visit, bool]] = []
-    contexts = []
+    contexts: list[BrowserContext] = []
 
-    def open_one(url: str, *, width: int = 640, height: int = 480, offline: bool = False, faults: bool = True) -> Any:
+    def open_one(shown: Any, *, width: int = 640, height: int = 480, offline: bool = False, faults: bool = True) -> Any:
         context = browser.new_context(viewport={"width": width, "height": height}, offline=offline)
         context.set_default_timeout(1000 * PATIENCE)
+        context.tracing.start(snapshots=True)
         contexts.append(context)
-        page = context.new_page()
-        page.visit = Visit(page)  # type: ignore[attr-defined]
-        visits.append((page.visit, faults))  # type: ignore[attr-defined]
-        page.goto(url)
+        page: Any = context.new_page()
+        page.visit = Visit(page)
+        visits.append((page.visit, faults))
+        page.viewer = shown if isinstance(shown, loom.Viewer) else None
+        page.goto(shown if page.viewer is None else shown.url)
         return page
 
     yield open_one
-    found = [(visit.faults, visit.requests_elsewhere()) for visit, faults in visits if faults]
-    for context in contexts:
+    found = [([*visit.faults], visit.requests_elsewhere()) for visit, faults in visits if faults]
+    has_failed = request.node.stash.get(FAILED, False) or any(faults or elsewhere for faults, elsewhere in found)
+    for number, context in enumerate(contexts):
         with contextlib.suppress(Error):
+            trace = TRACES / f"{re.sub(r'[^A-Za-z0-9]+', '-', request.node.nodeid)}-{number}.zip"
+            context.tracing.stop(path=trace if has_failed else None)
+            if has_failed:
+                printed.append(f"trace: playwright show-trace {trace.relative_to(HERE.parents[1])}")
             context.close()
     assert all(faults == [] for faults, _ in found), found
     assert all(elsewhere == [] for _, elsewhere in found), found
@@ -120,7 +200,7 @@ def show(open_page: Callable[..., Page]) -> Iterator[Callable[..., tuple[loom.Vi
         viewer = loom.draw(geometries, port=0, block=False, open_browser=False, **settings)
         assert isinstance(viewer, loom.Viewer)
         viewers.append(viewer)
-        return viewer, open_page(viewer.url, width=WIDTH, height=HEIGHT)
+        return viewer, open_page(viewer, width=WIDTH, height=HEIGHT)
 
     yield show_one
     for viewer in viewers:
@@ -161,18 +241,11 @@ def program(monkeypatch: pytest.MonkeyPatch) -> Iterator[Program]:
 
 @pytest.fixture
 def visit(program: Program, open_page: Callable[..., Page]) -> Callable[..., Page]:
-    """Open the program's page and wait until it has all that the program said: `visit(width=900, height=600)`."""
+    """Open the program's page and wait until it is ready: `visit(width=900, height=600)`."""
 
     def visit_one(*, width: int = 900, height: int = 600, faults: bool = True) -> Page:
         page = open_page(program.url, width=width, height=height, faults=faults)
-        page.locator(OPEN).wait_for(state="attached")
-        signs: list[Any] = []
-        wait_until(page, program.pages.get_clients, lambda: "the program knows of no page")
-        clients = program.pages.get_clients()
-        client = clients[max(clients)]
-        client.on_sign(signs.append)
-        client.ask_for_sign()
-        wait_until(page, lambda: signs, lambda: "the page does not answer")
+        ready(page)
         return page
 
     return visit_one

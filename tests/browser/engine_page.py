@@ -15,7 +15,7 @@ from PIL import Image
 
 from pointloom.drawing.page import sources
 
-from .pixels import picture
+from .pixels import picture, ready
 
 PAGE = """<!doctype html><html><head><meta charset="utf-8"><link rel="icon" href="data:,"><title>engine</title>
 <style>html, body {{ margin: 0; height: 100%; }} #stage {{ position: relative; height: 100%; }}
@@ -34,6 +34,7 @@ window.engine = new Engine(document.getElementById("scene"), document.getElement
   onClick: (x, y, event) => told.clicks.push([x, y, event.shiftKey]),
   onLost: (ids) => told.lost.push(ids),
 });
+window.pointloom = { ready: () => engine.ready() };
 """
 
 
@@ -79,7 +80,7 @@ def look_down(page: Any, height: float = 10.0, *, middle: tuple[float, float, fl
 def seen(page: Any) -> np.ndarray:
     """The picture once nothing changes any more, without axes and frames."""
     page.evaluate("document.querySelectorAll('.view').forEach((each) => (each.style.opacity = 0))")
-    page.evaluate("engine.settled()")
+    ready(page)
     return picture(page, panels=True)
 
 

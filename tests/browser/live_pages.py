@@ -14,7 +14,6 @@ from pointloom.drawing.viewer.link.server import PageServer
 
 from .pixels import wait_until
 
-OPEN = "html[data-connection=open]"
 RAMP = np.stack([np.arange(256), np.zeros(256), 255 - np.arange(256)], 1).astype(np.uint8)
 
 

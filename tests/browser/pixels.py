@@ -1,17 +1,21 @@
-"""What is seen: pictures of a page's canvas, and pixels counted by colour. Not blank is not enough."""
+"""Images of a page's canvas, and pixels counted by color. Each image is taken when the page is ready."""
 
 from __future__ import annotations
 
 import io
 import time
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 from PIL import Image
-from playwright.sync_api import Page
+from playwright.sync_api import Frame, Page
 
-# Panels, notices and what lies over the canvas: out of the picture. As a sheet that a script adopts, since the page's
-# policy takes no style that it does not know.
+from ..drawing.viewer import events
+from ..drawing.viewer.events import PATIENCE
+
+# Hides panels, notices and all other elements over the canvas. A style sheet that a script adopts passes the page's
+# content security policy.
 CANVAS_ALONE = """(on) => {
     window.canvasAlone ??= new CSSStyleSheet();
     const shown = on ? "body *:not(#scene, .labels):not(:has(#scene, .labels)) { visibility: hidden !important; }" : "";
@@ -22,92 +26,112 @@ CANVAS_BOX = """() => {
     const { x, y, width, height } = document.getElementById("picture")?.getBoundingClientRect() ?? { width: 0 };
     return width > 0 ? { x, y, width, height } : null;
 }"""
-PATIENCE = 90.0  # [s]; only a test that fails waits so long, and a busy machine is no failure
 SENDS_CLICKS = "document.getElementById('picture').classList.contains('clicks')"
-SOME_FRAMES = """() => new Promise((done) => {
-    const start = performance.now();
-    let frames = 0;
-    const next = () => (++frames > 5 && performance.now() > start + 250 ? done() : requestAnimationFrame(next));
-    requestAnimationFrame(next);
-})"""
+WITHIN = """const within = (promise) => Promise.race([promise, new Promise((_, fail) =>
+    setTimeout(() => fail(new Error("time limit")), 1000 * limit))]);
+const frame = () => new Promise((done) => requestAnimationFrame(done));"""
+
+
+def ready(page: Page | Frame) -> None:
+    """Wait until the page is connected, has applied all messages that the program sent, and has drawn them.
+
+    All that the test did in the page before has reached the program. If the page belongs to a viewer, its threads are
+    idle: the program has sent all that follows.
+    """
+    script = f"async (limit) => {{ {WITHIN} await within(pointloom.ready()); }}"
+    page.evaluate(script, PATIENCE)
+    viewer = getattr(page, "viewer", None)
+    while viewer is not None and not is_idle(viewer):
+        events.wait_until(lambda: is_idle(viewer))
+        page.evaluate(script, PATIENCE)
+
+
+def is_idle(viewer: Any) -> bool:
+    """True if no thread of the viewer has work left: sessions, tools, deferred updates, levels of detail."""
+    with viewer.lock:
+        boxes = [session._toolbox for session in viewer.sessions.values() if session._toolbox is not None]
+        return not (
+            events.events.at_rest_running
+            or viewer._later._asked.is_set()
+            or viewer._levels._coming
+            or any(box._waiting for box in boxes)
+            or any(session._timer or session._feeder for session in viewer.sessions.values())
+        )
 
 
 def picture(page: Page, *, panels: bool = False) -> np.ndarray:
-    """The page as uint8 [h, w, 3]; without its panels, what the canvas shows: of a live page the canvas alone."""
+    """The page as uint8 [h, w, 3]. Without its panels: the canvas alone."""
     clip = None
     if not panels:
         page.evaluate(CANVAS_ALONE, True)
         clip = page.evaluate(CANVAS_BOX)
-    png = page.screenshot(animations="allow", caret="initial", timeout=90_000, clip=clip)
+    png = page.screenshot(animations="allow", caret="initial", timeout=1000 * PATIENCE, clip=clip)
     if not panels:
         page.evaluate(CANVAS_ALONE, False)
     return np.asarray(Image.open(io.BytesIO(png)).convert("RGB"))
 
 
+def see(page: Page, claim: Callable[[np.ndarray], object] = lambda _: True) -> np.ndarray:
+    """The image of the page when it is ready, for which the claim must hold."""
+    ready(page)
+    image = picture(page)
+    assert claim(image), f"{seen(image)}; {complaints(page)}"
+    return image
+
+
 def is_color(image: np.ndarray, color: tuple[int, int, int], tolerance: int = 40) -> np.ndarray:
-    """Which pixels [h, w] differ from the colour by no more than the tolerance in each channel."""
+    """Which pixels [h, w] differ from the color by no more than the tolerance in each channel."""
     return (np.abs(image.astype(int) - np.array(color)) <= tolerance).all(axis=-1)
 
 
 def count_pixels(image: np.ndarray, color: tuple[int, int, int], tolerance: int = 40) -> int:
-    """How many pixels have the colour."""
+    """Number of pixels of the color."""
     return int(is_color(image, color, tolerance).sum())
 
 
 def middle_of(image: np.ndarray, color: tuple[int, int, int], tolerance: int = 40) -> tuple[float, float]:
-    """The mean x and y [px] of the pixels of a colour, middles of pixels at .5."""
+    """The mean x and y [px] of the pixels of a color; centers of pixels are at .5."""
     y, x = np.nonzero(is_color(image, color, tolerance))
     assert len(x) > 0, f"no pixel of {color}"
     return float(x.mean()) + 0.5, float(y.mean()) + 0.5
 
 
-def wait_for_picture(
-    page: Page, claim: Callable[[np.ndarray], bool], *, seconds: float = PATIENCE, pause: float = 0.05
-) -> np.ndarray:
-    """The first picture for which the claim holds; after so many seconds an error, with how the last one looked."""
-    end = time.monotonic() + seconds
-    while True:
-        image = picture(page)
-        if claim(image):
-            return image
-        if time.monotonic() > end:
-            raise AssertionError(f"the picture never came; {seen(image)}; {complaints(page)}")
-        page.wait_for_timeout(pause * 1000)
+def wait_until(page: Page, claim: Callable[[], object], tell: Callable[[], object] = lambda: "") -> None:
+    """Wait until a condition of the program holds, evaluated after each event of its viewers."""
+    try:
+        events.wait_until(claim)
+    except AssertionError as error:
+        raise AssertionError(f"{error}: {tell()}; {complaints(page)}") from None
 
 
-def wait_until_still(page: Page, *, seconds: float = PATIENCE) -> np.ndarray:
-    """The picture once three in a row are the same: viser fades in what is new, and software draws few frames.
+def wait_in_page(page: Page | Frame, expression: str) -> None:
+    """Wait until an expression is true in the page, evaluated in each of its frames.
 
-    Frames are counted, not only seconds: on a busy machine a page that has not drawn again looks as if it stood still.
+    `page.wait_for_function` needs `eval`, which the page's content security policy forbids.
     """
-    images = [picture(page)]
-    end = time.monotonic() + seconds
-    while time.monotonic() < end:
-        page.evaluate(SOME_FRAMES)
-        images = [*images, picture(page)][-3:]
-        if len(images) == 3 and all(np.array_equal(image, images[-1]) for image in images):
-            return images[-1]
-    differs = int((images[-1] != images[-2]).any(axis=-1).sum())
-    raise AssertionError(f"{differs} pixels still change; {seen(images[-1])}; {complaints(page)}")
+    loop = f"async () => {{ while (going && !({expression})) await frame(); }}"
+    stop = "finally(() => (going = false))"
+    try:
+        page.evaluate(f"async (limit) => {{ {WITHIN} let going = true; await within(({loop})()).{stop}; }}", PATIENCE)
+    except Exception as error:
+        raise AssertionError(f"{expression} did not become true: {error}") from None
 
 
-def wait_until(
-    page: Page, claim: Callable[[], object], tell: Callable[[], object], *, seconds: float = PATIENCE
-) -> None:
-    """Until the claim holds, while the page goes on; after so many seconds an error with what `tell` says."""
-    end = time.monotonic() + seconds
+def wait_for_messages(page: Page, claim: Callable[[], object]) -> None:
+    """Wait until a condition on messages of the browser holds, evaluated after each frame of the page."""
+    end = time.monotonic() + PATIENCE
     while not claim():
-        assert time.monotonic() < end, f"it never came: {tell()}; {complaints(page)}"
-        page.wait_for_timeout(30)
+        assert time.monotonic() < end, f"it never came; {complaints(page)}"
+        page.evaluate("new Promise((done) => requestAnimationFrame(() => done()))")
 
 
 def seen(image: np.ndarray) -> str:
-    """The commonest colours of a picture and their numbers of pixels."""
+    """The most frequent colors of an image and their numbers of pixels."""
     colors, counts = np.unique(image.reshape(-1, 3), axis=0, return_counts=True)
     most = np.argsort(counts)[::-1][:8]
-    return f"pixels by colour: { {tuple(colors[i].tolist()): int(counts[i]) for i in most} }"
+    return f"pixels by color: { {tuple(colors[i].tolist()): int(counts[i]) for i in most} }"
 
 
 def complaints(page: Page) -> str:
-    """What the page wrote on its console."""
+    """All that the page wrote on its console."""
     return f"console: {page.visit.faults}"  # type: ignore[attr-defined]

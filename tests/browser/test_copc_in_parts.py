@@ -6,7 +6,7 @@ import numpy as np
 
 import pointloom as loom
 
-from .pixels import count_pixels, wait_until, wait_until_still
+from .pixels import count_pixels, see
 from .viewer_scenes import RED
 
 UTM = np.array([448_500.0, 5_412_200.0, 300.0])
@@ -25,16 +25,13 @@ def test_coarse_points_come_first_and_finer_nodes_after_zooming(open_page, tmp_p
         viewer.add_copc("city", path)
         tree = viewer.shown["city"].tree
         coarse = tree.nodes.nodes_read
-        page = open_page(viewer.url, width=900, height=700)
-        wait_until(page, lambda: viewer.sessions, lambda: "no page has come")
+        page = open_page(viewer, width=900, height=700)
+        assert count_pixels(see(page), RED) > 0
         (session,) = viewer.sessions.values()
         stream = session.streams["city"]
-        wait_until(page, lambda: stream.drawn > 0, lambda: "nothing is drawn")
-        assert count_pixels(wait_until_still(page), RED) > 0
         assert 0 < stream.drawn <= BUDGET < COUNT
         assert coarse <= tree.nodes.nodes_read < len(tree) / 2
         read = tree.nodes.nodes_read
         viewer.set_view(front=(0, 0, 1), up=(0, 1, 0), lookat=AT, zoom=0.08)
-        wait_until(page, lambda: tree.nodes.nodes_read > read, lambda: f"{tree.nodes.nodes_read} nodes were read")
-        assert count_pixels(wait_until_still(page), RED) > 0
-        assert tree.nodes.nodes_read < len(tree) and stream.drawn <= BUDGET
+        assert count_pixels(see(page), RED) > 0
+        assert read < tree.nodes.nodes_read < len(tree) and stream.drawn <= BUDGET

@@ -8,7 +8,7 @@ import pytest
 from PIL import Image
 
 from .engine_page import add, at, look_down, png, seen, set_node, statistics, write_engine_page
-from .pixels import count_pixels, is_color, middle_of
+from .pixels import count_pixels, is_color, middle_of, ready
 
 RED, GREEN, BLUE = (220, 30, 20), (20, 170, 40), (20, 60, 220)
 SQUARE = np.float32([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]])
@@ -229,7 +229,8 @@ def test_a_press_is_a_click_and_a_drag_is_none(engine):
     assert engine.evaluate("told.clicks.at(-1)") == [0.5, 0.5, True]
     seen(engine)
     draws = statistics(engine)["draws"]
-    engine.wait_for_timeout(300)
+    for _ in range(5):
+        ready(engine)  # two frames
     assert statistics(engine)["draws"] == draws  # nothing changes, nothing is drawn
 
 
@@ -242,10 +243,13 @@ def test_a_card_that_forgets_is_filled_from_what_was_kept(engine):
     engine.evaluate(
         """async () => {
             const loss = engine.painter.gl.getExtension("WEBGL_lose_context");
+            const happens = (name) =>
+              new Promise((done) => engine.canvas.addEventListener(name, () => setTimeout(done)));
+            const [lost, restored] = [happens("webglcontextlost"), happens("webglcontextrestored")];
             loss.loseContext();
-            await new Promise((resolve) => setTimeout(resolve, 100)); // the page must have been told
+            await lost;
             loss.restoreContext();
-            while (told.lost.length === 0) await new Promise((resolve) => setTimeout(resolve, 10));
+            await restored;
         }"""
     )
     assert engine.evaluate("told.lost") == [[3]]

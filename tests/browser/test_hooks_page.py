@@ -8,14 +8,9 @@ import pytest
 import pointloom as loom
 from pointloom.drawing.viewer.tools.picking import project
 
-from .pixels import wait_until as wait_for
-from .pixels import wait_until_still
+from .pixels import ready, wait_until
 
 POINTS = np.array([[0.0, 0, 0], [2, 0, 0], [0, 2, 0], [1, 1, 0]])
-
-
-def wait_until(page, claim):
-    wait_for(page, claim, lambda: "")
 
 
 @pytest.fixture
@@ -36,17 +31,16 @@ def test_buttons_sliders_keys_and_clicks_reach_the_program(viewer, open_page):
     size = viewer.add_slider("neighbours", 1, 9, 5)
     viewer.add_button("Next scan", press, hotkey="G")
     viewer.on_pick(picks.append)
-    page = open_page(viewer.url, width=1000, height=700)
-    wait_until(page, lambda: viewer.sessions)
-    page.set_default_timeout(20_000)
+    page = open_page(viewer, width=1000, height=700)
+    ready(page)
     page.get_by_role("slider", name="neighbours").press("ArrowRight")
     page.get_by_role("button", name="Next scan (G)").click()
     wait_until(page, lambda: pressed == [6])
     page.locator("body").press("g")
     page.get_by_text("ValueError: that was the last scan").wait_for()
     size.value = 2
-    wait_until(page, lambda: page.get_by_role("slider", name="neighbours").input_value() == "1")  # steps
-    wait_until_still(page)  # the panel takes its room first, and the scene is fitted anew
+    ready(page)
+    assert page.get_by_role("slider", name="neighbours").input_value() == "1"  # steps
     (number,) = viewer.sessions
     box = page.locator("#picture").bounding_box()
     x, y, _ = project(viewer.get_view(number), POINTS[3])
@@ -58,7 +52,8 @@ def test_the_time_line_goes_back_and_follows_again(viewer, open_page):
     for frame in range(4):
         viewer.set_time(frame)
         viewer.update("scan", loom.PointCloud(POINTS + np.array([frame, 0, 0])))
-    page = open_page(viewer.url)
+    page = open_page(viewer)
+    ready(page)
     track = page.get_by_role("slider", name="Time")
     track.press("Home")
     wait_until(page, lambda: viewer.shown["scan"].cloud.points[0][0] == 0)

@@ -4,9 +4,7 @@ import numpy as np
 
 import pointloom as loom
 
-from .pixels import count_pixels, wait_until
-
-SETTLED = "html[data-settled='true']"
+from .pixels import count_pixels, ready, wait_in_page
 
 BRICK = (204, 64, 51)
 
@@ -18,7 +16,7 @@ def test_a_page_inside_a_notebook_draws_without_a_server_and_asks_for_nothing(op
     output.write_text("<!doctype html><title>a cell</title>" + held._repr_mimebundle_()["text/html"])
     page = open_page(output.as_uri(), width=640, height=800, offline=True)
     inside = page.wait_for_selector("iframe").content_frame()
-    inside.wait_for_selector(SETTLED)
+    ready(inside)
     assert inside.text_content("#count") == "20,000 points drawn"
     before = picture_of(page)
     assert count_pixels(before, BRICK, 60) > 3000
@@ -26,7 +24,7 @@ def test_a_page_inside_a_notebook_draws_without_a_server_and_asks_for_nothing(op
     page.mouse.down()
     page.mouse.move(320, 240, steps=4)
     page.mouse.up()
-    inside.wait_for_selector(SETTLED)
+    ready(inside)
     assert (np.abs(picture_of(page).astype(int) - before) > 40).any(axis=-1).sum() > 1000
     assert [url for url in page.visit.requests if not url.startswith(("file:", "data:", "about:"))] == []
 
@@ -40,7 +38,7 @@ SHOW = """html => {
     script.replaceWith(again);
   }
 }"""
-IS_LIVE = "() => getComputedStyle(document.querySelector('iframe')).visibility === 'visible'"
+IS_LIVE = "getComputedStyle(document.querySelector('iframe')).visibility === 'visible'"
 
 
 def test_a_live_frame_covers_its_still_while_the_viewer_lives_and_the_still_is_seen_later(open_page, foreign_page):
@@ -51,13 +49,13 @@ def test_a_live_frame_covers_its_still_while_the_viewer_lives_and_the_still_is_s
         cell = live._repr_mimebundle_()["text/html"]
         page = open_page(foreign_page, width=700, height=800, faults=False)
         page.evaluate(SHOW, cell)
-        page.wait_for_function(IS_LIVE)
+        wait_in_page(page, IS_LIVE)
         inside = page.query_selector("iframe").content_frame()
-        inside.wait_for_selector("canvas")
+        ready(inside)
     page = open_page(foreign_page, width=700, height=800, faults=False)
-    page.evaluate(SHOW, cell)
-    page.wait_for_timeout(1000)  # for the browser's own page of a server that is gone
-    wait_until(page, lambda: count_pixels(picture_of(page), BRICK, 60) > 3000, lambda: "the still is not seen")
+    with page.expect_event("requestfailed"):  # of a server that is gone
+        page.evaluate(SHOW, cell)
+    assert count_pixels(picture_of(page), BRICK, 60) > 3000
     assert not page.evaluate(IS_LIVE)
 
 

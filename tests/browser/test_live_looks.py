@@ -9,7 +9,7 @@ from PIL import Image
 from playwright.sync_api import Page, expect
 
 from .live_pages import RAMP, control
-from .pixels import count_pixels, picture, wait_for_picture, wait_until
+from .pixels import count_pixels, picture, ready, see
 
 RED, BLUE, WHITE = (255, 0, 0), (0, 0, 255), (255, 255, 255)
 
@@ -74,21 +74,23 @@ def test_the_panel_and_what_colours_mean_lie_beside_the_picture(program, visit):
     expect(page.locator("#side")).to_be_hidden()
     page.keyboard.press("t")
     bar.remove()
-    wait_until(page, lambda: page.locator(".colorbar").count() == 0, lambda: "still there")
+    ready(page)
+    assert page.locator(".colorbar").count() == 0
 
 
 def test_dark_follows_the_reader_where_the_ground_is_not_the_programs(program, visit):
     program.pages.set_background(np.array(WHITE) / 255, own=False)
     page = visit()
     dark = lambda image: float(image[300, 100].mean()) < 60  # noqa: E731
-    wait_for_picture(page, lambda image: not dark(image))
+    see(page, lambda image: not dark(image))
     page.emulate_media(color_scheme="dark")
-    wait_for_picture(page, dark)
+    see(page, dark)
     assert picture(page, panels=True)[20, 300].mean() < 60
     program.pages.set_background(np.array(WHITE) / 255, own=True)
-    wait_for_picture(page, lambda image: not dark(image))
+    see(page, lambda image: not dark(image))
     page.keyboard.press("d")
-    wait_until(page, lambda: picture(page, panels=True)[20, 300].mean() > 200, lambda: "still dark")
+    ready(page)
+    assert picture(page, panels=True)[20, 300].mean() > 200
 
 
 def test_progress_hint_and_notices_are_told(program, visit):
@@ -112,7 +114,7 @@ def test_files_are_saved_by_the_page(program, visit):
     program.add_square(RED)
     program.pages.gui.add_colorbar("height [m]", [(0.0, "0"), (1.0, "9")], RAMP)
     page = visit()
-    wait_for_picture(page, lambda image: count_pixels(image, RED) > 10_000)
+    see(page, lambda image: count_pixels(image, RED) > 10_000)
     with page.expect_download() as download:
         program.pages.get_clients()[0].download("cropped.json", b'{"a": 1}', "application/json")
     assert download.value.suggested_filename == "cropped.json"

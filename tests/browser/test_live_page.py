@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from playwright.sync_api import expect
 
-from .live_pages import OPEN, RAMP, Program, control
-from .pixels import count_pixels, picture, wait_for_picture, wait_until
+from .live_pages import RAMP, Program, control
+from .pixels import count_pixels, picture, ready, see, wait_for_messages, wait_until
 
 RED, BLUE, WHITE = (255, 0, 0), (0, 0, 255), (255, 255, 255)
 EVIL = "<script>document.title = 'evil'</script><img src=x onerror=alert(1)>"
@@ -22,7 +22,7 @@ def test_a_batch_is_drawn_whole_and_then_signed(program, visit):
     client.on_sign(signed.append)
     with program.pages.atomic():
         first = program.add_square(RED)
-    wait_for_picture(page, lambda image: count_pixels(image, RED) > 20_000)
+    see(page, lambda image: count_pixels(image, RED) > 20_000)
     with program.pages.atomic():
         first.remove()
         program.add_square(BLUE)
@@ -233,11 +233,11 @@ def test_a_gap_keeps_the_scene_and_where_the_page_looks(program, visit):
     with program.pages.gui.add_folder("folder", open=False):
         program.pages.gui.add_words("within")
     page = visit(faults=False)
-    first = count_pixels(wait_for_picture(page, lambda image: count_pixels(image, RED) > 20_000), RED)
+    first = count_pixels(see(page, lambda image: count_pixels(image, RED) > 20_000), RED)
     page.mouse.move(200, 300)
     page.mouse.wheel(0, 400)
     page.locator("summary").click()
-    smaller = wait_for_picture(page, lambda image: 1000 < count_pixels(image, RED) < 0.5 * first)
+    smaller = see(page, lambda image: 1000 < count_pixels(image, RED) < 0.5 * first)
     expected = count_pixels(smaller, RED)
     program.pages.stop()
     expect(page.get_by_text("Connection lost; trying again")).to_be_visible()
@@ -260,10 +260,10 @@ def test_a_gap_keeps_the_scene_and_where_the_page_looks(program, visit):
 def test_an_end_is_told_with_how_to_start_again(program, visit):
     page = visit(faults=False)
     program.pages.end("Start it again: pointloom view scan.ply")
-    program.pages.stop()
-    expect(page.get_by_text("The program has ended.")).to_be_visible()
-    expect(page.get_by_text("pointloom view scan.ply")).to_be_visible()
-    page.wait_for_timeout(1500)  # tries to connect do not take the words away
+    with page.expect_event("websocket"):  # a try to connect does not take the words away
+        program.pages.stop()
+        expect(page.get_by_text("The program has ended.")).to_be_visible()
+        expect(page.get_by_text("pointloom view scan.ply")).to_be_visible()
     expect(page.get_by_text("pointloom view scan.ply")).to_be_visible()
 
 
@@ -273,7 +273,7 @@ def test_a_program_that_does_not_answer_for_long_has_ended(program, visit):
     program.pages.stop()
     expect(page.get_by_text("Connection lost; trying again")).to_be_visible()
     ended = page.get_by_text("The program has ended.")  # a try takes its own time, whatever the clock of the page says
-    wait_until(page, lambda: page.clock.run_for(4_000) or ended.is_visible(), lambda: "it still tries")
+    wait_for_messages(page, lambda: page.clock.run_for(4_000) or ended.is_visible())
     expect(page.get_by_text("Start it again")).to_be_visible()
 
 
@@ -282,8 +282,8 @@ def test_a_network_that_comes_back_is_taken_at_once(program, visit):
     (first,) = program.pages.get_clients().values()
     page.evaluate("window.dispatchEvent(new Event('online'))")
     wait_until(page, lambda: not first.is_open, lambda: "still open")
-    wait_until(page, lambda: program.pages.get_clients(), lambda: "nobody")
-    page.locator(OPEN).wait_for(state="attached")
+    ready(page)
+    assert len(program.pages.get_clients()) == 1
 
 
 def test_a_page_of_another_version_says_to_load_it_again(program, visit, monkeypatch):
@@ -292,8 +292,9 @@ def test_a_page_of_another_version_says_to_load_it_again(program, visit, monkeyp
     program.pages.disconnect_all()
     expect(page.get_by_role("button", name="Load again")).to_be_visible()
     monkeypatch.undo()
-    page.get_by_role("button", name="Load again").click()
-    page.locator(OPEN).wait_for(state="attached")
+    with page.expect_event("load"):
+        page.get_by_role("button", name="Load again").click()
+    ready(page)
 
 
 def test_clicks_are_told_when_asked_for_with_where_the_page_looks(program, visit):
@@ -304,7 +305,7 @@ def test_clicks_are_told_when_asked_for_with_where_the_page_looks(program, visit
     place = (box["x"] + 0.25 * box["width"], box["y"] + 0.75 * box["height"])
     page.mouse.click(*place)
     program.pages.scene.on_click(clicks.append)
-    page.locator("#picture.clicks").wait_for()
+    ready(page)
     page.keyboard.down("Shift")
     page.mouse.click(*place)
     page.keyboard.up("Shift")

@@ -10,7 +10,7 @@ import numpy as np
 import pointloom as loom
 from pointloom.drawing.viewer.tools.picking import project
 
-from .pixels import SENDS_CLICKS, count_pixels, picture, wait_until, wait_until_still
+from .pixels import SENDS_CLICKS, count_pixels, picture, ready, wait_until
 
 GREEN, ORANGE = (44, 160, 44), (255, 127, 14)  # of ground, and of what is unclassified
 UTM = np.array([412_345.0, 5_412_345.0, 300.0])
@@ -27,10 +27,10 @@ class Visitor:
     """A page whose tools are there."""
 
     def __init__(self, viewer: loom.Viewer, open_page: Callable[..., Any]):
-        self.page = open_page(viewer.url, width=1100, height=800)
-        wait_until(self.page, lambda: viewer.sessions, lambda: "no page has come")
+        self.page = open_page(viewer, width=1100, height=800)
+        ready(self.page)
         self.box = next(iter(viewer.sessions.values()))._toolbox
-        self.until(lambda: self.count(GREEN) > 1000)
+        assert self.count(GREEN) > 1000
         self.cloud = viewer.items["scan"].cloud
 
     def until(self, claim: Callable[[], Any]) -> None:
@@ -38,6 +38,7 @@ class Visitor:
 
     def count(self, color: tuple[int, int, int]) -> int:
         """Pixels of a colour in the picture, the panel beside it aside."""
+        ready(self.page)
         box = self.page.locator("canvas").first.bounding_box()
         return count_pixels(picture(self.page, panels=True)[:, : int(box["x"] + box["width"])], color, 25)
 
@@ -52,9 +53,8 @@ class Visitor:
     def start(self, key: str, label: str) -> None:
         self.page.keyboard.press(key)
         self.until(lambda: self.box.tool is not None and self.box.tool.label == label)
-        self.page.get_by_text(self.box.tool.hint).first.wait_for()
-        self.until(lambda: self.page.evaluate(SENDS_CLICKS))
-        wait_until_still(self.page)  # the camera may have moved
+        ready(self.page)
+        assert self.page.get_by_text(self.box.tool.hint).first.is_visible() and self.page.evaluate(SENDS_CLICKS)
 
 
 def test_labels_are_painted_and_taken_back_by_keys(open_page):
@@ -66,10 +66,10 @@ def test_labels_are_painted_and_taken_back_by_keys(open_page):
         seen.click(-2.5, 0)
         seen.until(lambda: (viewer.painted("scan") == 1).sum() > 50)
         painted = int((viewer.painted("scan") == 1).sum())
-        seen.until(lambda: seen.count(ORANGE) > 300)
+        assert seen.count(ORANGE) > 300
         seen.page.keyboard.press("Control+z")
         seen.until(lambda: (viewer.painted("scan") != 1).all())
-        seen.until(lambda: seen.count(ORANGE) < 30)
+        assert seen.count(ORANGE) < 30
         seen.page.keyboard.press("Control+Shift+z")
         seen.until(lambda: (viewer.painted("scan") == 1).sum() == painted)
 
@@ -98,4 +98,4 @@ def test_a_profile_is_drawn_in_the_panel_and_saved_and_classes_are_ticked(open_p
         tick.wait_for(state="attached")
         tick.evaluate("box => box.click()")
         seen.until(lambda: len(seen.box.stage.filters) == 1)
-        seen.until(lambda: seen.count(GREEN) < before / 5)
+        assert seen.count(GREEN) < before / 5

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import secrets
 from collections.abc import Iterator
 
 import numpy as np
@@ -11,7 +10,7 @@ import pytest
 from pointloom.drawing.viewer.server import ViewerServer
 
 from .conftest import REBOUND
-from .pixels import count_pixels, wait_for_picture, wait_until
+from .pixels import count_pixels, see, wait_for_messages, wait_until
 
 RED, GREEN, BLUE = (255, 0, 0), (0, 255, 0), (0, 0, 255)
 
@@ -41,17 +40,12 @@ def all_there(image: np.ndarray) -> bool:
     return all(count_pixels(image, color) > 700 for color in (RED, GREEN, BLUE))
 
 
-def test_what_is_drawn_is_seen_in_its_colour(server, open_page):
+def test_what_is_drawn_is_seen_in_its_colour_and_nothing_is_asked_of_others(server, open_page):
     page = open_page(server.url)
-    image = wait_for_picture(page, all_there)
+    image = see(page, all_there)
     red, green, blue = (count_pixels(image, color) for color in (RED, GREEN, BLUE))
     assert 0.9 < red / green < 1.6 and 0.9 < blue / green < 1.6
     assert page.title() == "pointloom"
-
-
-def test_one_page_is_served_and_nothing_is_asked_of_others(server, open_page):
-    page = open_page(server.url)
-    wait_for_picture(page, all_there)
     own = f"//127.0.0.1:{server.port}"
     assert page.visit.requests_elsewhere() == []
     assert {url.partition(":")[0] for url in page.visit.requests if own in url} == {"http", "ws"}
@@ -85,12 +79,12 @@ def test_a_page_of_another_port_can_neither_connect_nor_read(server, open_page, 
     network.send("Network.enable")
     socket = server.url.replace("http", "ws").replace("/?", "/live?")
     opened, read, read_blind = page.evaluate(FOREIGN, [server.url, socket])
-    wait_until(page, lambda: statuses.count(403) == 2, lambda: statuses)
+    wait_for_messages(page, lambda: statuses.count(403) == 2)
     assert any("Unexpected response code: 403" in fault for fault in page.visit.faults), page.visit.faults
     assert opened == "refused"
     assert (read, read_blind) == ("failed", "failed")
     # A notebook on this machine may show the viewer in a frame: the page around it cannot look inside.
-    wait_for_picture(page, lambda image: len(server.pages.get_clients()) == 1)
+    wait_until(page, lambda: len(server.pages.get_clients()) == 1)
     assert page.evaluate("() => { try { return frames[0].document.title } catch (error) { return error.name } }") == (
         "SecurityError"
     )
@@ -108,18 +102,3 @@ def test_a_page_without_the_key_sees_nothing(server, open_page):
     page = open_page(server.url.partition("?")[0], faults=False)
     page.get_by_text("This address lacks its key").wait_for()
     assert page.locator("canvas").count() == 0
-
-
-def test_a_server_on_the_same_port_is_found_again(open_page, monkeypatch):
-    # Another token would be another address, which a page does not know.
-    monkeypatch.setattr(secrets, "token_urlsafe", lambda _: "a-token-of-the-tests")
-    with ViewerServer(port=0) as first:
-        look_along_y(first)
-        add_cloud(first, (0.0, 0.0, 0.0), RED)
-        page = open_page(first.url, faults=False)  # the attempts to reconnect show on the console
-        wait_for_picture(page, lambda image: count_pixels(image, RED) > 700)
-    with ViewerServer(port=first.port) as second:
-        assert second.moved_from is None
-        add_cloud(second, (0.0, 0.0, 0.0), BLUE)
-        image = wait_for_picture(page, lambda image: count_pixels(image, BLUE) > 700)
-        assert count_pixels(image, RED) == 0

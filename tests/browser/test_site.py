@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from .recordings.scenes import SETTLED, wait_for
+from .pixels import ready
 
 SITE = Path(__file__).resolve().parents[2] / "build" / "docs" / "html"
 PAGES = (
@@ -46,6 +46,6 @@ def test_a_recording_plays_in_its_page_by_the_sites_one_player(open_page):
         pytest.skip("no page of the gallery has a recording")
     assert all('<script src="../pointloom-player.js">' in path.read_text(encoding="utf-8") for path in names)
     page = open_page(names[0].as_uri(), width=640, height=480, offline=True)
-    wait_for(page, SETTLED)
+    ready(page)
     assert page.text_content("#count").endswith("drawn")
     assert sum(url.endswith("pointloom-player.js") for url in page.visit.requests) == 1

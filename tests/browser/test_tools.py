@@ -13,7 +13,7 @@ import pointloom as loom
 from pointloom.drawing.viewer.tools.picking import project
 from pointloom.drawing.viewer.viewer import Viewer
 
-from .pixels import SENDS_CLICKS, count_pixels, wait_for_picture, wait_until, wait_until_still
+from .pixels import SENDS_CLICKS, count_pixels, ready, see, wait_until
 
 BLUE, RED, MARK = (0, 0, 255), (255, 0, 0), (230, 60, 20)
 UTM = np.array([412_345.0, 5_412_345.0, 300.0])
@@ -42,9 +42,8 @@ class Visitor:
 
     def __init__(self, viewer: Viewer, open_page: Callable[..., Any], color: tuple[int, int, int] = BLUE):
         known = set(viewer.sessions)
-        self.page = open_page(viewer.url, width=1280, height=800)
-        wait_for_picture(self.page, lambda image: count_pixels(image, color) > 1000)
-        self.picture = wait_until_still(self.page)  # the first may come before the camera has its place
+        self.page = open_page(viewer, width=1280, height=800)
+        self.picture = see(self.page, lambda image: count_pixels(image, color) > 1000)
         (self.session,) = (session for number, session in viewer.sessions.items() if number not in known)
         self.box = self.session._toolbox
 
@@ -54,8 +53,8 @@ class Visitor:
     def start(self, label: str) -> Any:
         self.page.locator("#panel").get_by_role("button", name=label).click()
         self.until(lambda: self.box.tool is not None and self.box.tool.label == label)
-        self.until(lambda: self.page.evaluate(SENDS_CLICKS))
-        wait_until_still(self.page)  # the camera may have moved
+        ready(self.page)
+        assert self.page.evaluate(SENDS_CLICKS)
         return self.box.tool
 
     def draw(self, *corners: tuple[float, float]) -> None:
@@ -116,10 +115,10 @@ def test_a_polygon_drawn_with_the_mouse_keeps_what_open3d_keeps_and_goes_back(vi
     assert len(json.loads((tmp_path / "cropped.json").read_text())["bounding_polygon"]) == 5
     seen = np.array([project(view, point)[:2] for point in kept])
     assert (seen.min(axis=0) > (419, 179)).all() and (seen.max(axis=0) < (801, 641)).all()
-    few = wait_for_picture(visitor.page, lambda image: count_pixels(image, MARK) == 0)
+    few = see(visitor.page, lambda image: count_pixels(image, MARK) == 0)
     visitor.page.get_by_role("button", name="Undo crop").click()
     visitor.until(lambda: "waves (cropped)" not in viewer.items and viewer.items["waves"].visible)
-    wait_for_picture(visitor.page, lambda image: count_pixels(image, BLUE) > 2 * count_pixels(few, BLUE))
+    see(visitor.page, lambda image: count_pixels(image, BLUE) > 2 * count_pixels(few, BLUE))
 
 
 def test_escape_leaves_no_trace(viewer, open_page, tmp_path):
@@ -136,10 +135,10 @@ def test_escape_leaves_no_trace(viewer, open_page, tmp_path):
                 visitor.until(lambda n=number: len(visitor.box.tool._picks) == n + 1)
         else:
             visitor.draw((500, 300), (700, 300), (600, 500))
-        wait_for_picture(visitor.page, lambda image: count_pixels(image, MARK) > 100)
+        see(visitor.page, lambda image: count_pixels(image, MARK) > 100)
         visitor.page.keyboard.press("Escape")
         visitor.until(lambda: visitor.box.tool is None)
-        wait_for_picture(
+        see(
             visitor.page,
             lambda image: count_pixels(image, MARK) == 0 and abs(count_pixels(image, BLUE) - before) < 0.02 * before,
         )
@@ -199,12 +198,12 @@ def test_clip_planes_hide_in_one_page_what_they_cut_off(viewer, open_page):
     visitor.page.get_by_role("spinbutton", name="x, high, as a number").fill("0.5")
     visitor.page.keyboard.press("Enter")
     visitor.page.get_by_role("checkbox", name="clip", exact=True).check()
-    wait_for_picture(
+    see(
         visitor.page,
         lambda image: 0.2 * red < count_pixels(image, RED) < 0.9 * red and count_pixels(image, BLUE) < 0.8 * blue,
     )
     visitor.page.get_by_role("checkbox", name="clip", exact=True).uncheck()
-    wait_for_picture(
+    see(
         visitor.page,
         lambda image: abs(count_pixels(image, RED) - red) < 0.02 * red and count_pixels(image, BLUE) > 0.9 * blue,
     )

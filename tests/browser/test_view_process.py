@@ -14,7 +14,7 @@ import numpy as np
 
 import pointloom as loom
 
-from .pixels import count_pixels, wait_for_picture, wait_until
+from .pixels import count_pixels, see
 from .viewer_scenes import HEIGHT, RED, WIDTH, grid_cloud
 
 # A shell that starts the tests in the background has them, and all that they start, ignore Ctrl-C.
@@ -30,24 +30,27 @@ def test_the_command_shows_a_file_until_ctrl_c(open_page, tmp_path):
     command = [sys.executable, "-c", START, "view", str(tmp_path / "cloud.ply"), "--no-open", "--port", "0"]
     environment = os.environ | {"PYTHONPATH": str(Path(loom.__file__).parents[1])}
     environment.pop("SSH_CONNECTION", None)
-    said, answered = tmp_path / "stderr", tmp_path / "stdout"
     page = open_page("about:blank", width=WIDTH, height=HEIGHT, faults=False)  # it complains when its server has gone
-    with answered.open("w") as out, said.open("w") as err:
-        process = subprocess.Popen(command, stdout=out, stderr=err, stdin=subprocess.DEVNULL, env=environment)
+    pipes = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
+    process = subprocess.Popen(command, text=True, env=environment, **pipes)
     try:
-        wait_until(page, lambda: "viewer: http" in said.read_text() or process.poll() is not None, said.read_text)
-        found = re.search(r"viewer: (http://127\.0\.0\.1:(\d+)/\S*)", said.read_text())
-        assert found, said.read_text()
+        lines = []
+        for line in process.stderr:  # until the process has ended, or is there
+            lines.append(line)
+            if found := re.search(r"viewer: (http://127\.0\.0\.1:(\d+)/\S*)", line):
+                break
+        assert found, lines
         page.goto(found[1])
-        wait_for_picture(page, lambda image: count_pixels(image, RED) > 700)
+        see(page, lambda image: count_pixels(image, RED) > 700)
         assert page.title() == "cloud.ply" and page.visit.faults == []
         process.send_signal(signal.SIGINT)
-        assert process.wait(60) == 130
+        answer, rest = process.communicate(timeout=60)
+        assert process.returncode == 130
     finally:
         process.kill()
         process.wait()
-    assert answered.read_text() == ""
-    lines = said.read_text().splitlines()
+    assert answer == ""
+    lines += rest.splitlines()
     assert not [line for line in lines if "Traceback" in line or "Error" in line], lines
     with socket.socket() as free:
         free.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from .pixels import count_pixels, middle_of, picture, wait_for_picture, wait_until, wait_until_still
+from .pixels import count_pixels, middle_of, picture, see, wait_until
 from .viewer_scenes import BLUE, BRICK, RED, at, brick, changed, grid_cloud, press, sphere
 
 
@@ -16,10 +16,9 @@ def test_keys_and_slider_change_the_size_of_points(show):
     def wait_for_size(size: float) -> None:
         wait_until(page, lambda: viewer.point_size == pytest.approx(size, abs=0.06), lambda: f"{viewer.point_size} px")
         share = (size / first) ** 2
-        wait_for_picture(page, lambda image: 0.7 * share < count_pixels(image, RED, 120) / before < 1.4 * share)
+        see(page, lambda image: 0.7 * share < count_pixels(image, RED, 120) / before < 1.4 * share)
 
-    wait_for_picture(page, lambda image: count_pixels(image, RED) > 30)
-    before = count_pixels(wait_until_still(page), RED, 120)
+    before = count_pixels(see(page, lambda image: count_pixels(image, RED) > 30), RED, 120)
     for key, count, size in (("+", 4, 1.25**4), ("-", 2, 1.25**2), ("=", 2, 1.25**4)):
         for _ in range(count):
             press(page, key)
@@ -37,20 +36,18 @@ def test_n_and_w_show_and_hide_normals_and_edges(show):
         brick(sphere(), name="ball", pose=at(3.0)),
     ]
     viewer, page = show(scene)
-    wait_for_picture(page, lambda image: count_pixels(image, RED) > 400 and count_pixels(image, BRICK) > 4_000)
-    before = wait_until_still(page)
+    before = see(page, lambda image: count_pixels(image, RED) > 400 and count_pixels(image, BRICK) > 4_000)
 
     def toggle(key: str, *, expected: bool) -> None:
         is_on = {"n": lambda: viewer.normals, "w": lambda: viewer.wireframe}[key]
         press(page, key)
         wait_until(page, lambda: is_on() == expected, lambda: f"{key} is {is_on()}")
-        count = lambda: changed(picture(page), before)  # noqa: E731
-        wait_until(page, lambda: (count() > 600) == expected, lambda: f"{count()} pixels changed by {key}; {is_on()}")
+        see(page, lambda image: (changed(image, before) > 600) == expected)
 
     for key in ("n", "w"):
         toggle(key, expected=True)
         toggle(key, expected=False)
-    wait_for_picture(page, lambda image: changed(image, before) < 100)
+    see(page, lambda image: changed(image, before) < 100)
     page.get_by_role("spinbutton").first.focus()
     page.keyboard.press("w")  # a letter, there
     toggle("n", expected=True)  # what was sent before has come before
@@ -59,17 +56,15 @@ def test_n_and_w_show_and_hide_normals_and_edges(show):
 
 def test_r_comes_back_to_where_the_page_began(show):
     _, page = show({"geometry": grid_cloud(), "color": (1, 0, 0)})
-    wait_for_picture(page, lambda image: count_pixels(image, RED) > 700)
-    before = wait_until_still(page)
+    before = see(page, lambda image: count_pixels(image, RED) > 700)
     page.mouse.move(150, 300)
     page.mouse.down()
     page.mouse.move(250, 330, steps=5)
     page.mouse.up()
     page.mouse.wheel(0, 400)
-    wait_for_picture(page, lambda image: changed(image, before) > 700)
-    wait_until_still(page)
+    see(page, lambda image: changed(image, before) > 700)
     press(page, "r")
-    wait_for_picture(page, lambda image: changed(image, before) < 250)
+    see(page, lambda image: changed(image, before) < 250)
 
 
 def test_a_box_that_is_not_ticked_hides_its_geometry(show):
@@ -80,24 +75,23 @@ def test_a_box_that_is_not_ticked_hides_its_geometry(show):
     _, page = show(scene)
 
     def wait_for_both() -> None:
-        wait_for_picture(page, lambda image: min(count_pixels(image, RED), count_pixels(image, BLUE)) > 700)
+        see(page, lambda image: min(count_pixels(image, RED), count_pixels(image, BLUE)) > 700)
 
     wait_for_both()
     page.get_by_label("near").uncheck()
-    wait_for_picture(page, lambda image: count_pixels(image, RED) == 0 and count_pixels(image, BLUE) > 700)
+    see(page, lambda image: count_pixels(image, RED) == 0 and count_pixels(image, BLUE) > 700)
     page.get_by_label("near").check()
     wait_for_both()
 
 
 def test_update_shows_another_geometry_without_a_gap_and_a_pose_moves_it(show):
     viewer, page = show({"geometry": grid_cloud(), "name": "cloud", "color": (1, 0, 0)}, front=(0, 0, 1), up=(0, 1, 0))
-    wait_for_picture(page, lambda image: count_pixels(image, RED) > 700)
-    first = count_pixels(wait_until_still(page), RED)
+    first = count_pixels(see(page, lambda image: count_pixels(image, RED) > 700), RED)
     least = []
     for step in range(6):
         viewer.update("cloud", grid_cloud().translate((0.02 * step, 0, 0)))
         least.append(count_pixels(picture(page), RED))
     assert min(least) > 0.6 * first, (first, least)
-    before = middle_of(wait_until_still(page), RED)
+    before = middle_of(see(page), RED)
     viewer.set_pose("cloud", at(0.3))
-    wait_for_picture(page, lambda image: middle_of(image, RED)[0] > before[0] + 15)
+    see(page, lambda image: middle_of(image, RED)[0] > before[0] + 15)

@@ -8,30 +8,30 @@ import numpy as np
 from websockets.exceptions import ConnectionClosed
 
 from ..drawing.viewer.pages import CAMERA, HELLO, line_of, say
-from .pixels import count_pixels, picture, wait_for_picture, wait_until, wait_until_still
+from .pixels import count_pixels, picture, see, wait_until
 from .viewer_scenes import BLUE, BRICK, HEIGHT, RED, WIDTH, at, brick, changed, grid_cloud, press, sphere
 
 
 def test_a_page_that_reconnects_sees_everything_again(show):
     viewer, page = show([{"geometry": grid_cloud(), "color": (1, 0, 0)}, brick(sphere(), pose=at(3.0))])
-    wait_for_picture(page, lambda image: count_pixels(image, RED) > 300 and count_pixels(image, BRICK) > 2_000)
+    see(page, lambda image: count_pixels(image, RED) > 300 and count_pixels(image, BRICK) > 2_000)
     first = set(viewer.sessions)
     viewer.server.pages.disconnect_all()
     viewer.add("late", grid_cloud(), color=(0, 0, 1), pose=at(-2.0))
     wait_until(page, lambda: viewer.sessions and first.isdisjoint(viewer.sessions), lambda: (first, viewer.sessions))
     least = {RED: 300, BRICK: 2_000, BLUE: 300}
-    wait_for_picture(page, lambda image: all(count_pixels(image, color) > few for color, few in least.items()))
+    see(page, lambda image: all(count_pixels(image, color) > few for color, few in least.items()))
 
 
 def test_two_pages_of_one_viewer_look_elsewhere_at_once(show, open_page):
     viewer, one = show({"geometry": grid_cloud(), "color": (1, 0, 0)})
-    two = open_page(viewer.url, width=WIDTH, height=HEIGHT)
+    two = open_page(viewer, width=WIDTH, height=HEIGHT)
     for page in (one, two):
-        wait_for_picture(page, lambda image: count_pixels(image, RED) > 700)
-    before = wait_until_still(one)
+        see(page, lambda image: count_pixels(image, RED) > 700)
+    before = see(one)
     two.mouse.move(150, 200)
     two.mouse.wheel(0, -600)
-    wait_for_picture(two, lambda image: changed(image, before) > 2_500)
+    see(two, lambda image: changed(image, before) > 2_500)
     assert changed(picture(one), before) < 100
     first, second = (session.camera_view().T_world_camera for session in viewer.sessions.values())
     assert not np.allclose(first, second, atol=0.05)
@@ -52,8 +52,8 @@ NONSENSE = (
 
 def test_strangers_who_send_nonsense_disturb_no_page(show):
     viewer, page = show({"geometry": grid_cloud(), "color": (1, 0, 0)})
-    wait_for_picture(page, lambda image: count_pixels(image, RED) > 700)
-    before, own, title = wait_until_still(page), set(viewer.sessions), page.title()
+    before = see(page, lambda image: count_pixels(image, RED) > 700)
+    own, title = set(viewer.sessions), page.title()
     for data in GARBAGE:
         with contextlib.suppress(ConnectionClosed), line_of(viewer.server) as stranger:
             say(stranger, HELLO)
@@ -63,8 +63,8 @@ def test_strangers_who_send_nonsense_disturb_no_page(show):
             say(stranger, message)
         wait_until(page, lambda: len(viewer.sessions) == 2, lambda: viewer.sessions)
     wait_until(page, lambda: set(viewer.sessions) == own, lambda: viewer.sessions)
-    assert changed(wait_until_still(page), before) < 20 and page.title() == title
+    assert changed(see(page), before) < 20 and page.title() == title
     viewer.add("late", grid_cloud(), color=(0, 0, 1))  # nothing of it reaches the program's own threads
     viewer.remove("late")
     press(page, "+")
-    wait_for_picture(page, lambda image: count_pixels(image, RED) > 1.2 * count_pixels(before, RED))
+    see(page, lambda image: count_pixels(image, RED) > 1.2 * count_pixels(before, RED))

@@ -15,6 +15,8 @@ from pointloom.drawing.recording.shared_player import write_player
 
 from .conftest import DOCS
 
+pytestmark = pytest.mark.slow  # needs Sphinx, which `make test` does not install
+
 
 def used(text: str) -> frozenset[str]:
     return usage.names_used(ast.parse(text))

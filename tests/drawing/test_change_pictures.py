@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
-
 import numpy as np
 import pytest
 
@@ -103,5 +101,3 @@ def test_changes_of_another_cloud_are_refused():
         loom.change.paint(cloud, [1.0, 2.0, 3.0], limit=0)
     with pytest.raises(TypeError, match="cloud"):
         loom.change.draw([1, 2], [1.0])
-    with pytest.raises(TypeError, match="change"):
-        loom.change.paint(cloud, dataclasses)

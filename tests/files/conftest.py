@@ -1,7 +1,8 @@
-"""A LAS file that tests may damage."""
+"""A LAS file that tests may damage, and images."""
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
 from .las_files import make
@@ -12,3 +13,15 @@ def small_las(tmp_path, rng):
     """A LAS 1.2 file of 20 points of format 3, which start at byte 227."""
     make(tmp_path / "small.las", 3, 20, rng)
     return tmp_path / "small.las"
+
+
+@pytest.fixture
+def depth() -> np.ndarray:
+    depth = np.random.default_rng(0).integers(0, 2**16, (24, 32), np.uint16)
+    depth[0, :4] = 0, 1, 255, 65535
+    return depth
+
+
+@pytest.fixture
+def color() -> np.ndarray:
+    return np.random.default_rng(1).integers(0, 256, (24, 32, 3), np.uint8)

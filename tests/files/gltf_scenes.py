@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import copy
 import json
 import struct
 
@@ -66,3 +67,13 @@ def one_triangle(**more) -> Scene:
     scene = Scene()
     scene.primitive(POSITION=TRIANGLE, indices=np.arange(3, dtype="u2"), **more)
     return scene
+
+
+def changed(scene: Scene, *path_and_value) -> dict:
+    """The JSON of a scene with one value changed: keys, then the value."""
+    *path, last, value = path_and_value
+    content = holder = copy.deepcopy(scene.content())
+    for key in path:
+        holder = holder[key]
+    holder[last] = value
+    return content

@@ -58,11 +58,6 @@ def test_lenses_of_transforms_are_those_of_colmap(tmp_path, more, expected):
     assert (camera.model, list(camera.params)) == expected
 
 
-def test_a_frame_of_transforms_may_have_a_lens_of_its_own(tmp_path):
-    (camera,) = loom.read_cameras(transforms(tmp_path, {"fl_x": 70.0, "w": 66})).cameras
-    assert (camera.width, camera.params[0]) == (66, 70.0)
-
-
 @pytest.mark.parametrize(
     ("frame", "more", "said"),
     [
@@ -118,9 +113,6 @@ def test_frames_of_the_scanner_app_take_their_size_from_the_picture(tmp_path):
     (tmp_path / "frame_00000.jpg").unlink()
     with pytest.raises(FileError, match="2 have none"):
         loom.read_cameras(tmp_path)
-
-
-# ------------------------------------------------------------------------------------------------ trajectories
 
 
 def trajectory(tmp_path, name, **more):

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import shutil
 import struct
 
 import numpy as np
@@ -39,9 +37,6 @@ def synthetic(tmp_path_factory):
     return folders, ask_colmap("synthesize", question)
 
 
-# ------------------------------------------------------------------------------------------------ with COLMAP
-
-
 @pytest.mark.parametrize("which", [0, 1], ids=FORMS)
 def test_a_model_of_colmap_is_read_as_colmap_has_it(synthetic, which):
     folders, told = synthetic
@@ -59,15 +54,6 @@ def test_a_model_of_colmap_is_read_as_colmap_has_it(synthetic, which):
     assert np.array_equal(ours[np.lexsort(ours.T)], np.array(told["points"])[np.lexsort(np.array(told["points"]).T)])
 
 
-def test_points_of_a_model_of_colmap_are_seen_where_it_says(synthetic):
-    model = loom.read_colmap_model(synthetic[0][0])
-    for i, camera in enumerate(model.cameras):
-        rows = model.observations[:, 0] == i
-        T = model.T_camera_world[i]
-        seen = camera.project(model.points[model.observations[rows, 1]] @ T[:3, :3].T + T[:3, 3])
-        assert np.abs(seen - model.pixels[rows]).max() < 1e-9
-
-
 def test_colmap_reads_what_we_write(folder):
     told = ask_colmap("describe", str(folder))
     assert sorted(told["pictures"]) == list(MODEL.names)
@@ -79,32 +65,8 @@ def test_colmap_reads_what_we_write(folder):
         assert len(seen) == (MODEL.observations[:, 0] == i).sum()
 
 
-def test_colmap_reads_names_with_blanks_from_binary_files(tmp_path):
-    model = loom.SfmModel(["a  b größe .png"], [LENS], np.eye(4)[None])
-    loom.write_colmap_model(tmp_path, model)
-    assert list(ask_colmap("describe", str(tmp_path))["pictures"]) == ["a  b größe .png"]
-    assert loom.read_colmap_model(tmp_path).names == model.names
-
-
-# ------------------------------------------------------------------------------------------------ there and back
-
-
 def test_a_model_comes_back(folder):
     assert_same(loom.read_colmap_model(folder), MODEL, poses=1e-15, pixels=1e-12)
-
-
-def test_what_was_read_is_written_the_same(folder, form, tmp_path):
-    loom.write_colmap_model(tmp_path / "again", loom.read_colmap_model(folder), format=form)
-    again = loom.read_colmap_model(tmp_path / "again")
-    assert_same(again, loom.read_colmap_model(folder), poses=1e-15)
-    for name in ("cameras", "points3D"):
-        assert (tmp_path / "again" / f"{name}.{form}").read_bytes() == (folder / f"{name}.{form}").read_bytes()
-
-
-def test_both_forms_hold_the_same(tmp_path):
-    for form in FORMS:
-        loom.write_colmap_model(tmp_path / form, MODEL, format=form)
-    assert_same(loom.read_colmap_model(tmp_path / "bin"), loom.read_colmap_model(tmp_path / "txt"))
 
 
 @pytest.mark.parametrize(("pictures", "points"), [(1, 0), (1, 1), (2, 3)])
@@ -115,15 +77,6 @@ def test_small_models_come_back(tmp_path, form, pictures, points):
     )
     loom.write_colmap_model(tmp_path / "m", model, format=form)
     assert_same(loom.read_colmap_model(tmp_path / "m"), model, poses=1e-15)
-
-
-def test_a_picture_may_see_a_point_twice(tmp_path, form):
-    model = loom.SfmModel(["a"], [LENS], np.eye(4)[None], [[0, 0, 1.0]], None, None, [[0, 0], [0, 0]], [[1, 2], [3, 4]])
-    loom.write_colmap_model(tmp_path / "m", model, format=form)
-    assert loom.read_colmap_model(tmp_path / "m").pixels.tolist() == [[1, 2], [3, 4]]
-
-
-# ------------------------------------------------------------------------------------------------ places
 
 
 @pytest.mark.parametrize("place", ["sparse/0", "sparse", "0", "."])
@@ -140,14 +93,6 @@ def test_of_several_models_one_must_be_chosen(tmp_path):
     assert len(loom.read_colmap_model(tmp_path / "sparse/1")) == 6
 
 
-def test_where_both_forms_lie_the_binary_one_is_read(tmp_path):
-    loom.write_colmap_model(tmp_path / "text", MODEL, format="txt")
-    loom.write_colmap_model(tmp_path / "m", MODEL.select(MODEL.names[:2]))
-    for path in (tmp_path / "text").iterdir():
-        shutil.copy(path, tmp_path / "m")
-    assert len(loom.read_colmap_model(tmp_path / "m")) == 2
-
-
 @pytest.mark.parametrize("name", ["cameras", "images", "points3D"])
 def test_a_missing_file_is_named(folder, form, name):
     (folder / f"{name}.{form}").unlink()
@@ -160,9 +105,6 @@ def test_a_place_without_a_model_is_told(tmp_path):
     for place, reason in (("", "holds no model"), ("none", "does not exist"), ("file", "is a file")):
         with pytest.raises(loom.FileError, match=reason):
             loom.read_colmap_model(tmp_path / place)
-
-
-# ------------------------------------------------------------------------------------------------ writing
 
 
 def test_writing_replaces_the_model_that_was_there_in_both_forms(folder, form):
@@ -198,13 +140,6 @@ def test_a_full_disk_leaves_what_was_there(folder, form, failing, monkeypatch, t
     assert not (tmp_path / "new").exists()
 
 
-@pytest.mark.skipif(os.geteuid() == 0, reason="root may write anywhere")
-def test_a_folder_that_is_read_only_is_told(tmp_path):
-    tmp_path.chmod(0o500)
-    with pytest.raises(loom.FileError, match=r"cannot be made|not writable"):
-        loom.write_colmap_model(tmp_path / "m", MODEL)
-
-
 def test_what_colmap_cannot_hold_is_refused(tmp_path):
     lens = loom.CameraModel("METASHAPE", 640, 480, [500, 320, 240, *[0.0] * 7, 1.0])
     for model, message, form in (
@@ -218,9 +153,6 @@ def test_what_colmap_cannot_hold_is_refused(tmp_path):
         with pytest.raises(ValueError, match=message):
             loom.write_colmap_model(tmp_path / "m", model, format=form)
     assert not (tmp_path / "m").exists()
-
-
-# ------------------------------------------------------------------------------------------------ damage
 
 
 def spoil(folder, name, at, new):
@@ -245,9 +177,6 @@ KEYPOINTS = NAME + len(MODEL.names[0]) + 1
 @pytest.mark.parametrize(
     ("name", "at", "new", "message"),
     [
-        ("cameras.bin", 0, struct.pack("<Q", 10**15), r"byte 0.*expected 1,000,000,000,000,000 cameras"),
-        ("images.bin", 0, struct.pack("<Q", 10**15), r"byte 0.*pictures, for which"),
-        ("points3D.bin", 0, struct.pack("<Q", 10**15), r"byte 0.*points, for which"),
         ("images.bin", 0, struct.pack("<Q", 0), "bytes follow the last record"),
         ("images.bin", KEYPOINTS, struct.pack("<Q", 2**60), "keypoints, for which"),
         ("points3D.bin", 8 + 43, struct.pack("<Q", 2**61), r"byte \d+.*ends within"),
@@ -258,7 +187,6 @@ KEYPOINTS = NAME + len(MODEL.names[0]) + 1
         ("cameras.bin", 16, struct.pack("<Q", 2**63), r"byte 8.*width"),
         ("cameras.bin", 32, struct.pack("<d", np.nan), r"byte 8.*finite"),
         ("cameras.bin", 8, struct.pack("<I", 7), "camera 1, which cameras.bin does not have"),
-        ("images.bin", POSE, struct.pack("<4d", 0, 0, 0, 0), r"byte 8.*no pose: quaternion"),
         ("images.bin", POSE, struct.pack("<d", np.nan), r"byte 8.*no pose"),
         ("images.bin", POSE + 32, struct.pack("<d", np.inf), r"byte 8.*no pose"),
         ("images.bin", NAME, b"\xff\xfe", r"byte \d+.*not UTF-8"),
@@ -268,8 +196,6 @@ KEYPOINTS = NAME + len(MODEL.names[0]) + 1
         ("images.bin", KEYPOINTS + 24, struct.pack("<q", -1), "not so there|keypoints belong"),
         ("points3D.bin", 16, struct.pack("<d", np.nan), r"byte 8.*position is not finite"),
         ("points3D.bin", 8, struct.pack("<Q", 2), r"byte \d+.*number 2 stands twice"),
-        ("points3D.bin", 8 + 51, struct.pack("<I", 77), r"byte 8.*picture 77, which is not so"),
-        ("points3D.bin", 8 + 55, struct.pack("<I", 10**6), r"byte 8.*keypoint 1000000"),
     ],
 )
 def test_damage_is_told_with_its_place(binary, name, at, new, message):
@@ -309,8 +235,6 @@ def test_random_bytes_never_crash_the_reader(folder, form, name):
             assert len(model) == len(MODEL)
 
 
-# ------------------------------------------------------------------------------------------------ text
-
 CAMERAS = "# list\n\n1 PINHOLE 640 480 500 500 320 240\n"
 IMAGES = "1 1 0 0 0 0 0 0 1 a b.png\n10.5 20.5 3\n2 1 0 0 0 1 0 0 1 c.png\n\n"
 POINTS = "3 0 0 2 1 2 3 0.5 1 0\n"
@@ -332,11 +256,6 @@ def test_text_is_read_whatever_its_line_ends(tmp_path, change):
     assert model.errors.tolist() == [0.5]
 
 
-def test_an_empty_file_of_points_is_a_model_of_known_poses(tmp_path):
-    model = loom.read_colmap_model(write_text(tmp_path, images="1 1 0 0 0 0 0 0 1 a\n\n", points=""))
-    assert (len(model), len(model.points)) == (1, 0)
-
-
 def test_a_point_without_an_error_or_a_track_is_read(tmp_path):
     model = loom.read_colmap_model(write_text(tmp_path, points=POINTS + "9 1 1 1 0 0 0 -1\n"))
     assert np.isnan(model.errors[1])
@@ -347,7 +266,6 @@ def test_a_point_without_an_error_or_a_track_is_read(tmp_path):
     ("file", "text", "message"),
     [
         ("cameras", "1 PINHOLE 640\n", "line 1.*got 3 columns"),
-        ("cameras", "1 PINHOL 640 480 1 1 1 1\n", "line 1.*unknown camera model 'PINHOL'"),
         ("cameras", "1 METASHAPE 640 480 1 1 1 1\n", "line 1.*unknown camera model"),
         ("cameras", "1 PINHOLE 640 480 1 1 1 1 1\n", "line 1.*takes fx, fy, cx, cy; got 5"),
         ("cameras", "1 PINHOLE 640 480 1 1 1 x\n", "line 1.*not a number: 'x'"),
@@ -363,7 +281,6 @@ def test_a_point_without_an_error_or_a_track_is_read(tmp_path):
         ("images", "1 1 0 0 0 0 0 0 1 a\n1 2 3\n2 1 0 0 0 0 0 0 1 a\n\n", "line 3.*'a' stands twice"),
         ("images", "1 0.5 0.5 0.5 0.6 0 0 0 1 a\n1 2 3\n", "line 1.*no pose"),
         ("images", "# nothing\n", "holds no picture"),
-        ("points3D", "3 0 0 2 1 2 3\n", "line 1.*expected 8 numbers"),
         ("points3D", "\n# c\n3 0 0 2 1 2 3 0.5 1\n", "line 3.*expected 8 numbers"),
         ("points3D", "3 0 0 2 1 2 256 0.5 1 0\n", "line 1.*colours of 0..255"),
         ("points3D", "3 0 0 2 1 2 2.5 0.5 1 0\n", "line 1.*a colour: expected a whole number"),

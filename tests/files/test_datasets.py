@@ -24,7 +24,6 @@ from .frame_folders import (
     make_seven_scenes,
     make_tum,
     picture,
-    write_listing,
     write_poses,
 )
 
@@ -88,12 +87,6 @@ def test_an_empty_folder_is_told_what_was_looked_for(tmp_path):
             open_dataset(tmp_path, layout=layout)
 
 
-def test_the_folder_above_a_set_points_to_it(tmp_path):
-    make_seven_scenes(tmp_path / "seq-01")
-    with pytest.raises(DatasetError, match=r"Did you mean .*seq-01\?"):
-        open_dataset(tmp_path)
-
-
 def test_two_layouts_in_one_folder_need_a_word(tmp_path):
     folder = make_redwood(tmp_path / "set")
     (folder / "depth.txt").write_text("0 depth/00000.png\n0.1 depth/00001.png\n")
@@ -116,25 +109,6 @@ def test_other_layouts_keep_the_largest_depth(tmp_path):
     folder = make_redwood(tmp_path / "set")
     write_png(folder / "depth" / "00001.png", depth_map(65535))
     assert (open_dataset(folder, intrinsic=SMALL).read(1).depth == 65535).all()
-
-
-@pytest.mark.parametrize("name", ["depth", "rgb"])
-def test_a_listed_picture_that_is_missing_is_named_at_opening(tmp_path, name):
-    folder = make_tum(tmp_path / "set")
-    write_listing(folder, name, [100.001])
-    with pytest.raises(DatasetError, match=rf"{name}.100\.001000\.png: missing"):
-        open_dataset(folder, intrinsic=SMALL)
-
-
-def test_what_tum_leaves_out_is_listed(tmp_path):
-    folder = make_tum(tmp_path / "set")
-    write_poses(folder, [(100.0, 0), (100.2, 2)])
-    dataset = open_dataset(folder, intrinsic=SMALL)
-    assert [frame.T_world_camera[0, 3] for frame in dataset] == [0, 2]
-    assert dataset.left_out == ["depth/100.100000.png: no pose within 0.02 s"]
-
-
-# Cameras and sizes
 
 
 @pytest.mark.parametrize("layout", LAYOUTS)
@@ -177,16 +151,6 @@ def test_the_matrix_of_a_scene_lies_beside_or_above_its_sequences(tmp_path):
     (folder / "camera-intrinsics.txt").write_text("1 0 0\n0 1 0\n")
     with pytest.raises(FileError, match="expected 3 rows of a matrix, got 2"):
         open_dataset(folder)
-
-
-@pytest.mark.parametrize("name", ["camera-intrinsics.txt", "intrinsics.K.txt", "intrinsics.txt", "K.txt"])
-def test_a_matrix_beside_the_frames_is_the_camera_and_is_named(tmp_path, name):
-    folder = make_seven_scenes(tmp_path / "set")
-    np.savetxt(folder / name, SMALL.matrix)
-    dataset = open_dataset(folder)
-    assert dataset.intrinsic == SMALL
-    assert dataset.intrinsic_source == str(folder / name)
-    assert dataset.intrinsic_doubt == ""
 
 
 def test_two_matrices_that_disagree_are_refused(tmp_path):
@@ -238,23 +202,6 @@ def test_a_camera_of_another_size_is_refused(tmp_path, layout):
         open_dataset(folder, intrinsic=SMALL.scaled(0.5))
 
 
-@pytest.mark.parametrize("layout", LAYOUTS)
-def test_pictures_of_different_size_are_refused_by_name(tmp_path, layout):
-    folder = make(layout, tmp_path / "set")
-    color = open_dataset(folder, intrinsic=SMALL).frames[2].color
-    assert color is not None
-    Image.fromarray(picture(1, (12, 16, 3))).save(color)
-    with pytest.raises(DatasetError, match=rf"{color.name}: is 16 x 12, but .* is 8 x 6"):
-        open_dataset(folder, intrinsic=SMALL)
-
-
-def test_a_colored_picture_in_the_place_of_depth_is_seen_at_opening(tmp_path):
-    folder = make_redwood(tmp_path / "set")
-    write_png(folder / "depth" / "00002.png", picture(1))
-    with pytest.raises(FileError, match=r"00002\.png: expected a depth map"):
-        open_dataset(folder, intrinsic=SMALL)
-
-
 def test_pictures_that_change_after_opening_are_noticed(tmp_path):
     folder = make_redwood(tmp_path / "set")
     dataset = open_dataset(folder, intrinsic=SMALL)
@@ -266,9 +213,6 @@ def test_pictures_that_change_after_opening_are_noticed(tmp_path):
     with pytest.raises(FileError, match=r"00000\.png"):
         dataset.read(0)
     assert len(open_dataset(make_redwood(tmp_path / "other"), intrinsic=SMALL)) == 3
-
-
-# Real recordings
 
 
 def test_the_red_kitchen_opens_with_its_own_camera(real_file):
@@ -296,12 +240,6 @@ def test_redwood_frames_meet_in_the_world(scan_set, scan_file):
     seen = (u >= 0) & (v >= 0) & (u < 640) & (v < 480)
     there = first.depth[v[seen], u[seen]] / dataset.depth_scale
     assert np.median(np.abs(there - points[2][seen])[there > 0]) < 0.01
-
-
-def test_a_3dmatch_sequence_takes_the_matrix_above_it(real_file):
-    dataset = open_dataset(real_file("rgbd-nvblox-3dmatch/seq-01"))
-    assert [f.name[-3:] for f in dataset.frames] == ["000", "001", "002", "116", "422"]
-    assert dataset.intrinsic.fx == pytest.approx(570.342205)
 
 
 def test_a_folder_of_frames_says_itself_in_one_line(tmp_path):

@@ -51,9 +51,6 @@ def take(camera, count):
     return [frame for _, frame in zip(range(count), camera, strict=False)]
 
 
-# RealSense
-
-
 def test_frames_of_a_realsense_come_with_calibration_and_time(realsense):
     stub = realsense([1, 2, 3])
     with loom.RealSenseCamera(serial="0123", width=WIDTH, height=HEIGHT, rate=15) as camera:
@@ -129,28 +126,11 @@ def test_a_realsense_that_is_not_there_is_an_error(realsense):
         loom.RealSenseCamera()
 
 
-def test_a_recording_of_a_realsense_is_played_once_and_ends(realsense):
-    stub = realsense([1, 2, 3])
-    camera = loom.RealSenseCamera(file="walk.bag")
-    assert [frame.timestamp for frame in camera] == pytest.approx([0.033, 0.066, 0.099])
-    assert ("enable_device_from_file", "walk.bag", False) in stub.asked and ("set_real_time", False) in stub.asked
-
-
 def test_a_lens_of_an_unknown_kind_is_refused_and_the_camera_released(realsense):
     stub = realsense([1], model="ftheta", coefficients=(0.1, 0, 0, 0, 0))
     with pytest.raises(loom.CameraError, match="ftheta"):
         loom.RealSenseCamera()
     assert not stub.running
-
-
-def test_times_that_go_back_are_told(realsense):
-    realsense([5, 6, 4])
-    camera = loom.RealSenseCamera()
-    take(camera, 3)
-    assert camera.remarks[0] == "frame-000002: its time stamp is 0.066 s before that of the frame before it"
-
-
-# Azure Kinect
 
 
 @pytest.mark.parametrize("jpeg", [False, True])
@@ -183,9 +163,6 @@ def test_a_kinect_that_is_not_there_is_an_error(kinect):
     kinect([])
     with pytest.raises(loom.CameraError, match="holds no frame"):
         loom.AzureKinectCamera(file="empty.mkv")
-
-
-# Lenses
 
 
 def bent_scene(lens_coefficients):

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import importlib
 import struct
-import sys
 import tracemalloc
 
 import numpy as np
@@ -68,9 +66,6 @@ def double(image):
     return libe57.FloatNode(image, 0.0, libe57.E57_DOUBLE)
 
 
-# ------------------------------------------------------------------------------------------------ reading
-
-
 def test_a_scan_lies_where_pye57_places_it(tmp_path, rng):
     path = tmp_path / "a.e57"
     invalid = (np.arange(60) % 5 == 0).astype(np.int8)
@@ -90,14 +85,6 @@ def test_a_scan_lies_where_pye57_places_it(tmp_path, rng):
     for axis, name in enumerate(("Red", "Green", "Blue")):
         np.testing.assert_array_equal(table.colors[:, axis], expected[f"color{name}"] / np.float32(255))
     assert table.attributes.keys() == {"intensity", "row_index", "column_index"}
-
-
-def test_a_pose_turns_by_its_quaternion(tmp_path):
-    path = tmp_path / "a.e57"
-    unit = {name: np.eye(3)[k] for k, name in enumerate(("cartesianX", "cartesianY", "cartesianZ"))}
-    quarter = [np.sqrt(0.5), 0, 0, np.sqrt(0.5)]  # about z: x to y, y to -x
-    write_by_pye57(path, (unit, quarter, [1, 2, 3]))
-    np.testing.assert_allclose(read_e57(path).points, [[1, 3, 3], [0, 2, 3], [1, 2, 4]], rtol=0, atol=1e-12)
 
 
 def test_all_scans_are_merged_with_the_index_of_each(tmp_path, rng, device):
@@ -149,9 +136,6 @@ def test_a_scan_larger_than_a_block_is_read_whole(tmp_path):
     np.testing.assert_array_equal(read_e57(tmp_path / "a.e57").points, points)
 
 
-# ------------------------------------------------------------------------------------------------ writing
-
-
 @st.composite
 def tables(draw):
     count = draw(st.integers(0, 9))
@@ -173,7 +157,7 @@ def tables(draw):
 
 
 @pytest.mark.slow
-@settings(max_examples=80, derandomize=True, deadline=None, database=None)
+@settings(max_examples=25, derandomize=True, deadline=None, database=None)
 @given(table=tables())
 def test_what_is_written_reads_back(tmp_path_factory, table):
     path = tmp_path_factory.getbasetemp() / "round.e57"
@@ -206,11 +190,9 @@ def test_what_is_written_is_right_for_pye57(tmp_path, rng):
 @pytest.mark.parametrize(
     "attribute",
     [
-        {"label": np.arange(2)},
         {"intensity": np.zeros((2, 2))},
         {"intensity": np.array([np.nan, 1])},
         {"row_index": np.array([True, False])},
-        {"scan_index": np.array([0.5, 1])},
         {"time_stamp": np.array([-(2**62), 2**62])},
         {"time_stamp": np.array([0, 2**63], np.uint64)},
     ],
@@ -225,9 +207,6 @@ def test_points_that_are_not_finite_are_refused(tmp_path):
     with pytest.raises(loom.FileError, match="point 1 is not finite"):
         loom.write_point_cloud(tmp_path / "a.e57", loom.PointCloud([[0, 0, 0], [np.inf, 0, 0]]))
     assert list(tmp_path.iterdir()) == []
-
-
-# ------------------------------------------------------------------------------------------------ damaged files
 
 
 @pytest.fixture
@@ -313,18 +292,3 @@ def test_what_is_no_e57_file_is_refused(tmp_path, small):
     write_by_pye57(tmp_path / "none.e57")
     with pytest.raises(loom.FileError, match="holds no scan"):
         loom.read_point_cloud(tmp_path / "none.e57")
-
-
-def test_a_missing_package_is_named_with_the_line_that_installs_it(small, monkeypatch):
-    for name in [name for name in sys.modules if name.split(".")[0] == "pye57"]:
-        monkeypatch.delitem(sys.modules, name)
-    load = importlib.import_module
-
-    def refuse(name, package=None):
-        if name.split(".")[0] == "pye57":
-            raise ModuleNotFoundError("No module named 'pye57'")
-        return load(name, package)
-
-    monkeypatch.setattr("importlib.import_module", refuse)
-    with pytest.raises(loom.FileError, match=r'\.e57 needs the package pye57. pip install "pointloom\[e57\]"'):
-        loom.read_point_cloud(small)

@@ -68,8 +68,6 @@ def test_colours_of_faces_out_of_range_are_left_behind_and_told(tmp_path):
 @pytest.mark.parametrize(
     ("attributes", "reason"),
     [
-        ({"vertex_index": np.zeros(7)}, "faces have another property 'vertex_index'"),
-        ({"texnumber": np.zeros(7)}, "another property 'texnumber'"),
         ({"colors": np.zeros((7, 3)), "red": np.zeros(7)}, "another property 'red'"),
         ({"red": np.zeros(7), "green": np.zeros(7), "blue": np.zeros(7)}, "would be read as colours"),
         ({"colors": np.zeros((7, 3)), "alpha": np.zeros(7, np.uint8)}, "would be read with the colours"),
@@ -91,9 +89,6 @@ def test_formats_without_values_of_faces_leave_them_out_and_say_so(tmp_path):
     assert list(read_table(tmp_path / "m.off").triangle_attributes) == ["colors"]
     for suffix in (".obj", ".stl"):
         assert write_mesh_table(tmp_path / f"m{suffix}", table) == ["weight", "triangle colors", "triangle label"]
-
-
-# -------------------------------------------------------------------------------------------- strips
 
 
 def strips(path, rows, count=1, more=""):
@@ -129,19 +124,14 @@ def test_strips_of_binary_files_stand_behind_the_faces(tmp_path, byte_order):
 @pytest.mark.parametrize(
     ("rows", "reason"),
     [
-        ("4 0 1 2 5\n", "strip 0.*a strip names vertex 5, but there are 5"),
         ("4 0 1 2 -2\n", "a strip names vertex -2"),
         ("4 0 1 2\n", "the line ends too early"),
-        ("2 0 1\n", "holds no faces: its strips have no triangle"),
         ("4 0 1 1 0\n", "its strips have no triangle"),
     ],
 )
 def test_a_damaged_strip_is_refused(tmp_path, rows, reason):
     with pytest.raises(FileError, match=reason):
         read_ply_mesh(strips(tmp_path / "m.ply", rows))
-
-
-# ------------------------------------------------------------------------------------ left behind
 
 
 def test_lists_and_elements_that_no_mesh_has_are_told_once(tmp_path):

@@ -49,14 +49,6 @@ def test_each_layout_opens_without_poses(tmp_path, layout):
 
 
 @pytest.mark.parametrize("layout", LAYOUTS)
-def test_poses_beside_the_frames_are_taken_unless_told_otherwise(tmp_path, layout):
-    folder = make(layout, tmp_path / "set")
-    places = [frame.T_world_camera[0, 3] for frame in open_frames(folder, intrinsic=SMALL)]
-    assert places == [0, 1, 2]
-    assert all(frame.T_world_camera is None for frame in open_frames(folder, intrinsic=SMALL, poses=False))
-
-
-@pytest.mark.parametrize("layout", LAYOUTS)
 def test_poses_that_are_not_asked_for_are_not_opened(tmp_path, layout):
     folder = make(layout, tmp_path / "set")
     for path in [*folder.glob("*.pose.txt"), folder / "trajectory.log", folder / "groundtruth.txt"]:
@@ -65,13 +57,6 @@ def test_poses_that_are_not_asked_for_are_not_opened(tmp_path, layout):
     with pytest.raises(FileError):
         open_frames(folder, intrinsic=SMALL)
     assert len(open_frames(folder, intrinsic=SMALL, poses=False)) == 3
-
-
-@pytest.mark.parametrize("layout", LAYOUTS)
-def test_every_second_frame_begins_with_the_first(tmp_path, layout):
-    folder = without_poses(make(layout, tmp_path / "set"))
-    names = [frame.name for frame in open_frames(folder, intrinsic=SMALL)]
-    assert [frame.name for frame in open_frames(folder, intrinsic=SMALL, every=2)] == names[::2]
 
 
 def test_a_single_pose_that_is_missing_is_none(tmp_path):
@@ -143,9 +128,6 @@ def test_fusing_frames_without_pose_says_what_it_needs(tmp_path):
         loom.fuse(source)
 
 
-# Colour of another size
-
-
 @pytest.mark.parametrize("layout", LAYOUTS)
 def test_colour_of_another_size_is_named_or_brought_to_that_of_depth(tmp_path, layout):
     folder = without_poses(make(layout, tmp_path / "set"))
@@ -160,14 +142,6 @@ def test_colour_of_another_size_is_named_or_brought_to_that_of_depth(tmp_path, l
         assert frame.color.shape == (6, 8, 3) and (frame.color == 50).all()
 
 
-def test_colour_of_another_shape_is_refused_even_so(tmp_path):
-    folder = without_poses(make_seven_scenes(tmp_path / "set"))
-    for path in folder.glob("*.color.png"):
-        write_png(path, picture(1, (60, 40, 3)))
-    with pytest.raises(ValueError, match=r"color\.png: is 40 x 60, which is of another shape than 8 x 6"):
-        open_frames(folder, intrinsic=SMALL, resize_color=True).read(0)
-
-
 @pytest.mark.parametrize("layout", LAYOUTS)
 def test_depth_of_8_bits_is_refused_by_name(tmp_path, layout):
     folder = without_poses(make(layout, tmp_path / "set"))
@@ -176,9 +150,6 @@ def test_depth_of_8_bits_is_refused_by_name(tmp_path, layout):
     write_png(path, np.full((6, 8), 200, np.uint8))
     with pytest.raises(FileError, match=r"expected a depth map, got a PNG with 1 x 8 bits"):
         open_frames(folder, intrinsic=SMALL)
-
-
-# Pictures side by side
 
 
 def make_pictures(folder: Path, names=("{}_depth.png", "{}.png")) -> Path:
@@ -250,9 +221,6 @@ def test_a_folder_above_points_to_the_frames_and_an_empty_one_tells_what_was_loo
     (tmp_path / "nothing").mkdir()
     with pytest.raises(DatasetError, match=r"no known layout\. .*pictures: a PNG with depth in its name"):
         open_frames(tmp_path / "nothing")
-
-
-# Real recordings
 
 
 @on_sets(

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import base64
-import copy
 import json
 import re
 import struct
@@ -18,15 +17,11 @@ from pointloom.core.errors import FileError
 from pointloom.files.meshes.glb import read_glb
 from pointloom.files.meshes.glb_writer import write_glb
 from pointloom.files.pictures.image_files import encode_png
-from pointloom.files.table import MeshTable
 
-from .gltf_scenes import TRIANGLE, Scene, container, one_triangle
+from .gltf_scenes import TRIANGLE, Scene, changed, container, one_triangle
 from .textured_meshes import PICTURE, square, textured
 
 Z = [[0.0, 0.0, 1.0]] * 3
-
-
-# ------------------------------------------------------------------------------------------------ reading
 
 
 @pytest.mark.parametrize("code", ["u1", "u2", "u4", None])
@@ -135,13 +130,6 @@ def test_materials_are_textures_factors_and_white(tmp_path):
     np.testing.assert_array_equal(mesh.triangle_uvs, np.repeat([[1, 0], [0, 1], [0, 1], [0, 1]], 3, axis=0))
 
 
-def test_plain_white_materials_are_no_textures(tmp_path):
-    with pytest.warns(UserWarning, match="left behind: the texture coordinates TEXCOORD_1$"):
-        mesh = read_glb(materials_of(tmp_path, [{}, look(metallicFactor=0, roughnessFactor=1)], [0, 1]))
-    assert mesh.textures == ()
-    assert mesh.triangle_material_ids is None
-
-
 def test_normals_that_some_lack_are_left_behind_with_a_warning(tmp_path):
     scene = one_triangle(NORMAL=np.array(Z, "f4"))
     scene.primitive(POSITION=TRIANGLE)
@@ -153,51 +141,6 @@ def test_without_scenes_the_nodes_that_are_nobodys_child_count(tmp_path):
     scene = one_triangle()
     scene.more = {"scenes": [], "nodes": [{"mesh": 0}, {"children": [0], "translation": [0, 0, 3]}]}
     np.testing.assert_array_equal(read_glb(scene.write(tmp_path / "m.glb")).vertices[:, 2], 3)
-
-
-# ------------------------------------------------------------------------------------------------ others
-
-
-def test_open3d_reads_what_we_write(tmp_path):
-    o3d = pytest.importorskip("open3d")
-    table = textured().without_texture()
-    write_glb(tmp_path / "m.glb", table)
-    theirs = o3d.io.read_triangle_mesh(str(tmp_path / "m.glb"))
-    corners = np.asarray(theirs.triangles)
-    for name in ("vertices", "vertex_normals", "vertex_colors"):
-        ours = getattr(table, name)[table.triangles]
-        np.testing.assert_allclose(np.asarray(getattr(theirs, name))[corners], ours, atol=1e-6)
-
-
-def test_we_read_what_open3d_writes(tmp_path):
-    o3d = pytest.importorskip("open3d")
-    theirs = o3d.geometry.TriangleMesh.create_sphere(resolution=4).compute_vertex_normals()
-    theirs.paint_uniform_color([0.2, 0.4, 0.6])
-    assert o3d.io.write_triangle_mesh(str(tmp_path / "m.glb"), theirs)
-    assert not len(o3d.io.read_triangle_mesh(str(tmp_path / "m.glb")).triangles)  # it cannot read its own file
-    mesh = read_glb(tmp_path / "m.glb")
-    corners = np.asarray(theirs.triangles)
-    np.testing.assert_allclose(mesh.vertices[mesh.triangles], np.asarray(theirs.vertices)[corners], atol=1e-7)
-    np.testing.assert_allclose(
-        mesh.vertex_normals[mesh.triangles], np.asarray(theirs.vertex_normals)[corners], atol=1e-7
-    )
-    np.testing.assert_allclose(mesh.vertex_colors, [[0.2, 0.4, 0.6]] * len(mesh.vertices), atol=1 / 255)
-
-
-def test_trimesh_and_we_read_each_others_scenes(tmp_path):
-    trimesh = pytest.importorskip("trimesh")
-    box, ball = trimesh.creation.box([1, 2, 3]), trimesh.creation.icosphere(subdivisions=1)
-    scene = trimesh.Scene([box])
-    scene.add_geometry(ball, transform=trimesh.transformations.rotation_matrix(0.7, [1, 2, 3], [4, 5, 6]))
-    scene.export(tmp_path / "t.glb")
-    with pytest.warns(UserWarning, match=r"left behind: names of nodes \(2\)$"):
-        ours = read_glb(tmp_path / "t.glb")
-    both = scene.to_geometry()
-    np.testing.assert_allclose(ours.vertices[ours.triangles], both.vertices[both.faces], atol=1e-6)
-    moved = MeshTable(np.add(ours.vertices, [5e5, 5.4e6, 0]), ours.triangles)
-    write_glb(tmp_path / "m.glb", moved)
-    theirs = trimesh.load(tmp_path / "m.glb", process=False, force="mesh")
-    np.testing.assert_allclose(theirs.vertices[theirs.faces], moved.vertices[moved.triangles], rtol=0, atol=1e-6)
 
 
 def test_vertices_that_no_triangle_has_are_kept(tmp_path):
@@ -233,75 +176,41 @@ def test_what_glb_cannot_hold_is_refused(tmp_path, change, reason):
     assert not list(tmp_path.iterdir())
 
 
-# ------------------------------------------------------------------------------------------------ lies
-
-
-def lie(*path_and_value):
-    """A change of the JSON: keys, then the new value."""
-    *path, last, value = path_and_value
-
-    def change(content):
-        for key in path:
-            content = content[key]
-        content[last] = value
-
-    return change
-
-
 LIES = [
-    (lie("asset", {"version": "1.0"}), "glTF '1.0'; version 2 is read"),
-    (lie("asset", None), "glTF None"),
-    (lie("extensionsRequired", ["NOT_YET"]), "needs the extension NOT_YET, which is not read"),
-    (lie("extensionsRequired", "NOT_YET"), "needs the extension NOT_YET, which is not read"),
-    (lie("meshes", 0, "primitives", 0, "extensions", 3), "extensions is no object"),
-    (lie("meshes", 0, "primitives", 0, "targets", 3), "targets: expected a list of objects"),
-    (lie("nodes", 0, "skin", 0), "names skins 0, of 0"),
-    (lie("accessors", 0, "sparse", {"count": 4}), "sparse replaces 4 of 3 elements"),
-    (lie("accessors", 0, "sparse", 4), "sparse is no object"),
-    (lie("accessors", 0, "count", 4), "says 4 elements, beyond the 36 bytes"),
-    (lie("accessors", 0, "count", 0), "says 0 elements"),
-    (lie("accessors", 0, "count", -3), "count is -3"),
-    (lie("accessors", 0, "count", 2**62), "count is 4611686018427387904"),
-    (lie("accessors", 0, "count", 1e9), "count is 1000000000.0"),
-    (lie("accessors", 0, "count", True), "count is True"),
-    (lie("accessors", 0, "byteOffset", 4), "beyond the 36 bytes"),
-    (lie("accessors", 0, "componentType", 5124), "of the type VEC3 5124"),
-    (lie("accessors", 0, "type", "VEC2"), "of the type VEC2 5126"),
-    (lie("accessors", 1, "componentType", 5126), "of the type SCALAR 5126"),
-    (lie("accessors", 0, "bufferView", None), "names bufferViews None"),
-    (lie("accessors", 0, "bufferView", 9), "names bufferViews 9, of 2"),
-    (lie("bufferViews", 0, "byteLength", 4000), "reaches to byte 4000 of a buffer of 44"),
-    (lie("bufferViews", 0, "byteOffset", 40), "reaches to byte 76"),
-    (lie("bufferViews", 0, "byteStride", 8), "elements of 12 bytes every 8"),
-    (lie("bufferViews", 0, "buffer", 1), "names buffers 1, of 1"),
-    (lie("buffers", 0, "byteLength", 45), "says 45 bytes, 44 are there"),
-    (lie("buffers", 0, "uri", "m.bin"), "lies in another file, 'm.bin'"),
-    (lie("buffers", 0, "uri", "data:;base64,@@"), "its data URI is damaged"),
-    (lie("meshes", 0, "primitives", 0, "attributes", 3), "has no attributes"),
-    (lie("meshes", 0, "primitives", 0, "mode", 7), "the unknown mode 7"),
-    (lie("meshes", 0, "primitives", 0, "mode", 0), "holds no triangles"),
-    (lie("meshes", 0, "primitives", 0, "material", 0), "names materials 0, of 0"),
-    (lie("meshes", 0, "primitives", 3), "primitives: expected a list of objects"),
-    (lie("meshes", 3), "meshes: expected a list of objects"),
-    (lie("nodes", 0, "mesh", -1), "names meshes -1, of 1"),
-    (lie("nodes", 0, "children", [0]), "stands in two places of the tree"),
-    (lie("nodes", 0, "children", [5]), "names nodes 5, of 1"),
-    (lie("nodes", 0, "children", ["a"]), "expected a list of numbers"),
-    (lie("nodes", 0, "rotation", [0, 0, 0, 0]), "rotation is no unit quaternion"),
-    (lie("nodes", 0, "matrix", [1, 2, 3]), "matrix is not 16 numbers"),
-    (lie("nodes", 0, "translation", ["x", 0, 0]), "translation is not 3 numbers"),
-    (lie("scenes", 0, "nodes", []), "holds no triangles"),
-    (lie("scene", 4), "names scenes 4, of 1"),
+    (("asset", None), "glTF None"),
+    (("extensionsRequired", "NOT_YET"), "needs the extension NOT_YET, which is not read"),
+    (("meshes", 0, "primitives", 0, "targets", 3), "targets: expected a list of objects"),
+    (("nodes", 0, "skin", 0), "names skins 0, of 0"),
+    (("accessors", 0, "sparse", {"count": 4}), "sparse replaces 4 of 3 elements"),
+    (("accessors", 0, "sparse", 4), "sparse is no object"),
+    (("accessors", 0, "count", 2**62), "count is 4611686018427387904"),
+    (("accessors", 0, "count", True), "count is True"),
+    (("accessors", 0, "byteOffset", 4), "beyond the 36 bytes"),
+    (("accessors", 1, "componentType", 5126), "of the type SCALAR 5126"),
+    (("bufferViews", 0, "byteOffset", 40), "reaches to byte 76"),
+    (("bufferViews", 0, "byteStride", 8), "elements of 12 bytes every 8"),
+    (("buffers", 0, "byteLength", 45), "says 45 bytes, 44 are there"),
+    (("buffers", 0, "uri", "m.bin"), "lies in another file, 'm.bin'"),
+    (("buffers", 0, "uri", "data:;base64,@@"), "its data URI is damaged"),
+    (("meshes", 0, "primitives", 0, "attributes", 3), "has no attributes"),
+    (("meshes", 0, "primitives", 0, "mode", 7), "the unknown mode 7"),
+    (("meshes", 0, "primitives", 0, "mode", 0), "holds no triangles"),
+    (("meshes", 0, "primitives", 0, "material", 0), "names materials 0, of 0"),
+    (("meshes", 0, "primitives", 3), "primitives: expected a list of objects"),
+    (("meshes", 3), "meshes: expected a list of objects"),
+    (("nodes", 0, "mesh", -1), "names meshes -1, of 1"),
+    (("nodes", 0, "children", [0]), "stands in two places of the tree"),
+    (("nodes", 0, "children", ["a"]), "expected a list of numbers"),
+    (("nodes", 0, "rotation", [0, 0, 0, 0]), "rotation is no unit quaternion"),
+    (("nodes", 0, "matrix", [1, 2, 3]), "matrix is not 16 numbers"),
 ]
 
 
 @pytest.mark.parametrize(("change", "reason"), LIES, ids=[reason[:40] for _, reason in LIES])
 def test_a_lie_is_refused_by_name(tmp_path, change, reason):
     scene = one_triangle()
-    content = copy.deepcopy(scene.content())
-    change(content)
     with pytest.raises(FileError, match=re.escape(reason)):
-        read_glb(scene.write(tmp_path / "m.glb", content))
+        read_glb(scene.write(tmp_path / "m.glb", changed(scene, *change)))
 
 
 def test_indices_beyond_the_vertices_are_refused(tmp_path):
@@ -346,7 +255,6 @@ def test_materials_that_lie_are_refused(tmp_path, materials, more, reason):
         (lambda data: data + b"\0" * 4, "its header says"),
         (lambda data: data[:12] + b"\xff\xff\xff\x7f" + data[16:], "a chunk says 2147483647 bytes"),
         (lambda data: data[:16] + b"ABCD" + data[20:], "its first chunk is not JSON"),
-        (lambda data: data.replace(b'"2.0"', b'"2.0\xff'), "its JSON is damaged"),
         (lambda data: data.replace(b'"scene": 0, ', b'"scene":NaN,'), "NaN is no number"),
         (lambda data: container(b"[" * 100_000, b""), "its JSON is damaged"),
         (lambda data: container(b"[]", b""), "its JSON is no object"),

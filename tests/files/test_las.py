@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import struct
 import tracemalloc
 
 import laspy
@@ -24,9 +23,6 @@ def real(request, scan_set, scan_file):
     return scan_file(f"lidar-pdal/{request.param}"), counts[request.param]
 
 
-# ------------------------------------------------------------------------------------------------ reading
-
-
 def test_every_value_of_a_real_file_is_laspys(real):
     path, count = real
     table, expected = read_las(path), laspy.read(path)
@@ -40,15 +36,6 @@ def test_every_value_of_a_real_file_is_laspys(real):
     rgb = np.stack([expected[name] for name in ("red", "green", "blue")], axis=1)
     assert rgb.max() <= 255  # as these files have them: 8 bits in 16-bit fields
     np.testing.assert_array_equal(table.colors, (rgb / np.float32(255)).astype(np.float32))
-
-
-def test_coordinates_are_scale_times_the_stored_integers_plus_the_offset(shipped_file):
-    path = shipped_file("lidar-pdal/autzen/autzen-utm.las")
-    content = path.read_bytes()
-    begin, (length,) = struct.unpack_from("<I", content, 96)[0], struct.unpack_from("<H", content, 105)
-    raw = np.ndarray((1065, 3), "<i4", content, begin, (length, 4))
-    scales, offsets = np.frombuffer(content, "<f8", 6, 131).reshape(2, 3)
-    np.testing.assert_array_equal(read_las(path).points, raw * scales + offsets)
 
 
 def test_a_cloud_keeps_the_resolution_of_the_file(real, device):
@@ -130,9 +117,6 @@ def test_memory_is_about_that_of_the_result(tmp_path, rng):
         tracemalloc.stop()
         result = found.points.nbytes + found.colors.nbytes + sum(v.nbytes for v in found.attributes.values())
         assert peak < allowed * result + 40e6, (name, peak / result)
-
-
-# ------------------------------------------------------------------------------------------------ parts
 
 
 @pytest.mark.parametrize("name", ["autzen/autzen-thin-srs.las", "laz/autzen_trim.laz"])

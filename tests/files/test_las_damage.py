@@ -24,19 +24,14 @@ from .las_files import edited, make
     ("edits", "reason"),
     [
         ([(0, "4s", b"LASX")], "is no LAS file"),
-        ([(25, "B", 7)], "LAS 1.7 is not supported"),
         ([(24, "B", 2)], "LAS 2.2 is not supported"),
         ([(94, "<H", 200)], "header of 227 bytes"),
-        ([(96, "<I", 100)], "points should start at byte 100"),
         ([(96, "<I", 1 << 31)], "points should start at byte 2147483648"),
         ([(100, "<I", 1 << 31)], "2147483648 records cannot lie in the 0 bytes"),
         ([(104, "B", 11)], "unknown point format 11"),
         ([(104, "B", 6)], "point format 6 came with LAS 1.4"),
-        ([(105, "<H", 33)], "points of 33 bytes cannot hold format 3, which takes 34"),
         ([(105, "<H", 0)], "points of 0 bytes"),
-        ([(107, "<I", 21)], r"\(byte 907\): truncated: the header counts 21 points, the file holds 20"),
         ([(107, "<I", 0xFFFFFFFF)], "counts 4294967295 points, the file holds 20"),
-        ([(107, "<I", 0)], "counts 0 points, but the file holds 20"),
         ([(107, "<I", 19)], "counts 19 points, but the file holds 20"),
         ([(131, "<d", 0.0)], "scales"),
         ([(131, "<d", -0.01)], "scales"),
@@ -58,13 +53,11 @@ def test_a_header_that_lies_is_an_error(edits, reason, small_las):
     [
         ([(107, "<I", 5)], "counts 8 points in one place and 5 in another"),
         ([(247, "<Q", 1 << 60)], "the file holds 8"),
-        ([(235, "<QI", 10, 1)], "extended records should start at byte 10"),
         ([(235, "<QI", 1 << 50, 1)], "extended records should start at byte 1125899906842624"),
         ([(235, "<QI", 893, 1 << 31)], "2147483648 records cannot lie"),
         ([(375 + 20, "<H", 60_000)], "record 0 of 1 has 60000 bytes"),
         ([(375 + 54 + 2, "B", 200)], "the record of extra dimensions is damaged"),
         ([(375 + 54 + 2, "B", 10)], "its extra dimensions need 4 bytes more"),
-        ([(375 + 54 + 4, "32s", b"intensity")], "two dimensions of its points have one name"),
         ([(375 + 54 + 4, "32s", b"")], "two dimensions of its points have one name, or one has none"),
     ],
 )
@@ -130,26 +123,15 @@ def test_compressed_points_are_held_against_their_tables(tmp_path, rng):
         read_las(path)
 
 
-def test_a_count_that_no_table_refutes_takes_no_memory_before_its_points_come(tmp_path, rng):
+@pytest.mark.parametrize(
+    ("count", "extra"), [(4_000_000_000, []), (2_000_000_000, [laspy.ExtraBytesParams("long", "60000u1")])]
+)
+def test_a_count_that_no_table_refutes_takes_no_memory_before_its_points_come(tmp_path, rng, count, extra):
     path = tmp_path / "a.laz"
-    make(path, 0, 2000, rng)
+    make(path, 0, 3, rng, extra)
     header, content = open_las(path).header, path.read_bytes()
     record = content.index(header.find("laszip encoded", 22204))
-    edited(path, (107, "<I", 4_000_000_000), (record + 12, "<I", 4_000_000_001))  # one chunk of 4e9 points
-    tracemalloc.start()
-    with pytest.raises(loom.FileError, match="compressed points are damaged"):
-        read_las(path)
-    _, peak = tracemalloc.get_traced_memory()
-    tracemalloc.stop()
-    assert peak < 150e6
-
-
-def test_points_that_claim_to_be_long_and_many_take_no_memory_before_they_come(tmp_path, rng):
-    path = tmp_path / "a.laz"
-    make(path, 0, 3, rng, [laspy.ExtraBytesParams("long", "60000u1")])
-    header, content = open_las(path).header, path.read_bytes()
-    record = content.index(header.find("laszip encoded", 22204))
-    edited(path, (107, "<I", 2_000_000_000), (record + 12, "<I", 2_000_000_001))
+    edited(path, (107, "<I", count), (record + 12, "<I", count + 1))  # one chunk of all points
     tracemalloc.start()
     with pytest.raises(loom.FileError, match="compressed points are damaged"):
         read_las(path)
@@ -196,16 +178,16 @@ def run_in_little_memory(folder, script, *paths):
     return answer.stdout
 
 
+@pytest.mark.slow
 def test_a_chunk_size_beyond_the_memory_does_not_end_the_process(tmp_path, rng):
     for point_format in (0, 3, 6):
         make(tmp_path / f"{point_format}.laz", point_format, 300, rng)
     run_in_little_memory(tmp_path, CHUNKS, *tmp_path.glob("*.laz"))
 
 
-@pytest.mark.parametrize("point_format", [3, 7])
-def test_chunks_of_very_many_points_are_unpacked_to_the_same_points(point_format, tmp_path, rng, monkeypatch):
+def test_chunks_of_very_many_points_are_unpacked_to_the_same_points(tmp_path, rng, monkeypatch):
     path = tmp_path / "a.laz"
-    make(path, point_format, 120_000, rng, [laspy.ExtraBytesParams("height", "f4")])
+    make(path, 7, 51_000, rng, [laspy.ExtraBytesParams("height", "f4")])
     expected = read_las(path)
     monkeypatch.setattr("pointloom.files.points.laszip._PARALLEL_CHUNK_BYTES", 0)
     found = read_las(path)

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import builtins
-import sys
-
 import laspy
 import numpy as np
 import pytest
@@ -13,7 +10,6 @@ from hypothesis import strategies as st
 
 import pointloom as loom
 from pointloom.files.points.las import open_las, read_las
-from pointloom.files.points.las_crs import crs_name
 from pointloom.files.points.las_writer import write_las
 from pointloom.files.table import PointTable
 
@@ -42,7 +38,7 @@ def tables(draw):
 
 
 @pytest.mark.parametrize("suffix", [".las", ".laz"])
-@settings(max_examples=60, derandomize=True, deadline=None, database=None)
+@settings(max_examples=25, derandomize=True, deadline=None, database=None)
 @given(table=tables())
 def test_what_is_written_reads_back(suffix, tmp_path_factory, table):
     path = tmp_path_factory.getbasetemp() / f"round{suffix}"
@@ -75,20 +71,6 @@ def test_what_is_written_is_right_for_laspy(tmp_path, rng):
         np.testing.assert_array_equal(found["ring"], np.arange(100))
 
 
-def test_a_las_file_written_like_another_has_its_integers_and_its_coordinate_system(scan_file, tmp_path):
-    for name in ("autzen/autzen-utm.las", "laz/autzen_trim.laz"):
-        source = scan_file(f"lidar-pdal/{name}")
-        write_las(tmp_path / "b.las", read_las(source), like=open_las(source).header)
-        before, after = laspy.read(source), laspy.read(tmp_path / "b.las")
-        assert before.header.point_format.id == after.header.point_format.id
-        for field in ("scales", "offsets"):
-            np.testing.assert_array_equal(getattr(before.header, field), getattr(after.header, field))
-        for field in before.point_format.dimension_names:
-            if field not in ("red", "green", "blue"):  # 8 bits became 16
-                np.testing.assert_array_equal(np.asarray(before[field]), np.asarray(after[field]))
-        assert crs_name(open_las(tmp_path / "b.las").header) == crs_name(open_las(source).header)
-
-
 @pytest.mark.parametrize("suffix", [".las", ".laz"])
 def test_a_file_without_points_survives(suffix, tmp_path):
     loom.write_point_cloud(tmp_path / f"a{suffix}", loom.PointCloud(colors=np.empty((0, 3))))
@@ -101,12 +83,8 @@ def test_a_file_without_points_survives(suffix, tmp_path):
 @pytest.mark.parametrize(
     ("attribute", "reason"),
     [
-        ({"intensity": np.array([0.5, 0.25])}, r"holds 0.5, LAS's dimension of that name whole numbers 0..65535"),
-        ({"return_number": np.array([1, 16])}, "holds 16"),
         ({"classification": np.array([-1, 0])}, "holds -1"),
         ({"intensity": np.zeros((2, 2))}, "2 components"),
-        ({"X": np.zeros(2)}, "something else"),
-        ({"bit_fields": np.zeros(2)}, "something else"),
         ({"half": np.zeros(2, np.float16)}, "type float16"),
         ({"n" * 33: np.zeros(2)}, "32 bytes"),
         ({"a": np.zeros((2, 2)), "a_1": np.zeros(2)}, "something else"),
@@ -143,24 +121,6 @@ def test_what_las_cannot_hold_is_refused(tmp_path):
         with pytest.raises(ValueError, match="scale"):
             write_las(tmp_path / "a.las", PointTable(np.zeros((2, 3))), scale=scale)
     assert list(tmp_path.iterdir()) == []
-
-
-@pytest.mark.parametrize(("missing", "suffix"), [("laspy", ".las"), ("lazrs", ".laz")])
-def test_a_missing_package_is_named_with_the_line_that_installs_it(missing, suffix, monkeypatch, tmp_path, rng):
-    make(tmp_path / f"a{suffix}", 0, 3, rng)
-    for name in [name for name in sys.modules if name.split(".")[0] == missing]:
-        monkeypatch.delitem(sys.modules, name)
-    find, load = builtins.__import__, __import__("importlib").import_module
-
-    def refuse(name, *args, loader=find, **kwargs):
-        if name.split(".")[0] == missing:
-            raise ModuleNotFoundError(f"No module named {missing!r}")
-        return loader(name, *args, **kwargs)
-
-    monkeypatch.setattr(builtins, "__import__", refuse)
-    monkeypatch.setattr("importlib.import_module", lambda name, package=None: refuse(name, package, loader=load))
-    with pytest.raises(loom.FileError, match=rf'{suffix} needs the package {missing}. pip install "pointloom\[las\]"'):
-        loom.read_point_cloud(tmp_path / f"a{suffix}")
 
 
 @pytest.mark.parametrize("standard", [True, False])

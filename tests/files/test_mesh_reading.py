@@ -26,15 +26,6 @@ def obj(tmp_path, text):
     return tmp_path / "m.obj"
 
 
-def sorted_facets(vertices, triangles):
-    """The corners of the triangles in float32, sorted: equal for equal surfaces in whatever order."""
-    facets = np.asarray(vertices)[np.asarray(triangles)].astype(np.float32).reshape(-1, 9)
-    return facets[np.lexsort(facets.T)]
-
-
-# ------------------------------------------------------------------------------------------------ OBJ
-
-
 @pytest.mark.parametrize("name", MESHES)
 def test_real_files_are_what_a_reading_by_hand_gives(real_file, name):
     path = real_file(f"mesh-common3d/{name}")
@@ -48,16 +39,6 @@ def test_real_files_are_what_a_reading_by_hand_gives(real_file, name):
     table = read_obj(path)
     np.testing.assert_array_equal(table.vertices, vertices)
     np.testing.assert_array_equal(table.triangles, triangles)
-
-
-def test_a_real_file_has_the_triangles_that_open3d_reads(real_file):
-    o3d = pytest.importorskip("open3d")
-    path = real_file("mesh-common3d/fandisk.obj")
-    ours, theirs = loom.read_triangle_mesh(path), o3d.io.read_triangle_mesh(str(path))
-    # its parser of decimals is a bit off: 15.2005 and so on come as the float32 beside the nearest
-    np.testing.assert_allclose(
-        sorted_facets(ours.vertices, ours.triangles), sorted_facets(theirs.vertices, theirs.triangles), rtol=2.5e-7
-    )
 
 
 @pytest.mark.parametrize(
@@ -154,11 +135,6 @@ def test_a_number_of_many_digits_takes_no_memory(tmp_path):
     assert peak < 20e6  # 200,000 digits for each of the 9,003 corners would be 1.8e9
 
 
-def test_colours_of_vertices_are_read(tmp_path):
-    table = read_obj(obj(tmp_path, "v 0 0 0 1 0 0\nv 1 0 0 0 0.5 0\nv 0 1 0 0 0 1\nf 1 2 3\n"))
-    np.testing.assert_array_equal(table.vertex_colors, [[1, 0, 0], [0, 0.5, 0], [0, 0, 1]])
-
-
 @pytest.mark.parametrize("normals", [False, True])
 @pytest.mark.parametrize("colors", [False, True])
 def test_what_we_write_as_obj_reads_back_the_same(tmp_path, rng, normals, colors):
@@ -178,43 +154,43 @@ def test_what_we_write_as_obj_reads_back_the_same(tmp_path, rng, normals, colors
 
 
 @pytest.mark.parametrize(
-    ("text", "where", "reason"),
+    ("name", "text", "where", "reason"),
     [
-        (SQUARE, "", "holds no faces"),
-        ("f 1 2 3\n", "", "holds no vertices"),
-        (SQUARE + "f 1 2\n", "line 5", "a face has 2 corners"),
-        (SQUARE + "f 1 2 3\n\nf 1 2 5\n", "line 7", "a face names 5 of 4 vertices"),
-        (SQUARE + "f 0 1 2\n", "line 5", "a face names 0 of 4 vertices"),
-        (SQUARE + "f -5 1 2\n", "line 5", "a face names -5 of 4 vertices"),
-        (SQUARE + "f 1 2 3\nf 1/1/1/1 2/1/1/1 3/1/1/1\n", "line 6", "not a corner of a face: '1/1/1/1'"),
-        (SQUARE + "vn 0 0 1\nf 1//1/2 //1/ 3//1/2 //1/\n", "line 6", "not a corner of a face: '1//1/2'"),
-        (SQUARE + "f 1 2 /3\n", "line 5", "not a corner of a face: '/3'"),
-        (SQUARE + "f 1 2 3-1\n", "line 5", "not a corner of a face: '3-1'"),
-        (SQUARE + "f 1 2 3/-\n", "line 5", "not a corner of a face: '3/-'"),
-        (SQUARE + f"f 1 2 {10**30}\n", "line 5", f"a face names {10**18} of 4 vertices"),
-        (SQUARE + "v 0 0 1e39\nf 1 2 5\n", "vertex 4", "reach beyond float32"),
-        (SQUARE + "f 1 2 3.0\n", "line 5", "not a corner of a face: '3.0'"),
-        (SQUARE + "f 1 2 1_0\n", "line 5", "not a corner of a face: '1_0'"),
-        (SQUARE + "f 1 2 +3\n", "line 5", "not a corner of a face: '+3'"),
-        (SQUARE + "f 1 2 --3\n", "line 5", "not a corner of a face: '--3'"),
-        (SQUARE + "f 1/1/1/1 2 3\n", "line 5", "not a corner of a face: '1/1/1/1'"),
-        ("v 0 0 0\nv 0 0\nf 1 2 1\n", "line 2", "a vertex has 3, 4 or 6 values, found 2"),
-        ("v 0 0\nf 1 1 1\n", "line 1", "a vertex has 3, 4 or 6 values, found 2"),
-        ("v\n" + SQUARE + "f 1 2 3\n", "line 1", "a v has no values"),
-        (SQUARE + "vt \0\nvt 0 0\nf 1/1 2/2 3/2\n", "line 5", "a vt has no values"),
-        ("v 0 0 0 1\nv 0 0 0 2\nf 1 2 1\n", "line 2", "a vertex has the weight 2"),
-        (SQUARE + "\nv 0 x 0\nf 1 2 3\n", "line 6", "not a number: 'x'"),
-        (SQUARE + "curv 0 1 1 2\nf 1 2 3\n", "line 5", "the statement 'curv' is not read"),
-        (SQUARE + "f 1 2 3 \\", "line 5", "ends in a line that is to go on"),
+        ("m.obj", SQUARE, "", "holds no faces"),
+        ("m.obj", "f 1 2 3\n", "", "holds no vertices"),
+        ("m.obj", SQUARE + "f 1 2\n", "line 5", "a face has 2 corners"),
+        ("m.obj", SQUARE + "f -5 1 2\n", "line 5", "a face names -5 of 4 vertices"),
+        ("m.obj", SQUARE + "vn 0 0 1\nf 1//1/2 //1/ 3//1/2 //1/\n", "line 6", "not a corner of a face: '1//1/2'"),
+        ("m.obj", SQUARE + "f 1 2 3-1\n", "line 5", "not a corner of a face: '3-1'"),
+        ("m.obj", SQUARE + f"f 1 2 {10**30}\n", "line 5", f"a face names {10**18} of 4 vertices"),
+        ("m.obj", SQUARE + "v 0 0 1e39\nf 1 2 5\n", "vertex 4", "reach beyond float32"),
+        ("m.obj", SQUARE + "f 1 2 1_0\n", "line 5", "not a corner of a face: '1_0'"),
+        ("m.obj", "v 0 0\nf 1 1 1\n", "line 1", "a vertex has 3, 4 or 6 values, found 2"),
+        ("m.obj", SQUARE + "vt \0\nvt 0 0\nf 1/1 2/2 3/2\n", "line 5", "a vt has no values"),
+        ("m.obj", "v 0 0 0 1\nv 0 0 0 2\nf 1 2 1\n", "line 2", "a vertex has the weight 2"),
+        ("m.obj", SQUARE + "\nv 0 x 0\nf 1 2 3\n", "line 6", "not a number: 'x'"),
+        ("m.obj", SQUARE + "curv 0 1 1 2\nf 1 2 3\n", "line 5", "the statement 'curv' is not read"),
+        ("m.obj", SQUARE + "f 1 2 3 \\", "line 5", "ends in a line that is to go on"),
+        ("m.stl", "solid a\n" + TEXT_FACET, "line 9", "truncated: ends without endsolid"),
+        ("m.stl", "solid a\n" + TEXT_FACET.replace("1 0 0", "1 0") + "endsolid\n", "line 5", "found 'vertex 1 0'"),
+        ("m.stl", "solid a\n" + TEXT_FACET.replace("1 0 0", "1 0 x") + "endsolid\n", "line 5", "not a number: 'x'"),
+        (
+            "m.stl",
+            "solid a\n" + TEXT_FACET.replace("1 0 0", "1 0 inf") + "endsolid\n",
+            "triangle 0",
+            "a corner is not finite",
+        ),
+        ("m.stl", "solid x\nendsolid x\n", "", "holds no facets"),
+        ("m.stl", "\0" * 84, "", "holds no facets"),
+        ("m.stl", "no mesh", "byte 7", "is no STL"),
+        ("m.stl", "x" * 200, "byte 200", "facets that it declares take"),
     ],
 )
-def test_a_damaged_obj_is_refused_with_its_line(tmp_path, text, where, reason):
+def test_a_damaged_file_is_refused_with_its_line(tmp_path, name, text, where, reason):
+    (tmp_path / name).write_text(text)
     with pytest.raises(FileError, match=re.escape(reason)) as caught:
-        read_obj(obj(tmp_path, text))
+        (read_obj if name == "m.obj" else read_stl)(tmp_path / name)
     assert caught.value.where == where
-
-
-# ------------------------------------------------------------------------------------------------ STL
 
 
 def test_a_cube_as_stl_gets_its_eight_vertices_back(tmp_path):
@@ -237,62 +213,11 @@ def test_vertices_come_in_the_order_of_the_facets_and_minus_zero_is_zero(tmp_pat
     np.testing.assert_array_equal(table.triangles, [[0, 1, 2], [3, 0, 2]])
 
 
-@pytest.mark.parametrize("name", ["fandisk.obj", "stanford-bunny.obj"])
-def test_real_meshes_through_stl_keep_their_triangles(real_file, tmp_path, name):
-    source = read_obj(real_file(f"mesh-common3d/{name}"))
-    write_stl(tmp_path / "m.stl", MeshTable(source.vertices, source.triangles))
-    table, corners = read_stl(tmp_path / "m.stl"), source.vertices.astype(np.float32)[source.triangles]
-    np.testing.assert_array_equal(table.vertices[table.triangles], corners)
-    assert len(table.vertices) == len(np.unique(corners.reshape(-1, 3), axis=0))
-
-
-@pytest.mark.parametrize("as_text", [False, True])
-def test_stl_that_open3d_writes_has_its_triangles(tmp_path, rng, as_text):
-    o3d = pytest.importorskip("open3d")
-    sphere = o3d.geometry.TriangleMesh.create_sphere(resolution=6).compute_triangle_normals()
-    path = tmp_path / "m.stl"
-    if as_text:
-        facets = np.asarray(sphere.vertices)[np.asarray(sphere.triangles)]
-        lines = ["".join(f"vertex {x:.9g} {y:.9g} {z:.9g}\n" for x, y, z in facet) for facet in facets]
-        body = "".join(f"facet normal 0 0 0\nouter loop\n{corners}endloop\nendfacet\n" for corners in lines)
-        path.write_text(f"solid\n{body}endsolid\n")
-    else:
-        assert o3d.io.write_triangle_mesh(str(path), sphere)
-    ours, theirs = read_stl(path), o3d.io.read_triangle_mesh(str(path))
-    # its parser of decimals is a bit off: 15.2005 and so on come as the float32 beside the nearest
-    np.testing.assert_allclose(
-        sorted_facets(ours.vertices, ours.triangles), sorted_facets(theirs.vertices, theirs.triangles), rtol=2.5e-7
-    )
-    assert loom.read_triangle_mesh(path).is_watertight()
-
-
 def test_a_binary_file_that_begins_with_solid_is_read(tmp_path):
     write_stl(tmp_path / "m.stl", MeshTable(np.eye(3, dtype=np.float32), np.array([[0, 1, 2]])))
     data = (tmp_path / "m.stl").read_bytes()
     (tmp_path / "m.stl").write_bytes(b"solid" + data[5:])
     np.testing.assert_array_equal(read_stl(tmp_path / "m.stl").vertices, np.eye(3))
-
-
-@pytest.mark.parametrize(
-    ("text", "where", "reason"),
-    [
-        ("solid a\n" + TEXT_FACET, "line 9", "truncated: ends without endsolid"),
-        ("solid a\nfacet normal 0 0 1\nouter loop\nendsolid\n", "line 4", "expected vertex and three numbers"),
-        ("solid a\n" + TEXT_FACET.replace("1 0 0", "1 0") + "endsolid\n", "line 5", "found 'vertex 1 0'"),
-        ("solid a\n" + TEXT_FACET.replace("1 0 0", "1 0 x") + "endsolid\n", "line 5", "not a number: 'x'"),
-        ("solid a\n" + TEXT_FACET.replace("1 0 0", "1 0 inf") + "endsolid\n", "triangle 0", "a corner is not finite"),
-        ("solid a\nendsolid\n" + TEXT_FACET, "line 3", "expected solid, found 'facet normal 0 0 1'"),
-        ("solid x\nendsolid x\n", "", "holds no facets"),
-        ("\0" * 84, "", "holds no facets"),
-        ("no mesh", "byte 7", "is no STL"),
-        ("x" * 200, "byte 200", "facets that it declares take"),
-    ],
-)
-def test_a_damaged_stl_is_refused_with_its_place(tmp_path, text, where, reason):
-    (tmp_path / "m.stl").write_text(text)
-    with pytest.raises(FileError, match=re.escape(reason)) as caught:
-        read_stl(tmp_path / "m.stl")
-    assert caught.value.where == where
 
 
 def test_a_truncated_binary_stl_is_refused(tmp_path):

@@ -123,8 +123,6 @@ def test_an_initial_calibration_serves_where_none_was_adjusted(tmp_path):
     assert model.cameras[0].params[0] == 700
 
 
-# ------------------------------------------------------------------------------------------------ what is refused
-
 BOMB = "<!DOCTYPE d [<!ENTITY a 'aaaaaaaaaa'><!ENTITY b '&a;&a;&a;&a;&a;&a;&a;&a;'>]><document>&b;</document>"
 LEAK = "<!DOCTYPE d [<!ENTITY a SYSTEM 'file:///etc/hostname'>]><document>&a;</document>"
 
@@ -135,21 +133,15 @@ LEAK = "<!DOCTYPE d [<!ENTITY a SYSTEM 'file:///etc/hostname'>]><document>&a;</d
         (BOMB, "declares a document type"),
         (LEAK, "declares a document type"),
         (BOMB.encode("utf-16"), "declares a document type"),
-        ("<!DOCTYPE document>" + "<document/>", "declares a document type"),
         ("<a>" * 1000, "more than 64 elements"),
         ("nothing", "line 1, column 0.*no XML|no XML"),
         ("<document><chunk>", "no XML"),
         ("<?xml version='1.0' encoding='none-such'?><document/>", "no XML|not read"),
-        ("<other/>", "got an element 'other'"),
-        ("<document/>", "got 0 chunks"),
         ("<document><chunk/><chunk/></document>", "got 2 chunks"),
-        ("<document><chunk/></document>", "no aligned camera"),
         (document(camera(pose=None)), r"no aligned camera \(1 are disabled or not aligned\)"),
         (document(camera() + camera()), "'IMG_1' stands twice.*label of its own"),
-        (document(camera(pose="1 2 3")), "transform of camera 'IMG_1': expected 16"),
         (document(camera(pose=POSE.replace("2", "nan"))), "expected 16 finite numbers"),
         (document(camera(pose=POSE.replace("2", "1_0"))), "expected 16 finite numbers"),
-        (document(camera(pose="2 0 0 0 0 2 0 0 0 0 2 0 0 0 0 1")), "the transform of camera 'IMG_1': expected a rigid"),
         (document(camera(), more="<transform><scale>0</scale></transform>"), "the scale of the chunk is 0"),
         (
             document(camera(), more="<transform><rotation>1 1 1 1 1 1 1 1 1</rotation></transform>"),
@@ -157,7 +149,6 @@ LEAK = "<!DOCTYPE d [<!ENTITY a SYSTEM 'file:///etc/hostname'>]><document>&a;</d
         ),
         (document(camera(), sensors=""), "sensor '0', which is not there"),
         (document(camera(), "<sensor id='0'/>"), "sensor 0.*no calibration"),
-        (document(camera(), sensor("<f>5</f>", kind="spherical")), "lens is 'spherical'"),
         (document(camera(), sensor("<f>5</f>", kind="equisolid_fisheye")), "lens is 'equisolid_fisheye'"),
         (document(camera(), sensor("<f>5</f><p3>0.1</p3>")), "p3 is not read"),
         (document(camera(), sensor("<f>x</f>")), "f of sensor 0: expected 1 finite"),

@@ -13,16 +13,13 @@ from pointloom.core.errors import FileError
 from pointloom.files.points.npz import read_npz, write_npz
 from pointloom.files.table import PointTable
 
+from .point_tables import assert_same_table, table_of
+
 
 def cloud(count=40, dtype=np.float32, grid=None):
     rng = np.random.default_rng(8)
     attributes = {code: rng.integers(0, 2, count).astype(code) for code in ("?", "i1", "u2", "i4", "u8", "f2", "f8")}
-    attributes["features"] = rng.random((count, 33)).astype(np.float32)
-    attributes["file"] = np.arange(count)
-    normals = rng.normal(size=(count, 3)).astype(np.float32)
-    return PointTable(
-        rng.random((count, 3)).astype(dtype), normals, rng.random((count, 3)).astype("f4"), attributes, grid
-    )
+    return table_of(count, dtype, grid, features=rng.random((count, 33)), file=np.arange(count), **attributes)
 
 
 def array_bytes(array, **changes):
@@ -49,18 +46,12 @@ def path(tmp_path):
     return tmp_path / "cloud.npz"
 
 
-@pytest.mark.parametrize("dtype", [np.float32, np.float64])
-@pytest.mark.parametrize(("count", "grid"), [(0, None), (1, None), (40, None), (40, (5, 8))])
+@pytest.mark.parametrize(("count", "grid", "dtype"), [(0, None, "f4"), (1, None, "f8"), (40, (5, 8), "f4")])
 def test_every_array_survives_a_round_trip_to_the_bit(path, dtype, count, grid):
     table = cloud(count, dtype, grid)
     write_npz(path, table)
-    read = read_npz(path)
-    assert read.grid == grid
-    assert list(read.attributes) == list(table.attributes)
-    pairs = [(getattr(read, name), getattr(table, name)) for name in ("points", "normals", "colors")]
-    for left, right in [*pairs, *zip(read.attributes.values(), table.attributes.values(), strict=True)]:
-        assert left.dtype == right.dtype
-        np.testing.assert_array_equal(left, right)
+    assert_same_table(read_npz(path), table)
+    assert list(read_npz(path).attributes) == list(table.attributes)
 
 
 def test_numpy_reads_what_we_write_and_the_bytes_do_not_depend_on_the_clock(path, tmp_path):
@@ -87,15 +78,12 @@ def test_archives_of_numpy_are_read_in_any_layout(path, save):
 @pytest.mark.parametrize(
     ("arrays", "reason"),
     [
-        ({}, "no array 'points' (the archive holds: nothing)"),
         ({"xyz": np.zeros((2, 3))}, "no array 'points' (the archive holds: xyz)"),
         ({"points": np.zeros((3, 2))}, "points: expected numbers of shape [n, 3], found float64 [3, 2]"),
         ({"points": np.zeros(3)}, "points: expected numbers of shape [n, 3], found float64 [3]"),
         ({"points": np.zeros((2, 3), bool)}, "points: expected numbers"),
-        ({"points": np.zeros((2, 3), complex)}, "points: expected real numbers or booleans, found complex128"),
         ({"points": np.zeros((2, 3)), "normals": np.zeros((3, 3))}, "normals: expected numbers of shape [2, 3]"),
         ({"points": np.zeros((2, 3)), "colors": np.full((2, 3), 2.0)}, "a colour is outside 0..1"),
-        ({"points": np.zeros((2, 3)), "ring": np.zeros(3)}, "ring: expected shape [2] or [2, c], found [3]"),
         (
             {"points": np.zeros((2, 3)), "ring": np.zeros((2, 2, 2))},
             "ring: expected shape [2] or [2, c], found [2, 2, 2]",
@@ -140,12 +128,9 @@ def test_a_directory_that_lies_about_the_size_is_refused(path, size):
     ("change", "reason"),
     [
         (lambda data: b"", "is empty"),
-        (lambda data: b"not a zip", "is no NPZ archive"),
         (lambda data: data[:-1], "truncated"),
         (lambda data: data + b"\0", "bytes follow its end"),
         (lambda data: b"junk" + data, "4 bytes stand before the archive"),
-        (lambda data: data[:200] + bytes([data[200] ^ 1]) + data[201:], "Bad CRC-32"),
-        (lambda data: data.replace(b"points.npy", b"points.txt"), "is no .npy array"),
         (lambda data: data.replace(b"ring__.npy", b"points.npy"), "is there twice"),
         (lambda data: data.replace(b"\x93NUMPY\1", b"\x93NUMPY\7"), "Bad CRC-32"),
     ],
@@ -162,9 +147,7 @@ def test_a_damaged_archive_is_refused(path, change, reason):
     [
         (b"\x93NUMPY", b"\x94NUMPY", "header is damaged"),
         (b"NUMPY\1", b"NUMPY\7", "unknown version"),
-        (b"{'descr'", b"{(((((((", "header is damaged"),
         (b"'<f8'", b"'<\\d'", "header is damaged"),
-        (b"(2, 3)", b"(2 , 3", "header is damaged"),
     ],
 )
 def test_a_damaged_array_header_is_refused(path, old, new, reason):

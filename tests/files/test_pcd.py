@@ -14,7 +14,7 @@ from pointloom.files.points import lzf
 from pointloom.files.points.pcd import read_pcd, write_pcd
 from pointloom.files.table import PointTable
 
-from ..scan_cases import on_sets
+from .point_tables import assert_same_table, table_of
 
 ENCODINGS = ("ascii", "binary", "binary_compressed")
 HEAD = (
@@ -23,74 +23,42 @@ HEAD = (
 )
 
 
-def cloud(count=120, dtype=np.float32, grid=None):
-    rng = np.random.default_rng(4)
-    return PointTable(
-        rng.normal(size=(count, 3)).astype(dtype),
-        rng.normal(size=(count, 3)).astype(np.float32),
-        rng.integers(0, 256, (count, 3)).astype(np.float32) / np.float32(255),
-        {
-            "intensity": rng.random(count).astype(np.float32),
-            "ring": rng.integers(0, 99, count).astype(np.uint16),
-            "stamp": rng.integers(2**60, 2**64, count, dtype=np.uint64),
-            "label": rng.integers(-(2**63), 2**63, count, dtype=np.int64),
-            "time": rng.random(count) + 1.7e9,
-            "fpfh": rng.random((count, 33)).astype(np.float32),
-        },
-        grid,
-    )
-
-
-def assert_same(found, expected):
-    assert found.grid == expected.grid
-    for name in ("points", "normals", "colors"):
-        left, right = getattr(found, name), getattr(expected, name)
-        assert (left is None) == (right is None)
-        if right is not None:
-            assert left.dtype == right.dtype
-            np.testing.assert_array_equal(left, right)
-    assert list(found.attributes) == list(expected.attributes)
-    for name, values in expected.attributes.items():
-        assert found.attributes[name].dtype == values.dtype
-        np.testing.assert_array_equal(found.attributes[name], values)
-
-
 @pytest.fixture
 def path(tmp_path):
     return tmp_path / "cloud.pcd"
 
 
 @pytest.mark.parametrize("encoding", ENCODINGS)
-@pytest.mark.parametrize("dtype", [np.float32, np.float64])
-@pytest.mark.parametrize("count", [0, 1, 120, 2000])
+@pytest.mark.parametrize(("count", "dtype"), [(0, np.float32), (1, np.float64), (120, np.float32), (500, np.float64)])
 def test_every_array_survives_a_round_trip_to_the_bit(path, encoding, dtype, count):
-    table = cloud(count, dtype)
+    whole = {"stamp": np.arange(count, dtype=np.uint64) + 2**63, "large": np.arange(count) - 2**62}
+    table = table_of(count, dtype, fpfh=np.ones((count, 33), np.float32), **whole)
     write_pcd(path, table, encoding=encoding)
-    assert_same(read_pcd(path), table)
+    assert_same_table(read_pcd(path), table)
 
 
 def test_more_rows_than_one_chunk_survive(path):
     table = PointTable(np.random.default_rng(0).random((150_000, 3)), attributes={"k": np.arange(150_000)})
     write_pcd(path, table)
-    assert_same(read_pcd(path), table)
+    assert_same_table(read_pcd(path), table)
 
 
 @pytest.mark.parametrize("encoding", ENCODINGS)
 def test_an_organised_cloud_keeps_its_grid_and_its_nan_points(path, encoding):
-    table = cloud(120, grid=(8, 15))
+    table = table_of(120, grid=(8, 15))
     table.points[::7] = np.nan
     write_pcd(path, table, encoding=encoding)
     assert b"WIDTH 15\nHEIGHT 8\n" in path.read_bytes()
-    assert_same(read_pcd(path), table)
+    assert_same_table(read_pcd(path), table)
 
 
 @pytest.mark.parametrize("encoding", ENCODINGS)
 def test_alpha_travels_in_the_rgba_field(path, encoding):
-    table = cloud(9)
+    table = table_of(9)
     table.attributes = {"alpha": np.arange(9, dtype=np.uint8) * 31}
     write_pcd(path, table, encoding=encoding)
     assert b" rgba\n" in path.read_bytes()
-    assert_same(read_pcd(path), table)
+    assert_same_table(read_pcd(path), table)
 
 
 @pytest.mark.parametrize("encoding", ["ascii", "binary"])
@@ -135,33 +103,27 @@ def test_older_headers_without_viewpoint_or_counts_are_read(path, version):
 @pytest.mark.parametrize(
     ("old", "new", "where", "reason"),
     [
-        ("# .PCD", "solid", "line 1", "is not a PCD file"),
         ("# .PCD", "\xff", "line 1, byte 0", "not UTF-8"),
         ("DATA ascii\n", "", "line 11", "unknown header line '1 2 3'"),
         ("DATA ascii\n1 2 3\n4 5 6\n", "", "line 11", "no DATA line"),
         ("DATA ascii", "DATA zip", "line 11", "unknown encoding 'zip'"),
         ("VERSION 0.7", "VERSION 1.0", "line 2", "unknown version"),
-        ("FIELDS x y z\n", "", "", "no FIELDS line"),
         ("SIZE 4 4 4\n", "", "", "no SIZE line"),
         ("WIDTH 2\n", "", "line 9", ""),
         ("FIELDS x y z", "FIELDS x y y", "line 3", "declared twice"),
         ("FIELDS x y z", "FIELDS x y w", "", "no field z"),
         ("SIZE 4 4 4", "SIZE 4 4", "line 4", "SIZE has 2 entries for 3 fields"),
-        ("SIZE 4 4 4", "SIZE 4 4 3", "line 5", "unknown type 'F' of size '3'"),
         ("TYPE F F F", "TYPE F F Q", "line 5", "unknown type 'Q'"),
-        ("TYPE F F F", "TYPE F F I", "", "field 'z' is 1 x int32"),
         ("COUNT 1 1 1", "COUNT 1 1 2", "", "field 'z' is 2 x float32"),
         ("COUNT 1 1 1", "COUNT 1 1 0", "line 6", "COUNT of 0"),
         ("COUNT 1 1 1", "COUNT 1 1 -1", "line 6", "negative"),
         ("COUNT 1 1 1", "COUNT 1 1 1000000000000", "line 6", "impossibly large"),
-        ("WIDTH 2", "WIDTH -2", "line 7", "WIDTH is negative"),
         ("WIDTH 2", "WIDTH two", "line 7", "WIDTH is not a whole number"),
         ("WIDTH 2", "WIDTH 2 2", "line 7", "expected one number"),
         ("WIDTH 2", "WIDTH 2\nWIDTH 2", "line 8", "a second WIDTH line"),
         ("POINTS 2", "POINTS 3", "line 10", "POINTS is 3, but WIDTH x HEIGHT is 2"),
         ("VIEWPOINT 0 0 0 1", "VIEWPOINT 0 0", "line 9", "VIEWPOINT: expected 7 numbers"),
         ("4 5 6\n", "", "line 12", "truncated: 1 of 2 points"),
-        ("4 5 6\n", "4 5\n", "line 13", "expected 3 values, found 2"),
         ("4 5 6\n", "4 5 6 7\n", "line 13", "expected 3 values, found 4"),
         ("4 5 6\n", "4 5 6e\n", "line 13", "not a number: '6e'"),
         ("4 5 6\n", "4 5 6\n\n7 8 9\n", "line 15", "1 lines follow the declared 2 points"),
@@ -228,7 +190,7 @@ def test_the_zero_page_that_pcl_leaves_behind_compressed_payloads_is_allowed_and
     write_pcd(path, table, encoding="binary_compressed")
     whole = path.read_bytes()
     path.write_bytes(whole + bytes(3900))
-    assert_same(read_pcd(path), table)
+    assert_same_table(read_pcd(path), table)
     for surplus in (bytes(4096), bytes(100) + b"\1"):
         path.write_bytes(whole + surplus)
         with pytest.raises(FileError, match="bytes follow"):
@@ -238,10 +200,8 @@ def test_the_zero_page_that_pcl_leaves_behind_compressed_payloads_is_allowed_and
 @pytest.mark.parametrize(
     ("attributes", "reason"),
     [
-        ({"flag": np.zeros(2, bool)}, "no type for bool"),
         ({"half": np.zeros(2, np.float16)}, "no type for float16"),
         ({"two words": np.zeros(2)}, "cannot be named"),
-        ({"_": np.zeros(2)}, "uses this name itself"),
         ({"x": np.zeros(2)}, "uses this name itself"),
         ({"none": np.zeros((2, 0))}, "no components"),
         ({"rgb": np.zeros(2, np.uint32)}, "would be read as normals or colours"),
@@ -257,18 +217,19 @@ def test_an_attribute_that_would_not_read_back_is_refused_and_nothing_is_written
 
 def test_an_unknown_encoding_is_a_value_error(path):
     with pytest.raises(ValueError, match="encoding: expected one of ascii, binary, binary_compressed, got 'zip'"):
-        write_pcd(path, cloud(), encoding="zip")  # type: ignore[arg-type]
+        write_pcd(path, table_of(), encoding="zip")  # type: ignore[arg-type]
 
 
-@settings(max_examples=150, derandomize=True, deadline=None, database=None)
+@settings(max_examples=25, derandomize=True, deadline=None, database=None)
 @given(st.lists(st.tuples(st.binary(min_size=1, max_size=40), st.integers(1, 40)), max_size=20))
 def test_lzf_gives_back_what_went_in(runs):
     data = b"".join(chunk * times for chunk, times in runs)
     assert lzf.decompress(lzf.compress(data), len(data)) == data
 
 
-def test_lzf_crosses_its_blocks_and_shrinks_what_repeats():
-    data = np.repeat(np.random.default_rng(0).integers(0, 9, 400_000), 4).astype(np.uint8).tobytes()
+def test_lzf_crosses_its_blocks_and_shrinks_what_repeats(monkeypatch):
+    monkeypatch.setattr(lzf, "_BLOCK", 1 << 16)
+    data = np.repeat(np.random.default_rng(0).integers(0, 9, 40_000), 4).astype(np.uint8).tobytes()
     packed = lzf.compress(data)
     assert lzf.decompress(packed, len(data)) == data
     assert len(packed) < 0.8 * len(data)
@@ -290,59 +251,3 @@ def test_lzf_crosses_its_blocks_and_shrinks_what_repeats():
 def test_a_damaged_lzf_stream_is_refused(stream, size, reason):
     with pytest.raises(lzf.LzfError, match=reason):
         lzf.decompress(stream, size)
-
-
-@pytest.mark.parametrize("encoding", ENCODINGS)
-def test_open3d_reads_what_we_write(path, encoding):
-    o3d = pytest.importorskip("open3d")
-    table = cloud()
-    table.attributes = {"intensity": table.attributes["intensity"], "ring": table.attributes["ring"]}
-    write_pcd(path, table, encoding=encoding)
-    read = o3d.t.io.read_point_cloud(str(path))
-    np.testing.assert_array_equal(read.point.positions.numpy(), table.points)
-    np.testing.assert_array_equal(read.point.normals.numpy(), table.normals)
-    np.testing.assert_array_equal(read.point.colors.numpy(), np.rint(table.colors * 255))
-    np.testing.assert_array_equal(read.point.intensity.numpy()[:, 0], table.attributes["intensity"])
-    np.testing.assert_array_equal(read.point.ring.numpy()[:, 0], table.attributes["ring"])
-
-
-@pytest.mark.parametrize("encoding", ENCODINGS)
-def test_we_read_what_open3d_writes(path, encoding):
-    o3d = pytest.importorskip("open3d")
-    table = cloud()
-    written = o3d.t.geometry.PointCloud(o3d.core.Tensor(table.points))
-    written.point.normals = o3d.core.Tensor(table.normals)
-    written.point.colors = o3d.core.Tensor(np.rint(table.colors * 255).astype(np.uint8))
-    written.point.intensity = o3d.core.Tensor(table.attributes["intensity"][:, None])
-    options = {"write_ascii": encoding == "ascii", "compressed": encoding == "binary_compressed"}
-    assert o3d.t.io.write_point_cloud(str(path), written, **options)
-    assert f"DATA {encoding}".encode() in path.read_bytes()
-    read = read_pcd(path)
-    tolerance = 2e-5 if encoding == "ascii" else 0  # Open3D prints 6 digits
-    np.testing.assert_allclose(read.points, table.points, rtol=tolerance, atol=tolerance)
-    np.testing.assert_allclose(read.normals, table.normals, rtol=tolerance, atol=tolerance)
-    np.testing.assert_array_equal(read.colors, table.colors)
-    np.testing.assert_allclose(
-        read.attributes["intensity"], table.attributes["intensity"], rtol=tolerance, atol=tolerance
-    )
-
-
-@on_sets(
-    "folder count",
-    shipped=[("cloud-cupoch", 1), ("lidar-pcl-terrain", 7), ("pcl-tests", 2)],
-    real=[("cloud-cupoch", 1), ("lidar-pcl-terrain", 19), ("pcl-tests", 5), ("pcl-data-tutorials", 5)],
-)
-def test_real_files_agree_with_open3d(scan_file, folder, count):
-    o3d = pytest.importorskip("open3d")
-    paths = list(scan_file(folder).rglob("*.pcd"))
-    assert len(paths) == count
-    for real in paths:
-        expected = o3d.io.read_point_cloud(str(real), remove_nan_points=False, remove_infinite_points=False)
-        table = read_pcd(real)
-        np.testing.assert_array_equal(table.points, np.asarray(expected.points).astype(table.points.dtype))
-        assert (table.normals is not None) == expected.has_normals()
-        if table.normals is not None:
-            np.testing.assert_array_equal(table.normals, np.asarray(expected.normals).astype(np.float32))
-        assert (table.colors is not None) == expected.has_colors()
-        if table.colors is not None:
-            np.testing.assert_allclose(table.colors, np.asarray(expected.colors), atol=1e-7)

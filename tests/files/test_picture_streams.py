@@ -15,17 +15,6 @@ from pointloom.files.pictures.image_files import read_color, read_depth, write_p
 
 from .png_files import png_of, with_checksums
 
-
-@pytest.fixture
-def depth() -> np.ndarray:
-    return np.random.default_rng(0).integers(0, 2**16, (24, 32), np.uint16)
-
-
-@pytest.fixture
-def color() -> np.ndarray:
-    return np.random.default_rng(1).integers(0, 256, (24, 32, 3), np.uint8)
-
-
 DEEP = {"bits": 16, "color_type": 0}
 RED_GREEN_BLUE = {"bits": 8, "color_type": 2}
 

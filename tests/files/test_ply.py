@@ -9,12 +9,11 @@ import numpy as np
 import pytest
 
 from pointloom.core.errors import FileError
-from pointloom.files.points.ply import read_ply, read_ply_mesh, write_ply
+from pointloom.files.points.ply import read_ply, write_ply
 from pointloom.files.table import PointTable
 
-REAL_FILES = {
-    "mvs-openmvs-sample": 2, "reg-cilantro": 2, "reg-small-gicp": 2, "reg-teaser-3dmatch": 2, "reg-bunny-scans": 12,
-}  # fmt: skip
+from .point_tables import assert_same_table, table_of
+
 BYTE_ORDERS = {"binary_little_endian": "<", "binary_big_endian": ">"}
 PLY_TYPES = {
     "char": "i1", "uchar": "u1", "short": "i2", "ushort": "u2", "int": "i4", "uint": "u4", "float": "f4",
@@ -22,35 +21,6 @@ PLY_TYPES = {
     "float32": "f4", "float64": "f8",
 }  # fmt: skip
 HEAD = "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\nend_header\n"
-
-
-def cloud(count=100, dtype=np.float32):
-    rng = np.random.default_rng(3)
-    return PointTable(
-        rng.normal(size=(count, 3)).astype(dtype),
-        rng.normal(size=(count, 3)).astype(np.float32),
-        rng.integers(0, 256, (count, 3)).astype(np.float32) / np.float32(255),
-        {
-            "alpha": rng.integers(0, 256, count).astype(np.uint8),
-            "ring": rng.integers(-9, 99, count).astype(np.int16),
-            "label": rng.integers(-(2**31), 2**31, count).astype(np.int32),
-            "curvature": rng.random(count).astype(np.float32),
-            "time": rng.random(count) + 1.7e9,
-        },
-    )
-
-
-def assert_same(found, expected):
-    for name in ("points", "normals", "colors"):
-        left, right = getattr(found, name), getattr(expected, name)
-        assert (left is None) == (right is None)
-        if right is not None:
-            assert left.dtype == right.dtype
-            np.testing.assert_array_equal(left, right)
-    assert list(found.attributes) == list(expected.attributes)
-    for name, values in expected.attributes.items():
-        assert found.attributes[name].dtype == values.dtype
-        np.testing.assert_array_equal(found.attributes[name], values)
 
 
 def write(path, text, payload=b""):
@@ -63,13 +33,19 @@ def path(tmp_path):
     return tmp_path / "cloud.ply"
 
 
-@pytest.mark.parametrize("ascii", [False, True])
-@pytest.mark.parametrize("dtype", [np.float32, np.float64])
-@pytest.mark.parametrize("count", [0, 1, 2, 70_000])
+@pytest.mark.parametrize(
+    ("count", "dtype", "ascii"),
+    [
+        *((count, np.float32, ascii) for count in (0, 1) for ascii in (False, True)),
+        *((500, np.float64, ascii) for ascii in (False, True)),
+        (70_000, np.float32, False),
+    ],
+)
 def test_every_array_survives_a_round_trip_to_the_bit(path, ascii, dtype, count):
-    table = cloud(count, dtype)
+    table = table_of(count, dtype)
     write_ply(path, table, ascii=ascii)
-    assert_same(read_ply(path), table)
+    assert_same_table(read_ply(path), table)
+    assert list(read_ply(path).attributes) == list(table.attributes)
 
 
 @pytest.mark.parametrize("ascii", [False, True])
@@ -153,17 +129,10 @@ def test_colours_of_every_name_and_type_come_in_0_to_1(path, names, code, full):
     assert not table.attributes
 
 
-def test_positions_keep_the_precision_of_the_file(path):
-    head = HEAD.replace("float", "double").replace("ascii", "binary_little_endian")
-    points = np.array([[500000.123456789, 5e6 + 1e-9, 1], [0, 0, 0]])
-    np.testing.assert_array_equal(read_ply(write(path, head, points.tobytes())).points, points)
-
-
 @pytest.mark.parametrize(
     ("content", "where", "reason"),
     [
         (b"", "byte 0", "is empty"),
-        (b"solid stl\n", "byte 0", "not a PLY file"),
         (b"plywood\n", "byte 0", "not a PLY file"),
         (b"ply\nformat ascii 1.0\nelement vertex 1\n", "line 4", "no end_header"),
         (b"ply\nend_header\n", "", "no format line"),
@@ -182,16 +151,12 @@ def test_positions_keep_the_precision_of_the_file(path):
         (HEAD.replace("float z", "quad z").encode(), "line 6", "unknown type 'quad'"),
         (HEAD.replace("float z", "list float int z").encode(), "line 6", "counted in float"),
         (HEAD.encode() + b"1 2 3\n", "line 8", "truncated: element 'vertex' has 1 of 2 rows"),
-        (HEAD.encode() + b"1 2 3\n4 5\n", "line 9", "expected 3 values, found 2"),
         (HEAD.encode() + b"1 2 3 4\n5 6\n", "line 8", "expected 3 values, found 4"),
-        (HEAD.encode() + b"1 2 3\n\n4 5 six\n", "line 10", "not a number: 'six'"),
         (HEAD.encode() + b"1 2 3\n4 5 0x6\n", "line 9", "not a number: '0x6'"),
-        (HEAD.encode() + b"1 2 3\n4 5 1-2\n", "line 9", "not a number: '1-2'"),
         (HEAD.encode() + b"1 2 3\n4 5 1e39\n", "line 9", "does not fit the declared type float32"),
         (HEAD.encode() + b"1 2 3\n4 5 1e999\n", "line 9", "beyond the range of float64"),
         (HEAD.encode() + b"1 2 3\n4 5 6\n7 8 9\n", "line 10", "1 lines follow"),
         (HEAD.replace("float z", "uchar z").encode() + b"1 2 3\n4 5 256\n", "line 9", "does not fit"),
-        (HEAD.replace("float z", "uchar z").encode() + b"1 2 3.5\n4 5 6\n", "line 8", "does not fit"),
         (HEAD.replace("float z", "int z").encode() + b"1 2 nan\n4 5 6\n", "line 8", "does not fit"),
     ],
 )  # fmt: skip
@@ -266,15 +231,10 @@ def test_what_is_no_file_is_refused(tmp_path):
 @pytest.mark.parametrize(
     ("attributes", "reason"),
     [
-        ({"label": np.zeros(2, np.int64)}, "no type for int64"),
         ({"flag": np.zeros(2, bool)}, "no type for bool"),
-        ({"two words": np.zeros(2)}, "cannot be named"),
-        ({"": np.zeros(2)}, "cannot be named"),
         ({"größe": np.zeros(2)}, "cannot be named"),
-        ({"x": np.zeros(2)}, "'x' exists already"),
         ({"a_0": np.zeros(2), "a": np.zeros((2, 1))}, "'a_0' exists already"),
         ({"none": np.zeros((2, 0))}, "no components"),
-        ({name: np.zeros(2) for name in ("nx", "ny", "nz")}, "would be read as normals or colours"),
         ({name: np.zeros(2) for name in "rgb"}, "would be read as normals or colours"),
     ],
 )
@@ -301,89 +261,10 @@ def test_a_table_of_wrong_shapes_is_a_value_error(path):
         write_ply(path, PointTable(np.zeros((3, 3)), attributes={"ring": np.zeros(2)}))
 
 
-def test_an_existing_file_stays_where_overwriting_is_not_allowed(path):
-    path.write_bytes(b"mine")
-    with pytest.raises(FileError, match="exists already"):
-        write_ply(path, cloud(), overwrite=False)
-    assert path.read_bytes() == b"mine"
-
-
-@pytest.mark.parametrize("ascii", [False, True])
-def test_open3d_reads_what_we_write(path, ascii):
-    o3d = pytest.importorskip("open3d")
-    table = cloud()
-    write_ply(path, table, ascii=ascii)
-    read = o3d.t.io.read_point_cloud(str(path))
-    np.testing.assert_array_equal(read.point.positions.numpy(), table.points)
-    np.testing.assert_array_equal(read.point.normals.numpy(), table.normals)
-    np.testing.assert_array_equal(read.point.colors.numpy(), np.rint(table.colors * 255))
-    np.testing.assert_array_equal(read.point.time.numpy()[:, 0], table.attributes["time"])
-
-
-@pytest.mark.parametrize("ascii", [False, True])
-def test_we_read_what_open3d_writes(path, ascii):
-    o3d = pytest.importorskip("open3d")
-    table = cloud()
-    written = o3d.t.geometry.PointCloud(o3d.core.Tensor(table.points))
-    written.point.normals = o3d.core.Tensor(table.normals)
-    written.point.colors = o3d.core.Tensor(np.rint(table.colors * 255).astype(np.uint8))
-    written.point.time = o3d.core.Tensor(table.attributes["time"][:, None])
-    assert o3d.t.io.write_point_cloud(str(path), written, write_ascii=ascii)
-    read = read_ply(path)
-    tolerance = 1e-5 if ascii else 0  # Open3D prints 6 digits
-    np.testing.assert_allclose(read.points, table.points, rtol=tolerance)
-    np.testing.assert_allclose(read.normals, table.normals, rtol=tolerance)
-    np.testing.assert_array_equal(read.colors, table.colors)
-    np.testing.assert_allclose(read.attributes["time"], table.attributes["time"], rtol=tolerance)
-
-
-@pytest.mark.parametrize(
-    ("folder", "count"),
-    [
-        ("mvs-openmvs-sample", 2),
-        ("reg-cilantro", 2),
-        ("reg-small-gicp", 2),
-        ("reg-teaser-3dmatch", 2),
-        ("reg-bunny-scans", 12),
-    ],
-)
-def test_real_points_agree_with_open3d(real_file, folder, count):
-    o3d = pytest.importorskip("open3d")
-    paths = list(real_file(folder).rglob("*.ply"))
-    assert len(paths) == count
-    for real in paths:
-        expected = o3d.io.read_point_cloud(str(real))
-        table = read_ply(real)
-        np.testing.assert_array_equal(table.points, np.asarray(expected.points).astype(table.points.dtype))
-        assert (table.normals is not None) == expected.has_normals()
-        if table.normals is not None:
-            np.testing.assert_array_equal(table.normals, np.asarray(expected.normals).astype(np.float32))
-        assert (table.colors is not None) == expected.has_colors()
-        if table.colors is not None:
-            np.testing.assert_allclose(table.colors, np.asarray(expected.colors), atol=1e-7)
-
-
-@pytest.mark.parametrize(
-    "name",
-    [
-        *("reg-bunny-scans/reconstruction/bun_zipper.ply", "reg-bunny-scans/reconstruction/bun_zipper_res2.ply"),
-        "mvs-openmvs-sample/scene_mesh.ply",
-        "mesh-points2surf-abc/03_meshes/00011084_fddd53ce45f640f3ab922328_trimesh_019.ply",
-    ],
-)
-def test_real_meshes_agree_with_open3d(real_file, name):
-    o3d = pytest.importorskip("open3d")
-    real = real_file(name)
-    expected = o3d.io.read_triangle_mesh(str(real))
-    mesh = read_ply_mesh(real)
-    np.testing.assert_array_equal(mesh.vertices, np.asarray(expected.vertices).astype(mesh.vertices.dtype))
-    np.testing.assert_array_equal(mesh.triangles, np.asarray(expected.triangles))
-
-
 @pytest.mark.parametrize("ascii", [True, False])
 def test_comments_stand_in_the_header_and_change_nothing_else(tmp_path, ascii):
     plain, said = tmp_path / "plain.ply", tmp_path / "said.ply"
-    write_ply(plain, cloud(5), ascii=ascii)
-    write_ply(said, cloud(5), ascii=ascii, comments=["units arbitrary"])
+    write_ply(plain, table_of(5), ascii=ascii)
+    write_ply(said, table_of(5), ascii=ascii, comments=["units arbitrary"])
     assert said.read_bytes() == plain.read_bytes().replace(b"1.0\n", b"1.0\ncomment units arbitrary\n", 1)
     np.testing.assert_array_equal(read_ply(said).points, read_ply(plain).points)

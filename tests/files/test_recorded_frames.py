@@ -231,6 +231,7 @@ def test_a_recording_without_depth_says_so(tmp_path):
         recording.frames(intrinsic=3)
 
 
+@pytest.mark.slow
 def test_the_command_takes_a_recording_and_refuses_what_it_has_not(tmp_path):
     path = write(tmp_path, count=3)
     result = CliRunner().invoke(cli, ["track", str(path), "-o", str(tmp_path / "poses.tum"), "--depth-scale", "500"])

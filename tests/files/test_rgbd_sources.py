@@ -24,9 +24,6 @@ def stream(*items, **options):
     return loom.frames_from(iter(items), CAMERA, **options)
 
 
-# Frames from memory
-
-
 def test_pairs_triples_and_frames_are_taken_and_copied():
     depth = DEPTH.copy()
     kept = list(stream((COLOR, depth), (None, depth.astype(np.float32), 2.5)))
@@ -57,8 +54,6 @@ def test_a_list_has_a_length_and_may_be_read_twice_a_generator_neither():
 @pytest.mark.parametrize(
     ("item", "error", "message"),
     [
-        ((COLOR, DEPTH.astype(np.uint8)), TypeError, "depth: expected uint16, .* got uint8; 8-bit pictures"),
-        ((COLOR, DEPTH.astype(np.int16)), TypeError, "depth: expected uint16, or metres in floats, got int16"),
         ((COLOR, DEPTH, np.eye(4)), TypeError, r"got a pose; give poses as SimpleNamespace\(.*T_world_camera="),
         ((COLOR, None), TypeError, "depth"),
         ((COLOR, DEPTH[:5]), ValueError, r"depth: expected shape \[6, 8\].*got \[5, 8\]"),
@@ -117,9 +112,6 @@ def test_sources_of_all_kinds_are_rgbd_sources(tmp_path):
     for source in (stream((COLOR, DEPTH)), loom.open_frames(tmp_path / "set"), rooms, loom.LatestFrames(rooms)):
         assert isinstance(source, loom.RGBDSource)
     assert not isinstance([(COLOR, DEPTH)], loom.RGBDSource)
-
-
-# The newest frame
 
 
 def paced(count, gate=None, started=None):
@@ -208,9 +200,6 @@ def test_frames_are_read_by_one_loop():
     assert len(list(latest)) == 1
     with pytest.raises(ValueError, match="read once"):
         iter(latest)
-
-
-# Recordings
 
 
 def test_a_recording_is_the_stream_again(tmp_path):
@@ -327,12 +316,3 @@ def test_a_folder_that_holds_something_is_left_alone(tmp_path):
     with pytest.raises(loom.FileError, match="does not exist"):
         loom.FrameRecorder(tmp_path / "a" / "b", CAMERA)
     assert [path.name for path in tmp_path.iterdir()] == ["notes.txt"]
-
-
-def test_a_recording_reports_its_progress(tmp_path):
-    said = []
-    loom.record_frames(
-        loom.frames_from([(COLOR, DEPTH)] * 2, CAMERA), tmp_path / "a", progress=lambda *a: said.append(a)
-    )
-    loom.record_frames(stream((COLOR, DEPTH)), tmp_path / "b", progress=lambda *a: said.append(a))
-    assert said == [("frames", 1, 2), ("frames", 2, 2), ("frames", 1, 0)]

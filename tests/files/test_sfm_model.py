@@ -136,11 +136,9 @@ def good(**changed):
     [
         ({"names": ["a", "a"]}, ValueError, "names: 'a' stands twice"),
         ({"names": ["", "a"]}, ValueError, "an empty one"),
-        ({"names": "ab"}, TypeError, "names"),
         ({"names": ["a", 1]}, TypeError, "names"),
         ({"cameras": [LENS]}, ValueError, "cameras: expected one a picture, 2, got 1"),
         ({"cameras": [LENS, LENS.params]}, TypeError, "cameras: expected CameraModels"),
-        ({"T_camera_world": np.eye(4)}, ValueError, "T_camera_world"),
         ({"T_camera_world": np.tile(2 * np.eye(4), (2, 1, 1))}, ValueError, r"T_camera_world\[0\]"),
         ({"T_camera_world": np.full((2, 4, 4), np.nan)}, ValueError, r"T_camera_world\[0\]"),
         ({"T_camera_world": [np.eye(4), np.diag([1, 1, -1, 1])]}, ValueError, r"T_camera_world\[1\]"),
@@ -150,7 +148,6 @@ def good(**changed):
         ({"colors": np.zeros((3, 3))}, TypeError, "colors: expected uint8"),
         ({"errors": [0.0, -1.0, 0.0]}, ValueError, "errors"),
         ({"errors": [0.0]}, ValueError, "errors"),
-        ({"observations": [[0, 3]]}, ValueError, r"row 0 is \[0, 3\]"),
         ({"observations": [[-1, 0]]}, ValueError, "row 0"),
         ({"observations": [[0.0, 1.0]]}, TypeError, "whole numbers"),
         ({"pixels": None}, ValueError, "pixels: expected one a row"),
@@ -166,21 +163,14 @@ def test_what_does_not_fit_is_refused(changed, kind, message):
 
 
 @pytest.mark.parametrize(
-    "matrix",
+    ("call", "message"),
     [
-        np.diag([1, 2, 1, 1.0]),
-        np.diag([1, 1, -1, 1.0]),
-        np.zeros((4, 4)),
-        np.full((4, 4), np.nan),
-        np.diag([1e40] * 3 + [1]),
+        *((lambda factor=factor: MODEL.scaled(factor), "factor") for factor in (0, -1, np.nan, np.inf, 1e31)),
+        (lambda: MODEL.transform(np.diag([1, 2, 1, 1.0])), "transformation"),
+        (lambda: MODEL.transform(np.diag([1, 1, -1, 1.0])), "transformation"),
+        (lambda: MODEL.transform(np.full((4, 4), np.nan)), "transformation"),
     ],
 )
-def test_what_is_no_similarity_is_refused(matrix):
-    with pytest.raises(ValueError, match="transformation"):
-        MODEL.transform(matrix)
-
-
-@pytest.mark.parametrize("factor", [0, -1, np.nan, np.inf, 1e31])
-def test_what_is_no_scale_is_refused(factor):
-    with pytest.raises(ValueError, match="factor"):
-        MODEL.scaled(factor)
+def test_what_is_no_scale_or_similarity_is_refused(call, message):
+    with pytest.raises(ValueError, match=message):
+        call()

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import gzip
 import struct
-from contextlib import nullcontext
 
 import numpy as np
 import pytest
-from scipy.spatial.transform import Rotation
 
 import pointloom as loom
 from pointloom.core.errors import FileError
@@ -25,18 +23,6 @@ def turned(splats: loom.GaussianSplats) -> loom.GaussianSplats:
     return splats.rotate(np.diag(FLIPS), center=[0, 0, 0])
 
 
-def open3d_cloud(splats: loom.GaussianSplats):
-    o3d = pytest.importorskip("open3d")
-    cloud = o3d.t.geometry.PointCloud()
-    columns = {"positions": splats.centers, "scale": splats.scales, "rot": splats.rotations}
-    columns |= {"f_dc": splats.cloud["f_dc"], "opacity": splats.cloud["opacity"][:, None]}
-    if splats.degree:
-        columns["f_rest"] = splats.harmonics[:, 1:]
-    for name, values in columns.items():
-        cloud.point[name] = o3d.core.Tensor(np.ascontiguousarray(values, np.float32))
-    return o3d, cloud
-
-
 @pytest.mark.parametrize("degree", range(5))
 def test_ply_keeps_every_bit(tmp_path, degree):
     splats = made(20, degree)
@@ -45,41 +31,6 @@ def test_ply_keeps_every_bit(tmp_path, degree):
     assert again.degree == degree
     for name in splats.cloud.device_arrays:
         np.testing.assert_array_equal(again.cloud[name], splats.cloud[name])
-
-
-@pytest.mark.parametrize("extension", EXTENSIONS)
-def test_what_open3d_writes_is_read(tmp_path, extension):
-    splats = made(40, 2)
-    o3d, cloud = open3d_cloud(splats)
-    path = tmp_path / f"a{extension}"
-    assert o3d.t.io.write_point_cloud(str(path), cloud)
-    theirs, ours = o3d.t.io.read_point_cloud(str(path)).point, loom.read_splats(path)
-    if extension == ".spz":  # which Open3D writes without turning
-        ours = turned(ours)
-    np.testing.assert_array_equal(ours.centers, theirs["positions"].numpy())
-    np.testing.assert_allclose(ours.scales, theirs["scale"].numpy(), rtol=1e-6)
-    np.testing.assert_allclose(ours.cloud["opacity"], theirs["opacity"].numpy()[:, 0], atol=1e-6)
-    np.testing.assert_allclose(ours.harmonics[:, 0], theirs["f_dc"].numpy(), atol=1e-6)
-    axes = Rotation.from_quat(np.roll(theirs["rot"].numpy(), -1, axis=1)).as_matrix() * theirs["scale"].numpy()[:, None]
-    np.testing.assert_allclose(ours.covariances(), axes @ axes.transpose(0, 2, 1), rtol=1e-4, atol=1e-5)
-    if extension != ".splat":
-        np.testing.assert_allclose(ours.harmonics[:, 1:], theirs["f_rest"].numpy(), atol=1e-6)
-
-
-@pytest.mark.parametrize("extension", EXTENSIONS)
-def test_what_we_write_open3d_reads(tmp_path, extension):
-    splats = made(40, 2)
-    path = tmp_path / f"a{extension}"
-    with pytest.warns(UserWarning, match="f_rest left out") if extension == ".splat" else nullcontext():
-        loom.write_splats(path, splats)
-    o3d, _ = open3d_cloud(splats)
-    theirs, ours = o3d.t.io.read_point_cloud(str(path)).point, loom.read_splats(path)
-    shown = turned(ours) if extension == ".spz" else ours
-    np.testing.assert_array_equal(shown.centers, theirs["positions"].numpy())
-    np.testing.assert_allclose(shown.scales, theirs["scale"].numpy(), rtol=1e-6)
-    np.testing.assert_allclose(shown.cloud["opacity"], theirs["opacity"].numpy()[:, 0], atol=1e-6)
-    if extension == ".spz":
-        np.testing.assert_allclose(shown.harmonics[:, 1:], theirs["f_rest"].numpy(), atol=1e-6)
 
 
 def test_spz_rounds_by_its_steps(tmp_path):

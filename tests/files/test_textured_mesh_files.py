@@ -17,7 +17,7 @@ from pointloom.files.pictures.image_files import encode_png, write_png
 from pointloom.files.points.ply import read_ply_mesh, write_ply_mesh
 from pointloom.files.table import MeshTable
 
-from .textured_meshes import CORNERS, PICTURE, corner_table, square, textured
+from .textured_meshes import CORNERS, PICTURE, corner_table, seen_at_corners, square, textured
 
 FORMATS = {
     ".obj": (write_obj, read_obj),
@@ -29,16 +29,6 @@ SQUARE = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
 FACE = "f 1/1 2/2 3/3 4/4\n"
 
 
-def seen_at_corners(mesh) -> dict:
-    """The colour of the picture at each corner of a mesh, its rows from above, v from below."""
-    found = {}
-    for at, (u, v) in zip(mesh.triangles.reshape(-1), mesh.triangle_uvs, strict=True):
-        picture = mesh.textures[0]
-        row, column = round((1 - float(v)) * (len(picture) - 1)), round(float(u) * (picture.shape[1] - 1))
-        found[tuple(mesh.vertices[at, :2].tolist())] = tuple(picture[row, column].tolist())
-    return found
-
-
 @pytest.mark.parametrize("suffix", FORMATS)
 def test_a_picture_stands_upright(tmp_path, suffix):
     write, read = FORMATS[suffix]
@@ -46,20 +36,6 @@ def test_a_picture_stands_upright(tmp_path, suffix):
     again = read(tmp_path / f"m{suffix}")
     assert seen_at_corners(again) == CORNERS
     np.testing.assert_array_equal(again.textures[0], PICTURE)
-
-
-@pytest.mark.parametrize("suffix", [".obj", ".glb", ".gltf"])
-def test_open3d_sees_our_picture_upright(tmp_path, suffix):
-    o3d = pytest.importorskip("open3d")
-    FORMATS[suffix][0](tmp_path / f"m{suffix}", square())
-    theirs = o3d.io.read_triangle_mesh(str(tmp_path / f"m{suffix}"))
-    pictures = [np.asarray(picture) for picture in theirs.textures]
-    (flipped,) = [picture for picture in pictures if picture.ndim == 3]  # the other is of assimp's own material
-    mesh = MeshTable(
-        np.asarray(theirs.vertices), np.asarray(theirs.triangles), triangle_uvs=np.asarray(theirs.triangle_uvs)
-    )
-    mesh.textures = (flipped[::-1],)  # Open3D holds pictures with the lowest row first
-    assert seen_at_corners(mesh) == CORNERS
 
 
 @pytest.mark.parametrize("suffix", FORMATS)
@@ -75,19 +51,11 @@ def test_trimesh_sees_our_picture_upright(tmp_path, suffix):
     assert seen_at_corners(mesh) == CORNERS
 
 
-def test_we_see_pictures_of_open3d_and_trimesh_upright(tmp_path):
-    o3d, trimesh = pytest.importorskip("open3d"), pytest.importorskip("trimesh")
+def test_we_see_pictures_of_trimesh_upright(tmp_path):
+    trimesh = pytest.importorskip("trimesh")
     from PIL import Image
 
     mesh = square()
-    theirs = o3d.geometry.TriangleMesh(
-        o3d.utility.Vector3dVector(mesh.vertices), o3d.utility.Vector3iVector(mesh.triangles)
-    )
-    theirs.triangle_uvs = o3d.utility.Vector2dVector(mesh.triangle_uvs)
-    theirs.textures = [o3d.geometry.Image(np.ascontiguousarray(PICTURE[::-1]))]
-    theirs.triangle_material_ids = o3d.utility.IntVector([0, 0])
-    assert o3d.io.write_triangle_mesh(str(tmp_path / "o.obj"), theirs)
-    assert seen_at_corners(read_obj(tmp_path / "o.obj")) == CORNERS
     uvs = [[0, 0], [1, 0], [1, 1], [0, 1]]
     look = trimesh.visual.TextureVisuals(uvs, image=Image.fromarray(PICTURE))
     other = trimesh.Trimesh(mesh.vertices, mesh.triangles, visual=look, process=False)
@@ -187,9 +155,6 @@ def test_names_of_files_beside_have_no_blanks(tmp_path):
     assert len(read_obj(tmp_path / "a b ü.obj").textures) == 3
 
 
-# ------------------------------------------------------------------------------------------------ OBJ and MTL
-
-
 def obj(tmp_path, faces, mtl="newmtl a\nmap_Kd p.png\nnewmtl b\nKd 1 0.5 0\nnewmtl c\n"):
     write_png(tmp_path / "p.png", PICTURE)
     (tmp_path / "m.mtl").write_text(mtl)
@@ -250,21 +215,23 @@ def test_a_material_that_is_not_defined_is_white_with_a_warning(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("mtl", "where", "reason"),
+    ("text", "where", "reason"),
     [
         ("Kd 1 1 1\n", "line 1", "Kd stands before any newmtl"),
         ("newmtl a\nnewmtl a\n", "line 2", "the material 'a' is there twice"),
-        ("newmtl a\nKd 1 1\n", "line 2", "expected three numbers in 0..1"),
-        ("newmtl a\nKd 1 2 0\n", "line 2", "expected three numbers in 0..1"),
         ("newmtl a\nKd nan 0 0\n", "line 2", "expected three numbers in 0..1"),
         ("newmtl a\nmap_Kd\n", "line 2", "map_Kd names no picture"),
         ("newmtl a\nmap_Kd -s 2 2 p.png\n", "line 2", "shifted or scaled"),
         ("newmtl a\nmap_Kd -q 2 p.png\n", "line 2", "unknown option '-q'"),
+        ("vt 0 0 0 0\nf 1/5 2/5 3/5\n", "line 10", "a vt has 1 to 3 values, found 4"),
+        ("vt 1e60 0\nf 1/5 2/5 3/5\n", "line 10", "beyond the range of float32"),
+        ("vt x 0\nf 1/5 2/5 3/5\n", "line 10", "not a number: 'x'"),
     ],
 )
-def test_a_damaged_mtl_is_refused_with_its_line(tmp_path, mtl, where, reason):
+def test_a_damaged_mtl_or_vt_is_refused_with_its_line(tmp_path, text, where, reason):
+    faces = (text,) if text.startswith("vt") else ("usemtl a\n" + FACE, text)
     with pytest.raises(FileError, match=re.escape(reason)) as caught:
-        read_obj(obj(tmp_path, "usemtl a\n" + FACE, mtl))
+        read_obj(obj(tmp_path, *faces))
     assert caught.value.where == where
 
 
@@ -280,22 +247,6 @@ def test_a_damaged_picture_is_refused(tmp_path, suffix):
     with pytest.raises(FileError, match="checksum does not fit"):
         FORMATS[suffix][1](path)
 
-
-@pytest.mark.parametrize(
-    ("text", "where", "reason"),
-    [
-        ("vt 0 0 0 0\nf 1/5 2/5 3/5\n", "line 10", "a vt has 1 to 3 values, found 4"),
-        ("vt 1e60 0\nf 1/5 2/5 3/5\n", "line 10", "beyond the range of float32"),
-        ("vt x 0\nf 1/5 2/5 3/5\n", "line 10", "not a number: 'x'"),
-    ],
-)
-def test_bad_texture_coordinates_are_refused_with_their_line(tmp_path, text, where, reason):
-    with pytest.raises(FileError, match=re.escape(reason)) as caught:
-        read_obj(obj(tmp_path, text))
-    assert caught.value.where == where
-
-
-# ------------------------------------------------------------------------------------------------ PLY
 
 HEAD = (
     "ply\nformat ascii 1.0\ncomment TextureFile p.png\ncomment TextureFile q r.png\nelement vertex 4\n"

@@ -14,16 +14,9 @@ from pointloom.cameras.trajectory import Trajectory, read_pose, read_trajectory,
 from pointloom.core.errors import FileError
 
 CAMERA = PinholeCameraIntrinsic.prime_sense_default()
-FORMATS = [
-    ("log", "t.log"),
-    ("tum", "t.txt"),
-    ("kitti", "t.txt"),
-    ("tum", "t.tum"),
-    ("kitti", "t.kitti"),
-    ("json", "t.json"),
-]
+FORMATS = [("tum", "t.txt"), ("kitti", "t.txt"), *((name, f"t.{name}") for name in ("log", "tum", "kitti", "json"))]
 BITS = settings(
-    max_examples=200, derandomize=True, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+    max_examples=25, derandomize=True, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
 )
 
 
@@ -54,6 +47,10 @@ def log_text(pose=None, ids="0 0 1") -> str:
     return f"{ids}\n" + "".join(" ".join(map(repr, row.tolist())) + "\n" for row in rows)
 
 
+def json_text(*cameras) -> str:
+    return json.dumps({"class_name": "PinholeCameraTrajectory", "parameters": cameras})
+
+
 @pytest.mark.parametrize(("format", "name"), FORMATS)
 def test_reading_what_was_written_gives_the_same_poses(tmp_path, trajectory, format, name):
     write_trajectory(tmp_path / name, trajectory, format=format, intrinsic=CAMERA)
@@ -67,33 +64,6 @@ def test_reading_what_was_written_gives_the_same_poses(tmp_path, trajectory, for
         assert np.array_equal(again.timestamps, trajectory.timestamps)
     if again.ids is not None:
         assert np.array_equal(again.ids, trajectory.ids)
-
-
-@pytest.mark.parametrize("name", ["t.log", "t.txt", "t.json"])
-def test_open3d_reads_what_we_write(tmp_path, trajectory, name):
-    o3d = pytest.importorskip("open3d", exc_type=ImportError)
-    write_trajectory(tmp_path / name, trajectory, format="tum" if name == "t.txt" else None, intrinsic=CAMERA)
-    theirs = o3d.io.read_pinhole_camera_trajectory(str(tmp_path / name)).parameters
-    assert len(theirs) == len(trajectory)
-    poses = np.linalg.inv([np.asarray(camera.extrinsic) for camera in theirs])
-    np.testing.assert_allclose(poses, trajectory.poses, rtol=0, atol=1e-11)
-
-
-@pytest.mark.parametrize("name", ["t.log", "t.txt", "t.json"])
-def test_we_read_what_open3d_writes(tmp_path, trajectory, name):
-    """Every pose, the first of a .txt file too, which Open3D itself loses behind its comment; to its 6 decimals."""
-    o3d = pytest.importorskip("open3d", exc_type=ImportError)
-    content = o3d.camera.PinholeCameraTrajectory()
-    cameras = []
-    for T_camera_world in np.linalg.inv(trajectory.poses):
-        camera = o3d.camera.PinholeCameraParameters()
-        camera.intrinsic = o3d.camera.PinholeCameraIntrinsic(640, 480, 525.0, 525.0, 319.5, 239.5)
-        camera.extrinsic = T_camera_world
-        cameras.append(camera)
-    content.parameters = cameras
-    assert o3d.io.write_pinhole_camera_trajectory(str(tmp_path / name), content)
-    ours = read_trajectory(tmp_path / name)
-    np.testing.assert_allclose(ours.poses, trajectory.poses, rtol=0, atol=1e-11 if name == "t.json" else 3e-6)
 
 
 def test_real_logs_are_read_in_full(real_file):
@@ -111,21 +81,6 @@ def test_tum_quaternions_are_x_y_z_w_and_camera_to_world(tmp_path):
     assert trajectory.timestamps is not None and trajectory.timestamps.tolist() == [7.5]
     quarter_turn_about_z = [[0, -1, 0, 1], [1, 0, 0, 2], [0, 0, 1, 3], [0, 0, 0, 1]]
     np.testing.assert_allclose(trajectory.poses[0], quarter_turn_about_z, atol=1e-12)
-
-
-def test_the_pose_that_open3d_writes_behind_its_comment_is_not_lost(tmp_path):
-    header = "# TUM trajectory, format: <t> <x> <y> <z> <qx> <qy> <qz> <qw>"
-    (tmp_path / "t.txt").write_text(header + "0 1.0 2.0 3.0 0.0 0.0 0.0 1.0\n1 4.0 5.0 6.0 0.0 0.0 0.0 1.0\n")
-    assert read_trajectory(tmp_path / "t.txt").poses[:, :3, 3].tolist() == [[1, 2, 3], [4, 5, 6]]
-    (tmp_path / "t.txt").write_text(header + "\n1 4.0 5.0 6.0 0.0 0.0 0.0 1.0\n")
-    assert len(read_trajectory(tmp_path / "t.txt")) == 1
-
-
-def test_json_stores_world_to_camera_column_by_column(tmp_path):
-    T_camera_world = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1]
-    content = {"class_name": "PinholeCameraTrajectory", "parameters": [{"extrinsic": T_camera_world}]}
-    (tmp_path / "t.json").write_text(json.dumps(content))
-    assert read_trajectory(tmp_path / "t.json").poses[0, :3, 3].tolist() == [-5, -6, -7]
 
 
 def test_missing_times_and_ids_are_counted_as_open3d_does(tmp_path):
@@ -154,10 +109,8 @@ def test_tum_takes_the_nearest_rotation_of_a_rounded_one(tmp_path):
 @pytest.mark.parametrize(
     ("name", "text", "claim"),
     [
-        ("t.log", "", "holds no pose"),
         ("t.log", "# nothing\n", "holds no pose"),
         ("t.log", log_text() + "1 1 2\n1 0 0 0\n", "line 7): ends within a pose"),
-        ("t.log", log_text() + log_text(ids="1 1"), "line 6): expected three whole numbers"),
         ("t.log", log_text(ids="0 0 1.5"), "line 1): expected three whole numbers"),
         ("t.log", log_text(ids=f"0 0 {2**63}"), "line 1): expected three whole numbers"),
         ("t.log", log_text() + log_text(np.diag([2.0, 1, 1, 1])), "line 7): pose: expected a rigid motion"),
@@ -168,36 +121,27 @@ def test_tum_takes_the_nearest_rotation_of_a_rounded_one(tmp_path):
         ("t.log", log_text().replace("1.0", "1_0"), "line 2): expected finite"),
         ("t.log", log_text().replace("1.0 0.0", "1.0", 1), "line 2): expected 4 numbers, got 3"),
         ("t.txt", "1 2 3 4\n", "line 1): expected 8 columns (TUM) or 12 (KITTI), got 4"),
-        ("t.tum", "1 " * 12, "expected 8 columns, got 12"),
-        ("t.kitti", "1 " * 8, "expected 12 columns, got 8"),
-        ("t.txt", "# t\n0 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 0.98\n", "line 3): expected a unit quaternion"),
         ("t.txt", "0 0 0 0 0 0 0 0\n", "length 0"),
-        ("t.txt", "0 0 0 0 0 0 0 1\n1 0 0 0 0 0 1\n", "line 2): expected 8 numbers, got 7"),
         ("t.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 0 0 2 0 0 0 0 1 0\n", "line 2): pose: expected a rigid"),
         ("t.json", "{}", "key class_name): missing"),
-        (
-            "t.json",
-            '{"class_name": "PoseGraph", "parameters": []}',
-            "expected PinholeCameraTrajectory, got 'PoseGraph'",
-        ),
-        ("t.json", '{"class_name": "PinholeCameraTrajectory", "parameters": []}', "at least one camera"),
-        ("t.json", '{"class_name": "PinholeCameraTrajectory", "parameters": [3]}', "key parameters[0]"),
-        (
-            "t.json",
-            '{"class_name": "PinholeCameraTrajectory", "parameters": [{"extrinsic": [1, 2]}]}',
-            "key parameters[0].extrinsic): expected a list of 16 numbers, got 2",
-        ),
-        (
-            "t.json",
-            '{"class_name": "PinholeCameraTrajectory", "parameters": [{"extrinsic": [' + "0," * 15 + "1]}]}",
-            "key parameters[0].extrinsic): pose: expected a rigid motion",
-        ),
+        ("t.json", json_text().replace("PinholeCameraTrajectory", "PoseGraph"), "got 'PoseGraph'"),
+        ("t.json", json_text(), "at least one camera"),
+        ("t.json", json_text(3), "key parameters[0]"),
+        ("t.json", json_text({"extrinsic": [1, 2]}), "extrinsic): expected a list of 16 numbers, got 2"),
+        ("t.json", json_text({"extrinsic": [0] * 15 + [1]}), "extrinsic): pose: expected a rigid motion"),
+        # digits, blanks and line ends are those of ASCII
+        ("t.tum", "\uff11 0 0 0 0 0 0 1\n", "line 1"),
+        ("t.tum", "1 0 0 0 0 0 0 1\n\u2028\n2 0 0 0 0 0 0 1\n", "line 2"),
+        ("t.tum", "1 0 0 0 0 0 0\u00a01\n", "line 1"),
+        ("t.tum", "1 0 0 0 0 0 0 1\x1c2 0 0 0 0 0 0 1\n", "line 1"),
+        ("t.log", log_text(ids="\uff10 0 1"), "expected three whole numbers before a pose"),
+        ("t.log", log_text(ids="0 1_0 1"), "expected three whole numbers before a pose"),
         ("t.csv", "1", "unknown kind of trajectory '.csv'"),
-        ("t.log", "\xff", "not a text file"),
+        ("t.log", b"\xff", "not a text file"),
     ],
 )
 def test_bad_files_are_refused_with_the_line(tmp_path, name, text, claim):
-    (tmp_path / name).write_bytes(text.encode("latin-1"))
+    (tmp_path / name).write_bytes(text if isinstance(text, bytes) else text.encode())
     with pytest.raises(FileError) as caught:
         read_trajectory(tmp_path / name)
     assert claim in str(caught.value) and name in str(caught.value)
@@ -277,29 +221,6 @@ def test_changed_bytes_give_poses_or_a_file_error(tmp_path, trajectory, name, st
     except FileError:
         return
     assert np.isfinite(again.poses).all() and len(again) >= 1
-
-
-@pytest.mark.parametrize(
-    ("text", "where"),
-    [
-        ("\uff11 0 0 0 0 0 0 1\n", "line 1"),
-        ("1 0 0 0 0 0 0 1\n\u2028\n2 0 0 0 0 0 0 1\n", "line 2"),
-        ("1 0 0 0 0 0 0\u00a01\n", "line 1"),
-        ("1 0 0 0 0 0 0 1\x1c2 0 0 0 0 0 0 1\n", "line 1"),
-    ],
-)
-def test_digits_blanks_and_line_ends_are_those_of_ascii(tmp_path, text, where):
-    (tmp_path / "t.tum").write_bytes(text.encode())
-    with pytest.raises(FileError) as caught:
-        read_trajectory(tmp_path / "t.tum")
-    assert caught.value.where == where
-
-
-@pytest.mark.parametrize("ids", ["\uff10 0 1", "0 1_0 1"])
-def test_numbers_of_a_log_are_plain_digits(tmp_path, ids):
-    (tmp_path / "t.log").write_bytes((f"{ids}\n" + "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n").encode())
-    with pytest.raises(FileError, match="expected three whole numbers before a pose"):
-        read_trajectory(tmp_path / "t.log")
 
 
 def test_a_trajectory_is_walked_pose_by_pose(trajectory):

@@ -51,3 +51,13 @@ def corner_table(mesh) -> np.ndarray:
     columns += [values[at] for values in (mesh.vertex_normals, mesh.vertex_colors) if values is not None]
     rows = np.hstack(columns).reshape(len(mesh.triangles), -1)
     return rows[np.lexsort(rows.T)]
+
+
+def seen_at_corners(mesh) -> dict:
+    """The colour of the picture at each corner of a mesh, its rows from above, v from below."""
+    found = {}
+    for at, (u, v) in zip(mesh.triangles.reshape(-1), mesh.triangle_uvs, strict=True):
+        picture = mesh.textures[0]
+        row, column = round((1 - float(v)) * (len(picture) - 1)), round(float(u) * (picture.shape[1] - 1))
+        found[tuple(mesh.vertices[at, :2].tolist())] = tuple(picture[row, column].tolist())
+    return found

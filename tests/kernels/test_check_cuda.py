@@ -62,6 +62,7 @@ def test_registers_and_local_memory_are_read(compiled):
     assert not any("copy_kernel" in line for line in check_cuda.report_heavy(compiled))
 
 
+@pytest.mark.slow
 def test_a_kernel_without_tiles_shares_no_more_than_the_word_a_thread_that_warp_gives_to_all(compiled):
     """And tiles take theirs besides; 1 KB a block is the driver's."""
     words = 4 * REDUCTION_BLOCK + 1024
@@ -72,6 +73,7 @@ def test_a_kernel_without_tiles_shares_no_more_than_the_word_a_thread_that_warp_
     assert words + 4 * vector <= held == shared["sum_rows_fold_tiles"] < words + 8 * vector, "four numbers at a time"
 
 
+@pytest.mark.slow
 def test_one_block_size_holds_for_a_whole_module(compiled):
     assert wp.get_module_options("compiled")["block_dim"] == REDUCTION_BLOCK
 

@@ -8,6 +8,8 @@ import numpy as np
 
 import pointloom as loom
 
+from .tsdf_scenes import look_at
+
 BALL, RADIUS, WALL = np.array([0.0, 0.0, 1.2]), 0.3, 1.6
 
 
@@ -31,16 +33,6 @@ def paint(points):
     green = np.cos(8 * x - 5 * y) + 0.5 * np.sin(19 * x + 4 * z)
     blue = np.sin(7 * y + 6 * z) + 0.5 * np.cos(21 * x - 8 * y)
     return np.clip(0.5 + 0.3 * np.stack([red, green, blue], -1), 0, 1)
-
-
-def look_at(eye, target=(0.0, 0.0, 1.3)):
-    forward = np.asarray(target, float) - eye
-    forward /= np.linalg.norm(forward)
-    right = np.cross((0.0, 1.0, 0.0), forward)
-    right /= np.linalg.norm(right)
-    T = np.eye(4)
-    T[:3, 0], T[:3, 1], T[:3, 2], T[:3, 3] = right, np.cross(forward, right), forward, eye
-    return T
 
 
 def take(camera, pose, bend=0.0):
@@ -81,7 +73,8 @@ def make_scene(device="cpu", *, views=5, width=160, height=120, rows=41, bend=0.
     middle = (width / 2 - 0.363, height / 2 - 0.441)
     camera = loom.PinholeCameraIntrinsic(width, height, 0.95 * width, 0.95 * width, *middle)
     angles = np.linspace(0, 2 * np.pi, views, endpoint=False)
-    poses = np.array([look_at(np.array([0.3 * np.cos(t), 0.3 * np.sin(t), 0.05 * np.sin(3 * t)])) for t in angles])
+    eyes = [np.array([0.3 * np.cos(t), 0.3 * np.sin(t), 0.05 * np.sin(3 * t)]) for t in angles]
+    poses = np.array([look_at(eye, (0.0, 0.0, 1.3), (0.0, -1.0, 0.0)) for eye in eyes])
     frames = []
     for pose in poses:
         color, depth = take(camera, pose, bend)

@@ -1,11 +1,10 @@
-"""Meshes that tests of clean-up, topology and repair share: soups, one-sided surfaces, solids; and Open3D's form."""
+"""Meshes that tests of clean-up, topology and repair share: soups, one-sided surfaces, solids."""
 
 from __future__ import annotations
 
 from typing import Any
 
 import numpy as np
-import pytest
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
@@ -24,15 +23,14 @@ SOUPS = st.lists(st.tuples(*[st.integers(0, 6)] * 3), max_size=14)
 GOOD_SOUPS = st.lists(st.permutations(range(7)).map(lambda p: tuple(p[:3])), max_size=14)
 
 
-def in_open3d(mesh: TriangleMesh) -> Any:
-    o3d = pytest.importorskip("open3d", exc_type=ImportError)
-    vertices, triangles = mesh.vertices.copy(), mesh.triangles.copy()
-    peer = o3d.geometry.TriangleMesh(o3d.utility.Vector3dVector(vertices), o3d.utility.Vector3iVector(triangles))
-    for name in ("vertex_normals", "vertex_colors"):
-        values = getattr(mesh, name)
-        if values is not None:
-            setattr(peer, name, o3d.utility.Vector3dVector(values.astype(float)))
-    return peer
+def fixed_soups(count: int = 40, *, good: bool = False) -> list[TriangleMesh]:
+    """Meshes such as SOUPS or GOOD_SOUPS make, the same in each run."""
+    rng, meshes = np.random.default_rng(7), []
+    for _ in range(count):
+        size, used = int(rng.integers(0, 15)), int(rng.integers(3, 8))
+        rows = rng.permuted(np.tile(np.arange(used), (size, 1)), axis=1) if good else rng.integers(0, used, (size, 3))
+        meshes.append(soup(rows[:, :3].reshape(-1, 3)))
+    return meshes
 
 
 def soup(triangles: Any, device: Any = None) -> TriangleMesh:
@@ -62,13 +60,3 @@ def surface(rows: int, columns: int, **joined: bool) -> TriangleMesh:
 def ball(device: Any = None, cells: int = 16) -> TriangleMesh:
     x = np.mgrid[-1 : 1 : cells * 1j, -1 : 1 : cells * 1j, -1 : 1 : cells * 1j]
     return marching_cubes(np.linalg.norm(x, axis=0) - 0.7, device=device)
-
-
-def edge_counts(triangles: NDArray[np.int32]) -> dict[tuple[int, int], int]:
-    """How many half-edges each edge has."""
-    counts: dict[tuple[int, int], int] = {}
-    for t in triangles.tolist():
-        for a, b in ((t[0], t[1]), (t[1], t[2]), (t[2], t[0])):
-            key = (min(a, b), max(a, b))
-            counts[key] = counts.get(key, 0) + 1
-    return counts

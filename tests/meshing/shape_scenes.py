@@ -1,31 +1,15 @@
-"""Meshes that tests smooth, split, bend and measure, and their like in Open3D."""
+"""Meshes that tests smooth, split, bend and measure."""
 
 from __future__ import annotations
 
 from typing import Any
 
 import numpy as np
-import pytest
 from hypothesis import strategies as st
 
 from pointloom import TriangleMesh
 
 UTM = np.array([5.0e5, 5.4e6, 100.0])
-
-
-def open3d() -> Any:
-    return pytest.importorskip("open3d", exc_type=ImportError)
-
-
-def in_open3d(mesh: TriangleMesh) -> Any:
-    o3d = open3d()
-    vectors, triples = o3d.utility.Vector3dVector, o3d.utility.Vector3iVector
-    peer = o3d.geometry.TriangleMesh(vectors(mesh.vertices.copy()), triples(mesh.triangles.copy()))
-    if mesh.vertex_normals is not None:
-        peer.vertex_normals = vectors(mesh.vertex_normals.astype(float))
-    if mesh.vertex_colors is not None:
-        peer.vertex_colors = vectors(mesh.vertex_colors.astype(float))
-    return peer
 
 
 def icosphere(rounds: int, radius: float = 1.0) -> tuple[np.ndarray, np.ndarray]:
@@ -58,10 +42,10 @@ def shaken_grid(cells: int, shake: float = 0.3) -> tuple[np.ndarray, np.ndarray]
     return flat, np.concatenate([np.c_[a, b, c], np.c_[a, c, d]])
 
 
-def torn_ball(device: str, **options: Any) -> TriangleMesh:
+def torn_ball(device: str, rounds: int = 2, **options: Any) -> TriangleMesh:
     """A bumpy sphere with a hole, loose vertices, normals and colours."""
     rng = np.random.default_rng(0)
-    vertices, triangles = icosphere(2)
+    vertices, triangles = icosphere(rounds)
     vertices = vertices * (1 + 0.1 * rng.random((len(vertices), 1)))
     normals, colors = vertices / np.linalg.norm(vertices, axis=1, keepdims=True), rng.random(vertices.shape)
     arrays = {"vertex_normals": normals, "vertex_colors": colors} | options
@@ -70,5 +54,14 @@ def torn_ball(device: str, **options: Any) -> TriangleMesh:
 
 # Triangles over eight vertices, so that many share edges and vertices, some vertices are loose and some repeat.
 hostile_triangles = st.lists(st.tuples(*[st.integers(0, 7)] * 3), min_size=1, max_size=14)
-whole_triangles = st.lists(st.permutations(range(8)).map(lambda p: p[:3]), min_size=1, max_size=14)
 eight_places = np.random.default_rng(0).normal(size=(8, 3)).astype(np.float32)
+
+
+def eight_place_meshes(count: int = 25, *, whole: bool = False) -> list[TriangleMesh]:
+    """Meshes as of `hostile_triangles`, or of triangles with three corners, the same in each run."""
+    rng, meshes = np.random.default_rng(11), []
+    for _ in range(count):
+        size = int(rng.integers(1, 15))
+        rows = rng.permuted(np.tile(np.arange(8), (size, 1)), axis=1) if whole else rng.integers(0, 8, (size, 3))
+        meshes.append(TriangleMesh(eight_places, rows[:, :3]))
+    return meshes

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import itertools
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pointloom import TriangleMesh
+from pointloom import RaycastingScene, TriangleMesh
+
+from .open3d_meshes import arrays_of, in_open3d
 
 
 def grid(count: int) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
@@ -58,24 +61,14 @@ def euler(mesh: TriangleMesh) -> int:
 
 
 def rms_from(mesh: TriangleMesh, points: NDArray[np.float64]) -> float:
-    """The root of the mean squared distance of points from a mesh, by Open3D."""
-    import open3d as o3d
-
-    scene = o3d.t.geometry.RaycastingScene()
-    vertices, triangles = mesh.vertices.astype(np.float32), mesh.triangles.astype(np.uint32)
-    scene.add_triangles(o3d.core.Tensor(vertices), o3d.core.Tensor(triangles))
-    distances = scene.compute_distance(o3d.core.Tensor(points.astype(np.float32))).numpy().astype(np.float64)
-    return float(np.sqrt((distances**2).mean()))
+    """The root of the mean squared distance of points from a mesh."""
+    scene = RaycastingScene()
+    scene.add_triangles(mesh)
+    return float(np.sqrt((scene.compute_distance(points).astype(np.float64) ** 2).mean()))
 
 
-def in_open3d(mesh: TriangleMesh, scale: float = 1.0):
-    """The mesh as Open3D's."""
-    import open3d as o3d
-
-    vertices, triangles = mesh.vertices * scale, mesh.triangles.copy()
-    return o3d.geometry.TriangleMesh(o3d.utility.Vector3dVector(vertices), o3d.utility.Vector3iVector(triangles))
-
-
-def of_open3d(peer, scale: float = 1.0) -> TriangleMesh:
-    """Open3D's mesh as ours."""
-    return TriangleMesh(np.asarray(peer.vertices) / scale, np.asarray(peer.triangles))
+def open3d_simplified(o3d: Any, mesh: TriangleMesh, scale: float, method: str, *given: Any) -> Any:
+    """(vertices, triangles) of Open3D's mesh in another unit, and its vertices back in ours, as 32-bit numbers."""
+    options = [getattr(o3d.geometry.SimplificationContraction, v) if isinstance(v, str) else v for v in given]
+    vertices, triangles = arrays_of(getattr(in_open3d(o3d, mesh, scale), method)(*options))
+    return (vertices / scale).astype(np.float32), triangles.astype(np.int32)

@@ -9,33 +9,24 @@ from hypothesis import strategies as st
 
 from pointloom import AxisAlignedBoundingBox, OrientedBoundingBox, SelectionPolygonVolume, TriangleMesh
 
-from .mesh_soups import FAR, GOOD_SOUPS, SOUPS, ball, edge_counts, in_open3d, soup
+from .mesh_soups import FAR, SOUPS, ball, fixed_soups, soup
+from .open3d_meshes import arrays_of, assert_meshes_are_open3ds, in_open3d, open3d_arrays
+from .simplification_scenes import edge_counts
 from .test_mesh_texture import corner_table, textured
 
-HYPOTHESIS = settings(deadline=None, max_examples=50)
+HYPOTHESIS = settings(deadline=None, max_examples=25)
 
 
 def least_turn(t: list[int]) -> tuple[int, ...]:
     return min(tuple(t[k:] + t[:k]) for k in range(3))
 
 
-def as_arrays(mesh) -> list[np.ndarray]:
-    return [np.asarray(mesh.vertices), np.asarray(mesh.triangles).reshape(-1, 3)]
-
-
-def assert_same(mesh: TriangleMesh, peer) -> None:
-    for mine, other in zip(as_arrays(mesh), as_arrays(peer), strict=True):
-        np.testing.assert_array_equal(mine, other)
-
-
-# ------------------------------------------------------------------------------------------------ triangles
-
-
-@HYPOTHESIS
-@given(SOUPS)
-def test_degenerate_triangles_are_those_of_open3d(triangles):
-    mesh = soup(triangles)
-    assert_same(mesh.remove_degenerate_triangles(), in_open3d(mesh).remove_degenerate_triangles())
+@pytest.mark.parametrize(
+    ("method", "good"), [("remove_degenerate_triangles", False), ("remove_duplicated_triangles", True)]
+)
+def test_triangles_left_are_those_of_open3d(oracle, method, good):
+    scenes = [(mesh, method) for mesh in fixed_soups(good=good)]
+    assert_meshes_are_open3ds(oracle, f"meshing/cleaning/{method}", scenes)
 
 
 def test_triangles_without_area_go_where_it_is_asked_for(device):
@@ -43,19 +34,6 @@ def test_triangles_without_area_go_where_it_is_asked_for(device):
     mesh = TriangleMesh(corners, [[0, 1, 2], [0, 1, 3], [1, 1, 3], [0, 1, 4]], device=device)
     assert mesh.remove_degenerate_triangles().triangles.tolist() == [[0, 1, 2], [0, 1, 3], [0, 1, 4]]
     assert mesh.remove_degenerate_triangles(zero_area=True).triangles.tolist() == [[0, 1, 3], [0, 1, 4]]
-
-
-@pytest.mark.parametrize("scale", [1e-6, 1.0, 1e6])
-def test_slim_triangles_have_an_area_at_any_scale(device, scale):
-    mesh = TriangleMesh(np.array([[0, 0, 0], [1, 0, 0], [0.5, 1e-6, 0]]) * scale, [[0, 1, 2]], device=device)
-    assert len(mesh.remove_degenerate_triangles(zero_area=True)) == 1
-
-
-@HYPOTHESIS
-@given(GOOD_SOUPS)
-def test_duplicated_triangles_are_those_of_open3d(triangles):
-    mesh = soup(triangles)
-    assert_same(mesh.remove_duplicated_triangles(), in_open3d(mesh).remove_duplicated_triangles())
 
 
 @HYPOTHESIS
@@ -67,12 +45,6 @@ def test_of_triangles_equal_but_for_a_turn_the_first_stays(triangles):
             kept.append(t)
         seen.add(least_turn(t))
     assert soup(triangles).remove_duplicated_triangles().triangles.tolist() == kept
-
-
-def test_turned_copies_of_a_folded_triangle_go_too_unlike_in_open3d(device):
-    mesh = soup([[0, 0, 1], [0, 1, 0], [1, 0, 0]], device)
-    assert mesh.remove_duplicated_triangles().triangles.tolist() == [[0, 0, 1]]
-    assert len(in_open3d(mesh).remove_duplicated_triangles().triangles) == 2
 
 
 def greedy_manifold(mesh: TriangleMesh) -> list[list[int]]:
@@ -104,64 +76,37 @@ def test_crowded_edges_lose_their_smallest_triangles_first(triangles):
     assert left.triangles.tolist() == greedy_manifold(mesh)
 
 
-def test_crowded_edges_lose_the_triangles_that_open3d_drops(device):
+def test_crowded_edges_lose_the_triangles_that_open3d_drops(device, oracle):
     rng = np.random.default_rng(3)
     pages = np.vstack(
         [[[0, 0, 0], [0, 0, 1]], rng.normal(size=(40, 3)), [[9, 0, 0], [9, 0, 1]], rng.normal(size=(9, 3))]
     )
     triangles = [[0, 1, k] for k in range(2, 42)] + [[42, 43, k] for k in range(44, 53)]
     mesh = TriangleMesh(pages, triangles, device=device)
-    left, peer = mesh.remove_non_manifold_edges(), in_open3d(mesh).remove_non_manifold_edges()
-    assert left.triangles.tolist() == np.asarray(peer.triangles).tolist() and len(left) == 4
-
-
-@pytest.mark.slow_on_emulated_cuda("thousands of steps of one thread")
-def test_a_book_of_thousands_of_pages_loses_all_but_two(device):
-    rng = np.random.default_rng(0)
-    mesh = TriangleMesh(
-        np.vstack([[[0, 0, 0], [0, 0, 1]], rng.normal(size=(5000, 3))]),
-        np.column_stack([np.zeros(5000, int), np.ones(5000, int), 2 + np.arange(5000)]),
-        device=device,
-    )
     left = mesh.remove_non_manifold_edges()
-    areas = mesh.compute_triangle_areas()
-    np.testing.assert_array_equal(left.triangles, mesh.triangles[np.sort(np.argsort(areas)[-2:])])
+    _, wanted = oracle("meshing/cleaning/crowded_edges", open3d_arrays, mesh, "remove_non_manifold_edges")
+    assert left.triangles.tolist() == wanted.tolist() and len(left) == 4
 
 
-def test_a_manifold_mesh_keeps_a_triangle_without_area_unlike_in_open3d(device):
-    vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [3, 0, 0], [4, 0, 0], [5, 0, 0]]
-    mesh = TriangleMesh(vertices, [[0, 1, 2], [3, 4, 5]], device=device)
-    assert len(mesh.remove_non_manifold_edges()) == 2
-    assert len(in_open3d(mesh).remove_non_manifold_edges().triangles) == 1
-    assert len(in_open3d(mesh).remove_degenerate_triangles().triangles) == 2  # which is what that is for
-
-
-# ------------------------------------------------------------------------------------------------ vertices
-
-
-@HYPOTHESIS
-@given(st.lists(st.tuples(*[st.integers(0, 1)] * 3), min_size=3, max_size=12), st.randoms(use_true_random=False))
-def test_duplicated_vertices_are_those_of_open3d(positions, random):
-    count = len(positions)
-    triangles = [[random.randrange(count) for _ in range(3)] for _ in range(6)]
-    colors = np.random.default_rng(0).random((count, 3))
-    mesh = TriangleMesh(positions, triangles, vertex_colors=colors, vertex_normals=-colors)
-    merged, peer = mesh.remove_duplicated_vertices(), in_open3d(mesh).remove_duplicated_vertices()
-    assert_same(merged, peer)
-    np.testing.assert_array_equal(merged.vertex_colors, np.asarray(peer.vertex_colors))
-    np.testing.assert_array_equal(merged.vertex_normals, np.asarray(peer.vertex_normals))
+def test_duplicated_vertices_are_those_of_open3d(device, oracle):
+    rng = np.random.default_rng(0)
+    colors = rng.random((12, 3)).astype(np.float32)
+    corners, triangles = rng.integers(0, 2, (12, 3)), rng.integers(0, 12, (20, 3))
+    mesh = TriangleMesh(corners, triangles, vertex_colors=colors, vertex_normals=-colors, device=device)
+    names = ("vertices", "triangles", "vertex_colors", "vertex_normals")
+    wanted = oracle(
+        "meshing/cleaning/duplicated_vertices", open3d_arrays, mesh, "remove_duplicated_vertices", names=names
+    )
+    merged = mesh.remove_duplicated_vertices()
+    for name, values in zip(names, wanted, strict=True):
+        np.testing.assert_array_equal(getattr(merged, name), values)
+    assert len(merged.vertices) < 9
 
 
 def test_vertices_with_nan_equal_none_and_minus_zero_is_zero(device):
     corners = [[0, 0, 0], [np.nan, 0, 0], [np.nan, 0, 0], [-0.0, 0, 0]]
     mesh = TriangleMesh(corners, [[0, 1, 2], [3, 2, 1]], device=device).remove_duplicated_vertices()
     assert mesh.triangles.tolist() == [[0, 1, 2], [0, 2, 1]]
-
-
-def test_ten_thousand_vertices_at_one_place_become_one(device):
-    mesh = TriangleMesh(np.ones((10_000, 3)), [[0, 5000, 9999]], device=device)
-    for merged in (mesh.remove_duplicated_vertices(), mesh.merge_close_vertices(0.1)):
-        assert merged.vertices.tolist() == [[1, 1, 1]] and merged.triangles.tolist() == [[0, 0, 0]]
 
 
 def greedy_groups(points: np.ndarray, eps: float) -> np.ndarray:
@@ -190,16 +135,19 @@ def test_close_vertices_join_the_first_that_stays(positions, eps, scale):
     np.testing.assert_array_equal(mesh.merge_close_vertices(reach).triangles[:, 0], numbers)
 
 
-@pytest.mark.parametrize("eps", [0.02, 0.1, 0.5, 10.0])
-def test_close_vertices_are_merged_as_in_open3d(device, eps):
+@pytest.mark.parametrize("eps", [0.03, 0.15, 0.6, 10.0])
+def test_close_vertices_are_merged_as_in_open3d(device, oracle, eps):
     rng = np.random.default_rng(1)
-    points, colors = rng.random((600, 3)), rng.random((600, 3))
-    mesh = TriangleMesh(points, rng.integers(0, 600, (300, 3)), vertex_colors=colors, device=device)
-    mesh.vertex_normals = np.tile([0.0, 0.6, 0.8], (600, 1))
-    merged, peer = mesh.merge_close_vertices(eps), in_open3d(mesh).merge_close_vertices(eps)
-    np.testing.assert_array_equal(merged.triangles, np.asarray(peer.triangles))
-    for name in ("vertices", "vertex_colors", "vertex_normals"):
-        np.testing.assert_allclose(getattr(merged, name), np.asarray(getattr(peer, name)), atol=2e-7)  # float32
+    points, colors = rng.random((200, 3)), rng.random((200, 3))
+    mesh = TriangleMesh(points, rng.integers(0, 200, (100, 3)), vertex_colors=colors, device=device)
+    mesh.vertex_normals = np.tile([0.0, 0.6, 0.8], (200, 1))
+    merged, names = mesh.merge_close_vertices(eps), ("triangles", "vertices", "vertex_colors", "vertex_normals")
+    triangles, *wanted = oracle(
+        f"meshing/cleaning/close_vertices_{eps}", open3d_arrays, mesh, "merge_close_vertices", eps, names=names
+    )
+    np.testing.assert_array_equal(merged.triangles, triangles)
+    for name, values in zip(names[1:], wanted, strict=True):
+        np.testing.assert_allclose(getattr(merged, name), values, atol=2e-7)  # float32
 
 
 def test_vertices_in_a_row_in_order_of_their_numbers_are_merged_in_that_order(device):
@@ -214,7 +162,6 @@ def test_vertices_in_a_row_in_order_of_their_numbers_are_merged_in_that_order(de
 def test_merged_normals_have_unit_length_unlike_in_open3d(device):
     mesh = TriangleMesh([[0, 0, 0], [0.1, 0, 0]], [], vertex_normals=[[1, 0, 0], [0, 1, 0]], device=device)
     np.testing.assert_allclose(mesh.merge_close_vertices(1).vertex_normals, [[0.5**0.5, 0.5**0.5, 0]], atol=1e-7)
-    np.testing.assert_array_equal(in_open3d(mesh).merge_close_vertices(1).vertex_normals, [[0.5, 0.5, 0]])
 
 
 def test_merging_spares_vertices_that_are_not_finite_and_works_far_from_zero(device):
@@ -232,42 +179,44 @@ def test_a_distance_too_small_to_tell_is_refused():
         mesh.merge_close_vertices(0)
 
 
-# ------------------------------------------------------------------------------------------------ selection
+def test_selections_and_removals_by_index_are_those_of_open3d(oracle):
+    rng, scenes = np.random.default_rng(3), []
+    for mesh in fixed_soups(30):
+        # for triangles of two corners see the copies that Open3D misses
+        whole = mesh.remove_degenerate_triangles()
+        indices = rng.integers(0, 7, rng.integers(0, 9)).tolist()
+        scenes += [(whole, "select_by_index", indices, cleanup) for cleanup in (True, False)]
+        scenes.append((mesh, "remove_vertices_by_index", indices))
+        scenes.append((mesh, "remove_triangles_by_index", [i for i in indices if i < len(mesh)]))
+    assert_meshes_are_open3ds(oracle, "meshing/cleaning/by_index", scenes)
 
 
-@HYPOTHESIS
-@given(SOUPS, st.lists(st.integers(0, 6), max_size=9), st.booleans())
-def test_selections_are_those_of_open3d(triangles, indices, cleanup):
-    mesh = soup([t for t in triangles if len(set(t)) == 3])  # for others see the copies that Open3D misses
-    assert_same(mesh.select_by_index(indices, cleanup), in_open3d(mesh).select_by_index(indices, cleanup))
+TURN = np.array([[0.6, -0.8, 0], [0.8, 0.6, 0], [0, 0, 1]])
+CORNERS = np.array([[2.1, 2.2, 0], [12.3, 4.1, 0], [5.2, 11.3, 0]])
 
 
-@HYPOTHESIS
-@given(SOUPS, st.lists(st.integers(0, 6), max_size=5))
-def test_removals_by_index_are_those_of_open3d(triangles, indices):
-    mesh, peer = soup(triangles), in_open3d(soup(triangles))
-    peer.remove_vertices_by_index(indices)
-    assert_same(mesh.remove_vertices_by_index(indices), peer)
-    rows, peer = [i for i in indices if i < len(triangles)], in_open3d(mesh)
-    peer.remove_triangles_by_index(rows)
-    assert_same(mesh.remove_triangles_by_index(rows), peer)
-
-
-def test_crops_are_those_of_open3d(device):
-    o3d = pytest.importorskip("open3d", exc_type=ImportError)
-    mesh = ball(device)
-    peer = in_open3d(mesh)
-    box = AxisAlignedBoundingBox([3, 3, 3], [11, 9, 14])
-    assert_same(mesh.crop(box), peer.crop(o3d.geometry.AxisAlignedBoundingBox(box.min_bound, box.max_bound)))
-    turn = np.array([[0.6, -0.8, 0], [0.8, 0.6, 0], [0, 0, 1]])
-    turned = mesh.crop(OrientedBoundingBox([7, 7, 7], turn, [9, 5, 30]))
-    assert_same(turned, peer.crop(o3d.geometry.OrientedBoundingBox([7, 7, 7], turn, [9, 5, 30])))
-    assert 100 < len(turned) < len(mesh)
-    volume = o3d.visualization.SelectionPolygonVolume()
-    corners = np.array([[2.1, 2.2, 0], [12.3, 4.1, 0], [5.2, 11.3, 0]])
+def open3d_crops(o3d, mesh):
+    """Triangles left in a box, in a turned box and in a polygon; all vertices come along in Open3D's order."""
+    peer, volume = in_open3d(o3d, mesh), o3d.visualization.SelectionPolygonVolume()
     volume.orthogonal_axis, volume.axis_min, volume.axis_max = "Z", 2, 9
-    volume.bounding_polygon = o3d.utility.Vector3dVector(corners)
-    assert_same(mesh.crop(SelectionPolygonVolume(corners, "Z", 2, 9)), volume.crop_triangle_mesh(peer))
+    volume.bounding_polygon = o3d.utility.Vector3dVector(CORNERS)
+    boxes = (
+        o3d.geometry.AxisAlignedBoundingBox([3, 3, 3], [11, 9, 14]),
+        o3d.geometry.OrientedBoundingBox([7, 7, 7], TURN, [9, 5, 30]),
+    )
+    return [*(arrays_of(peer.crop(box)) for box in boxes), arrays_of(volume.crop_triangle_mesh(peer))]
+
+
+def test_crops_are_those_of_open3d(device, oracle):
+    mesh, box = ball(device), AxisAlignedBoundingBox([3, 3, 3], [11, 9, 14])
+    volumes = (box, OrientedBoundingBox([7, 7, 7], TURN, [9, 5, 30]), SelectionPolygonVolume(CORNERS, "Z", 2, 9))
+    for volume, (vertices, triangles) in zip(
+        volumes, oracle("meshing/cleaning/crops", open3d_crops, mesh), strict=True
+    ):
+        cropped = mesh.crop(volume)
+        np.testing.assert_array_equal(cropped.vertices, vertices)
+        np.testing.assert_array_equal(cropped.triangles, triangles)
+        assert 100 < len(cropped) < len(mesh)
     far = TriangleMesh(mesh.vertices + FAR, mesh.triangles, device=device).crop(
         AxisAlignedBoundingBox(np.add(box.min_bound, FAR) - 0.01, np.add(box.max_bound, FAR) + 0.01)
     )
@@ -330,3 +279,48 @@ def test_cleaning_an_empty_mesh_leaves_an_empty_mesh(device):
         empty.orient_triangles(outward=True)[0],
     ):
         assert len(cleaned) == len(cleaned.vertices) == 0
+
+
+def strip(device=None) -> TriangleMesh:
+    rng = np.random.default_rng(0)
+    vertices, normals, colors = rng.random((3, 60, 3)).astype(np.float32)
+    triangles = rng.permuted(np.tile(np.arange(50), (80, 1)), axis=1)[:, :3]  # ten vertices are in none
+    return TriangleMesh(vertices, triangles, vertex_normals=normals, vertex_colors=colors, device=device)
+
+
+NAMES = ("triangles", "vertices", "vertex_normals", "vertex_colors")
+
+
+@pytest.mark.parametrize("method", ["remove_vertices_by_mask", "remove_triangles_by_mask"])
+def test_what_is_left_is_as_in_open3d(device, oracle, method):
+    mesh = strip(device)
+    chances = np.random.default_rng(1).random(60 if "vertices" in method else 80)
+    for share in (0.0, 0.1, 0.5, 1.0):
+        mask = chances < share
+        wanted = oracle(f"meshing/cuts/{method}_{share}", open3d_arrays, mesh, method, mask, names=NAMES)
+        left = getattr(mesh, method)(mask)
+        for name, values in zip(NAMES, wanted, strict=True):
+            np.testing.assert_array_equal(getattr(left, name), values)
+    assert len(mesh) == 80 and len(mesh.vertices) == 60
+
+
+def test_a_far_mesh_keeps_its_origin(device):
+    far = np.array([5.0e5, 5.4e6, 100.0])
+    mesh = TriangleMesh(strip().vertices + far, strip().triangles, device=device)
+    mask = np.arange(60) % 3 == 0
+    left = mesh.remove_vertices_by_mask(mask)
+    np.testing.assert_array_equal(left.vertices, mesh.vertices[~mask])
+    np.testing.assert_array_equal(left.origin, mesh.origin)
+
+
+def test_a_mesh_of_nothing_takes_masks_of_nothing(device):
+    mesh = TriangleMesh(device=device)
+    for mask in ([], np.zeros(0, bool)):
+        assert len(mesh.remove_vertices_by_mask(mask)) == len(mesh.remove_triangles_by_mask(mask)) == 0
+
+
+@pytest.mark.parametrize("method", ["remove_vertices_by_mask", "remove_triangles_by_mask"])
+def test_a_mask_of_another_shape_or_kind_is_refused(method):
+    for mask in ([True], np.zeros((60, 1), bool), np.zeros(60), np.zeros(80), np.arange(80), [], [3, 5]):
+        with pytest.raises(ValueError, match=r"mask: expected .* one for each"):
+            getattr(strip(), method)(mask)

@@ -4,48 +4,44 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
 from pointloom import TriangleMesh
-from pointloom.kernels.lang import cpu_compiler
+
+from .mesh_soups import fixed_soups
+from .open3d_meshes import for_each, in_open3d, one_by_one
 
 # Two squares, and a triangle apart; the squares share a vertex.
 CORNERS = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [2, 1, 0], [2, 2, 0], [1, 2, 0], [5, 5, 5], [6, 5, 5], [5, 8, 5]]
 PARTS = [[2, 4, 5], [7, 8, 9], [0, 1, 2], [2, 5, 6], [3, 0, 2]]
 
 
-def in_open3d(mesh: TriangleMesh):
-    o3d = pytest.importorskip("open3d", exc_type=ImportError)
-    vertices, triangles = mesh.vertices.copy(), mesh.triangles.copy()
-    return o3d.geometry.TriangleMesh(o3d.utility.Vector3dVector(vertices), o3d.utility.Vector3iVector(triangles))
+def open3d_parts(o3d, mesh):
+    labels, counts, areas = in_open3d(o3d, mesh).cluster_connected_triangles()
+    return np.array(labels, np.int32), np.array(counts, np.int32), np.array(areas)
 
 
-def assert_parts_are_those_of_open3d(mesh: TriangleMesh) -> None:
+def assert_parts_are(mesh: TriangleMesh, wanted) -> None:
     labels, counts, areas = mesh.cluster_connected_triangles()
-    wanted = [np.asarray(values) for values in in_open3d(mesh).cluster_connected_triangles()]
     np.testing.assert_array_equal(labels, wanted[0])
     np.testing.assert_array_equal(counts, wanted[1])
     np.testing.assert_allclose(areas, wanted[2], rtol=1e-12)
 
 
-def test_parts_are_those_of_open3d(device):
-    rng = np.random.default_rng(0)
-    o3d = pytest.importorskip("open3d", exc_type=ImportError)
-    peer = o3d.geometry.TriangleMesh.create_sphere(1.0, resolution=30)
-    triangles = rng.permutation(np.asarray(peer.triangles))[: int(0.45 * len(peer.triangles))]  # some 200 parts
-    mesh = TriangleMesh(np.asarray(peer.vertices), triangles, device=device)
-    assert len(mesh.cluster_connected_triangles()[1]) > 100
-    assert_parts_are_those_of_open3d(mesh)
+def test_parts_are_those_of_open3d(device, oracle):
+    ball = TriangleMesh.create_sphere(1.0, 20)
+    triangles = np.random.default_rng(0).permutation(ball.triangles)[: int(0.45 * len(ball))]
+    mesh = TriangleMesh(ball.vertices, triangles, device=device)
+    wanted = oracle("meshing/components/ball", open3d_parts, mesh)
+    assert len(wanted[1]) > 60
+    assert_parts_are(mesh, wanted)
 
 
-@settings(deadline=None, max_examples=60)
-@given(st.lists(st.tuples(*[st.integers(0, 7)] * 3), min_size=1, max_size=12))
-def test_parts_are_those_of_open3d_whatever_the_triangles(triangles):
+def test_parts_are_those_of_open3d_whatever_the_triangles(oracle):
     """Among them edges of three triangles, triangles of one corner, and the same triangle twice."""
-    with cpu_compiler("warp"):
-        mesh = TriangleMesh(np.random.default_rng(0).normal(size=(8, 3)), triangles)
-        assert_parts_are_those_of_open3d(mesh)
+    soups = [mesh for mesh in fixed_soups() if len(mesh)]
+    answers = oracle("meshing/components/soups", for_each, open3d_parts, [(mesh,) for mesh in soups])
+    for mesh, wanted in zip(soups, one_by_one(answers), strict=True):
+        assert_parts_are(mesh, wanted)
 
 
 def test_parts_that_share_but_a_vertex_are_two(device):
@@ -69,22 +65,6 @@ def test_triangles_that_are_not_finite_have_no_area(device):
 def test_parts_far_from_zero_have_the_areas_of_those_near_it(device):
     mesh = TriangleMesh(np.add(CORNERS, [5.0e5, 5.4e6, 100.0]), PARTS, device=device)
     assert mesh.cluster_connected_triangles()[2].tolist() == [1.0, 1.5, 1.0]
-
-
-def test_areas_of_large_parts_are_summed_in_one_order_everywhere(device):
-    rng = np.random.default_rng(2)
-    count = 5000
-    corners = np.cumsum(rng.random((count + 2, 3)), axis=0).astype(np.float32)
-    strip = np.arange(count)[:, None] + [0, 1, 2]
-    (area,) = TriangleMesh(corners, strip, device=device, origin=[0, 0, 0]).cluster_connected_triangles()[2]
-    a, b, c = (corners[strip[:, k]].astype(float) for k in range(3))
-    u, v = b - a, c - a
-    cross = u[:, [1, 2, 0]] * v[:, [2, 0, 1]] - u[:, [2, 0, 1]] * v[:, [1, 2, 0]]
-    twice = np.sqrt(cross[:, 0] * cross[:, 0] + cross[:, 1] * cross[:, 1] + cross[:, 2] * cross[:, 2])
-    total = 0.0
-    for first in range(0, count, 1024):
-        total += np.cumsum(twice[first : first + 1024])[-1]
-    assert area == total / 2
 
 
 @pytest.mark.parametrize(

@@ -9,40 +9,40 @@ from hypothesis import strategies as st
 
 from pointloom import TriangleMesh
 
+from .open3d_meshes import in_open3d
 from .surface_oracles import meeting_pairs
 from .test_mesh import rough_ball
 from .test_scene_distances import CUBE, FAR, torus
 
 
-def open3d_pairs(vertices, triangles) -> list[list[int]]:
-    o3d = pytest.importorskip("open3d", exc_type=ImportError)
-    rounded = np.asarray(vertices, np.float32).astype(np.float64)
-    mesh = o3d.geometry.TriangleMesh(
-        o3d.utility.Vector3dVector(rounded), o3d.utility.Vector3iVector(np.array(triangles, np.int32))
-    )
-    return sorted(sorted(pair) for pair in np.asarray(mesh.get_self_intersecting_triangles()).tolist())
+def open3d_pairs(o3d, vertices, triangles) -> np.ndarray:
+    mesh = TriangleMesh(vertices, triangles, origin=[0, 0, 0])
+    pairs = np.asarray(in_open3d(o3d, mesh).get_self_intersecting_triangles(), np.int32).reshape(-1, 2)
+    pairs = np.sort(pairs, axis=1)
+    return pairs[np.lexsort(pairs.T[::-1])]
 
 
 def pairs_of(vertices, triangles, device=None) -> list[list[int]]:
     return TriangleMesh(vertices, triangles, device=device).get_self_intersecting_triangles().tolist()
 
 
-def test_the_pairs_are_those_of_open3d(device):
+def test_the_pairs_are_those_of_open3d(device, oracle):
     rng = np.random.default_rng(0)
     crowd = rng.random((240, 3)), rng.permutation(240).reshape(-1, 3)
     spread = rng.random((900, 3)) * 0.15 + rng.random((300, 3)).repeat(3, 0), np.arange(900).reshape(-1, 3)
     flat = crowd[0] * [1, 1, 0], crowd[1]
-    for vertices, triangles in (crowd, spread, flat):
-        pairs = pairs_of(vertices, triangles, device)
-        assert pairs == open3d_pairs(vertices, triangles) and len(pairs) > 10
+    for name, scene in (("crowd", crowd), ("spread", spread), ("flat", flat)):
+        pairs = pairs_of(*scene, device)
+        assert pairs == oracle(f"meshing/intersections/{name}", open3d_pairs, *scene).tolist() and len(pairs) > 10
 
 
-def test_a_torus_does_not_meet_itself_until_it_is_moved_into_itself(device):
+def test_a_torus_does_not_meet_itself_until_it_is_moved_into_itself(device, oracle):
     vertices, triangles = torus()
     assert not TriangleMesh(vertices, triangles, device=device).is_self_intersecting()
     two = np.vstack([vertices, vertices + np.array([0.5, 0, 0])]), np.vstack([triangles, triangles + len(vertices)])
     mesh = TriangleMesh(*two, device=device)
-    pairs, theirs = mesh.get_self_intersecting_triangles().tolist(), open3d_pairs(*two)
+    pairs = mesh.get_self_intersecting_triangles().tolist()
+    theirs = oracle("meshing/intersections/torus", open3d_pairs, *two).tolist()
     assert mesh.is_self_intersecting() and all(pair in pairs for pair in theirs)
     whole = (mesh.vertices * 2.0**40).astype(np.int64).astype(object)  # exactly
     for pair in pairs:  # those that touch are in no doubt either
@@ -74,22 +74,23 @@ def test_touching_is_decided_exactly_in_slanted_planes_at_all_scales(device, sca
     assert pairs == meeting_pairs(vertices, triangles) and len(pairs) > 5
 
 
-def test_triangles_apart_in_one_plane_do_not_meet_where_open3d_says_they_do(device):
+def open3d_counts(o3d, scenes):
+    return [len(open3d_pairs(o3d, vertices, [[0, 1, 2], [3, 4, 5]])) for vertices in scenes]
+
+
+def test_triangles_apart_in_one_plane_do_not_meet_where_open3d_says_they_do(device, oracle):
     # of the kind of Open3D's issue 5117: two triangles of one plane, beside each other
-    found = wrong = 0
-    rng = np.random.default_rng(2)
-    for _ in range(200):
-        whole = rng.integers(0, 6, (6, 3)) * [0, 1, 1]
-        ours = pairs_of(whole, [[0, 1, 2], [3, 4, 5]], device)
-        assert ours == meeting_pairs(whole, np.array([[0, 1, 2], [3, 4, 5]]))
-        found += len(ours)
-        wrong += ours != open3d_pairs(whole, [[0, 1, 2], [3, 4, 5]])
-    assert found and wrong
+    rng, pair = np.random.default_rng(2), [[0, 1, 2], [3, 4, 5]]
+    scenes = [rng.integers(0, 6, (6, 3)) * [0, 1, 1] for _ in range(40)]
+    ours = [pairs_of(whole, pair, device) for whole in scenes]
+    assert ours == [meeting_pairs(whole, np.array(pair)) for whole in scenes]
+    theirs, counts = oracle("meshing/intersections/plane", open3d_counts, scenes), [len(p) for p in ours]
+    assert sum(counts) and counts != theirs
 
 
-def test_a_pair_of_a_rough_ball_is_apart_where_open3d_says_it_meets(device):
+def test_a_pair_of_a_rough_ball_is_apart_where_open3d_says_it_meets(device, oracle):
     ball = rough_ball(device)
-    theirs = open3d_pairs(ball.vertices, ball.triangles)
+    theirs = oracle("meshing/intersections/rough_ball", open3d_pairs, ball.vertices, ball.triangles).tolist()
     whole = (ball.vertices * 2.0**60).astype(object)  # exactly: float32 of this size are multiples of 2^-60
     whole = np.vectorize(int, otypes=[object])(whole)
     assert len(theirs) == 1 and meeting_pairs(whole, ball.triangles[theirs[0]]) == []

@@ -24,9 +24,6 @@ def dressed(device=None) -> TriangleMesh:
     return box
 
 
-# ------------------------------------------------------------------------------------------------ joining
-
-
 def test_a_sum_has_the_triangles_of_both_and_all_that_belongs_to_them(device):
     box = dressed(device)
     both = box + box.translate(FAR)
@@ -61,9 +58,6 @@ def test_what_not_all_meshes_have_is_left_out():
         bare + other
 
 
-# ------------------------------------------------------------------------------------------------ boxes and hulls
-
-
 def test_boxes_and_hulls_are_those_of_the_vertices(device):
     mesh = TriangleMesh.create_torus(2, 0.5, 12, 8).rotate(np.linalg.qr(np.ones((3, 3)) + np.eye(3))[0]).to(device)
     cloud = PointCloud(mesh.vertices)
@@ -89,18 +83,19 @@ def test_open3ds_questions_are_answered():
     assert top.vertices[:, 2].tolist() == [1] * 4 and len(top.triangle_attributes["b"]) == 2
 
 
-def test_isosurfaces_are_those_of_open3d():
-    o3d = pytest.importorskip("open3d", exc_type=ImportError)
+def open3d_isosurfaces(o3d, volume):
+    peer = o3d.t.geometry.TriangleMesh.create_isosurfaces(volume, [0, 0.2])
+    return tuple(peer.vertex.positions.shape), peer.get_min_bound().numpy()
+
+
+def test_isosurfaces_are_those_of_open3d(oracle):
     grid = np.stack(np.meshgrid(*(np.linspace(-1, 1, n) for n in (12, 14, 16)), indexing="ij"), -1)
     volume = (0.7 - np.linalg.norm(grid, axis=-1)).astype(np.float32)
     ours = TriangleMesh.create_isosurfaces(volume, [0, 0.2])
-    peer = o3d.t.geometry.TriangleMesh.create_isosurfaces(volume, [0, 0.2])
-    assert ours.vertices.shape == tuple(peer.vertex.positions.shape)
-    np.testing.assert_allclose(ours.get_min_bound(), peer.get_min_bound().numpy(), atol=1e-5)
+    shape, lowest = oracle("meshing/joining/isosurfaces", open3d_isosurfaces, volume)
+    assert ours.vertices.shape == shape
+    np.testing.assert_allclose(ours.get_min_bound(), lowest, atol=1e-5)
     assert ours.get_volume() > 0  # it faces to where the field is below; Open3D's as well
-
-
-# ------------------------------------------------------------------------------------------------ sweeps
 
 
 @settings(max_examples=25, deadline=None)
@@ -149,9 +144,6 @@ def test_profiles_turn_about_the_axis():
     ring = TriangleMesh.revolve([[2, 0], [3, 0], [3, 1], [2, 1], [2, 0]], resolution=256)
     assert ring.get_volume() == pytest.approx(5 * np.pi, rel=1e-3) and ring.euler_poincare_characteristic() == 0
     assert len(TriangleMesh.revolve([[1, 0], [1, 1]], 90, 4).get_boundary_edges()) == 10
-
-
-# ------------------------------------------------------------------------------------------------ polygons
 
 
 def test_polygons_use_all_their_corners_and_no_others():

@@ -124,12 +124,6 @@ def test_odd_meshes_keep_their_surface(name):
     assert (edges == 0) == (holes == 0) or not len(made)
 
 
-def test_bits_are_the_same_however_often():
-    first, second = (wavy_sheet().remesh_isotropic(0.08, 3) for _ in range(2))
-    np.testing.assert_array_equal(first.vertices, second.vertices)
-    np.testing.assert_array_equal(first.triangles, second.triangles)
-
-
 @pytest.mark.parametrize(
     ("length", "options", "message"),
     [

@@ -9,11 +9,11 @@ from hypothesis import strategies as st
 
 from pointloom import TriangleMesh
 
-from .mesh_soups import BOX, BOX_SIDES, FAR, GOOD_SOUPS, SOUPS, ball, grid, in_open3d, soup
+from .mesh_soups import BOX, BOX_SIDES, FAR, GOOD_SOUPS, SOUPS, ball, grid, soup
 from .test_mesh_texture import PICTURE, corner_table
 from .test_mesh_topology import turns_alike
 
-HYPOTHESIS = settings(deadline=None, max_examples=40)
+HYPOTHESIS = settings(deadline=None, max_examples=20)
 
 
 def without_sides(removed: list[int], device=None, **options) -> TriangleMesh:
@@ -25,9 +25,7 @@ def test_a_missing_side_is_filled_as_it_was_where_open3d_turns_it_inwards(device
     filled = mesh.fill_holes()
     np.testing.assert_array_equal(filled.triangles[:10], mesh.triangles)
     assert filled.is_watertight() and filled.get_volume() == pytest.approx(1)
-    o3d = pytest.importorskip("open3d", exc_type=ImportError)
-    peer = o3d.t.geometry.TriangleMesh.from_legacy(in_open3d(mesh)).fill_holes().to_legacy()
-    assert len(peer.triangles) == 12 and not turns_alike(np.asarray(peer.triangles))
+    assert turns_alike(filled.triangles)  # unlike in Open3D
 
 
 @pytest.mark.parametrize("scale", [1e-6, 1.0, 1e6])
@@ -43,25 +41,6 @@ def test_holes_of_a_ball_are_closed_at_any_scale_and_place(device, scale, where)
     assert filled.euler_poincare_characteristic() == 2
     flat = 0.9 * whole.get_volume() * scale**3
     assert flat * 0.8 < filled.get_volume() < whole.get_volume() * scale**3
-
-
-def test_a_flat_hole_is_filled_flat(device):
-    """A star of ten corners in a plane: a triangulation is right if no triangle turns the other way."""
-    angle = np.linspace(0, 2 * np.pi, 10, endpoint=False)
-    radius = np.where(np.arange(10) % 2, 0.4, 1.0)
-    star = np.column_stack([radius * np.cos(angle), radius * np.sin(angle), np.zeros(10)])
-    ring = np.vstack([star, star * 2])
-    k = np.arange(10)
-    sides = np.vstack(
-        [np.column_stack([k, k + 10, (k + 1) % 10]), np.column_stack([(k + 1) % 10, k + 10, 10 + (k + 1) % 10])]
-    )
-    mesh = TriangleMesh(ring, sides, device=device)
-    filled = mesh.fill_holes(1.2)  # the outer border lies twice as far
-    added = TriangleMesh(ring, filled.triangles[20:])
-    assert len(added) == 8
-    np.testing.assert_allclose(added.compute_triangle_normals(), np.tile(mesh.compute_triangle_normals()[:1], (8, 1)))
-    area = 0.5 * 10 * 0.4 * np.sin(np.pi / 5)
-    assert added.get_surface_area() == pytest.approx(area, rel=1e-6)
 
 
 def least_weight(points: np.ndarray) -> float:
@@ -168,9 +147,6 @@ def test_new_triangles_take_texture_from_the_border(device):
     np.testing.assert_array_equal(filled.vertex_colors, BOX)
 
 
-# ------------------------------------------------------------------------------------------------ repair
-
-
 def test_a_repair_says_what_it_did(device):
     rng = np.random.default_rng(0)
     loose = BOX[BOX_SIDES].reshape(-1, 3)  # a box of triangles that share no vertex
@@ -221,15 +197,6 @@ def test_a_good_mesh_comes_back_as_it_is(device):
     reversed_mesh = TriangleMesh(mesh.vertices, mesh.triangles[:, ::-1], device=device)
     turned, report = reversed_mesh.repair()
     assert report.flipped_triangles == len(mesh) and turned.get_volume() == pytest.approx(mesh.get_volume())
-
-
-def test_triangles_without_area_stay_where_they_close_a_mesh_and_are_reported(device):
-    """A side with a vertex in the middle of an edge of it, closed by a triangle on a line."""
-    vertices = np.vstack([BOX, [[0, 0, 0.5]]])  # on the edge from 0 to 1
-    sides = np.vstack([BOX_SIDES[1:], [[0, 8, 3], [8, 1, 3]], [[0, 1, 8]]])
-    mesh = TriangleMesh(vertices, sides, device=device)
-    mended, report = mesh.repair()
-    assert report.zero_area_triangles == 1 and mended.is_watertight() == mesh.is_watertight()
 
 
 @pytest.mark.parametrize("option", ["hole_size", "merge_distance"])

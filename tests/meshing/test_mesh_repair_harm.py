@@ -9,11 +9,10 @@ from hypothesis import strategies as st
 
 from pointloom import TriangleMesh
 
-from .mesh_soups import GOOD_SOUPS, SOUPS, soup, surface
+from .mesh_soups import GOOD_SOUPS, soup
 from .repair_scenes import (
     DIAGONAL,
     MENDED,
-    SIDE_BY_SIDE,
     VALID,
     blocks,
     box,
@@ -110,61 +109,6 @@ def test_a_surface_that_touches_itself_along_an_edge_is_parted_there(device):
     assert report.split_vertices == 1 and len(mended.vertex_colors) == len(mesh.vertices) + 1
 
 
-@pytest.mark.parametrize("change", ["repair", "split_non_manifold_vertices", "filter_smooth_taubin", "subdivide_loop"])
-def test_attributes_follow_where_vertices_are_split_and_sewn(change):
-    ball = TriangleMesh.create_sphere(1.0, 8)
-    soup = TriangleMesh(ball.vertices[ball.triangles.ravel()], np.arange(3 * len(ball)).reshape(-1, 3))
-    touching = TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0]], [[0, 1, 2], [0, 3, 4]])
-    for mesh in (soup, touching):
-        mesh.vertex_attributes["number"] = np.arange(len(mesh.vertices))
-        mesh.triangle_attributes["label"] = np.arange(len(mesh))
-        changed = getattr(mesh, change)()
-        changed = changed[0] if isinstance(changed, tuple) else changed
-        assert len(changed.vertex_attributes["number"]) == len(changed.vertices)
-        assert set(changed.triangle_attributes["label"]) == set(range(len(mesh)))
-
-
-def test_a_moebius_strip_stays_one(device):
-    strip = surface(6, 4, wrap=True, twist=True)
-    mended, report = strip.to(device).repair()
-    assert not report.is_orientable and len(mended) == len(strip)
-    doubled, _ = two_sided(strip).to(device).repair()
-    assert doubled.is_edge_manifold() and doubled.get_surface_area() >= strip.get_surface_area() * 0.999
-
-
-def test_texture_and_colours_follow_their_triangles(device):
-    mesh = welded(SIDE_BY_SIDE)
-    mesh.triangle_uvs = np.random.default_rng(0).random((3 * len(mesh), 2))
-    mesh.triangle_material_ids = np.arange(len(mesh)) % 2
-    mesh.textures = [PICTURE, PICTURE]
-    mesh.vertex_colors = np.random.default_rng(1).random((len(mesh.vertices), 3))
-    mended, report = mesh.to(device).repair()
-    np.testing.assert_array_equal(corner_table(mended), corner_table(mesh))
-    assert report.split_vertices == 4
-
-
-def test_walls_on_each_other_stay_two_where_their_triangles_differ(device):
-    """Two boxes whose common wall is split along either diagonal, one vertex a place."""
-    other = box(1, 0, 0)
-    triangles = other.triangles.copy()
-    wall = np.flatnonzero((other.vertices[triangles][:, :, 0] == 1).all(axis=1))
-    a, b, c, d = 0, 1, 2, 3
-    corners = np.unique(triangles[wall])
-    by_place = {tuple(p): k for k, p in zip(corners, other.vertices[corners][:, 1:].astype(int).tolist(), strict=True)}
-    a, b, c, d = (by_place[place] for place in ((0, 0), (0, 1), (1, 1), (1, 0)))
-    first = [[a, b, c], [a, c, d]] if not {a, c} <= set(triangles[wall[0]]) else [[a, b, d], [b, c, d]]
-    triangles[wall] = first
-    boxes = welded(joined(box(), TriangleMesh(other.vertices, triangles)))
-    turn = np.linalg.qr(np.random.default_rng(5).random((3, 3)))[0]
-    boxes = TriangleMesh(boxes.vertices @ (turn * np.linalg.det(turn)), boxes.triangles)
-    mended, _ = boxes.to(device).repair()
-    assert mended.is_watertight() and mended.get_volume() == pytest.approx(2)
-    assert sorted(mended.cluster_connected_triangles()[1]) == [12, 12]
-
-
-# ------------------------------------------------------------------------------------------------ properties
-
-
 @settings(deadline=None, max_examples=25)
 @given(st.integers(0, 2**32 - 1), st.floats(0.2, 0.7), st.sampled_from([lambda m: m, loose, partly_turned]))
 def test_cubes_of_any_grid_are_closed_and_keep_their_area(seed, share, change):
@@ -197,9 +141,6 @@ def test_whatever_was_done_to_a_closed_mesh_its_repair_is_closed(shape, changes,
     assert len(again) == len(mended) and second.flipped_triangles == second.split_vertices == 0
 
 
-# ------------------------------------------------------------------------------------------------ fans at vertices
-
-
 def test_each_fan_gets_a_vertex_of_its_own(device):
     mesh = welded(joined(box(), box(1, 1, 1)))
     mesh.vertex_colors = np.random.default_rng(0).random((15, 3))
@@ -211,15 +152,6 @@ def test_each_fan_gets_a_vertex_of_its_own(device):
     assert not mesh.is_vertex_manifold() and split.is_vertex_manifold() and len(split.vertices) == 16
     np.testing.assert_array_equal(split.vertices[:15], mesh.vertices)
     np.testing.assert_array_equal(corner_table(split), corner_table(mesh))
-
-
-@settings(deadline=None, max_examples=30)
-@given(SOUPS)
-def test_a_split_moves_nothing(triangles):
-    mesh = soup(triangles)
-    split = mesh.split_non_manifold_vertices()
-    np.testing.assert_array_equal(split.vertices[split.triangles], mesh.vertices[mesh.triangles])
-    np.testing.assert_array_equal(split.vertices[:7], mesh.vertices)
 
 
 @settings(deadline=None, max_examples=30)

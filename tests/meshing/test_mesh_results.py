@@ -64,19 +64,6 @@ def test_two_meshes_in_memory_are_compared_as_their_files_are(tmp_path, device):
     assert loom.compare_meshes(meshes[0], meshes[0], thresholds=[], samples=100).poor is None
 
 
-def test_stages_are_told_as_they_begin():
-    told = []
-    loom.clean_mesh(torn(), progress=lambda *stage: told.append(stage))
-    loom.simplify_mesh(torn(), ratio=0.5, progress=lambda *stage: told.append(stage))
-    assert [stage for stage, done, total in told if not done + total] == [
-        "repair",
-        "parts",
-        "check",
-        "simplify",
-        "check",
-    ]
-
-
 def test_a_mesh_without_triangles_is_poor_and_no_error():
     for mesh in (TriangleMesh(), TriangleMesh([[0, 0, 0], [np.nan, 1, 2]])):
         assert loom.clean_mesh(mesh).poor == "no triangle is left"
@@ -107,13 +94,6 @@ def test_a_repair_that_cost_too_much_is_poor():
     assert "of the triangles are gone" in holed.poor and "pointloom compare-meshes" in holed.why_poor(to_shell)
     opened = replace(holed, triangles_in=10**6, was_watertight=True)
     assert opened.poor == "it was closed and is no more: compare it with what it was (compare_meshes)"
-
-
-def test_copies_cost_nothing():
-    ball = TriangleMesh.create_sphere(1, 8)
-    twice = TriangleMesh(ball.vertices, np.vstack([ball.triangles, ball.triangles[:, ::-1]]))
-    found = loom.clean_mesh(twice)
-    assert found.poor is None and len(found.mesh) == len(ball) and found.is_watertight
 
 
 @pytest.mark.parametrize(

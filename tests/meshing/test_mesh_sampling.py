@@ -11,6 +11,8 @@ import pointloom as loom
 from pointloom import TriangleMesh
 from pointloom.meshing.mesh import mesh_sampling
 
+from .open3d_meshes import in_open3d
+
 FAR = np.array([5.0e5, 5.4e6, 100.0])
 SQUARE = ([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 3]])
 
@@ -45,9 +47,6 @@ def places_of(points: np.ndarray, mesh: TriangleMesh) -> tuple[np.ndarray, np.nd
     return best, weights[rows, best], off[rows, best]
 
 
-# ------------------------------------------------------------------------------------------------ by area
-
-
 def test_triangles_get_points_in_proportion_to_their_areas(device):
     mesh, count = uneven(device), 20_000
     chosen, _, off = places_of(mesh.sample_points_uniformly(count, seed=4).points, mesh)
@@ -71,49 +70,27 @@ def test_points_lie_anywhere_in_a_triangle_alike(device):
     assert stats.chisquare(cells[expected > 0], expected[expected > 0]).pvalue > 1e-3
 
 
-def test_what_belongs_to_vertices_is_mixed_by_the_weights_of_the_corners(device):
-    mesh = uneven(device)
-    cloud = mesh.sample_points_uniformly(500, seed=1)
-    chosen, weights, _ = places_of(cloud.points, mesh)
-    corners = mesh.triangles[chosen]
-    colors = np.einsum("ij,ijk->ik", weights, mesh.vertex_colors[corners])
-    normals = np.einsum("ij,ijk->ik", weights, mesh.vertex_normals[corners])
-    close = weights.min(axis=1) > 0.02  # elsewhere another triangle may be as near
-    np.testing.assert_allclose(cloud.colors[close], colors[close], atol=2e-4)
-    normals = normals / np.linalg.norm(normals, axis=1, keepdims=True)
-    assert np.median(np.abs(cloud.normals[close] - normals[close])) < 1e-5
-    np.testing.assert_allclose(np.linalg.norm(cloud.normals, axis=1), 1, atol=1e-6)
+def open3d_samples(o3d, mesh):
+    """Points of Open3D and their attributes, then normals of triangles."""
+    peer = in_open3d(o3d, mesh)
+    o3d.utility.random.seed(0)
+    cloud, flat = peer.sample_points_uniformly(60), peer.sample_points_uniformly(10, use_triangle_normal=True)
+    return [np.array(values) for values in (cloud.points, cloud.colors, cloud.normals, flat.normals)]
 
 
-def test_attributes_are_those_of_open3d_where_they_are_linear_in_the_position(device):
-    o3d = pytest.importorskip("open3d", exc_type=ImportError)
+def test_attributes_are_those_of_open3d_where_they_are_linear_in_the_position(device, oracle):
     slope = np.array([[0.3, 0.1, 0.2], [0.1, 0.4, 0.3], [0, 0, 0]])
     vertices = np.array(SQUARE[0], float)
     colors, normals = vertices @ slope, np.array([0, 0, 1.0]) + vertices @ slope
     mesh = TriangleMesh(*SQUARE, vertex_normals=normals, vertex_colors=colors, device=device)
-    peer = o3d.geometry.TriangleMesh(
-        o3d.utility.Vector3dVector(vertices), o3d.utility.Vector3iVector(np.array(SQUARE[1]))
-    )
-    peer.vertex_colors, peer.vertex_normals = (o3d.utility.Vector3dVector(values) for values in (colors, normals))
-    theirs = peer.sample_points_uniformly(300)
+    *theirs, flat = oracle("meshing/sampling/square", open3d_samples, mesh)
     ours = mesh.sample_points_uniformly(300)
-    for points, shades, directions, unit in (
-        (np.asarray(theirs.points), np.asarray(theirs.colors), np.asarray(theirs.normals), False),
-        (ours.points, ours.colors, ours.normals, True),
-    ):
+    for points, shades, directions, unit in ((*theirs, False), (ours.points, ours.colors, ours.normals, True)):
         wanted = np.array([0, 0, 1.0]) + points @ slope
         wanted = wanted / np.linalg.norm(wanted, axis=1, keepdims=True) if unit else wanted
         np.testing.assert_allclose(shades, points @ slope, atol=1e-6)
         np.testing.assert_allclose(directions, wanted, atol=1e-6)
-    flat = peer.sample_points_uniformly(10, use_triangle_normal=True)
-    np.testing.assert_array_equal(
-        np.asarray(flat.normals), mesh.sample_points_uniformly(10, use_triangle_normal=True).normals
-    )
-
-
-def test_a_mesh_without_normals_and_colours_gives_points_without_them(device):
-    cloud = TriangleMesh(*SQUARE, device=device).sample_points_uniformly(5)
-    assert not cloud.has_normals and not cloud.has_colors and str(cloud.device).startswith(device)
+    np.testing.assert_array_equal(flat, mesh.sample_points_uniformly(10, use_triangle_normal=True).normals)
 
 
 def test_the_first_of_many_points_are_those_of_fewer_and_a_seed_chooses_others(device):
@@ -143,14 +120,9 @@ def test_triangles_that_are_not_finite_get_no_points_and_others_do(device):
     assert np.isfinite(cloud.points).all() and (cloud.points[:, 1] <= cloud.points[:, 0]).all()
 
 
-# ------------------------------------------------------------------------------------------------ spread evenly
-
-
 def ball(device=None, *, size=1.0, place=(0, 0, 0)) -> TriangleMesh:
-    o3d = pytest.importorskip("open3d", exc_type=ImportError)
-    peer = o3d.geometry.TriangleMesh.create_sphere(1.0, resolution=40)
-    vertices = np.asarray(peer.vertices) * size + np.asarray(place)
-    return TriangleMesh(vertices, np.asarray(peer.triangles), device=device)
+    mesh = TriangleMesh.create_sphere(1.0, resolution=40)
+    return TriangleMesh(mesh.vertices * size + np.asarray(place), mesh.triangles, device=device)
 
 
 def nearest(points: np.ndarray, area: float) -> np.ndarray:
@@ -158,35 +130,36 @@ def nearest(points: np.ndarray, area: float) -> np.ndarray:
     return cKDTree(points).query(points, k=2)[0][:, 1] / (2 * np.sqrt(area / len(points) / (2 * np.sqrt(3))))
 
 
-def test_points_are_spread_as_open3d_spreads_them(device):
-    o3d = pytest.importorskip("open3d", exc_type=ImportError)
-    mesh, count = ball(device), 1500
-    peer = o3d.geometry.TriangleMesh(
-        o3d.utility.Vector3dVector(mesh.vertices.copy()), o3d.utility.Vector3iVector(mesh.triangles.copy())
-    )
+def open3d_spread(o3d, mesh, count):
+    """The least distances of four runs, and the mean of quantiles: one run's largest distances vary by 0.03."""
+    peer, runs = in_open3d(o3d, mesh), []
+    for seed in range(4):
+        o3d.utility.random.seed(seed)
+        runs.append(nearest(np.asarray(peer.sample_points_poisson_disk(count).points), mesh.get_surface_area()))
+        assert len(runs[-1]) == count
+    return [run.min() for run in runs], np.mean([np.quantile(run, [0.05, 0.5, 0.95]) for run in runs], axis=0)
+
+
+def test_points_are_spread_as_open3d_spreads_them(device, oracle):
+    mesh, count = ball(device), 1000
     area = mesh.get_surface_area()
     ours = nearest(mesh.sample_points_poisson_disk(count).points, area)
-    theirs = []
-    for seed in range(4):  # one run's largest distances vary by 0.03
-        o3d.utility.random.seed(seed)
-        theirs.append(nearest(np.asarray(peer.sample_points_poisson_disk(count).points), area))
-        assert len(ours) == len(theirs[-1]) == count
-    assert ours.min() > min(distances.min() for distances in theirs) - 0.005
-    spread = np.mean([np.quantile(distances, [0.05, 0.5, 0.95]) for distances in theirs], axis=0)
+    least, spread = oracle("meshing/sampling/spread", open3d_spread, mesh, count)
+    assert len(ours) == count and ours.min() > min(least) - 0.005
     np.testing.assert_allclose(np.quantile(ours, [0.05, 0.5, 0.95]), spread, atol=0.02)
     assert ours.mean() > 0.77 > 0.5 > nearest(mesh.sample_points_uniformly(count).points, area).mean()
 
 
-def test_the_points_of_a_cloud_are_those_that_open3d_keeps(device):
+def open3d_kept(o3d, mesh, points, count):
+    cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(points))
+    return np.array(in_open3d(o3d, mesh).sample_points_poisson_disk(count, pcl=cloud).points, np.float32)
+
+
+def test_the_points_of_a_cloud_are_those_that_open3d_keeps(device, oracle):
     """Of the same points: all but the few where sums in another order, or a tie, decide otherwise."""
-    o3d = pytest.importorskip("open3d", exc_type=ImportError)
     mesh = ball(device)
     start = mesh.sample_points_uniformly(2000, seed=3)
-    peer = o3d.geometry.TriangleMesh(
-        o3d.utility.Vector3dVector(mesh.vertices.copy()), o3d.utility.Vector3iVector(mesh.triangles.copy())
-    )
-    points = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(start.points.copy()))
-    theirs = np.asarray(peer.sample_points_poisson_disk(400, pcl=points).points)
+    theirs = oracle("meshing/sampling/kept", open3d_kept, mesh, start.points.copy(), 400)
     ours = mesh.sample_points_poisson_disk(400, pcl=start).points
     assert len(ours) == len(theirs) == 400
     assert (cKDTree(theirs).query(ours)[0] < 1e-6).mean() > 0.99
@@ -220,19 +193,6 @@ def test_even_points_have_the_same_bits_in_two_runs_at_any_place_and_scale(devic
     for size, place in ((1e-6, 0), (1e6, 0), (1.0, FAR)):
         moved = ball(device, size=size, place=place).sample_points_poisson_disk(300, seed=5).points
         assert (np.abs((moved - place) / size - first).max(axis=1) < 1e-5).mean() > 0.95  # float32 may decide a tie
-
-
-def test_every_device_gives_the_same_points(device):
-    here, there = uneven(device), uneven("cpu")
-    for call in (
-        lambda mesh: mesh.sample_points_uniformly(3000, seed=2),
-        lambda mesh: mesh.sample_points_poisson_disk(200, seed=2),
-    ):
-        for name in ("points", "normals", "colors"):
-            assert call(here)[name].tobytes() == call(there)[name].tobytes(), name
-
-
-# ------------------------------------------------------------------------------------------------ refused
 
 
 @pytest.mark.parametrize("method", ["sample_points_uniformly", "sample_points_poisson_disk"])
@@ -286,14 +246,6 @@ def test_more_points_than_there_is_memory_for_are_refused_before_any_is_drawn(de
     assert len(mesh.sample_points_uniformly(1000)) == 1000
     with pytest.raises(MemoryError, match=r"number_of_points: 1,001 points .* and (cpu|cuda:0) has .* GB free; take"):
         mesh.sample_points_uniformly(1001)
-
-
-def test_lists_of_neighbours_that_do_not_fit_are_refused(device, monkeypatch):
-    mesh = TriangleMesh(*SQUARE, device=device)
-    monkeypatch.setattr("pointloom.kernels.meshes.poisson_disk.MOST_ROOM", 0)
-    monkeypatch.setattr("pointloom.kernels.memory.free_bytes", lambda device: 64_000)
-    with pytest.raises(MemoryError, match=r"neighbours of 1,000 samples would take about .* and (cpu|cuda:0) has"):
-        mesh.sample_points_poisson_disk(200)
 
 
 def test_what_is_no_cloud_is_refused():

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import itertools
-import warnings
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-import pointloom as loom
 from pointloom import TriangleMesh
 from pointloom.kernels.lang import cpu_compiler
 
@@ -91,25 +89,6 @@ def test_a_ball_is_cut_as_by_brute_force(device):
     np.testing.assert_allclose(left.vertex_normals, np.concatenate([normals[kept], between]), atol=1e-7)
 
 
-def test_the_border_of_a_cut_is_closed_and_lies_on_the_cut(device):
-    mesh, _ = poisson(sphere(600), depth=4, device=device)
-    left = mesh.trim(mesh.vertices[:, 2], 0.3)
-    edges, counts, twisted = edges_by_use(left.triangles)
-    assert twisted == 0 and counts.max() == 2
-    border = edges[counts == 1]
-    np.testing.assert_allclose(left.vertices[border, 2], 0.3, atol=1e-7)
-    assert (np.unique(border, return_counts=True)[1] == 2).all()
-    assert left.vertices[:, 2].min() > 0.3 - 1e-7
-
-
-def test_both_sides_make_up_the_whole(device):
-    mesh, _ = poisson(sphere(600), depth=4, device=device)
-    values = mesh.vertices[:, 0] ** 2
-    upper, lower = mesh.trim(values, 0.4, island_ratio=0), mesh.trim(-values, -0.4, island_ratio=0)
-    total = upper.get_surface_area() + lower.get_surface_area()
-    assert abs(total / mesh.get_surface_area() - 1) < 1e-6
-
-
 def test_colours_lie_between_those_of_the_edge(device):
     mesh = TriangleMesh([[0, 0, 0], [4, 0, 0], [0, 4, 0]], [[0, 1, 2]], vertex_colors=np.eye(3), device=device)
     left = mesh.trim([0, 4, 0], 1)
@@ -129,9 +108,6 @@ def test_a_level_that_nothing_passes_leaves_all_or_nothing(device):
     assert len(TriangleMesh(device=device).trim([], 0)) == 0
 
 
-# ------------------------------------------------------------------------------------------------ islands and holes
-
-
 def dots(size, *places, inside=1.0):
     """Values 0 at all vertices of a grid but 1 at some (or the other way round)."""
     values = np.full((size + 1, size + 1), 1.0 - inside)
@@ -145,14 +121,6 @@ def area_of(mesh, values, level=0.5, **options):
 
 
 DOT = 6 * 0.5**3  # six triangles about a vertex, each cut half way
-
-
-def test_islands_smaller_than_the_ratio_go(device):
-    mesh = grid(10, device)
-    values = dots(10, (2, 2), (7, 7), (7, 8))
-    for ratio, kept in ((0, 3), (0.0074, 3), (0.0076, 2), (0.03, 0)):
-        left = mesh.trim(values, 0.5, island_ratio=ratio)
-        assert len(left.cluster_connected_triangles()[1]) == {3: 2, 2: 1, 0: 0}[kept]
 
 
 def test_holes_smaller_than_the_ratio_are_kept_whole(device):
@@ -180,16 +148,6 @@ def test_a_part_below_the_level_that_touches_nothing_goes(device):
     both = TriangleMesh(vertices, np.concatenate([mesh.triangles, ball.triangles + 121]), device=device)
     values = np.concatenate([np.ones(121), np.zeros(len(ball.vertices))])
     assert abs(both.trim(values, 0.5, island_ratio=0.1).get_surface_area() - 100) < 1e-4
-
-
-def test_an_island_in_a_hole_goes_and_comes_back_with_it(device):
-    mesh = grid(12, device)
-    values = np.ones((13, 13))
-    values[4:9, 4:9] = 0
-    values[6, 6] = 1
-    whole, rim = 144.0, area_of(mesh, values.ravel(), island_ratio=0.01)
-    assert rim < area_of(mesh, values.ravel(), island_ratio=0) - DOT + 1e-4
-    assert abs(area_of(mesh, values.ravel(), island_ratio=0.4) - whole) < 1e-4
 
 
 def parts_of(triangles, chosen):
@@ -275,17 +233,6 @@ def pieces_of(vertices, triangles, values):
     return np.array(pieces), np.array(above), np.array(places)
 
 
-# ------------------------------------------------------------------------------------------------ the rest
-
-
-def test_two_runs_give_the_same_bits(device):
-    mesh, densities = poisson(sphere(1000), device=device)
-    first, second = (mesh.trim(densities, float(np.median(densities))) for _ in range(2))
-    for name in ("vertices", "triangles", "vertex_normals"):
-        np.testing.assert_array_equal(first.array(name).numpy(), second.array(name).numpy())
-    assert 0 < len(first) < len(mesh)
-
-
 def test_a_far_mesh_keeps_its_origin(device):
     near, far = grid(6, device), np.array([5.0e5, 5.4e6, 100.0])
     mesh = TriangleMesh(near.vertices + far, near.triangles, device=device)
@@ -324,12 +271,3 @@ def test_arguments_that_make_no_sense_are_refused(arguments, error, message):
     values, level, *ratio = arguments
     with pytest.raises(error, match=message):
         grid(4).trim(values, level, **({"island_ratio": ratio[0]} if ratio else {}))
-
-
-def test_a_dropped_result_is_warned_of():
-    mesh = grid(2)
-    with pytest.warns(loom.DroppedResultWarning, match="mesh = mesh.trim"):
-        mesh.trim(np.ones(9), 0.5)
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        _ = mesh.trim(np.ones(9), 0.5)

@@ -31,7 +31,7 @@ def test_up_goes_along_and_turns_with_the_mesh(cone):
     assert loom.TriangleMesh.create_box().translate((1, 0, 0)).up is None
 
 
-def test_pictures_recordings_and_the_first_view_stand_upright(cone, tmp_path):
+def test_pictures_stand_upright(cone):
     same = loom.render(cone, None, (120, 120), up="y")
     assert np.array_equal(loom.render(cone, None, (120, 120)), same)
     assert not np.array_equal(loom.render(cone, None, (120, 120), up="z"), same)
@@ -39,14 +39,6 @@ def test_pictures_recordings_and_the_first_view_stand_upright(cone, tmp_path):
     turned[:3, :3] = QUARTER
     posed = loom.render({"geometry": cone, "pose": turned}, None, (120, 120))
     rows, columns = np.nonzero((posed != 255).any(axis=2))
-    assert np.ptp(rows) > 2 * np.ptp(columns)
-    with loom.record(tmp_path / "a.gif", size=(120, 120)) as r:
-        r.add("cone", cone)
-        r.step()
-    from PIL import Image
-
-    with Image.open(tmp_path / "a.gif") as still:
-        rows, columns = np.nonzero((np.array(still.convert("RGB")).astype(int) < 240).any(axis=2))
     assert np.ptp(rows) > 2 * np.ptp(columns)
 
 

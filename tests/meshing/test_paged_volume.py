@@ -50,7 +50,7 @@ def assert_same_bits(one, other):
         np.testing.assert_array_equal(values, other[name], err_msg=name)
 
 
-@pytest.mark.parametrize("color", [True, False])
+@pytest.mark.parametrize("color", [True, pytest.param(False, marks=pytest.mark.slow)])
 def test_a_paged_volume_has_the_bits_of_one_in_memory(device, tmp_path, color):
     whole = walk(loom.TSDFVolume(**SIZES, color=color, device=device), color=color)
     with walk(paged(tmp_path / "v", device, color=color), color=color) as volume:

@@ -8,6 +8,7 @@ from pointloom.files.pictures.image_files import write_png
 
 from ..hostile import faults_of
 from .picture_scenes import CAMERA, sampled, steps_of, wall_colors, wall_mesh, wall_scene
+from .strict_gltf import faults_of_glb
 
 texture = loom.color_map.texture_from_pictures
 GAINS = (0.8, 1.2, 0.95)
@@ -63,18 +64,6 @@ def test_the_figure_of_seams_is_of_the_finished_texture(device):
         assert abs(found.step - steps.mean()) < 0.05 * steps.mean() + 0.05
         assert found.step_95 > found.step and found.to_json()["step_95"] == found.step_95
     assert found.step < 0.5 and found.step_95 < 1.0 and "95 % below" in str(found)
-
-
-def test_shifts_of_vertices_alone_leave_a_tenth_of_a_seam_that_is_a_constant(device):
-    scene = wall_scene((1.0, 1.0, 1.0), device)
-    pictures = [
-        np.clip(picture + step, 0, 255).astype(np.uint8)
-        for picture, step in zip(scene.pictures, (0, 40, 10), strict=True)
-    ]
-    options = {"exposures": False, "local_levelling": False}
-    found = texture(scene.mesh, pictures, CAMERA, scene.extrinsics, **options)
-    assert found.step_before > 5 and found.step < 0.1 * found.step_before
-    assert steps_of(found.mesh, found.views).mean() < 0.1 * found.step_before
 
 
 def test_one_exposure_brings_pictures_to_the_colours_of_the_place(device):
@@ -164,6 +153,7 @@ def test_files_hold_the_texture_for_other_programs(tmp_path, ending):
     material = read.visual.material
     picture = material.image if ending == ".obj" else material.baseColorTexture
     assert np.array_equal(np.asarray(picture.convert("RGB")), found.mesh.textures[0])
+    assert ending == ".obj" or faults_of_glb(tmp_path / "wall.glb") == []
 
 
 def test_bad_input_is_named():
@@ -173,47 +163,37 @@ def test_bad_input_is_named():
     small = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
     bare = loom.TriangleMesh(mesh.vertices, np.zeros((0, 3), int))
     for error, match, given in (
-        (TypeError, "mesh: expected a TriangleMesh", (None, pictures, CAMERA, poses)),
         (ValueError, "mesh: it has no triangles", (bare, pictures, CAMERA, poses)),
         (ValueError, r"pictures\[0\]: .*64 x 48", (mesh, pictures, small, poses)),
         (ValueError, r"T_camera_world\[2\]", (mesh, pictures, CAMERA, nan)),
         (ValueError, "T_camera_world: 2 poses, but 3 pictures", (mesh, pictures, CAMERA, poses[:2])),
         (ValueError, "T_camera_world: expected a pose", (mesh, pictures, CAMERA, None)),
         (ValueError, "pictures: expected at least one", (mesh, [], CAMERA, [])),
-        (TypeError, "pictures", (mesh, 7, CAMERA, poses)),
     ):
         with pytest.raises(error, match=match):
             texture(*given)
-    for name, value in (
-        ("size", 8),
-        ("smoothness", -1.0),
-        ("smoothness", np.nan),
-        ("depth_max", 0),
-        ("plain", (2, 0, 0)),
-    ):
-        with pytest.raises(ValueError, match=name):
-            texture(mesh, pictures, CAMERA, poses, **{name: value})
     with pytest.raises(loom.color_map.NothingSeenError):
         texture(mesh, pictures, CAMERA, poses, depth_max=0.5)
 
 
-ARGUMENTS = {
-    "size": 256,
-    "smoothness": 1.0,
-    "outliers": True,
-    "exposures": True,
-    "seam_levelling": True,
-    "local_levelling": True,
-    "depth_max": 4.0,
-    "plain": (0.5, 0.5, 0.5),
-    "progress": None,
-}
+ARGUMENTS = {"size": 256, "smoothness": 1.0, "depth_max": 4.0, "plain": (0.5, 0.5, 0.5)}
+FLAGS = {"outliers": True, "exposures": True, "seam_levelling": True, "local_levelling": True, "progress": None}
 
 
-@pytest.mark.parametrize("argument", ["mesh", "pictures", "cameras", "T_camera_world", *ARGUMENTS])
+@pytest.mark.parametrize(
+    "argument",
+    [
+        "mesh",
+        "pictures",
+        "cameras",
+        "T_camera_world",
+        *ARGUMENTS,
+        *(pytest.param(f, marks=pytest.mark.slow) for f in FLAGS),
+    ],
+)
 def test_a_hostile_value_is_refused_by_name(argument):
     scene = wall_scene()
     small = wall_mesh(5)
     given = {"pictures": scene.pictures, "cameras": CAMERA, "T_camera_world": scene.extrinsics}
-    faults = faults_of(texture, {"mesh": small, **given, **ARGUMENTS}, argument)
+    faults = faults_of(texture, {"mesh": small, **given, **ARGUMENTS, **FLAGS}, argument)
     assert not faults, "\n".join(faults)

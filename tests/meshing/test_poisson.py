@@ -2,11 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
-import sys
-from pathlib import Path
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -15,6 +10,7 @@ from scipy.spatial import cKDTree
 
 import pointloom as loom
 from pointloom.kernels.lang import cpu_compiler
+from pointloom.kernels.language.cpu_pool import set_thread_count
 
 from .poisson_scenes import (
     assert_only_the_cube_cuts,
@@ -25,13 +21,10 @@ from .poisson_scenes import (
     poisson,
     sphere,
     sphere_distance,
-    torus,
-    torus_distance,
 )
+from .tsdf_scenes import all_bits
 
 FAR = np.array([5.0e5, 5.4e6, 128.0])
-
-# ------------------------------------------------------------------------------------------------ the surface
 
 
 def test_a_ball_of_samples_is_a_closed_ball(device):
@@ -44,24 +37,8 @@ def test_a_ball_of_samples_is_a_closed_ball(device):
     assert densities.shape == (len(mesh.vertices),) and densities.dtype == np.float32
 
 
-def test_a_torus_has_its_hole(device):
-    points, normals = torus(2000)
-    mesh, _ = poisson(points, normals, device=device)
-    edges, counts, _ = edges_by_use(mesh.triangles)
-    assert (counts == 2).all() and len(mesh.vertices) - len(edges) + len(mesh) == 0
-    assert np.quantile(torus_distance(mesh.vertices), 0.95) < 0.006
-
-
-def test_normals_are_unit_gradients(device):
-    mesh, _ = poisson(sphere(3000), device=device)
-    normals = mesh.vertex_normals.astype(float)
-    np.testing.assert_allclose(np.linalg.norm(normals, axis=1), 1, atol=2e-7)
-    outwards = mesh.vertices / np.linalg.norm(mesh.vertices, axis=1, keepdims=True)
-    assert np.quantile((normals * outwards).sum(axis=1), 0.01) > 0.97
-
-
 def test_levels_that_differ_leave_no_crack(device):
-    points = clustered_sphere(8000)
+    points = clustered_sphere(5000)
     mesh, densities = poisson(points, depth=7, scale=1.3, device=device)
     assert np.ptp(densities) > 2.5  # local depths: cells of three levels and more
     assert assert_only_the_cube_cuts(mesh, points, 1.3) == 0 and mesh.is_watertight()
@@ -103,61 +80,20 @@ def test_the_sides_of_the_cube_are_alike(device):
     assert np.quantile(np.abs(densities - others[nearest]), 0.99) < 1e-5
 
 
-def test_the_surface_is_as_exact_at_the_sides_as_far_from_them(device):
-    points = sphere(3000)
-    near, far = (
-        sphere_distance(poisson(points, depth=d, scale=s, device=device)[0].vertices) for d, s in ((5, 1.1), (6, 2.2))
-    )
-    assert np.quantile(near, 0.95) < 1.25 * np.quantile(far, 0.95)  # the same cells; 2.2 times before they were alike
-
-
-def test_the_mask_of_the_tutorial_cuts_where_points_are_few(device):
-    points = sphere(3000)
-    points = points[points[:, 2] > 0]
-    mesh, densities = poisson(points, depth=5, device=device)
-    apart = cKDTree(points).query(mesh.vertices)[0]
-    sparse = densities < np.quantile(densities, 0.4)
-    assert np.median(apart[sparse]) > 3 * np.median(apart[~sparse])
-    left = mesh.remove_vertices_by_mask(sparse)
-    assert 0 < len(left) < len(mesh) and len(left.vertices) == (~sparse).sum()
-
-
-# ------------------------------------------------------------------------------------------------ the same bits
-
-
-def test_two_runs_give_the_same_bits(device):
-    points = clustered_sphere(4000)
-    assert bits(poisson(points, depth=6, device=device)) == bits(poisson(points, depth=6, device=device))
-
-
-DIGEST = """
-import hashlib, numpy as np, pointloom as loom
-points = np.random.default_rng(0).normal(size=(6000, 3))
-points /= np.linalg.norm(points, axis=1, keepdims=True)
-points = points[np.random.default_rng(1).random(6000) < np.where(points[:, 2] > 0.5, 1, 0.05)]
-mesh, densities = loom.TriangleMesh.from_point_cloud_poisson(loom.PointCloud(points, normals=points), 6)
-parts = [mesh.vertices, mesh.triangles, mesh.vertex_normals, densities]
-print(len(mesh), hashlib.sha256(b"".join(part.tobytes() for part in parts)).hexdigest())
-"""
-
-
 @pytest.mark.slow
-@pytest.mark.slow_on_emulated_cuda("its processes run on the CPU alone")
-@pytest.mark.parametrize("compiler", ["warp", "taichi"])
-def test_one_and_two_threads_give_the_same_bits(compiler):
-    digests = []
-    for threads in ("1", "2"):
-        environment = os.environ | {"POINTLOOM_CPU": compiler, "POINTLOOM_CPU_THREADS": threads}
-        environment["PYTHONPATH"] = str(Path(__file__).parents[2] / "src")
-        run = subprocess.run(
-            [sys.executable, "-c", DIGEST], env=environment, capture_output=True, text=True, check=False
-        )
-        assert run.returncode == 0, run.stderr
-        digests.append(run.stdout.split())
-    assert digests[0] == digests[1] and int(digests[0][0]) > 1000 and len(digests[0][1]) == 64
+@pytest.mark.slow_on_emulated_cuda("on the CPU alone")
+def test_one_and_two_threads_give_the_same_bits():
+    found, points = [], clustered_sphere(6000, 0.05)
+    try:
+        for count in (1, 2):
+            set_thread_count(count)
+            found.append((bits(poisson(points, depth=6)), all_bits("cpu")))
+    finally:
+        set_thread_count(None)
+    assert found[0] == found[1]
 
 
-@pytest.mark.parametrize("power", [-20, -90, 20, 90])
+@pytest.mark.parametrize("power", [-90, 20])
 def test_the_unit_of_length_changes_no_triangle(device, power):
     points = sphere(1000)
     mesh, densities = poisson(points, device=device)
@@ -178,19 +114,11 @@ def test_coordinates_far_from_zero_change_nothing(device):
     assert (far.origin == FAR.round()).all() or np.abs(far.origin - FAR).max() < 2
 
 
-# ------------------------------------------------------------------------------------------------ arguments
-
-
 def test_a_width_stands_for_the_depth_with_cells_no_wider(device):
     points = sphere(1000)
     _, side = cube_around(points)
     for width in (side / 32, side / 17):
         assert bits(poisson(points, depth=2, width=width, device=device)) == bits(poisson(points, device=device))
-
-
-def test_a_width_wider_than_the_cube_gives_the_coarsest_tree(device):
-    points = sphere(500)
-    assert bits(poisson(points, depth=8, width=1e6, device=device)) == bits(poisson(points, depth=2, device=device))
 
 
 def test_lengths_of_normals_count_only_where_asked(device):
@@ -203,18 +131,12 @@ def test_lengths_of_normals_count_only_where_asked(device):
     assert 1e-4 < np.median(apart) < 1e-2
 
 
-@pytest.mark.parametrize("factor", [2.0, 2.0**-80, 2.0**80])
+@pytest.mark.parametrize("factor", [2.0**-80, 2.0**80])
 def test_lengths_of_all_normals_by_one_factor_change_nothing(device, factor):
     points = sphere(1000)
     normals = (points * np.random.default_rng(1).uniform(0.2, 2, (1000, 1))).astype(np.float32)
     plain, scaled = (poisson(points, normals * f, confidence=True, device=device) for f in (1, np.float32(factor)))
     assert bits(plain) == bits(scaled)
-
-
-def test_equal_lengths_weigh_as_no_lengths(device):
-    points = sphere(1000)
-    plain, equal = poisson(points, device=device)[0], poisson(points, 7 * points, confidence=True, device=device)[0]
-    assert len(plain) == len(equal) and cKDTree(plain.vertices).query(equal.vertices)[0].max() < 1e-4
 
 
 def test_a_heavy_side_draws_the_surface_to_itself(device):
@@ -252,11 +174,6 @@ def test_more_samples_a_node_make_a_coarser_tree(device):
     points = sphere(3000)
     depths = [np.median(poisson(points, depth=6, samples_per_node=n, device=device)[1]) for n in (1.5, 6.0)]
     assert abs(depths[0] - depths[1] - 1) < 0.1  # log4 of four
-
-
-def test_a_larger_cube_has_larger_cells(device):
-    sizes = [len(poisson(sphere(2000), scale=s, device=device)[0]) for s in (1.1, 2.2)]
-    assert abs(sizes[0] / sizes[1] - 4) < 0.5
 
 
 def test_colours_are_those_of_the_nearest_points(device):

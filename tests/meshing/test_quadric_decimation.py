@@ -13,16 +13,16 @@ from hypothesis import strategies as st
 from pointloom import TriangleMesh
 from pointloom.kernels.lang import cpu_compiler
 
-from .simplification_scenes import box, bumpy_torus, edge_counts, euler, grid, in_open3d, of_open3d, rms_from
+from .simplification_scenes import box, bumpy_torus, edge_counts, euler, grid, open3d_simplified, rms_from
 
 EAST = np.array([5.0e5, 5.4e6, 100.0])
 
 
 def sampled(mesh: TriangleMesh) -> np.ndarray:
-    return mesh.sample_points_uniformly(20000, seed=1).points
+    return mesh.sample_points_uniformly(5000, seed=1).points
 
 
-@pytest.mark.parametrize("target", [1919, 1000, 501, 100, 40])
+@pytest.mark.parametrize("target", [1919, 501, 40])
 def test_the_target_is_reached_or_passed_by_one_and_the_surface_stays_closed(device, target):
     mesh = TriangleMesh(*bumpy_torus(), device=device)
     thin = mesh.simplify_quadric_decimation(target)
@@ -33,12 +33,11 @@ def test_the_target_is_reached_or_passed_by_one_and_the_surface_stays_closed(dev
 
 
 @pytest.mark.parametrize("target", [1000, 300])
-def test_it_is_as_good_as_that_of_open3d(target):
+def test_it_is_as_good_as_that_of_open3d(oracle, target):
     """Within 1.1 times its distance both ways, the bar of the operation, in a unit in which Open3D is at its best."""
-    pytest.importorskip("open3d", exc_type=ImportError)
-    mesh = TriangleMesh(*bumpy_torus(100, 60))
-    thin = mesh.simplify_quadric_decimation(target)
-    peer = of_open3d(in_open3d(mesh, 100.0).simplify_quadric_decimation(target), 100.0)
+    mesh = TriangleMesh(*bumpy_torus(70, 40))
+    thin, name = mesh.simplify_quadric_decimation(target), "simplify_quadric_decimation"
+    peer = TriangleMesh(*oracle(f"meshing/decimation/torus_{target}", open3d_simplified, mesh, 100.0, name, target))
     assert rms_from(thin, sampled(mesh)) <= 1.1 * rms_from(peer, sampled(mesh))
     assert rms_from(mesh, sampled(thin)) <= 1.1 * rms_from(mesh, sampled(peer))
 
@@ -52,20 +51,6 @@ def test_a_scaled_mesh_becomes_the_scaled_result_to_the_bit(device, scale):
     np.testing.assert_array_equal(other.vertices, first.vertices * scale)
 
 
-@pytest.mark.parametrize("scale", [1e-6, 1e6])
-def test_no_unit_of_length_matters(device, scale):
-    """Open3D's result in metres is nearly twice as far off as that in millimetres: its threshold has a unit."""
-    pytest.importorskip("open3d", exc_type=ImportError)
-    vertices, triangles = bumpy_torus()
-    mesh = TriangleMesh(vertices * scale, triangles, origin=[0, 0, 0], device=device)
-    thin = mesh.simplify_quadric_decimation(300)
-    wanted = TriangleMesh(vertices, triangles, device=device).simplify_quadric_decimation(300)
-    # Rounding to float32 picks other edges of like price, and so another mesh, which is as good.
-    back, points = TriangleMesh(thin.vertices / scale, thin.triangles), sampled(TriangleMesh(vertices, triangles))
-    assert rms_from(back, points) <= 1.05 * rms_from(wanted, points)
-    assert set(edge_counts(thin.triangles).values()) == {2}
-
-
 def test_a_mesh_far_from_zero_is_thinned_as_one_near_it(device):
     vertices, triangles = bumpy_torus()
     near = TriangleMesh(vertices, triangles, device=device).simplify_quadric_decimation(300)
@@ -73,25 +58,6 @@ def test_a_mesh_far_from_zero_is_thinned_as_one_near_it(device):
     np.testing.assert_array_equal(far.triangles, near.triangles)
     np.testing.assert_array_equal(far.array("vertices").numpy(), near.array("vertices").numpy())
     np.testing.assert_array_equal(far.origin, EAST)
-
-
-def test_runs_give_the_same_bits(device):
-    mesh = TriangleMesh(*bumpy_torus(), device=device)
-    first, again = (mesh.simplify_quadric_decimation(300) for _ in range(2))
-    np.testing.assert_array_equal(again.triangles, first.triangles)
-    np.testing.assert_array_equal(again.vertices, first.vertices)
-
-
-@pytest.mark.slow  # a line of tests/test_compilers.py
-@pytest.mark.taichi
-def test_both_compilers_give_the_same_bits():
-    results = []
-    for compiler in ("taichi", "warp"):
-        with cpu_compiler(compiler):
-            thin = TriangleMesh(*bumpy_torus(24, 16)).simplify_quadric_decimation(200)
-            results.append((thin.triangles, thin.vertices))
-    np.testing.assert_array_equal(results[0][0], results[1][0])
-    np.testing.assert_array_equal(results[0][1], results[1][1])
 
 
 def test_a_cube_comes_down_to_twelve_triangles_and_keeps_its_corners(device):
@@ -102,13 +68,6 @@ def test_a_cube_comes_down_to_twelve_triangles_and_keeps_its_corners(device):
     # 1e-5: the middle of an edge pulls by 1e-8 of all planes that an end has come to stand for
     assert gaps.min(axis=0).max() < 1e-5 and gaps.min(axis=1).max() < 1e-5
     assert thin.get_volume() == pytest.approx(1, abs=1e-4)
-
-
-def test_a_flat_square_stays_the_square_with_four_corners(device):
-    thin = TriangleMesh(*grid(12), device=device).simplify_quadric_decimation(2)
-    assert len(thin) == 2
-    assert thin.get_surface_area() == pytest.approx(121, rel=1e-4)  # as above
-    np.testing.assert_allclose(thin.vertices[:, 2], 0, atol=1e-6)
 
 
 def test_the_border_of_a_hole_stays_a_border(device):
@@ -152,14 +111,6 @@ def test_a_closed_piece_keeps_four_triangles_and_says_so(device, target):
     with pytest.warns(UserWarning, match=re.escape(f"4 triangles are left and not {target}")):
         thin = mesh.simplify_quadric_decimation(target)
     assert len(thin) == 4 and euler(thin) == 2
-
-
-def test_a_torus_comes_down_to_one_that_cannot_be_reduced(device):
-    """There are 21 such, of seven to ten vertices (Lavrenchenko 1990)."""
-    with pytest.warns(UserWarning, match="triangles are left and not 0"):
-        thin = TriangleMesh(*bumpy_torus(12, 8), device=device).simplify_quadric_decimation(0)
-    assert 7 <= len(thin.vertices) <= 10 and euler(thin) == 0
-    assert set(edge_counts(thin.triangles).values()) == {2}
 
 
 def test_lone_triangles_go_last_and_the_small_ones_first(device):
@@ -222,7 +173,6 @@ def test_edges_of_three_triangles_stay_and_get_no_more(device):
 
 def test_an_error_that_is_allowed_is_not_passed(device):
     """Flat parts go for nothing; what is curved stays, and no warning is due."""
-    pytest.importorskip("open3d", exc_type=ImportError)
     x, y = grid(20)[0][:, :2].T
     bent = np.c_[x, y, np.maximum(x - 9, 0) ** 2 / 8]
     mesh = TriangleMesh(bent, grid(20)[1], device=device)
@@ -287,17 +237,7 @@ def test_seams_give_way_before_the_target_is_missed(device):
     assert (thin.triangle_uvs >= 0).all() and (thin.triangle_uvs <= 1).all()
 
 
-def test_pieces_stay_apart(device):
-    vertices, triangles = box(6)
-    both = np.r_[vertices, vertices + np.array([1.001, 0, 0])]
-    mesh = TriangleMesh(both, np.r_[triangles, triangles + len(vertices)], device=device)
-    thin = mesh.simplify_quadric_decimation(40)
-    labels, counts, _ = thin.cluster_connected_triangles()
-    assert len(counts) == 2 and counts.sum() == 40 and euler(thin) == 4
-    assert len(labels) == 40
-
-
-@settings(deadline=None, max_examples=40)
+@settings(deadline=None, max_examples=20)
 @given(st.lists(st.tuples(*[st.integers(0, 9)] * 3), min_size=1, max_size=30), st.integers(0, 30))
 def test_whatever_the_triangles_no_edge_gets_more_of_them(triangles, target):
     """Soups with edges of many triangles, triangles of one vertex, and the same triangle twice."""
@@ -329,16 +269,16 @@ def test_random_closed_surfaces_stay_what_they_are(seed, target):
 
 
 @pytest.mark.parametrize(
-    ("arguments", "error", "message"),
+    ("arguments", "error"),
     [
-        ({"target_number_of_triangles": -1}, ValueError, "target_number_of_triangles: .* >= 0"),
-        ({"target_number_of_triangles": 10.0}, TypeError, "target_number_of_triangles"),
-        ({"maximum_error": -1}, ValueError, "maximum_error"),
-        ({"maximum_error": np.nan}, ValueError, "maximum_error"),
-        ({"boundary_weight": -1}, ValueError, "boundary_weight"),
-        ({"boundary_weight": np.inf}, ValueError, "boundary_weight"),
+        ({"target_number_of_triangles": -1}, ValueError),
+        ({"target_number_of_triangles": 10.0}, TypeError),
+        ({"maximum_error": -1}, ValueError),
+        ({"maximum_error": np.nan}, ValueError),
+        ({"boundary_weight": -1}, ValueError),
+        ({"boundary_weight": np.inf}, ValueError),
     ],
 )
-def test_arguments_out_of_range_are_refused(arguments, error, message):
-    with pytest.raises(error, match=message):
+def test_arguments_out_of_range_are_refused(arguments, error):
+    with pytest.raises(error, match=f"^{next(iter(arguments))}: "):
         TriangleMesh(*grid(3)).simplify_quadric_decimation(**({"target_number_of_triangles": 2} | arguments))

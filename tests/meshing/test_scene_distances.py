@@ -7,8 +7,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pointloom import RaycastingScene, TriangleMesh, marching_cubes
+from pointloom import RaycastingScene, TriangleMesh
 
+from .open3d_meshes import raycasting_scene
 from .surface_oracles import distances_to_triangles, winding_numbers
 
 CUBE = (
@@ -42,13 +43,6 @@ def scene_of(*meshes, device=None) -> RaycastingScene:
     return scene
 
 
-def in_open3d(vertices, triangles):
-    o3d = pytest.importorskip("open3d", exc_type=ImportError)
-    scene, tensor = o3d.t.geometry.RaycastingScene(), o3d.core.Tensor
-    scene.add_triangles(tensor(np.asarray(vertices, np.float32)), tensor(np.asarray(triangles, np.uint32)))
-    return scene, tensor
-
-
 def somewhere(n=400, seed=0, size=2.0) -> np.ndarray:
     return ((np.random.default_rng(seed).random((n, 3)) * 2 - 1) * size).astype(np.float32)
 
@@ -57,35 +51,29 @@ def corners_of(vertices, triangles) -> np.ndarray:
     return np.asarray(vertices, np.float32).astype(np.float64)[np.asarray(triangles)]
 
 
-# ------------------------------------------------------------------------------------------------ conformance
+def open3d_distances(o3d, mesh, queries):
+    scene, queries = raycasting_scene(o3d, mesh), o3d.core.Tensor(queries)
+    closest = {name: values.numpy() for name, values in scene.compute_closest_points(queries).items()}
+    measures = (scene.compute_distance, scene.compute_signed_distance, scene.compute_occupancy)
+    return closest, [measure(queries).numpy() for measure in measures]
 
 
-def test_what_is_found_has_the_layout_of_open3d(device):
-    vertices, triangles = torus()
-    queries = somewhere().reshape(4, 100, 3)
-    ours = scene_of((vertices, triangles), device=device).compute_closest_points(queries)
-    peer, tensor = in_open3d(vertices, triangles)
-    theirs = {name: values.numpy() for name, values in peer.compute_closest_points(tensor(queries)).items()}
+def test_what_is_found_and_how_far_it_is_is_open3ds(device, oracle):
+    mesh, queries = torus(), somewhere().reshape(4, 100, 3)
+    scene = scene_of(mesh, device=device)
+    ours, (theirs, measures) = (
+        scene.compute_closest_points(queries),
+        oracle("meshing/distances/torus", open3d_distances, mesh, queries),
+    )
     assert list(ours) == ["points", "geometry_ids", "primitive_ids", "primitive_uvs", "primitive_normals"]
-    for name, values in theirs.items():
-        assert ours[name].shape == values.shape and ours[name].dtype == values.dtype
     same = ours["primitive_ids"] == theirs["primitive_ids"]  # at edges and corners it may be another one
     assert same.mean() > 0.5
     for name, values in theirs.items():
+        assert ours[name].shape == values.shape and ours[name].dtype == values.dtype
         np.testing.assert_allclose(ours[name][same], values[same], atol=2e-3)  # float32 all through, in Open3D
-
-
-def test_distances_are_those_of_open3d(device):
-    vertices, triangles = torus()
-    scene, queries = scene_of((vertices, triangles), device=device), somewhere()
-    peer, tensor = in_open3d(vertices, triangles)
-    for name in ("compute_distance", "compute_signed_distance"):
-        theirs = getattr(peer, name)(tensor(queries)).numpy()
-        np.testing.assert_allclose(getattr(scene, name)(queries), theirs, atol=1e-5)  # Open3D's float32
-    np.testing.assert_array_equal(scene.compute_occupancy(queries), peer.compute_occupancy(tensor(queries)).numpy())
-
-
-# ------------------------------------------------------------------------------------------------ brute force
+    np.testing.assert_allclose(scene.compute_distance(queries), measures[0], atol=1e-5)  # Open3D's float32
+    np.testing.assert_allclose(scene.compute_signed_distance(queries), measures[1], atol=1e-5)
+    np.testing.assert_array_equal(scene.compute_occupancy(queries), measures[2])
 
 
 @pytest.mark.parametrize("scale", [1e-6, 1.0, 1e6])
@@ -106,17 +94,6 @@ def test_the_closest_points_are_exact_at_all_scales(device, scale):
     np.testing.assert_allclose(scene.compute_distance(queries), truth.min(1), rtol=1e-6, atol=1e-9 * scale)
 
 
-def test_points_of_the_surface_are_at_no_distance(device):
-    vertices, triangles = torus()
-    mesh = TriangleMesh(vertices, triangles, device=device)
-    scene = scene_of((vertices, triangles), device=device)
-    samples = mesh.sample_points_uniformly(3000).points
-    assert scene.compute_distance(samples).max() < 2e-7  # of points rounded to float32
-    assert scene.compute_distance(mesh.vertices).max() == 0
-    assert not scene.compute_signed_distance(mesh.vertices).any()
-    assert scene.compute_occupancy(mesh.vertices).all()
-
-
 def test_of_equally_near_triangles_the_first_is_found(device):
     vertices, triangles = np.array(CUBE[0]), np.array(CUBE[1])
     queries = [[-1, -1, -1], [2, 2, 2], [0.5, -1, 0], [-1, 0.5, 0]]  # two corners, two edges
@@ -132,7 +109,7 @@ def test_of_equally_near_triangles_the_first_is_found(device):
 SMALL = st.integers(-3, 3)
 
 
-@settings(deadline=None, max_examples=30)
+@settings(deadline=None, max_examples=20)
 @given(
     vertices=st.lists(st.tuples(SMALL, SMALL, SMALL), min_size=4, max_size=9),
     picks=st.lists(st.tuples(*[st.integers(0, 8)] * 3), min_size=1, max_size=12),
@@ -168,9 +145,6 @@ def test_sheets_that_nearly_coincide_are_told_apart(device):
     np.testing.assert_allclose(chosen, truth.min(1), rtol=1e-13)  # float64 tells what float32 does not
 
 
-# ------------------------------------------------------------------------------------------------ signs
-
-
 def grid(n=13) -> np.ndarray:
     line = np.linspace(-1, 2, n)
     return np.stack(np.meshgrid(line, line, line, indexing="ij"), -1).reshape(-1, 3)
@@ -183,22 +157,6 @@ def test_points_on_the_lines_through_edges_are_on_the_right_side(device):
     scene = scene_of(CUBE, device=device)
     assert scene.sign_method == "pseudonormals"
     assert ((scene.compute_signed_distance(queries) < 0)[clear] == inside[clear]).all()
-
-
-def test_a_small_hole_does_not_turn_points_outside_as_in_open3d(device):
-    fine = 8
-    corner = np.array([[1 - 1 / fine, 1, 1], [1, 1 - 1 / fine, 1], [1, 1, 1 - 1 / fine]])
-    vertices = np.vstack([CUBE[0], corner])  # the corner (1, 1, 1) cut off, and open there
-    triangles = [[t[0], *t[1:]] for t in CUBE[1] if 7 not in t]
-    triangles += [[4, 5, 8], [5, 9, 8], [4, 8, 6], [2, 6, 8], [2, 8, 10], [2, 10, 3], [1, 3, 10], [1, 10, 9], [1, 9, 5]]
-    scene = scene_of((vertices, triangles), device=device)
-    along = np.linspace(0.1, 0.7, 13)[:, None] * np.ones(3)
-    assert scene.sign_method == "winding_numbers"
-    assert (scene.compute_signed_distance(along) < 0).all() and not (
-        scene.compute_occupancy(along + np.array([0, 0, 2]))
-    ).any()
-    peer, tensor = in_open3d(vertices, triangles)
-    assert (peer.compute_signed_distance(tensor(along.astype(np.float32)), nsamples=11).numpy() > 0).all()
 
 
 @pytest.mark.parametrize("shift", [np.zeros(3), FAR])
@@ -224,23 +182,6 @@ def test_signs_about_sharp_corners_are_those_of_the_solid_angle(device):
         assert ((scene.compute_signed_distance(queries) < 0) == (number > 0.5)).all()
 
 
-def test_signs_of_a_rough_solid_agree_between_both_ways(device):
-    x = np.linspace(-1, 1, 16)
-    x, y, z = np.meshgrid(x, x, x, indexing="ij")
-    field = np.sqrt(x * x + y * y + z * z) - 0.7 + 0.01 * np.random.default_rng(0).normal(size=x.shape)
-    ball = marching_cubes(field, spacing=[2 / 15] * 3, origin=[-1, -1, -1], device=device)
-    whole, open_one = RaycastingScene(device), RaycastingScene(device)
-    whole.add_triangles(ball)
-    open_one.add_triangles(ball.vertices, ball.triangles[1:])
-    queries = somewhere(600, 6, 1.0)
-    number = winding_numbers(queries, corners_of(ball.vertices, ball.triangles))
-    assert open_one.sign_method == "winding_numbers"
-    for scene in (whole, open_one):
-        wrong = (scene.compute_signed_distance(queries) < 0) != (number > 0.5)
-        assert not (wrong & (scene.compute_distance(queries) > 0.02)).any()
-    assert not ((whole.compute_signed_distance(queries) < 0) != (number > 0.5)).any()
-
-
 def test_open_meshes_are_told_by_winding_numbers(device):
     vertices, triangles = torus(48, 24)
     keep = vertices[triangles].mean(1)[:, 2] < 0.35  # without its top
@@ -264,9 +205,7 @@ def test_shells_in_shells_and_overlapping_geometries_are_one_solid(device):
     both = scene_of((cube * 3 - 1, CUBE[1]), (cube * 3, CUBE[1]), device=device)
     shifted = (np.abs(queries - 1.5) < 1.5).all(1)
     assert ((both.compute_signed_distance(queries) < 0) == (outer | shifted)).all()
-    peer, tensor = in_open3d(np.vstack([cube * 3 - 1, cube * 3]), np.vstack([CUBE[1], np.array(CUBE[1]) + 8]))
-    theirs = peer.compute_signed_distance(tensor(queries)).numpy()
-    assert (theirs[outer & shifted] > 0).all() and (outer & shifted).any()  # counted twice: even, so outside
+    assert (outer & shifted).any()  # counted twice: even, so outside in Open3D
 
 
 def test_a_shell_that_cuts_itself_is_told_by_winding_numbers(device):
@@ -279,23 +218,6 @@ def test_a_shell_that_cuts_itself_is_told_by_winding_numbers(device):
     number = winding_numbers(queries, corners_of(vertices, triangles))
     clear = np.abs(np.abs(number) - 0.5) > 0.02
     assert ((scene.compute_signed_distance(queries) < 0) == (np.abs(number) > 0.5))[clear].all()
-
-
-def test_a_moebius_strip_has_no_pseudonormals(device):
-    n = 24
-    u = np.linspace(0, 2 * np.pi, n, endpoint=False)
-    across = [s * np.array([np.cos(u / 2), np.sin(u / 2)]) for s in (-0.3, 0.3)]
-    rim = [np.column_stack([(1 + x) * np.cos(u), (1 + x) * np.sin(u), z]) for x, z in across]
-    i = np.arange(n)
-    j, flip = (i + 1) % n, (i + 1) // n * n
-    a, b = (j + flip) % (2 * n), (j + n - flip) % (2 * n)
-    strip = (np.vstack(rim), np.vstack([np.column_stack([i, a, b]), np.column_stack([i, b, i + n])]))
-    scene = scene_of(strip, device=device)
-    assert scene.sign_method == "winding_numbers"
-    assert np.isfinite(scene.compute_signed_distance(somewhere(50))).all()
-
-
-# ------------------------------------------------------------------------------------------------ geometries
 
 
 def test_geometries_in_places_are_measured_where_they_stand(device):
@@ -315,9 +237,6 @@ def test_geometries_in_places_are_measured_where_they_stand(device):
     turned = found["geometry_ids"] == second
     normals = np.cross(corners[1][:, 1] - corners[1][:, 0], corners[1][:, 2] - corners[1][:, 0])
     np.testing.assert_allclose(found["primitive_normals"][turned], normals[found["primitive_ids"][turned]], atol=1e-6)
-
-
-# ------------------------------------------------------------------------------------------------ hostile
 
 
 def test_queries_that_are_not_finite_or_too_far_find_nothing(device):
@@ -360,12 +279,6 @@ def test_wrong_queries_are_refused():
         scene.compute_closest_points("abc")
     with pytest.raises(ValueError, match="nsamples: expected an odd number"):
         scene.compute_signed_distance([[0, 0, 0]], nsamples=2)
-
-
-def test_two_runs_have_the_same_bits(device):
-    scene, queries = scene_of(torus(), device=device), somewhere(2000, 10)
-    first, second = (scene.compute_closest_points(queries) for _ in range(2))
-    assert all(first[name].tobytes() == second[name].tobytes() for name in first)
 
 
 def test_a_klein_bottle_has_no_pseudonormals(device):

@@ -24,9 +24,8 @@ def splats_of(mesh, count, color=(0.8, 0.3, 0.1), *, thickness=0.1, at=(0, 0, 0)
     return loom.GaussianSplats(cloud.points + at, scales, turns, np.full(count, 0.95), harmonics, device=device)
 
 
-@pytest.mark.parametrize("at", [np.zeros(3), UTM], ids=["near", "utm"])
-def test_a_ball_comes_back_with_its_colour(at, device):
-    splats = splats_of(loom.TriangleMesh.create_sphere(1.0, 40), 3000, at=at, device=device)
+def test_a_ball_comes_back_with_its_colour(device, at=UTM):
+    splats = splats_of(loom.TriangleMesh.create_sphere(1.0, 40), 2000, at=at, device=device)
     mesh = loom.fuse_splats(splats, voxel_size=0.08)
     apart = np.linalg.norm(mesh.vertices - at, axis=1) - 1
     assert np.abs(apart).max() < 0.06 and np.abs(apart).mean() < 0.02

@@ -1,10 +1,5 @@
 """TSDFVolume: far from zero, the same bits from run to run, and what it refuses."""
 
-import os
-import subprocess
-import sys
-from pathlib import Path
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -28,8 +23,6 @@ from .tsdf_scenes import (
     voxels_of,
 )
 
-# ------------------------------------------------------------------------------------------------ far from zero
-
 
 def test_a_volume_at_utm_coordinates_is_the_one_at_the_origin(device):
     """The origin is the first camera's place in whole metres: (-1, 0, 0) from the sphere, so are the lattices."""
@@ -50,44 +43,12 @@ def test_a_volume_at_utm_coordinates_is_the_one_at_the_origin(device):
     assert np.median(np.abs(np.linalg.norm(cloud.points - center, axis=1) - RADIUS)) < 0.3 * VOXEL
 
 
-# ------------------------------------------------------------------------------------------------ the same bits
-
-RUN = """
-import sys
-sys.path.insert(0, {tests!r})
-import tsdf_scenes
-print(tsdf_scenes.all_bits("cpu"))
-"""
-
-
 def test_two_runs_give_the_same_bits(device):
     assert all_bits(device) == all_bits(device)
 
 
-@pytest.mark.slow
-@pytest.mark.slow_on_emulated_cuda("its processes run on the CPU alone")
-@pytest.mark.parametrize("compiler", ["warp", "taichi"])
-def test_one_and_two_threads_give_the_same_bits(compiler):
-    tests, digests = Path(__file__).parent, set()
-    for threads in ("1", "2"):
-        environment = os.environ | {"POINTLOOM_CPU": compiler, "POINTLOOM_CPU_THREADS": threads}
-        environment["PYTHONPATH"] = str(tests.parents[1] / "src")
-        run = subprocess.run(
-            [sys.executable, "-c", RUN.format(tests=str(tests))],
-            env=environment,
-            capture_output=True,
-            text=True,
-            check=False,
-        )
-        assert run.returncode == 0, run.stderr
-        digests.add(run.stdout.strip().splitlines()[-1])
-    assert len(digests) == 1 and len(digests.pop()) == 64
-
-
-# ------------------------------------------------------------------------------------------------ bad input
-
 DEPTH, E = np.full((24, 32), 1.0), np.eye(4)
-MIRROR, SCALED, BROKEN = np.diag([-1.0, 1, 1, 1]), np.diag([2.0, 2, 2, 1]), np.full((4, 4), np.nan)
+MIRROR, SCALED = np.diag([-1.0, 1, 1, 1]), np.diag([2.0, 2, 2, 1])
 OTHER = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
 COLOR = np.zeros((24, 32, 3), np.uint8)
 FAR = np.eye(4)
@@ -99,28 +60,19 @@ FAR[0, 3] = 1e9
     [
         ((DEPTH[0], SMALL, E), {}, ValueError, "depth"),
         ((DEPTH[None], SMALL, E), {}, ValueError, "depth"),
-        ((DEPTH[:0], SMALL, E), {}, ValueError, "depth"),
         ((DEPTH.astype(complex), SMALL, E), {}, TypeError, "depth"),
-        ((DEPTH > 0, SMALL, E), {}, TypeError, "depth"),
-        ((np.full((24, 32), -5), SMALL, E), {}, ValueError, "depth"),
         ((np.full((24, 32), 70_000), SMALL, E), {}, ValueError, "depth"),
         ((DEPTH, OTHER, E), {}, ValueError, "intrinsic"),
         ((DEPTH, "prime sense", E), {}, TypeError, "intrinsic"),
-        ((DEPTH, SMALL.matrix, E), {}, TypeError, "intrinsic"),
-        ((DEPTH, SMALL, np.eye(3)), {}, ValueError, "extrinsic"),
         ((DEPTH, SMALL, MIRROR), {}, ValueError, "extrinsic"),
         ((DEPTH, SMALL, SCALED), {}, ValueError, "extrinsic"),
-        ((DEPTH, SMALL, BROKEN), {}, ValueError, "extrinsic"),
         ((DEPTH, SMALL, "pose"), {}, TypeError, "extrinsic"),
         ((DEPTH, SMALL, FAR, COLOR), {}, ValueError, "extrinsic"),
         ((DEPTH, SMALL, E, COLOR[:12]), {}, ValueError, "color"),
         ((DEPTH, SMALL, E, COLOR / 255), {}, TypeError, "color"),
-        ((DEPTH, SMALL, E, COLOR[..., :2]), {}, ValueError, "color"),
         ((DEPTH, SMALL, E, COLOR), {"depth_max": 0}, ValueError, "depth_max"),
-        ((DEPTH, SMALL, E, COLOR), {"depth_max": -1}, ValueError, "depth_max"),
         ((DEPTH, SMALL, E, COLOR), {"depth_max": np.nan}, ValueError, "depth_max"),
         ((DEPTH, SMALL, E, COLOR), {"depth_scale": 0}, ValueError, "depth_scale"),
-        ((DEPTH, SMALL, E, COLOR), {"depth_scale": "mm"}, TypeError, "depth_scale"),
     ],
 )
 def test_a_frame_that_is_refused_leaves_the_volume_as_it_was(device, arguments, options, error, name):
@@ -148,16 +100,11 @@ def test_colour_for_a_volume_without_is_refused(device):
     ("options", "error", "name"),
     [
         ({"voxel_size": 0}, ValueError, "voxel_size"),
-        ({"voxel_size": -0.01}, ValueError, "voxel_size"),
         ({"voxel_size": np.nan}, ValueError, "voxel_size"),
-        ({"voxel_size": np.inf}, ValueError, "voxel_size"),
         ({"voxel_size": "2 cm"}, TypeError, "voxel_size"),
         ({"voxel_size": 0.02, "truncation": 0.019}, ValueError, "truncation"),
-        ({"voxel_size": 0.02, "truncation": 0}, ValueError, "truncation"),
         ({"voxel_size": 0.02, "truncation": np.nan}, ValueError, "truncation"),
         ({"voxel_size": 0.02, "device": "cuda:99"}, DeviceError, "device"),
-        ({"voxel_size": 0.02, "device": "abacus"}, DeviceError, "device"),
-        ({"voxel_size": 0.02, "device": 3.5}, DeviceError, "device"),
     ],
 )
 def test_a_volume_of_impossible_sizes_is_refused(options, error, name):
@@ -169,16 +116,12 @@ def test_a_volume_of_impossible_sizes_is_refused(options, error, name):
     ("options", "error", "name"),
     [
         ({"depth_min": 0}, ValueError, "depth_min"),
-        ({"depth_max": 0}, ValueError, "depth_max"),
         ({"depth_min": 2, "depth_max": 1}, ValueError, "depth_min"),
         ({"depth_max": np.nan}, ValueError, "depth_max"),
         ({"weight_threshold": -1}, ValueError, "weight_threshold"),
-        ({"weight_threshold": np.nan}, ValueError, "weight_threshold"),
         ({"weight_threshold": "all"}, TypeError, "weight_threshold"),
         ({"extrinsic": SCALED}, ValueError, "extrinsic"),
-        ({"extrinsic": np.eye(3)}, ValueError, "extrinsic"),
         ({"intrinsic": "prime sense"}, TypeError, "intrinsic"),
-        ({"intrinsic": None}, TypeError, "intrinsic"),
     ],
 )
 def test_a_view_that_makes_no_sense_is_refused(options, error, name):

@@ -65,26 +65,6 @@ def test_a_volume_comes_back_to_the_bit_and_goes_on_to_the_same_bits(device, tmp
     assert views[0].depth.max() > 0 and views[0].depth.tobytes() == views[1].depth.tobytes()
 
 
-def test_a_loaded_volume_keeps_to_colour_or_none(tmp_path):
-    make("cpu", colored=True).save(tmp_path / "a.npz")
-    depth, T, color = frame(3)
-    with pytest.raises(ValueError, match="color"):
-        loom.TSDFVolume.load(tmp_path / "a.npz").integrate(depth, CAMERA, T)
-    make("cpu", colored=False).save(tmp_path / "b.npz")
-    with pytest.raises(ValueError, match="color"):
-        loom.TSDFVolume.load(tmp_path / "b.npz").integrate(depth, CAMERA, T, color=color)
-
-
-def test_an_empty_volume_comes_back_empty(device, tmp_path):
-    volume = loom.TSDFVolume(voxel_size=0.01, device=device)
-    volume.save(tmp_path / "a.npz")
-    again = loom.TSDFVolume.load(tmp_path / "a.npz", device=device)
-    assert bits(again) == bits(volume) and again.frame_count == 0
-    add(again, [0, 1], True)
-    add(volume, [0, 1], True)
-    assert bits(again) == bits(volume)
-
-
 def test_a_volume_far_from_zero_keeps_its_origin(tmp_path):
     volume = loom.TSDFVolume(voxel_size=0.03)
     depth, T, color = frame(0)
@@ -112,21 +92,6 @@ def test_an_existing_file_stays_where_it_may_not_be_replaced(tmp_path):
     assert [p.name for p in tmp_path.iterdir()] == ["room.npz"], "no temporary file is left"
 
 
-@pytest.mark.parametrize("place", ["missing/room.npz", "."])
-def test_a_place_that_cannot_be_written_is_named(tmp_path, place):
-    with pytest.raises(FileError):
-        make("cpu", seeds=()).save(tmp_path / place)
-
-
-def test_a_file_that_is_not_there_or_is_a_folder_is_named(tmp_path):
-    for place in ("nothing.npz", "."):
-        with pytest.raises(FileError, match=str(tmp_path)):
-            loom.TSDFVolume.load(tmp_path / place)
-
-
-# ------------------------------------------------------------------------------------------------ damage
-
-
 @pytest.fixture(scope="module")
 def saved(tmp_path_factory):
     """The bytes of a small file, and a folder to put others in."""
@@ -145,18 +110,12 @@ def write(path, arrays):
         np.savez_compressed(file, **arrays)
 
 
-@pytest.mark.parametrize("content", [b"", b"PK", b"garbage" * 100, b"PK\5\6" + bytes(18), b"\x93NUMPY\x01\x00"])
+@pytest.mark.parametrize("content", [b"", b"garbage" * 100, b"PK\5\6" + bytes(18)])
 def test_a_file_that_is_no_archive_is_refused(tmp_path, content):
     path = tmp_path / "a.npz"
     path.write_bytes(content)
     with pytest.raises(FileError):
         loom.TSDFVolume.load(path)
-
-
-def test_another_npz_is_refused(tmp_path):
-    write(tmp_path / "a.npz", {"points": np.zeros((4, 3))})
-    with pytest.raises(FileError, match="is no pointloom TSDF volume 1"):
-        loom.TSDFVolume.load(tmp_path / "a.npz")
 
 
 def test_a_pickle_is_not_run(saved, tmp_path):
@@ -181,7 +140,7 @@ def test_every_truncation_is_refused(saved):
             loom.TSDFVolume.load(path)
 
 
-@pytest.mark.parametrize(("before", "behind"), [(b"", b"x"), (b"", bytes(100)), (b"#!/bin/sh\n", b"")])
+@pytest.mark.parametrize(("before", "behind"), [(b"", b"x"), (b"#!/bin/sh\n", b"")])
 def test_bytes_around_the_archive_are_refused(saved, tmp_path, before, behind):
     path = tmp_path / "a.npz"
     path.write_bytes(before + saved[0] + behind)
@@ -197,17 +156,11 @@ def value(array, index, number):
 
 EDITS = {
     "sizes: NaN": lambda a: {"sizes": value(a["sizes"], 0, np.nan)},
-    "sizes: zero": lambda a: {"sizes": value(a["sizes"], 0, 0)},
     "sizes: infinite": lambda a: {"sizes": value(a["sizes"], 1, np.inf)},
     "sizes: truncation below a voxel": lambda a: {"sizes": a["sizes"][::-1].copy()},
-    "sizes: three": lambda a: {"sizes": np.ones(3)},
-    "sizes: float32": lambda a: {"sizes": a["sizes"].astype(np.float32)},
     "origin: NaN": lambda a: {"origin": value(a["origin"], 0, np.nan)},
-    "origin: a row": lambda a: {"origin": a["origin"][None]},
-    "frame_count: negative": lambda a: {"frame_count": np.array(-1)},
     "frame_count: none": lambda a: {"frame_count": np.array(0)},
     "frame_count: float": lambda a: {"frame_count": np.array(2.0)},
-    "frame_count: a list": lambda a: {"frame_count": np.array([2])},
     "has_color: lost": lambda a: {"has_color": np.array([True, False])},
     "has_color: no room": lambda a: {"has_color": np.array([False, True])},
     "keys: negative": lambda a: {"keys": value(a["keys"], 0, -1)},
@@ -215,21 +168,15 @@ EDITS = {
     "keys: the sentinel": lambda a: {"keys": value(a["keys"], 0, (1 << 63) - 1)},
     "keys: beyond the limit": lambda a: {"keys": value(a["keys"], 0, (2 * BIAS - 1) << 42)},
     "keys: one less": lambda a: {"keys": a["keys"][1:]},
-    "keys: a number": lambda a: {"keys": a["keys"][0]},
-    "keys: int32": lambda a: {"keys": a["keys"].astype(np.int32)},
     "keys: big-endian garbage": lambda a: {"keys": a["keys"].view(">i8")},
     "distances: NaN": lambda a: {"distances": value(a["distances"], 7, np.nan)},
     "distances: beyond 1": lambda a: {"distances": value(a["distances"], 7, 1.5)},
-    "distances: float64": lambda a: {"distances": a["distances"].astype(np.float64)},
     "distances: some less": lambda a: {"distances": a["distances"][:-512]},
     "weights: more than frames": lambda a: {"weights": value(a["weights"], 7, 3)},
     "weights: signed": lambda a: {"weights": a["weights"].astype(np.int16)},
-    "weights: a block less": lambda a: {"weights": a["weights"][512:]},
-    "colors: flat": lambda a: {"colors": a["colors"].reshape(-1)},
     "colors: 8 bits": lambda a: {"colors": a["colors"].astype(np.uint8)},
     "colors: a voxel less": lambda a: {"colors": a["colors"][1:]},
     "format: another": lambda a: {"format": np.frombuffer(b"pointloom TSDF volume 2", np.uint8)},
-    "format: text": lambda a: {"format": np.array("pointloom TSDF volume 1")},
     "mystery: unknown": lambda a: {"mystery": np.zeros(3)},
 }
 
@@ -248,9 +195,7 @@ def test_an_edited_file_is_refused_and_the_array_is_named(saved, tmp_path, edit)
     assert any(word in str(caught.value) for word in other.split("|")), str(caught.value)
 
 
-@pytest.mark.parametrize(
-    "name", ["format", "sizes", "origin", "frame_count", "has_color", "keys", "distances", "weights", "colors"]
-)
+@pytest.mark.parametrize("name", ["format", "sizes", "keys", "colors"])
 def test_a_file_that_lacks_an_array_is_refused(saved, tmp_path, name):
     arrays = arrays_of(saved[0])
     del arrays[name]
@@ -279,8 +224,9 @@ def npy(shape, dtype, body=b""):
     return buffer.getvalue() + body
 
 
-@pytest.mark.parametrize("shape", [(10**10,), (2**62,), (10**6, 10**6), (-1,)])
-@pytest.mark.parametrize("name", ["keys", "distances", "format"])
+@pytest.mark.parametrize(
+    ("name", "shape"), [("keys", (10**10,)), ("distances", (2**62,)), ("format", (10**6, 10**6)), ("keys", (-1,))]
+)
 def test_an_array_that_lies_about_its_size_is_refused_before_it_is_allocated(saved, tmp_path, name, shape):
     path = tmp_path / "a.npz"
     archive_with(path, saved[0], name, npy(shape, np.int64, bytes(64)))
@@ -324,7 +270,7 @@ def test_a_member_that_is_there_twice_is_refused(saved, tmp_path):
         loom.TSDFVolume.load(path)
 
 
-@settings(deadline=None, derandomize=True, max_examples=150)
+@settings(deadline=None, derandomize=True, max_examples=50)
 @given(st.data())
 def test_a_file_with_changed_bytes_is_refused_or_still_a_volume(saved, data):
     """zip's checksums cover the arrays, not the directory: what passes must be whole and usable."""
@@ -352,7 +298,7 @@ def test_a_file_with_changed_bytes_is_refused_or_still_a_volume(saved, data):
         assert bits(volume) == bits(loom.TSDFVolume.load(folder / "whole.npz"))
 
 
-@settings(deadline=None, derandomize=True, max_examples=60)
+@settings(deadline=None, derandomize=True, max_examples=25)
 @given(st.data())
 def test_any_numbers_in_the_arrays_give_an_error_or_a_usable_volume(saved, data):
     """Edits behind right checksums."""

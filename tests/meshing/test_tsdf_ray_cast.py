@@ -25,6 +25,8 @@ from .tsdf_scenes import (
     view_from,
 )
 
+MEDIUM = loom.PinholeCameraIntrinsic(320, 240, 262.0, 266.0, 158.4, 119.7)
+
 
 def angles_between(a, b):
     return np.degrees(np.arccos(np.clip(np.einsum("...i,...i->...", a, b), -1, 1)))
@@ -51,37 +53,7 @@ def test_a_cast_sphere_has_its_true_depth_and_points(device):
         assert empty.sum() > 0.9 * (truth == 0).sum()
 
 
-def test_a_sphere_cast_from_where_it_was_seen_has_true_depth_and_normals(device):
-    T = look_at((1.0, 0.5, 0.4))
-    volume = fuse([(sphere_depth(FINE, T), T)], device, camera=FINE)
-    view, truth = view_from(volume, T), sphere_depth(CAMERA, T)
-    outward = (rays_of(CAMERA, T) * truth[..., None] + T[:3, 3]) / RADIUS
-    inner = (truth > 0) & (outward @ look_at((1.0, 0.5, 0.4))[:3, 2] < -0.8)
-    assert np.abs(view.depth - truth)[inner].max() < 0.1 * VOXEL
-    angles = angles_between(view.normals[inner], outward[inner])
-    assert np.quantile(angles, 0.99) < 2 and angles.max() < 4
-
-
-@pytest.mark.parametrize("tilt", [0, 15, 30])
-def test_a_cast_plane_has_its_true_depth_and_normals(device, tilt):
-    angle = np.radians(tilt)
-    normal = np.array([np.sin(angle), 0.0, -np.cos(angle)])
-    poses = [look_at(e) for e in ((0, 0, -1.2), (0.2, 0.1, -1.1), (-0.15, 0.1, -1.25), (0.1, -0.2, -1.2))]
-    volume = fuse([(plane_depth(FINE, T, normal, 0.013), T) for T in poses], device, camera=FINE)
-    T = look_at((0.05, -0.1, -1.0))
-    view, truth = view_from(volume, T, weight_threshold=3), plane_depth(CAMERA, T, normal, 0.013)
-    hit = view.depth > 0
-    inner = hit.copy()
-    for shift in (-6, 6):
-        inner &= np.roll(hit, shift, axis=0) & np.roll(hit, shift, axis=1)
-    inner[[*range(6), *range(-6, 0)]], inner[:, [*range(6), *range(-6, 0)]] = False, False
-    assert hit[50:70, 60:100].all() and inner.sum() > 8000
-    assert np.abs(view.depth - truth)[inner].max() < 0.1 * VOXEL
-    assert angles_between(view.normals[inner], normal).max() < 2
-
-
-@pytest.mark.parametrize("truncation", [1, 2, 4, 24])
-@pytest.mark.parametrize("tilt", [0, 60, 75])
+@pytest.mark.parametrize(("truncation", "tilt"), [(1, 0), (2, 75), (4, 60), (24, 75)])
 def test_no_ray_passes_a_wall(device, truncation, tilt):
     """Fused from a camera that sees it at a grazing angle, where its truncation is thin, then looked at straight."""
     angle = np.radians(tilt)
@@ -92,11 +64,11 @@ def test_no_ray_passes_a_wall(device, truncation, tilt):
     centers = cKDTree(triangle_normals(mesh)[1])
     for eye in ((0.0, 0.0, -0.8), (0.02, 0.3, -0.5), (0.6 * np.sin(angle), 0, -0.6 * np.cos(angle) - 0.05)):
         V = look_at(eye)
-        view, truth = view_from(volume, V, FINE), plane_depth(FINE, V, normal, offset)
-        asked = view.depth == 0  # all misses, and a sixteenth of the rest
-        asked[::4, ::4] = True
+        view, truth = view_from(volume, V, MEDIUM), plane_depth(MEDIUM, V, normal, offset)
+        asked = view.depth == 0  # all misses, and a quarter of the rest
+        asked[::2, ::2] = True
         asked &= truth > 0
-        wall = (rays_of(FINE, V) * truth[..., None] + V[:3, 3])[asked]
+        wall = (rays_of(MEDIUM, V) * truth[..., None] + V[:3, 3])[asked]
         covered = centers.query(wall, 8)[0][:, 7] < 1.1 * VOXEL  # four cells with triangles around
         depth, points = view.depth[asked][covered], view.points[asked][covered]
         assert len(depth) > 1000
@@ -117,9 +89,8 @@ def test_no_ray_passes_a_plate_of_two_voxels(device):
         assert np.abs(view.points[middle][..., 2] - sign * 0.021).max() < 1.5 * VOXEL
 
 
-@pytest.mark.parametrize("scale", [0.05, 0.002])
-def test_the_picture_does_not_depend_on_the_unit_of_length(device, scale):
-    large, T = fused_sphere(device), look_at((1.0, 0.5, 0.4))
+def test_the_picture_does_not_depend_on_the_unit_of_length(device):
+    scale, large, T = 0.002, fused_sphere(device), look_at((1.0, 0.5, 0.4))
     small = fuse(sphere_frames(scale=scale), device, voxel_size=VOXEL * scale, truncation=TRUNCATION * scale)
     S = T.copy()
     S[:3, 3] *= scale
@@ -127,12 +98,6 @@ def test_the_picture_does_not_depend_on_the_unit_of_length(device, scale):
     same = (a.depth > 0) & (b.depth > 0)
     assert ((a.depth > 0) ^ (b.depth > 0)).mean() < 0.002
     assert np.quantile(np.abs(a.depth - b.depth / scale)[same], 0.99) < 0.05 * VOXEL
-
-
-def test_a_camera_inside_unseen_space_sees_no_front(device):
-    volume = fused_sphere(device)
-    view = view_from(volume, look_at((0.0, 0.0, 0.0), (1, 0, 0)))
-    assert not view.depth.any(), "from inside there are only backs"
 
 
 def test_depth_limits_cut_the_picture(device):

@@ -157,16 +157,6 @@ def test_scans_that_cannot_be_placed_are_refused_and_leave_the_volume(device):
     assert volume.integrate_points(np.zeros((0, 3)), np.zeros(3)) == 0
 
 
-def test_a_saved_volume_takes_further_scans(device, tmp_path):
-    volume = volume_on(device)
-    volume.integrate_points(wall(2.0), np.zeros(3))
-    volume.save(tmp_path / "scans.npz")
-    again = loom.TSDFVolume.load(tmp_path / "scans.npz", device=device)
-    for one in (volume, again):
-        one.integrate_points(wall(2.1, seed=3), [0.5, 0, 0])
-    assert fingerprint(volume) == fingerprint(again)
-
-
 @pytest.mark.slow
 def test_a_scan_is_in_or_not_after_an_interruption_at_any_line(device):
     def begun():

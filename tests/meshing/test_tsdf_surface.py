@@ -7,21 +7,7 @@ from scipy.spatial import cKDTree
 import pointloom as loom
 from pointloom.kernels.volumes.tsdf_blocks import SIDE
 
-from .tsdf_scenes import (
-    CAMERA,
-    FINE,
-    RADIUS,
-    SMALL,
-    VOXEL,
-    fuse,
-    fused_sphere,
-    look_at,
-    plane_depth,
-    set_voxels,
-    small_frames,
-    triangle_normals,
-    voxels_of,
-)
+from .tsdf_scenes import CAMERA, RADIUS, SMALL, VOXEL, fuse, fused_sphere, set_voxels, triangle_normals, voxels_of
 
 
 def dense_field(volume, threshold):
@@ -54,35 +40,6 @@ def assert_tidy(mesh):
     assert len(np.unique(mesh.vertices.astype(np.float32), axis=0)) == len(mesh.vertices), "no two at one place"
 
 
-def test_a_frontal_plane_is_exact(device):
-    mesh = fuse([(np.full((120, 160), 1.2345), np.eye(4))], device).extract_triangle_mesh(0)
-    assert np.abs(mesh.vertices[:, 2] - 1.2345).max() < 1e-5
-    assert (triangle_normals(mesh)[0][:, 2] < -0.999).all(), "towards the camera"
-    assert_tidy(mesh)
-
-
-def test_a_tilted_plane_seen_from_two_sides_is_whole_and_flat(device):
-    normal = np.array([0.3, -0.4, -np.sqrt(0.75)])
-    poses = [look_at((0, 0, -1.4), (0.1, 0, 0)), look_at((-0.4, 0.5, -1.3), (0, 0, 0))]
-    frames = [(plane_depth(FINE, T, normal, 0.013), T) for T in poses]
-    # A cell needs its corners within the truncation: 3^0.5 voxels behind a plane seen at 76 degrees are 7.2 along z.
-    volume = fuse(frames, device, camera=FINE, truncation=8 * VOXEL)
-    mesh = volume.extract_triangle_mesh(1)
-    assert_tidy(mesh)
-    distance = mesh.vertices @ normal - 0.013
-    assert np.sqrt(np.mean(distance**2)) < 0.05 * VOXEL
-    assert (triangle_normals(mesh)[0] @ normal).min() > 0.5
-    border = np.unique(boundary_edges(mesh))
-    assert len(border) > 0
-    for T in poses:  # a boundary only where one of the two pictures or its depth ends
-        p = (mesh.vertices - T[:3, 3]) @ T[:3, :3]
-        u, v = p[:, 0] / p[:, 2] * FINE.fx + FINE.cx, p[:, 1] / p[:, 2] * FINE.fy + FINE.cy
-        margin = np.minimum(np.minimum(u, FINE.width - 1 - u), np.minimum(v, FINE.height - 1 - v))
-        inner = (margin > 3 * VOXEL / p[:, 2] * FINE.fx) & (p[:, 2] < 3.0 - 8 * VOXEL)
-        border = border[inner[border]]
-    assert len(border) == 0
-
-
 def test_a_sphere_seen_from_all_sides_is_closed_and_round(device):
     mesh = fused_sphere(device).extract_triangle_mesh(0)
     assert_tidy(mesh)
@@ -92,24 +49,6 @@ def test_a_sphere_seen_from_all_sides_is_closed_and_round(device):
     normals, centers = triangle_normals(mesh)
     assert (np.einsum("ij,ij->i", normals, centers) > 0).all(), "outward, towards the cameras"
     assert mesh.get_volume() == pytest.approx(4 / 3 * np.pi * RADIUS**3, rel=0.03)
-
-
-def test_the_surface_is_that_of_marching_cubes_on_a_dense_copy(device, rng):
-    volume = fuse([(d, T) for d, T, _ in small_frames(rng, 5)], device, camera=SMALL)
-    for threshold in (0, 1):
-        mesh = volume.extract_triangle_mesh(threshold)
-        field, low = dense_field(volume, threshold)
-        dense = loom.marching_cubes(field, spacing=[VOXEL] * 3, origin=low * VOXEL, device=device)
-        assert len(mesh) == len(dense) > 100
-        assert len(mesh.vertices) == len(dense.vertices)
-        distance, twin = cKDTree(dense.vertices).query(mesh.vertices)
-        assert distance.max() < 2e-6  # float32 at 4 m, and the product by the voxel
-        corners = []
-        for triangles in (twin[mesh.triangles], dense.triangles):
-            first = triangles.argmin(axis=1)[:, None]
-            turned = np.take_along_axis(triangles, (first + np.arange(3)) % 3, axis=1)
-            corners.append(turned[np.lexsort(turned.T)])
-        np.testing.assert_array_equal(*corners)
 
 
 def test_a_surface_of_random_values_is_that_of_the_dense_copy(device, rng):

@@ -4,46 +4,49 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
 from pointloom import TriangleMesh
-from pointloom.kernels.lang import cpu_compiler
 
-from .simplification_scenes import box, bumpy_torus, grid, in_open3d, of_open3d, rms_from
+from .open3d_meshes import for_each, one_by_one
+from .simplification_scenes import bumpy_torus, grid, open3d_simplified, rms_from
 
 EAST = np.array([5.0e5, 5.4e6, 100.0])
 
 
-def contraction(name: str):
-    o3d = pytest.importorskip("open3d", exc_type=ImportError)
-    return getattr(o3d.geometry.SimplificationContraction, name)
+METHOD = "simplify_vertex_clustering"
 
 
-def assert_it_is_open3ds(mesh: TriangleMesh, voxel_size: float) -> None:
+def assert_it_is_open3ds(mesh: TriangleMesh, voxel_size: float, vertices, triangles) -> None:
     """The same vertices in the same order, and the same triangles, of which Open3D leaves the order open."""
     thin = mesh.simplify_vertex_clustering(voxel_size)
-    peer = in_open3d(mesh).simplify_vertex_clustering(voxel_size, contraction("Average"))
-    np.testing.assert_allclose(thin.vertices, np.asarray(peer.vertices), rtol=1e-6, atol=1e-6)  # float32 of its float64
-    wanted = np.asarray(peer.triangles).reshape(-1, 3)
-    assert len(thin) == len(wanted)
-    assert set(map(tuple, thin.triangles.tolist())) == set(map(tuple, wanted.tolist()))
+    np.testing.assert_allclose(thin.vertices, vertices, rtol=1e-6, atol=1e-6)  # float32 of its float64
+    assert len(thin) == len(triangles)
+    assert set(map(tuple, thin.triangles.tolist())) == set(map(tuple, triangles.tolist()))
 
 
 @pytest.mark.parametrize("voxel_size", [0.05, 0.3, 1.0, 10.0])
-def test_vertices_and_triangles_are_those_of_open3d(device, voxel_size):
-    assert_it_is_open3ds(TriangleMesh(*bumpy_torus(), device=device), voxel_size)
+def test_vertices_and_triangles_are_those_of_open3d(device, oracle, voxel_size):
+    mesh, name = TriangleMesh(*bumpy_torus(), device=device), f"meshing/clustering/torus_{voxel_size}"
+    wanted = oracle(name, open3d_clusters, mesh, voxel_size)
+    assert_it_is_open3ds(mesh, voxel_size, *wanted)
 
 
-@settings(deadline=None, max_examples=60)
-@given(
-    st.lists(st.tuples(*[st.integers(0, 11)] * 3), max_size=40), st.integers(0, 2**31), st.sampled_from([0.2, 0.5, 0.9])
-)
-def test_they_are_those_of_open3d_whatever_the_triangles(triangles, seed, voxel_size):
+def open3d_clusters(o3d, mesh, voxel_size):
+    """Triangles in a fixed order: Open3D's differs from run to run."""
+    vertices, triangles = open3d_simplified(o3d, mesh, 1.0, METHOD, voxel_size, "Average")
+    return vertices, triangles[np.lexsort(triangles.T)]
+
+
+def test_they_are_those_of_open3d_whatever_the_triangles(oracle):
     """Opposite ones, repeated ones, vertices without triangles."""
-    vertices = np.random.default_rng(seed).random((12, 3)).astype(np.float32)
-    with cpu_compiler("warp"):
-        assert_it_is_open3ds(TriangleMesh(vertices, np.reshape(triangles, (-1, 3)).astype(int)), voxel_size)
+    scenes = []
+    for seed in range(30):
+        rng = np.random.default_rng(seed)
+        mesh = TriangleMesh(rng.random((12, 3)).astype(np.float32), rng.integers(0, 12, (rng.integers(0, 40), 3)))
+        scenes.append((mesh, float(rng.choice([0.2, 0.5, 0.9]))))
+    answers = oracle("meshing/clustering/soups", for_each, open3d_clusters, scenes)
+    for (mesh, voxel_size), wanted in zip(scenes, one_by_one(answers), strict=True):
+        assert_it_is_open3ds(mesh, voxel_size, *wanted)
 
 
 def test_triangles_keep_the_order_in_which_they_first_appear(device):
@@ -55,20 +58,26 @@ def test_triangles_keep_the_order_in_which_they_first_appear(device):
     np.testing.assert_array_equal(thin.vertices, corners)
 
 
-def test_quadrics_are_at_least_as_near_as_those_of_open3d_at_its_best(device):
+def test_quadrics_are_at_least_as_near_as_those_of_open3d_at_its_best(device, oracle):
     """In a unit in which Open3D's threshold does nothing; it is off by 1.7 times as much where it does."""
-    mesh = TriangleMesh(*bumpy_torus(100, 60), device=device)
-    points = mesh.sample_points_uniformly(20000, seed=1).points
-    ours = mesh.simplify_vertex_clustering(0.12, contraction("Quadric"))
-    peer = in_open3d(mesh, 1000.0).simplify_vertex_clustering(120.0, contraction("Quadric"))
-    mean = mesh.simplify_vertex_clustering(0.12, contraction("Average"))
+    mesh = TriangleMesh(*bumpy_torus(60, 36), device=device)
+    points = mesh.sample_points_uniformly(5000, seed=1).points
+    ours, mean = (mesh.simplify_vertex_clustering(0.2, way) for way in ("quadric", "average"))
+    peer = oracle("meshing/clustering/quadric", open3d_simplified, mesh, 1000.0, METHOD, 200.0, "Quadric")
     np.testing.assert_array_equal(ours.triangles, mean.triangles)
-    assert rms_from(ours, points) <= 1.02 * rms_from(of_open3d(peer, 1000.0), points)
+    assert rms_from(ours, points) <= 1.02 * rms_from(TriangleMesh(*peer), points)
     assert rms_from(ours, points) < 0.7 * rms_from(mean, points)
 
 
-@pytest.mark.parametrize("way", ["average", "Quadric"])
-@pytest.mark.parametrize("scale", [2.0**-20, 2.0**20])
+def test_open3ds_kinds_are_taken(o3d):
+    mesh = TriangleMesh(*bumpy_torus())
+    for name in ("Average", "Quadric"):
+        kind = getattr(o3d.geometry.SimplificationContraction, name)
+        ours = mesh.simplify_vertex_clustering(0.3, name.lower())
+        np.testing.assert_array_equal(mesh.simplify_vertex_clustering(0.3, kind).vertices, ours.vertices)
+
+
+@pytest.mark.parametrize(("way", "scale"), [("average", 2.0**-20), ("Quadric", 2.0**20)])
 def test_a_scaled_mesh_becomes_the_scaled_result_to_the_bit(device, way, scale):
     vertices, triangles = bumpy_torus()
     first = TriangleMesh(vertices, triangles, device=device).simplify_vertex_clustering(0.25, way)
@@ -78,18 +87,6 @@ def test_a_scaled_mesh_becomes_the_scaled_result_to_the_bit(device, way, scale):
     np.testing.assert_array_equal(other.vertices, first.vertices * scale)
 
 
-@pytest.mark.parametrize("scale", [1e-6, 1e6])
-def test_quadrics_are_not_means_in_any_unit(device, scale):
-    """Open3D's are in metres: its threshold on a determinant has a unit."""
-    vertices, triangles = bumpy_torus()
-    wanted = TriangleMesh(vertices, triangles, device=device).simplify_vertex_clustering(0.26, "quadric")
-    mesh = TriangleMesh(vertices * scale, triangles, origin=[0, 0, 0], device=device)
-    ours, mean = (mesh.simplify_vertex_clustering(0.26 * scale, way) for way in ("quadric", "average"))
-    np.testing.assert_array_equal(ours.triangles, wanted.triangles)
-    np.testing.assert_allclose(ours.vertices / scale, wanted.vertices, atol=1e-5)  # float32, and what it does to planes
-    assert np.abs(mean.vertices / scale - wanted.vertices).max() > 0.01
-
-
 def test_a_mesh_far_from_zero_is_clustered_as_one_near_it(device):
     vertices, triangles = bumpy_torus()
     for way in ("average", "quadric"):
@@ -97,14 +94,6 @@ def test_a_mesh_far_from_zero_is_clustered_as_one_near_it(device):
         far = TriangleMesh(vertices + EAST, triangles, origin=EAST, device=device).simplify_vertex_clustering(0.3, way)
         np.testing.assert_array_equal(far.triangles, near.triangles)
         np.testing.assert_array_equal(far.array("vertices").numpy(), near.array("vertices").numpy())
-
-
-def test_quadrics_keep_the_corners_and_edges_of_a_cube(device):
-    thin = TriangleMesh(*box(20), device=device).simplify_vertex_clustering(0.23, "quadric")
-    corners = np.array(np.meshgrid([0, 1], [0, 1], [0, 1])).reshape(3, -1).T
-    # 1e-3 of the weight of all planes pulls to the mean of a voxel
-    assert np.linalg.norm(thin.vertices[:, None] - corners, axis=2).min(axis=0).max() < 2e-3
-    assert np.abs(thin.vertices * 2 - 1).max(axis=1) == pytest.approx(1, abs=2e-3)
 
 
 def test_normals_and_colours_are_means(device):
@@ -148,15 +137,15 @@ def test_meshes_without_triangles_or_with_one(device, way):
 
 
 @pytest.mark.parametrize(
-    ("arguments", "error", "message"),
+    ("arguments", "error"),
     [
-        ({"voxel_size": 0}, ValueError, "voxel_size"),
-        ({"voxel_size": np.nan}, ValueError, "voxel_size"),
-        ({"voxel_size": 1e-30}, ValueError, "voxel_size: .* take larger voxels"),
-        ({"contraction": "median"}, ValueError, "contraction: expected one of average, quadric, got 'median'"),
-        ({"contraction": 1}, TypeError, "contraction"),
+        ({"voxel_size": 0}, ValueError),
+        ({"voxel_size": np.nan}, ValueError),
+        ({"voxel_size": 1e-30}, ValueError),
+        ({"contraction": "median"}, ValueError),
+        ({"contraction": 1}, TypeError),
     ],
 )
-def test_arguments_out_of_range_are_refused(arguments, error, message):
-    with pytest.raises(error, match=message):
+def test_arguments_out_of_range_are_refused(arguments, error):
+    with pytest.raises(error, match=f"^{next(iter(arguments))}: "):
         TriangleMesh(*grid(3)).simplify_vertex_clustering(**({"voxel_size": 1} | arguments))

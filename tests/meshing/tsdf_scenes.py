@@ -92,9 +92,6 @@ def fingerprint(volume):
     return b"".join(a.tobytes() for a in voxels_of(volume) if a is not None)
 
 
-# ------------------------------------------------------------------------------------------------ integration
-
-
 def small_frames(rng, count):
     """Rough depth with holes, seen from random places."""
     for _ in range(count):
@@ -104,24 +101,15 @@ def small_frames(rng, count):
         yield depth, T, rng.integers(0, 256, (*depth.shape, 3), dtype=np.uint8)
 
 
-# ------------------------------------------------------------------------------------------------ surface
-
-
 def triangle_normals(mesh):
     a, b, c = mesh.vertices[mesh.triangles].transpose(1, 0, 2)
     n = np.cross(b - a, c - a)
     return n / np.linalg.norm(n, axis=1, keepdims=True), (a + b + c) / 3
 
 
-# ------------------------------------------------------------------------------------------------ ray casting
-
-
 def view_from(volume, T, camera=CAMERA, **options):
     options.setdefault("weight_threshold", 0)
     return volume.ray_cast(camera, np.linalg.inv(T), **options)
-
-
-# ------------------------------------------------------------------------------------------------ the same bits
 
 
 def all_bits(device):

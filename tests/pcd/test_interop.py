@@ -168,8 +168,8 @@ def test_the_cuda_array_interface_is_read_as_it_says(rng, monkeypatch):
         loom.PointCloud.from_dlpack(masked)
 
 
-def test_a_legacy_cloud_comes_and_goes(fragment, device):
-    cloud = loom.PointCloud.from_open3d(fragment.legacy, device=device)
+def test_a_legacy_cloud_comes_and_goes(fragment, legacy_fragment, device):
+    cloud = loom.PointCloud.from_open3d(legacy_fragment, device=device)
     np.testing.assert_array_equal(cloud.points, fragment.points.astype(np.float32))
     np.testing.assert_array_equal(cloud.normals, fragment.normals.astype(np.float32))
     back = cloud.to_open3d()
@@ -232,7 +232,7 @@ def test_clouds_without_points_come_and_go(device, o3d):
         assert cloud.to_open3d_tensor().is_empty()
 
 
-def test_what_is_no_open3d_cloud_is_refused(monkeypatch):
+def test_what_is_no_open3d_cloud_is_refused(monkeypatch, o3d):
     for wrong in (np.zeros((3, 3)), loom.TriangleMesh(), None):
         with pytest.raises(TypeError, match="cloud: expected an open3d"):
             loom.PointCloud.from_open3d(wrong)

@@ -10,14 +10,8 @@ import pytest
 import pointloom as loom
 
 from .hilly_clouds import hills
+from .icp_clouds import back, wavy
 from .poses import as_pose, moved
-
-
-def bumpy_surface(rng: np.random.Generator, count: int) -> np.ndarray:
-    """Points on a 2 x 2 m surface whose bumps fix all six directions of motion."""
-    xy = rng.uniform(-1, 1, (count, 2))
-    z = 0.2 * np.sin(3 * xy[:, 0]) * np.cos(4 * xy[:, 1]) + 0.1 * np.sin(7 * xy[:, 1] + xy[:, 0])
-    return np.column_stack([xy, z])
 
 
 @pytest.fixture(scope="session")
@@ -33,8 +27,8 @@ def surface_pair():
     """A surface sampled twice, 4,000 points each, `T` from source to target: 4 degrees and 5 cm."""
     rng = np.random.default_rng(5)
     T = as_pose([0.03, -0.05, 0.04], [0.03, -0.03, 0.02])
-    target, source = bumpy_surface(rng, 4000), bumpy_surface(rng, 4000)
-    return SimpleNamespace(source=(source - T[:3, 3]) @ T[:3, :3], target=target, T=T)
+    target, source = wavy(rng, 4000), wavy(rng, 4000)
+    return SimpleNamespace(source=back(source, T), target=target, T=T)
 
 
 @pytest.fixture(scope="session")
@@ -79,6 +73,19 @@ def room_pair(scan_set, real_file, shipped_file):
     return SimpleNamespace(
         source=moved(source, turned), target=target, T=np.linalg.inv(poses[0]) @ poses[-1] @ np.linalg.inv(turned)
     )
+
+
+@pytest.fixture(scope="session")
+def featured(room_pair):
+    """`room_pair` in voxels of 5 cm: points, normals and features of `source` and `target`, and `T`."""
+    found = SimpleNamespace(T=room_pair.T)
+    for name in ("source", "target"):
+        cloud = loom.PointCloud(getattr(room_pair, name)).voxel_down_sample(0.05)
+        cloud = cloud.estimate_normals(radius=0.1, max_nn=30)
+        cloud = cloud.orient_normals_towards_camera_location(cloud.get_center())  # a side that turns with the cloud
+        feature = loom.compute_fpfh_feature(cloud, radius=0.25, max_nn=100)
+        setattr(found, name, SimpleNamespace(points=cloud.points, normals=cloud.normals, feature=feature.copy()))
+    return found
 
 
 @pytest.fixture(scope="session")

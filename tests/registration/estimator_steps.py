@@ -1,4 +1,4 @@
-"""What the tests of estimators share: clouds as Open3D's, and when two results are the same."""
+"""Results of estimators after some steps, of pointloom and of Open3D."""
 
 import numpy as np
 
@@ -9,9 +9,25 @@ reg = loom.registration
 DISTANCE = 0.15
 
 
-def tensor_cloud(cloud, **attributes):
-    import open3d as o3d
+def ours_after(device, pair, method, steps, init=None, **options):
+    """The result after so many steps: criteria of zero are never met."""
+    source, target, rules = pair.source.to(device), pair.target.to(device), reg.ICPConvergenceCriteria(0, 0, steps)
+    return reg.registration_icp(source, target, DISTANCE, init, method, rules, **options)
 
+
+def legacy_cloud(o3d, cloud):
+    """A legacy cloud of Open3D with the normals and colors of a cloud."""
+    made = o3d.geometry.PointCloud()
+    made.points, made.normals = (
+        o3d.utility.Vector3dVector(np.array(a, np.float64)) for a in (cloud.points, cloud.normals)
+    )
+    if cloud.has_colors:
+        made.colors = o3d.utility.Vector3dVector(np.array(cloud.colors, np.float64))
+    return made
+
+
+def tensor_cloud(o3d, cloud, **attributes):
+    """A tensor cloud of Open3D in float64."""
     made = o3d.t.geometry.PointCloud(o3d.core.Tensor(cloud.points))
     if cloud.has_normals:
         made.point.normals = o3d.core.Tensor(cloud.normals.astype(np.float64))
@@ -20,26 +36,14 @@ def tensor_cloud(cloud, **attributes):
     return made
 
 
-def on(device, cloud):
-    return cloud.to(device)
-
-
-def ours_after(device, pair, method, steps, init=None, **options):
-    """Our result after so many steps: criteria of zero are never met."""
-    source, target, rules = on(device, pair.source), on(device, pair.target), reg.ICPConvergenceCriteria(0, 0, steps)
-    return reg.registration_icp(source, target, DISTANCE, init, method, rules, **options)
-
-
-def tensor_after(tensor, method, steps, init=None):
-    import open3d as o3d
-
+def tensor_after(o3d, clouds, method, steps):
+    """The pose of Open3D's tensor form after so many steps."""
     theirs = o3d.t.pipelines.registration
-    init = o3d.core.Tensor(np.eye(4) if init is None else init)
-    result = theirs.icp(*tensor, DISTANCE, init, method, theirs.ICPConvergenceCriteria(0, 0, steps))
-    return result.transformation.numpy()
+    rules = theirs.ICPConvergenceCriteria(0, 0, steps)
+    return theirs.icp(*clouds, DISTANCE, o3d.core.Tensor(np.eye(4)), method, rules).transformation.numpy()
 
 
-def tensor_kernel(name, scale, shape=1.0):
-    from open3d.t.pipelines.registration import robust_kernel
-
-    return robust_kernel.RobustKernel(getattr(robust_kernel.RobustKernelMethod, name), scale, shape)
+def tensor_kernel(o3d, name, scale, shape=1.0):
+    """A robust kernel of Open3D's tensor form."""
+    kernels = o3d.t.pipelines.registration.robust_kernel
+    return kernels.RobustKernel(getattr(kernels.RobustKernelMethod, name), scale, shape)

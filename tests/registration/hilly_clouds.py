@@ -1,4 +1,4 @@
-"""What the tests of global registration share: hills, and how far a pose is off."""
+"""Hills to register from no guess, and how far a pose is off."""
 
 from __future__ import annotations
 
@@ -6,16 +6,6 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from .poses import moved
-
-
-def pose(rotation, translation):
-    T = np.eye(4)
-    T[:3, :3], T[:3, 3] = rotation.as_matrix(), translation
-    return T
-
-
-def random_pose(rng, size=1.0):
-    return pose(Rotation.random(random_state=int(rng.integers(2**31))), size * rng.normal(size=3))
 
 
 def misplacement(found, T, points):

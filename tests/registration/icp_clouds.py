@@ -5,6 +5,8 @@ import pytest
 
 import pointloom as loom
 
+from .poses import as_pose
+
 reg = loom.registration
 
 PLANE = reg.TransformationEstimationPointToPlane()
@@ -22,18 +24,31 @@ KINDS = {
 EACH = pytest.mark.parametrize("kind", list(KINDS))
 
 
-def height(x, y):
-    return 0.2 * np.sin(3 * x) * np.cos(4 * y) + 0.1 * np.sin(7 * y + x)
-
-
 def wavy(rng, count):
-    xy = rng.uniform(-1, 1, (count, 2))
-    return np.column_stack([xy, height(*xy.T)])
+    x, y = rng.uniform(-1, 1, (count, 2)).T
+    return np.column_stack([x, y, 0.2 * np.sin(3 * x) * np.cos(4 * y) + 0.1 * np.sin(7 * y + x)])
+
+
+def wavy_normals(points):
+    """The normals of the surface of `wavy`."""
+    x, y, _ = points.T
+    slope_x = 0.6 * np.cos(3 * x) * np.cos(4 * y) + 0.1 * np.cos(7 * y + x)
+    slope_y = -0.8 * np.sin(3 * x) * np.sin(4 * y) + 0.7 * np.cos(7 * y + x)
+    normals = np.column_stack([-slope_x, -slope_y, np.ones(len(points))])
+    return normals / np.linalg.norm(normals, axis=1)[:, None]
 
 
 def back(points, T):
     """Where points were before a pose."""
     return (points - T[:3, 3]) @ T[:3, :3]
+
+
+def noisy_pair(seed):
+    """Points with noise of a surface with normals, moved by a little in all six ways, and the surface."""
+    rng = np.random.default_rng(seed)
+    target = loom.PointCloud(wavy(rng, 1500)).estimate_normals(max_nn=20)
+    points = target.points[rng.permutation(1500)[:700]] + 0.003 * rng.normal(size=(700, 3))
+    return loom.PointCloud(back(points, as_pose([0.02, 0.03, -0.04], [0.02, -0.01, 0.03]))), target
 
 
 def on(device, *clouds):

@@ -26,6 +26,15 @@ def pose_within(rng, size=2.0) -> np.ndarray:
     return T
 
 
+def random_pose(rng, size=1.0) -> np.ndarray:
+    """Any rotation, and a shift of about `size` [m]."""
+    return as_pose(Rotation.random(random_state=int(rng.integers(2**31))).as_rotvec(), size * rng.normal(size=3))
+
+
+def shift_between(A, B) -> float:
+    return float(np.linalg.norm(A[:3, 3] - B[:3, 3]))
+
+
 def bunny_pose() -> np.ndarray:
     """The scan from 45 degrees onto that from 0, by Stanford's bun.conf, whose quaternions are conjugates."""
     T = as_pose([0, 0, 0], [-0.0520211, -0.000383981, -0.0109223])

@@ -130,22 +130,3 @@ def test_points_that_are_none_stay_so(device):
     for kind in ("affine", "deformable"):
         found = drift(*clouds, kind=kind, max_iteration=5)
         assert np.isnan(found.warped.points[::10]).all() and np.isfinite(found.warped.points[1::10]).all()
-
-
-def test_bad_input_is_told():
-    cloud = loom.PointCloud(lumpy(600, 0))
-    one = loom.PointCloud(np.zeros((5, 3)))
-    few = loom.PointCloud(np.eye(3))
-    for arguments, options, words in (
-        ((few, cloud), {}, "source: expected at least 4 finite points, got 3"),
-        ((cloud, few), {}, "target: expected at least 4 finite points, got 3"),
-        ((one, cloud), {}, "source: all of its points are at one place"),
-        ((cloud, cloud), {"kind": "bent"}, "kind: expected one of rigid, affine, deformable, got 'bent'"),
-        ((cloud, cloud), {"outliers": 1.0}, "outliers: expected a share below 1"),
-        ((cloud, cloud), {"init": np.zeros((4, 4))}, "init"),
-    ):
-        with pytest.raises(ValueError, match=words):
-            drift(*arguments, **options)
-    big = loom.PointCloud(np.random.default_rng(0).random((1100, 3)))
-    with pytest.raises(ValueError, match=r"width: .* more than 1000 rows; give a larger one"):
-        drift(big, big, kind="deformable", width=0.01)

@@ -37,19 +37,20 @@ def scans(street_pair, room_pair, fragment, terrain):
 ON_PAIRS = on_sets("scan", shipped=("lidar", "room", "fragment", "terrain"), real=("lidar", "room", "fragment"))
 
 
-def theirs_of(to_open3d, source, target, distance, T):
-    import open3d as o3d
-
-    clouds = to_open3d(source), to_open3d(target)
+def theirs_of(o3d, source, target, distance, T):
+    """Open3D's fitness, error, pairs and information."""
+    clouds = [o3d.geometry.PointCloud(o3d.utility.Vector3dVector(p)) for p in (source, target)]
     result = o3d.pipelines.registration.evaluate_registration(*clouds, distance, T)
-    return result, o3d.pipelines.registration.get_information_matrix_from_point_clouds(*clouds, distance, T)
+    information = o3d.pipelines.registration.get_information_matrix_from_point_clouds(*clouds, distance, T)
+    return result.fitness, result.inlier_rmse, np.asarray(result.correspondence_set, np.int32), information
 
 
 def assert_equal(result, theirs, source, target, T):
     """The same pairs, but for ties: points at lattice places have several nearest."""
-    np.testing.assert_allclose(result.fitness, theirs.fitness, rtol=1e-12)
-    np.testing.assert_allclose(result.inlier_rmse, theirs.inlier_rmse, rtol=1e-7)
-    mine, other = result.correspondence_set, np.asarray(theirs.correspondence_set)
+    fitness, rmse, other, _ = theirs
+    np.testing.assert_allclose(result.fitness, fitness, rtol=1e-12)
+    np.testing.assert_allclose(result.inlier_rmse, rmse, rtol=1e-7)
+    mine = result.correspondence_set
     np.testing.assert_array_equal(mine[:, 0], other[:, 0])
     differ = mine[:, 1] != other[:, 1]
     moved = source[mine[differ, 0]] @ T[:3, :3].T + T[:3, 3]
@@ -62,29 +63,32 @@ def assert_equal(result, theirs, source, target, T):
     return differ
 
 
-@ON_PAIRS
-def test_pairs_fitness_and_rmse_are_open3ds(device, scans, to_open3d, scan):
-    source, target, T, distance = scans[scan]
-    clouds = (loom.PointCloud(p, device=device) for p in (source, target))
+def check(device, case, theirs, tolerances):
+    """Compare pairs, fitness, error and information with Open3D's."""
+    source, target, T, distance = case
+    clouds = [loom.PointCloud(p, device=device) for p in (source, target)]
     result = reg.evaluate_registration(*clouds, distance, T)
-    theirs, _ = theirs_of(to_open3d, source, target, distance, T)
-    assert theirs.fitness > 0.2
-    assert_equal(result, theirs, source, target, T)
+    assert theirs[0] > 0.2
+    tied = assert_equal(result, theirs, source, target, T).any()
     assert result.correspondence_set.dtype == np.int32 and result.reason == "evaluated"
     np.testing.assert_array_equal(result.transformation, T)
     assert result.iterations == 0 and not result.converged and result.degenerate_directions.shape == (0, 6)
+    found, information = reg.get_information_matrix_from_point_clouds(*clouds, distance, T), theirs[3]
+    np.testing.assert_allclose(found, information, atol=(1e-2 if tied else tolerances.information) * information.max())
+    assert found[5, 5] == len(theirs[2])
+    np.testing.assert_array_equal(found, found.T)
 
 
 @ON_PAIRS
-def test_information_is_open3ds(device, scans, to_open3d, scan, tolerances):
+def test_evaluations_of_real_scans_are_open3ds(device, scans, o3d, scan, tolerances):
     source, target, T, distance = scans[scan]
-    clouds = [loom.PointCloud(p, device=device) for p in (source, target)]
-    found = reg.get_information_matrix_from_point_clouds(*clouds, distance, T)
-    theirs, information = theirs_of(to_open3d, source, target, distance, T)
-    tied = assert_equal(reg.evaluate_registration(*clouds, distance, T), theirs, source, target, T).any()
-    np.testing.assert_allclose(found, information, atol=(1e-2 if tied else tolerances.information) * information.max())
-    assert found[5, 5] == len(theirs.correspondence_set)
-    np.testing.assert_array_equal(found, found.T)
+    check(device, scans[scan], theirs_of(o3d, source, target, distance, T), tolerances)
+
+
+def test_an_evaluation_is_open3ds(device, rng, oracle, tolerances):
+    source, target, T = exact(rng.random((900, 3))), exact(rng.random((1200, 3))), as_pose([0.1, 0, 0.2], [0.1, 0, 0])
+    theirs = oracle("registration/evaluation/rigid", theirs_of, source, target, 0.07, T)
+    check(device, (source, target, T, 0.07), theirs, tolerances)
 
 
 def test_information_is_about_the_worlds_origin(device, rng, tolerances):
@@ -118,13 +122,14 @@ def test_far_away_pairs_are_those_of_centred_clouds(device, rng):
     assert away.inlier_rmse == pytest.approx(near.inlier_rmse, abs=1e-5)
 
 
-def test_any_affine_map_is_evaluated(device, rng, to_open3d):
+def test_any_affine_map_is_evaluated(device, rng, oracle):
     T = np.eye(4)
     T[:3] = [[1.3, 0.2, 0, 0.1], [0, 0.8, 0.1, -0.2], [0.1, 0, -1.1, 0.9]]
     source, target = exact(rng.random((500, 3))), exact(rng.random((800, 3)))
     clouds = (loom.PointCloud(p, device=device) for p in (source, target))
     result = reg.evaluate_registration(*clouds, 0.1, T)
-    assert_equal(result, theirs_of(to_open3d, source, target, 0.1, T)[0], source, target, T)
+    theirs = oracle("registration/evaluation/affine", theirs_of, source, target, 0.1, T)
+    assert_equal(result, theirs, source, target, T)
 
 
 def test_a_cloud_lies_on_itself(device, rng):
@@ -140,14 +145,6 @@ def test_points_at_the_distance_do_not_count(device):
     assert reg.evaluate_registration(source, target, np.nextafter(0.5, 1)).fitness == 1
 
 
-@pytest.mark.parametrize("distance", [1e-12, 1e6, 1e150])
-def test_any_distance_may_be_the_greatest(device, distance, rng):
-    source, target = (loom.PointCloud(rng.random((64, 3)), device=device) for _ in range(2))
-    result = reg.evaluate_registration(source, target, distance)
-    assert result.fitness == float(distance > 1)
-    assert np.isfinite(result.inlier_rmse)
-
-
 @pytest.mark.parametrize("counts", [(0, 5), (5, 0), (0, 0), (1, 1), (2, 1), (1, 2)])
 def test_tiny_clouds_are_evaluated(device, counts):
     source, target = (loom.PointCloud(np.zeros((n, 3)), device=device) for n in counts)
@@ -157,17 +154,6 @@ def test_tiny_clouds_are_evaluated(device, counts):
     assert result.correspondence_set.shape == (counts[0] if paired else 0, 2)
     information = reg.get_information_matrix_from_point_clouds(source, target, 1.0, np.eye(4))
     np.testing.assert_array_equal(information, np.diag([0, 0, 0, 1, 1, 1]) * (counts[0] if paired else 0))
-
-
-def test_points_that_are_not_finite_neither_pair_nor_count(device, rng):
-    source, target = rng.random((100, 3)), rng.random((100, 3))
-    holes = source.copy(), target.copy()
-    holes[0][::4, 1], holes[1][1::5, 0] = np.nan, -np.inf
-    clouds = (loom.PointCloud(p, device=device) for p in holes)
-    result = reg.evaluate_registration(*clouds, 10.0)
-    assert result.fitness == 1.0 and len(result.correspondence_set) == 75
-    rows, columns = result.correspondence_set.T
-    assert (rows % 4 != 0).all() and (columns % 5 != 1).all()
 
 
 def test_pairs_are_there_after_other_evaluations(device, rng):
@@ -180,7 +166,7 @@ def test_pairs_are_there_after_other_evaluations(device, rng):
     assert one.correspondence_set is one.correspondence_set
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=25, deadline=None)
 @given(
     clouds=st.tuples(
         *[hnp.arrays(np.float32, st.tuples(st.integers(0, 40), st.just(3)), elements=st.integers(0, 5))] * 2
@@ -208,38 +194,11 @@ def test_evaluations_are_those_of_all_pairs(clouds, holes, shift, distance):
     assert result.inlier_rmse == pytest.approx(rmse, abs=1e-6)
 
 
-def test_two_runs_give_the_same_bits(device, scans):
-    source, target, T, distance = scans["room"]
+def test_two_runs_give_the_same_bits(device, rng):
+    source, target, T, distance = rng.random((3000, 3)), rng.random((2500, 3)), as_pose([0, 0, 0.1]), 0.1
     clouds = [loom.PointCloud(p, device=device) for p in (source, target)]
     one, two = (reg.evaluate_registration(*clouds, distance, T) for _ in range(2))
     assert one.inlier_rmse == two.inlier_rmse
     np.testing.assert_array_equal(one.correspondence_set, two.correspondence_set)
     matrices = [reg.get_information_matrix_from_point_clouds(*clouds, distance, T) for _ in range(2)]
     np.testing.assert_array_equal(*matrices)
-
-
-# ------------------------------------------------------------------------------------------------ what is refused
-
-
-@pytest.mark.parametrize("distance", [0, -1, np.nan, np.inf])
-@pytest.mark.parametrize("name", ["evaluate_registration", "get_information_matrix_from_point_clouds"])
-def test_a_distance_is_positive_and_finite(name, distance):
-    cloud = loom.PointCloud(np.zeros((1, 3)))
-    with pytest.raises(ValueError, match=r"^max_correspondence_distance: expected a finite number > 0"):
-        getattr(reg, name)(cloud, cloud, distance, np.eye(4))
-
-
-@pytest.mark.parametrize(
-    ("T", "message"),
-    [
-        (np.eye(3), "expected shape \\[4, 4\\], got \\[3, 3\\]"),
-        (np.full((4, 4), np.nan), "expected a finite affine 4x4 matrix"),
-        (np.diag([1, 1, 0, 1]), "expected an invertible matrix"),
-        (np.ones((4, 4)), "expected a finite affine 4x4 matrix with last row \\(0, 0, 0, 1\\)"),
-    ],
-)
-@pytest.mark.parametrize("name", ["evaluate_registration", "get_information_matrix_from_point_clouds"])
-def test_a_transformation_is_affine_and_invertible(name, T, message):
-    cloud = loom.PointCloud(np.zeros((1, 3)))
-    with pytest.raises(ValueError, match=rf"^transformation: {message}"):
-        getattr(reg, name)(cloud, cloud, 1.0, T)

@@ -6,53 +6,19 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from scipy.spatial.transform import Rotation
 
 import pointloom as loom
 
 from .poses import moved
+from .wrong_pairs import assert_no_pose, fgr, made_up
 
 reg = loom.registration
 VOXEL = 0.05  # [m] of the kitchen
 
 
-def made_up(rng, count=1500, outliers=0.5, noise=0.002):
-    """Points in a box and the same under a pose, noisy; as many correspondences, a share of them wrong."""
-    T = np.eye(4)
-    T[:3, :3] = Rotation.random(random_state=int(rng.integers(1 << 30))).as_matrix()
-    T[:3, 3] = rng.uniform(-2, 2, 3)
-    source = rng.uniform(-1, 1, (count, 3)) * [1, 0.7, 0.4]
-    target = moved(source, T) + noise * rng.normal(size=(count, 3))
-    pairs = np.column_stack([np.arange(count)] * 2)
-    wrong = rng.permutation(count)[: int(outliers * count)]
-    pairs[wrong, 1] = rng.integers(0, count, len(wrong))
-    return SimpleNamespace(source=source, target=target, pairs=pairs, T=T)
-
-
-def clouds(case, device="cpu"):
-    return loom.PointCloud(case.source, device=device), loom.PointCloud(case.target, device=device)
-
-
-def fgr(case, device="cpu", seed=0, **options):
-    option = reg.FastGlobalRegistrationOption(**options)
-    return reg.registration_fgr_based_on_correspondence(*clouds(case, device), case.pairs, option, seed=seed)
-
-
-# ------------------------------------------------------------------------------------------------ known poses
-
-
-@pytest.mark.parametrize("outliers", [0.0, 0.5, 0.8, 0.95])
-def test_pose_is_found_among_wrong_correspondences(device, rng, outliers, angle_between):
-    case = made_up(rng, outliers=outliers)
-    result = fgr(case, device)
-    assert angle_between(result.transformation, case.T) < 0.5
-    assert np.linalg.norm(result.transformation[:3, 3] - case.T[:3, 3]) < 0.01
-    assert result.fitness > 0.95 and result.iterations == 64 and result.converged
-
-
 def test_pose_is_exact_once_mu_has_come_down(device, rng, angle_between):
     """After 16 steps mu is a 15th of its first value, after 64 below the squared distance."""
-    case = made_up(rng, noise=0.0)
+    case = made_up(rng, outliers=0.5, noise=0.0)
     errors = [
         angle_between(fgr(case, device, iteration_number=n, tuple_test=False).transformation, case.T) for n in (16, 64)
     ]
@@ -61,7 +27,7 @@ def test_pose_is_exact_once_mu_has_come_down(device, rng, angle_between):
 
 def test_triples_throw_out_what_keeps_no_lengths(device, rng, angle_between):
     """Nine in ten source points are matched to the same few target points, as features of flat places are."""
-    case = made_up(rng, outliers=0.0)
+    case = made_up(rng, outliers=0.0, shuffle=False)
     case.pairs[150:, 1] = rng.integers(0, 3, 1350)
     with_test, without = (fgr(case, device, tuple_test=on) for on in (True, False))
     assert angle_between(with_test.transformation, case.T) < 0.5
@@ -79,18 +45,6 @@ def test_result_is_the_same_in_any_unit_of_length(device, rng):
         np.testing.assert_allclose(result.transformation[:3, 3] / unit, in_metres.transformation[:3, 3], atol=1e-11)
 
 
-def test_pose_at_utm_coordinates_is_as_exact(device, rng, tolerances):
-    case = made_up(rng)
-    near = fgr(case, device)
-    source_offset, target_offset = np.array([5e5, 5.4e6, 120.0]), np.array([4e5, 5.1e6, -30.0])
-    case.source, case.target = case.source + source_offset, case.target + target_offset
-    far = fgr(case, device)
-    points = case.source[::50]
-    at_origin = moved(points - source_offset, near.transformation) + target_offset
-    np.testing.assert_allclose(moved(points, far.transformation), at_origin, atol=tolerances.position)
-    assert far.fitness == near.fitness
-
-
 def test_mu_decreases_unless_told_otherwise(device, rng, angle_between):
     case = made_up(rng, outliers=0.5)
     decreased, constant = fgr(case, device), fgr(case, device, decrease_mu=False)
@@ -100,7 +54,7 @@ def test_mu_decreases_unless_told_otherwise(device, rng, angle_between):
 
 def test_absolute_scale_begins_at_a_metre(device, rng, angle_between):
     """A cloud of 100 m radius, a metre apart: mu of 1 m^2 holds on to the right pairs from the first step."""
-    case = made_up(rng, outliers=0.6, noise=1e-4)
+    case = made_up(rng, outliers=0.6, noise=1e-4, shuffle=False)
     case.source = 100 * case.source
     case.T = np.eye(4)
     case.T[:3, 3] = [0.3, -0.2, 0.4]
@@ -111,53 +65,33 @@ def test_absolute_scale_begins_at_a_metre(device, rng, angle_between):
     assert absolute.fitness > 0.99
 
 
-# ------------------------------------------------------------------------------------------------ against Open3D
-
-
-def oracle(library, pair, pairs, option):
-    import open3d as o3d
-
+def fgr_of_open3d(o3d, case):
+    theirs = o3d.pipelines.registration
     o3d.utility.random.seed(0)
-    return library.registration_fgr_based_on_correspondence(
-        *pair, o3d.utility.Vector2iVector(pairs.astype(np.int32)), option
-    )
+    clouds = [o3d.geometry.PointCloud(o3d.utility.Vector3dVector(p)) for p in (case.source, case.target)]
+    option = theirs.FastGlobalRegistrationOption(decrease_mu=True, maximum_correspondence_distance=0.025)
+    pairs = o3d.utility.Vector2iVector(case.pairs.astype(np.int32))
+    found = theirs.registration_fgr_based_on_correspondence(*clouds, pairs, option)
+    return found.transformation, found.fitness
 
 
 @pytest.mark.parametrize("outliers", [0.5, 0.8])
-def test_errors_are_no_larger_than_open3ds(device, rng, outliers, angle_between, to_open3d):
-    import open3d as o3d
-
+def test_errors_are_no_larger_than_open3ds(device, rng, outliers, angle_between, oracle):
     case = made_up(rng, outliers=outliers)
-    r = o3d.pipelines.registration
-    option = r.FastGlobalRegistrationOption(decrease_mu=True, maximum_correspondence_distance=0.025)
-    expected = oracle(r, (to_open3d(case.source), to_open3d(case.target)), case.pairs, option)
+    expected, fitness = oracle(f"registration/fast_global/{outliers}", fgr_of_open3d, case)
     result = fgr(case, device)
-    assert angle_between(result.transformation, case.T) <= angle_between(expected.transformation, case.T) + 0.05
-    assert result.fitness >= expected.fitness - 0.01
+    assert angle_between(result.transformation, case.T) <= angle_between(expected, case.T) + 0.05
+    assert result.fitness >= fitness - 0.01
 
 
 @pytest.fixture(scope="module")
-def kitchen(room_pair):
-    """The kitchen down-sampled, with features, as arrays."""
-    found = SimpleNamespace(T=room_pair.T)
-    for name in ("source", "target"):
-        cloud = loom.PointCloud(getattr(room_pair, name)).voxel_down_sample(VOXEL)
-        cloud = cloud.estimate_normals(radius=2 * VOXEL, max_nn=30)
-        feature = loom.compute_fpfh_feature(cloud, radius=5 * VOXEL, max_nn=100)
-        setattr(found, name, SimpleNamespace(points=cloud.points, feature=feature.copy()))
-    return found
-
-
-@pytest.fixture(scope="module")
-def oracle_fitness(kitchen, to_open3d):
+def best_of_open3d(featured, o3d, to_open3d):
     """The best fitness of Open3D over three seeds, from the same points and features."""
-    import open3d as o3d
-
     r = o3d.pipelines.registration
     features = [r.Feature(), r.Feature()]
-    for feature, cloud in zip(features, (kitchen.source, kitchen.target), strict=True):
+    for feature, cloud in zip(features, (featured.source, featured.target), strict=True):
         feature.data = cloud.feature.T.astype(np.float64)
-    pair = [to_open3d(cloud.points) for cloud in (kitchen.source, kitchen.target)]
+    pair = [to_open3d(cloud.points) for cloud in (featured.source, featured.target)]
     option = r.FastGlobalRegistrationOption(maximum_correspondence_distance=VOXEL / 2, decrease_mu=True)
     found = []
     for seed in range(3):
@@ -166,46 +100,27 @@ def oracle_fitness(kitchen, to_open3d):
     return max(found)
 
 
-@pytest.mark.parametrize("seed", range(3))
-def test_kitchen_is_registered(device, kitchen, seed, angle_between, tolerances):
-    result = of_kitchen(device, kitchen, VOXEL / 2, seed)
+@pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.slow)])
+def test_kitchen_is_registered(device, featured, seed, angle_between, tolerances):
+    result = of_kitchen(device, featured, VOXEL / 2, seed)
     assert result.score > 0.5
-    assert angle_between(result.transformation, kitchen.T) < tolerances.fgr_degrees
-    assert np.linalg.norm(result.transformation[:3, 3] - kitchen.T[:3, 3]) < tolerances.kitchen_distance
+    assert angle_between(result.transformation, featured.T) < tolerances.fgr_degrees
+    assert np.linalg.norm(result.transformation[:3, 3] - featured.T[:3, 3]) < tolerances.kitchen_distance
 
 
-@pytest.mark.parametrize("seed", range(3))
-def test_kitchen_is_registered_as_well_as_by_open3d_at_its_last_scale(
-    device, kitchen, oracle_fitness, seed, tolerances
-):
+def test_kitchen_is_registered_as_well_as_by_open3d_at_its_last_scale(device, featured, best_of_open3d, tolerances):
     """Open3D ends at a mu of the distance in metres, ours at its square: the same scale is that of the root."""
-    T = of_kitchen(device, kitchen, np.sqrt(VOXEL / 2), seed).transformation
-    pair = [loom.PointCloud(c.points, device=device) for c in (kitchen.source, kitchen.target)]
-    assert reg.evaluate_registration(*pair, VOXEL / 2, T).fitness > oracle_fitness - tolerances.fgr_fitness
+    pair = [loom.PointCloud(c.points, device=device) for c in (featured.source, featured.target)]
+    for seed in range(3):
+        T = of_kitchen(device, featured, np.sqrt(VOXEL / 2), seed).transformation
+        assert reg.evaluate_registration(*pair, VOXEL / 2, T).fitness > best_of_open3d - tolerances.fgr_fitness
 
 
-def of_kitchen(device, kitchen, distance, seed):
-    pair = [loom.PointCloud(c.points, device=device) for c in (kitchen.source, kitchen.target)]
+def of_kitchen(device, featured, distance, seed):
+    pair = [loom.PointCloud(c.points, device=device) for c in (featured.source, featured.target)]
     option = reg.FastGlobalRegistrationOption(maximum_correspondence_distance=distance)
-    features = kitchen.source.feature, kitchen.target.feature
+    features = featured.source.feature, featured.target.feature
     return reg.registration_fgr_based_on_feature_matching(*pair, *features, option, seed=seed)
-
-
-# ------------------------------------------------------------------------------------------------ edges
-
-
-def assert_no_pose(result, words):
-    np.testing.assert_array_equal(result.transformation, np.eye(4))
-    assert result.fitness == 0 and result.inlier_rmse == 0 and result.score == 0
-    assert not result.converged and words in result.reason
-    assert result.correspondence_set.shape == (0, 2)
-
-
-@pytest.mark.parametrize("count", [0, 1, 9])
-def test_too_few_correspondences_end_with_a_reason(device, rng, count):
-    case = made_up(rng, 50)
-    case.pairs = case.pairs[:count]
-    assert_no_pose(fgr(case, device), f"10 correspondences of finite points needed, {count} given")
 
 
 def test_correspondences_that_are_all_wrong_end_with_a_reason(device, rng):
@@ -214,72 +129,6 @@ def test_correspondences_that_are_all_wrong_end_with_a_reason(device, rng):
     assert_no_pose(fgr(case, device, tuple_scale=1.0), "10 correspondences needed, 0 left by the test of triples")
 
 
-def test_empty_clouds_end_with_a_reason(device):
-    empty, one = loom.PointCloud(np.empty((0, 3)), device=device), loom.PointCloud([[0, 0, 0]], device=device)
-    for pair in ((empty, empty), (empty, one), (one, empty)):
-        features = [np.zeros((len(cloud), 33), np.float32) for cloud in pair]
-        assert_no_pose(reg.registration_fgr_based_on_feature_matching(*pair, *features), "0 given")
-
-
-@pytest.mark.parametrize("shape", ["one place", "line", "plane"])
-@pytest.mark.parametrize("tuple_test", [True, False])
-def test_degenerate_clouds_end_without_an_exception(device, rng, shape, tuple_test):
-    t = rng.uniform(-1, 1, (200, 1))
-    points = {
-        "one place": np.ones((200, 3)),
-        "line": t * [1, 2, 3],
-        "plane": np.column_stack([t, rng.uniform(-1, 1, 200), np.zeros(200)]),
-    }[shape]
-    shift = np.array([1.0, 0, 0])
-    case = SimpleNamespace(source=points, target=points + shift, pairs=np.column_stack([np.arange(200)] * 2))
-    result = fgr(case, device, tuple_test=tuple_test)
-    if shape == "one place" and tuple_test:
-        assert_no_pose(result, "0 left")
-    else:
-        np.testing.assert_allclose(moved(points, result.transformation), points + shift, atol=1e-5)
-        assert result.fitness == 1
-
-
-def test_correspondences_of_points_that_are_not_finite_do_not_count(device, rng, angle_between):
-    case = made_up(rng, 600)
-    case.source[::3] = np.nan
-    case.target[::5, 1] = np.inf
-    assert angle_between(fgr(case, device).transformation, case.T) < 0.5
-    case.source[:] = np.nan
-    assert_no_pose(fgr(case, device), "0 given")
-
-
-def test_wrong_arguments_are_refused_by_name(device, rng):
-    case = made_up(rng, 30)
-    source, target = clouds(case, device)
-    run = reg.registration_fgr_based_on_correspondence
-    with pytest.raises(TypeError, match="option: expected FastGlobalRegistrationOption, got float"):
-        run(source, target, case.pairs, 0.025)
-    with pytest.raises(IndexError, match="corres: source indices"):
-        run(source, target, [[40, 0]])
-    with pytest.raises(TypeError, match="target: expected a PointCloud"):
-        run(source, case.target, case.pairs)
-    with pytest.raises(ValueError, match="seed"):
-        run(source, target, case.pairs, seed=-1)
-    with pytest.raises(ValueError, match="target_feature: expected shape"):
-        reg.registration_fgr_based_on_feature_matching(source, target, np.zeros((30, 33)), np.zeros((33, 30)))
-    for name, value in {
-        "division_factor": 1.0,
-        "maximum_correspondence_distance": 0.0,
-        "iteration_number": 0,
-        "tuple_scale": 1.5,
-        "maximum_tuple_count": 0,
-    }.items():
-        with pytest.raises(ValueError, match=f"{name}: expected"):
-            reg.FastGlobalRegistrationOption(**{name: value})
-
-
-# ------------------------------------------------------------------------------------------------ the same bits
-
-
-def test_same_seed_gives_the_same_bits_and_another_other_triples(device, rng):
+def test_another_seed_gives_other_triples(device, rng):
     case = made_up(rng, outliers=0.9, noise=0.01)
-    first, again, other = fgr(case, device, 3), fgr(case, device, 3), fgr(case, device, 4)
-    np.testing.assert_array_equal(first.transformation, again.transformation)
-    np.testing.assert_array_equal(first.correspondence_set, again.correspondence_set)
-    assert (first.transformation != other.transformation).any()
+    assert (fgr(case, device, 3).transformation != fgr(case, device, 4).transformation).any()

@@ -1,9 +1,6 @@
 """Iterative closest points: how near it comes, when it ends, and that it is the same every time."""
 
 import dataclasses
-import os
-import subprocess
-import sys
 
 import numpy as np
 import pytest
@@ -16,9 +13,6 @@ from .icp_clouds import EACH, KINDS, PLANE, assert_rigid, back, on, wavy
 from .poses import as_pose
 
 reg = loom.registration
-
-
-# ------------------------------------------------------------------------------------------------ how near it comes
 
 
 def test_two_samplings_of_a_surface_meet_to_a_thousandth_of_a_degree(device, rng, angle_between):
@@ -69,9 +63,6 @@ def test_a_scale_is_found_again(device, rng, scale):
     assert_rigid(reg.registration_icp(source, target, 0.3, None, KINDS["point"], rules).transformation)
 
 
-# ------------------------------------------------------------------------------------------------ when it ends
-
-
 @EACH
 def test_no_iterations_only_evaluate(device, full_pair, kind):
     source, target = on(device, *full_pair[:2])
@@ -98,8 +89,11 @@ def test_a_result_is_that_of_its_pose(device, full_pair, kind):
         np.testing.assert_array_equal(result.correspondence_set, expected.correspondence_set)
 
 
-@pytest.mark.parametrize("kind", ["point", "plane"])
-@pytest.mark.parametrize("limits", [(1e-6, 1e-6), (1e-2, 1e-3), (1e-3, 1.0), (1.0, 1e-5)])
+@pytest.mark.parametrize(
+    ("kind", "limits"),
+    [("point", (1e-6, 1e-6)), ("plane", (1e-6, 1e-6)), ("plane", (1e-2, 1e-3)), ("point", (1e-3, 1.0)),
+     ("plane", (1.0, 1e-5))],
+)  # fmt: skip
 def test_it_ends_when_both_changes_are_below_their_limits(device, full_pair, kind, limits):
     """Judged after each step against the evaluation before it, the initial one included."""
     source, target = on(device, *full_pair[:2])
@@ -128,40 +122,17 @@ def test_the_callback_sees_each_iteration(device, full_pair):
         np.testing.assert_array_equal(turn["transformation"], alone.transformation)
         assert (turn["fitness"], turn["inlier_rmse"]) == (alone.fitness, alone.inlier_rmse)
     np.testing.assert_array_equal(turns[-1]["transformation"], result.transformation)
-    none = []
-    reg.registration_icp(
-        source,
-        target,
-        0.1,
-        None,
-        PLANE,
-        reg.ICPConvergenceCriteria(max_iteration=0),
-        callback_after_iteration=none.append,
-    )
+    none, rules = [], reg.ICPConvergenceCriteria(max_iteration=0)
+    reg.registration_icp(source, target, 0.1, None, PLANE, rules, callback_after_iteration=none.append)
     assert none == []
 
 
+# Colors and speeds have units of their own.
 @pytest.mark.parametrize(
-    ("values", "message"),
-    [
-        ((-1, 1e-6, 30), "relative_fitness: expected a finite number >= 0"),
-        ((1e-6, np.nan, 30), "relative_rmse: expected a finite number >= 0"),
-        ((1e-6, 1e-6, -1), "max_iteration: expected a whole number >= 0"),
-    ],
-)
-def test_criteria_are_numbers(values, message):
-    with pytest.raises(ValueError, match=rf"^{message}"):
-        reg.ICPConvergenceCriteria(*values)
-
-
-# ------------------------------------------------------------------------------------------------ how large clouds are
-
-SCALED = ("point", "scaled", "plane", "symmetric", "generalised", "voxelised")
-
-
-# Colours and speeds have units of their own.
-@pytest.mark.parametrize("exponent", [-42, -20, 8])
-@pytest.mark.parametrize("kind", SCALED)
+    ("kind", "exponent"),
+    [("point", -42), ("scaled", -20), ("plane", -42), ("plane", 8), ("symmetric", -20), ("generalised", -42),
+     ("voxelised", 8)],
+)  # fmt: skip
 def test_a_cloud_of_any_scale_is_registered_alike(device, kind, exponent, rng):
     """By default criteria: the same steps, and the same pose to the last bit but for the unit of its translation."""
     T = as_pose([0.05, -0.06, 0.04], [0.05, -0.04, 0.03])
@@ -203,9 +174,6 @@ def test_a_limit_of_the_rmse_that_is_given_is_one_in_metres(device, rng):
     assert given.iterations == 1 < default.iterations and default.inlier_rmse < given.inlier_rmse
 
 
-# ------------------------------------------------------------------------------------------------ where clouds lie
-
-
 @pytest.mark.parametrize("kind", [k for k in KINDS if k not in ("doppler", "scaled")])
 def test_far_from_zero_the_pose_is_that_of_centred_clouds(device, full_pair, kind):
     """UTM coordinates: the motion about the cloud's middle is the same to 1e-6."""
@@ -240,9 +208,6 @@ def test_clouds_of_symmetric_shapes_keep_the_turn_they_come_with(device, rng):
     np.testing.assert_allclose(result.transformation, quarter, atol=1e-6)
 
 
-# ------------------------------------------------------------------------------------------------ the same every time
-
-
 @EACH
 def test_two_runs_give_the_same_bits(device, full_pair, kind):
     source, target = on(device, *full_pair[:2])
@@ -252,44 +217,7 @@ def test_two_runs_give_the_same_bits(device, full_pair, kind):
     assert (one.fitness, one.inlier_rmse, one.iterations) == (two.fitness, two.inlier_rmse, two.iterations)
 
 
-DIGEST = """
-import hashlib, numpy as np, pointloom as loom
-reg, rng = loom.registration, np.random.default_rng(3)
-def cloud(shift):
-    xy = rng.uniform(-1, 1, (12000, 2))
-    points = np.column_stack([xy, 0.2 * np.sin(3 * xy[:, 0]) * np.cos(4 * xy[:, 1])])
-    points[::500] = np.nan
-    colors, speeds = rng.random((12000, 3)), rng.random(12000).astype(np.float32)
-    return loom.PointCloud(points + shift, colors=colors, dopplers=speeds).estimate_normals(max_nn=12)
-source, target = cloud(0.02), cloud(0)
-name = "TransformationEstimation"
-methods = [getattr(reg, name + end)() for end in ("PointToPlane", "Symmetric", "ForColoredICP", "ForDopplerICP")]
-methods += [reg.TransformationEstimationPointToPoint(True), reg.TransformationEstimationForGeneralizedICP()]
-methods += [reg.TransformationEstimationForGeneralizedICP(voxel_size=0.1)]
-methods += [reg.TransformationEstimationPointToPlane(reg.CauchyLoss(0.02))]
-for method in methods:
-    r = reg.registration_icp(source, target, 0.1, None, method, reg.ICPConvergenceCriteria(0, 0, 4), overlap=0.9)
-    bits = r.transformation.tobytes() + r.correspondence_set.tobytes() + np.float64(r.inlier_rmse).tobytes()
-    print(hashlib.sha256(bits).hexdigest())
-"""
-
-
-@pytest.mark.slow
-@pytest.mark.slow_on_emulated_cuda("its processes run on the CPU alone")
-@pytest.mark.parametrize("compiler", ["warp", "taichi"])
-def test_any_number_of_threads_gives_the_same_bits(compiler):
-    runs = []
-    for threads in ("1", "2"):
-        environment = os.environ | {"POINTLOOM_CPU": compiler, "POINTLOOM_CPU_THREADS": threads}
-        environment["PYTHONPATH"] = os.pathsep.join(p for p in sys.path if p)
-        pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
-        runs.append(subprocess.Popen([sys.executable, "-c", DIGEST], env=environment, **pipes))
-    answers = [run.communicate() for run in runs]  # both at once: most of their time is the start
-    assert [run.returncode for run in runs] == [0, 0], answers
-    assert answers[0][0] == answers[1][0] and len(set(answers[0][0].split())) == 8
-
-
-@settings(max_examples=80, deadline=None)
+@settings(max_examples=25, deadline=None)
 @given(
     seed=st.integers(0, 2**20),
     counts=st.tuples(st.integers(0, 60), st.integers(0, 60)),

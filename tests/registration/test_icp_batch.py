@@ -7,26 +7,12 @@ from hypothesis import strategies as st
 
 import pointloom as loom
 
+from .icp_clouds import KINDS, back, wavy
 from .poses import as_pose
 
 reg = loom.registration
 RULES = reg.ICPConvergenceCriteria(1e-7, 1e-7, 25)
-KINDS = {
-    "point": reg.TransformationEstimationPointToPoint(),
-    "scaled": reg.TransformationEstimationPointToPoint(True),
-    "plane": reg.TransformationEstimationPointToPlane(),
-    "robust": reg.TransformationEstimationPointToPlane(reg.HuberLoss(0.01)),
-    "symmetric": reg.TransformationEstimationSymmetric(),
-    "generalised": reg.TransformationEstimationForGeneralizedICP(),
-    "coloured": reg.TransformationEstimationForColoredICP(),
-}
-EACH = pytest.mark.parametrize("kind", list(KINDS))
-
-
-def wavy(rng, count):
-    xy = rng.uniform(-1, 1, (count, 2))
-    z = 0.2 * np.sin(3 * xy[:, 0]) * np.cos(4 * xy[:, 1]) + 0.1 * np.sin(7 * xy[:, 1] + xy[:, 0])
-    return np.column_stack([xy, z])
+EACH = pytest.mark.parametrize("kind", [kind for kind in KINDS if kind not in ("voxelised", "doppler")])
 
 
 def cloud_of(points, device, shift=(0, 0, 0)):
@@ -96,16 +82,6 @@ def test_shared_clouds_stand_in_any_jobs(device, rng):
     assert_alike(found[0], found[5], bits=True)
 
 
-def test_one_target_serves_many_sources_and_one_source_many_targets(device, rng):
-    many, one = [cloud_of(wavy(rng, 300 + i), device) for i in range(5)], cloud_of(wavy(rng, 900), device)
-    for sources, targets in ((many, one), (one, many)):
-        found = reg.registration_icp_batch(sources, targets, 0.2, as_pose(shift=[0.01, 0, 0]), KINDS["plane"], RULES)
-        pairs = [(s, one) for s in many] if targets is one else [(one, t) for t in many]
-        for result, (s, t) in zip(found, pairs, strict=True):
-            init = as_pose(shift=[0.01, 0, 0])
-            assert_alike(result, reg.registration_icp(s, t, 0.2, init, KINDS["plane"], RULES))
-
-
 def test_jobs_lie_anywhere(device, rng):
     """Each cloud about an origin of its own, hundreds of kilometres apart."""
     places = [(0, 0, 0), (5e5, 5.4e6, 100), (-3e6, 2e4, 0), (1e5, 0, 0)]
@@ -132,9 +108,7 @@ def test_options_are_those_of_each_job(device, options, rng):
 @pytest.mark.parametrize("kind", ["voxelised", "doppler"])
 def test_voxels_and_speeds_are_batched_too(device, kind, rng):
     """Voxels are counted from a corner that all targets share: alone, a job has others."""
-    method = reg.TransformationEstimationForGeneralizedICP(voxel_size=0.1)
-    if kind == "doppler":
-        method = reg.TransformationEstimationForDopplerICP()
+    method = KINDS[kind]
     sources = [loom.PointCloud(wavy(rng, 600), dopplers=np.zeros(600, np.float32), device=device) for _ in range(3)]
     targets = [cloud_of(wavy(rng, 900), device) for _ in range(3)]
     inits = offsets(rng, 3)
@@ -147,33 +121,29 @@ def test_voxels_and_speeds_are_batched_too(device, kind, rng):
 
 
 def test_hundreds_of_jobs_find_their_poses(device, rng):
-    """400 pairs of 150 points, each from its own offset."""
-    targets, sources, truths = [], [], offsets(rng, 400)
+    targets, sources, truths = [], [], offsets(rng, 200)
     for T in truths:
         points = wavy(rng, 150)
         targets.append(loom.PointCloud(points, device=device))
-        sources.append(loom.PointCloud((points - T[:3, 3]) @ T[:3, :3], device=device))
-    found = reg.registration_icp_batch(
-        sources, targets, 1.0, None, KINDS["point"], reg.ICPConvergenceCriteria(0, 0, 60)
-    )
+        sources.append(loom.PointCloud(back(points, T), device=device))
+    rules = reg.ICPConvergenceCriteria(0, 0, 60)
+    found = reg.registration_icp_batch(sources, targets, 1.0, None, KINDS["point"], rules)
     off = np.array([np.abs(r.transformation - T).max() for r, T in zip(found, truths, strict=True)])
     assert (off < 1e-6).mean() > 0.97  # the others were too far off for their spacing of 16 cm
-    for job in (0, 17, 399):
-        alone = reg.registration_icp(
-            sources[job], targets[job], 1.0, None, KINDS["point"], reg.ICPConvergenceCriteria(0, 0, 60)
-        )
+    for job in (0, 17, 199):
+        alone = reg.registration_icp(sources[job], targets[job], 1.0, None, KINDS["point"], rules)
         np.testing.assert_allclose(found[job].transformation, alone.transformation, atol=1e-9)
 
 
 def test_two_runs_give_the_same_bits(device, rng):
     sources, targets = ([cloud_of(wavy(rng, n), device) for n in (200, 900, 1500)] for _ in range(2))
-    for kind in KINDS.values():
-        runs = [reg.registration_icp_batch(sources, targets, 0.2, None, kind, RULES) for _ in range(2)]
+    for kind in ("point", "plane", "generalised", "coloured"):
+        runs = [reg.registration_icp_batch(sources, targets, 0.2, None, KINDS[kind], RULES) for _ in range(2)]
         for one, two in zip(*runs, strict=True):
             assert_alike(one, two, bits=True)
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=20, deadline=None)
 @given(
     seed=st.integers(0, 2**16),
     counts=st.lists(st.tuples(st.integers(0, 40), st.integers(0, 40)), min_size=1, max_size=6),
@@ -192,46 +162,3 @@ def test_any_batch_is_its_jobs(seed, counts, kind, overlap):
         if len(set(alone.correspondence_set[:, 1])) >= 6:  # fewer leave rotations to rounding
             np.testing.assert_allclose(result.transformation, alone.transformation, atol=1e-8)
             assert result.fitness == alone.fitness
-
-
-# ------------------------------------------------------------------------------------------------ what is refused
-
-
-@pytest.fixture
-def three(rng):
-    return [cloud_of(wavy(rng, 30), "cpu") for _ in range(3)]
-
-
-@pytest.mark.parametrize(
-    ("sources", "targets", "inits", "message"),
-    [
-        (3, 2, None, "targets: expected 1 or 3 for 3 jobs, got 2"),
-        (2, 3, None, "sources: expected 1 or 3 for 3 jobs, got 2"),
-        (3, 3, 2, "inits: expected 1 or 3 for 3 jobs, got 2"),
-        (0, 3, None, "sources: expected 1 or 3 for 3 jobs, got 0"),
-        (3, 3, (3, 3), "inits: expected shape \\[4, 4\\] or \\[jobs, 4, 4\\], got \\[3, 3\\]"),
-    ],
-)
-def test_numbers_of_jobs_agree(three, sources, targets, inits, message):
-    poses = (
-        inits if inits is None else np.ones(inits) if isinstance(inits, tuple) else np.tile(np.eye(4), (inits, 1, 1))
-    )
-    with pytest.raises(ValueError, match=rf"^{message}"):
-        reg.registration_icp_batch(three[:sources], three[:targets], 0.1, poses)
-
-
-def test_a_pose_that_is_not_rigid_is_named(three):
-    poses = np.tile(np.eye(4), (3, 1, 1))
-    poses[1] *= 2
-    poses[1, 3, 3] = 1
-    with pytest.raises(ValueError, match=r"^inits\[1\]: expected a rigid motion"):
-        reg.registration_icp_batch(three, three, 0.1, poses)
-
-
-def test_a_cloud_that_lacks_something_is_named_by_its_job(three):
-    """Not by its place among the clouds that differ: the first two jobs share a target."""
-    bare = loom.PointCloud(three[2].points)
-    with pytest.raises(
-        ValueError, match=r"^targets\[2\]: point-to-plane ICP needs normals, .* call .*estimate_normals"
-    ):
-        reg.registration_icp_batch(three, [three[0], three[0], bare], 0.1, None, KINDS["plane"])

@@ -21,15 +21,15 @@ def full_cloud(points, device="cpu"):
 
 
 @EACH
-@pytest.mark.parametrize("counts", [(0, 0), (0, 9), (9, 0)])
-def test_empty_clouds_leave_the_initial_pose(device, kind, counts, rng):
+def test_empty_clouds_leave_the_initial_pose(device, kind, rng):
     init = as_pose([0.1, 0.2, 0.3], [1, 2, 3])
-    clouds = (full_cloud(rng.random((n, 3)), device) for n in counts)
-    result = reg.registration_icp(*clouds, 1.0, init, KINDS[kind])
-    np.testing.assert_allclose(result.transformation, init, atol=1e-14)
-    assert (result.fitness, result.inlier_rmse, result.iterations) == (0.0, 0.0, 0)
-    assert (result.converged, result.reason) == (False, "no correspondences")
-    assert result.correspondence_set.shape == (0, 2) and result.correspondence_set.dtype == np.int32
+    for counts in ((0, 0), (0, 9), (9, 0)):
+        clouds = (full_cloud(rng.random((n, 3)), device) for n in counts)
+        result = reg.registration_icp(*clouds, 1.0, init, KINDS[kind])
+        np.testing.assert_allclose(result.transformation, init, atol=1e-14)
+        assert (result.fitness, result.inlier_rmse, result.iterations) == (0.0, 0.0, 0)
+        assert (result.converged, result.reason) == (False, "no correspondences")
+        assert result.correspondence_set.shape == (0, 2) and result.correspondence_set.dtype == np.int32
 
 
 @EACH
@@ -55,13 +55,13 @@ def test_pairs_that_are_lost_on_the_way_are_told(device, kind):
 
 
 @EACH
-@pytest.mark.parametrize("counts", [(1, 1), (1, 5), (2, 2), (3, 3), (5, 1)])
-def test_few_points_give_finite_poses(device, kind, counts, rng):
-    clouds = (full_cloud(rng.random((n, 3)), device) for n in counts)
-    result = reg.registration_icp(*clouds, 2.0, None, KINDS[kind])
-    assert np.isfinite(result.transformation).all() and 0 <= result.fitness <= 1
-    if kind != "scaled":
-        assert_rigid(result.transformation)
+def test_few_points_give_finite_poses(device, kind, rng):
+    for counts in ((1, 1), (1, 5), (2, 2), (3, 3), (5, 1)):
+        clouds = (full_cloud(rng.random((n, 3)), device) for n in counts)
+        result = reg.registration_icp(*clouds, 2.0, None, KINDS[kind])
+        assert np.isfinite(result.transformation).all() and 0 <= result.fitness <= 1
+        if kind != "scaled":
+            assert_rigid(result.transformation)
 
 
 @EACH
@@ -84,36 +84,6 @@ def test_points_that_are_not_finite_do_not_count(device, full_pair, kind):
     result = reg.registration_icp(*spoiled, 0.15, None, KINDS[kind], rules)
     np.testing.assert_allclose(result.transformation, clean.transformation, atol=1e-9)
     assert result.fitness == clean.fitness
-
-
-@EACH
-@pytest.mark.parametrize("distance", [0, -1, np.nan, np.inf])
-def test_a_distance_is_positive_and_finite(full_pair, kind, distance):
-    with pytest.raises(ValueError, match=r"^max_correspondence_distance: expected a finite number > 0"):
-        reg.registration_icp(*full_pair[:2], distance, None, KINDS[kind])
-
-
-@pytest.mark.parametrize(
-    ("init", "message"),
-    [
-        (np.eye(3), "expected shape \\[4, 4\\], got \\[3, 3\\]"),
-        (np.full((4, 4), np.nan), "expected a finite"),
-        (np.diag([2.0, 2, 2, 1]), "expected a rigid motion"),
-        (np.diag([1.0, 1, -1, 1]), "expected a rigid motion"),
-        (np.array([[1, 0.5, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]), "expected a rigid motion"),
-        (np.zeros((4, 4)), "expected a finite affine"),
-        (np.array([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 1, 1.0]]), "expected a finite affine"),
-    ],
-)
-def test_an_initial_pose_is_rigid(full_pair, init, message):
-    with pytest.raises(ValueError, match=rf"^init: {message}"):
-        reg.registration_icp(*full_pair[:2], 0.1, init)
-
-
-@pytest.mark.parametrize("init", [np.diag([1.0, 1, -1, 1]), np.diag([1.0, 2, 3, 1])])
-def test_a_scaled_initial_pose_is_a_similarity(full_pair, init):
-    with pytest.raises(ValueError, match=r"^init: expected a"):
-        reg.registration_icp(*full_pair[:2], 0.1, init, KINDS["scaled"])
 
 
 def test_an_initial_pose_that_is_nearly_rigid_is_made_so(device, full_pair):

@@ -104,20 +104,3 @@ def test_the_overlap_of_a_copy_is_all_of_it(device, rng):
         source = loom.PointCloud(points, device=device).translate((moved, 0, 0))
         result = reg.registration_icp(source, cloud, 0.3, overlap=None)
         assert result.fitness == 1.0 and np.abs(result.transformation[:3, 3] - [-moved, 0, 0]).max() < 1e-6
-
-
-@pytest.mark.parametrize("overlap", [0, -0.1, 1.1, np.nan])
-def test_an_overlap_is_a_share(full_pair, overlap):
-    with pytest.raises(ValueError, match=r"^overlap: expected"):
-        reg.registration_icp(*full_pair[:2], 0.1, overlap=overlap)
-
-
-def test_angles_of_normals_need_normals(full_pair):
-    bare = loom.PointCloud(full_pair[0].points)
-    for clouds, name in (((bare, full_pair[1]), "source"), ((full_pair[0], bare), "target")):
-        with pytest.raises(ValueError, match=rf"^{name}: max_normal_angle needs normals, .* call .*estimate_normals"):
-            reg.registration_icp(*clouds, 0.1, max_normal_angle=0.5)
-    with pytest.raises(ValueError, match=r"^max_normal_angle: the voxels of a voxelised target have no normals"):
-        reg.registration_icp(*full_pair[:2], 0.1, None, KINDS["voxelised"], max_normal_angle=0.5)
-    with pytest.raises(ValueError, match=r"^max_normal_angle: expected a finite number > 0"):
-        reg.registration_icp(*full_pair[:2], 0.1, max_normal_angle=0)

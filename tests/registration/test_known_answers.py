@@ -12,7 +12,6 @@ The reference solutions are written anew in NumPy; nothing of the library is in 
 
 import numpy as np
 import pytest
-from scipy.optimize import least_squares
 from scipy.spatial import cKDTree
 from scipy.spatial.transform import Rotation
 
@@ -76,9 +75,6 @@ def mean_square(source, target, T):
     return float((cKDTree(target).query(turned(T, source))[0] ** 2).mean())
 
 
-# --------------------------------------------------------------------------------------------------- PCL
-
-
 @pytest.mark.parametrize("free", [None, ALL])
 @pytest.mark.parametrize("kind", ["point", "plane"])
 def test_pcls_bunny_lies_on_its_other_scan_as_pcls_test_asks(device, bunny, kind, free):
@@ -88,14 +84,6 @@ def test_pcls_bunny_lies_on_its_other_scan_as_pcls_test_asks(device, bunny, kind
     prior = None if free is None else reg.Prior(np.eye(4), sigma_translation=1e3)  # so that the other step runs
     found = reg.registration_icp(source, target, 1.0, None, KINDS[kind], rules, free=free, prior=prior)
     assert mean_square(source.points, target.points, found.transformation) < min(0.001, before / 2)
-
-
-def test_generalised_icp_of_pcls_bunny_is_as_near_as_pcls_test_asks(device, bunny):
-    """PCL, GeneralizedIterativeClosestPoint: below 0.0001."""
-    source, target = on(device, *bunny)
-    rules = reg.ICPConvergenceCriteria(1e-8, 1e-8, 50)
-    found = reg.registration_icp(source, target, 1.0, None, KINDS["generalised"], rules)
-    assert mean_square(source.points, target.points, found.transformation) < 1e-4
 
 
 @pytest.mark.parametrize("shown", [QUADRIC_POSE, yawed(0.1, -0.2, 0.3, -0.1)], ids=["as PCL's", "level"])
@@ -114,26 +102,6 @@ def test_pcls_quadric_is_found_where_it_was_moved(device, shown):
     found = reg.registration_icp(loom.PointCloud(points, device=device), target, 1.0, init, PLANE, LONG, **given)
     np.testing.assert_allclose(found.transformation, shown, atol=1e-3)
     assert np.abs(found.transformation - init).max() > 0.03
-
-
-@pytest.mark.parametrize("kind", ["point", "plane"])
-def test_three_free_motions_are_pcls_warp_point_rigid_3d(device, level_pair, kind):
-    source, target = on(device, *level_pair[:2])
-    init = yawed(0.0, 0.0, 0.03, 0.0)
-    found = reg.registration_icp(source, target, 0.4, init, KINDS[kind], LONG, free=PLANAR)
-    i, j = pairs_of(found)
-    moved = turned(init, source.points[i])
-
-    def residuals(x):
-        d = turned(yawed(x[0], x[1], 0.0, x[2]), moved) - target.points[j]
-        return d.ravel() if kind == "point" else (d * target.normals[j]).sum(axis=1)
-
-    best = least_squares(residuals, np.zeros(3), xtol=1e-15, ftol=1e-15, gtol=1e-15).x
-    np.testing.assert_allclose(found.transformation, yawed(best[0], best[1], 0.03, best[2]), atol=1e-7)
-    assert abs(best[2]) > 0.01
-
-
-# ------------------------------------------------------------------------------------------ libpointmatcher
 
 
 def by_rows(source, target, normals, weights, motions):
@@ -163,25 +131,6 @@ def test_level_motions_are_libpointmatchers_weighted_point_to_plane(device, leve
     if weighted:  # which does tell
         other = by_rows(source.points[i], target.points[j], target.normals[j], np.ones(len(i)), motions)
         assert np.abs(other - wanted).max() > 1e-5
-
-
-def test_force_2d_is_icp_of_flat_clouds(device):
-    """`force2D` drops heights altogether: as three free motions do where normals lie in the plane."""
-    rng = np.random.default_rng(2)
-    turn = np.linspace(0, 2 * np.pi, 400, endpoint=False)
-    radius = 2 + 0.4 * np.sin(3 * turn) + 0.2 * np.cos(5 * turn)
-    wall = np.column_stack([radius * np.cos(turn), radius * np.sin(turn), rng.uniform(0, 0.01, 400)])
-    along = np.roll(wall, -1, axis=0)[:, :2] - np.roll(wall, 1, axis=0)[:, :2]
-    normals = np.column_stack([along[:, 1], -along[:, 0], np.zeros(400)])
-    normals /= np.linalg.norm(normals, axis=1)[:, None]
-    T = yawed(0.02, -0.03, 0.0, 0.01)
-    target = loom.PointCloud(turned(T, wall), normals=normals @ T[:3, :3].T, device=device)
-    source = loom.PointCloud(wall, device=device)
-    found = reg.registration_icp(source, target, 0.5, None, PLANE, LONG, free=PLANAR)
-    i, j = pairs_of(found)
-    wanted = by_rows(source.points[i], target.points[j], target.normals[j], np.ones(len(i)), [0, 1, 2])
-    np.testing.assert_allclose(found.transformation, wanted, atol=1e-7)
-    np.testing.assert_allclose(found.transformation, T, atol=1e-5)  # the applied pose
 
 
 def test_level_point_to_point_is_the_closed_form(device, level_pair):

@@ -57,15 +57,3 @@ def test_a_plane_is_held_by_what_is_known_of_it(rng):
     found = reg.register_pair(source, target, init=np.eye(4), voxel_size=0.1, prior=known)
     np.testing.assert_allclose(found.transformation[:3, 3], [0.1, 0, 0], atol=0.01)
     assert len(found.to_json()["prior_directions"]) == 3 and "3 of 6 motions" in str(found)
-
-
-@pytest.mark.parametrize(
-    ("given", "words"),
-    [
-        ({"free": ("x",)}, "free: a search is of all six motions or of x, y, z, yaw, got x"),
-        ({"free": LEVEL, "method": "symmetric"}, "free, prior: TransformationEstimationSymmetric moves in all ways"),
-    ],
-)
-def test_what_a_search_cannot_keep_is_told(points, given, words):
-    with pytest.raises(ValueError, match=words):
-        reg.register_pair(*pair_of(points, TURN), voxel_size=0.06, **given)

@@ -2,11 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
-import os
-import subprocess
-import sys
-
 import numpy as np
 import pytest
 from scipy.spatial import cKDTree
@@ -16,16 +11,13 @@ import pointloom as loom
 from pointloom.cameras.trajectory import Trajectory
 from pointloom.registration import LidarOdometry, evaluate_trajectory
 
-from .drives import ROOT, clouds, follow, truth_of
+from .drives import clouds, follow, truth_of
 
 
 @pytest.fixture(scope="module")
 def weaving(street):
     """110 scans at 10 m/s, 14,000 points each; the scanner looks 29 degrees to the left and to the right on the way."""
     return street.drive(110, sway=0.5, beams=40, azimuths=360)
-
-
-# ------------------------------------------------------------------------------------------------ the path
 
 
 @pytest.mark.slow
@@ -44,32 +36,11 @@ def test_a_hundred_scans_drift_by_less_than_one_percent_and_deskewing_matters(de
     assert skewed.segment_rotation > 2 * straight.segment_rotation
 
 
-@pytest.mark.parametrize("speed", [1.0, 38.0, 45.0])
+@pytest.mark.parametrize("speed", [1.0, 45.0])
 def test_a_drive_may_begin_at_any_speed(device, street, speed):
     scans = street.drive(6, speed=speed, beams=40, azimuths=360, seed=3)
     gaps = follow(scans, device).poses[:, :3, 3] - truth_of(scans).poses[:, :3, 3]
     assert np.linalg.norm(gaps, axis=1).max() < 0.05
-
-
-@pytest.mark.slow
-def test_the_path_is_nearer_to_the_truth_than_kiss_icps(device, weaving):
-    pytest.importorskip("kiss_icp", reason="KISS-ICP comes with `make bench`")
-    from kiss_icp.config import KISSConfig
-    from kiss_icp.kiss_icp import KissICP
-
-    config = KISSConfig()
-    config.data.max_range, config.data.min_range, config.mapping.voxel_size = 100.0, 5.0, 1.0
-    config.registration.max_num_threads = 1
-    peer, poses = KissICP(config), []
-    for points, times in zip(weaving.scans[:40], weaving.times[:40], strict=True):
-        peer.register_frame(points.astype(np.float64), times)
-        poses.append(peer.last_pose)
-    ours, theirs = (
-        evaluate_trajectory(Trajectory(path), truth_of(weaving, 40), align="first", lengths=[10, 25])
-        for path in (follow(weaving, device, 40).poses, np.array(poses))
-    )
-    assert ours.segment_translation < 0.5 * theirs.segment_translation
-    assert theirs.segment_translation < 10  # it did follow
 
 
 def test_a_drive_that_begins_fast_is_followed(device, fast_drive):
@@ -92,19 +63,6 @@ def test_a_path_that_was_lost_says_from_where(device, fast_drive):
     right = follow(fast_drive, device)
     assert right.summary.strayed == ()
     assert right.summary.unsettled == tuple(step.index for step in right.steps if step.reason == "max_iteration")
-
-
-def test_the_map_holds_the_street_where_it_is(device, fast_drive):
-    odometry = follow(fast_drive, device)
-    points = odometry.map.points
-    x, y, z = points.T
-    heading = np.arctan2(0.2, 1)  # of the road at the start
-    across = -np.sin(heading) * x + np.cos(heading) * y
-    ground = np.abs(z + 1.8) < 0.5
-    assert ground.sum() > 500 and np.abs(z[ground] + 1.8).mean() < 0.1
-    voxel_map = odometry._known.map
-    assert len(points) == voxel_map.counts.numpy()[: voxel_map.count].sum()
-    assert np.abs(across).max() < 90
 
 
 def test_the_map_follows_the_sensor(device, fast_drive):
@@ -247,9 +205,6 @@ def test_coordinates_about_an_origin_give_the_same_path(device, fast_drive):
     np.testing.assert_allclose(odometry.poses, other.poses, atol=1e-3)
 
 
-# ------------------------------------------------------------------------------------------------ bits
-
-
 def test_two_runs_give_the_same_bits(device, fast_drive):
     one, two = follow(fast_drive, device, 6), follow(fast_drive, device, 6)
     np.testing.assert_array_equal(one.poses, two.poses)
@@ -268,28 +223,7 @@ def test_a_driver_may_write_all_scans_into_one_buffer(fast_drive):
     np.testing.assert_array_equal(reused.poses, apart.poses)
 
 
-@pytest.mark.slow
-@pytest.mark.slow_on_emulated_cuda("its processes run on the CPU alone")
-def test_the_number_of_threads_does_not_matter(tmp_path, fast_drive):
-    np.savez(tmp_path / "drive.npz", *fast_drive.scans[:4], *fast_drive.times[:4])
-    program = f"""
-import hashlib, numpy as np, pointloom as loom
-data = np.load({str(tmp_path / "drive.npz")!r})
-odometry = loom.registration.LidarOdometry()
-for k in range(4):
-    odometry.register(loom.PointCloud(data[f"arr_{{k}}"]), data[f"arr_{{k + 4}}"])
-print(hashlib.sha256(odometry.poses.tobytes() + odometry.map.points.tobytes()).hexdigest())
-"""
-    answers = set()
-    for threads in ("1", "2"):
-        environment = os.environ | {"POINTLOOM_CPU_THREADS": threads, "PYTHONPATH": str(ROOT / "src")}
-        command = [sys.executable, "-c", program]
-        done = subprocess.run(command, env=environment, capture_output=True, text=True, check=True, timeout=100)
-        answers.add(done.stdout)
-    assert len(answers) == 1 and len(answers.pop().strip()) == len(hashlib.sha256().hexdigest())
-
-
-@pytest.mark.parametrize("turns", [1, 2, 5])
+@pytest.mark.parametrize("turns", [1, 5])
 def test_a_scan_takes_as_many_turns_as_it_may_and_says_so(device, rng, turns):
     from pointloom.core.devices import resolve_device
     from pointloom.kernels.lang import vec3

@@ -75,14 +75,3 @@ def test_clouds_that_do_not_meet_hold_nothing():
     assert far.kinds == ("none",) * 6 and "no surface" in far.poor
     empty = reg.localisability(loom.PointCloud(), cube, np.eye(4), 0.1)
     assert empty.kinds == ("none",) * 6
-
-
-def test_bad_arguments_are_named():
-    cube = loom.PointCloud(np.random.default_rng(0).uniform(size=(3000, 3)))
-    for arguments, message in [
-        ((cube, cube, np.eye(4), 0), "max_correspondence_distance"),
-        ((cube, cube, 2 * np.eye(4), 0.1), "transformation"),
-        ((cube, [1], np.eye(4), 0.1), "target"),
-    ]:
-        with pytest.raises((ValueError, TypeError), match=message):
-            reg.localisability(*arguments)

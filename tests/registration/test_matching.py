@@ -7,6 +7,7 @@ import pytest
 import warp as wp
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from scipy.spatial import cKDTree
 
 import pointloom as loom
 from pointloom.kernels.features.feature_matching import FeatureMatch, pair_features
@@ -73,20 +74,17 @@ def assert_all_as_expected(device, a, b):
         assert np.array_equal(found, expected_pairs(sqdists, mutual, share, ratio)), (mutual, share, ratio)
 
 
-def as_open3d(features):
-    """Features as Open3D holds them."""
-    import open3d as o3d
-
+def as_open3d(o3d, features):
+    """Features in Open3D's class."""
     made = o3d.pipelines.registration.Feature()
     made.data = np.ascontiguousarray(features.T, dtype=np.float64)
     return made
 
 
-def open3d_pairs(a, b, mutual, share=0.1):
-    import open3d as o3d
-
-    found = o3d.pipelines.registration.correspondences_from_features(as_open3d(a), as_open3d(b), mutual, share)
-    return np.asarray(found).reshape(-1, 2)
+def open3d_pairs(o3d, a, b, mutual, share=0.1):
+    features = as_open3d(o3d, a), as_open3d(o3d, b)
+    found = o3d.pipelines.registration.correspondences_from_features(*features, mutual, share)
+    return np.asarray(found, np.int32).reshape(-1, 2)
 
 
 @pytest.fixture(scope="module")
@@ -105,22 +103,16 @@ def scenes(room_pair, street_pair, terrain):
     }
 
 
-@pytest.fixture(scope="module")
-def oracles(scenes):
-    """Open3D's pairs, computed once."""
-    return {(name, mutual): open3d_pairs(*scenes[name], mutual) for name in scenes for mutual in (False, True)}
-
-
 def sqdists_of(a, b, pairs):
     return ((a[pairs[:, 0]].astype(float) - b[pairs[:, 1]]) ** 2).sum(axis=1)
 
 
 @on_sets("scan", shipped=("room", "lidar", "terrain"), real=("room", "lidar"))
-def test_matches_of_real_scans_are_open3ds(device, scan, scenes, oracles, tolerances):
+def test_matches_of_real_scans_are_open3ds(device, scan, scenes, o3d, tolerances):
     a, b = scenes[scan]
     assert min(len(a), len(b)) > 1000
     found = correspondences_from_features(a, b, device=device)
-    expected = oracles[scan, False]
+    expected = open3d_pairs(o3d, a, b, False)
     assert np.array_equal(found[:, 0], expected[:, 0])
     ours, theirs = sqdists_of(a, b, found), sqdists_of(a, b, expected)
     other = found[:, 1] != expected[:, 1]
@@ -128,7 +120,7 @@ def test_matches_of_real_scans_are_open3ds(device, scan, scenes, oracles, tolera
     assert np.count_nonzero(other) < 0.02 * len(a), "lone points, whose features are zero, match any of each other"
     mutual = correspondences_from_features(a, b, True, device=device)
     assert 0.1 * len(a) < len(mutual) < 0.5 * len(a)
-    one_sided = set(map(tuple, mutual)) ^ set(map(tuple, oracles[scan, True]))
+    one_sided = set(map(tuple, mutual)) ^ set(map(tuple, open3d_pairs(o3d, a, b, True)))
     assert len(one_sided) < 0.02 * len(a)
     assert all(is_tied(a, b, i, j, tolerances.feature_tie) for i, j in one_sided)
 
@@ -142,16 +134,23 @@ def is_tied(a, b, i, j, share):
     return nearest and np.count_nonzero(there <= limit) + np.count_nonzero(back <= limit) > 2
 
 
-def test_the_tutorials_matches_are_open3ds_to_the_last(device, scenes, oracles):
+def test_the_tutorials_matches_are_open3ds_to_the_last(device, scenes, o3d):
     """No two rows of the room are as near as rounding; the ratio leaves the same as SciPy's two nearest."""
-    from scipy.spatial import cKDTree
-
     a, b = scenes["room"]
     for mutual in (False, True):
-        assert np.array_equal(correspondences_from_features(a, b, mutual, device=device), oracles["room", mutual])
+        expected = open3d_pairs(o3d, a, b, mutual)
+        assert np.array_equal(correspondences_from_features(a, b, mutual, device=device), expected)
     near = cKDTree(b.astype(float)).query(a.astype(float), 2)[0]
     found = correspondences_from_features(a, b, ratio=0.9, device=device)
     assert np.array_equal(found[:, 0], np.flatnonzero(near[:, 0] < 0.9 * near[:, 1]))
+
+
+def test_matches_are_open3ds(device, rng, oracle):
+    a = rng.normal(0, 1, (700, 33)).astype(np.float32)
+    b = np.concatenate([a[::2] + 0.2 * rng.normal(size=(350, 33)), rng.normal(0, 1, (200, 33))]).astype(np.float32)
+    for mutual in (False, True):
+        expected = oracle(f"registration/matching/mutual_{mutual}", open3d_pairs, a, b, mutual)
+        assert np.array_equal(correspondences_from_features(a, b, mutual, device=device), expected)
 
 
 @pytest.mark.slow
@@ -167,7 +166,7 @@ def test_whole_numbers_with_ties_and_holes_match_as_all_pairs_do(device, seed, d
     assert_all_as_expected(device, a, b)
 
 
-@pytest.mark.parametrize("d", [1, 2, 7, 15, 16, 17, 33, 100])
+@pytest.mark.parametrize("d", [1, 7, 16, 17, 33])
 def test_matches_in_any_number_of_dimensions_are_those_of_all_pairs(device, rng, d):
     """Clusters, where pruning leaves out nearly all, and noise, where it leaves out nothing."""
     middles = rng.normal(0, 5, (20, d))
@@ -176,9 +175,7 @@ def test_matches_in_any_number_of_dimensions_are_those_of_all_pairs(device, rng,
     assert_all_as_expected(device, *rng.normal(0, 1, (2, 150, d)))
 
 
-@pytest.mark.parametrize(
-    ("scale", "offset"), [(1, 1e6), (1, 1e4), (1e-13, 0), (1e13, 0), (1e-3, 1), (1e-9, 1e-3)], ids=str
-)
+@pytest.mark.parametrize(("scale", "offset"), [(1, 1e6), (1e-13, 0), (1e13, 0), (1e-9, 1e-3)], ids=str)
 def test_pruning_leaves_out_no_nearest_row_at_any_scale_or_offset(device, rng, scale, offset):
     """Far from zero float32 rows are few steps apart, so ties and near-ties abound."""
     a, b = rng.normal(0, 1, (2, 500, 33)) * np.geomspace(1, 0.01, 33) * scale + offset
@@ -195,7 +192,7 @@ def test_pruning_leaves_out_no_nearest_row_among_near_ties(device, rng):
     assert_all_as_expected(device, sphere[:200] * (1 + 1e-6), sphere)
 
 
-@pytest.mark.parametrize("d", [2, 5, 33])
+@pytest.mark.parametrize("d", [2, 33])
 def test_pruning_leaves_out_no_nearest_row_that_differs_in_last_digits(device, rng, d):
     """Knots of rows a few roundings wide, far from each other: the rounding of what prunes is as wide as they are."""
     knots = np.float32(rng.normal(0, 1000, (60, 1, d)))
@@ -205,8 +202,6 @@ def test_pruning_leaves_out_no_nearest_row_that_differs_in_last_digits(device, r
 
 def test_a_target_of_many_blocks_is_searched_whole(device, rng):
     """Trees of more than 65,536 rows have more than one root; SciPy tells where every row lies."""
-    from scipy.spatial import cKDTree
-
     b = rng.normal(0, 1, (70_001, 5)).astype(np.float32)
     a = np.concatenate([b[::350] + np.float32(0.01), rng.normal(0, 2, (100, 5)).astype(np.float32)])
     found = correspondences_from_features(a, b, device=device)
@@ -227,19 +222,19 @@ def test_equal_rows_match_the_first_of_them(device):
     assert len(correspondences_from_features(a, b, ratio=1.0, device=device)) == 0, "all are ambiguous"
 
 
-def test_of_equal_rows_scattered_among_others_the_first_matches(device, rng):
-    rows = rng.integers(0, 2, (40, 6)).astype(np.float32)[rng.integers(0, 40, 900)]
-    assert_all_as_expected(device, rows[:400], rows[400:])
+def pairs_of_shares(o3d, a, b, shares):
+    return [open3d_pairs(o3d, a, b, True, share) for share in shares]
 
 
-@pytest.mark.parametrize(("share", "kept"), [(0.27, 28), (0.28, 28), (0.285, 28), (0.29, 100), (0.3, 100), (5, 100)])
-def test_the_mutual_filter_is_dropped_where_open3d_drops_it(device, share, kept):
+def test_the_mutual_filter_is_dropped_where_open3d_drops_it(device, oracle):
     """28 of 100 pairs are mutual. 0.29 times 100 is 28.99 in float64 and 29 in float32, in which Open3D computes."""
     b = np.arange(28, dtype=np.float32)[:, None] * 10
     a = np.concatenate([b, b[-1] + 1 + np.arange(72, dtype=np.float32)[:, None]])
-    found = correspondences_from_features(a, b, True, share, device=device)
-    assert len(found) == kept
-    assert np.array_equal(found, open3d_pairs(a, b, True, share))
+    kept = {0.28: 28, 0.285: 28, 0.29: 100, 5: 100}
+    answers = oracle("registration/matching/shares", pairs_of_shares, a, b, list(kept))
+    for share, expected in zip(kept, answers, strict=True):
+        found = correspondences_from_features(a, b, True, share, device=device)
+        assert len(found) == kept[share] and np.array_equal(found, expected)
 
 
 def test_the_ratio_is_taken_after_the_mutual_filter_and_its_fallback(device):
@@ -296,23 +291,10 @@ def test_device_arrays_lists_and_other_types_match_as_numpy_arrays_do(device, rn
     assert pairs.dtype == wp.int32 and np.array_equal(pairs.numpy(), expected)
 
 
-def test_matching_twice_gives_the_same_bits(device, scenes):
-    a, b = (wp.array(x, dtype=wp.float32, device=device, ndim=2) for x in scenes["lidar"])
+def test_matching_twice_gives_the_same_bits(device, rng):
+    a, b = (wp.array(x, dtype=wp.float32, device=device, ndim=2) for x in rng.normal(size=(2, 4000, 33)))
     first, second = (matched_rows(a, b) for _ in range(2))
     assert all(x.numpy().tobytes() == y.numpy().tobytes() for x, y in zip(first, second, strict=True))
-
-
-@pytest.mark.slow  # a line of tests/test_compilers.py
-@pytest.mark.taichi
-def test_the_two_compilers_find_the_same_bits(scenes):
-    from pointloom.kernels.lang import cpu_compiler
-
-    a, b = (wp.array(x, dtype=wp.float32, device="cpu", ndim=2) for x in scenes["lidar"])
-    found = []
-    for name in ("taichi", "warp"):
-        with cpu_compiler(name):
-            found.append([x.numpy().tobytes() for x in matched_rows(a, b)])
-    assert found[0] == found[1]
 
 
 def test_features_are_left_as_they_are(device, rng):
@@ -325,55 +307,9 @@ def test_features_are_left_as_they_are(device, rng):
     assert np.array_equal(held[0].numpy(), a) and np.array_equal(held[1].numpy(), b)
 
 
-@pytest.mark.parametrize(
-    ("a", "b", "kind", "message"),
-    [
-        (np.zeros((5, 33)), np.zeros((5, 32)), ValueError, r"same d, got \[5, 33\] and \[5, 32\]"),
-        (np.zeros((33, 5)), np.zeros((33, 8)), ValueError, r"look transposed: Open3D's features are columns"),
-        (np.zeros(33), np.zeros((5, 33)), ValueError, r"source_features: expected shape \[n, d\], .* got \[33\]"),
-        (np.zeros((5, 33)), np.zeros((2, 5, 33)), ValueError, r"target_features: .* got \[2, 5, 33\]"),
-        (np.zeros((5, 0)), np.zeros((5, 0)), ValueError, r"source_features: .* got \[5, 0\]"),
-        (np.zeros((5, 3), complex), np.zeros((5, 3)), TypeError, "source_features: expected real numbers"),
-        (np.zeros((5, 3)), [["a", "b", "c"]], TypeError, "target_features: expected real numbers"),
-        (wp.zeros(5, dtype=wp.float32, device="cpu"), np.zeros((5, 3)), ValueError, r"got \[5\]"),
-    ],
-    ids=lambda v: v.__name__ if isinstance(v, type) else "",
-)
-def test_features_that_do_not_fit_are_refused(a, b, kind, message):
-    with pytest.raises(kind, match=message):
-        correspondences_from_features(a, b)
-
-
-def test_features_of_other_widths_match_as_float32_does(rng):
-    a, b = (rng.normal(size=(n, 5)).astype(np.float32) for n in (9, 12))
-    doubles = [wp.array(x.astype(np.float64), dtype=wp.float64, device="cpu") for x in (a, b)]
-    found = np.asarray(correspondences_from_features(*doubles))
-    np.testing.assert_array_equal(found, correspondences_from_features(a, b))
-
-
-def test_open3ds_own_object_is_refused_with_the_way_to_pass_it():
+def test_open3ds_own_object_is_refused_with_the_way_to_pass_it(o3d):
     rows = np.random.default_rng(0).normal(0, 1, (9, 33))
-    feature = as_open3d(rows)
-    with pytest.raises(TypeError, match=r"source_features: expected an array, got Feature; pass its `data.T`"):
+    feature = as_open3d(o3d, rows)
+    with pytest.raises(TypeError, match=r"source_features: .*`data.T`"):
         correspondences_from_features(feature, rows)
     assert len(correspondences_from_features(np.asarray(feature.data).T, rows)) == 9
-
-
-@pytest.mark.parametrize(
-    ("options", "message"),
-    [
-        ({"ratio": 0}, "ratio: expected a finite number > 0"),
-        ({"ratio": 1.01}, "ratio: expected a number above 0 and at most 1, got 1.01"),
-        ({"ratio": np.nan}, "ratio: expected a finite number"),
-        ({"mutual_consistency_ratio": -0.1}, "mutual_consistency_ratio: expected a finite number >= 0"),
-    ],
-)
-def test_options_out_of_range_are_refused(options, message):
-    rows = np.zeros((3, 33))
-    with pytest.raises(ValueError, match=message):
-        correspondences_from_features(rows, rows, **options)
-
-
-def test_a_device_that_is_not_there_is_refused():
-    with pytest.raises(loom.DeviceError, match="device: expected one of cpu"):
-        correspondences_from_features(np.zeros((3, 33)), np.zeros((3, 33)), device="cuda:99")

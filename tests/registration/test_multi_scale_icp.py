@@ -1,7 +1,6 @@
 """ICP from coarse to fine: it comes from farther away, and one scale of it is plain ICP."""
 
 import numpy as np
-import pytest
 
 import pointloom as loom
 
@@ -54,20 +53,3 @@ def test_a_low_overlap_is_found_by_itself(device, rng, angle_between):
         source.voxel_down_sample(0.03), target.voxel_down_sample(0.03), 0.4, found.transformation
     )
     assert found.fitness == again.fitness and len(found.correspondence_set) == len(again.correspondence_set)
-
-
-@pytest.mark.parametrize(
-    ("sizes", "message"),
-    [
-        ([0.1, 0.2], "voxel_sizes: expected positive sizes in descending order"),
-        ([0.1, 0.1], "voxel_sizes: expected positive sizes in descending order"),
-        ([-1, 0.1], "voxel_sizes: expected positive sizes in descending order"),
-        ([np.nan, 0.1], "voxel_sizes: expected positive sizes in descending order"),
-        ([0.1], "voxel_sizes, criteria_list, max_correspondence_distances: expected lists of one length"),
-        ([], "voxel_sizes, criteria_list, max_correspondence_distances: expected lists of one length"),
-    ],
-)
-def test_voxel_sizes_descend(full_pair, sizes, message):
-    rules = [reg.ICPConvergenceCriteria()] * 2
-    with pytest.raises(ValueError, match=rf"^{message}"):
-        reg.multi_scale_icp(*full_pair[:2], sizes, rules, [0.2, 0.1])

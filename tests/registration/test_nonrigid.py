@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import numpy as np
 import pytest
 from scipy.optimize import least_squares
@@ -32,10 +34,16 @@ def swaying():
     return body, swayed(lumpy(2 * COUNT, 1)), swayed(body)
 
 
+@cache
+def swaying_cloud(device):
+    """The body with normals and labels, and the result of bending it onto the scan."""
+    cloud = loom.PointCloud(lumpy(COUNT, 0), device=device, label=np.arange(COUNT)).estimate_normals(max_nn=20)
+    return cloud, bend(cloud, loom.PointCloud(swayed(lumpy(2 * COUNT, 1)), device=device))
+
+
 @LONG
-def test_the_surface_of_a_body_comes_to_where_it_was_bent(device, swaying):
-    body, scan, _ = swaying
-    found = bend(loom.PointCloud(body, device=device), loom.PointCloud(scan, device=device))
+def test_the_surface_of_a_body_comes_to_where_it_was_bent(device):
+    _, found = swaying_cloud(device)
     away = cKDTree(swayed(lumpy(40_000, 2))).query(found.warped.points)[0]
     assert np.median(away) < 0.02 and found.rmse < 0.2 * found.rigid_rmse
     assert found.poor is None and not found.is_rigid and found.covered > 0.95
@@ -46,7 +54,7 @@ def test_landmarks_keep_points_from_sliding_along_the_surface(device, swaying):
     body, scan, truth = swaying
     clouds = loom.PointCloud(body, device=device), loom.PointCloud(scan, device=device)
     chosen = np.arange(0, COUNT, 50)
-    slid = np.median(errors_of(bend(*clouds), truth))
+    slid = np.median(errors_of(swaying_cloud(device)[1], truth))
     held = np.median(errors_of(bend(*clouds, landmarks=(body[chosen], truth[chosen])), truth))
     assert held < 0.25 * slid and held < 0.02
 
@@ -119,10 +127,9 @@ def test_a_bend_far_from_zero_is_the_same(device, swaying):
 
 
 @LONG
-def test_the_bend_takes_points_normals_and_attributes_along(device, swaying):
-    body, scan, _ = swaying
-    cloud = loom.PointCloud(body, device=device, label=np.arange(COUNT)).estimate_normals(max_nn=20)
-    found = bend(cloud, loom.PointCloud(scan, device=device))
+def test_the_bend_takes_points_normals_and_attributes_along(device):
+    cloud, found = swaying_cloud(device)
+    body = cloud.points
     T, warped = found.deformation, found.warped
     assert np.abs(T.transform(body) - warped.points).max() < 1e-5
     assert np.array_equal(warped["label"], np.arange(COUNT))
@@ -275,30 +282,20 @@ def test_the_far_side_of_a_thin_body_is_no_partner(device):
     assert (found.correspondences == -1).all()
 
 
-def test_bad_input_is_told(device, swaying):
-    body, scan, _ = swaying
-    cloud, other = loom.PointCloud(body, device=device), loom.PointCloud(scan, device=device)
-    empty = loom.PointCloud(np.zeros((0, 3)), device=device)
-    for arguments, options, words in (
-        ((empty, other), {}, "source: expected at least 10 finite points, got 0"),
-        ((cloud, empty), {}, "target: expected at least 10"),
-        ((cloud, other.translate([90.0, 0, 0])), {}, "no point of the source lies within"),
-        ((cloud, other), {"landmarks": (body[:3], np.full((3, 3), np.nan))}, r"landmarks\[1\]"),
-        ((cloud, other), {"landmarks": (body[:3] + 9.0, scan[:3])}, "outside of the source's box"),
-        ((cloud, other), {"landmarks": (body[:3], scan[:2])}, r"landmarks\[1\]"),
-        ((cloud, other), {"landmarks": body[:3]}, "landmarks: expected two arrays"),
-        ((cloud, other), {"stiffness": []}, "stiffness"),
-        ((cloud, other), {"node_spacing": 0.0}, "node_spacing"),
-    ):
-        with pytest.raises(ValueError, match=words):
-            bend(*arguments, **options)
+def test_points_that_are_none_stay_so(device):
+    holed, scan = lumpy(300, 0), swayed(lumpy(400, 1))
+    holed[::50] = np.nan
+    clouds = loom.PointCloud(holed, device=device), loom.PointCloud(scan, device=device)
+    found = bend(*clouds, node_spacing=0.9, stiffness=[10.0], max_iteration=3)
+    assert np.isnan(found.warped.points[::50]).all() and np.isfinite(found.warped.points[1::50]).all()
+    assert (found.correspondences[::50] == -1).all() and found.matched > 0.2
 
 
 @LONG
-def test_points_that_are_none_stay_so(device, swaying):
+@pytest.mark.slow
+def test_points_that_are_none_leave_a_good_result(device, swaying):
     body, scan, _ = swaying
     holed = body.copy()
     holed[::50] = np.nan
     found = bend(loom.PointCloud(holed, device=device), loom.PointCloud(scan, device=device))
-    assert np.isnan(found.warped.points[::50]).all() and np.isfinite(found.warped.points[1::50]).all()
     assert (found.correspondences[::50] == -1).all() and found.poor is None

@@ -15,7 +15,7 @@ def covariances_from(normals, epsilon, device="cpu"):
     return found.numpy().reshape(-1, 3, 3)
 
 
-@pytest.mark.parametrize("epsilon", [1e-3, 1e-6, 1.0, 0.5])
+@pytest.mark.parametrize("epsilon", [1e-3, 1.0])
 def test_covariances_from_normals_are_flat_along_them(device, epsilon, rng, tolerances):
     """Also for normals near -x, where Open3D takes those of x; and for normals of any length."""
     normals = rng.normal(size=(500, 3)) * 3
@@ -26,30 +26,10 @@ def test_covariances_from_normals_are_flat_along_them(device, epsilon, rng, tole
     expected = np.eye(3) + (epsilon - 1) * units[:, :, None] * units[:, None, :]
     found = covariances_from(normals, epsilon, device)
     np.testing.assert_allclose(found, expected, atol=tolerances.float32_relative)
+    np.testing.assert_array_equal(covariances_from(-normals, epsilon, device), found, "a plane has no side")
     for row in range(0, 500, 20):  # the paper's form: a rotation from the first axis to the normal
         R = Rotation.align_vectors(units[row : row + 1], [[1.0, 0, 0]])[0].as_matrix()
         np.testing.assert_allclose(R @ np.diag([epsilon, 1, 1]) @ R.T, expected[row], atol=1e-7)
-
-
-def test_open3d_gives_normals_near_minus_x_another_plane(device, rng, to_open3d, tolerances):
-    """A plane has no side, yet flipped normals change Open3D's step; ours are the same bits."""
-    import open3d as o3d
-
-    module = o3d.pipelines.registration
-    n = np.array([0.995, 0.0998, 0.0])
-    points = np.column_stack([0.1 * rng.random(400), rng.uniform(-1, 1, (400, 2))])
-    normals = np.tile(n / np.linalg.norm(n), (400, 1)) + rng.normal(size=(400, 3)) * 0.02
-    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
-    np.testing.assert_array_equal(covariances_from(normals, 1e-3, device), covariances_from(-normals, 1e-3, device))
-    steps = []
-    for side in (1.0, -1.0):
-        clouds = [to_open3d(points + shift, side * normals) for shift in ([0.01, 0.02, -0.01], [0, 0, 0])]
-        steps.append(
-            module.registration_generalized_icp(
-                *clouds, 0.1, np.eye(4), criteria=module.ICPConvergenceCriteria(0.0, 0.0, 1)
-            ).transformation
-        )
-    assert np.abs(steps[0] - steps[1]).max() > 1e-4
 
 
 def test_unknown_planes_are_round(device):
@@ -73,7 +53,7 @@ def test_covariances_of_twenty_neighbours_are_small_gicps(device, scene, lidar, 
     np.testing.assert_allclose(np.linalg.eigvalsh(found), np.tile([1e-3, 1, 1], (len(points), 1)), atol=1e-6)
 
 
-@pytest.mark.parametrize("count", [0, 1, 3, 4, 5])
+@pytest.mark.parametrize("count", [0, 1, 4, 5])
 def test_fewer_than_five_points_have_round_covariances(device, count):
     points = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0], [2, 1, 0.0]])[:count]
     with_nan = np.vstack([points, [[np.nan, 0, 0]]])

@@ -28,7 +28,7 @@ from .pose_rings import (
 from .poses import as_pose
 
 
-@pytest.mark.parametrize("seed", [3, 8])
+@pytest.mark.parametrize("seed", [3, pytest.param(8, marks=pytest.mark.slow)])
 def test_both_methods_find_the_same_minimum(seed, tolerances):
     """Open3D's Gauss-Newton anchors no node, its system is singular: both walks come out spoilt at one distance."""
     scene = ring(60, seed=seed, noise=0.02, outliers=10)
@@ -71,7 +71,7 @@ def test_the_least_cost_is_stationary():
 
 @pytest.mark.parametrize("method", METHODS)
 @given(data=st.data())
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=10, deadline=None)
 def test_trees_are_met_exactly(method, data):
     count = data.draw(st.integers(2, 12))
     rng = np.random.default_rng(data.draw(st.integers(0, 2**32)))
@@ -117,8 +117,7 @@ def test_scans_registered_in_pairs_come_together(device, fragment, rng):
     assert solved.edges[2].confidence > 0.9
 
 
-@pytest.mark.parametrize("method", METHODS)
-@pytest.mark.parametrize("reference", [0, 7, 19])
+@pytest.mark.parametrize(("method", "reference"), [(METHODS[0], 0), (METHODS[1], 7), (METHODS[0], 19)])
 def test_the_reference_keeps_its_pose_to_the_bit(reference, method):
     scene = ring(20, seed=5)
     solved = solve(scene, method, reference=reference)
@@ -126,13 +125,6 @@ def test_the_reference_keeps_its_pose_to_the_bit(reference, method):
     other = solve(scene, method, reference=0 if reference else 1)
     to_reference = [np.linalg.inv(poses_of(g)[reference]) @ poses_of(g) for g in (solved, other)]
     np.testing.assert_allclose(*to_reference, rtol=0, atol=1e-5)
-
-
-def test_results_turn_with_the_world():
-    scene = ring(20, seed=6, noise=0.01, outliers=4)
-    W = as_pose([0.3, -2.0, 1.1], [4, 5, -6])
-    turned = solve(SimpleNamespace(poses=W @ scene.poses, edges=scene.edges), **TIGHT)
-    np.testing.assert_allclose(poses_of(turned), W @ poses_of(solve(scene, **TIGHT)), rtol=0, atol=1e-9)
 
 
 def test_a_doubled_edge_weighs_as_one_of_twice_the_information():
@@ -180,6 +172,7 @@ def test_confidence_follows_from_the_residual():
 def test_preference_and_threshold_decide_what_is_kept():
     scene = ring(12, seed=8, noise=0.02)
     graph, kept = to_graph(scene), []
+    before = poses_of(graph), confidences_of(graph)
     for preference, threshold in ((0.1, 0.25), (1.0, 0.25), (10.0, 0.25), (1.0, 0.0), (1.0, 1.0)):
         option = reg.GlobalOptimizationOption(0.05, threshold, preference, 0)
         solved = reg.global_optimization(graph, option=option)
@@ -188,23 +181,14 @@ def test_preference_and_threshold_decide_what_is_kept():
     uncertain = sum(edge.uncertain for edge in graph.edges)
     assert kept[0] < kept[1] < kept[2] == kept[3] == uncertain, kept
     assert kept[4] == 0
-
-
-def test_the_graph_that_was_given_stays_as_it_was():
-    scene = ring(10, seed=9, outliers=3)
-    graph = to_graph(scene)
-    arrays = [node.pose.copy() for node in graph.nodes]
-    confidences = confidences_of(graph)
-    solved = reg.global_optimization(graph)
-    assert all(np.array_equal(a, node.pose) for a, node in zip(arrays, graph.nodes, strict=True))
-    assert len(graph.edges) == len(scene.edges) and np.array_equal(confidences_of(graph), confidences)
-    assert graph.report is None
-    assert all(a is not b for a, b in zip(graph.nodes, solved.nodes, strict=True))
+    assert graph.report is None and len(graph.edges) == len(scene.edges), "the graph that was given stays as it was"
+    for old, new in zip(before, (poses_of(graph), confidences_of(graph)), strict=True):
+        np.testing.assert_array_equal(old, new)
 
 
 @pytest.mark.parametrize("method", METHODS)
 def test_two_runs_give_the_same_bits(method):
-    scene = ring(60, seed=10, noise=0.02, outliers=5)
+    scene = ring(30, seed=10, noise=0.02, outliers=5)
     first, second = solve(scene, method, 0.1), solve(scene, method, 0.1)
     assert poses_of(first).tobytes() == poses_of(second).tobytes()
     assert confidences_of(first).tobytes() == confidences_of(second).tobytes()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import tempfile
 from pathlib import Path
 
@@ -54,22 +55,16 @@ def written(tmp_path) -> tuple[Path, dict]:
     return path, json.loads(path.read_text())
 
 
-@pytest.mark.parametrize("count", [2, 7])
-def test_open3d_reads_what_we_write_to_the_bit(count, tmp_path):
-    import open3d as o3d
-
-    graph = graph_of(count)
+def test_open3d_reads_what_we_write_to_the_bit(tmp_path, o3d):
+    graph = graph_of(7)
     reg.write_pose_graph(tmp_path / "graph.json", graph)
     assert_same(graph, o3d.io.read_pose_graph(str(tmp_path / "graph.json")))
-    assert_same(graph, reg.read_pose_graph(tmp_path / "graph.json"))
 
 
-@pytest.mark.parametrize("count", [2, 7])
-def test_we_read_what_open3d_writes_to_the_bit(count, tmp_path):
-    import open3d as o3d
-    from open3d.pipelines import registration as theirs
-
-    graph, other = graph_of(count, seed=1), theirs.PoseGraph()
+def written_by_open3d(o3d, graph):
+    """The text of the file that Open3D writes of a graph."""
+    theirs = o3d.pipelines.registration
+    other = theirs.PoseGraph()
     for node in graph.nodes:
         other.nodes.append(theirs.PoseGraphNode(node.pose))
     for edge in graph.edges:
@@ -77,7 +72,15 @@ def test_we_read_what_open3d_writes_to_the_bit(count, tmp_path):
         other.edges.append(
             theirs.PoseGraphEdge(*ends, edge.transformation, edge.information, edge.uncertain, edge.confidence)
         )
-    assert o3d.io.write_pose_graph(str(tmp_path / "graph.json"), other) is None
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "graph.json"
+        o3d.io.write_pose_graph(str(path), other)
+        return path.read_text()
+
+
+def test_we_read_what_open3d_writes_to_the_bit(tmp_path, oracle):
+    graph = graph_of(5, seed=1)
+    (tmp_path / "graph.json").write_text(oracle("registration/pose_graphs/file", written_by_open3d, graph))
     assert_same(reg.read_pose_graph(tmp_path / "graph.json"), graph)
 
 
@@ -98,76 +101,39 @@ def test_what_was_assigned_as_lists_is_written_as_arrays_are(tmp_path):
     assert_same(reg.read_pose_graph(tmp_path / "graph.json"), expected)
 
 
-def test_the_optimised_graph_is_written_and_read(tmp_path):
-    graph = reg.PoseGraph([reg.PoseGraphNode(), reg.PoseGraphNode()], [reg.PoseGraphEdge(0, 1)])
-    solved = reg.global_optimization(graph)
-    reg.write_pose_graph(tmp_path / "graph.json", solved)
-    assert_same(reg.read_pose_graph(tmp_path / "graph.json"), solved)
-
-
-def change(content, place, value) -> None:
-    *steps, last = place
-    for step in steps:
-        content = content[step]
-    content[last] = value
-
-
 IDENTITY = np.eye(4).ravel().tolist()
 
 
 @pytest.mark.parametrize(
-    ("place", "value", "message"),
+    ("place", "value"),
     [
-        (("class_name",), "PinholeCameraTrajectory", r"key class_name\): expected 'PoseGraph'"),
-        (("version_major",), 2, r"key version_major\): expected 1, got '2'"),
-        (("version_minor",), True, r"key version_minor\): expected 0"),
-        (("nodes",), {}, r"key nodes\): expected a list, got a dict"),
-        (("edges",), None, r"key edges\): expected a list"),
-        (("extra",), 1, r"key extra\): of unknown meaning"),
-        (("nodes", 1), [], r"key nodes\[1\]\): expected an object, got a list"),
-        (("nodes", 1, "pose"), IDENTITY[:15], r"key nodes\[1\]\.pose\): expected a list of 16 numbers, got 15"),
-        (("nodes", 1, "pose"), [*IDENTITY[:15], "1"], r"key nodes\[1\]\.pose\): expected finite numbers"),
-        (("nodes", 1, "pose"), [2.0, *IDENTITY[1:]], r"nodes\[1\]\.pose: expected a rigid motion"),
-        (("nodes", 1, "pose"), [*IDENTITY[:3], 5.0, *IDENTITY[4:]], r"nodes\[1\]\.pose: .* column by column"),
-        (("nodes", 1, "class_name"), "PoseGraphEdge", r"key nodes\[1\]\.class_name\): expected 'PoseGraphNode'"),
-        (("nodes", 1, "name"), "kitchen", r"key nodes\[1\]\.name\): of unknown meaning"),
-        (("edges", 2, "source_node_id"), 4, r"edges\[2\]\.source_node_id: expected the index of one of 4 nodes, got 4"),
-        (("edges", 2, "source_node_id"), -1, r"key edges\[2\]\.source_node_id\): expected the index of a node, got -1"),
-        (("edges", 2, "source_node_id"), 2**31, r"key edges\[2\]\.source_node_id\): expected the index of a node"),
-        (("edges", 2, "source_node_id"), 1.0, r"key edges\[2\]\.source_node_id\): expected a whole number, got '1.0'"),
-        (("edges", 2, "source_node_id"), True, r"key edges\[2\]\.source_node_id\): expected a whole number"),
-        (("edges", 2, "target_node_id"), 2, r"edges\[2\]\.target_node_id: expected another node"),
-        (("edges", 2, "uncertain"), 1, r"key edges\[2\]\.uncertain\): expected true or false, got '1'"),
-        (("edges", 2, "confidence"), "high", r"key edges\[2\]\.confidence\): expected a number, got 'high'"),
-        (("edges", 2, "confidence"), 1.25, r"edges\[2\]\.confidence: expected 0\.\.1, got 1\.25"),
-        (
-            ("edges", 2, "information"),
-            IDENTITY,
-            r"key edges\[2\]\.information\): expected a list of 36 numbers, got 16",
-        ),
-        (("edges", 2, "information"), list(range(36)), r"edges\[2\]\.information: expected a symmetric matrix"),
-        (("edges", 2, "information"), (-np.eye(6)).ravel().tolist(), r"edges\[2\]\.information: .*semi-definite"),
-        (("edges", 2, "information"), [1e101] * 36, r"key edges\[2\]\.information\): expected finite numbers"),
-        (("edges", 2, "transformation"), [0.0] * 16, r"edges\[2\]\.transformation: expected a rigid motion"),
+        ("class_name", "PinholeCameraTrajectory"), ("version_major", 2), ("version_minor", True), ("nodes", {}),
+        ("edges", None), ("extra", 1), ("nodes[1]", []), ("nodes[1].pose", IDENTITY[:15]),
+        ("nodes[1].pose", [*IDENTITY[:15], "1"]), ("nodes[1].pose", [2.0, *IDENTITY[1:]]),
+        ("nodes[1].pose", [*IDENTITY[:3], 5.0, *IDENTITY[4:]]), ("nodes[1].class_name", "PoseGraphEdge"),
+        ("nodes[1].name", "kitchen"), ("edges[2].source_node_id", 4), ("edges[2].source_node_id", -1),
+        ("edges[2].source_node_id", 2**31), ("edges[2].source_node_id", 1.0), ("edges[2].source_node_id", True),
+        ("edges[2].target_node_id", 2), ("edges[2].uncertain", 1), ("edges[2].confidence", "high"),
+        ("edges[2].confidence", 1.25), ("edges[2].information", IDENTITY), ("edges[2].information", list(range(36))),
+        ("edges[2].information", (-np.eye(6)).ravel().tolist()), ("edges[2].information", [1e101] * 36),
+        ("edges[2].transformation", [0.0] * 16), ("edges[2].transformation", None), ("edges[2].class_name", None),
     ],
-)
-def test_broken_files_are_refused_with_the_place(place, value, message, written):
+)  # fmt: skip
+def test_broken_files_are_refused_with_the_place(place, value, written):
+    """None removes an edge's key."""
     path, content = written
-    change(content, place, value)
+    *steps, last = place.replace("[", ".").replace("]", "").split(".")
+    inner = content
+    for step in steps:
+        inner = inner[int(step) if step.isdigit() else step]
+    if value is None and steps:
+        del inner[last]
+    elif last.isdigit():
+        inner[int(last)] = value
+    else:
+        inner[last] = value
     path.write_text(json.dumps(content))
-    with pytest.raises(FileError, match=message):
-        reg.read_pose_graph(path)
-
-
-@pytest.mark.parametrize(
-    "key",
-    ["source_node_id", "target_node_id", "transformation", "information", "uncertain", "confidence", "class_name"],
-)
-def test_a_missing_key_of_an_edge_is_named(key, written):
-    path, content = written
-    del content["edges"][1][key]
-    path.write_text(json.dumps(content))
-    with pytest.raises(FileError, match=rf"key edges\[1\]\.{key}\): missing"):
+    with pytest.raises(FileError, match=rf"\b{re.escape(place)}(\b|\)|:)"):
         reg.read_pose_graph(path)
 
 
@@ -197,7 +163,7 @@ def test_a_missing_file_and_a_folder_are_refused(tmp_path):
 
 
 @given(data=st.data())
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=40, deadline=None)
 def test_a_damaged_file_is_read_consistently_or_refused(data):
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "graph.json"

@@ -1,7 +1,6 @@
 """Pose graphs with chosen freedom: what is fixed stays as it was given, and what is free goes to the optimum."""
 
 import numpy as np
-import pytest
 from scipy.optimize import least_squares
 
 import pointloom as loom
@@ -83,15 +82,3 @@ def test_the_mean_of_all_level_poses_is_kept():
     poses = np.array([n.pose for n in reg.global_optimization(graph, free=LEVEL).nodes])
     assert np.abs(poses[:, 2, :3] - first[:, 2, :3]).max() < 1e-12
     assert abs((poses - first)[:, 2, 3].mean()) < 1e-9
-
-
-@pytest.mark.parametrize(
-    ("free", "said"),
-    [
-        (["yaw", "roll", "x", "y", "z"], "third axis"), (["yaw", "x"], "reference_node"),
-        ([], "at least one"), (["up"], "names among"),
-    ],
-)  # fmt: skip
-def test_freedoms_that_make_no_sense_are_refused(free, said):
-    with pytest.raises(ValueError, match=said):
-        reg.global_optimization(reg.PoseGraph(), free=free)

@@ -57,20 +57,10 @@ def test_motions_that_no_edge_determines_are_left_alone(method):
     ("change", "message"),
     [
         (lambda g: g.edges.__delitem__(slice(3, None)), r"no path of edges joins node 0 to nodes 4, 5, 6, 7\."),
-        (lambda g: setattr(g.edges[2], "source_node_id", 8), r"edges\[2\]\.source_node_id: .* one of 8 nodes, got 8"),
-        (lambda g: setattr(g.edges[2], "target_node_id", -1), r"edges\[2\]\.target_node_id: .*got -1"),
-        (lambda g: setattr(g.edges[2], "target_node_id", 1.5), r"edges\[2\]\.target_node_id: .*got 1\.5"),
-        (lambda g: setattr(g.edges[2], "target_node_id", 2), r"edges\[2\]\.target_node_id: expected another node"),
-        (lambda g: setattr(g.nodes[1], "pose", 2 * np.eye(4)), r"nodes\[1\]\.pose: expected a rigid motion"),
-        (lambda g: setattr(g.nodes[1], "pose", np.diag([1, 1, -1, 1])), r"nodes\[1\]\.pose: .* rigid"),
         (lambda g: setattr(g.nodes[1], "pose", np.full((4, 4), np.nan)), r"nodes\[1\]\.pose: .* NaN"),
         (lambda g: setattr(g.nodes[1], "pose", np.eye(3)), r"nodes\[1\]\.pose: expected shape \[4, 4\], got \[3, 3\]"),
-        (lambda g: setattr(g.edges[4], "transformation", np.zeros((4, 4))), r"edges\[4\]\.transformation: .* rigid"),
-        (lambda g: g.edges[4].information.__setitem__((0, 1), 9.0), r"edges\[4\]\.information: .* symmetric"),
-        (lambda g: setattr(g.edges[4], "information", -np.eye(6)), r"edges\[4\]\.information: .*semi-definite"),
         (lambda g: setattr(g.edges[4], "information", np.full((6, 6), np.inf)), r"edges\[4\]\.information: .* finite"),
         (lambda g: setattr(g.edges[0], "confidence", 0.5), r"edges\[0\]\.confidence: expected 1 of a certain edge"),
-        (lambda g: setattr(g.edges[8], "confidence", 1.5), r"edges\[8\]\.confidence: expected 0\.\.1, got 1\.5"),
         (lambda g: setattr(g.edges[8], "confidence", np.nan), r"edges\[8\]\.confidence: expected 0\.\.1, got nan"),
         (
             lambda g: [setattr(edge, "information", np.zeros((6, 6))) for edge in g.edges],
@@ -92,45 +82,6 @@ def test_parts_that_no_edge_joins_are_counted():
     with pytest.raises(ValueError, match=expected):
         option = reg.GlobalOptimizationOption(reference_node=5)
         reg.global_optimization(reg.PoseGraph(nodes, edges), option=option)
-
-
-def test_operands_of_other_kinds_are_refused():
-    graph = to_graph(ring(8, seed=13))
-    for method in ("LM", reg.GlobalOptimizationOption(), reg.GlobalOptimizationMethod(), None):
-        with pytest.raises(TypeError, match="method: expected GlobalOptimizationLevenbergMarquardt"):
-            reg.global_optimization(graph, method)
-    with pytest.raises(TypeError, match="criteria"):
-        reg.global_optimization(graph, criteria={})
-    with pytest.raises(TypeError, match="option"):
-        reg.global_optimization(graph, option=0.1)
-    with pytest.raises(TypeError, match="pose_graph"):
-        reg.global_optimization([np.eye(4)])
-    with pytest.raises(TypeError, match=r"nodes\[1\]: expected a PoseGraphNode"):
-        reg.global_optimization(reg.PoseGraph([reg.PoseGraphNode(), np.eye(4)]))
-    with pytest.raises(ValueError, match=r"option\.reference_node: expected -1 or one of 8 nodes, got 8"):
-        reg.global_optimization(graph, option=reg.GlobalOptimizationOption(reference_node=8))
-
-
-@pytest.mark.parametrize(
-    ("make", "kind", "message"),
-    [
-        (lambda: reg.PoseGraphNode(np.eye(3)), ValueError, r"pose: expected shape \[4, 4\]"),
-        (lambda: reg.PoseGraphNode("here"), TypeError, "pose"),
-        (lambda: reg.PoseGraphEdge(0.5, 1), TypeError, "source_node_id"),
-        (lambda: reg.PoseGraphEdge(0, -2), ValueError, "target_node_id"),
-        (lambda: reg.PoseGraphEdge(0, 1, information=np.eye(4)), ValueError, r"information: expected shape \[6, 6\]"),
-        (lambda: reg.GlobalOptimizationOption(0), ValueError, "max_correspondence_distance"),
-        (lambda: reg.GlobalOptimizationOption(edge_prune_threshold=1.1), ValueError, "edge_prune_threshold"),
-        (lambda: reg.GlobalOptimizationOption(preference_loop_closure=np.nan), ValueError, "preference_loop_closure"),
-        (lambda: reg.GlobalOptimizationOption(reference_node=-2), ValueError, "reference_node"),
-        (lambda: reg.GlobalOptimizationConvergenceCriteria(0), ValueError, "max_iteration"),
-        (lambda: reg.GlobalOptimizationConvergenceCriteria(min_residual=-1), ValueError, "min_residual"),
-        (lambda: reg.GlobalOptimizationConvergenceCriteria(lower_scale_factor=0.9), ValueError, "lower_scale_factor"),
-    ],
-)
-def test_arguments_out_of_range_are_refused(make, kind, message):
-    with pytest.raises(kind, match=message):
-        make()
 
 
 def test_too_few_steps_are_told():

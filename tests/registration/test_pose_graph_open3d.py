@@ -14,57 +14,62 @@ from .pose_rings import METHODS, TIGHT, confidences_of, cost_of, ends_of, poses_
 from .poses import as_pose
 
 
-def solve_by_open3d(scene, method="LevenbergMarquardt", distance=0.05, reference=0, **values):
-    from open3d.pipelines import registration as o3d
-
-    graph, criteria = o3d.PoseGraph(), o3d.GlobalOptimizationConvergenceCriteria()
+def solve_by_open3d(o3d, scene, method="LevenbergMarquardt", distance=0.05, reference=0, **values):
+    """Open3D's solution: poses, confidences, and the ends of the edges that are left."""
+    theirs = o3d.pipelines.registration
+    graph, criteria = theirs.PoseGraph(), theirs.GlobalOptimizationConvergenceCriteria()
     for T in scene.poses:
-        graph.nodes.append(o3d.PoseGraphNode(T))
+        graph.nodes.append(theirs.PoseGraphNode(T))
     for edge in scene.edges:
-        graph.edges.append(o3d.PoseGraphEdge(*edge[:4], uncertain=edge[4]))
+        graph.edges.append(theirs.PoseGraphEdge(*edge[:4], uncertain=edge[4]))
     for name, value in values.items():
         setattr(criteria, name, value)
-    option = o3d.GlobalOptimizationOption(max_correspondence_distance=distance, reference_node=reference)
-    o3d.global_optimization(graph, getattr(o3d, f"GlobalOptimization{method}")(), criteria, option)
-    return graph
+    option = theirs.GlobalOptimizationOption(max_correspondence_distance=distance, reference_node=reference)
+    theirs.global_optimization(graph, getattr(theirs, f"GlobalOptimization{method}")(), criteria, option)
+    return poses_of(graph), confidences_of(graph), np.array(ends_of(graph), np.int32)
 
 
 @pytest.mark.parametrize("method", METHODS)
-@pytest.mark.parametrize(("count", "outliers"), [(8, 0), (8, 5), (20, 5), (50, 10)])
-def test_poses_confidences_and_edges_are_open3ds(count, outliers, method, tolerances):
+@pytest.mark.parametrize(("count", "outliers"), [(8, 0), (20, 5)])
+def test_poses_confidences_and_edges_are_open3ds(oracle, count, outliers, method, tolerances):
     scene = ring(count, seed=count + outliers, outliers=outliers)
-    ours, theirs = solve(scene, method, **TIGHT), solve_by_open3d(scene, method, **TIGHT)
-    assert ends_of(ours) == ends_of(theirs)
+    ours, name = solve(scene, method, **TIGHT), f"registration/pose_graphs/{method}_{count}_{outliers}"
+    poses, confidences, ends = oracle(name, solve_by_open3d, scene, method, **TIGHT)
+    np.testing.assert_array_equal(ends_of(ours), ends)
     assert ours.report.pruned_edges.tolist() == scene.wrong
-    np.testing.assert_allclose(poses_of(ours), poses_of(theirs), rtol=0, atol=tolerances.graph_pose)
-    np.testing.assert_allclose(confidences_of(ours), confidences_of(theirs), rtol=0, atol=tolerances.graph_confidence)
+    np.testing.assert_allclose(poses_of(ours), poses, rtol=0, atol=tolerances.graph_pose)
+    np.testing.assert_allclose(confidences_of(ours), confidences, rtol=0, atol=tolerances.graph_confidence)
     kept = [edge for i, edge in enumerate(scene.edges) if i not in ours.report.pruned_edges]
     for form in (True, False):
-        ours_cost, their_cost = (cost_of(poses_of(g), kept, 0.05, form) for g in (ours, theirs))
+        ours_cost, their_cost = (cost_of(some, kept, 0.05, form) for some in (poses_of(ours), poses))
         assert abs(ours_cost - their_cost) <= tolerances.graph_cost * their_cost
     assert ours.report.residual == pytest.approx(cost_of(poses_of(ours), kept, 0.05), rel=1e-9)
 
 
-@pytest.mark.parametrize("method", METHODS)
-@pytest.mark.parametrize(("noise", "distance"), [(0.02, 0.1), (0.02, 0.3), (0.05, 0.3)])
-def test_with_usual_criteria_the_residual_is_as_low_as_open3ds_and_the_edges_are_the_same(noise, distance, method):
+@pytest.mark.parametrize(
+    ("method", "noise", "distance"), [(METHODS[0], 0.02, 0.1), (METHODS[1], 0.02, 0.3), (METHODS[0], 0.05, 0.3)]
+)
+def test_with_usual_criteria_the_residual_is_as_low_as_open3ds_and_the_edges_are_the_same(
+    oracle, noise, distance, method
+):
     scene = ring(60, seed=4, noise=noise, outliers=10)
-    ours, theirs = solve(scene, method, distance), solve_by_open3d(scene, method, distance)
-    assert ends_of(ours) == ends_of(theirs)
+    ours, name = solve(scene, method, distance), f"registration/pose_graphs/usual_{method}_{noise}_{distance}"
+    poses, _, ends = oracle(name, solve_by_open3d, scene, method, distance)
+    np.testing.assert_array_equal(ends_of(ours), ends)
     assert ours.report.pruned_edges.tolist() == scene.wrong
-    assert cost_of(poses_of(ours), scene.edges, distance) <= cost_of(poses_of(theirs), scene.edges, distance) * (
-        1 + 1e-5
-    )
-    assert ours.report.converged
+    least = cost_of(poses, scene.edges, distance)
+    assert cost_of(poses_of(ours), scene.edges, distance) <= least * (1 + 1e-5) and ours.report.converged
 
 
-def test_information_weighs_rotation_first_as_open3ds_matrices_do(rng):
-    """e^T Lambda e is the sum of squared distances that a misfit moves the target's points by."""
-    import open3d as o3d
-
-    points = rng.uniform((2, 0, 1), (4, 2, 3), (500, 3))
+def information_of(o3d, points):
     cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(points))
-    Lambda = o3d.pipelines.registration.get_information_matrix_from_point_clouds(cloud, cloud, 0.01, np.eye(4))
+    return o3d.pipelines.registration.get_information_matrix_from_point_clouds(cloud, cloud, 0.01, np.eye(4))
+
+
+def test_information_weighs_rotation_first_as_open3ds_matrices_do(rng, oracle):
+    """e^T Lambda e is the sum of squared distances that a misfit moves the target's points by."""
+    points = rng.uniform((2, 0, 1), (4, 2, 3), (500, 3))
+    Lambda = oracle("registration/pose_graphs/information", information_of, points)
     E = as_pose(rng.normal(0, 1e-4, 3), rng.normal(0, 1e-4, 3))
     moved = np.sum((points @ E[:3, :3].T + E[:3, 3] - points) ** 2)
     nodes = [reg.PoseGraphNode(E), reg.PoseGraphNode()]
@@ -72,12 +77,10 @@ def test_information_weighs_rotation_first_as_open3ds_matrices_do(rng):
     assert solved.report.initial_residual == pytest.approx(moved, rel=1e-3)
 
 
-def test_without_a_reference_the_mean_stays_as_open3ds_does(tolerances):
+def test_without_a_reference_the_mean_stays_as_open3ds_does(oracle, tolerances):
     scene = ring(20, seed=1, noise=0.002, outliers=3)
-    ours, theirs = (
-        poses_of(solve(scene, reference=-1, **TIGHT)),
-        poses_of(solve_by_open3d(scene, reference=-1, **TIGHT)),
-    )
+    ours = poses_of(solve(scene, reference=-1, **TIGHT))
+    theirs, *_ = oracle("registration/pose_graphs/no_reference", solve_by_open3d, scene, reference=-1, **TIGHT)
     motion = np.abs(ours - scene.poses).max()
     assert motion > 1e-3
     np.testing.assert_allclose(ours, theirs, rtol=0, atol=tolerances.graph_mean_motion)
@@ -95,7 +98,6 @@ def test_a_loop_closure_wrong_by_half_a_turn_is_dropped():
     odometry = [(i, i + 1, np.eye(4), 100 * np.eye(6), False) for i in range(2)]
     scene = SimpleNamespace(poses=np.tile(np.eye(4), (3, 1, 1)), edges=[*odometry, half])
     assert solve(scene).report.pruned_edges.tolist() == [2]
-    assert confidences_of(solve_by_open3d(scene)).tolist() == [1, 1, 1]
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -107,8 +109,6 @@ def test_results_do_not_depend_on_the_origin_of_the_world(method):
     near, far = solve(scene, method), solve(there, method)
     assert far.report.pruned_edges.tolist() == near.report.pruned_edges.tolist() == scene.wrong
     np.testing.assert_allclose(poses_of(far) - there.poses, poses_of(near) - scene.poses, rtol=0, atol=5e-9)
-    theirs = solve_by_open3d(there, method)
-    assert np.abs(poses_of(theirs) - there.poses).max() < 1e-6 < np.abs(poses_of(near) - scene.poses).max() / 1e3
 
 
 @pytest.mark.slow
@@ -130,16 +130,16 @@ def test_a_walk_that_drifts_beyond_a_right_angle_closes():
     solved = solve(scene)
     assert solved.report.converged
     assert np.abs(poses_of(solved) - true)[:, :3, 3].max() < 2 < np.abs(poses - np.array(true))[:, :3, 3].max() / 5
-    assert np.abs(poses_of(solve_by_open3d(scene)) - true)[:, :3, 3].max() > 20
 
 
-def test_defaults_are_open3ds():
-    from open3d.pipelines import registration as o3d
+def defaults_of(o3d):
+    theirs = o3d.pipelines.registration  # an option made without arguments has another distance, see the docstring
+    both = theirs.GlobalOptimizationConvergenceCriteria(), theirs.GlobalOptimizationOption(reference_node=-1)
+    return [{name: getattr(one, name) for name in dir(one) if not name.startswith("_")} for one in both]
 
-    theirs, ours = o3d.GlobalOptimizationConvergenceCriteria(), reg.GlobalOptimizationConvergenceCriteria()
-    for name in (name for name in dir(theirs) if not name.startswith("_")):
-        assert getattr(ours, name) == getattr(theirs, name), name
-    theirs = o3d.GlobalOptimizationOption(reference_node=-1)  # without arguments another distance, see the docstring
-    ours = reg.GlobalOptimizationOption()
-    for name in (name for name in dir(theirs) if not name.startswith("_")):
-        assert getattr(ours, name) == getattr(theirs, name), name
+
+def test_defaults_are_open3ds(oracle):
+    criteria, option = oracle("registration/pose_graphs/defaults", defaults_of)
+    ours = reg.GlobalOptimizationConvergenceCriteria(), reg.GlobalOptimizationOption()
+    for mine, theirs in zip(ours, (criteria, option), strict=True):
+        assert theirs == {name: getattr(mine, name) for name in theirs}

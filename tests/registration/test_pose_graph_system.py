@@ -42,7 +42,7 @@ def parts_of(graph) -> SimpleNamespace:
     return SimpleNamespace(edges=EdgeMeasurements(graph), poses=poses)
 
 
-@pytest.mark.parametrize("seed", range(5))
+@pytest.mark.parametrize("seed", range(2))
 def test_residuals_are_those_of_the_misfits_themselves(seed):
     graph = graph_of(seed)
     scene = parts_of(graph)
@@ -58,7 +58,7 @@ def test_residuals_are_those_of_the_misfits_themselves(seed):
         assert misfit.scalars[k] == pytest.approx(np.cos(angle / 2), abs=1e-14)
 
 
-@pytest.mark.parametrize("seed", range(5))
+@pytest.mark.parametrize("seed", range(2))
 def test_jacobians_are_the_slopes_of_the_residuals(seed):
     graph = graph_of(seed)
     scene = parts_of(graph)
@@ -74,7 +74,7 @@ def test_jacobians_are_the_slopes_of_the_residuals(seed):
 
 
 @pytest.mark.parametrize("anchors", [[0], [2], [1, 4], [0, 1, 2, 3, 4]])
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", range(2))
 def test_the_sparse_system_is_the_dense_one(seed, anchors):
     graph = graph_of(seed, edges=14)
     scene = parts_of(graph)
@@ -117,7 +117,7 @@ def test_damping_does_not_depend_on_how_the_world_is_turned():
 
 
 @given(vector=st.tuples(*[st.floats(-4, 4)] * 3))
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=40, deadline=None)
 def test_rotations_and_quaternions_are_scipys(vector):
     R = rotations_of(np.array([vector]))
     expected = Rotation.from_rotvec(vector)

@@ -4,48 +4,11 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.kernels.icp.color_gradients import average_colors
 from pointloom.kernels.icp.plane_covariances import plane_covariances, plane_covariances_from_normals
 from pointloom.kernels.lang import float32
-from pointloom.registration.icp.preparation import (
-    colored_source,
-    colored_target,
-    doppler_measurements,
-    generalized_covariances,
-    require_colors,
-    require_normals,
-)
+from pointloom.registration.icp.preparation import doppler_measurements, generalized_covariances
 
-from .color_surfaces import gradients_of, paint, wavy
-
-
-def test_who_lacks_normals_or_colours_is_told_what_to_call(device):
-    cloud = loom.PointCloud(np.zeros((4, 3)), device=device)
-    with pytest.raises(ValueError, match=r"source: .* needs normals, and it has none; call source = source.estimate_n"):
-        require_normals(cloud, "source", "point-to-plane ICP")
-    with pytest.raises(ValueError, match=r"target: coloured ICP needs colours, and it has none; assign cloud.colors"):
-        require_colors(cloud, "target", "coloured ICP")
-    with pytest.raises(ValueError, match="source: coloured ICP needs colours"):
-        colored_source(cloud)
-    with pytest.raises(ValueError, match="target: coloured ICP needs normals"):
-        colored_target(cloud, 0.1)
-    with pytest.raises(ValueError, match="target: coloured ICP needs colours"):
-        colored_target(cloud.estimate_normals(), 0.1)
-    with pytest.raises(
-        ValueError, match=r"source: Doppler ICP needs radial speeds, and it has none; assign cloud\['dop"
-    ):
-        doppler_measurements(cloud)
-
-
-def test_a_coloured_target_has_gradients_of_twice_the_distance(device, rng):
-    points = wavy(rng, 500)
-    cloud = loom.PointCloud(points, colors=paint(points), device=device).estimate_normals(max_nn=12)
-    surface = colored_target(cloud, 0.1)
-    intensities, gradients = gradients_of(points, cloud.normals, cloud.colors, 0.2, 30, device)
-    np.testing.assert_array_equal(surface.gradients.numpy(), gradients)
-    np.testing.assert_array_equal(surface.intensities.numpy(), intensities)
-    np.testing.assert_array_equal(colored_source(cloud).numpy(), average_colors(cloud.array("colors")).numpy())
-    assert surface.normals is cloud.array("normals")
+from .color_surfaces import wavy
 
 
 def test_covariances_are_the_clouds_own_then_its_normals_then_its_neighbours(device, rng, tolerances):

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
-import sys
 from types import SimpleNamespace
 
 import numpy as np
@@ -13,46 +10,12 @@ import pytest
 import pointloom as loom
 
 from .poses import moved, pose_within
+from .wrong_pairs import made_up, ransac
 
 reg = loom.registration
 
 
-def made_up(rng, count=1500, outliers=0.8, noise=0.002, scale=1.0):
-    """Points in a box and the same under a pose, noisy; as many correspondences, a share of them wrong."""
-    T = pose_within(rng)
-    T[:3, :3] *= scale
-    source = rng.uniform(-1, 1, (count, 3)) * [1, 0.7, 0.4]
-    target = moved(source, T) + noise * scale * rng.normal(size=(count, 3))
-    order = rng.permutation(count)
-    pairs = np.column_stack([np.arange(count), np.argsort(order)])
-    wrong = rng.permutation(count)[: int(outliers * count)]
-    pairs[wrong, 1] = rng.integers(0, count, len(wrong))
-    return SimpleNamespace(source=source, target=target[order], pairs=pairs, T=T)
-
-
-def clouds(case, device="cpu"):
-    return loom.PointCloud(case.source, device=device), loom.PointCloud(case.target, device=device)
-
-
-def ransac(case, device="cpu", distance=0.02, **options):
-    return reg.registration_ransac_based_on_correspondence(*clouds(case, device), case.pairs, distance, **options)
-
-
-# ------------------------------------------------------------------------------------------------ known poses
-
-
-@pytest.mark.parametrize("outliers", [0.0, 0.5, 0.8, 0.95])
-def test_pose_is_found_among_wrong_correspondences(device, rng, outliers, angle_between):
-    case = made_up(rng, outliers=outliers)
-    result = ransac(case, device, checkers=[reg.CorrespondenceCheckerBasedOnEdgeLength(0.9)])
-    assert angle_between(result.transformation, case.T) < 0.05
-    assert np.linalg.norm(result.transformation[:3, 3] - case.T[:3, 3]) < 1e-3
-    assert result.fitness > 0.99 and result.inlier_rmse < 0.005
-    assert result.converged and result.reason == "converged" and result.iterations < 100000
-    assert result.transformation.dtype == np.float64
-
-
-@pytest.mark.parametrize("ransac_n", [3, 4, 6, 8])
+@pytest.mark.parametrize("ransac_n", [4, 8])
 def test_any_size_of_sample_finds_it(device, rng, ransac_n, angle_between):
     case = made_up(rng, outliers=0.4)
     result = ransac(case, device, ransac_n=ransac_n)
@@ -72,19 +35,6 @@ def test_scale_is_found_where_it_is_asked_for(device, rng, angle_between):
     true[:3, :3] /= 1.7
     assert angle_between(unit, true) < 0.05
     assert ransac(case, device).fitness < 0.3, "a rigid motion cannot bring them together"
-
-
-def test_pose_at_utm_coordinates_is_as_exact(device, rng, tolerances):
-    case = made_up(rng)
-    near = ransac(case, device)
-    source_offset, target_offset = np.array([5e5, 5.4e6, 120.0]), np.array([4e5, 5.1e6, -30.0])
-    case.source, case.target = case.source + source_offset, case.target + target_offset
-    far = ransac(case, device)
-    assert np.abs(clouds(case)[0].origin).max() > 1e6
-    points = case.source[::50]
-    at_origin = moved(points - source_offset, near.transformation) + target_offset
-    np.testing.assert_allclose(moved(points, far.transformation), at_origin, atol=tolerances.position)
-    assert far.fitness == near.fitness
 
 
 def test_winner_is_refined_beyond_its_sample(device, rng, angle_between):
@@ -125,9 +75,6 @@ def test_whole_cloud_decides_not_the_correspondences(device, rng):
     np.testing.assert_allclose(result.transformation, T_true, atol=1e-4)
 
 
-# ------------------------------------------------------------------------------------------------ checkers at work
-
-
 def test_normal_checker_tells_a_shape_from_its_mirror_image_upside_down(device, rng):
     """A flat grid fits itself face up and face down; only the normals know."""
     flat = np.column_stack([rng.uniform(-1, 1, (400, 2)), np.zeros(400)])
@@ -159,17 +106,6 @@ def test_rotation_checker_keeps_the_pose_that_turns_less(device, rng):
     np.testing.assert_allclose(ransac(case, device, checkers=[level]).transformation, np.eye(4), atol=1e-5)
 
 
-def test_the_strictest_of_several_checkers_counts(device, rng):
-    case = made_up(rng, outliers=0.5)
-    none = [reg.CorrespondenceCheckerBasedOnDistance(d) for d in (1.0, 1e-9, 0.5)]
-    result = ransac(case, device, checkers=none, criteria=reg.RANSACConvergenceCriteria(5000))
-    assert result.fitness == 0 and result.reason == "no hypothesis passed the checks" and result.iterations == 5000
-    np.testing.assert_array_equal(result.transformation, np.eye(4))
-
-
-# ------------------------------------------------------------------------------------------------ when to stop
-
-
 def test_confidence_one_draws_all_hypotheses(device, rng):
     case = made_up(rng, 200, outliers=0.0)
     result = ransac(case, device, criteria=reg.RANSACConvergenceCriteria(7000, 1.0))
@@ -183,170 +119,11 @@ def test_an_iteration_is_enough_where_all_are_right(device, rng):
     assert result.iterations == 1 and result.fitness == 1
 
 
-# ------------------------------------------------------------------------------------------------ edges
-
-
-def assert_no_pose(result, words):
-    np.testing.assert_array_equal(result.transformation, np.eye(4))
-    assert result.fitness == 0 and result.inlier_rmse == 0 and result.score == 0 and not result.converged
-    assert words in result.reason
-    assert result.correspondence_set.shape == (0, 2)
-
-
-@pytest.mark.parametrize("count", [0, 1, 2])
-def test_too_few_correspondences_end_with_a_reason(device, rng, count):
-    case = made_up(rng, 50)
-    case.pairs = case.pairs[:count]
-    assert_no_pose(ransac(case, device), f"3 correspondences of finite points needed, {count} given")
-
-
-def test_empty_clouds_end_with_a_reason(device):
-    empty, one = loom.PointCloud(np.empty((0, 3)), device=device), loom.PointCloud([[0, 0, 0]], device=device)
-    for pair in ((empty, empty), (empty, one), (one, empty)):
-        result = reg.registration_ransac_based_on_correspondence(*pair, np.empty((0, 2)), 0.1)
-        assert_no_pose(result, "0 given")
-        features = [np.zeros((len(cloud), 33), np.float32) for cloud in pair]
-        assert_no_pose(reg.registration_ransac_based_on_feature_matching(*pair, *features, True, 0.1), "0 given")
-
-
-def test_correspondences_of_points_that_are_not_finite_do_not_count(device, rng, angle_between):
-    case = made_up(rng, 400, outliers=0.5)
-    case.source[::3] = np.nan
-    case.target[::5, 1] = np.inf
-    result = ransac(case, device)
-    assert angle_between(result.transformation, case.T) < 0.05
-    pairs = result.correspondence_set
-    assert np.isfinite(case.source[pairs[:, 0]]).all() and np.isfinite(case.target[pairs[:, 1]]).all()
-    case.source[:] = np.nan
-    assert_no_pose(ransac(case, device), "0 given")
-
-
-@pytest.mark.parametrize("shape", ["one place", "line", "plane"])
-def test_degenerate_clouds_end_without_an_exception(device, rng, shape):
-    t = rng.uniform(-1, 1, (200, 1))
-    points = {
-        "one place": np.ones((200, 3)),
-        "line": t * [1, 2, 3],
-        "plane": np.column_stack([t, rng.uniform(-1, 1, 200), np.zeros(200)]),
-    }[shape]
-    case = SimpleNamespace(
-        source=points, target=points + np.array([1, 0, 0]), pairs=np.column_stack([np.arange(200)] * 2)
-    )
-    for method in (None, reg.TransformationEstimationPointToPoint(True)):
-        result = ransac(case, device, estimation_method=method, criteria=reg.RANSACConvergenceCriteria(3000))
-        assert np.isfinite(result.transformation).all()
-        if shape == "one place":
-            assert_no_pose(result, "no hypothesis passed")
-        else:
-            assert result.fitness == 1
-            np.testing.assert_allclose(moved(points, result.transformation), case.target, atol=1e-5)
-
-
-def test_few_mutual_matches_fall_back_to_all_matches(device, rng):
-    """Features such that only a twentieth are each other's nearest, as in Open3D then all pairs are taken."""
-    case = made_up(rng, 400, outliers=0.0)
-    source, target = clouds(case, device)
-    inverse = np.argsort(case.pairs[:, 1])
-    feature = rng.random((400, 33)).astype(np.float32)
-    pull = feature.copy()
-    pull[20:] = feature[rng.integers(0, 20, 380)] + 1e-3 * rng.random((380, 33), np.float32)
-    result = reg.registration_ransac_based_on_feature_matching(source, target, pull, feature[inverse], True, 0.02)
-    assert result.fitness <= 1 and np.isfinite(result.transformation).all()
-
-
-def test_wrong_arguments_are_refused_by_name(device, rng):
-    case = made_up(rng, 30)
-    source, target = clouds(case, device)
-    run = reg.registration_ransac_based_on_correspondence
-    match = reg.registration_ransac_based_on_feature_matching
-    feature = np.zeros((30, 33), np.float32)
-    for distance in (0.0, -1.0, np.nan):
-        with pytest.raises(ValueError, match="max_correspondence_distance: expected a finite number > 0"):
-            run(source, target, case.pairs, distance)
-    with pytest.raises(ValueError, match="ransac_n: expected a whole number >= 3"):
-        run(source, target, case.pairs, 0.1, ransac_n=2)
-    with pytest.raises(IndexError, match=r"corres: target indices 0\.\.30 reach beyond a cloud of 30 points"):
-        run(source, target, [[0, 0], [1, 30]], 0.1)
-    with pytest.raises(IndexError, match="corres: source indices -1"):
-        run(source, target, [[-1, 0]], 0.1)
-    with pytest.raises(ValueError, match=r"corres: expected shape \[n, 2\], got \[2, 3\]"):
-        run(source, target, np.zeros((2, 3), int), 0.1)
-    with pytest.raises(TypeError, match="corres: expected whole numbers"):
-        run(source, target, [[0.5, 1.0]], 0.1)
-    with pytest.raises(TypeError, match="checkers: expected"):
-        run(source, target, case.pairs, 0.1, checkers=[0.9])
-    with pytest.raises(TypeError, match=r"estimation_method: .* got TransformationEstimationPointToPlane"):
-        run(source, target, case.pairs, 0.1, reg.TransformationEstimationPointToPlane())
-    with pytest.raises(TypeError, match="criteria: expected RANSACConvergenceCriteria, got tuple"):
-        run(source, target, case.pairs, 0.1, criteria=(10, 0.9))
-    with pytest.raises(ValueError, match=r"seed: expected a whole number below 2\^31"):
-        run(source, target, case.pairs, 0.1, seed=2**31)
-    with pytest.raises(TypeError, match="source: expected a PointCloud, got ndarray"):
-        run(case.source, target, case.pairs, 0.1)
-    with pytest.raises(ValueError, match=r"source_feature: expected shape \[30, d\] .* got \[33, 30\]; transpose it"):
-        match(source, target, feature.T, feature, True, 0.1)
-    with pytest.raises(ValueError, match=r"target_feature: expected shape \[30, d\] .* got \[29, 33\]$"):
-        match(source, target, feature, feature[:29], True, 0.1)
-
-
-def test_wrong_criteria_and_thresholds_are_refused_by_name():
-    for call, words in [
-        (lambda: reg.RANSACConvergenceCriteria(0), "max_iteration"),
-        (lambda: reg.RANSACConvergenceCriteria(2**31), "max_iteration"),
-        (lambda: reg.RANSACConvergenceCriteria(confidence=1.5), "confidence: expected a number in 0..1"),
-        (lambda: reg.CorrespondenceCheckerBasedOnEdgeLength(1.1), "similarity_threshold"),
-        (lambda: reg.CorrespondenceCheckerBasedOnEdgeLength(-0.1), "similarity_threshold"),
-        (lambda: reg.CorrespondenceCheckerBasedOnDistance(0), "distance_threshold"),
-        (lambda: reg.CorrespondenceCheckerBasedOnNormal(-1), "normal_angle_threshold"),
-        (lambda: reg.CorrespondenceCheckerBasedOnSourceRotation([1, 2]), "rotation_threshold: expected shape"),
-        (lambda: reg.CorrespondenceCheckerBasedOnSourceRotation([1, -2, 1]), "rotation_threshold: expected angles"),
-    ]:
-        with pytest.raises(ValueError, match=words):
-            call()
-
-
-# ------------------------------------------------------------------------------------------------ the same bits
-
-
-def test_same_seed_gives_the_same_bits_and_another_another_course(device, rng):
+def test_another_seed_gives_another_course(device, rng):
     case = made_up(rng, outliers=0.9, noise=0.005)
-    first, again = ransac(case, device, seed=3), ransac(case, device, seed=3)
-    np.testing.assert_array_equal(first.transformation, again.transformation)
-    np.testing.assert_array_equal(first.correspondence_set, again.correspondence_set)
-    assert first.iterations == again.iterations
     limits = reg.RANSACConvergenceCriteria(40)  # so few that luck decides
     poses = {ransac(case, device, seed=seed, criteria=limits).transformation.tobytes() for seed in range(5)}
     assert len(poses) == 5
-
-
-SCRIPT = """
-import hashlib, numpy as np, pointloom as loom
-rng = np.random.default_rng(0)
-source = rng.uniform(-1, 1, (3000, 3))
-target = source[:, [1, 2, 0]] + 0.01 * rng.normal(size=(3000, 3))
-pairs = np.column_stack([np.arange(3000)] * 2)
-pairs[300:, 1] = rng.integers(0, 3000, 2700)
-clouds = loom.PointCloud(source), loom.PointCloud(target)
-ransac = loom.registration.registration_ransac_based_on_correspondence(*clouds, pairs, 0.03)
-fgr = loom.registration.registration_fgr_based_on_correspondence(*clouds, pairs)
-for result in (ransac, fgr):
-    print(result.fitness, result.iterations, hashlib.sha256(result.transformation.tobytes()).hexdigest())
-"""
-
-
-@pytest.mark.slow
-@pytest.mark.slow_on_emulated_cuda("its processes run on the CPU alone")
-@pytest.mark.parametrize("compiler", ["warp", "taichi"])
-def test_bits_do_not_depend_on_the_number_of_threads(compiler):
-    outputs = []
-    for threads in ("1", "2"):
-        environment = os.environ | {"POINTLOOM_CPU": compiler, "POINTLOOM_CPU_THREADS": threads}
-        environment["PYTHONPATH"] = os.pathsep.join(p for p in sys.path if p)
-        done = subprocess.run([sys.executable, "-c", SCRIPT], env=environment, capture_output=True, text=True)
-        assert done.returncode == 0, done.stderr
-        outputs.append(done.stdout)
-    assert outputs[0] == outputs[1]
-    assert float(outputs[0].split()[0]) > 0.9, "the right pose, so that something was computed"
 
 
 def test_the_stricter_of_two_checkers_counts_on_the_device():

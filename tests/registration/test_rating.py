@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from scipy.spatial.transform import Rotation
 
 import pointloom as loom
 from pointloom.kernels.lang import int32, vec3
@@ -24,7 +23,6 @@ from pointloom.registration.globally import rating
 from pointloom.registration.globally.rating import Evidence, surface_of
 from pointloom.registration.rigid import symmetric_matrices
 
-from ..scan_cases import ON_REAL_SCANS
 from .poses import as_pose, moved
 from .room_corners import ONE, OTHER, corner
 
@@ -64,21 +62,7 @@ def hall(rng, count=40000):
     return points + rng.normal(0, 0.002, points.shape)
 
 
-def submaps(real_file):
-    """Submaps 0 to 4 of a drive, and their poses."""
-    folder = real_file("reg-gtsam-points/kitti_07_dump")
-    points, poses = [], []
-    for k, line in enumerate((folder / "graph.txt").read_text().split("\n")[:5]):
-        numbers = np.array(line.split()[1:], float)
-        points.append(np.fromfile(folder / f"{k:06d}" / "points.bin", np.float32).reshape(-1, 3).astype(float))
-        poses.append(as_pose(Rotation.from_quat(numbers[3:]).as_rotvec(), numbers[:3]))
-    return points, poses
-
-
-# ------------------------------------------------------------------------------------------------ made-up surfaces
-
-
-@pytest.mark.parametrize("share", [1.0, 0.5, 0.3])
+@pytest.mark.parametrize("share", [1.0, 0.3])
 def test_the_right_pose_is_believed_at_partial_overlap(device, rng, share):
     left, right = hills(rng, 30000), hills(rng, 30000)
     left, right = left[left[:, 0] < 2 * share], right[right[:, 0] > -2 * share]
@@ -87,14 +71,10 @@ def test_the_right_pose_is_believed_at_partial_overlap(device, rng, share):
     assert rate(source, loom.PointCloud(right, device=device), T, 0.12) > 0.9
 
 
-@pytest.mark.parametrize("shift", [(0.3, 0, 0), (0, 0.4, 0), (0, 0, 0.3), (0.2, 0.2, 0.2)])
-def test_a_wrong_pose_of_the_same_surface_is_not(device, rng, shift):
-    clouds = [loom.PointCloud(hills(rng, 20000), device=device) for _ in range(2)]
-    assert rate(*clouds, as_pose([0, 0, 0], shift), 0.1) < 0.3
-
-
 def test_a_pose_that_is_a_little_off_is_believed_and_one_farther_off_is_not(device, rng):
     clouds = [loom.PointCloud(hills(rng, 20000), device=device) for _ in range(2)]
+    for shift in ((0.3, 0, 0), (0, 0.4, 0), (0, 0, 0.3)):
+        assert rate(*clouds, as_pose([0, 0, 0], shift), 0.1) < 0.3
     scores = [rate(*clouds, as_pose([0, 0, 0.01], [0.02 * k, 0, 0.02 * k]), 0.1) for k in (0, 1, 2, 8, 16)]
     assert min(scores[:3]) > 0.9 and max(scores[3:]) < 0.5
 
@@ -128,15 +108,11 @@ def test_what_leaves_a_motion_open_is_not_believed(device, rng):
         assert rate(cloud, cloud, np.eye(4), 0.12) < 0.3
 
 
-@pytest.mark.parametrize("boxes", [(), ONE, OTHER], ids=["bare", "one", "other"])
-def test_a_corner_of_a_room_that_lies_in_that_of_another_is_not_believed(device, rng, boxes):
-    clouds = [loom.PointCloud(corner(rng, these), device=device) for these in (ONE if boxes != ONE else (), boxes)]
-    assert rate(*clouds, np.eye(4), 0.09) < 0.1
-
-
-def test_what_stands_in_a_room_tells_it_from_others(device, rng):
-    source, target = (loom.PointCloud(corner(rng, ONE), device=device) for _ in range(2))
-    assert rate(source, target, np.eye(4), 0.09) > 0.95
+def test_what_stands_in_a_corner_of_a_room_tells_it_from_others(device, rng):
+    bare, one, again, other = (loom.PointCloud(corner(rng, b), device=device) for b in ((), ONE, ONE, OTHER))
+    for source, target in ((one, bare), (bare, one), (one, other)):
+        assert rate(source, target, np.eye(4), 0.09) < 0.1
+    assert rate(one, again, np.eye(4), 0.09) > 0.95
 
 
 @pytest.mark.slow
@@ -150,7 +126,7 @@ def test_what_stands_where_the_other_cloud_saw_through_speaks_against_a_pose(dev
     assert rate(target, blocked, np.eye(4), 0.12) < 0.1
 
 
-@pytest.mark.parametrize("count", [0, 1, 2, 3, 4])
+@pytest.mark.parametrize("count", [0, 1, 4])
 def test_clouds_without_a_surface_get_nothing(device, rng, count):
     few, many = loom.PointCloud(rng.random((count, 3)), device=device), loom.PointCloud(hills(rng, 5000), device=device)
     assert rate(few, many, np.eye(4), 0.1) == rate(many, few, np.eye(4), 0.1) == 0.0
@@ -169,28 +145,6 @@ def test_points_that_are_not_finite_change_nothing(device, rng):
     assert rate(plain, target, np.eye(4), 0.12) == rate(strewn, target, np.eye(4), 0.12)
 
 
-def test_two_runs_give_the_same_number(device, rng):
-    clouds = [loom.PointCloud(hills(rng, 8000), device=device) for _ in range(2)]
-    assert rate(*clouds, as_pose([0, 0, 0.02], [0.01, 0, 0]), 0.12) == rate(
-        *clouds, as_pose([0, 0, 0.02], [0.01, 0, 0]), 0.12
-    )
-
-
-def test_wrong_arguments_are_named(device):
-    cloud = loom.PointCloud(np.eye(3), device=device)
-    with pytest.raises(ValueError, match="max_correspondence_distance: expected a finite number > 0"):
-        rate(cloud, cloud, np.eye(4), -1)
-    with pytest.raises(ValueError, match="transformation: expected"):
-        rate(cloud, cloud, np.eye(3), 1)
-    with pytest.raises(ValueError, match="transformation: expected an invertible matrix"):
-        rate(cloud, cloud, np.diag([0.0, 1, 1, 1]), 1)
-    with pytest.raises(TypeError, match="source: expected a PointCloud"):
-        rate(np.eye(3), cloud, np.eye(4), 1)
-
-
-# ------------------------------------------------------------------------------------------------ real scans
-
-
 def test_right_and_wrong_poses_of_rooms_are_told_apart(device, room_pair, rng):
     source, target = room_pair.source[::8], room_pair.target[::8]
     clouds = [loom.PointCloud(points, device=device) for points in (source, target)]
@@ -198,34 +152,6 @@ def test_right_and_wrong_poses_of_rooms_are_told_apart(device, room_pair, rng):
     for k in range(5):
         wrong = room_pair.T @ about(source, 0.5 * rng.normal(size=3), 0.4 * rng.normal(size=3))
         assert rate(*clouds, wrong, 0.075) < 0.3, k
-
-
-@pytest.mark.slow
-def test_right_and_wrong_poses_of_streets_are_told_apart(device, real_file):
-    points, poses = submaps(real_file)
-    clouds = [loom.PointCloud(p, device=device) for p in points]
-    for i, j, least in ((0, 1, 0.9), (0, 2, 0.8), (1, 3, 0.8), (2, 4, 0.7)):
-        T = np.linalg.inv(poses[j]) @ poses[i]
-        assert rate(clouds[i], clouds[j], T, 0.9) > least, (i, j)
-        for wrong in (
-            as_pose([0, 0, np.pi / 2], [0, 0, 0]),
-            as_pose([0, 0, 0.3], [1, 1, 0]),
-            as_pose([0, 0, 0], [3, 5, 0]),
-        ):
-            assert rate(clouds[i], clouds[j], T @ wrong, 0.9) < 0.4, (i, j)
-
-
-@ON_REAL_SCANS
-def test_unrelated_scans_are_not_believed(device, real_file, room_pair, rng):
-    bunny = loom.read_point_cloud(real_file("reg-bunny-scans/data/bun000.ply")).points[::2] * 20
-    kitchen = room_pair.target[::8]
-    clouds = [loom.PointCloud(points, device=device) for points in (bunny - bunny.mean(axis=0), kitchen)]
-    for _ in range(4):
-        T = as_pose(rng.normal(size=3) * 2, kitchen[rng.integers(len(kitchen))])
-        assert rate(*clouds, T, 0.075) < 0.3
-
-
-# ------------------------------------------------------------------------------------------------ its parts
 
 
 def test_normals_point_to_the_hollow_side_however_the_cloud_is_turned(device, rng):
@@ -287,30 +213,6 @@ def test_the_evidence_is_that_of_brute_force(device, rng):
     near, matched = symmetric_matrices(sums[:42].reshape(2, 21))
     np.testing.assert_allclose(near, J[close].T @ J[close], rtol=1e-4, atol=0.01)
     np.testing.assert_allclose(matched, (J * weights[:, None]).T @ J, rtol=1e-2, atol=1.0)
-
-
-@pytest.mark.slow
-def test_beside_planes_the_evidence_is_that_of_the_points_beside_them(device, rng):
-    points = [corner(rng, ONE, 12000) for _ in range(2)]
-    source, target = (surface_of(loom.PointCloud(p, device=device), 0.06) for p in points)
-    distance, cosine, tight = 0.09, 0.866, 0.018
-    limits = distance, 4 * distance, cosine, tight
-    sums = weigh_overlap(source, target, np.eye(4), *limits, beside_planes=True)
-    p, n = source.points.numpy().astype(float), source.normals.numpy().astype(float)
-    q, m = target.points.numpy().astype(float), target.normals.numpy().astype(float)
-    middles = [surface.points.numpy().astype(float).mean(axis=0) for surface in (source, target)]
-    assert np.abs(middles[0] - middles[1]).max() < 0.1  # the clouds' origins are those of their boxes
-    apart = np.linalg.norm(p[:, None] - q[None], axis=2)
-    heights = np.abs(p - p.min(axis=0))
-    on = ((heights < 0.75 * distance) & (np.abs(n) > cosine)).any(axis=1)
-    kept = ~on & ((heights < 2 * distance).sum(axis=1) < 2) & (apart.min(axis=1) < 4 * distance)
-    assert 100 < kept.sum() < 0.5 * len(p)
-    assert abs(sums[NEAR_AT] - kept.sum()) < 0.1 * kept.sum()  # the planes are fitted to points with noise
-    row = apart.argmin(axis=1)
-    along = np.abs(np.einsum("ij,ij->i", p - q[row], m[row])) / tight
-    agreeing = kept & (apart.min(axis=1) < distance) & (np.abs(np.einsum("ij,ij->i", n, m[row])) > cosine)
-    matched = np.where(agreeing, np.maximum(1 - along**2, 0), 0).sum()
-    np.testing.assert_allclose(sums[MATCHED_AT], matched, rtol=0.1)
 
 
 def test_poses_that_are_asked_for_together_have_the_evidence_of_each(device, rng):

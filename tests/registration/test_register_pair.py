@@ -82,24 +82,6 @@ def test_a_pose_without_correspondences_is_poor(pair):
     assert found.poor == "no point of the source has a correspondence"
 
 
-def test_clouds_that_cannot_be_registered_are_named(pair):
-    source, target = pair
-    for points, why in (
-        (np.empty((0, 3)), "holds no point"),
-        (np.full((4, 3), np.nan), "holds 4 points, none of them"),
-    ):
-        cloud = loom.PointCloud(points, device=source.device)
-        with pytest.raises(ValueError, match=f"target: {why}"):
-            reg.register_pair(source, cloud)
-        with pytest.raises(ValueError, match=r"source: has points in 0 voxels of 0\.1 m, and 10"):
-            reg.register_pair(cloud, target, voxel_size=0.1)
-        with pytest.raises(ValueError, match=rf"clouds\[1\]: {why}"):
-            reg.choose_voxel_size(source, cloud)
-    bare = loom.PointCloud(target.points, device=target.device)
-    with pytest.raises(ValueError, match="target: has no colours, which method='colored' needs"):
-        reg.register_pair(source, bare, method="colored")
-
-
 def test_a_voxel_size_wants_clouds():
     with pytest.raises(ValueError, match="clouds: expected at least one, got none"):
         reg.choose_voxel_size()

@@ -4,13 +4,10 @@ import json
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
 import pointloom as loom
 from pointloom.app.jobs.evaluate import ALIGNMENTS
 from pointloom.cameras.trajectory import Trajectory, write_trajectory
-from pointloom.core.reports import rows_of
 from pointloom.core.wording import to_json
 
 from ..app.commands import answer, run
@@ -105,14 +102,3 @@ def test_clouds_are_called_by_number_or_by_name(placed):
     named = found.to_json(["a.ply", "b.ply", "c.ply"])
     assert (named["not_placed"], named["reference"], named["poses"][1]) == (["b.ply"], "a.ply", None)
     assert named["registered"][0]["target"] == "a.ply"
-
-
-@settings(max_examples=30, deadline=None)
-@given(st.lists(st.tuples(st.text("abc ", max_size=6), st.text("xy\n", max_size=9)), max_size=5))
-def test_a_row_has_its_label_and_keeps_its_column(fields):
-    rows = rows_of(fields)
-    assert len(rows) == sum(value.count("\n") + 1 for _, value in fields)
-    width = max((len(label) for label, _ in fields), default=0)
-    assert [row[width + 4 :].rstrip() for row in rows] == [
-        line.rstrip() for _, value in fields for line in value.split("\n")
-    ]

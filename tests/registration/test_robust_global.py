@@ -8,12 +8,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import pointloom as loom
-from pointloom.kernels.lang import cpu_compiler
 from pointloom.registration.globally import robust_global
 from pointloom.registration.globally.robust_global import rate_support
 
-from .hilly_clouds import misplacement, random_pose
-from .poses import moved
+from .hilly_clouds import misplacement
+from .poses import moved, random_pose
 
 reg = loom.registration
 
@@ -28,7 +27,7 @@ def rough_pair(rng, count=1000, right=30, noise=0.003):
     return p, q, pairs[rng.permutation(count)], T
 
 
-@pytest.mark.parametrize(("count", "right"), [(300, 30), (1000, 30), (2000, 25), (3000, 30)])
+@pytest.mark.parametrize(("count", "right"), [(300, 30), (2000, 25)])
 def test_the_pose_is_found_among_wrong_correspondences(device, rng, tolerances, count, right):
     p, q, pairs, T = rough_pair(rng, count, right)
     source, target = loom.PointCloud(p, device=device), loom.PointCloud(q, device=device)
@@ -67,31 +66,16 @@ def test_two_motions_with_as_many_correspondences_leave_doubt(device, rng):
     assert most.score > 0.8 and most.converged
 
 
-@pytest.mark.parametrize("compiler", ["warp", pytest.param("taichi", marks=pytest.mark.slow)])
 @settings(max_examples=15, deadline=None)
 @given(seed=st.integers(0, 2**31 - 1), count=st.integers(8, 40))
-def test_exact_correspondences_give_the_exact_pose(compiler, seed, count):
+def test_exact_correspondences_give_the_exact_pose(seed, count):
     rng = np.random.default_rng(seed)
     T, p = random_pose(rng, 10.0), rng.random((count, 3))
     pairs = np.column_stack([np.arange(count)] * 2)
-    with cpu_compiler(compiler):
-        result = reg.registration_robust_based_on_correspondence(
-            loom.PointCloud(p), loom.PointCloud(moved(p, T)), pairs, 0.02
-        )
+    clouds = loom.PointCloud(p), loom.PointCloud(moved(p, T))
+    result = reg.registration_robust_based_on_correspondence(*clouds, pairs, 0.02)
     np.testing.assert_allclose(result.transformation, T, atol=1e-5 * (1 + np.abs(T).max()))
     assert result.fitness == 1.0
-
-
-def test_coordinates_far_from_zero_cost_nothing(device, rng, tolerances):
-    p, q, pairs, T = rough_pair(rng, 600, 40)
-    far = np.array([5e5, 5.4e6, 300.0])
-    T_far = T.copy()
-    T_far[:3, 3] += far - T[:3, :3] @ far
-    source, target = loom.PointCloud(p + far, device=device), loom.PointCloud(q + far, device=device)
-    assert source.origin.any()
-    result = reg.registration_robust_based_on_correspondence(source, target, pairs, 0.015)
-    angle, distance = misplacement(result.transformation, T_far, p + far)
-    assert angle < tolerances.robust_degrees and distance < tolerances.robust_distance and result.score > 0.8
 
 
 def test_points_that_are_not_finite_and_duplicates_change_nothing(device, rng, tolerances):
@@ -103,15 +87,6 @@ def test_points_that_are_not_finite_and_duplicates_change_nothing(device, rng, t
     result = reg.registration_robust_based_on_correspondence(source, target, pairs, 0.015)
     angle, distance = misplacement(result.transformation, T, p[np.isfinite(p).all(axis=1)])
     assert angle < tolerances.robust_degrees and distance < tolerances.robust_distance
-
-
-@pytest.mark.parametrize("count", [0, 1, 2])
-def test_too_few_correspondences_are_a_reason(device, count):
-    cloud = loom.PointCloud(np.eye(3), device=device)
-    pairs = np.column_stack([np.arange(count)] * 2)
-    result = reg.registration_robust_based_on_correspondence(cloud, cloud, pairs, 0.1)
-    assert (result.transformation == np.eye(4)).all() and result.fitness == 0 and result.score == 0
-    assert not result.converged and f"of {count} correspondences" in result.reason
 
 
 def test_three_correspondences_give_a_pose_that_is_not_believed(device):
@@ -156,24 +131,3 @@ def test_features_find_the_pose_and_the_clouds_rate_it(device, hilly_pair, angle
     assert angle_between(result.transformation, T) < 1.5 and result.score > 0.5
     one_way = reg.registration_robust_based_on_feature_matching(*clouds, *features, 0.075, mutual_filter=False)
     assert angle_between(one_way.transformation, T) < 1.5
-
-
-def test_wrong_arguments_are_named(device):
-    cloud = loom.PointCloud(np.eye(3), device=device)
-    robust = reg.registration_robust_based_on_correspondence
-    with pytest.raises(ValueError, match="noise_bound: expected a finite number > 0, got 0"):
-        robust(cloud, cloud, [[0, 0]], 0)
-    with pytest.raises(IndexError, match="corres: target indices"):
-        robust(cloud, cloud, [[0, 3]], 1.0)
-    with pytest.raises(ValueError, match=r"corres: expected shape \[n, 2\]"):
-        robust(cloud, cloud, [[0, 3, 1]], 1.0)
-    with pytest.raises(TypeError, match="source: expected a PointCloud"):
-        robust(np.eye(3), cloud, [[0, 0]], 1.0)
-    with pytest.raises(ValueError, match="seed"):
-        robust(cloud, cloud, [[0, 0]], 1.0, seed=-1)
-    with pytest.raises(ValueError, match="voxel_size: expected a finite number > 0, got nan"):
-        reg.register_globally(cloud, cloud, voxel_size=np.nan)
-    with pytest.raises(TypeError, match="target: expected a PointCloud"):
-        reg.register_globally(cloud, np.eye(3), voxel_size=1.0)
-    with pytest.raises(ValueError, match=r"source_feature: expected shape \[3, d\]"):
-        reg.registration_robust_based_on_feature_matching(cloud, cloud, np.zeros((2, 5)), np.zeros((3, 5)), 1.0)

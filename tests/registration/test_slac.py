@@ -44,11 +44,13 @@ def test_the_grid_and_the_poses_that_come_back_belong_together(bent, aligned):
     assert measured.report.rmse[0] == pytest.approx(solved.report.rmse[-1], rel=0.01)
 
 
+@pytest.mark.slow
 def test_the_surface_comes_nearer_to_the_truth_than_with_rigid_fragments(bent, aligned):
     rigid, solved, grid = aligned
     assert bent.error(solved, grid) < 0.6 * bent.error(rigid)
 
 
+@pytest.mark.slow
 def test_the_grid_finds_how_the_camera_bends(bent, aligned):
     """Up to a rigid motion, which belongs to the poses, and to a scale, which no fragment can tell."""
     _, _, grid = aligned
@@ -83,14 +85,17 @@ def test_poses_that_are_off_come_back(straight, bends):
     assert left.max() < 0.006 < 0.015 < off.max() and np.median(left) < 0.3 * np.median(off)
 
 
-def test_the_first_fragment_keeps_its_pose_and_the_graph_given_stays(bent, aligned):
-    rigid, solved, _ = aligned
-    for graph in (rigid, solved):
-        assert np.abs(graph.nodes[0].pose - bent.poses[0]).max() < 1e-12
-        assert [(e.source_node_id, e.target_node_id) for e in graph.edges] == bent.pairs
-    assert bent.graph.report is None and all(
-        (node.pose == T).all() for node, T in zip(bent.graph.nodes, bent.poses, strict=True)
-    )
+def test_the_first_fragment_keeps_its_pose_and_the_graph_given_stays():
+    clouds, given = two()
+    before = [node.pose.copy() for node in given.nodes]
+    for graph in (
+        slac.run_rigid_optimizer_for_fragments(clouds, given),
+        slac.run_slac_optimizer_for_fragments(clouds, given)[0],
+    ):
+        assert np.abs(graph.nodes[0].pose - before[0]).max() < 1e-12
+        assert np.abs(graph.nodes[1].pose - np.eye(4)).max() < 1e-3, "the surfaces are brought together"
+        assert [(e.source_node_id, e.target_node_id) for e in graph.edges] == [(0, 1)]
+    assert given.report is None and all((node.pose == T).all() for node, T in zip(given.nodes, before, strict=True))
 
 
 @pytest.mark.slow
@@ -169,13 +174,6 @@ def test_fragments_that_nothing_joins_stay():
     assert (grid.get_curr_positions() == grid.get_init_positions()).all()
 
 
-def test_no_steps_move_nothing_and_measure():
-    clouds, graph = two()
-    solved, _ = slac.run_slac_optimizer_for_fragments(clouds, graph, slac.SLACOptimizerParams(max_iterations=0))
-    assert np.abs(solved.nodes[1].pose - graph.nodes[1].pose).max() < 1e-12
-    assert solved.report.rmse.shape == (1,) and solved.report.rmse[0] > 0.005 and not len(solved.report.turns)
-
-
 def test_fragments_may_be_files(tmp_path):
     clouds, graph = two()
     for i, cloud in enumerate(clouds):
@@ -187,22 +185,6 @@ def test_fragments_may_be_files(tmp_path):
     given = slac.run_rigid_optimizer_for_fragments(clouds, graph)
     assert np.abs(read.nodes[1].pose - given.nodes[1].pose).max() < 1e-6
     assert steps == [("slac", i, 5) for i in range(6)]
-
-
-def test_mistakes_are_named():
-    clouds, graph = two()
-    run = slac.run_slac_optimizer_for_fragments
-    with pytest.raises(ValueError, match=r"fragments: expected one for each of the 2 nodes .*, got 1"):
-        run(clouds[:1], graph)
-    with pytest.raises(ValueError, match="fragments: expected one for each of the 0 nodes"):
-        run([], PoseGraph())
-    with pytest.raises(TypeError, match="params: expected a SLACOptimizerParams, got dict"):
-        run(clouds, graph, {})
-    with pytest.raises(ValueError, match=r"no point lies within 0.07 m \(distance_threshold\)"):
-        graph.nodes[1].pose[0, 3] = 50
-        run(clouds, graph)
-    with pytest.raises(ValueError, match=r"cloud: expected points within .* take a larger grid_size"):
-        slac.ControlGrid(1e-6).touch(clouds[0])
 
 
 def test_a_grid_bends_depth_as_it_bends_points(device):

@@ -58,12 +58,6 @@ def run_at_once(tasks):
     return sorted(set(faults))
 
 
-def test_registration_is_right_after_two_threads_have_read_arrays(work, eager_threads):
-    expected, points = work["registration"](), work["voxels"]()
-    assert run_at_once([("voxels", work["voxels"], points, 40)] * 2) == []
-    np.testing.assert_array_equal(work["registration"](), expected)
-
-
 def test_threads_that_work_beside_a_registration_disturb_neither(work, eager_threads):
     alone = {name: operation() for name, operation in work.items()}
     beside = ("voxels", "copies")

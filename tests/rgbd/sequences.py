@@ -42,3 +42,11 @@ def waves():
         color = np.stack([4 * u, 5 * v, 3 * u], axis=2).astype(np.uint8)
         frames.append(Frame(depth, color, pose, f"frame-{i:06d}", 0.1 * i))
     return frames
+
+
+def turning_path() -> loom.Trajectory:
+    """Four poses, each turned by 15 degrees from the one before."""
+    poses = np.tile(np.eye(4), (4, 1, 1))
+    for pose, angle in zip(poses, np.radians(15) * np.arange(4), strict=True):
+        pose[:3, :3] = [[np.cos(angle), 0, np.sin(angle)], [0, 1, 0], [-np.sin(angle), 0, np.cos(angle)]]
+    return loom.Trajectory(poses)

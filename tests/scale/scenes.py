@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
+
 import numpy as np
 import pytest
 
@@ -14,9 +18,9 @@ from pointloom.scale.manifest import Manifest
 STEP = 1e-7  # [m] below what float32 tells apart here, so that files hold means and moved points to the bit
 CORNER = np.array([500_000.0, 4_000_000.0, 100.0])
 SIDE = 40.0
-# Sides of tiles [m], quick ones first: 4 tiles with points on their borders and corner (and slivers), all in one;
-# more tiles of both kinds, whose cost is that of each tile.
-SIZES = [20.0, 100.0, *(pytest.param(size, marks=pytest.mark.slow) for size in (10.0, 17.3))]
+# Sides of tiles [m]: 4 tiles with points on their borders and corner (and slivers); all in one; no round number.
+SIZES = [20.0, *(pytest.param(size, marks=pytest.mark.slow) for size in (100.0, 17.3))]
+RADIUS = [{"step": "remove_radius_outlier", "nb_points": 4, "radius": 0.9}]
 
 
 def survey(folder, *, count=6000, files=2, suffix=".laz", seed=0):
@@ -91,15 +95,30 @@ def rows_of(cloud):
     return rows[np.lexsort(rows.T)]
 
 
+def kill_runner(call, job, stage):
+    """Start a run of a job with two workers, and kill its runner when a task of this stage is done."""
+    told = "lambda *words: print(*words, flush=True)"
+    program = f"import sys, pointloom as loom; {call}(sys.argv[1], workers=2, progress={told})"
+    runner = subprocess.Popen(
+        [sys.executable, "-c", program, str(job)],
+        env=os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)},
+        stdout=subprocess.PIPE,
+        text=True,
+    )
+    with runner:
+        assert any(line.startswith(stage) and not line.startswith(f"{stage} 0 ") for line in runner.stdout)
+        runner.kill()
+
+
 def plan_of(folder):
     with Manifest(folder) as manifest:
         return manifest.plan
 
 
-def tiled(paths, steps, folder, **how):
+def tiled(paths, steps, folder, device="cpu", **how):
     """Plan, run and finish; the result as read back about the plan's origin, and the plan."""
     loom.scale.plan_tiles(paths, steps, folder, **how)
-    status = loom.scale.run_tiles(folder)
+    status = loom.scale.run_tiles(folder, device=device)
     assert status.is_finished, status
     return finished(folder), plan_of(folder)
 

@@ -16,7 +16,11 @@ from pointloom.scale import gpus, runners
 from .scenes import STEP, finished, in_memory, plan_of, rows_of, survey, whole_cloud
 from .test_same_answer import CHAINS
 
-SAME = ["normals in a radius", "normals of both", "a box", "a chain"]  # of each class of steps
+# Of each class of steps; those of the slow ones are tried on the CPU as "a chain", or by test_same_answer.
+SAME = [
+    "normals in a radius",
+    *(pytest.param(chain, marks=pytest.mark.slow) for chain in ("normals of both", "a box", "a chain")),
+]
 MOST_MOVED = 2e-6  # [m] by which smoothed points of CPU and GPU differ, whose products and sums are fused on the GPU
 
 
@@ -40,7 +44,7 @@ def test_tiles_of_a_device_have_the_bits_of_the_operations_on_the_cpu(device, fi
     np.testing.assert_array_equal(rows_of(found), rows_of(expected))
 
 
-@pytest.mark.parametrize("chain", ["smoothing", "smoothing of the nearest"])
+@pytest.mark.parametrize("chain", [pytest.param("smoothing", marks=pytest.mark.slow), "smoothing of the nearest"])
 def test_smoothed_tiles_of_a_device_are_those_of_the_cpu_within_two_micrometres(device, files, tmp_path, chain):
     found = rows_of(on_device(files, tmp_path / "job", CHAINS[chain], device))
     plan = plan_of(tmp_path / "job")

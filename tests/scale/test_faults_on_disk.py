@@ -17,27 +17,14 @@ from pointloom.core.errors import FileError
 from pointloom.scale import buckets, finish, runners, sources
 from pointloom.scale.manifest import NAME, Manifest, only_one
 
-from .scenes import finished, rows_of, survey, tiled
+from .scenes import RADIUS, finished, rows_of
 
 resource = pytest.importorskip("resource")
-RADIUS = [{"step": "remove_radius_outlier", "nb_points": 4, "radius": 0.9}]
 
 
-@pytest.fixture
-def files(tmp_path):
-    return survey(tmp_path, count=2000)
-
-
-@pytest.fixture(scope="module")
-def expected(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("expected")
-    return rows_of(tiled(survey(folder, count=2000), RADIUS, folder / "job", size=100.0)[0])
-
-
-@pytest.fixture
-def job(files, tmp_path):
-    loom.scale.plan_tiles(files, RADIUS, tmp_path / "job", size=20.0)
-    return tmp_path / "job"
+def assert_goes_on(job, expected):
+    assert loom.scale.run_tiles(job).is_finished
+    np.testing.assert_array_equal(rows_of(finished(job)), expected)
 
 
 @contextlib.contextmanager
@@ -69,26 +56,23 @@ def test_a_disk_that_is_full_while_rows_are_laid_is_named_and_leaves_nothing(job
             loom.scale.run_tiles(job)
     assert not [*(job / "buckets").iterdir()]
     loom.scale.retry_tiles(job)
-    assert loom.scale.run_tiles(job).is_finished
-    np.testing.assert_array_equal(rows_of(finished(job)), expected)
+    assert_goes_on(job, expected)
 
 
 def test_a_disk_that_is_full_while_tiles_are_written_fails_them_by_name(job, expected, monkeypatch):
     with monkeypatch.context() as patch:
         on_a_full_disk(patch, "tiles", 300)  # less than a header
         status = loom.scale.run_tiles(job)
-    assert status.failed == 9 and all("File too large" in error for error in status.troubles.values())
+    assert status.failed == 4 and all("File too large" in error for error in status.troubles.values())
     assert not [*(job / "tiles").iterdir()]
     loom.scale.retry_tiles(job)
-    assert loom.scale.run_tiles(job).is_finished
-    np.testing.assert_array_equal(rows_of(finished(job)), expected)
+    assert_goes_on(job, expected)
 
 
 def test_a_disk_without_room_for_the_manifests_log_is_no_reason_to_plan_anew(job, expected):
     with files_up_to(0), pytest.raises(FileError, match=r"plan\.sqlite: the manifest cannot be used: "):
         loom.scale.tile_status(job)
-    assert loom.scale.run_tiles(job).is_finished
-    np.testing.assert_array_equal(rows_of(finished(job)), expected)
+    assert_goes_on(job, expected)
 
 
 def test_a_manifest_that_has_no_room_is_named_and_nothing_is_lost(job, expected):
@@ -100,8 +84,7 @@ def test_a_manifest_that_has_no_room_is_named_and_nothing_is_lost(job, expected)
         assert not manifest.base.in_transaction
         manifest.base.execute("PRAGMA max_page_count = 100000")
         assert manifest.claim("tiles", "dead")["id"] == 0
-    assert loom.scale.run_tiles(job).is_finished
-    np.testing.assert_array_equal(rows_of(finished(job)), expected)
+    assert_goes_on(job, expected)
 
 
 @pytest.mark.parametrize("name", ["result.laz", "result.copc.laz"])
@@ -134,19 +117,17 @@ def test_a_tile_that_is_no_longer_what_was_written_is_named_and_made_again(job, 
     with pytest.raises(FileError, match=r"1_1\.laz: is (damaged|gone).* It waits to be made again"):
         loom.scale.finish_tiles(job)
     assert not (job / "result.laz").exists() and loom.scale.tile_status(job).waiting == 1
-    assert loom.scale.run_tiles(job).is_finished
-    np.testing.assert_array_equal(rows_of(finished(job)), expected)
+    assert_goes_on(job, expected)
 
 
 def test_a_tile_that_is_gone_once_the_rows_by_tile_are_too_has_them_laid_again(job, expected):
     loom.scale.run_tiles(job)
     finished(job)
-    for name in ("0_0", "2_2"):
+    for name in ("0_0", "1_1"):
         (job / "tiles" / f"{name}.laz").unlink()
     with pytest.raises(FileError, match="It and 1 others wait"):
         loom.scale.finish_tiles(job)
-    assert loom.scale.run_tiles(job).is_finished
-    np.testing.assert_array_equal(rows_of(finished(job)), expected)
+    assert_goes_on(job, expected)
 
 
 def test_a_damaged_chunk_of_an_octree_fails_its_tiles_by_name(files, tmp_path):
@@ -157,7 +138,7 @@ def test_a_damaged_chunk_of_an_octree_fails_its_tiles_by_name(files, tmp_path):
     begin = sources.open_las(tmp_path / "whole.copc.laz").header.begin
     told = {"same": 0, "named": 0}
     expected = None
-    for number in range(12):
+    for number in range(8):
         path, job = tmp_path / f"flipped{number}.copc.laz", tmp_path / f"job{number}"
         changed = bytearray(content)
         changed[begin + 8 + int(rng.integers(0, 400))] ^= 1 << int(rng.integers(0, 8)) if number else 0
@@ -169,17 +150,21 @@ def test_a_damaged_chunk_of_an_octree_fails_its_tiles_by_name(files, tmp_path):
         told["named" if status.failed else "same"] += 1
         assert all("damaged" in error for error in status.troubles.values()), status
         assert status.failed or status.points_out == expected or number
-    assert told["named"] >= 6, told
+    assert told["named"] >= 4, told
 
 
-def test_a_bucket_that_is_cut_off_fails_its_tile_by_name(job):
+@pytest.mark.parametrize("fault", ["flipped", "cut"])
+def test_a_bucket_that_is_damaged_fails_its_tile_by_name(job, fault):
     runners.run_tiles(job)
     with Manifest(job) as manifest, manifest.change() as base:
         base.execute("UPDATE tiles SET state = 'waiting' WHERE id = 0")
     path = job / "buckets" / "000000" / "0.blocks"
-    path.write_bytes(path.read_bytes()[:-7])
+    content = bytearray(path.read_bytes())
+    content[-5] ^= 1
+    path.write_bytes(content if fault == "flipped" else content[:-7])
     status = loom.scale.run_tiles(job)
-    assert status.failed == 1 and "0.blocks" in status.troubles["0_0"] and "damaged" in status.troubles["0_0"]
+    assert status.failed == 1 and "0.blocks" in status.troubles["0_0"]
+    assert ("does not go with its checksum" if fault == "flipped" else "damaged") in status.troubles["0_0"]
 
 
 def test_rows_that_are_laid_already_are_not_laid_again_under_those_who_read_them(job):
@@ -210,8 +195,7 @@ def test_rows_by_tile_that_were_removed_are_laid_again_by_retry(job, expected):
     status = loom.scale.run_tiles(job)
     assert status.failed == 3 and "call retry_tiles(folder)" in status.troubles["0_0"]
     assert loom.scale.retry_tiles(job).sources_waiting == 1
-    assert loom.scale.run_tiles(job).is_finished
-    np.testing.assert_array_equal(rows_of(finished(job)), expected)
+    assert_goes_on(job, expected)
 
 
 def test_what_a_killed_finish_left_is_removed_and_two_at_once_are_refused(job, expected):
@@ -247,14 +231,12 @@ def test_an_octree_that_is_written_to_while_it_is_read_fails_the_tile(files, tmp
     assert status.failed == 1 and "has changed since" in status.troubles["0_0"]
 
 
-def test_a_copy_of_a_job_that_is_worked_on_is_a_job(files, tmp_path, expected):
+def test_a_copy_of_a_job_that_is_worked_on_is_a_job(job, tmp_path, expected):
     """The folder is copied while its manifest is open and a tile is claimed; the copy has no such worker."""
-    loom.scale.plan_tiles(files, RADIUS, tmp_path / "job", size=10.0)
-    with Manifest(tmp_path / "job") as manifest, runners.a_worker(tmp_path / "job") as alive:
+    with Manifest(job) as manifest, runners.a_worker(job) as alive:
         manifest.claim("sources", alive)
-        shutil.copytree(tmp_path / "job", tmp_path / "copy")
-        assert loom.scale.run_tiles(tmp_path / "copy").is_finished
-        np.testing.assert_array_equal(rows_of(finished(tmp_path / "copy")), expected)
+        shutil.copytree(job, tmp_path / "copy")
+        assert_goes_on(tmp_path / "copy", expected)
         assert manifest.counts("sources")["running"] == 1
 
 
@@ -268,8 +250,7 @@ def test_a_manifest_that_was_copied_without_its_log_or_in_part_is_gone_on_with_o
         shutil.copy(job / NAME, copy / NAME)
         assert manifest.counts()["done"]
     assert loom.scale.tile_status(copy).done < loom.scale.tile_status(job).done
-    assert loom.scale.run_tiles(copy).is_finished
-    np.testing.assert_array_equal(rows_of(finished(copy)), expected)
+    assert_goes_on(copy, expected)
     content = (job / NAME).read_bytes()
     (copy / NAME).write_bytes(content[: len(content) // 2])
     with pytest.raises(FileError, match=r"plan\.sqlite: (is no manifest|the manifest cannot be used)"):

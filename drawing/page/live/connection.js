@@ -20,6 +20,8 @@ class Connection {
     this.wasOpen = false;
     this.lostAt = performance.now();
     this.ending = null;
+    this.syncs = new Map(); // by number: what to call when the program has answered
+    this.syncCount = 0;
     document.addEventListener("visibilitychange", () => this.onSight());
     window.addEventListener("online", () => this.onNetwork());
     window.addEventListener("pageshow", () => this.onSight());
@@ -51,6 +53,7 @@ class Connection {
     Object.assign(this, { tries: 0, wasOpen: true, ending: null });
     this.tell("open", { again });
     this.send(this.hello());
+    for (const n of this.syncs.keys()) this.send({ say: "sync", n });
   }
 
   onMessage(socket, event) {
@@ -132,6 +135,20 @@ class Connection {
     if (text.length > most || (text.length > most / 3 && new Blob([text]).size > most)) return false;
     this.socket.send(text);
     return true;
+  }
+
+  /** Resolves when the program has acted on all that was said, and all that it sent until then has been applied. */
+  sync() {
+    const n = (this.syncCount += 1);
+    return new Promise((resolve) => {
+      this.syncs.set(n, resolve);
+      this.send({ say: "sync", n }); // where nobody hears it, it is said when the line opens
+    });
+  }
+
+  onSync(n) {
+    this.syncs.get(n)?.();
+    this.syncs.delete(n);
   }
 
   get isBusy() {

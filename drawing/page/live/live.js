@@ -14,7 +14,6 @@ class Live {
   constructor() {
     this.pageTitle = document.title;
     this.keptUntil = 0;
-    this.signs = [];
     this.clicks = false;
     this.notices = new Notices({
       list: byId("notices"), progress: byId("progress"), state: byId("state"), hint: byId("hint"), tryNow: () => this.connection.hurry(),
@@ -112,6 +111,7 @@ class Live {
       title: ({ text }) => this.setTitle(text),
       download: ({ name, mime, data }, arrays) => saveAs(new Blob([arrays[data].data], { type: mime }), name),
       sign: ({ n }) => this.onSign(n),
+      sync: ({ n }) => this.connection.onSync(n),
       end: ({ text }) => this.connection.end(text ?? ""),
       unit: ({ text }) => engine?.setUnit(text ?? null),
       clear: () => this.clear(),
@@ -152,6 +152,15 @@ class Live {
     if (socket === this.connection.socket) this.connection.send({ say: "sign", n });
   }
 
+  /** Resolves when the program has acted on all that was done here, and what it sent until then is drawn. */
+  async ready() {
+    await this.engine?.ready();
+    await nextFrame(); // the camera is told once a picture
+    this.panel.sayPending();
+    await this.connection.sync();
+    await this.engine?.ready();
+  }
+
   // -- what is said to the program ------------------------------------------------------------------------------------
 
   hello() {
@@ -179,7 +188,6 @@ class Live {
   }
 
   onState(state, { text, again, before }) {
-    document.documentElement.dataset.connection = state;
     if (state === "ended" && before === "ended" && !text) return; // what was said first stays
     this.notices.setState(state, { text, hadScene: this.connection.wasOpen });
     if (state !== "open") return this.notices.setProgress("");

@@ -3,3 +3,5 @@
 if (parent !== window) parent.postMessage("pointloom", "*");
 const live = new Live();
 live.start();
+// for whoever embeds the page, and for its tests
+window.pointloom = { ready: () => live.ready() };

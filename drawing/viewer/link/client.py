@@ -96,6 +96,9 @@ class PageClient:
         for callback in tuple(self._on_sign):
             self.worker.run(callback, self, about="sign")
 
+    def _take_sync(self, said: dict[str, Any]) -> None:
+        self.worker.run(self._channel.send, {"op": "sync", "n": int(said["n"])})
+
     def _take_value(self, said: dict[str, Any]) -> None:
         handle = self._find(said["id"])
         if handle is None or not hasattr(handle, "said") or handle.disabled:

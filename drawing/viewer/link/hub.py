@@ -332,6 +332,10 @@ async def _consume(connection: ServerConnection, visitor: Visitor) -> None:
             log.debug("a page said %s", said["say"], exc_info=True)
 
 
+def _unsent_bytes(connection: ServerConnection) -> int:
+    return connection.transport.get_write_buffer_size()
+
+
 async def _watch(connection: ServerConnection, visitor: Visitor) -> None:
     """Ping a page, and drop it when it has stopped reading or more waits for it than may."""
     loop = asyncio.get_running_loop()
@@ -339,7 +343,7 @@ async def _watch(connection: ServerConnection, visitor: Visitor) -> None:
     pong: Any = None
     while True:
         await asyncio.sleep(WATCH_SECONDS)
-        unsent, now = connection.transport.get_write_buffer_size(), loop.time()
+        unsent, now = _unsent_bytes(connection), loop.time()
         if pong is not None and pong.done():
             pong, since = None, now
         if unsent != seen or (unsent == 0 and pong is None):

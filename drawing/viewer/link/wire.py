@@ -167,6 +167,7 @@ MESSAGES: dict[str, dict[str, Check]] = {
         "orthographic": _is_switch,
     },
     "sign": {"n": _is_id},
+    "sync": {"n": _is_id},
     "value": {"id": _is_id, "value": _is_value},
     "press": {"id": _is_id, "value": _is_pressed},
     "command": {"id": _is_id},

@@ -65,8 +65,11 @@ class Worker:
                     return
                 key = next(iter(self._waiting))
                 callback, arguments = self._waiting.pop(key)
-            try:
-                callback(*arguments)
-            except Exception:
-                log.exception("a callback of the viewer failed")
+            self._call(callback, arguments)
             del callback, arguments, key
+
+    def _call(self, callback: Callable[..., Any], arguments: tuple[Any, ...]) -> None:
+        try:
+            callback(*arguments)
+        except Exception:
+            log.exception("a callback of the viewer failed")

@@ -7,7 +7,7 @@ import pytest
 from pointloom.drawing.page import sources
 from pointloom.drawing.recording.page import write_page
 
-from .scenes import SETTLED, wait_for
+from ..pixels import ready
 
 
 @pytest.fixture
@@ -18,7 +18,7 @@ def open_recording(open_page, tmp_path):
         path = tmp_path / "recording.html"
         write_page(path, timeline, **options)
         page = open_page(path.as_uri(), width=width, height=height, offline=True, faults=faults)
-        wait_for(page, SETTLED)
+        ready(page)
         return page
 
     return open_one

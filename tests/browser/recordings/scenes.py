@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 
 import numpy as np
 
@@ -11,11 +10,9 @@ import pointloom as loom
 from pointloom.drawing.recording.timeline import Frame, Placed, Shape, Timeline
 from pointloom.drawing.render.view import View
 
-from ..pixels import picture, seen, wait_until
+from ..pixels import picture, ready
 
 RED, BLUE, GREEN = (220, 30, 20), (20, 60, 220), (20, 170, 40)
-SETTLED = "document.documentElement.dataset.settled === 'true'"
-STATE = "[document.documentElement.dataset, typeof recording === 'undefined' ? null : recording.statistics()]"
 
 
 def grid(count=60, size=1.0, z=0.0) -> np.ndarray:
@@ -71,11 +68,6 @@ def box_of_triangles() -> Shape:
     return Shape("triangles", corners, indices=np.int32(faces), plain=(204, 199, 189))
 
 
-def wait_for(page, expression: str) -> None:
-    """Until the expression is true; the page's policy forbids playwright's own way, which is `eval` in the page."""
-    wait_until(page, lambda: page.evaluate(expression), lambda: f"{expression}; {page.evaluate(STATE)}")
-
-
 def stage(page) -> np.ndarray:
     """The picture of the scene once nothing moves, without what lies over it."""
     page.evaluate(
@@ -84,14 +76,9 @@ def stage(page) -> np.ndarray:
             document.getElementById("scene").style.outline = "none";
         }"""
     )
-    wait_for(page, SETTLED)
+    ready(page)
     box = page.locator("#scene").bounding_box()
     return picture(page, panels=True)[: round(box["height"]), : round(box["width"])]
-
-
-def wait_for_stage(page, claim: Callable[[np.ndarray], bool]) -> None:
-    """Until the claim holds of the scene at rest."""
-    wait_until(page, lambda: claim(stage(page)), lambda: seen(stage(page)))
 
 
 def is_reddish(image: np.ndarray) -> np.ndarray:

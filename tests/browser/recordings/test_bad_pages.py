@@ -6,8 +6,8 @@ import pytest
 from pointloom.drawing.recording.page import write_page
 from pointloom.drawing.recording.timeline import Frame, Placed, Shape, Timeline
 
-from ..pixels import wait_until
-from .scenes import from_above, grid, one_frame, stage, two_clouds, wait_for, wait_for_stage
+from ..pixels import wait_for_messages, wait_in_page
+from .scenes import from_above, grid, one_frame, stage, two_clouds
 
 HOSTILE = "</script ><img src=x onerror=\"document.title='taken'\"><b>bold"
 
@@ -36,10 +36,10 @@ def test_the_policy_stops_scripts_and_requests_that_get_in_all_the_same(open_rec
         }"""
     )
     stopped = lambda: sum("Content Security Policy" in fault for fault in page.visit.faults)  # noqa: E731
-    wait_until(page, lambda: stopped() >= 2, stopped)
+    wait_for_messages(page, lambda: stopped() >= 2)
     assert page.title() == "two squares"
     assert page.evaluate("fetch('data:,x').then(() => 'fetched', () => 'refused')") == "refused"
-    wait_until(page, lambda: stopped() >= 3, stopped)
+    wait_for_messages(page, lambda: stopped() >= 3)
 
 
 def test_a_recording_of_nothing_says_so(open_recording):
@@ -60,7 +60,7 @@ def test_where_the_browser_lacks_something_the_page_says_what_to_do(open_page, t
     page = open_page("about:blank", faults=False)
     page.add_init_script(change)
     page.goto((tmp_path / "p.html").as_uri())
-    wait_for(page, f"document.getElementById('message').textContent.includes('{words}')")
+    wait_in_page(page, f"document.getElementById('message').textContent.includes('{words}')")
     assert page.visit.faults == []
 
 
@@ -69,14 +69,16 @@ def test_a_card_that_forgets_everything_is_filled_again(open_recording):
     before = stage(page)
     page.evaluate(
         """async () => {
-            const loss = document.getElementById("scene").getContext("webgl2").getExtension("WEBGL_lose_context");
+            const canvas = document.getElementById("scene");
+            const loss = canvas.getContext("webgl2").getExtension("WEBGL_lose_context");
+            const lost = new Promise((done) => canvas.addEventListener("webglcontextlost", () => setTimeout(done)));
             loss.loseContext();
-            await new Promise((resolve) => setTimeout(resolve, 100)); // the page must have been told
+            await lost;
             loss.restoreContext();
         }"""
     )
-    wait_for(page, "recording.statistics().uploads === 4")
-    wait_for_stage(page, lambda image: np.array_equal(image, before))
+    wait_in_page(page, "recording.statistics().uploads === 4")
+    assert np.array_equal(stage(page), before)
 
 
 def test_shapes_without_anything_in_them_are_no_error(open_recording):

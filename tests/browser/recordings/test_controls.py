@@ -6,8 +6,8 @@ import numpy as np
 
 from pointloom.drawing.recording.timeline import Frame, Placed, Shape, Timeline
 
-from ..pixels import count_pixels
-from .scenes import BLUE, GREEN, RED, SETTLED, from_above, grid, is_reddish, stage, two_clouds, wait_for, wait_for_stage
+from ..pixels import count_pixels, ready, wait_in_page
+from .scenes import BLUE, GREEN, RED, from_above, grid, is_reddish, stage, two_clouds
 
 
 def test_mouse_and_keys_move_the_camera_and_r_brings_it_back(open_recording):
@@ -42,7 +42,7 @@ def test_mouse_and_keys_move_the_camera_and_r_brings_it_back(open_recording):
     at = page.evaluate(project)
     page.mouse.move(at[0], at[1])
     page.mouse.wheel(0, -400)
-    wait_for(page, f"recording.project([0.5, 0.2, 0])[2] < 0.9 * {first[2]}")
+    wait_in_page(page, f"recording.project([0.5, 0.2, 0])[2] < 0.9 * {first[2]}")
     nearer = page.evaluate(project)
     assert math.dist(nearer[:2], at[:2]) < 40  # what is under the pointer stays about there
     reset()
@@ -57,7 +57,7 @@ def test_a_double_click_makes_what_is_there_the_middle_of_turning(open_recording
     place = "[-2.5, 0.4, 0]"
     x, y, depth = page.evaluate(f"recording.project({place})")
     page.mouse.dblclick(x, y)
-    wait_for(page, SETTLED)
+    ready(page)
     box = page.locator("#scene").bounding_box()
     middle = (box["width"] / 2, box["height"] / 2)
     centered = page.evaluate(f"recording.project({place})")
@@ -93,9 +93,9 @@ def test_keys_change_sizes_normals_edges_and_light(open_recording):
     page.keyboard.press("=")
     dark = (first.max(axis=-1) < 40).sum()
     page.keyboard.press("w")
-    wait_for_stage(page, lambda image: (image.max(axis=-1) < 40).sum() > dark + 300)
+    assert (stage(page).max(axis=-1) < 40).sum() > dark + 300
     page.keyboard.press("w")
-    wait_for_stage(page, lambda image: np.array_equal(image, first))
+    assert np.array_equal(stage(page), first)
     page.keyboard.press("n")
     colored = stage(page)
     assert count_pixels(colored, (128, 128, 255), 6) > 5000  # the square looks up

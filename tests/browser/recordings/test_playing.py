@@ -6,8 +6,8 @@ import numpy as np
 
 from pointloom.drawing.recording.timeline import Frame, Placed, Shape, Timeline
 
-from ..pixels import count_pixels, is_color, middle_of, picture
-from .scenes import BLUE, RED, SETTLED, from_above, grid, is_reddish, moved, stage, statistics, two_clouds, wait_for
+from ..pixels import count_pixels, is_color, middle_of, picture, ready, wait_in_page
+from .scenes import BLUE, RED, from_above, grid, is_reddish, moved, stage, statistics, two_clouds
 
 
 def test_playing_moves_the_red_cloud_and_ends_where_it_began(open_recording):
@@ -16,12 +16,12 @@ def test_playing_moves_the_red_cloud_and_ends_where_it_began(open_recording):
     page.uncheck("#loop")
     page.focus("#scene")
     page.keyboard.press("Space")
-    wait_for(page, "recording.statistics().frame === 7 && !recording.statistics().playing")
+    wait_in_page(page, "recording.statistics().frame === 7 && !recording.statistics().playing")
     last = middle_of(stage(page), RED, 60)
     assert last[0] > first[0] + 100 and abs(last[1] - first[1]) < 4
     assert count_pixels(stage(page), BLUE, 60) < 0.4 * blue  # the red cloud lies over it
     page.click("#play")
-    wait_for(page, "recording.statistics().playing && recording.statistics().frame > 0")
+    wait_in_page(page, "recording.statistics().playing && recording.statistics().frame > 0")
     page.click("#play")
     assert not statistics(page)["playing"]
 
@@ -42,7 +42,7 @@ def test_the_slider_is_moved_by_keys(open_recording):
     page.focus("#slider")
     for _ in range(3):
         page.keyboard.press("ArrowRight")
-    wait_for(page, "recording.statistics().frame === 3")
+    wait_in_page(page, "recording.statistics().frame === 3")
     assert page.input_value("#slider") == "3"
     assert page.get_attribute("#slider", "aria-valuetext") == "4 of 8 iteration 3"
     assert middle_of(stage(page), RED, 60)[0] > middle_of(before, RED, 60)[0] + 20
@@ -50,7 +50,7 @@ def test_the_slider_is_moved_by_keys(open_recording):
     page.evaluate("document.activeElement.blur()")
     for key, frame in (("End", 7), ("ArrowLeft", 6), ("Home", 0), ("ArrowRight", 1)):
         page.keyboard.press(key)
-        wait_for(page, f"recording.statistics().frame === {frame}")
+        wait_in_page(page, f"recording.statistics().frame === {frame}")
 
 
 def mark_of(page, number: int) -> float:
@@ -70,11 +70,11 @@ def test_plots_mark_the_frame_and_a_click_goes_to_one(open_recording):
     assert page.locator("#plots output").all_text_contents() == ["0", "0.1"]
     first = mark_of(page, 0)
     page.keyboard.press("End")
-    wait_for(page, "recording.statistics().frame === 7")
+    wait_in_page(page, "recording.statistics().frame === 7")
     assert mark_of(page, 0) > first + 200 and mark_of(page, 1) > first + 200
     box = page.locator("#plots canvas").first.bounding_box()
     page.mouse.click(box["x"] + 6 + (box["width"] - 12) * 6 / 7, box["y"] + 50)
-    wait_for(page, "recording.statistics().frame === 6")
+    wait_in_page(page, "recording.statistics().frame === 6")
     assert abs(mark_of(page, 1) - (6 + (box["width"] - 12) * 6 / 7)) < 2
 
 
@@ -84,10 +84,10 @@ def test_many_points_move_thinned_and_are_drawn_whole_at_rest(open_recording):
     frames = [Frame({"a": Placed((0,), moved(6 - 0.03 * k)), "b": Placed((1,))}) for k in range(200)]
     page = open_recording(Timeline(np.zeros(3), shapes, frames, fps=10))
     page.keyboard.press("Space")
-    wait_for(page, "recording.statistics().frame >= 6")
+    wait_in_page(page, "recording.statistics().frame >= 6")
     page.keyboard.press("Space")
-    wait_for(page, SETTLED)
-    wait_for(page, "recording.statistics().every === 1")
+    ready(page)
+    wait_in_page(page, "recording.statistics().every === 1")
     assert statistics(page)["uploads"] == 2
     image = stage(page)
     assert is_reddish(image).sum() > 5000 and is_color(image, BLUE, 130).sum() > 5000
@@ -105,4 +105,4 @@ def test_shapes_of_frames_long_gone_are_freed_and_come_back(open_recording, chan
     assert statistics(page)["uploads"] == 9
     np.testing.assert_array_equal(stage(page), first)
     page.keyboard.press("Space")
-    wait_for(page, "recording.statistics().frame === 5")
+    wait_in_page(page, "recording.statistics().frame === 5")

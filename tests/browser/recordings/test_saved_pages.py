@@ -11,8 +11,8 @@ import pointloom as loom
 from pointloom.drawing.recording.page import write_page
 from pointloom.drawing.recording.shared_player import share_player, write_player
 
-from ..pixels import count_pixels, is_color
-from .scenes import SETTLED, stage, two_clouds, wait_for
+from ..pixels import count_pixels, is_color, ready, wait_in_page
+from .scenes import stage, two_clouds
 
 BRICK, PLAIN = (204, 64, 51), (20, 60, 220)
 SOURCE, TARGET = (255, 180, 0), (0, 166, 237)
@@ -32,7 +32,7 @@ def open_saved(open_page):
 
     def open_one(path: Path):
         page = open_page(path.as_uri(), offline=True)
-        wait_for(page, SETTLED)
+        ready(page)
         assert page.visit.requests == [path.as_uri()]
         return page
 
@@ -79,7 +79,7 @@ def test_a_recorded_registration_opens_from_disk_and_plays(open_saved, tmp_path)
     page.uncheck("#loop")
     page.focus("#scene")
     page.keyboard.press("Space")
-    wait_for(page, f"recording.statistics().frame === {last} && !recording.statistics().playing")
+    wait_in_page(page, f"recording.statistics().frame === {last} && !recording.statistics().playing")
     assert first > 5000 and (stage(page) < 250).any(axis=-1).sum() < 0.95 * first
     assert page.visit.requests == [(tmp_path / "icp.html").as_uri()]
 
@@ -93,7 +93,7 @@ def test_a_page_plays_from_disk_by_the_player_that_lies_beside_it(open_page, tmp
     for path in ("recordings/page.html", "site.html"):
         page = open_page((tmp_path / path).as_uri(), offline=True)
         frame = page.frames[-1]
-        wait_for(frame, SETTLED)
+        ready(frame)
         assert frame.text_content("#label") == "iteration 0"
         assert frame.text_content("#count") == "7,200 points drawn"
         names = {url.rsplit("/", 1)[1] for url in page.visit.requests if url.startswith("file:")}

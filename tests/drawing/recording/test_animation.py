@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import hashlib
 import io
 import json
 import shutil
 import subprocess
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -69,10 +67,12 @@ def near(picture: np.ndarray, color: tuple[int, int, int]) -> np.ndarray:
     return (np.abs(picture.astype(int) - color) < 40).all(axis=2)
 
 
-@pytest.mark.parametrize(("fps", "total"), [(10, 1200), (30, 400), (7, 1714), (50, 240)])
+@pytest.mark.parametrize(("fps", "total"), [(30, 400), (7, 1714)])
 def test_a_gif_has_every_frame_also_equal_ones_and_takes_as_long_as_it_should(fps, total):
     drawn, file = pictures(), io.BytesIO()
-    assert write_gif(file, drawn, make_palette(drawn, WHITE), fps) == 12
+    palette = make_palette(drawn, WHITE)
+    assert write_gif(file, drawn, palette, fps) == 12
+    assert file.getvalue()[13 : 13 + 768] == palette.tobytes() and tuple(palette[0]) == WHITE  # one for all frames
     frames, durations = read_back(file.getvalue())
     assert len(frames) == 12
     assert abs(sum(durations) - total) <= 5
@@ -81,21 +81,7 @@ def test_a_gif_has_every_frame_also_equal_ones_and_takes_as_long_as_it_should(fp
         assert (seen == 255).all(axis=2).sum() == (picture == 255).all(axis=2).sum()
 
 
-def test_a_gif_has_one_palette_for_all_frames():
-    drawn, file = pictures(), io.BytesIO()
-    palette = make_palette(drawn, WHITE)
-    write_gif(file, drawn, palette, 10)
-    data = file.getvalue()
-    assert data[13 : 13 + 768] == palette.tobytes()
-    assert tuple(palette[0]) == WHITE
-    image = Image.open(io.BytesIO(data))
-    for k in range(12):
-        image.seek(k)
-        assert not image.tile or image.tile[0][0] == "gif"
-        assert image.info["loop"] == 0
-
-
-@pytest.mark.parametrize(("fps", "total"), [(10, 1200), (30, 400), (7, 1714), (60, 200)])
+@pytest.mark.parametrize(("fps", "total"), [(7, 1714), (60, 200)])
 def test_a_webp_has_every_frame_also_equal_ones_and_takes_as_long_as_it_should(fps, total):
     drawn, file = pictures(), io.BytesIO()
     assert write_webp(file, drawn, WHITE, fps) == 12
@@ -125,28 +111,8 @@ def test_a_frame_shows_the_shapes_where_they_lie_then(device):
         assert blue.sum() > 100
         columns.append(np.flatnonzero(orange.any(axis=0)).mean())
         assert orange.sum() > 100
+        assert (np.concatenate([picture[186], picture[:187, 0], picture[:187, -1]]) == 255).all()  # all lies within
     assert np.diff(columns).max() < -10 or np.diff(columns).min() > 10  # it moves one way
-
-
-def test_all_frames_lie_within_the_picture():
-    timeline = walk()
-    film = film_of(timeline, (320, 240))
-    for k in range(4):
-        picture = film.draw(k)[:187]
-        rim = np.concatenate([picture[-1], picture[:, 0], picture[:, -1]])
-        assert (rim == 255).all()
-
-
-@pytest.mark.taichi
-def test_a_film_has_the_same_bits_with_both_compilers():
-    from pointloom.kernels.lang import cpu_compiler
-
-    digests = []
-    for compiler in ("taichi", "warp"):
-        with cpu_compiler(compiler):
-            film = film_of(walk(2))
-            digests.append([hashlib.sha256(film.draw(k).tobytes()).hexdigest() for k in range(2)])
-    assert digests[0] == digests[1]
 
 
 def test_values_are_plotted_beneath_up_to_the_frame():
@@ -207,22 +173,6 @@ def test_an_ffmpeg_that_fails_is_quoted_and_leaves_nothing(tmp_path, monkeypatch
     with pytest.raises(FileError, match="no such codec"), loom.record(tmp_path / "a.mp4", size=(64, 48)) as r:
         r.add("cloud", np.zeros((1, 3)))
     assert [entry.name for entry in tmp_path.iterdir()] == ["bin"]
-
-
-def test_an_animation_that_is_interrupted_leaves_the_file_that_was_there(tmp_path: Path):
-    path = tmp_path / "walk.gif"
-    path.write_bytes(b"old")
-
-    def stop(stage: str, done: int, total: int) -> None:
-        if done == 2:
-            raise KeyboardInterrupt
-
-    with pytest.raises(KeyboardInterrupt), loom.record(path, size=(64, 48), progress=stop) as r:
-        r.add("cloud", np.random.default_rng(0).random((10, 3)))
-        for k in range(4):
-            r.step(str(k))
-    assert path.read_bytes() == b"old"
-    assert [entry.name for entry in tmp_path.iterdir()] == ["walk.gif"]
 
 
 def test_a_gif_faster_than_viewers_play_is_refused(tmp_path):

@@ -80,4 +80,4 @@ def test_what_is_not_written_is_words(tmp_path):
         r.step()
         assert r._repr_mimebundle_() == {"text/plain": repr(r)}
         r.discard()
-    assert r._repr_mimebundle_() == {"text/plain": repr(r)}
+    assert not (tmp_path / "a.html").exists() and r._repr_mimebundle_() == {"text/plain": repr(r)}

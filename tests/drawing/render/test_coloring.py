@@ -125,12 +125,6 @@ def test_an_attribute_goes_before_a_coordinate_of_its_name(device):
     assert color_cloud(cloud, "height").title == "height"
 
 
-def test_no_points_have_no_colours(device):
-    empty = loom.PointCloud(np.empty((0, 3)), device=device, label=np.empty(0, np.int32), v=np.empty(0))
-    for by in ("height", "label", "v"):
-        assert color_cloud(empty, by).colors.size == 0
-
-
 @pytest.mark.parametrize(
     ("by", "options", "message"),
     [
@@ -179,17 +173,6 @@ def test_maps_are_the_public_ones(name):
     table = np.floor(colormap_table(name)[[0, 64, 128, 191, 255]] * 255 + 0.5)
     expected = [list(bytes.fromhex(digits)) for digits in QUARTERS[name]]
     assert np.abs(table - expected).max() <= 1
-
-
-@pytest.mark.parametrize("name", COLORMAPS)
-def test_maps_are_those_of_matplotlib(name):
-    matplotlib = pytest.importorskip("matplotlib")
-    expected = matplotlib.colormaps[name](np.arange(256))[:, :3]
-    assert np.abs(colormap_table(name) - expected).max() < 0.5 / 255 + 1e-3
-
-
-def test_colours_of_the_palette_differ():
-    assert len(np.unique(PALETTE, axis=0)) == len(PALETTE) >= 24
 
 
 def test_colours_are_the_same_bits_everywhere(device):

@@ -21,6 +21,7 @@ def load():
 gallery = load()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("step", gallery.STEPS, ids=lambda step: step.__name__)
 def test_each_step_has_a_picture(step):
     image = loom.render(size=(160, 120), **step())

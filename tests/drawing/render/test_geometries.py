@@ -63,8 +63,7 @@ def test_an_oriented_box_and_the_boxes_colour_are_drawn():
     assert len(np.unique(edges, axis=0)) == 12
 
 
-def test_plain_objects_and_those_of_open3d_are_taken():
-    o3d = pytest.importorskip("open3d")
+def test_plain_objects_and_those_of_open3d_are_taken(o3d):
     cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(np.array(CUBE, float)))
     ball = o3d.geometry.TriangleMesh.create_box()
     lines = o3d.geometry.LineSet.create_from_axis_aligned_bounding_box(cloud.get_axis_aligned_bounding_box())
@@ -77,8 +76,7 @@ def test_plain_objects_and_those_of_open3d_are_taken():
     assert download(parts_of(plain)[0].colors)[0] == pytest.approx(128 / 255)
 
 
-def test_tensors_of_open3d_are_drawn_as_what_they_were_made_of():
-    o3d = pytest.importorskip("open3d")
+def test_tensors_of_open3d_are_drawn_as_what_they_were_made_of(o3d):
     cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(np.array(CUBE, float)))
     cloud.paint_uniform_color([0.2, 0.4, 0.6])
     ball, lines = o3d.geometry.TriangleMesh.create_box(), o3d.geometry.LineSet.create_from_axis_aligned_bounding_box
@@ -99,12 +97,11 @@ def test_tensors_of_open3d_are_drawn_as_what_they_were_made_of():
         assert low == pytest.approx(0, abs=1e-6) and high == pytest.approx(1, abs=1e-6)
     assert download(parts_of(shown[0][1])[0].colors)[0] == pytest.approx([0.2, 0.4, 0.6], abs=1e-6)
     assert bounds_of(parts_of(o3d.core.Tensor(np.array(CUBE))))[1].tolist() == [1, 1, 1]
+    with pytest.raises(TypeError, match=r"got open3d\S*\.VoxelGrid"):
+        named_geometries(o3d.geometry.VoxelGrid())
 
 
 def test_refusals_say_what_was_given_and_how_to_go_on():
-    o3d = pytest.importorskip("open3d")
-    with pytest.raises(TypeError, match=r"got open3d\S*\.VoxelGrid"):
-        named_geometries(o3d.geometry.VoxelGrid())
     for path in ("scan.ply", Path("scan.ply")):
         with pytest.raises(TypeError, match=r"files are read first: loom\.read_point_cloud, .*; got 'scan\.ply'"):
             named_geometries([path])
@@ -193,10 +190,7 @@ def test_a_frustum_holds_what_its_camera_sees():
     assert (corners[:, 2] == 2).all() and frustum.corners()[4, 1] < frustum.corners()[0, 1]
 
 
-@pytest.mark.parametrize(
-    "wrong",
-    [3, "cloud", None, [1, 2], [[0, 0, 0]], {"a": 3}, loom.PointCloud, [loom.PointCloud(), None], np.float32(1)],
-)
+@pytest.mark.parametrize("wrong", [3, None, [1, 2], [[0, 0, 0]], {"a": 3}, loom.PointCloud, [loom.PointCloud(), None]])
 def test_what_cannot_be_drawn_is_refused_with_what_can(wrong):
     with pytest.raises((TypeError, ValueError), match=r"geometries|points: expected shape"):
         for _, geometry, style in named_geometries(wrong):
@@ -207,11 +201,9 @@ def test_what_cannot_be_drawn_is_refused_with_what_can(wrong):
     ("keys", "kind", "message"),
     [
         ({"colour": (1, 0, 0)}, ValueError, "'colour'"),
-        ({"color": (1, 0)}, ValueError, "color"),
         ({"color": "red"}, TypeError, "color"),
         ({"color": (255, 180, 0)}, ValueError, "color: expected 0..1.*divide 8-bit colours by 255"),
-        ({"color": (0.5, -0.1, 0)}, ValueError, "color: expected 0..1"),
-        ({"color": (np.nan, 0, 0)}, ValueError, "color: expected 0..1"),
+        ({"color": (0.5, np.nan, 0)}, ValueError, "color: expected 0..1"),
         ({"point_size": -1}, ValueError, "point_size"),
         ({"line_width": "thin"}, TypeError, "line_width"),
         ({"wireframe": 1}, TypeError, "wireframe"),
@@ -225,29 +217,9 @@ def test_styles_out_of_range_are_refused(keys, kind, message):
         named_geometries({"geometry": loom.PointCloud(CUBE), **keys})
 
 
-@pytest.mark.parametrize(
-    ("arguments", "kind", "message"),
-    [
-        ((np.eye(3), np.eye(4)), TypeError, "intrinsic"),
-        ((INTRINSIC, 2 * np.eye(4)), ValueError, "T_world_camera"),
-        ((INTRINSIC, np.eye(4), 0), ValueError, "scale"),
-        ((INTRINSIC, np.eye(4), 1, (1, 0)), ValueError, "color"),
-    ],
-)
-def test_a_frustum_wants_a_camera_where_it_is(arguments, kind, message):
-    with pytest.raises(kind, match=message):
-        loom.CameraFrustum(*arguments)
-
-
 def test_a_mesh_is_coloured_by_what_its_vertices_hold():
     mesh = loom.TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]).paint_uniform_color((1, 0, 0))
     mesh.vertex_attributes["bend"] = np.array([-1.0, 0.0, 1.0])
     [part] = parts_of(mesh, Style(color_by="bend", colormap="gray", limits=(-1, 1)))
     assert download(part.colors)[[0, 2]].tolist() == [[0, 0, 0], [1, 1, 1]]
     assert (part.coloring.title, part.coloring.limits) == ("bend", (-1.0, 1.0))
-
-
-def test_a_mesh_is_not_coloured_by_what_is_not_there():
-    mesh = loom.TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
-    with pytest.raises(ValueError, match="there is no 'bend'"):
-        loom.render({"geometry": mesh, "color_by": "bend"}, None, (64, 48))

@@ -76,11 +76,6 @@ def test_a_bar_of_any_range_stays_inside_the_picture(canvas, limits):
     assert left > 100 and right < 319
 
 
-def test_labels_get_a_legend_with_their_names(canvas):
-    draw_color_bar(canvas, Coloring(None, "labels", names={-1: "noise", 0: "ground"}))
-    assert changed(canvas)[2] > 304 and count(canvas, np.array([31, 119, 180]) / 255) == 100
-
-
 def test_labels_that_would_lie_on_an_earlier_one_are_counted(canvas):
     labels = [("first", 50, 50), ("hidden", 60, 53), ("third", 50, 90), ("outside", -5, 50), ("nan", float("nan"), 5)]
     assert draw_labels(canvas, labels) == 1
@@ -109,16 +104,3 @@ def test_a_text_is_cut_to_fit():
     assert shortened.endswith("…") and canvas.text_width(shortened, 14) <= 100
     assert cut_text("anything", 14, 1) == "…"
     assert cut_text("i" * 10_000_000, 14, 100).endswith("i…")  # at once
-
-
-@pytest.mark.parametrize(
-    ("act", "error", "message"),
-    [
-        (lambda c: draw_legend(c, [], "middle"), ValueError, "corner: expected one of upper left"),
-        (lambda c: draw_legend(c, "text"), TypeError, "entries: expected a list of names with colours"),
-        (lambda c: draw_labels(c, 5), TypeError, "labels: expected a list"),
-    ],
-)
-def test_bad_arguments_are_refused(act, error, message):
-    with pytest.raises(error, match=message):
-        act(Canvas.blank(20, 20))

@@ -9,8 +9,6 @@ import pytest
 import pointloom as loom
 from pointloom.core.errors import FileError
 from pointloom.drawing.render.coloring import color_cloud
-from pointloom.drawing.render.picture_files import save_picture
-from pointloom.files.pictures.image_files import read_color
 
 SMALL = (160, 120)
 BLACK, WHITE = (0, 0, 0), (255, 255, 255)
@@ -41,9 +39,6 @@ def coverage(image):
 
 def paint(geometry, color=BLACK, **style):
     return {"geometry": geometry, "color": color, "shaded": False, **style}
-
-
-# ------------------------------------------------------------------------------------------------ surfaces
 
 
 def test_a_sphere_has_the_silhouette_of_a_sphere(device):
@@ -173,9 +168,6 @@ def test_the_order_of_triangles_does_not_change_the_picture(device):
     assert (first != loom.render(mesh, None, SMALL, device=device)).mean() < 0.01
 
 
-# ------------------------------------------------------------------------------------------------ points and lines
-
-
 def test_points_keep_their_colours_and_one_point_is_a_disc(device):
     cloud = loom.PointCloud([[0, 0, 0]], colors=[[1.0, 0, 0]])
     image = loom.render(cloud, straight_view(2.0), point_size=20, device=device)
@@ -228,14 +220,6 @@ def test_points_behind_their_neighbours_are_darker_and_those_with_normals_are_li
     assert loom.render(colored, **options)[60, 60].tolist() == [128, 128, 128]  # as bright as it is
 
 
-def test_normals_are_drawn_as_lines(device):
-    cloud = loom.PointCloud([[0, 0, 0], [1, 0, 0]], normals=[[0, -1, 0], [0, 0, 0]])
-    options = {"camera": straight_view(2.0), "point_size": 2, "device": device}
-    image, bare = (loom.render(cloud, point_show_normal=shown, **options) for shown in (True, False))
-    rows, columns = np.nonzero((image != bare).any(axis=2))
-    assert set(columns) <= set(range(77, 83)) and rows.max() <= 61 and 57 >= rows.min() >= 56
-
-
 @pytest.mark.parametrize("lean", [(0.02, 0.05), (0.15, -0.1)])
 def test_lines_are_seen_over_the_faces_that_they_lie_in(device, lean):
     cube = loom.TriangleMesh.create_box(2, 2, 2)
@@ -258,9 +242,6 @@ def test_line_widths_and_colours_are_kept_apart(device):
     assert coverage(loom.render(paint(lines, line_width=4), straight_view(2.0), device=device)) == pytest.approx(
         2 * 4 * 160, rel=0.05
     )
-
-
-# ------------------------------------------------------------------------------------------------ scenes
 
 
 def test_what_is_nearer_hides_what_is_behind_whatever_it_is(device):
@@ -309,7 +290,7 @@ def test_coordinates_of_a_map_grid_are_drawn_as_exactly_as_small_ones(device):
     assert np.abs(near - loom.render(far, None, SMALL, device=device)).mean() < 0.5
 
 
-@pytest.mark.parametrize("scale", [1e-12, 1e-6, 1e6, 1e12])
+@pytest.mark.parametrize("scale", [1e-12, 1e12])
 def test_scenes_of_any_size_are_drawn_alike(device, scale):
     rng = np.random.default_rng(0)
     points, ball = rng.uniform(-1, 1, (2000, 3)), sphere(rings=20)
@@ -319,14 +300,6 @@ def test_scenes_of_any_size_are_drawn_alike(device, scale):
         lines = loom.LineSet(np.array([[-1, -1, -1], [1, 1, 1.0]]) * factor, [[0, 1]])
         pictures.append(loom.render([mesh, points * factor * 2, lines], None, SMALL, device=device).astype(int))
     assert np.abs(pictures[0] - pictures[1]).mean() < 1.0 and (pictures[1] < 200).any()
-
-
-def test_the_automatic_view_frames_what_is_drawn_tightly(device):
-    cloud = loom.PointCloud(np.random.default_rng(0).uniform((-2, 0, 5), (3, 1, 9), (2000, 3)))
-    image = loom.render(paint(cloud), None, (320, 240), point_size=1.0, device=device)
-    rows, columns = np.nonzero(image[..., 0] < 255)
-    assert np.ptp(columns) > 0.9 * 320 or np.ptp(rows) > 0.9 * 240
-    assert columns.min() > 0 and columns.max() < 319 and rows.min() > 0 and rows.max() < 239
 
 
 def test_open3ds_parameters_and_files_give_the_same_picture(tmp_path, device):
@@ -366,6 +339,10 @@ def test_labels_legends_and_colour_bars_are_drawn(device):
     size = (320, 240)
     view = loom.fit_view(cloud.points, width=320, height=240)
     bare = loom.render(shown, view, device=device)
+    behind = loom.render(
+        shown, view, labels=[("here", view.T_world_camera[:3, 3] - view.T_world_camera[:3, 2])], device=device
+    )
+    assert behind.tobytes() == bare.tobytes()
     for extra in ({"labels": [("corner", [1, 1, 1])]}, {"legend": True}, {"color_bar": True}, {"scale_bar": True}):
         image = loom.render(shown, view, device=device, **extra)
         assert 20 < (image != bare).any(axis=2).sum() < 0.5 * 320 * 240
@@ -374,54 +351,15 @@ def test_labels_legends_and_colour_bars_are_drawn(device):
     assert given.tobytes() == loom.render(shown, None, size, color_bar=True, device=device).tobytes()
 
 
-def test_a_label_behind_the_camera_is_left_out(device):
-    cloud, view = loom.PointCloud([[0, 0, 0]]), straight_view(2.0)
-    behind = loom.render(cloud, view, labels=[("here", [0, 0, -9])], device=device)
-    assert behind.tobytes() == loom.render(cloud, view, device=device).tobytes()
-
-
-def test_the_view_of_a_geometrys_own_device_is_taken(device):
-    cloud = loom.PointCloud(np.eye(3), device=device)
-    assert loom.render(cloud, None, SMALL).tobytes() == loom.render(cloud, None, SMALL, device=device).tobytes()
-
-
-def test_a_picture_is_written_and_not_replaced_unasked(tmp_path):
-    image = loom.render(sphere(rings=8), None, SMALL)
-    save_picture(tmp_path / "a.png", image)
-    assert np.array_equal(read_color(tmp_path / "a.png"), image)
-    with pytest.raises(FileError, match="exists already"):
-        save_picture(tmp_path / "a.png", image, overwrite=False)
-
-
-# ------------------------------------------------------------------------------------------------ refusals
-
-
 @pytest.mark.parametrize(
     ("change", "kind", "message"),
     [
-        ({"size": (0, 4)}, ValueError, "size"),
-        ({"size": (4, -3)}, ValueError, "size"),
-        ({"size": 4}, ValueError, "size"),
-        ({"size": (4, 4.5)}, TypeError, "size"),
         ({"size": (2**17, 4)}, ValueError, "size"),
-        ({"background": (1.0, 1.0)}, ValueError, "background"),
         ({"background": "mauve"}, ValueError, "background: expected one of white, black, grey, gray, transparent"),
-        ({"scale_bar": "yes"}, TypeError, "scale_bar: expected True or False"),
-        ({"up": "w"}, ValueError, "up: expected x, y, z or a direction"),
         ({"up": (0, 0, 0)}, ValueError, "up: expected a direction"),
-        ({"point_size": 0}, ValueError, "point_size"),
-        ({"point_size": "big"}, TypeError, "point_size"),
-        ({"shading": "shiny"}, ValueError, "shading"),
-        ({"camera": np.eye(4)}, TypeError, "camera"),
         ({"camera": {"zom": 1}}, ValueError, "'zom'"),
-        ({"camera": {"zoom": -1}}, ValueError, "zoom"),
         ({"camera": "no-file.json"}, FileError, "no-file"),
-        ({"labels": [("a", [1, 2])]}, ValueError, "labels"),
-        ({"labels": ["a", "b", "c"]}, ValueError, "labels"),
         ({"labels": [(3, [1, 2, 3])]}, TypeError, "labels"),
-        ({"labels": 3}, TypeError, "labels"),
-        ({"legend": [("a", (1, 2))]}, ValueError, "legend"),
-        ({"legend": "a"}, TypeError, "legend"),
         ({"color_bar": True}, ValueError, "color_by"),
         ({"color_bar": "height"}, TypeError, "color_bar"),
         ({"mesh_show_wireframe": "yes"}, TypeError, "wireframe"),
@@ -439,5 +377,6 @@ def test_arrays_that_do_not_belong_together_are_refused():
         loom.render(mesh, None, SMALL)
     with pytest.raises(ValueError, match="colors"):
         loom.render(SimpleNamespace(points=np.zeros((3, 3)), colors=np.zeros((2, 3))), None, SMALL)
-    with pytest.raises(ValueError, match="label"):
-        loom.render({"geometry": loom.PointCloud(np.zeros((1, 3))), "color_by": "label"}, None, SMALL)
+    for geometry in (loom.PointCloud(np.zeros((1, 3))), loom.TriangleMesh([[0, 0, 0]] * 3, [[0, 1, 2]])):
+        with pytest.raises(ValueError, match="label"):
+            loom.render({"geometry": geometry, "color_by": "label"}, None, SMALL)

@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pointloom.drawing.render.ticks import choose_ticks, format_number, widen
@@ -40,6 +40,7 @@ def test_whole_numbers_are_not_divided():
     assert choose_ticks(0, 1, 9).texts != choose_ticks(0, 1, 9, whole=True).texts == ("0", "1")
 
 
+@settings(max_examples=25)
 @given(ENDS, ENDS, st.integers(2, 20))
 def test_ticks_lie_inside_and_are_told_apart(a, b, most):
     ticks = choose_ticks(min(a, b), max(a, b), most)
@@ -50,6 +51,7 @@ def test_ticks_lie_inside_and_are_told_apart(a, b, most):
     assert all(len(text) <= 10 for text in ticks.texts)
 
 
+@settings(max_examples=25)
 @given(ENDS, ENDS, st.integers(4, 20))
 def test_texts_say_where_ticks_are(a, b, most):
     ticks = choose_ticks(min(a, b), max(a, b), most)

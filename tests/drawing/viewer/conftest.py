@@ -1,12 +1,15 @@
-"""A viewer's server."""
+"""A viewer's server; walks over what a test made alone."""
 
 from __future__ import annotations
 
+import gc
 from collections.abc import Iterator
 
 import pytest
 
 from pointloom.drawing.viewer.server import ViewerServer
+
+from .events import announced_events  # noqa: F401  a fixture
 
 
 @pytest.fixture
@@ -15,3 +18,11 @@ def server(capfd) -> Iterator[ViewerServer]:
     with ViewerServer(port=0) as server:
         yield server
     assert capfd.readouterr() == ("", "")
+
+
+@pytest.fixture
+def quick_collection() -> Iterator[None]:
+    """`gc.collect()` leaves out the objects that existed before the test."""
+    gc.freeze()
+    yield
+    gc.unfreeze()

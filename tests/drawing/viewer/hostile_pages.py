@@ -34,8 +34,9 @@ def hostile_messages(ids: Sequence[int]) -> Iterator[str]:
         yield json.dumps(message | {"extra": 1, "__class__": {}, "constructor": None})
     for number in ids:
         for value in HOSTILE_VALUES:
-            for name in ("value", "press", "command"):
-                yield json.dumps({"say": name, "id": number, "value": value})
+            yield json.dumps({"say": "value", "id": number, "value": value})
+        for name in ("press", "command"):
+            yield json.dumps({"say": name, "id": number, "value": "__class__"})
         yield json.dumps({"say": "file", "id": number, "name": "../x", "text": "\0"})
     for name in ("", "Hello", "take", "__init__", "share", "node", "drop", "eval"):
         yield json.dumps({"say": name, "id": 1})

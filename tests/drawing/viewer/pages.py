@@ -8,7 +8,7 @@ import json
 import socket
 import struct
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -18,7 +18,7 @@ from pointloom.drawing.viewer.link.client import PageClient
 from pointloom.drawing.viewer.link.hub import PROTOCOL
 from pointloom.drawing.viewer.server import ViewerServer
 
-PATIENCE = 60.0  # [s]; only a test that fails waits so long, and a busy machine is no failure
+from .events import PATIENCE, events, wait_until
 
 HELLO = {"say": "hello", "size": [800, 600], "version": 1}
 CAMERA = {
@@ -91,8 +91,7 @@ def page_of(server: ViewerServer, **settings: Any) -> Iterator[ClientConnection]
         say(line, CAMERA)
         wait_until(lambda: bool(set(server.pages.get_clients()) - before))
         (client,) = [client for number, client in server.pages.get_clients().items() if number not in before]
-        with contextlib.suppress(AssertionError):  # a viewer may have put the camera elsewhere since
-            wait_until(lambda: client.camera.fov == CAMERA["fov"], 0.3)
+        wait_until(lambda: client in events.heard)
         yield line
 
 
@@ -153,14 +152,6 @@ def hear_until(line: ClientConnection, name: str, seconds: float = PATIENCE, **f
         for op in hear(line, max(end - time.monotonic(), 0.01)):
             if op["op"] == name and all(op.get(field) == value for field, value in fields.items()):
                 return op
-
-
-def wait_until(claim: Callable[[], bool], seconds: float = PATIENCE) -> None:
-    """Return once the claim holds."""
-    end = time.monotonic() + seconds
-    while not claim():
-        assert time.monotonic() < end, "it never came"
-        time.sleep(0.005)
 
 
 def is_well(server: ViewerServer) -> bool:

@@ -29,17 +29,7 @@ class Seen(dict):
 
 
 class Page:
-    """A page: what waits for it is applied when somebody looks.
-
-    Args:
-        outbox: What waits for it.
-        delivery: By which it comes.
-        take: Takes what it says.
-        client: The program's handle of it.
-
-    Attributes:
-        taken: The operations of each message.
-    """
+    """A page: what waits in its outbox is applied when somebody looks; `taken` has the operations of each message."""
 
     def __init__(self, outbox: Any, delivery: Delivery, take: Any, client: PageClient):
         self._outbox, self._delivery, self._take, self.client = outbox, delivery, take, client
@@ -52,29 +42,23 @@ class Page:
         self._camera = Seen()
         self.taken: list[list[dict[str, Any]]] = []
 
-    # what it shows
-
     @property
     def nodes(self) -> dict[int, Seen]:
-        """The nodes by number."""
         self.look()
         return self._nodes
 
     @property
     def controls(self) -> dict[int, Seen]:
-        """The controls by number."""
         self.look()
         return self._controls
 
     @property
     def commands(self) -> list[Seen]:
-        """What keys and the palette start."""
         self.look()
         return list(self._commands.values())
 
     @property
     def camera(self) -> Seen:
-        """What its camera was put to."""
         self.look()
         return self._camera
 
@@ -90,11 +74,9 @@ class Page:
         return self._others.get(kind, [])
 
     def control(self, label: str) -> Seen:
-        """The control of a label."""
         return next(control for control in self.controls.values() if control.get("label") == label)
 
     def of_kind(self, kind: str) -> list[Seen]:
-        """The controls of a kind."""
         return [control for control in self.controls.values() if control.kind == kind]
 
     def look(self) -> list[dict[str, Any]]:
@@ -110,7 +92,6 @@ class Page:
 
     @property
     def own_bytes(self) -> int:
-        """Of what waits for it alone."""
         return self._outbox.own_bytes
 
     def _apply(self, op: dict[str, Any]) -> None:
@@ -138,8 +119,6 @@ class Page:
         for child in [child for child, one in held.items() if one.get("parent") == number]:
             self._drop(held, child)
 
-    # what it says
-
     def say(self, say: str, **fields: Any) -> None:
         """Say something, through the checks that every message goes through; done when this returns."""
         said = read(json.dumps({"say": say, **fields}))
@@ -154,17 +133,14 @@ class Page:
             assert done.wait(60)
 
     def set(self, label: str, value: Any) -> None:
-        """Set a control."""
         control = self.control(label)
         control["value"] = value
         self.say("value", id=control.id, value=value)
 
     def press(self, label: str) -> None:
-        """Press a button."""
         self.say("press", id=self.control(label).id)
 
     def key(self, key: str) -> None:
-        """Press a key."""
         for command in self.commands:
             if command.hotkey == key:
                 self.say("command", id=command.id)
@@ -200,7 +176,6 @@ def page_in(viewer: Any, size: tuple[int, int] = (800, 600)) -> Iterator[Page]:
 
 
 def page_alone(size: tuple[int, int] = (1000, 800)) -> Page:
-    """A page of no viewer."""
     delivery = Delivery()
     shared, own = Channel(delivery, is_shared=True), Channel(delivery, is_shared=False)
     state = type(FIRST)(**{**vars(FIRST), "size": size})
@@ -240,8 +215,6 @@ class StandIn:
         self.now = self.began = fit_view(np.array(self.bounds), width=1000, height=800)
         self.box = Toolbox(self, self.client.gui.add_folder("Tools"), files=files)  # type: ignore[arg-type]
 
-    # the viewer
-
     @property
     def items(self) -> dict[str, Any]:
         return self.shown
@@ -270,8 +243,6 @@ class StandIn:
     def surface_nodes(self, name: str) -> Any:
         return []
 
-    # the session
-
     def camera_view(self) -> View:
         return self.now
 
@@ -292,8 +263,6 @@ class StandIn:
 
     def count_anew(self) -> None:
         pass
-
-    # the one who uses it
 
     def wait(self) -> None:
         """Until all is done that was asked for."""

@@ -12,7 +12,8 @@ import pointloom as loom
 from pointloom.drawing.viewer import cells
 from pointloom.drawing.viewer.cells import MOST_OPEN, keep, make_room
 
-from .pages import hear_until, visitor_of, wait_until
+from .events import wait_until
+from .pages import hear_until, visitor_of
 
 
 class Kernel:
@@ -68,17 +69,12 @@ def test_a_cell_that_runs_again_closes_what_it_opened(kernel, metadata):
     kernel.run("draw(a); draw(b)", **metadata)
     again = opened()
     assert all(viewer.closed and not viewer.words for viewer in first) and not other.closed and not again.closed
-
-
-def test_cells_of_the_same_text_are_told_apart_by_their_names(kernel):
-    kernel.run("draw(a)", cellId="one")
-    first = opened()
-    kernel.run("draw(a)", cellId="two")
+    kernel.run("draw(a); draw(b)", cellId="of the same text")
     opened()
-    assert not first.closed
-    kernel.run("draw(a, b)", cellId="one")  # an edited cell is the same one
+    assert not again.closed
+    kernel.run("draw(edited)", **metadata)
     opened()
-    assert first.closed
+    assert again.closed == bool(metadata)
 
 
 def test_of_too_many_the_oldest_goes_and_says_so(kernel):
@@ -100,7 +96,7 @@ def test_a_kernel_that_tells_no_cell_closes_none_before_there_are_too_many(kerne
     assert [viewer.closed for viewer in viewers] == [True] + [False] * MOST_OPEN
 
 
-def test_viewers_that_were_closed_or_let_go_are_forgotten(kernel):
+def test_viewers_that_were_closed_or_let_go_are_forgotten(kernel, quick_collection):
     kernel.run("draw(a)")
     let_go = weakref.ref(opened())
     closed = opened()
@@ -112,7 +108,7 @@ def test_viewers_that_were_closed_or_let_go_are_forgotten(kernel):
     assert len(cells._opened) == 1
 
 
-def test_a_cell_s_earlier_cloud_is_let_go_when_it_runs_again(kernel, capfd):
+def test_a_cell_s_earlier_cloud_is_let_go_when_it_runs_again(kernel, capfd, quick_collection):
     held, viewers = [], []
     for _ in range(3):
         kernel.run("viewer = loom.draw(cloud)", cellId="a")

@@ -12,19 +12,21 @@ from pointloom.drawing.viewer.server import ViewerServer
 
 ROOT = Path(__file__).resolve().parents[3]
 PARENT = """
-import os, signal, socket, time, warnings
+import os, signal, socket, warnings
 from pointloom.drawing.viewer.server import ViewerServer
 warnings.simplefilter("ignore", DeprecationWarning)  # of forks beside threads
 server, other = ViewerServer(port=0), socket.create_server(("127.0.0.1", 0))
 line = socket.create_connection(("127.0.0.1", server.port))
 line.sendall(b"GET / HTTP/1.1\\r\\nHost: ")  # a page that still asks
-time.sleep(0.1)
+with socket.create_connection(("127.0.0.1", server.port)) as next_one:  # is accepted after that one
+    next_one.sendall(b"GET / HTTP/1.1\\r\\nHost: 127.0.0.1\\r\\n\\r\\n")
+    next_one.recv(1)
 read, write = os.pipe()
 child = os.fork()
 if child == 0:
     server.close()
     os.write(write, f"{server.closed} {other.getsockname()[1]}".encode())
-    time.sleep(600)
+    signal.pause()
     os._exit(0)
 try:
     print(os.read(read, 1000).decode() == f"True {other.getsockname()[1]}")

@@ -1,14 +1,13 @@
 """What follows from many changes is done once a frame, in a thread that goes when there is nothing to do."""
 
 import threading
-import time
 
 import pytest
 
 from pointloom.drawing.viewer import later
 from pointloom.drawing.viewer.later import Later
 
-from .pages import wait_until
+from .events import wait_until
 
 
 @pytest.fixture
@@ -41,7 +40,7 @@ def test_what_is_done_at_once_is_not_done_again(made):
         job.ask()
         job.now()
         job.now()
-    time.sleep(0.1)
+    wait_until(lambda: job._thread is None)  # there was nothing more to do
     assert done == [threading.current_thread().name]
 
 

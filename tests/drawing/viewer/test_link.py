@@ -59,9 +59,6 @@ def gui(delivery) -> Gui:
 POINTS = np.arange(15, dtype=np.float32).reshape(5, 3)
 
 
-# -- messages ---------------------------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("rows", [0, 1, 5, SLICE // 12 * 3 + 1])
 def test_arrays_lie_where_the_message_says_and_nothing_is_copied_for_it(rows):
     positions, colors = np.full((rows, 3), 0.5, np.float32), np.full((rows, 3), 7, np.uint8)
@@ -97,9 +94,6 @@ def test_an_array_that_its_owner_may_change_is_copied_and_a_read_only_one_is_not
     first, second = [op["positions"] for op in page.read_all()]
     assert np.array_equal(first, POINTS)
     assert second is still
-
-
-# -- what waits -------------------------------------------------------------------------------------------------------
 
 
 def test_a_page_that_comes_later_gets_the_newest_state_and_what_is_gone_is_gone(delivery, scene, gui):
@@ -190,9 +184,6 @@ def test_notices_that_nobody_reads_do_not_pile_up(delivery, scene, gui):
     assert page.outbox.own_bytes == 0
 
 
-# -- batches ----------------------------------------------------------------------------------------------------------
-
-
 def test_a_batch_is_sent_when_it_is_complete_and_then_whole(delivery, scene):
     page = Page(delivery)
     with delivery.atomic():
@@ -205,14 +196,6 @@ def test_a_batch_is_sent_when_it_is_complete_and_then_whole(delivery, scene):
     assert page.woken > woken
     ops = page.read()
     assert [op["op"] for op in ops] == ["node", "node"] and ops[0]["visible"] is False
-
-
-def test_a_batch_that_fails_is_sent_as_far_as_it_came(delivery, scene):
-    page = Page(delivery)
-    with pytest.raises(RuntimeError), delivery.atomic():
-        scene.add_group()
-        raise RuntimeError
-    assert len(page.read_all()) == 1
 
 
 def test_batches_of_two_threads_are_neither_torn_nor_mixed_up(delivery, scene):
@@ -246,9 +229,6 @@ def test_large_batches_that_wait_go_one_by_one_and_joined_ones_together(delivery
     nodes[1].set(positions=large)
     nodes[0].set(size=2)  # of the first message, by a batch after the second: then both or none
     assert len(page.read()) == 2
-
-
-# -- callbacks --------------------------------------------------------------------------------------------------------
 
 
 def test_callbacks_run_in_order_in_one_thread_and_no_more_wait_than_may():

@@ -12,7 +12,6 @@ import pytest
 from PIL import Image
 
 import pointloom as loom
-from pointloom.drawing.notebook_output import in_notebook
 from pointloom.drawing.viewer import draw as drawing
 from pointloom.drawing.viewer import inline as inline_module
 from pointloom.drawing.viewer.inline import MOST_BYTES, PLACES, VARIABLE, InlinePage, wants_inline
@@ -56,10 +55,6 @@ def cloud(rng):
 
 def pixels_of(encoded):
     return np.asarray(Image.open(io.BytesIO(base64.b64decode(encoded))).convert("RGB"))
-
-
-def test_a_script_is_no_notebook():
-    assert not in_notebook()
 
 
 def test_a_notebook_goes_on_at_once_and_shows_the_page(notebook, cloud, capfd):

@@ -8,9 +8,13 @@ import types
 import pytest
 
 import pointloom as loom
+from pointloom.drawing.viewer import presence, scene
+from pointloom.drawing.viewer.link import hub
 from pointloom.drawing.viewer.presence import LINGER, Presence
 
-from .pages import get, visitor_of, wait_until
+from . import events
+from .events import wait_until
+from .pages import get, visitor_of
 
 
 @pytest.fixture
@@ -20,35 +24,70 @@ def shown():
 
 
 class Waiting:
-    """A thread that waits for the last page of a viewer."""
+    """A thread that waits for the last page of a viewer, by a clock that the test sets forward.
 
-    def __init__(self, viewer, linger):
-        self.over = threading.Event()
+    Attributes:
+        later: How much later it is [s].
+        looks: How often it has looked whether the wait is over.
+    """
+
+    def __init__(self, viewer, linger, monkeypatch):
+        self.later, self.looks, self.over = 0.0, 0, threading.Event()
+        clock = types.SimpleNamespace(monotonic=lambda: time.monotonic() + self.later)
+        for module in (presence, scene, hub):
+            monkeypatch.setattr(module, "time", clock)
+        monkeypatch.setattr(presence, "LOOK", 0.001)
+        is_over = Presence._is_over
+
+        def look(*args):
+            over = is_over(*args)
+            self.looks += 1
+            return over
+
+        monkeypatch.setattr(Presence, "_is_over", look)
+        events.announce(monkeypatch, Presence, "_is_over")
         threading.Thread(target=lambda: (viewer.wait(linger=linger), self.over.set()), daemon=True).start()
 
+    def goes_on(self):
+        """Whether it still waits once it has looked again."""
+        looks = self.looks
+        wait_until(lambda: self.looks > looks + 1 or self.over.is_set())
+        return not self.over.is_set()
 
-def test_wait_ends_a_while_after_the_last_page_has_gone(shown, capfd):
-    waiting = Waiting(shown, 0.4)
-    assert not waiting.over.wait(0.5)  # nobody was there yet
+
+def test_wait_ends_a_while_after_the_last_page_has_gone(shown, capfd, monkeypatch):
+    with pytest.raises(ValueError, match="seconds"):
+        shown.wait(-1)
+    waiting = Waiting(shown, 100, monkeypatch)
+    waiting.later = 1000.0
+    assert waiting.goes_on()  # nobody was there yet
     with visitor_of(shown.server):
         wait_until(lambda: shown.sessions)
-        assert not waiting.over.wait(0.5)
+        waiting.later = 2000.0
+        assert waiting.goes_on()
+    wait_until(lambda: not shown.sessions)
+    assert waiting.goes_on()
+    waiting.later += 101
     assert waiting.over.wait(60)
-    ending = f"ending in 0.4 s (open {shown.url} again to stay, Ctrl-C ends now)"
+    ending = f"ending in 100 s (open {shown.url} again to stay, Ctrl-C ends now)"
     assert capfd.readouterr() == ("", f"the last page has closed; {ending}\n")
 
 
-def test_a_page_that_is_loaded_again_keeps_the_wait_going_however_slow_the_line(shown, capfd):
+def test_a_page_that_is_loaded_again_keeps_the_wait_going_however_slow_the_line(shown, capfd, monkeypatch):
     with visitor_of(shown.server):
         wait_until(lambda: shown.sessions)
     wait_until(lambda: not shown.sessions)
-    waiting = Waiting(shown, 1.2)
+    waiting = Waiting(shown, 100, monkeypatch)
     for _ in range(2):  # the page is asked for, and its websocket does not come for long
-        assert not waiting.over.wait(0.7)
+        waiting.later += 70
+        assert waiting.goes_on()
         assert get(shown.server)[0] == 200
     with visitor_of(shown.server):
         wait_until(lambda: "a page is open again" in told(capfd))
-        assert not waiting.over.wait(1.3)
+        waiting.later += 130
+        assert waiting.goes_on()
+    wait_until(lambda: not shown.sessions)
+    waiting.later += 101
     assert waiting.over.wait(60)
 
 
@@ -61,9 +100,12 @@ def test_who_is_turned_away_at_the_door_is_no_page(shown):
     assert shown.server.last_request > before and time.monotonic() - shown.server.last_request < 60
 
 
+NOW = 1e10  # [s]
+
+
 def stand_in(seen):
     """A viewer whose last page went so many seconds ago, or where there was none yet."""
-    gone = None if seen is None else time.monotonic() - seen
+    gone = None if seen is None else NOW - seen
     server = types.SimpleNamespace(last_request=-math.inf)
     return types.SimpleNamespace(url="http://u", sessions={}, _last_seen=gone, server=server, _ended=threading.Event())
 
@@ -78,17 +120,14 @@ def stand_in(seen):
         (0, 0, True, ""),
     ],
 )
-def test_polling_says_once_that_the_last_page_has_gone(capfd, seen, linger, over, words):
-    presence = Presence(stand_in(seen))
-    assert [presence.wait(0, linger) for _ in range(3)] == [over] * 3
+def test_polling_says_once_that_the_last_page_has_gone(capfd, monkeypatch, seen, linger, over, words):
+    monkeypatch.setattr(presence, "time", types.SimpleNamespace(monotonic=lambda: NOW))
+    one = Presence(stand_in(seen))
+    assert [one.wait(0, linger) for _ in range(3)] == [over] * 3
+    with pytest.raises(ValueError, match="linger"):
+        one.wait(0, -1)
     lines = told(capfd).splitlines()
     assert len(lines) == bool(words) and words in "".join(lines)
-
-
-@pytest.mark.parametrize("linger", [-1, math.nan, "long", None])
-def test_times_that_are_none_are_refused(linger):
-    with pytest.raises((ValueError, TypeError), match="linger"):
-        Presence(stand_in(None)).wait(0, linger)
 
 
 def told(capfd):

@@ -4,7 +4,6 @@ import os
 import subprocess
 import sys
 import threading
-import time
 
 import numpy as np
 import pytest
@@ -17,7 +16,7 @@ from pointloom.drawing.viewer.tools.picking import project
 from pointloom.drawing.viewer.viewer import Viewer
 from pointloom.drawing.viewer.whole_cloud import in_steps
 
-from .pages import wait_until
+from .events import PATIENCE, join_threads, wait_until
 from .stand_in import StandIn, page_in
 
 RED = (1.0, 0.0, 0.0)
@@ -44,11 +43,14 @@ def line_of(shown):
     return next(iter(shown.sessions.values()))._line.value
 
 
-def feeders():
-    """The package's threads, but for those that share kernels."""
-    names = [thread.name for thread in threading.enumerate()]
+def is_feeder(thread):
+    """Whether a thread is one of the package, but for those that share kernels."""
     others = ("pointloom-cpu-", "pointloom-page")  # those of the server, and of its pages
-    return [name for name in names if name.startswith("pointloom-") and not name.startswith(others)]
+    return thread.name.startswith("pointloom-") and not thread.name.startswith(others)
+
+
+def feeders():
+    return [thread.name for thread in threading.enumerate() if is_feeder(thread)]
 
 
 def test_each_point_is_in_one_step_and_each_step_everywhere():
@@ -73,7 +75,7 @@ def test_a_part_comes_at_once_and_the_rest_in_steps(small_steps, rng):
         wait_until(lambda: stream.drawn == 1000)
         assert line_of(shown) == "1,000 points"
         assert (np.sort(np.concatenate(stream._sent)) == np.arange(1000)).all()
-        wait_until(lambda: not feeders() or all(name == "pointloom-tools_0" for name in feeders()))
+        join_threads(lambda thread: is_feeder(thread) and thread.name != "pointloom-tools_0")
 
 
 def test_what_is_there_is_replaced_at_once(small_steps, rng):
@@ -121,8 +123,9 @@ def test_the_next_step_waits_for_the_page(small_steps, rng, monkeypatch):
         shown.add("cloud", loom.PointCloud(rng.random((1000, 3))))
         stream = stream_of(shown)
         wait_until(lambda: "pointloom-feed" in feeders())
-        time.sleep(0.1)  # in which nothing comes
+        wait_until(lambda: any(op["op"] == "sign" for op in page.look()))
         assert stream.drawn == 100
+        page.say("sign", n=1)
         wait_until(lambda: page.answer() and stream.drawn == 1000)
 
 
@@ -134,12 +137,12 @@ def test_closing_in_the_midst_of_it_leaves_no_thread(small_steps, rng, monkeypat
         wait_until(lambda: "pointloom-feed" in feeders())
         with shown.lock:  # whoever closes it may hold it
             shown.close()
-    wait_until(lambda: not feeders())
+    join_threads(is_feeder)
 
 
 def test_a_large_cloud_is_shown_in_part_while_its_levels_are_built(small_steps, rng, monkeypatch):
     may_go, build = threading.Event(), DetailTree.from_cloud
-    monkeypatch.setattr(DetailTree, "from_cloud", lambda cloud: may_go.wait(30) and build(cloud))
+    monkeypatch.setattr(DetailTree, "from_cloud", lambda cloud: may_go.wait(PATIENCE) and build(cloud))
     with Viewer(port=0, max_points=20_000) as shown, page_in(shown) as page:
         shown.add("cloud", loom.PointCloud(rng.random((60_000, 3)), colors=rng.random((60_000, 3))))
         stream = stream_of(shown)
@@ -154,12 +157,12 @@ def test_a_large_cloud_is_shown_in_part_while_its_levels_are_built(small_steps, 
 
 def test_levels_of_what_was_replaced_meanwhile_are_let_go(small_steps, rng, monkeypatch):
     may_go, build = threading.Event(), DetailTree.from_cloud
-    monkeypatch.setattr(DetailTree, "from_cloud", lambda cloud: may_go.wait(30) and build(cloud))
+    monkeypatch.setattr(DetailTree, "from_cloud", lambda cloud: may_go.wait(PATIENCE) and build(cloud))
     with Viewer(port=0, max_points=2000) as shown, page_in(shown):
         shown.add("cloud", loom.PointCloud(rng.random((5000, 3))))
         shown.update("cloud", loom.PointCloud(rng.random((50, 3))))
         may_go.set()
-        wait_until(lambda: "pointloom-levels" not in feeders())
+        join_threads(lambda thread: thread.name == "pointloom-levels")
         assert shown.items["cloud"].tree is None
         wait_until(lambda: stream_of(shown).drawn == 50)
 

@@ -119,17 +119,6 @@ def numbers_of(stream):
     return {sent.node.id: i for i, sent in stream._sent.items() if sent.node is not None}
 
 
-def rotation_of(wxyz):
-    w, x, y, z = wxyz
-    return np.array(
-        [
-            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-        ]
-    )
-
-
 def hills(count, seed=3):
     rng = np.random.default_rng(seed)
     points = rng.random((count, 3)) * [80, 60, 0]
@@ -172,9 +161,11 @@ def test_a_view_is_filled_up_to_the_budget(client, stream):
     assert 0.7 * BUDGET < stream.drawn <= BUDGET
     assert stream.drawn == len(client.world())
     assert stream.total == len(POINTS)
+    before = len(client.messages)
+    stream.look(FAR)  # again, and nothing is sent
+    assert len(client.messages) == before
 
 
-@pytest.mark.slow
 def test_points_are_sent_where_they_lie(client, stream, tree):
     """Within a quarter of a pixel, near and far, half a million metres from zero."""
     precisions = []
@@ -182,7 +173,7 @@ def test_points_are_sent_where_they_lie(client, stream, tree):
         stream.look(view)
         precisions.append({str(node.positions.dtype) for node in client.seen()})
         sent = client.world() + UTM
-        chosen = np.random.default_rng(1).choice(len(sent), 25, replace=False)
+        chosen = np.random.default_rng(1).choice(len(sent), 10, replace=False)
         gaps = distances_to(sent[chosen], POINTS)
         away = np.linalg.norm(sent[chosen] - view.T_world_camera[:3, 3], axis=1)
         assert (gaps / away * view.intrinsic.fx).max() < 0.5  # along all three axes together
@@ -220,13 +211,6 @@ def test_what_matters_comes_in_steps_as_the_client_takes_them(client, tree, monk
     assert client.count("remove") == 0
 
 
-def test_no_more_is_sent_to_a_client_that_went_in_a_pause(client, tree, monkeypatch):
-    monkeypatch.setattr(streaming, "_BATCH_POINTS", 30_000)
-    whole = CloudStream(client, tree, origin=UTM, budget=10**6, pause=lambda: False)
-    whole.look(FAR)
-    assert 0 < whole.drawn < len(POINTS)
-
-
 def test_a_cloud_within_the_budget_is_sent_whole(client, tree):
     whole = CloudStream(client, tree, origin=UTM, budget=len(POINTS))
     whole.look(moved(FAR, 95.0))
@@ -240,7 +224,7 @@ def test_a_cloud_within_the_budget_is_sent_whole(client, tree):
 def test_colours_go_with_their_points(client, stream, tree):
     stream.look(FAR)
     sent, colors = client.world() + UTM, np.concatenate([node.colors for node in client.seen()])
-    for k in range(0, len(sent), 997):
+    for k in range(0, len(sent), 4999):
         nearest = int(np.argmin(((POINTS - sent[k]) ** 2).sum(axis=1)))
         assert np.array_equal(colors[k], tree.colors_of(np.array([nearest]))[0])
 
@@ -249,13 +233,6 @@ def test_a_plain_cloud_is_plain(client):
     stream = CloudStream(client, DetailTree.from_cloud(loom.PointCloud(POINTS[:500])), origin=UTM, budget=1000)
     stream.look(FAR)
     assert {tuple(c) for node in client.seen() for c in node.colors.tolist()} == {PLAIN}
-
-
-def test_looking_again_sends_nothing(client, stream):
-    stream.look(FAR)
-    before = len(client.messages)
-    stream.look(FAR)
-    assert len(client.messages) == before
 
 
 def test_coming_back_shows_what_was_hidden(client, stream):
@@ -310,17 +287,6 @@ def test_an_overtaken_look_stops(client, stream, monkeypatch):
     assert client.threads.count(threading.get_ident()) == 1, "no batch behind the first"
 
 
-def test_threads_end_with_what_was_asked_last(client, stream):
-    views = [moved(FAR, forward, aside) for forward in (0, 60, 90) for aside in (-10, 10)]
-    threads = [threading.Thread(target=stream.look, args=(view,)) for view in views]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    stream.look(views[0])
-    assert stream.drawn == sum(len(node.positions) for node in client.seen()) <= BUDGET
-
-
 def test_new_colours_reach_all_that_is_shown_and_come_back_right(client, stream):
     near = moved(FAR, 120.0)
     stream.look(near)
@@ -350,17 +316,12 @@ def test_hidden_points_are_not_drawn_and_others_take_their_place(client, stream)
     world = client.world()
     assert (world[:, 0] + UTM[0] > middle - 0.05).all()
     assert 0.6 * BUDGET < stream.drawn == len(world) <= BUDGET, "the budget is used for what is left"
+    stream.set_colors(lambda indices: np.repeat((POINTS[indices, :1] <= middle), 3, axis=1).astype(np.uint8))
+    assert {int(c) for node in client.seen() for c in np.unique(node.colors)} == {0}
     stream.set_keep(lambda points, indices: np.zeros(len(points), bool))
     assert stream.drawn == 0 == len(client.world())
     stream.set_keep(None)
     assert stream.drawn > 0.7 * BUDGET
-
-
-def test_colours_of_a_cloud_with_hidden_points_fit(client, stream):
-    stream.set_keep(lambda points, indices: indices % 2 == 0)
-    stream.look(FAR)
-    stream.set_colors(lambda indices: np.repeat((indices % 2)[:, None], 3, axis=1).astype(np.uint8))
-    assert {int(c) for node in client.seen() for c in np.unique(node.colors)} == {0}
 
 
 def test_points_grow_with_the_gaps_between_them(client, stream):
@@ -394,7 +355,7 @@ def test_a_pose_moves_what_is_sent_and_what_is_chosen(client, stream):
     stream.look(FAR)
     before = client.world() + UTM
     T = np.eye(4)
-    T[:3, :3], T[:3, 3] = rotation_of([np.cos(0.3), 0, 0, np.sin(0.3)]), [5.0, -2.0, 1.0]
+    T[:2, :2], T[:3, 3] = [[0.8, -0.6], [0.6, 0.8]], [5.0, -2.0, 1.0]
     T[:3, 3] += UTM - T[:3, :3] @ UTM
     stream.set_pose(T)
     moved_view = View(FAR.intrinsic, T @ FAR.T_world_camera)
@@ -411,15 +372,10 @@ def test_a_pose_that_hardly_differs_is_sent_too(client, stream):
     stream.set_pose(T)
     T[0, 3] += 0.01
     stream.set_pose(T)
-    assert client.frame.t[0] - (stream._tree.origin - UTM)[0] == pytest.approx(10_000.01, abs=1e-6)
-
-
-def test_visibility_is_one_message(client, stream):
-    stream.look(FAR)
     del client.messages[:]
     stream.set_visible(False)
-    assert client.messages == [("visible", client.frame.id)]
-    assert not client.frame.visible
+    assert client.messages == [("visible", client.frame.id)] and not client.frame.visible
+    assert client.frame.t[0] - (stream._tree.origin - UTM)[0] == pytest.approx(10_000.01, abs=1e-6)
 
 
 def test_a_closed_stream_leaves_nothing_and_does_nothing(client, stream):
@@ -459,7 +415,5 @@ def test_wrong_arguments_are_named(client, tree, stream):
         CloudStream(client, tree, origin=[1, 2], budget=9)
     with pytest.raises(ValueError, match="point_size"):
         stream.set_point_size(-1)
-    with pytest.raises(TypeError, match="view: expected a View, got int"):
-        stream.look(3)
     with pytest.raises(ValueError, match="T"):
         stream.set_pose(np.ones((4, 4)))

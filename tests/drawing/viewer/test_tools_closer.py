@@ -75,9 +75,6 @@ def number(page, label):
 CORNERS = ((-2.5, -2.5), (2.5, -2.5), (2.5, 2.5), (-2.5, 2.5))
 
 
-# ------------------------------------------------------------------------------------------------ measures
-
-
 def test_an_area_is_told_and_taken_back_by_the_history(page):
     page.press("Area")
     click_on(page, *CORNERS)
@@ -141,9 +138,6 @@ def test_a_profile_is_drawn_and_sent_as_a_table(page):
     assert name == "profile.csv" and len(rows) == int(number(page, "points"))
 
 
-# ------------------------------------------------------------------------------------------------ filters
-
-
 def choose(page, by):
     page.set("filter by", by)
 
@@ -205,9 +199,6 @@ def test_a_window_of_time_plays_on(page):
     assert times[shown].min() >= second[0] and times[shown].max() <= second[1] and 1000 < shown.sum() < 2000
 
 
-# ------------------------------------------------------------------------------------------------ painting
-
-
 def test_a_brush_paints_the_cloud_and_the_history_takes_it_back(page):
     given = page.cloud
     page.press("Paint labels")
@@ -259,9 +250,6 @@ def test_labels_are_saved_by_the_page_and_those_that_are_not_are_told(page, tmp_
     saved = loom.read_point_cloud(tmp_path / f"labels{suffix}")
     np.testing.assert_array_equal(saved["classification"], page.cloud["classification"])
     assert page.items["heap"].painting.unsaved == 0 and page.told_rows == {} and "saved to" in page.told
-
-
-# ------------------------------------------------------------------------------------------------ undo
 
 
 def test_clip_planes_and_crops_are_taken_back(page, tmp_path):

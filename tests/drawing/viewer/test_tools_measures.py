@@ -37,9 +37,6 @@ def even(side, step):
     return (a.ravel() for a in np.meshgrid(ends, ends))
 
 
-# ------------------------------------------------------------------------------------------------ areas
-
-
 def test_a_tilted_polygon_has_its_own_area_and_that_of_a_map():
     found = measure_polygon(turned(square(4), math.radians(60), 0.3) + UTM)
     assert found.area == pytest.approx(16, rel=1e-8) and found.from_above == pytest.approx(8, rel=1e-8)
@@ -82,9 +79,6 @@ def test_areas_are_in_the_unit_of_the_data():
 def test_what_has_no_area_is_refused(bad):
     with pytest.raises(ValueError, match="points"):
         measure_polygon(bad)
-
-
-# ------------------------------------------------------------------------------------------------ volumes
 
 
 def test_a_box_has_its_volume_where_the_polygon_cuts_through_cells():
@@ -159,9 +153,6 @@ def test_what_has_no_volume_is_refused(polygon, given, words):
 
 def test_cells_are_wide_enough_for_their_points():
     assert usual_cell(600, 100.0) == 1.0 and usual_cell(0, 1.0) > 1
-
-
-# ------------------------------------------------------------------------------------------------ profiles
 
 
 def test_a_profile_follows_its_line_around_a_corner():

@@ -1,10 +1,10 @@
-"""The eigenvector of the smallest eigenvalue, against LAPACK, from zero to huge matrices and every degenerate one."""
+"""Eigenvalues and the eigenvector of the smallest, against LAPACK: zero, huge and degenerate matrices."""
 
 import numpy as np
 import pytest
 
 from pointloom.core.devices import resolve_device
-from pointloom.kernels.algebra.eigen import smallest_eigenvector
+from pointloom.kernels.algebra.eigen import eigenvalues, smallest_eigenvector
 from pointloom.kernels.lang import array, kernel, launch, mat33d, tid, vec3d
 from pointloom.kernels.memory import empty, upload
 
@@ -15,11 +15,17 @@ def solve_kernel(matrices: array(dtype=mat33d), vectors: array(dtype=vec3d)):
     vectors[i] = smallest_eigenvector(matrices[i])
 
 
-def solve(device, matrices):
+@kernel
+def solve_values_kernel(matrices: array(dtype=mat33d), values: array(dtype=vec3d)):
+    i = tid()
+    values[i] = eigenvalues(matrices[i])
+
+
+def solve(device, matrices, solver=solve_kernel):
     where = resolve_device(device)
-    vectors = empty(len(matrices), vec3d, where)
-    launch(solve_kernel, len(matrices), [upload(matrices, mat33d, where), vectors])
-    return vectors.numpy()
+    found = empty(len(matrices), vec3d, where)
+    launch(solver, len(matrices), [upload(matrices, mat33d, where), found])
+    return found.numpy()
 
 
 def rotations(rng, count):
@@ -36,7 +42,7 @@ def with_values(rng, values, count=500):
 
 
 def assert_solved(device, matrices, tolerances):
-    """Each vector is of unit length, and an eigenvector of an eigenvalue as small as LAPACK's smallest."""
+    """Each vector is of unit length and one of LAPACK's smallest eigenvalue, and the eigenvalues are LAPACK's."""
     matrices = np.asarray(matrices, float).reshape(-1, 3, 3)
     v = solve(device, matrices)
     size = np.abs(matrices).max(axis=(1, 2))
@@ -46,7 +52,11 @@ def assert_solved(device, matrices, tolerances):
     value = (v * av).sum(axis=1)
     residual = np.linalg.norm(av - value[:, None] * v, axis=1)
     assert residual.max() < tolerances.eigen_residual, scaled[residual.argmax()].tolist()
-    np.testing.assert_allclose(value, np.linalg.eigvalsh(scaled)[:, 0], rtol=0, atol=tolerances.eigenvalue_relative)
+    expected = np.linalg.eigvalsh(scaled)
+    np.testing.assert_allclose(value, expected[:, 0], rtol=0, atol=tolerances.eigenvalue_relative)
+    found = solve(device, matrices, solve_values_kernel) / np.where(size > 0, size, 1)[:, None]
+    np.testing.assert_allclose(found, expected, rtol=0, atol=tolerances.eigenvalue_relative)
+    assert (np.diff(found, axis=1) >= -tolerances.eigenvalue_relative).all()
 
 
 @pytest.mark.parametrize(
@@ -58,23 +68,23 @@ def assert_solved(device, matrices, tolerances):
     ],
     ids=str,
 )  # fmt: skip
-def test_eigenvectors_of_matrices_with_given_eigenvalues(device, values, rng, tolerances):
+def test_eigenvectors_and_eigenvalues_of_matrices_with_given_ones(device, values, rng, tolerances):
     """Distinct, repeated, close and zero eigenvalues; rank 3, 2, 1."""
     assert_solved(device, with_values(rng, values), tolerances)
 
 
-@pytest.mark.parametrize(
-    "values", [(0.1, 0.5, 1), (1e-6, 0.5, 1), (0.1, 0.9, 1), (0.01, 0.011, 1), (0.0, 1e-3, 1)], ids=str
-)
-def test_eigenvectors_have_open3ds_sign(device, values, rng):
-    """Whichever eigenvalue is the best separated: its rule follows from the order of its steps."""
-    import open3d as o3d
-
-    matrices = with_values(rng, values, 300)
+def open3d_eigenvectors(o3d, matrices):
     cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(np.zeros((len(matrices), 3))))
     cloud.covariances = o3d.utility.Matrix3dVector(matrices)
     cloud.estimate_normals()
-    dots = (solve(device, matrices) * np.asarray(cloud.normals)).sum(axis=1)
+    return np.asarray(cloud.normals, np.float32)
+
+
+def test_eigenvectors_have_open3ds_sign(device, rng, oracle):
+    """Whichever eigenvalue is the best separated: its rule follows from the order of its steps."""
+    values = [(0.1, 0.5, 1), (1e-6, 0.5, 1), (0.1, 0.9, 1), (0.01, 0.011, 1), (0.0, 1e-3, 1)]
+    matrices = np.concatenate([with_values(rng, each, 100) for each in values])
+    dots = (solve(device, matrices) * oracle("kernels/eigen/signs", open3d_eigenvectors, matrices)).sum(axis=1)
     assert (dots > 0.999).all()
 
 
@@ -120,3 +130,9 @@ def test_the_axis_of_a_smallest_diagonal_is_taken(device, diagonal, tolerances):
 @pytest.mark.parametrize("factor", [0.0, 1.0, 1e-30, 1e30, -2.0])
 def test_a_multiple_of_the_identity_gives_the_z_axis(device, factor):
     assert solve(device, factor * np.eye(3)[None])[0].tolist() == [0, 0, 1]
+
+
+def test_eigenvalues_of_a_diagonal_are_its_entries_in_order(device):
+    diagonals = [(1, 2, 3), (3, 2, 1), (2, 3, 1), (1, 1, 0), (0, 0, 0), (-1, 5, -1), (1e-100, 0, 1e100)]
+    found = solve(device, [np.diag(np.array(d, float)) for d in diagonals], solve_values_kernel)
+    np.testing.assert_allclose(found, np.sort(np.array(diagonals, float), axis=1), rtol=1e-15)

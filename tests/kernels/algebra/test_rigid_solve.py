@@ -119,9 +119,6 @@ def symmetric(rng, values, count):
 SIZES = (1e-150, 1e-6, 1.0, 1e9, 1e150)
 
 
-# ------------------------------------------------------------------------------------------------ systems of six
-
-
 @pytest.mark.parametrize("size", SIZES)
 def test_systems_are_solved_as_by_lapack(device, rng, tolerances, size):
     systems = symmetric(rng, [1, 2, 5, 10, 30, 100], 300)
@@ -168,9 +165,6 @@ def test_a_system_of_few_rows_gets_a_step_that_satisfies_it(device, rng, toleran
     np.testing.assert_allclose(np.einsum("mij,mj->mi", systems, found), sides, atol=1e-6)  # of pivots cut at 1e-15
 
 
-# ------------------------------------------------------------------------------------------------ eigenvectors
-
-
 @pytest.mark.parametrize(
     "values",
     [
@@ -203,9 +197,6 @@ def test_diagonal_and_zero_matrices_have_the_axes(device):
     values, vectors = eigen(device, matrices)
     np.testing.assert_array_equal(values, [np.zeros(6), np.ones(6), [6, 5, 4, 3, 2, 1]])
     np.testing.assert_array_equal(vectors, np.tile(np.eye(6), (3, 1, 1)))
-
-
-# ------------------------------------------------------------------------------------------------ pairs
 
 
 @pytest.mark.parametrize("scaling", [False, True])
@@ -274,9 +265,6 @@ def test_a_rigid_motion_is_found_again(vector, shift, count, seed):
     pose = fit("cpu", sources, sources @ R.T + np.array(shift))[0]
     np.testing.assert_allclose(sources[0] @ pose[:3, :3].T + pose[:3, 3], sources[0] @ R.T + shift, atol=1e-7)
     np.testing.assert_allclose(pose[:3, :3] @ pose[:3, :3].T, np.eye(3), atol=1e-13)
-
-
-# ------------------------------------------------------------------------------------------------ rotations
 
 
 def test_motions_turn_as_scipys_rotations(device, rng):

@@ -234,9 +234,6 @@ def test_many_overlapping_triangles_give_the_same_bits_each_time(device):
     assert first[0].tobytes() == second[0].tobytes() and first[1].tobytes() == second[1].tobytes()
 
 
-# ------------------------------------------------------------------------------------------------ points
-
-
 def test_points_are_discs_and_the_nearest_is_seen(device):
     depth, seen = splat(device, [[0, 0, 2], [0, 0, 1], [0, 0, -1], [np.nan, 0, 1]], 6.0, start=100)
     assert set(np.unique(seen)) == {-1, 101}
@@ -281,9 +278,6 @@ def test_points_are_counted_where_they_are_seen(device):
     points = upload_points([[0.1, 0, 2]] * 7 + [[0.1, 0, 3]] * 5 + [[-0.5, 0, 1]] * 3 + [[0, 0, -2]], device)
     counts, depths = count_in_squares(points, VIEW)
     assert counts.tolist() == [3.0, 7.0] and depths.tolist() == [1.0, 2.0]  # those behind others do not count
-
-
-# ------------------------------------------------------------------------------------------------ lines
 
 
 def test_a_line_is_as_wide_as_asked_and_has_round_ends(device):

@@ -119,14 +119,11 @@ def walk(rng, size):
     yield pose(shift=[1e-3, 0, 0])
 
 
-# ------------------------------------------------------------------------------------------------ exact
-
-
 @ALONE
-@pytest.mark.parametrize("name", list(clouds(np.random.default_rng(0))))
-@pytest.mark.parametrize(("distance", "margin"), [(0.15, 0.0), (0.4, 0.02), (1e3, 1e4), (1e30, 1e-3)])
-def test_kept_matches_are_those_of_a_full_search(device, alone, name, distance, margin, rng, tolerances):
-    source, target = clouds(rng)[name]
+@pytest.mark.parametrize("k", range(13), ids=list(clouds(np.random.default_rng(0))))
+def test_kept_matches_are_those_of_a_full_search(device, alone, k, rng, tolerances):
+    source, target = list(clouds(rng).values())[k]
+    distance, margin = [(0.15, 0.0), (0.4, 0.02), (1e3, 1e4), (1e30, 1e-3)][(k + alone) % 4]
     loop = make_loop(device, [source], [target], distance=distance, alone=alone)
     for T in walk(rng, 1.0):
         turn(loop, T, margin)
@@ -134,7 +131,7 @@ def test_kept_matches_are_those_of_a_full_search(device, alone, name, distance, 
 
 
 @ALONE
-@pytest.mark.parametrize("distance", [1e-30, 1e-6, 1.0, 1e18, 1e38, 1e200])
+@pytest.mark.parametrize("distance", [1e-30, 1.0, 1e18, 1e200])
 def test_any_distance_may_be_the_greatest(device, alone, distance, rng, tolerances):
     source = rng.random((200, 3)).astype(np.float32)
     target = np.concatenate([source[::2], rng.random((100, 3))])
@@ -198,7 +195,7 @@ def test_many_jobs_share_a_launch(device, alone, rng, tolerances):
             assert_nearest(pairs_of(loop, job), sources[s], targets[t], poses[job], 2.5, tolerances)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=20, deadline=None)
 @given(
     seed=st.integers(0, 2**16),
     counts=st.tuples(st.integers(0, 90), st.integers(1, 90)),

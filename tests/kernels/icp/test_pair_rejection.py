@@ -121,9 +121,6 @@ def test_any_pattern_of_ties_is_cut_by_rank(gaps, wanted):
     np.testing.assert_array_equal(np.sort(pairs_of(loop)[2]), trimmed_by_sorting(before, wanted))
 
 
-# ------------------------------------------------------------------------------------------------ the least RMSD
-
-
 def fractional_rmsds(squares):
     """Of the k nearest pairs, by k from 1 on: sqrt(S / k) / k^1.25."""
     count = np.arange(1, len(squares) + 1)
@@ -195,9 +192,6 @@ def test_a_few_points_that_coincide_are_not_the_overlap(device, rng):
     loop = matched(device, [source], [target], distance=1e3)
     PairRejection(loop.matches, sizes=loop.progress.sizes).run()
     assert set(pairs_of(loop)[0]) == expected
-
-
-# ------------------------------------------------------------------------------------------------ normals
 
 
 def placed(loop, source_normals, target_normals):

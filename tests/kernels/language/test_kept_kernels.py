@@ -50,6 +50,7 @@ def files_of(cache: Path) -> list[Path]:
     return sorted(cache.glob(f"*/{kept_kernels.FOLDER}/*/*.json"))
 
 
+@pytest.mark.slow
 def test_the_second_process_reads_no_kernel_and_gives_the_same_bits(cache):
     first, second = run(cache).split(), run(cache).split()
     assert int(first[0]) >= int(first[1]) > 5 and (int(second[0]), second[1:]) == (0, first[1:])

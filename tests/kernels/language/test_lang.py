@@ -161,40 +161,50 @@ CASES = [
 CONSTANTS = "THIRD = 1 / 3\nTENTH = 0.1\nINFINITY = math.inf\nWIDE = 0xFF_FFFF_FFFF\n"
 
 
+ARRAYS = list({case.a.tobytes(): None for case in CASES})
+GROUPS: dict[str, list[Case]] = {}  # one kernel each: expressions of one array
+for case in CASES:
+    GROUPS.setdefault(f"{case.kind} to {case.out} of array {ARRAYS.index(case.a.tobytes())}", []).append(case)
+
+
 @pytest.fixture(scope="module")
 def expressions(write_kernels):
     source = CONSTANTS
-    for k, case in enumerate(CASES):
-        source += f"@kernel\ndef case_{k}_kernel(a: array(dtype={case.kind}), out: array(dtype={case.out})):\n"
-        source += f"    i = tid()\n    out[i] = {case.body}\n"
+    for k, group in enumerate(GROUPS.values()):
+        source += f"@kernel\ndef group_{k}_kernel(a: array(dtype={group[0].kind}), out: array(dtype={group[0].out})):\n"
+        source += "    i = tid()\n"
+        source += "".join(f"    out[{j * len(case.a)} + i] = {case.body}\n" for j, case in enumerate(group))
     return write_kernels("expressions", source)
 
 
-def run_case(module, k: int, device: str) -> np.ndarray:
-    case = CASES[k]
-    kind = getattr(lang, case.kind)
-    values = case.a.astype(wp.dtype_to_numpy(getattr(kind, "_wp_scalar_type_", kind)))
+def run_group(module, name: str, device: str) -> np.ndarray:
+    """The results of each expression of a group."""
+    group, k = GROUPS[name], list(GROUPS).index(name)
+    kind, count = getattr(lang, group[0].kind), len(group[0].a)
+    values = group[0].a.astype(wp.dtype_to_numpy(getattr(kind, "_wp_scalar_type_", kind)))
     a = wp.array(values, dtype=kind, device=device)
-    out = wp.zeros(len(values), dtype=getattr(lang, case.out), device=device)
-    lang.launch(getattr(module, f"case_{k}_kernel"), len(values), [a, out])
-    return out.numpy()
+    out = wp.zeros(count * len(group), dtype=getattr(lang, group[0].out), device=device)
+    lang.launch(getattr(module, f"group_{k}_kernel"), count, [a, out])
+    return out.numpy().reshape(len(group), count, *out.numpy().shape[1:])
 
 
-@pytest.mark.parametrize("k", range(len(CASES)), ids=[f"{c.kind}: {c.body}" for c in CASES])
-def test_an_expression_gives_what_numpy_gives(expressions, device, k):
-    found, expected = run_case(expressions, k, device), np.asarray(CASES[k].expected)
-    if found.dtype.kind != "f":
-        np.testing.assert_array_equal(found, expected.astype(found.dtype))
-        return
-    rounding = 1e-6 if found.dtype == np.float32 else 1e-14  # sums in another order, libm against ours
-    np.testing.assert_allclose(found, expected, rtol=rounding, atol=rounding)
+@pytest.mark.parametrize("name", GROUPS)
+def test_an_expression_gives_what_numpy_gives(expressions, device, name):
+    for case, found in zip(GROUPS[name], run_group(expressions, name, device), strict=True):
+        expected = np.asarray(case.expected)
+        if found.dtype.kind != "f":
+            np.testing.assert_array_equal(found, expected.astype(found.dtype), err_msg=case.body)
+            continue
+        rounding = 1e-6 if found.dtype == np.float32 else 1e-14  # sums in another order, libm against ours
+        np.testing.assert_allclose(found, expected, rtol=rounding, atol=rounding, err_msg=case.body)
 
 
 @pytest.mark.taichi
 def test_both_cpu_compilers_give_the_same_bits(expressions):
-    for k in [k for k, case in enumerate(CASES) if case.exact]:
-        bits = []
-        for name in ("taichi", "warp"):
-            with lang.cpu_compiler(name):
-                bits.append((run_case(expressions, k, "cpu") + 0).tobytes())  # + 0: the sign of zero is not promised
-        assert bits[0] == bits[1], CASES[k].body
+    for name, group in GROUPS.items():
+        found = []
+        for compiler in ("taichi", "warp"):
+            with lang.cpu_compiler(compiler):
+                found.append(run_group(expressions, name, "cpu") + 0)  # + 0: the sign of zero is not promised
+        for case, one, other in zip(group, *found, strict=True):
+            assert not case.exact or one.tobytes() == other.tobytes(), case.body

@@ -1,7 +1,9 @@
 """A first launch that lasts is announced by a log record; a short one, and the next, are not."""
 
 import logging
+import threading
 import time
+from types import SimpleNamespace
 
 import pytest
 import warp as wp
@@ -18,29 +20,34 @@ def records(caplog) -> list[str]:
 
 @pytest.mark.parametrize("holds_all_threads", [False, True])
 def test_what_lasts_is_announced_once(caplog, monkeypatch, holds_all_threads):
-    monkeypatch.setattr(notices, "PATIENCE", 0.05)
-    if holds_all_threads:  # as Taichi's compiler does
-        monkeypatch.setattr(notices.threading.Timer, "start", lambda timer: None)
+    now, timers = [1.0], []
+    monkeypatch.setattr(notices, "time", SimpleNamespace(monotonic=lambda: now[0]))
+    monkeypatch.setattr(notices.threading.Timer, "start", lambda timer: timers.append(timer))
+
+    def take(seconds):
+        now[0] += seconds
+        if timers and not holds_all_threads:  # as Taichi's compiler does
+            timers.pop().function()
+
     with caplog.at_level(logging.INFO, "pointloom"):
         with notices.announced("slow_kernel"):
             notices.compiling()
-            time.sleep(0.3)
+            take(2 * notices.PATIENCE)
         with notices.announced("loaded_kernel"):  # from a cache, on a slow machine
-            time.sleep(0.3)
+            take(2 * notices.PATIENCE)
         with notices.announced("quick_kernel"):
-            pass
-        time.sleep(0.1)
+            notices.compiling()
+            now[0] += 0.5 * notices.PATIENCE
     (message,) = records(caplog)
     assert "slow_kernel for its first use on this machine" in message
 
 
 def test_an_error_ends_the_announcement(caplog, monkeypatch):
-    monkeypatch.setattr(notices, "PATIENCE", 0.05)
-    with caplog.at_level(logging.INFO, "pointloom"):
-        with pytest.raises(ValueError), notices.announced("broken_kernel"):
-            notices.compiling()
-            raise ValueError
-        time.sleep(0.1)
+    monkeypatch.setattr(notices, "PATIENCE", 60.0)
+    with caplog.at_level(logging.INFO, "pointloom"), pytest.raises(ValueError), notices.announced("broken_kernel"):
+        notices.compiling()
+        raise ValueError
+    assert not [thread for thread in threading.enumerate() if isinstance(thread, threading.Timer)]
     assert records(caplog) == []
 
 

@@ -53,9 +53,6 @@ def kernels(cache: Path) -> set[str]:
     return {path.name for path in cache.glob("*.tic")}
 
 
-# ------------------------------------------------------------------------------------------------ the folder
-
-
 @pytest.mark.slow
 def test_what_a_killed_process_left_behind_does_not_keep_others_from_the_folder(cache, run):
     """Taichi's own lock is a file that nobody removes when its process is gone."""
@@ -131,9 +128,6 @@ def test_a_folder_that_cannot_be_made_is_done_without(tmp_path):
     (tmp_path / "file").touch()
     with KernelFolder(str(tmp_path / "file" / "folder")).turn():
         pass
-
-
-# ------------------------------------------------------------------------------------------------ threads, forks
 
 
 def refuse_a_second_thread() -> None:

@@ -151,26 +151,6 @@ def test_a_taichi_that_does_not_import_matters_to_who_asks_for_it_alone(run, tmp
     assert done.returncode == 1 and "TaichiUnavailableError: Taichi does not import (libX11.so.6" in done.stderr
 
 
-@pytest.mark.slow
-def test_where_the_system_refuses_threads_there_are_fewer_and_the_reason_is_said(run):
-    program = """
-        import threading
-        start = threading.Thread.start
-
-        def start_one(thread):
-            if thread.name.startswith("pointloom-cpu") and thread.name != "pointloom-cpu-1":
-                raise RuntimeError("can't start new thread")
-            start(thread)
-
-        threading.Thread.start = start_one
-        assert check() == "warp"
-    """
-    done = run(program, POINTLOOM_CPU_THREADS="4")
-    assert (done.returncode, done.stdout) == (0, ""), done.stderr
-    assert "RuntimeWarning: pointloom uses 2 of 4 threads: can't start new thread" in done.stderr
-    assert "POINTLOOM_CPU_THREADS asks for fewer" in done.stderr
-
-
 def test_a_compiler_of_another_name_is_refused(monkeypatch):
     from pointloom.kernels import lang
 

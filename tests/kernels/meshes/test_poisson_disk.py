@@ -69,8 +69,7 @@ def scene(name: str, rng: np.random.Generator) -> tuple[np.ndarray, float]:
     return points, 1.0
 
 
-@pytest.mark.parametrize("in_rounds", [False, True])
-@pytest.mark.parametrize("kept", [3, 57, 300])
+@pytest.mark.parametrize(("kept", "in_rounds"), [(57, False), (300, True)])
 @pytest.mark.parametrize("name", ["square", "ball", "grid", "copies", "strays", "nowhere", "crowd and strays"])
 def test_the_samples_are_those_that_a_heap_leaves(device, rng, monkeypatch, name, kept, in_rounds):
     monkeypatch.setattr(poisson_disk, "IN_TURN", 0 if in_rounds else 2**16)

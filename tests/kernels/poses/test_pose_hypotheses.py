@@ -43,11 +43,7 @@ def identity_pairs(count):
     return np.column_stack([np.arange(count), np.arange(count)])
 
 
-# ------------------------------------------------------------------------------------------------ whole clouds
-
-
-@pytest.mark.parametrize("count", [1, 7, 8, 9, 500])
-@pytest.mark.parametrize("distance", [0.02, 0.3, 10.0])
+@pytest.mark.parametrize(("count", "distance"), [(1, 10.0), (7, 0.3), (8, 0.02), (9, 0.3), (500, 0.3), (500, 10.0)])
 def test_matched_points_of_each_pose_are_counted(device, rng, count, distance):
     source = rng.uniform(-1, 1, (count, 3)).astype(np.float32) + np.float32(3)
     target = rng.uniform(-1, 1, (700, 3)).astype(np.float32) - np.float32(2)
@@ -97,9 +93,6 @@ def test_refinement_ends_at_the_pose_of_the_matches(device, rng):
     assert count == 216 and squares < 1e-9
 
 
-# ------------------------------------------------------------------------------------------------ samples
-
-
 @pytest.fixture
 def clutter(rng):
     """Correspondences of which a third are right, with normals: source, target, their normals, pairs."""
@@ -138,24 +131,26 @@ def test_a_sample_is_the_same_in_any_round(device, clutter):
     assert (draw(search, 300, 3, seed=1)[1] != samples).any()
 
 
-@pytest.mark.parametrize("with_scaling", [False, True])
-@pytest.mark.parametrize("sample_size", [3, 5])
-def test_poses_of_samples_are_open3ds(device, clutter, to_open3d, with_scaling, sample_size, tolerances):
-    import open3d as o3d
+def open3d_poses(o3d, clouds, samples, with_scaling):
+    """The pose of each sample of correspondences, float32 [n, 4, 4]."""
+    estimation = o3d.pipelines.registration.TransformationEstimationPointToPoint(with_scaling)
+    clouds = [o3d.geometry.PointCloud(o3d.utility.Vector3dVector(cloud.astype(np.float64))) for cloud in clouds]
+    samples = [o3d.utility.Vector2iVector(sample.astype(np.int32)) for sample in samples]
+    return np.array([estimation.compute_transformation(*clouds, sample) for sample in samples], np.float32)
 
-    source, target, _, _, pairs = clutter
+
+@pytest.mark.parametrize(("with_scaling", "sample_size"), [(False, 3), (True, 5)])
+def test_poses_of_samples_are_open3ds(device, clutter, oracle, with_scaling, sample_size, tolerances):
+    source, target, _, _, pairs = (array.astype(np.float32) for array in clutter)
     search = search_over(source, target, pairs, device)
     rows, samples, drawn = draw(search, 200, sample_size)
-    none = [empty(0, vec3, device)] * 2
-    poses, _ = drawn.fit(Checks(), none, with_scaling)
+    poses, _ = drawn.fit(Checks(), [empty(0, vec3, device)] * 2, with_scaling)
     a, b = (middle.astype(float) for middle in search.fitness.middles)
-    estimation = o3d.pipelines.registration.TransformationEstimationPointToPoint(with_scaling)
-    clouds = [to_open3d(c.astype(np.float32)) for c in (source, target)]
-    for row, pose in zip(rows, download(poses), strict=True):
-        sample = pairs[samples[row]]
-        expected = estimation.compute_transformation(*clouds, o3d.utility.Vector2iVector(sample.astype(np.int32)))
+    chosen = pairs.astype(np.int32)[samples[rows]]
+    expected = oracle(f"kernels/pose_hypotheses/{sample_size}", open3d_poses, (source, target), chosen, with_scaling)
+    for sample, pose, wanted in zip(chosen, download(poses), expected, strict=True):
         points = source[sample[:, 0]]
-        np.testing.assert_allclose(moved(points - a, pose) + b, moved(points, expected), atol=tolerances.sampled_pose)
+        np.testing.assert_allclose(moved(points - a, pose) + b, moved(points, wanted), atol=tolerances.sampled_pose)
 
 
 CHECKS = {
@@ -167,10 +162,24 @@ CHECKS = {
 }
 
 
-@pytest.mark.parametrize("name", CHECKS)
-def test_hypotheses_that_pass_are_those_that_open3ds_checkers_pass(device, clutter, to_open3d, name):
-    import open3d as o3d
+def open3d_checks(o3d, clouds, normals, samples, poses, checks):
+    """True for each sample and pose that pass Open3D's checkers."""
+    r = o3d.pipelines.registration
+    checkers = [
+        r.CorrespondenceCheckerBasedOnEdgeLength(checks.similarity),
+        r.CorrespondenceCheckerBasedOnDistance(min(checks.distance, 1e9)),
+        r.CorrespondenceCheckerBasedOnNormal(np.arccos(max(checks.cosine, -1.0))),
+        r.CorrespondenceCheckerBasedOnSourceRotation(np.minimum(checks.rotation, 4.0)),
+    ]
+    given = [o3d.geometry.PointCloud(o3d.utility.Vector3dVector(cloud.astype(np.float64))) for cloud in clouds]
+    for cloud, own in zip(given, normals, strict=True):
+        cloud.normals = o3d.utility.Vector3dVector(own.astype(np.float64))
+    samples = [o3d.utility.Vector2iVector(sample) for sample in samples]
+    return np.array([all(c.Check(*given, *each) for c in checkers) for each in zip(samples, poses, strict=True)])
 
+
+@pytest.mark.parametrize("name", CHECKS)
+def test_hypotheses_that_pass_are_those_that_open3ds_checkers_pass(device, clutter, oracle, name):
     source, target, normals, turned, pairs = (array.astype(np.float32) for array in clutter)
     pairs, checks = pairs.astype(np.int32), CHECKS[name]
     search = search_over(source, target, pairs, device)
@@ -180,28 +189,19 @@ def test_hypotheses_that_pass_are_those_that_open3ds_checkers_pass(device, clutt
     passed = np.zeros(500, bool)
     passed[similar[download(scores) != REFUSED]] = True
     rows, samples, everything = draw(search, 500, 3)  # every pose, to ask Open3D about
-    all_poses = download(everything.fit(Checks(), device_normals, False)[0])
+    poses = download(everything.fit(Checks(), device_normals, False)[0]).copy()
     a, b = (middle.astype(float) for middle in search.fitness.middles)
-    r = o3d.pipelines.registration
-    oracles = [
-        r.CorrespondenceCheckerBasedOnEdgeLength(checks.similarity),
-        r.CorrespondenceCheckerBasedOnDistance(min(checks.distance, 1e9)),
-        r.CorrespondenceCheckerBasedOnNormal(np.arccos(max(checks.cosine, -1.0))),
-        r.CorrespondenceCheckerBasedOnSourceRotation(np.minimum(checks.rotation, 4.0)),
-    ]
-    clouds = to_open3d(source, normals), to_open3d(target, turned)
+    poses[:, :3, 3] += b - poses[:, :3, :3] @ a
+    asked = (source, target), (normals, turned), pairs[samples[rows]], poses, checks
     expected = np.zeros(500, bool)
-    for row, pose in zip(rows, all_poses, strict=True):
-        T = pose.copy()
-        T[:3, 3] += b - T[:3, :3] @ a
-        sample = o3d.utility.Vector2iVector(pairs[samples[row]])
-        expected[row] = all(oracle.Check(*clouds, sample, T) for oracle in oracles)
+    expected[rows] = oracle(f"kernels/pose_hypotheses/{name}", open3d_checks, *asked)
     np.testing.assert_array_equal(passed, expected)
     assert 0 < passed.sum() < 450, "else the check was never put to the test"
 
 
-@pytest.mark.parametrize("count", [3, BLOCK - 1, BLOCK, BLOCK + 1, 3 * BLOCK + 5])
-@pytest.mark.parametrize("pose_count", [1, 8, 21])
+@pytest.mark.parametrize(
+    ("count", "pose_count"), [(3, 1), (BLOCK - 1, 8), (BLOCK, 21), (BLOCK + 1, 8), (3 * BLOCK + 5, 21)]
+)
 def test_scores_are_the_correspondences_that_agree(device, rng, count, pose_count):
     source, target = rng.uniform(-1, 1, (2, count, 3)).astype(np.float32)
     search = search_over(source, target, identity_pairs(count), device)
@@ -240,9 +240,6 @@ def test_coincident_and_collapsing_samples_are_refused(device, rng):
     assert (download(scores) == REFUSED).all()
 
 
-# ------------------------------------------------------------------------------------------------ a choice of poses
-
-
 def first_apart(poses, scores, size, distance):
     """By NumPy: the best poses, each of which moves the middle or a place on an axis away from where others do."""
     order = np.argsort(-scores, kind="stable")
@@ -257,8 +254,9 @@ def first_apart(poses, scores, size, distance):
     return order[kept]
 
 
-@pytest.mark.parametrize("count", [1, 31, 33, 700, RANKED + 500])
-@pytest.mark.parametrize("distance", [0.0, 0.1, 0.4, 50.0])
+@pytest.mark.parametrize(
+    ("count", "distance"), [(1, 0.1), (31, 0.0), (33, 50.0), (700, 0.1), (700, 0.4), (RANKED + 500, 0.1)]
+)
 def test_the_best_poses_that_are_unlike_each_other_are_chosen(device, rng, count, distance):
     search = search_over(rng.random((40, 3)), rng.random((40, 3)), identity_pairs(40), device)
     poses = near_poses(rng, count, 0.2, 0.2)
@@ -277,9 +275,6 @@ def test_where_all_poses_are_refused_none_is_chosen(device, rng):
     scores = upload(np.full(70, REFUSED), int32, device)
     search._keep_apart(upload(near_poses(rng, 70), mat44d, device), scores, 0.1)
     assert download(search._kept_count)[0] == 0
-
-
-# ------------------------------------------------------------------------------------------------ fits to many
 
 
 def test_refined_poses_never_agree_with_fewer(device, clutter):
@@ -330,9 +325,6 @@ def test_pairs_that_are_not_finite_are_left_out(device, rng):
     coordinates = download(found.coordinates).reshape(6, -1).T
     np.testing.assert_array_equal(coordinates[:, :3], source[expected[:, 0]].astype(np.float32))
     np.testing.assert_array_equal(coordinates[:, 3:], target[expected[:, 1]].astype(np.float32))
-
-
-# ------------------------------------------------------------------------------------------------ triples
 
 
 def test_members_of_similar_triples_have_similar_sides(device, clutter):

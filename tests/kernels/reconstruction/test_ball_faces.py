@@ -64,10 +64,9 @@ def bumpy(rng, count, thickness):
     return points.astype(np.float32).astype(np.float64), normals.astype(np.float32).astype(np.float64)
 
 
-@pytest.mark.parametrize("thickness", [0.05, 0.3, 1.0])
-@pytest.mark.parametrize("radius", [0.2, 0.4, 2.0])
+@pytest.mark.parametrize(("thickness", "radius"), [(0.05, 0.2), (0.3, 0.4), (1.0, 0.4), (0.3, 2.0)])
 def test_the_triangles_are_those_of_brute_force(device, rng, thickness, radius):
-    points, normals = bumpy(rng, 35, thickness)
+    points, normals = bumpy(rng, 26, thickness)
     found, _ = faces_of(points, normals, radius, device)
     expected = brute_faces(points, normals, radius)
     assert len(found) == len(expected) > 0
@@ -94,9 +93,6 @@ def test_points_with_more_neighbors_than_there_is_room_for_at_first_are_done_aga
     assert as_set(found) == as_set(expected)
 
 
-# ------------------------------------------------------------------------------------------------ ties
-
-
 def grid(count, spacing=1.0):
     x, y = np.meshgrid(np.arange(count), np.arange(count), indexing="ij")
     points = np.stack([x.ravel(), y.ravel(), 0 * x.ravel()], axis=1) * spacing
@@ -108,8 +104,9 @@ def area_of(points, triangles):
     return np.cross(b - a, c - a)[:, 2] / 2
 
 
-@pytest.mark.parametrize("spacing", [1.0, 0.1, 3e-5, 1e-10, 1e8])
-@pytest.mark.parametrize("radius", [0.75, 1.0, 3.0])
+@pytest.mark.parametrize(
+    ("spacing", "radius"), [(1.0, 0.75), (0.1, 1.0), (3e-5, 3.0), (1e-10, 1.0), (1e8, 0.75), (1.0, 3.0)]
+)
 def test_a_grid_has_two_triangles_a_cell_and_none_overlap(device, spacing, radius):
     points, normals = grid(20, spacing)
     found, _ = faces_of(points, normals, radius * spacing, device)
@@ -120,7 +117,7 @@ def test_a_grid_has_two_triangles_a_cell_and_none_overlap(device, spacing, radiu
     assert (np.unique(cells, axis=0, return_counts=True)[1] == 2).all()
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", range(2))
 def test_points_on_one_circle_are_a_fan_about_the_first(device, seed):
     circle = {(x, y) for x in range(-5, 6) for y in range(-5, 6) if x * x + y * y == 25}
     points = np.random.default_rng(seed).permutation([(x, y, 7.0) for x, y in sorted(circle)])
@@ -140,8 +137,7 @@ SOLIDS = {
 
 
 @pytest.mark.parametrize("solid", SOLIDS)
-@pytest.mark.parametrize("side", [1, -1])
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize(("side", "seed"), [(1, 0), (-1, 1)])
 def test_the_corners_of_a_solid_make_its_closed_surface_from_outside_and_from_inside(device, solid, side, seed):
     corners, count = SOLIDS[solid]
     points = np.random.default_rng(seed).permutation(np.array(corners, float))
@@ -176,7 +172,7 @@ def test_a_normal_at_a_right_angle_agrees_and_three_do_not(device):
     assert len(faces_of(points, np.array([up, up, down]), 1.0, device)[0]) == 0
 
 
-@pytest.mark.parametrize("power", [-40, -20, 20, 50])
+@pytest.mark.parametrize("power", [-40, 50])
 def test_a_power_of_two_as_scale_changes_no_triangle(device, rng, power):
     points, normals = bumpy(rng, 200, 0.2)
     expected, widths = faces_of(points, normals, 0.2, device)

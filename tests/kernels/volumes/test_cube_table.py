@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from itertools import permutations, product
 
 import numpy as np
@@ -31,11 +32,13 @@ def directed_sides(case: int) -> list[tuple[int, int]]:
     return [(int(t[k]), int(t[(k + 1) % 3])) for t in triangles(case) for k in range(3)]
 
 
+@cache
 def boundary(case: int) -> set[tuple[int, int]]:
     sides = directed_sides(case)
     return {(a, b) for a, b in sides if (b, a) not in sides}
 
 
+@cache
 def faces_of(edge: int) -> set[int]:
     return {f for f, face in enumerate(FACES) if set(EDGE_ENDS[edge]) <= set(face)}
 
@@ -64,20 +67,19 @@ def test_edges_are_numbered_by_axis_and_owned_by_their_lower_corner():
     assert len({tuple(ends) for ends in EDGE_ENDS}) == 12
 
 
-@pytest.mark.parametrize("case", CASES)
-def test_the_triangles_of_a_case_use_all_its_crossing_edges_and_no_others(case):
-    assert set(triangles(case).ravel().tolist()) == crossing_edges(case)
-    assert EDGE_MASK[case] == sum(1 << e for e in crossing_edges(case))
+def test_the_triangles_of_a_case_use_all_its_crossing_edges_and_no_others():
+    for case in CASES:
+        assert set(triangles(case).ravel().tolist()) == crossing_edges(case)
+        assert EDGE_MASK[case] == sum(1 << e for e in crossing_edges(case))
 
 
-@pytest.mark.parametrize("case", CASES)
-def test_inner_sides_of_a_case_have_their_opposites_and_the_rest_lie_on_faces(case):
-    sides = directed_sides(case)
-    assert len(set(sides)) == len(sides)
-    for a, b in boundary(case):
-        assert len(faces_of(a) & faces_of(b)) == 1
-    for a, b in set(sides) - boundary(case):
-        assert not faces_of(a) & faces_of(b), "a diagonal in a face could be the neighbour's too"
+def test_inner_sides_of_a_case_have_their_opposites_and_the_rest_lie_on_faces():
+    for case in CASES:
+        sides, outer = directed_sides(case), boundary(case)
+        assert len(set(sides)) == len(sides)
+        assert all(len(faces_of(a) & faces_of(b)) == 1 for a, b in outer)
+        for a, b in set(sides) - outer:
+            assert not faces_of(a) & faces_of(b), "a diagonal in a face could be the neighbour's too"
 
 
 @pytest.mark.parametrize("axis", range(3))
@@ -102,19 +104,18 @@ def test_neighbouring_cells_draw_the_same_contour_on_their_common_face_in_opposi
     assert all(len(choices) == 1 for choices in upper.values())  # the face's own signs decide, so all 256 x 256 agree
 
 
-@pytest.mark.parametrize("case", CASES)
-def test_normals_point_from_inside_to_outside(case):
+def test_normals_point_from_inside_to_outside():
     """The boundary runs with the inside on its left as seen from inside the cell, face by face."""
-    for a, b in boundary(case):
-        (face,) = faces_of(a) & faces_of(b)
-        inward = np.array([0.5, 0.5, 0.5]) - CORNERS[FACES[face]].mean(axis=0)
-        left = np.cross(inward, MIDPOINTS[b] - MIDPOINTS[a])
-        for edge in (a, b):
-            inside = next(c for c in EDGE_ENDS[edge] if case >> c & 1)
-            assert left @ (CORNERS[inside] - (MIDPOINTS[a] + MIDPOINTS[b]) / 2) > -1e-12
-    if bin(case).count("1") == 1:
-        p = MIDPOINTS[triangles(case)[0]]
-        corner = CORNERS[case.bit_length() - 1]
+    for case in CASES:
+        for a, b in boundary(case):
+            (face,) = faces_of(a) & faces_of(b)
+            inward = np.array([0.5, 0.5, 0.5]) - CORNERS[FACES[face]].mean(axis=0)
+            left = np.cross(inward, MIDPOINTS[b] - MIDPOINTS[a])
+            for edge in (a, b):
+                inside = next(c for c in EDGE_ENDS[edge] if case >> c & 1)
+                assert left @ (CORNERS[inside] - (MIDPOINTS[a] + MIDPOINTS[b]) / 2) > -1e-12
+    for k, corner in enumerate(CORNERS):
+        p = MIDPOINTS[triangles(1 << k)[0]]
         assert np.cross(p[1] - p[0], p[2] - p[0]) @ (p[0] - corner) > 0
 
 

@@ -33,9 +33,6 @@ PICTURE = np.random.default_rng(0).integers(0, 256, (SIDE, SIDE, 3), dtype=np.ui
 CAMERA = loom.PinholeCameraIntrinsic(SIDE, SIDE, 500.0, 510.0, 250.0, 262.0)
 
 
-# ------------------------------------------------------------------------------------------------ references
-
-
 def test_a_depth_map_brings_metres(network):
     path, z = network
     for align, scale in ((np.round(z * 5000).astype(np.uint16), 5000.0), (z.astype(np.float32), 1000.0)):
@@ -208,14 +205,6 @@ def test_references_that_do_not_fit_the_picture_are_refused(network, align, erro
         loom.estimate_depth(PICTURE, network[0], align=align)
 
 
-def test_many_distances_are_references_like_others(network):
-    path, z = network
-    u, v = np.random.default_rng(0).integers(0, SIDE, (2, 3000))
-    found = loom.estimate_depth(PICTURE, path, align=np.stack([u, v, z[v, u]], 1))
-    assert (found.references, found.inlier_share) == (3000, 1.0)
-    np.testing.assert_allclose(found.depth, z, rtol=1e-4)
-
-
 @pytest.mark.parametrize(
     ("text", "reason"),
     [
@@ -232,9 +221,6 @@ def test_a_damaged_file_of_distances_names_the_line(network, tmp_path, text, rea
     path.write_bytes(b"\xff\xfe\x00")
     with pytest.raises(loom.FileError, match="no text"):
         loom.estimate_depth(PICTURE, network[0], align=path)
-
-
-# ------------------------------------------------------------------------------------------------ cameras, clouds
 
 
 def test_points_lie_where_the_camera_sees_them(network, device):
@@ -259,7 +245,6 @@ def test_a_smoothed_edge_leaves_no_points_between_the_surfaces(tmp_path, device)
     z = scene()
     small = (1 / z)[::7, ::7].astype(np.float32)
     smooth = np.array(Image.fromarray(small).resize((SIDE, SIDE), Image.Resampling.BILINEAR))
-    large = np.repeat(np.repeat(PICTURE, 2, 0), 2, 1)
     found = loom.estimate_depth(PICTURE, fixed_map(tmp_path / "m.onnx", smooth), align=1 / smooth, intrinsic=CAMERA)
     found = loom.DepthEstimate(**{**vars(found), "enlargement": 3.0})
     kept = found.to_point_cloud(device=device)
@@ -272,13 +257,6 @@ def test_a_smoothed_edge_leaves_no_points_between_the_surfaces(tmp_path, device)
     floor = depth[int(0.93 * SIDE)]  # slanted, and whole
     assert floor.all()
     assert len(kept) > 0.97 * SIDE * SIDE
-    assert large.shape == (2 * SIDE, 2 * SIDE, 3)
-
-
-def test_relative_depth_makes_a_cloud_too(network):
-    found = loom.estimate_depth(PICTURE, network[0])
-    assert len(found.to_point_cloud(keep_edges=True)) == SIDE * SIDE
-    assert found.to_point_cloud().points[:, 2].min() == pytest.approx(1, rel=1e-5)
 
 
 def test_one_model_serves_many_pictures(tmp_path):
@@ -292,9 +270,6 @@ def test_one_model_serves_many_pictures(tmp_path):
         loom.estimate_depth(PICTURE, model, preset="dpt")
     with pytest.raises(ValueError, match="say it there"):
         loom.estimate_depth(PICTURE, model, device="cpu")
-
-
-# ------------------------------------------------------------------------------------------------ tiles
 
 
 def test_tiles_cover_the_picture_evenly_and_overlap():
@@ -365,9 +340,6 @@ def test_an_estimate_by_tiles_is_that_of_the_whole_where_the_network_sees_no_mor
     assert tiled.tiles == (4, 4)
     assert steps[-1] == ("tiles", 4, 4)
     np.testing.assert_allclose(tiled.depth, whole.depth, rtol=0.02)
-
-
-# ------------------------------------------------------------------------------------------------ evaluation
 
 
 def test_errors_are_those_of_the_papers():

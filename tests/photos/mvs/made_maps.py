@@ -53,6 +53,14 @@ def true_map(camera: Any, *, balls: Any = BALLS, wall: float = WALL, shift: Any 
     return loom.mvs.DepthMap(depth, normals @ camera.T_camera_world[:3, :3].T, np.full(depth.shape, 0.75))
 
 
+def lifted(depth: Any, camera: Any) -> Any:
+    """The points of a depth map in the world, [h, w, 3]."""
+    lens, T = camera.intrinsic, np.linalg.inv(camera.T_camera_world)
+    v, u = np.mgrid[: lens.height, : lens.width]
+    local = np.stack([(u - lens.cx) / lens.fx, (v - lens.cy) / lens.fy, np.ones(u.shape)], -1)
+    return (local * np.asarray(depth, np.float64)[..., None]) @ T[:3, :3].T + T[:3, 3]
+
+
 def all_sources(count: int) -> list[list[int]]:
     return [[j for j in range(count) if j != i] for i in range(count)]
 

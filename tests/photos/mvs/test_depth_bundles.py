@@ -7,6 +7,8 @@ from scipy.spatial.transform import Rotation
 import pointloom as loom
 from pointloom.core.errors import FileError
 
+from .made_maps import true_map
+
 COUNT, HEIGHT, WIDTH = 4, 36, 48
 K = np.array([[40.0, 0, 23.5], [0, 41.0, 17.5], [0, 0, 1]])
 BALL = np.array([0.0, 0.0, 4.0]), 1.0  # before a wall at z = 6
@@ -22,18 +24,9 @@ def poses():
 
 def depths(T):
     """Of the ball and the wall, in float64."""
-    columns, rows = np.meshgrid(np.arange(WIDTH), np.arange(HEIGHT))
-    rays = np.stack([(columns - K[0, 2]) / K[0, 0], (rows - K[1, 2]) / K[1, 1], np.ones(rows.shape)], axis=-1)
-    found = []
-    for pose in T:
-        d = rays @ pose[:3, :3]
-        eye = np.linalg.inv(pose)[:3, 3]
-        wall = (6 - eye[2]) / d[..., 2]
-        a, b, c = (d * d).sum(-1), (d @ (eye - BALL[0])), ((eye - BALL[0]) ** 2).sum() - BALL[1] ** 2
-        under = b * b - a * c
-        ball = np.where(under > 0, (-b - np.sqrt(np.maximum(under, 0))) / a, np.inf)
-        found.append(np.minimum(ball, wall))
-    return np.array(found)
+    lens = loom.PinholeCameraIntrinsic(WIDTH, HEIGHT, K[0, 0], K[1, 1], K[0, 2], K[1, 2])
+    ball = [(*BALL[0], BALL[1])]
+    return np.array([true_map(loom.mvs.PosedCamera(lens, pose), balls=ball, wall=6.0).depth for pose in T])
 
 
 def arrays_of(layout, **changed):

@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.photos.mvs import filtering
 
-from .made_maps import BALLS, cameras, changed, true_map, true_maps
+from .made_maps import BALLS, cameras, changed, lifted, true_map, true_maps
 
 UTM = (512_345.25, 5_403_210.5, 310.0)
 
@@ -20,12 +21,8 @@ def same(a, b):
 
 def seen_by_others(maps, i):
     """How many other cameras have the point of each pixel in the picture and unhidden (within 2 %)."""
-    depth, camera = maps[i].depth.astype(np.float64), maps.cameras[i]
-    lens = camera.intrinsic
-    v, u = np.mgrid[: lens.height, : lens.width]
-    local = np.stack([(u - lens.cx) / lens.fx * depth, (v - lens.cy) / lens.fy * depth, depth], -1).reshape(-1, 3)
-    T = np.linalg.inv(camera.T_camera_world)
-    world, count = local @ T[:3, :3].T + T[:3, 3], np.zeros(depth.size, int)
+    depth = maps[i].depth
+    world, count = lifted(depth, maps.cameras[i]).reshape(-1, 3), np.zeros(depth.size, int)
     for j in range(len(maps)):
         if j == i:
             continue
@@ -171,7 +168,7 @@ def test_maps_on_disk_give_the_same_bits_with_little_room_on_the_device(tmp_path
     maps = true_maps(4)
     expected = loom.mvs.filter_depth_maps(maps)
     stored = loom.mvs.DepthMaps(maps.cameras, maps.sources, list(maps), folder=tmp_path / "raw")
-    monkeypatch.setattr("pointloom.photos.mvs.filtering.KEPT_BYTES", 1)
+    monkeypatch.setattr(filtering, "KEPT_BYTES", 1)
     kept = loom.mvs.filter_depth_maps(stored, folder=tmp_path / "kept")
     assert same(kept, expected)
     assert same(loom.mvs.DepthMaps.open(tmp_path / "kept"), expected)

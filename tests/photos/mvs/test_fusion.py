@@ -8,8 +8,9 @@ from PIL import Image
 from scipy.spatial import KDTree
 
 import pointloom as loom
+from pointloom.photos.mvs import fusion
 
-from .made_maps import BALLS, WALL, changed, true_maps
+from .made_maps import BALLS, WALL, changed, lifted, true_maps
 
 UTM = (512_345.25, 5_403_210.5, 310.0)
 
@@ -28,13 +29,9 @@ def pictures_of(maps):
     return [np.full((*each.depth.shape, 3), 40 * i, np.uint8) for i, each in enumerate(maps)]
 
 
-def lifted(maps, i):
+def points_of(maps, i):
     """The points of a map in the world."""
-    depth, camera = maps[i].depth.astype(float), maps.cameras[i]
-    lens, T = camera.intrinsic, np.linalg.inv(camera.T_camera_world)
-    v, u = np.mgrid[: lens.height, : lens.width]
-    local = np.stack([(u - lens.cx) / lens.fx * depth, (v - lens.cy) / lens.fy * depth, depth], -1)
-    return (local @ T[:3, :3].T + T[:3, 3])[depth > 0]
+    return lifted(maps[i].depth, maps.cameras[i])[maps[i].depth > 0]
 
 
 @pytest.mark.parametrize("shift", [(0.0, 0.0, 0.0), UTM], ids=["near zero", "in UTM coordinates"])
@@ -43,7 +40,7 @@ def test_points_lie_on_the_surface_and_cover_all_that_is_seen_once(device, shift
     cloud = loom.mvs.fuse(maps, pictures_of(maps), min_views=1, device=device)
     assert np.quantile(distance_to_scene(cloud.points, shift), 0.99) < 2e-3
     assert distance_to_scene(cloud.points, shift).max() < 0.02  # where a ball is grazed
-    all_points = np.concatenate([lifted(maps, i) for i in range(5)])
+    all_points = np.concatenate([points_of(maps, i) for i in range(5)])
     pixel = 3.0 / 50  # [m] of the smaller pictures, at the wall
     assert KDTree(cloud.points).query(all_points)[0].max() < 2 * pixel
     assert len(cloud) < 0.45 * len(all_points)
@@ -90,25 +87,6 @@ def test_no_surface_is_made_up_far_from_all_points():
     assert away.max() < 0.3  # three cells of two pixels of 4.6 cm; Poisson's surface goes 63 cm away
 
 
-def test_a_voxel_size_thins_the_points():
-    maps = true_maps(2)
-    whole, thin = (loom.mvs.fuse(maps, None, voxel_size=size) for size in (None, 0.2))
-    assert 0 < len(thin) < 0.2 * len(whole)
-
-
-def test_averaging_takes_noise_away(rng):
-    maps = true_maps(5, balls=())
-    noise = [1 + 0.001 * rng.normal(size=each.depth.shape) for each in maps]
-    given = maps
-    for i, factor in enumerate(noise):
-        given = changed(given, i, maps[i].depth * factor)
-    cloud = loom.mvs.fuse(given, None)
-    single = np.concatenate([lifted(given, i)[:, 2] for i in range(5)]) - WALL
-    many = (cloud.points[:, 2] - WALL)[cloud["views"] == 5]
-    assert len(many) > 200
-    assert many.std() < 0.6 * single.std()
-
-
 def test_the_same_bits_with_maps_and_pictures_on_disk_and_no_room(tmp_path, monkeypatch):
     maps = true_maps(4)
     rng = np.random.default_rng(3)
@@ -119,7 +97,7 @@ def test_the_same_bits_with_maps_and_pictures_on_disk_and_no_room(tmp_path, monk
         Image.fromarray(picture).save(paths[-1])
     expected = loom.mvs.fuse(maps, pictures)
     stored = loom.mvs.DepthMaps(maps.cameras, maps.sources, list(maps), folder=tmp_path / "maps")
-    monkeypatch.setattr("pointloom.photos.mvs.fusion.KEPT_BYTES", 1)
+    monkeypatch.setattr(fusion, "KEPT_BYTES", 1)
     again = loom.mvs.fuse(stored, paths)
     for name in ("points", "normals", "colors", "confidence", "views"):
         np.testing.assert_array_equal(again[name], expected[name])
@@ -143,7 +121,7 @@ def test_a_mesh_lies_on_the_surface(device, to):
     assert np.median(off) < 5e-3  # a pixel is 5 cm wide
     assert np.quantile(off, 0.9) < 0.06
     assert mesh.vertex_colors is not None
-    seen = KDTree(mesh.vertices).query(lifted(maps, 2))[0]
+    seen = KDTree(mesh.vertices).query(points_of(maps, 2))[0]
     assert np.quantile(seen, 0.95) < 0.12
 
 

@@ -85,7 +85,7 @@ def random_picture(seed: int) -> tuple[np.ndarray, np.ndarray]:
     return plain, rng.random(u.shape) < 0.3
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", range(2))
 def test_places_are_what_hangs_together_and_what_is_sure_about_them(device, seed):
     plain, sure = random_picture(seed)
     judged = np.stack([plain, sure], axis=-1).astype(np.float32).reshape(-1, 2)

@@ -11,13 +11,14 @@ from scipy.spatial import KDTree
 import pointloom as loom
 from pointloom.photos.mvs.sources import _step
 
+from .made_maps import pose
+
 LENS = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
 
 
 def camera_at(x, y=0.0, z=0.0, turn=0.0):
-    T = np.eye(4)
-    T[:3, :3] = [[np.cos(turn), 0, -np.sin(turn)], [0, 1, 0], [np.sin(turn), 0, np.cos(turn)]]
-    T[:3, 3] = -T[:3, :3] @ (x, y, z)
+    T = pose(x, y, turn)
+    T[:3, 3] -= T[:3, 2] * z
     return loom.mvs.PosedCamera(LENS, T)
 
 

@@ -27,6 +27,13 @@ def write_pictures(folder: Path, pictures: Sequence[np.ndarray], names: Sequence
     return folder
 
 
+def left_half(shape) -> np.ndarray:
+    """A mask that keeps the left half of a picture."""
+    mask = np.zeros(shape, np.uint8)
+    mask[:, : shape[1] // 2] = 255
+    return mask
+
+
 @pytest.fixture(scope="session")
 def walked() -> list[np.ndarray]:
     return [picture(T) for T in walk(COUNT)]

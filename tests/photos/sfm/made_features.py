@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 import pointloom as loom
@@ -69,3 +71,17 @@ def rays_as(model: loom.SfmModel, features: FeatureRays) -> FeatureRays:
     """The features with the rays that a model's lenses give their pixels."""
     rays = [camera.unproject(features.pixels[features.of(i)])[:, :2] for i, camera in enumerate(model.cameras)]
     return FeatureRays(features.firsts, features.pixels, np.concatenate(rays), features.descriptors)
+
+
+def seen_model(camera: loom.CameraModel, names: Sequence[str], turn: float = 0.1) -> loom.SfmModel:
+    """Three cameras side by side, the second turned [rad], and 60 points that they see where the lens shows them."""
+    rng, poses = np.random.default_rng(0), np.tile(np.eye(4), (3, 1, 1))
+    poses[1, :3, :3] = [[np.cos(turn), 0, np.sin(turn)], [0, 1, 0], [-np.sin(turn), 0, np.cos(turn)]]
+    poses[:, 0, 3] = -0.1 * np.arange(3)
+    points = np.column_stack([rng.uniform(-1.2, 1.2, 60), rng.uniform(-0.8, 0.8, 60), rng.uniform(2, 3, 60)])
+    pixels = np.concatenate([camera.project(points @ T[:3, :3].T + T[:3, 3]) for T in poses])
+    observations = np.array([(i, k) for i in range(3) for k in range(60)])
+    inside = ((pixels >= 0) & (pixels <= (camera.width - 1, camera.height - 1))).all(axis=1)
+    seen = {"observations": observations[inside], "pixels": pixels[inside]}
+    colors = rng.integers(0, 256, (60, 3), np.uint8)
+    return loom.SfmModel(names, [camera] * 3, poses, points=points, colors=colors, **seen)

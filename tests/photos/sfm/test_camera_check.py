@@ -20,8 +20,6 @@ from pointloom.photos.sfm.verdict import Verdict
 from .conftest import has_pycolmap
 from .test_verdict import FOCAL, HEIGHT, WIDTH, model_of, views
 
-# ------------------------------------------------------------------------------------------- what is told of figures
-
 
 def told(**figures: float) -> str:
     return "; ".join(CameraCheck(**figures).reasons())
@@ -90,23 +88,21 @@ def points(rng):
 
 
 def test_points_that_are_more_than_a_pixel_off_are_told(points):
-    model = model_of(views(8, side=1.0, turn=0.3), points)
+    model = model_of(views(4, side=1.0, turn=0.3), points)
     for error, size, refused in ((0.9, 1, False), (1.1, 1, True), (1.5, 4, False), (1.7, 4, True)):
         cameras = [loom.CameraModel("PINHOLE", size * WIDTH, size * HEIGHT, [FOCAL, FOCAL, 9, 9])] * len(model)
         found = dataclasses.replace(model, cameras=cameras, errors=np.full(len(points), error))
-        said = loom.sfm.judge_model(found, 8, focal=CameraCheck()).poor or ""
+        said = loom.sfm.judge_model(found, 4, focal=CameraCheck()).poor or ""
         assert ("px off what the model shows" in said) == refused
 
 
 def test_what_the_pictures_say_of_the_focal_length_makes_a_verdict(points):
-    model = model_of(views(8, side=1.0, turn=0.3), points)
-    verdict = loom.sfm.judge_model(model, 8, focal=CameraCheck(found=600, rise=0.001, error=0.4))
+    model = model_of(views(4, side=1.0, turn=0.3), points)
+    verdict = loom.sfm.judge_model(model, 4, focal=CameraCheck(found=600, rise=0.001, error=0.4))
     assert verdict.poor is not None and verdict.poor.startswith("the pictures do not fix the focal length")
-    kept = loom.sfm.judge_model(model, 8, focal=CameraCheck(found=600, rise=0.001, error=0.4, exif=1, freed_error=0.4))
+    kept = loom.sfm.judge_model(model, 4, focal=CameraCheck(found=600, rise=0.001, error=0.4, exif=1, freed_error=0.4))
     assert kept.poor is None and kept.to_json()["remarks"] == list(kept.remarks) != []
 
-
-# --------------------------------------------------------------------------------------------- what COLMAP is asked
 
 ASK = """
 import json, pathlib, runpy, sys
@@ -157,7 +153,6 @@ def asked(tmp_path_factory) -> dict:
     return json.loads(done.stdout.splitlines()[-1])
 
 
-@pytest.mark.slow
 def test_pictures_from_the_side_fix_the_focal_length_and_straight_ahead_none(asked):
     assert asked["around"]["rise"] > 0.1 and asked["around"]["found"] == pytest.approx(FOCAL, rel=0.01)
     assert asked["ahead"]["rise"] < 0.002

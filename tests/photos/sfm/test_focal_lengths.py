@@ -61,15 +61,6 @@ def test_pictures_of_one_size_are_cameras_by_what_exif_tells(walked, tmp_path):
 
 
 @pytest.mark.slow
-def test_exif_that_makes_no_sense_says_nothing(walked, tmp_path):
-    write_pictures(tmp_path / "photos", walked[:2], ["a.jpg", "b.jpg"])
-    Image.fromarray(walked[2]).save(tmp_path / "photos" / "c.jpg", exif=exif_of(0, focal=(4, 0)))
-    found = loom.sfm.find_features(tmp_path / "photos", tmp_path / "f.db", max_features=100)
-    assert found.camera_count == 2  # by the maker; the focal lengths are those of nobody
-    assert {prior for _, prior in cameras_of(tmp_path / "f.db")} == {0}
-
-
-@pytest.mark.slow
 def test_a_zoom_that_nobody_told_of_becomes_two_cameras(tmp_path):
     pictures = [picture(T, FOCAL * (1.5 if k % 2 else 1.0)) for k, T in enumerate(walk(COUNT))]
     result = loom.sfm.reconstruct(write_pictures(tmp_path / "p", pictures), tmp_path / "work", max_features=800)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import math
 
 import numpy as np
 import pytest
@@ -14,7 +13,7 @@ from pointloom.core.errors import FileError
 from pointloom.kernels.features.epipolar_matching import LineFeatures, LineSearches, match_along_lines
 from pointloom.photos.sfm import triangulation
 from pointloom.photos.sfm.guided_matches import essential_of, match_guided, pairs_in_view, read_matches, write_matches
-from pointloom.photos.sfm.pose_check import PoseCheck, check_poses
+from pointloom.photos.sfm.pose_check import check_poses
 from pointloom.photos.sfm.posed_pictures import with_poses as pictures_with_poses
 from pointloom.photos.sfm.verdict import Verdict, judge_model
 
@@ -36,14 +35,11 @@ def model():
 
 @pytest.fixture(scope="module")
 def features(model):
-    return features_of(model)
+    return features_of(model, count=60, strangers=24)
 
 
 def checked(model, features):
     return check_poses(rays_as(model, features), model, pairs_in_view(model.cameras, model.T_camera_world))
-
-
-# ------------------------------------------------------------------------------------------------ matches
 
 
 def test_a_match_lies_on_both_lines_and_is_the_nearest_by_looks_of_those(model, features, device):
@@ -79,7 +75,7 @@ def test_guided_matches_are_the_points_that_both_see(model, features, tmp_path):
         matches = found.of(k)
         p, q = (features.descriptors[features.of(i)][matches[:, s]] for s, i in enumerate((a, b)))
         alike = np.abs(p.astype(int) - q).max(axis=1) <= 12
-        assert alike.mean() > 0.95 and len(matches) > 60
+        assert alike.mean() > 0.95 and len(matches) > 36
     write_matches(tmp_path / "matches.npz", found)
     again = read_matches(tmp_path / "matches.npz")
     np.testing.assert_array_equal(again.matches, found.matches)
@@ -90,9 +86,6 @@ def test_pictures_that_look_apart_or_from_one_place_are_no_pairs(model):
     assert [1, 2] not in pairs_in_view(model.cameras[:3], poses).tolist()  # at one place
     poses[2, :3, :3] = np.diag([-1.0, 1.0, -1.0]) @ poses[2, :3, :3]
     assert pairs_in_view(model.cameras[:3], poses).tolist() == [[0, 1]]  # the last looks the other way
-
-
-# ------------------------------------------------------------------------------------------------ poses
 
 
 def test_right_poses_are_believed_in_any_frame_and_unit(model, features):
@@ -147,7 +140,7 @@ def test_poses_with_a_usual_mistake_are_told_with_it(model, features, mistake, s
     assert (again.reasons, again.poses.share) == (verdict.reasons, check.share)
 
 
-@pytest.mark.parametrize("factor", [0.5, 0.8, 1.25, 2.0])
+@pytest.mark.parametrize("factor", [0.5, 1.25])
 def test_another_focal_length_is_told(model, features, factor):
     check = checked(with_poses(model, model.T_camera_world, FOCAL * factor), features)
     assert check.focal == pytest.approx(1 / factor, rel=0.03)
@@ -168,15 +161,6 @@ def test_one_wrong_pose_among_many_is_named(model, features):
     check = checked(with_poses(model, poses), features)
     assert check.strays == (model.names[3],)
     assert model.names[3] in check.remarks()[0]
-
-
-def test_a_check_comes_back_from_json():
-    check = PoseCheck(100, 0.2, math.nan, "axes", 0.9, math.nan, ("a.png",))
-    told = PoseCheck.from_json(check.to_json())
-    assert told.strays == check.strays and told.cause == check.cause and math.isnan(told.focal)
-
-
-# ------------------------------------------------------------------------------------------------ names
 
 
 def blank(folder, names, size=(WIDTH, HEIGHT)):
@@ -216,9 +200,6 @@ def test_a_picture_of_another_size_than_its_camera_is_refused(tmp_path):
     paths = blank(tmp_path / "p", ["a.png", "b.png"], (WIDTH // 2, HEIGHT // 2))
     with pytest.raises(FileError, match="is 160 x 120, its camera 320 x 240"):
         pictures_with_poses(tmp_path / "p", paths, cameras_named("a", "b"))
-
-
-# ------------------------------------------------------------------------------------------------ points
 
 
 @pytest.mark.skipif(not has_pycolmap(), reason="pycolmap is not installed")

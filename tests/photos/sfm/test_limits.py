@@ -5,6 +5,8 @@ from __future__ import annotations
 import contextlib
 import io
 import os
+import queue
+import select
 import signal
 import threading
 import time
@@ -80,16 +82,9 @@ def is_alive(pid: int) -> bool:
     return False
 
 
-def wait_for(path: Path) -> list[int]:
-    for _ in range(400):
-        if path.exists() and path.read_text().endswith("\n"):
-            return [int(text) for text in path.read_text().split()]
-        time.sleep(0.05)
-    raise AssertionError(f"{path} was not written")
-
-
 def test_an_interrupt_kills_the_worker_and_its_children(walked, tmp_path, worker):
-    place = tmp_path / "pids"
+    place, watched = tmp_path / "pids", []
+    os.mkfifo(place)
     worker(
         "child = subprocess.Popen(['sleep', '60'])\n"
         f"open({os.fspath(place)!r}, 'w').write(f'{{os.getpid()}} {{child.pid}}\\n')\n"
@@ -98,7 +93,8 @@ def test_an_interrupt_kills_the_worker_and_its_children(walked, tmp_path, worker
     pictures = write_pictures(tmp_path / "pictures", walked[:2])
 
     def interrupt() -> None:
-        wait_for(place)
+        pids = [int(text) for text in place.read_text().split()]  # once the worker has written them
+        watched.extend(os.pidfd_open(pid) for pid in pids)
         signal.raise_signal(signal.SIGINT)
 
     before = signal.signal(signal.SIGINT, signal.default_int_handler)  # a job of a script's begins with it ignored
@@ -108,12 +104,10 @@ def test_an_interrupt_kills_the_worker_and_its_children(walked, tmp_path, worker
             loom.sfm.find_features(pictures, tmp_path / "f.db")
     finally:
         signal.signal(signal.SIGINT, before)
-    pids = wait_for(place)
-    for _ in range(100):
-        if not any(map(is_alive, pids)):
-            break
-        time.sleep(0.05)
-    assert [is_alive(pid) for pid in pids] == [False, False]
+    assert len(watched) == 2
+    for process in watched:
+        assert select.select([process], [], [], 60)[0]  # it has ended
+        os.close(process)
     assert not (tmp_path / "f.db").exists()
 
 
@@ -137,10 +131,13 @@ def test_what_a_program_says_last_is_quoted_in_one_line():
         assert process.why_ended() == "ended with exit code 3"
 
 
-def test_memory_that_a_program_held_is_known():
-    program = "b = b'x' * 10**8\nimport time; time.sleep(1)"
+def test_memory_that_a_program_held_is_known(monkeypatch):
+    program, seen = "b = b'x' * 10**8\nimport signal; signal.pause()", queue.Queue()
+    memory_of = limited_process._memory_of
+    monkeypatch.setattr(limited_process, "_memory_of", lambda pid: (seen.put(held := memory_of(pid)), held)[1])
     with LimitedProcess([colmap_jobs.sys.executable, "-c", program]) as process:
-        process.wait()
+        while seen.get(timeout=60) <= 10**8:
+            pass
     assert 10**8 < process.peak_bytes < 3 * 10**8
 
 
@@ -184,9 +181,3 @@ def test_what_is_no_database_is_refused(tmp_path):
 def test_a_database_without_matches_says_so(stages, tmp_path):
     with pytest.raises(loom.FileError, match=r"holds no matches. sfm.match makes them"):
         loom.sfm.map_pictures(stages.pictures, stages.features_db, tmp_path / "sparse")
-
-
-def test_limits_are_checked():
-    assert limited_process.check_limits(None, None) == {"max_seconds": float("inf"), "max_memory": None}
-    with pytest.raises(ValueError, match="max_memory: expected a whole number >= 1048576"):
-        limited_process.check_limits(1, 1000)

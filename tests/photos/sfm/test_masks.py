@@ -11,15 +11,9 @@ from PIL import Image
 
 import pointloom as loom
 
-from .conftest import has_pycolmap, write_pictures
+from .conftest import has_pycolmap, left_half, write_pictures
 
 SIZE = (120, 160)
-
-
-def left_half(shape=SIZE) -> np.ndarray:
-    mask = np.zeros(shape, np.uint8)
-    mask[:, : shape[1] // 2] = 255
-    return mask
 
 
 def masks_of(folder: Path) -> dict[str, np.ndarray]:
@@ -29,10 +23,10 @@ def masks_of(folder: Path) -> dict[str, np.ndarray]:
 @pytest.mark.parametrize("name", ["a.jpg.png", "a.png", "a.jpg.jpg"])
 def test_a_mask_is_found_under_the_names_that_are_usual(panned, tmp_path, name):
     source = write_pictures(tmp_path / "in", panned[:2], ["a.jpg", "b.jpg"])
-    masks = write_pictures(tmp_path / "masks", [left_half()], [name])
+    masks = write_pictures(tmp_path / "masks", [left_half(SIZE)], [name])
     choice = loom.sfm.choose_frames(source, tmp_path / "out", masks=masks)
     found = masks_of(tmp_path / "out_masks")
-    assert list(found) == ["a.jpg.png"] and np.array_equal(found["a.jpg.png"], left_half())
+    assert list(found) == ["a.jpg.png"] and np.array_equal(found["a.jpg.png"], left_half(SIZE))
     assert choice.remarks == ("1 picture without a mask, taken whole: b.jpg",)
 
 
@@ -41,8 +35,8 @@ def test_masks_turn_and_shrink_with_their_pictures(panned, tmp_path):
     exif = Image.Exif()
     exif[0x0112] = 6
     Image.fromarray(panned[0]).save(tmp_path / "in" / "a.jpg", exif=exif)
-    top = np.ascontiguousarray(np.rot90(left_half(), 3))
-    for drawn in (left_half(), top):  # on the picture as it is stored, or upright
+    top = np.ascontiguousarray(np.rot90(left_half(SIZE), 3))
+    for drawn in (left_half(SIZE), top):  # on the picture as it is stored, or upright
         masks = write_pictures(tmp_path / f"masks {len(drawn)}", [drawn], ["a.png"])
         out = tmp_path / f"out {len(drawn)}"
         loom.sfm.choose_frames(tmp_path / "in", out, masks=masks, max_size=80)
@@ -51,14 +45,14 @@ def test_masks_turn_and_shrink_with_their_pictures(panned, tmp_path):
 
 
 def test_what_is_transparent_is_left_out(panned, tmp_path):
-    rgba = np.dstack([*[panned[0]] * 3, left_half()])
+    rgba = np.dstack([*[panned[0]] * 3, left_half(SIZE)])
     source = tmp_path / "in"
     source.mkdir()
     Image.fromarray(rgba).save(source / "a.png")
     Image.fromarray(rgba).save(source / "b.webp", lossless=True)
     loom.sfm.choose_frames(source, tmp_path / "out", masks="alpha")
     found = masks_of(tmp_path / "out_masks")
-    assert len(found) == 2 and all(np.array_equal(mask, left_half()) for mask in found.values())
+    assert len(found) == 2 and all(np.array_equal(mask, left_half(SIZE)) for mask in found.values())
     write_pictures(tmp_path / "plain", panned[:2])
     with pytest.raises(loom.FileError, match="no picture has a channel of transparency"):
         loom.sfm.choose_frames(tmp_path / "plain", tmp_path / "new", masks="alpha")
@@ -70,7 +64,7 @@ def test_a_function_makes_masks_of_pixels_and_hides_whole_pictures(panned, tmp_p
 
     def mask_of(pixels, name):
         asked.append((name, pixels.shape))
-        return {"a.jpg": left_half(), "b.jpg": np.zeros(SIZE, bool), "c.jpg": None}[name]
+        return {"a.jpg": left_half(SIZE), "b.jpg": np.zeros(SIZE, bool), "c.jpg": None}[name]
 
     choice = loom.sfm.choose_frames(source, tmp_path / "out", masks=mask_of)
     assert asked == [(name, (*SIZE, 3)) for name in ("a.jpg", "b.jpg", "c.jpg")]

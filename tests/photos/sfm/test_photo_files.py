@@ -121,7 +121,7 @@ def test_a_dng_is_developed_and_turned(tmp_path, orientation):
     assert read_lens(path)[:2] == LENS[:2]
 
 
-@pytest.mark.parametrize("share", [0.0, 0.3, 0.9, 0.99])
+@pytest.mark.parametrize("share", [0.0, 0.9])
 @pytest.mark.parametrize("kind", ["heic", "tif", "webp", "dng"])
 def test_what_is_cut_off_is_left_out_and_named(tmp_path, kind, share):
     pytest.importorskip({"heic": "pi_heif", "dng": "rawpy"}.get(kind, "PIL"))
@@ -141,7 +141,7 @@ def test_what_is_cut_off_is_left_out_and_named(tmp_path, kind, share):
     assert kind != "dng" or choice.left_out["bad.dng"].split(":")[0] == ("cut off" if share else "empty")
 
 
-@pytest.mark.parametrize("tenths", range(1, 10))
+@pytest.mark.parametrize("tenths", [1, 5, 9])
 def test_a_dng_of_any_tenths_of_its_size_is_a_named_error(tmp_path, tenths):
     pytest.importorskip("rawpy")
     path = dng(tmp_path / "a.dng", mosaic())
@@ -195,10 +195,3 @@ def test_deep_grey_tiff_becomes_grey_of_8_bits(tmp_path):
     Image.fromarray(np.ones((48, 64), np.float32)).save(tmp_path / "in" / "b.tif")
     with pytest.raises(loom.FileError, match=r"b.tif: expected a picture of 8 or 16 bits"):
         photo_files.read_photo(tmp_path / "in" / "b.tif")
-
-
-def test_features_ask_for_pictures_that_colmap_reads(tmp_path):
-    (tmp_path / "in").mkdir()
-    shutil.copy(HEIC, tmp_path / "in")
-    with pytest.raises(loom.FileError, match=r"1 of .heic.*sfm.choose_frames does that"):
-        loom.sfm.find_features(tmp_path / "in", tmp_path / "f.db")

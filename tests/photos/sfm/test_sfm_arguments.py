@@ -25,7 +25,7 @@ loom.sfm.choose_frames(source=pictures, folder=new(), max_frames=5, max_size=64,
 loom.sfm.find_features(pictures=pictures, database=new(), {FOUND})
 loom.sfm.match(database=database, matches=new(), pairs="auto", overlap=10, neighbours=5, use_gpu=None, {FINDER}, {LIMITS})
 loom.sfm.map_pictures(pictures=pictures, matches=database, folder=new(), mapper="auto", {LIMITS})
-loom.sfm.reconstruct(pictures=pictures, work=new(), pairs="auto", overlap=10, mapper="auto", {FOUND})
+loom.sfm.reconstruct(pictures=pictures, work=new(), pairs="auto", overlap=10, mapper="auto", {FOUND.replace("'pointloom'", "'colmap'")})
 loom.sfm.detect_keypoints(picture=grey, max_features=300, max_size=64, mask=seen, device="cpu")
 loom.sfm.match_keypoints(a=keypoints, b=keypoints, max_ratio=0.8, max_distance=0.7, device="cpu")
 loom.sfm.judge_model(model=model, picture_count=3, model_sizes=[2, 1], focal=None, poses=None)
@@ -140,3 +140,13 @@ def test_a_hostile_value_is_refused_by_name(name, argument, tmp_path, monkeypatc
     call, good = call_of(name)
     faults = faults_of(call, good, argument)
     assert not faults, "\n".join(faults)
+
+
+def test_a_mapper_is_chosen_by_how_many_pictures_there_are(monkeypatch):
+    jobs, results = [], {"sizes": [], "cameras": {}}
+    monkeypatch.setattr(mapping, "run_job", lambda job, *_, **__: jobs.append(job) or (results, 0))
+    call, good = call_of("map_pictures")
+    for many in (2, 1):
+        monkeypatch.setattr(mapping, "MANY_PICTURES", many)
+        call(**good)
+    assert [job["mapper"] for job in jobs] == ["incremental", "global"]

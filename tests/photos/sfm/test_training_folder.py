@@ -15,6 +15,7 @@ import pointloom as loom
 from pointloom.core.errors import FileError
 
 from .conftest import has_pycolmap
+from .made_features import seen_model
 
 SIZE = (96, 64)
 LENSES = {
@@ -27,23 +28,9 @@ UTM = np.array([465_123.25, 5_243_871.5, 431.0])
 
 
 def model_of(kind="OPENCV", *, origin=(0.0, 0.0, 0.0), names=("day 1/a.jpg", "day 2/b.jpg", "c.png")) -> loom.SfmModel:
-    """Three cameras and 60 points that they see, where the lens shows them."""
-    rng = np.random.default_rng(0)
-    camera = loom.CameraModel(kind, *SIZE, LENSES[kind])
-    poses = np.tile(np.eye(4), (3, 1, 1))
-    angle = 0.1
-    poses[1, :3, :3] = [[np.cos(angle), 0, np.sin(angle)], [0, 1, 0], [-np.sin(angle), 0, np.cos(angle)]]
-    poses[:, 0, 3] = -0.1 * np.arange(3)
-    points = np.column_stack([rng.uniform(-1.2, 1.2, 60), rng.uniform(-0.8, 0.8, 60), rng.uniform(2, 3, 60)])
-    pixels = np.concatenate([camera.project(points @ T[:3, :3].T + T[:3, 3]) for T in poses])
-    observations = np.array([(i, k) for i in range(3) for k in range(60)])
-    inside = ((pixels >= 0) & (pixels <= (SIZE[0] - 1, SIZE[1] - 1))).all(axis=1)
-    colors = rng.integers(0, 256, (60, 3), np.uint8)
-    seen = {"observations": observations[inside], "pixels": pixels[inside]}
-    model = loom.SfmModel(names, [camera] * 3, poses, points=points, colors=colors, **seen)
     T = np.eye(4)
     T[:3, 3] = origin
-    return model.transform(T)
+    return seen_model(loom.CameraModel(kind, *SIZE, LENSES[kind]), names).transform(T)
 
 
 def photographs(folder: Path, model: loom.SfmModel) -> Path:
@@ -66,8 +53,7 @@ def written(tmp_path, model, **options):
     return told, tmp_path / "scene"
 
 
-@pytest.mark.parametrize("max_size", [None, 50])
-@pytest.mark.parametrize("kind", LENSES)
+@pytest.mark.parametrize(("kind", "max_size"), [*zip(LENSES, (50, None, 50, None), strict=True)])
 def test_points_lie_in_the_straight_pictures_where_the_lens_saw_them(tmp_path, kind, max_size):
     model = model_of(kind)
     told, scene = written(tmp_path, model, max_size=max_size)

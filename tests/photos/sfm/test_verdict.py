@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import dataclasses
+
 import numpy as np
 import pytest
 
@@ -38,42 +40,32 @@ def views(count: int, *, side: float, turn: float) -> list[np.ndarray]:
 
 @pytest.fixture
 def points(rng):
-    return np.column_stack([rng.uniform(-4, 4, (900, 2)), rng.uniform(3, 8, 900)])
+    return np.column_stack([rng.uniform(-4, 4, (400, 2)), rng.uniform(3, 8, 400)])
 
 
-@pytest.mark.parametrize("focal", [0.7, 1.0, 1.5])
-@pytest.mark.parametrize("k", [-0.1, 0.0, 0.1])
+@pytest.mark.parametrize(("focal", "k"), [(0.7, 0.1), (1.0, -0.1), (1.5, 0.0)])
 def test_turning_explains_what_a_camera_that_turned_saw_whatever_its_lens(points, focal, k):
-    model = model_of(views(12, side=0.0, turn=0.6), points, k=k, wrong_focal=focal, noise=0.3)
+    model = model_of(views(8, side=0.0, turn=0.6), points, k=k, wrong_focal=focal, noise=0.3)
     assert parallax(model) < 1.0  # of which features that are 0.3 px off make up 0.6
 
 
 @pytest.mark.parametrize("side", [0.2, 1.0])
 def test_turning_does_not_explain_what_a_camera_that_moved_saw(points, side):
-    model = model_of(views(12, side=side, turn=0.3), points, noise=0.3)
+    model = model_of(views(8, side=side, turn=0.3), points, noise=0.3)
     assert parallax(model) > 3 and parallax(model, fixed=True) >= parallax(model)
-    assert (loom.sfm.judge_model(model, 12).poor is None) == (side == 1.0)  # else the angles are too small
+    assert (loom.sfm.judge_model(model, 8).poor is None) == (side == 1.0)  # else the angles are too small
 
 
 def test_a_camera_that_turned_is_refused_though_angles_are_wide(points):
-    seen = model_of(views(12, side=0.0, turn=0.6), points, noise=0.3)
+    seen = model_of(views(8, side=0.0, turn=0.6), points, noise=0.3)
     moved = seen.T_camera_world.copy()
-    moved[:, 0, 3] = np.linspace(-0.5, 0.5, 12)  # motion that was made up
-    model = loom.SfmModel(
-        seen.names,
-        seen.cameras,
-        moved,
-        points=seen.points,
-        observations=seen.observations,
-        pixels=seen.pixels,
-        errors=seen.errors,
-    )
-    verdict = loom.sfm.judge_model(model, 12)
+    moved[:, 0, 3] = np.linspace(-0.5, 0.5, 8)  # motion that was made up
+    verdict = loom.sfm.judge_model(dataclasses.replace(seen, T_camera_world=moved), 8)
     assert verdict.angle > 2 and "the camera hardly moved" in verdict.poor and "move, do not only turn" in verdict.poor
 
 
 def test_far_points_are_uncertain(points):
-    verdict = loom.sfm.judge_model(model_of(views(12, side=0.1, turn=0.3), points * [1, 1, 0.6]), 12)
+    verdict = loom.sfm.judge_model(model_of(views(8, side=0.1, turn=0.3), points * [1, 1, 0.6]), 8)
     assert verdict.angle < 2 and verdict.poor
 
 
@@ -81,7 +73,7 @@ def test_angles_are_those_of_the_two_rays_that_are_farthest_apart(points):
     poses = views(9, side=1.0, turn=0.0)
     model = model_of(poses, points)
     angles = triangulation_angles(model)
-    for point in range(0, 900, 37):
+    for point in range(0, 400, 17):
         rays = model.centers[model.observations[model.observations[:, 1] == point, 0]] - points[point]
         rays /= np.linalg.norm(rays, axis=1, keepdims=True)
         widest = np.degrees(np.arccos(np.clip((rays @ rays.T).min(), -1, 1))) if len(rays) > 1 else 0.0
@@ -100,11 +92,21 @@ def test_points_that_nobody_or_one_saw_have_no_angle():
     assert "only 1 of 5 pictures" in loom.sfm.judge_model(model, 5).poor
 
 
-@pytest.mark.parametrize("scale", [1e-6, 1.0, 1e6])
+@pytest.mark.parametrize("scale", [1e-6, 1e6])
 def test_a_verdict_does_not_depend_on_the_unit_or_the_place(points, scale):
-    model = model_of(views(12, side=1.0, turn=0.3), points)
+    model = model_of(views(8, side=1.0, turn=0.3), points)
     T = np.diag([scale, scale, scale, 1.0])
     T[:3, 3] = 5e5 * scale, 4e6 * scale, 0
-    moved, before = loom.sfm.judge_model(model.transform(T), 12), loom.sfm.judge_model(model, 12)
+    moved, before = loom.sfm.judge_model(model.transform(T), 8), loom.sfm.judge_model(model, 8)
     assert moved.poor is None
     assert (moved.angle, moved.parallax) == (pytest.approx(before.angle, rel=1e-5), pytest.approx(before.parallax))
+
+
+def test_few_pictures_few_points_and_several_models_are_told(points):
+    model = model_of(views(4, side=1.0, turn=0.3), points)
+    assert loom.sfm.judge_model(model, 4).poor is None
+    assert "only 4 of 10 pictures could be placed" in loom.sfm.judge_model(model, 10).poor
+    assert "the pictures fall into 2 models (4, 2 pictures)" in loom.sfm.judge_model(model, 6, model_sizes=(4, 2)).poor
+    assert loom.sfm.judge_model(model, 4, model_sizes=(4, 2)).poor is None  # the same pictures again
+    few = loom.sfm.judge_model(model_of(views(4, side=1.0, turn=0.3), points[:30]), 4)
+    assert "only 30 points were found" in few.poor

@@ -80,11 +80,6 @@ def test_a_blunder_has_exit_code_3_and_its_name(pictured, film, output):
     assert "C by 40" in poor_answer("video", film, "-o", output, "--control", pictured)["poor"]
 
 
-def test_control_and_another_unit_are_refused(pictured, film, output):
-    result = run("video", film, "-o", output, "--control", pictured, "--scale", "2")
-    assert result.exit_code == 2 and "--scale and --control both settle the unit" in result.stderr
-
-
 def test_scale_bars_alone_set_the_size(pictured, film, output, tmp_path):
     bars = tmp_path / "bars.txt"
     marks = [line.split() for line in pictured.read_text().splitlines()[1:]]

@@ -14,8 +14,7 @@ def settle(poses, places, align=None, **known):
     return fit_units(Units(align=align, places=places, **known), model), model
 
 
-@pytest.mark.parametrize("flight", [nadir, oblique])
-@pytest.mark.parametrize("wild", [(), (3,)])
+@pytest.mark.parametrize(("flight", "wild"), [(nadir, ()), (oblique, (3,))])
 def test_exact_gps_gives_the_true_place_by_itself(flight, wild):
     poses = flight()
     fit, model = settle(poses, told(poses, wild=wild))
@@ -26,9 +25,9 @@ def test_exact_gps_gives_the_true_place_by_itself(flight, wild):
     assert tilt < 1e-3  # up at the median place, 50 m away, is turned by 0.0005 degrees
 
 
-@pytest.mark.parametrize("flight", [nadir, oblique])
-@pytest.mark.parametrize("noise", [0.5, 2.0])
-@pytest.mark.parametrize("wild", [(), (3, 11)])
+@pytest.mark.parametrize(
+    ("flight", "noise", "wild"), [(nadir, 0.5, ()), (nadir, 2.0, (3, 11)), (oblique, 0.5, (3, 11)), (oblique, 2.0, ())]
+)
 def test_noise_of_gps_moves_the_model_no_more_than_the_fit_says(flight, noise, wild):
     poses = flight()
     for seed in range(3):

@@ -100,11 +100,9 @@ def test_cells_that_are_too_many_are_refused_before_the_long_work(quick, film, t
     ("words", "message"),
     [
         (("--ortho", "o.tif"), "--cell"),
-        (("--cell", "0.1"), "--cell"),
         (("--dem", "d.tif", "--cell", "0"), "--cell"),
         (("--dem", "d.png", "--cell", "1"), r"d.png: is no name of a GeoTIFF"),
         (("--ortho", "o.tif", "--dem", "o.tif", "--cell", "1"), "o.tif"),
-        (("--ortho", "o.tif", "--cell", "1"), "o.tif: is a map, and nothing will tell"),
     ],
 )
 def test_the_command_refuses_maps_that_make_no_sense(quick, film, tmp_path, monkeypatch, words, message):

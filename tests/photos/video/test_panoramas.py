@@ -13,7 +13,7 @@ from pointloom.photos.sfm.sphere_pictures import with_all_faces
 from pointloom.photos.video import motion
 
 from ..sfm.conftest import has_pycolmap, write_pictures
-from ..video_makers import distorted_pictures, spheres_from, strong_lens
+from .room_pictures import fisheye_pictures, spheres_from
 
 
 def quiet(*_):
@@ -103,10 +103,9 @@ def test_pictures_of_all_directions_are_placed_where_they_were_taken(tmp_path):
 @pytest.mark.skipif(not has_pycolmap(), reason="pycolmap is not installed")
 @pytest.mark.parametrize("mapper", ["incremental", "global"])
 def test_pictures_of_a_fisheye_that_nobody_measured_are_placed_and_it_is_found(tmp_path, mapper):
-    poses, lens = room_video_poses(60)[:10], strong_lens((320, 240), "OPENCV_FISHEYE")
-    pictures = write_pictures(
-        tmp_path / "in", distorted_pictures(poses, lens, finer=1.5), [f"{k}.png" for k in range(10)]
-    )
+    poses = room_video_poses(60)[:10]
+    lens = loom.CameraModel("OPENCV_FISHEYE", 320, 240, [160, 160, 160, 120, 0.02, -0.01, 0, 0])
+    pictures = write_pictures(tmp_path / "in", fisheye_pictures(poses, lens), [f"{k}.png" for k in range(10)])
     result = loom.sfm.reconstruct(pictures, tmp_path / "work", camera_model="OPENCV_FISHEYE", mapper=mapper)
     assert result.model is not None and len(result.model) == 10
     assert result.model.cameras[0].params[0] == pytest.approx(160, rel=0.02)

@@ -12,6 +12,8 @@ from pointloom.photos import mvs
 from pointloom.photos.video import motion, surface
 from pointloom.photos.video.units import Units
 
+from ..sfm.made_features import seen_model
+
 WIDTH, HEIGHT = 96, 64
 NAMES = ("frame_000003.jpg", "frame_000010.jpg", "frame_000020.jpg")
 
@@ -24,18 +26,6 @@ def made(folder):
     return Made(folder.name, folder, "", {}, {}, False)
 
 
-def model_of(camera, rng):
-    """Three cameras a step apart, and 40 points that all see where the lens shows them."""
-    poses = np.tile(np.eye(4), (3, 1, 1))
-    poses[:, 0, 3] = -0.1 * np.arange(3)
-    points = np.column_stack([rng.uniform(-0.8, 0.8, 40), rng.uniform(-0.5, 0.5, 40), rng.uniform(2, 3, 40)])
-    pixels = np.concatenate([camera.project(points + pose[:3, 3]) for pose in poses])
-    observations = np.array([(i, k) for i in range(3) for k in range(40)])
-    inside = ((pixels >= 0) & (pixels <= (WIDTH - 1, HEIGHT - 1))).all(axis=1)
-    seen = {"observations": observations[inside], "pixels": pixels[inside]}
-    return loom.SfmModel(NAMES, [camera] * 3, poses, points=points, **seen)
-
-
 @pytest.fixture
 def before(tmp_path, rng):
     """The stages frames and model."""
@@ -45,7 +35,7 @@ def before(tmp_path, rng):
         pixels = rng.integers(0, 256, (HEIGHT, WIDTH, 3), np.uint8)
         Image.fromarray(pixels).save(frames / motion.PICTURES / name)
     camera = loom.CameraModel("SIMPLE_RADIAL", WIDTH, HEIGHT, [80.0, 47.0, 33.0, -0.12])
-    loom.write_colmap_model(model / motion.MODEL, model_of(camera, rng))
+    loom.write_colmap_model(model / motion.MODEL, seen_model(camera, NAMES, turn=0))
     return made(frames), made(model)
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
 import pytest
 
 import pointloom as loom
@@ -36,17 +35,8 @@ loom.video.Outputs(mesh="room.ply", cloud="c.ply", trajectory="p.log", picture="
 TABLE = {name.removeprefix("video."): call for name, call in read_table(CALLS, {"frame": "WorldFrame"}).items()}
 RESULTS = {"Fit", "PlacesFit", "KnownPlaces", "StageReport", "VideoFigures", "VideoResult"}
 RESULTS |= {"ControlFit", "ControlResidual", "BarResidual", "GpsGaps"}
-INSIDE = {
-    "PlacesFit.why_doubted",
-    "Outputs.check",
-    "Outputs.check_fit",
-    "Outputs.check_units",
-    "Outputs.write",
-    "Outputs.write_training",
-    "Units.check_names",
-    "Settings.read_posed",
-    "Settings.digest_of_cameras",
-}
+INSIDE = {f"Outputs.{name}" for name in ("check", "check_fit", "check_units", "write", "write_training")}
+INSIDE |= {"PlacesFit.why_doubted", "Units.check_names", "Settings.read_posed", "Settings.digest_of_cameras"}
 
 
 def test_the_table_names_every_argument_of_every_public_call():
@@ -84,39 +74,19 @@ def test_a_hostile_value_is_refused_by_name(name, argument, things):
     assert not faults, "\n".join(faults)
 
 
-@pytest.mark.parametrize(
-    ("given", "error"),
-    [
-        ({"max_frames": 1}, ValueError),
-        ({"max_frames": 2.5}, TypeError),
-        ({"max_frames": True}, TypeError),
-        ({"max_frames": "150"}, TypeError),
-        ({"max_size": 63}, ValueError),
-        ({"max_size": np.nan}, TypeError),
-        ({"max_size": None}, TypeError),
-        ({"seed": -1}, ValueError),
-        ({"seed": "0"}, TypeError),
-        ({"units": "metres"}, TypeError),
-        ({"intrinsic": 5}, TypeError),
-        ({"intrinsic": "nowhere.json"}, FileError),
-    ],
-)
-def test_settings_that_make_no_sense_are_refused(given, error):
-    with pytest.raises(error, match=f"{next(iter(given))}|nowhere|path"):
-        Settings(**given)
+def test_fewer_frames_and_smaller_sizes_than_the_least_are_refused():
+    for given in ({"max_frames": 1}, {"max_size": 63}):
+        with pytest.raises(ValueError, match=next(iter(given))):
+            Settings(**given)
 
 
 @pytest.mark.parametrize(
     ("given", "error"),
     [
         ({"source": None}, TypeError),
-        ({"source": 3}, TypeError),
         ({"outputs": "room.ply"}, TypeError),
-        ({"settings": {"max_frames": 3}}, TypeError),
-        ({"progress": "loud"}, TypeError),
         ({"device": "gpu"}, (DeviceError, ValueError)),
         ({"resume": True}, ValueError),
-        ({"work": 3}, TypeError),
     ],
 )
 def test_calls_that_make_no_sense_do_nothing(quick, film, tmp_path, given, error):

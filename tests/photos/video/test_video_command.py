@@ -93,12 +93,9 @@ def test_the_summary_says_what_became_of_the_pictures(quick, film, output):
         (["--scale", "2"], ["mesh"]),
         (["--known", "0,10,3"], ["mesh"]),
         (["--max-size", "64"], ["undistorted"]),  # the pictures are no larger: what follows is kept
-        (["--max-size", "70"], ["undistorted"]),
         (["--max-frames", "4"], STAGES),
-        (["--max-frames", "100"], ["frames"]),
         (["--seed", "1"], ["features", "matches", "model", "depth", "fused", "mesh"]),
         (["--finder", "pointloom"], ["features", "matches", "model"]),
-        (["--finder", "colmap"], []),
         (["--picture", "room.png"], []),
     ],
 )
@@ -106,19 +103,11 @@ def test_only_what_changed_runs_again(quick, film, output, tmp_path, monkeypatch
     monkeypatch.chdir(tmp_path)
     answer("video", film, "-o", output, "--work", "work")
     quick.ran.clear()
+    film.touch()  # the same bytes
     run("video", film, "-o", output, "--work", "work", "--resume", "--force", *changed)
     assert quick.ran == ran
     run("video", film, "-o", output, "--work", "whole", "--force", *changed)
     assert files_of(tmp_path / "work") == files_of(tmp_path / "whole")
-
-
-def test_a_smaller_size_runs_from_the_straightened_pictures_on(quick, film, output, tmp_path):
-    work = ("--work", tmp_path / "work")
-    answer("video", film, "-o", output, *work, "--max-size", 900)
-    quick.ran.clear()
-    film.touch()  # the same bytes
-    answer("video", film, "-o", output, *work, "--max-size", 64, "--resume", "--force")
-    assert quick.ran == ["undistorted"]
 
 
 def test_another_film_is_another_run(quick, film, output, tmp_path):
@@ -129,7 +118,7 @@ def test_another_film_is_another_run(quick, film, output, tmp_path):
     assert quick.ran[0] == "frames"
 
 
-@pytest.mark.parametrize("stage", STAGES)
+@pytest.mark.parametrize("stage", STAGES[::3] + STAGES[-1:])
 def test_an_interrupted_run_goes_on_to_the_same_bytes(quick, film, output, tmp_path, stage):
     answer("video", film, "-o", output, "--work", tmp_path / "whole")
     whole, mesh = files_of(tmp_path / "whole"), output.read_bytes()
@@ -153,9 +142,6 @@ def test_an_interrupted_run_without_a_work_folder_leaves_nothing(quick, film, ou
     assert names_in(tmp_path) == ["walk.mp4"]
 
 
-# ------------------------------------------------------------------------------------------------- units
-
-
 def test_an_unknown_unit_stands_in_the_file_and_a_known_one_too(quick, film, output, tmp_path):
     assert answer("video", film, "-o", output)["units"] == "arbitrary"
     assert b"\ncomment units arbitrary\n" in output.read_bytes()
@@ -167,20 +153,12 @@ def test_an_unknown_unit_stands_in_the_file_and_a_known_one_too(quick, film, out
     np.testing.assert_allclose(steps, 3.0)  # two steps of half a unit
 
 
-def test_a_known_distance_scales_the_mesh(quick, film, output):
-    report = answer("video", film, "-o", output, "--known", "frame_000000.png,20,4")
-    assert report["fit"]["scale"] == pytest.approx(4.0)  # they are one unit apart
-
-
 def test_known_places_move_the_mesh_and_the_poses(quick, film, output, tmp_path):
     (tmp_path / "places.txt").write_text("0 100 0 0\n10 101 2 0\n20 102 0 0\n30 103 2 0\n")
     report = answer("video", film, "-o", output, "--align", tmp_path / "places.txt")
     assert report["fit"]["places"] == 4
     assert report["fit"]["scale"] == pytest.approx(2.0)
     assert report["mesh"]["bounds"]["min"][0] == pytest.approx(100.0)
-
-
-# ------------------------------------------------------------------------------------------ poor results
 
 
 def test_a_camera_that_only_turned_makes_no_mesh(quick, film, output, tmp_path):
@@ -190,14 +168,6 @@ def test_a_camera_that_only_turned_makes_no_mesh(quick, film, output, tmp_path):
     assert quick.ran == STAGES[:4]
     assert not output.exists()
     assert json.loads((tmp_path / "work" / "report.json").read_text())["poor"] == report["poor"]
-
-
-def test_pictures_of_which_none_is_placed_make_no_mesh(quick, film, output):
-    quick.registered, quick.reasons = 0, ["none of the 8 pictures could be placed"]
-    result = run("video", film, "-o", output)
-    assert (result.exit_code, output.exists()) == (3, False)
-    assert "8 pictures could be placed; nothing is known of depth: move, do not only turn; nothing" in result.stderr
-    assert "0 of 8 placed" in result.stdout
 
 
 def test_a_poor_mesh_is_written_and_the_remedy_told(quick, film, output):
@@ -215,17 +185,13 @@ def test_an_empty_mesh_is_not_written(quick, film, output):
     assert not output.exists()
 
 
-# ---------------------------------------------------------------------------------------------- refusals
-
-
 @pytest.mark.parametrize(
     ("words", "said"),
     [
         (["--scale", "2", "--known", "0,10,1"], "--scale and --known both settle the unit"),
         (["--scale", "0"], "expected a number above 0"),
         (["--known", "0,10"], "expected two pictures and metres above 0"),
-        (["--known", "0,10,-1"], "expected two pictures and metres above 0"),
-        (["--known", ",10,1"], "expected two pictures and metres above 0"),
+        (["--known", ",10,-1"], "expected two pictures and metres above 0"),
         (["--max-frames", "1"], "--max-frames"),
         (["--max-size", "10"], "--max-size"),
         (["--resume"], "--resume goes with --work"),

@@ -1,6 +1,5 @@
 """`loom.video.reconstruct`: what the command does as one call, and what it gives back."""
 
-import dataclasses
 import json
 
 import numpy as np
@@ -62,16 +61,6 @@ def test_a_result_that_is_read_again_from_its_records_is_the_same(quick, film, t
     assert in_json(again) == in_json(first)
 
 
-def test_pictures_that_do_not_suffice_are_a_result_without_a_mesh(quick, film, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    quick.turned = True
-    result = loom.video.reconstruct(film, outputs=loom.video.Outputs("room.ply"))
-    assert (result.mesh, result.cloud, result.model, result.fit) == (None, None, None, None)
-    assert result.poor == "nothing is known of depth: move, do not only turn; nothing was written"
-    assert [name for name, stage in result.stages.items() if stage is None] == list(chain.STAGES)[4:]
-    assert names_in(tmp_path) == ["walk.mp4"]
-
-
 def test_a_camera_is_taken_as_a_file_or_as_itself(quick, film, tmp_path):
     camera = loom.PinholeCameraIntrinsic(64, 48, 50.0, 50.0, 31.5, 23.5)
     loom.write_pinhole_camera_intrinsic(tmp_path / "camera.json", camera)
@@ -80,12 +69,6 @@ def test_a_camera_is_taken_as_a_file_or_as_itself(quick, film, tmp_path):
     quick.ran.clear()
     loom.video.reconstruct(film, loom.video.Settings(intrinsic=camera), work=work, resume=True)
     assert quick.ran == []
-
-
-def test_a_result_cannot_be_changed(quick, film, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    with pytest.raises(dataclasses.FrozenInstanceError):
-        loom.video.reconstruct(film).mesh = None
 
 
 @pytest.mark.parametrize(

@@ -41,7 +41,7 @@ class Broken(Wall):
 
 
 def test_exact_frames_of_the_room_fuse_to_its_surface(device):
-    frames = room_sequence(24, width=320, height=240, noise=False, device=device)
+    frames = room_sequence(12, width=200, height=150, noise=False, device=device)
     mesh = loom.fuse(frames, voxel_size=VOXEL, device=device, read_ahead=0).mesh
     errors = surface_errors(mesh.vertices, device=device)
     assert np.median(errors) < 0.05 * VOXEL
@@ -104,7 +104,7 @@ def test_frames_without_colour_give_a_mesh_without():
     assert result.mesh.vertex_colors is None
 
 
-@pytest.mark.parametrize(("frame_count", "threshold"), [(1, 0), (9, 0), (10, 1), (29, 1), (30, 3)])
+@pytest.mark.parametrize(("frame_count", "threshold"), [(1, 0), (10, 1), (30, 3)])
 def test_the_more_frames_the_more_often_a_voxel_must_be_seen(frame_count, threshold):
     result = loom.fuse(Wall(frame_count), voxel_size=0.05)
     assert result.weight_threshold == threshold
@@ -115,8 +115,10 @@ def test_the_more_frames_the_more_often_a_voxel_must_be_seen(frame_count, thresh
 
 def test_shares_tell_missing_depth_from_depth_out_of_reach():
     far = loom.fuse(Wall(depth=3000), voxel_size=0.05, depth_max=2.0)
+    assert "raise depth_max" in str(far.poor) and "--" not in str(far.poor)
     assert (far.depth_share, far.used_share) == (1.0, 0.0)
     none = loom.fuse(Wall(depth=0), voxel_size=0.05)
+    assert "have a depth" in str(none.poor) and "pointloom info" not in str(none.poor)
     assert (none.depth_share, none.used_share) == (0.0, 0.0)
     assert len(far.mesh) == len(none.mesh) == 0
 
@@ -132,18 +134,6 @@ def test_a_voxel_too_large_for_what_the_frames_see_is_told(voxel_size, said):
     fine = loom.fuse(Wall(), voxel_size=0.02)
     assert fine.poor is None and "poor" not in str(fine)
     assert fine.seen_extent == pytest.approx(31 / 30)
-
-
-def test_a_verdict_on_few_pixels_names_no_option_of_the_shell():
-    far, none = loom.fuse(Wall(depth=3000), voxel_size=0.02, depth_max=2.0), loom.fuse(Wall(depth=0), voxel_size=0.02)
-    assert "raise depth_max" in str(far.poor) and "--" not in str(far.poor)
-    assert "have a depth" in str(none.poor) and "pointloom info" not in str(none.poor)
-
-
-def test_progress_counts_every_frame():
-    said = []
-    loom.fuse(Wall(4), voxel_size=0.05, progress=lambda *step: said.append(step))
-    assert said == [*(("frames", i, 4) for i in range(5)), ("extract", 0, 0)]
 
 
 @pytest.mark.parametrize("read_ahead", [0, READ_AHEAD])
@@ -183,26 +173,6 @@ def test_a_frame_that_does_not_fit_is_named(part, reason):
 def test_options_out_of_range_are_named(options, name):
     with pytest.raises(ValueError, match=name):
         loom.fuse(Wall(), **options)
-
-
-def test_no_frame_is_an_error():
-    with pytest.raises(ValueError, match="at least one frame"):
-        loom.fuse(Wall(0))
-
-
-def test_threads_follow_the_chosen_compiler(device):
-    """What is read ahead may launch kernels; the caller's choice of compiler holds for them."""
-    from pointloom.kernels.lang import current_cpu_compiler
-
-    seen = []
-
-    class Asking(Wall):
-        def read(self, index):
-            seen.append((threading.current_thread().name.startswith("pointloom-read"), current_cpu_compiler()))
-            return super().read(index)
-
-    loom.fuse(Asking(3), voxel_size=0.05, device=device)
-    assert set(seen) == {(True, current_cpu_compiler())}
 
 
 @pytest.mark.parametrize(("depth_max", "used"), [(0.999, 0.0), (1.0, 1.0), (1.001, 1.0)])

@@ -9,10 +9,11 @@ import pointloom as loom
 
 from .made_frames import CAMERA, picture, pose_of
 
-o3d = pytest.importorskip("open3d")
 od = loom.odometry
 POSES = pose_of([0, 0, 0], [0, 0, 0]), pose_of([0.01, -0.02, 0.005], [0.02, -0.01, 0.01])
 STEPS = [(0, 0, 1), (0, 1, 0), (1, 0, 0), (6, 4, 2)]
+LEGACY = [(with_depth, steps) for with_depth in (True, False) for steps in STEPS]
+TENSOR = [(method, steps) for method in od.Method for steps in STEPS[:3]]  # of more, runs of Open3D differ in float32
 MATRIX = [[CAMERA.fx, 0, CAMERA.cx], [0, CAMERA.fy, CAMERA.cy], [0, 0, 1]]
 
 
@@ -35,7 +36,7 @@ def real_pictures(scan_set, scan_file):
     return [(frame.color, frame.depth) for frame in map(frames.read, chosen)], frames.intrinsic
 
 
-def legacy(pictures, camera, with_depth, steps):
+def legacy(o3d, pictures, camera, with_depth, steps):
     """(success, pose, information) of Open3D."""
     pipeline, images = o3d.pipelines.odometry, []
     for color, raw in pictures:
@@ -43,13 +44,15 @@ def legacy(pictures, camera, with_depth, steps):
         images.append(o3d.geometry.RGBDImage.create_from_color_and_depth(*both, 1000.0, 4.0, True))
     term = pipeline.RGBDOdometryJacobianFromHybridTerm() if with_depth else pipeline.RGBDOdometryJacobianFromColorTerm()
     numbers = (camera.width, camera.height, camera.fx, camera.fy, camera.cx, camera.cy)
-    intrinsic = o3d.camera.PinholeCameraIntrinsic(*numbers)
-    option = pipeline.OdometryOption(o3d.utility.IntVector(steps))
+    intrinsic, option = (
+        o3d.camera.PinholeCameraIntrinsic(*numbers),
+        pipeline.OdometryOption(o3d.utility.IntVector(steps)),
+    )
     return pipeline.compute_rgbd_odometry(*images, intrinsic, np.eye(4), term, option)
 
 
-def tensor(pictures, camera, method, steps):
-    """The result of Open3D's tensor form."""
+def tensor(o3d, pictures, camera, method, steps):
+    """(pose, fitness) of Open3D's tensor form."""
     pipeline, images = o3d.t.pipelines.odometry, []
     for color, raw in pictures:
         parts = (o3d.t.geometry.Image(o3d.core.Tensor(np.ascontiguousarray(part))) for part in (color, raw))
@@ -57,15 +60,16 @@ def tensor(pictures, camera, method, steps):
     criteria = [pipeline.OdometryConvergenceCriteria(step, 1e-12, 1e-12) for step in steps]
     matrix, start = o3d.core.Tensor(camera.matrix), o3d.core.Tensor(np.eye(4))
     kind = getattr(pipeline.Method, method.name)
-    return pipeline.rgbd_odometry_multi_scale(*images, matrix, start, 1000.0, 3.0, criteria, kind)
+    found = pipeline.rgbd_odometry_multi_scale(*images, matrix, start, 1000.0, 3.0, criteria, kind)
+    return found.transformation.numpy(), found.fitness
 
 
 def ours(pictures, device):
     return [loom.RGBDImage.from_color_and_depth(*pair, 1000.0, 4.0, device=device) for pair in pictures]
 
 
-def check_legacy(pictures, camera, device, with_depth, steps, tolerances):
-    success, pose, information = legacy(pictures, camera, with_depth, steps)
+def check_legacy(theirs, pictures, camera, device, with_depth, steps, tolerances):
+    success, pose, information = theirs
     term = od.RGBDOdometryJacobianFromHybridTerm() if with_depth else od.RGBDOdometryJacobianFromColorTerm()
     option = od.OdometryOption(steps)
     result = od.compute_rgbd_odometry(*ours(pictures, device), camera, None, term, option, weights="open3d")
@@ -75,45 +79,53 @@ def check_legacy(pictures, camera, device, with_depth, steps, tolerances):
     assert not np.allclose(pose, np.eye(4), atol=1e-5)
 
 
-def check_tensor(pictures, camera, device, method, steps, tolerances):
-    theirs = tensor(pictures, camera, method, steps)
+def check_tensor(theirs, pictures, camera, device, method, steps, tolerances):
+    pose, fitness = theirs
     criteria = [od.OdometryConvergenceCriteria(step, 1e-12, 1e-12) for step in steps]
     images = ours(pictures, device)
     result = od.rgbd_odometry_multi_scale(*images, camera.matrix, None, 1000.0, 3.0, criteria, method, weights="open3d")
-    assert np.abs(result.transformation - theirs.transformation.numpy()).max() < tolerances.odometry_open3d_tensor
-    assert abs(result.fitness - theirs.fitness) < 2e-4
+    assert np.abs(result.transformation - pose).max() < tolerances.odometry_open3d_tensor
+    assert abs(result.fitness - fitness) < 2e-4
 
 
-@pytest.mark.parametrize("steps", STEPS)
-@pytest.mark.parametrize("with_depth", [True, False])
-def test_the_legacy_odometry_of_made_pictures(device, with_depth, steps, tolerances):
-    check_legacy(*made_pictures(), device, with_depth, steps, tolerances)
+def of_made_pictures(o3d):
+    """Open3D's results of all cases of the made pictures."""
+    made = made_pictures()
+    of_legacy = [legacy(o3d, *made, with_depth, steps) for with_depth, steps in LEGACY]
+    return of_legacy, [tensor(o3d, *made, method, steps) for method, steps in TENSOR]
 
 
-@pytest.mark.parametrize("steps", STEPS[:3])  # of several steps in float32 Open3D itself differs from run to run
-@pytest.mark.parametrize("method", list(od.Method))
-def test_the_tensor_odometry_of_made_pictures(device, method, steps, tolerances):
-    check_tensor(*made_pictures(), device, method, steps, tolerances)
+def test_the_odometries_of_made_pictures(device, oracle, tolerances):
+    of_legacy, of_tensor = oracle("rgbd/odometry", of_made_pictures)
+    for theirs, case in zip(of_legacy, LEGACY, strict=True):
+        check_legacy(theirs, *made_pictures(), device, *case, tolerances)
+    for theirs, case in zip(of_tensor, TENSOR, strict=True):
+        check_tensor(theirs, *made_pictures(), device, *case, tolerances)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("with_depth", [True, False])
-def test_the_legacy_odometry_of_real_pictures(real_pictures, with_depth, tolerances):
-    check_legacy(*real_pictures, "cpu", with_depth, (20, 10, 5), tolerances)
+def test_the_legacy_odometry_of_real_pictures(real_pictures, o3d, with_depth, tolerances):
+    theirs = legacy(o3d, *real_pictures, with_depth, (20, 10, 5))
+    check_legacy(theirs, *real_pictures, "cpu", with_depth, (20, 10, 5), tolerances)
 
 
 @pytest.mark.parametrize("method", list(od.Method))
-def test_the_tensor_odometry_of_real_pictures(real_pictures, method, tolerances):
-    check_tensor(*real_pictures, "cpu", method, (10, 5, 3), tolerances)
+def test_the_tensor_odometry_of_real_pictures(real_pictures, o3d, method, tolerances):
+    theirs = tensor(o3d, *real_pictures, method, (10, 5, 3))
+    check_tensor(theirs, *real_pictures, "cpu", method, (10, 5, 3), tolerances)
 
 
-def test_the_information_of_two_depths(device):
-    (first, second), camera = made_pictures()
-    raws = [np.ascontiguousarray(pair[1]) for pair in (first, second)]
-    pose = np.linalg.inv(POSES[1]) @ POSES[0]
+def information_of(o3d, raws, camera, pose):
     images = [o3d.t.geometry.Image(o3d.core.Tensor(raw)) for raw in raws]
     numbers = (o3d.core.Tensor(camera.matrix), o3d.core.Tensor(pose), 0.07, 1000.0, 3.0)
-    theirs = o3d.t.pipelines.odometry.compute_odometry_information_matrix(*images, *numbers).numpy()
+    return o3d.t.pipelines.odometry.compute_odometry_information_matrix(*images, *numbers).numpy()
+
+
+def test_the_information_of_two_depths(oracle):
+    (first, second), camera = made_pictures()
+    raws, pose = [np.ascontiguousarray(pair[1]) for pair in (first, second)], np.linalg.inv(POSES[1]) @ POSES[0]
+    theirs = oracle("rgbd/odometry_information", information_of, raws, camera, pose)
     mine = od.compute_odometry_information_matrix(*raws, camera, pose, 0.07)
     assert np.abs(mine - theirs).max() < 2e-3 * np.abs(theirs).max()
 

@@ -65,9 +65,7 @@ def test_the_report_is_json_and_names_files_that_are_there(room):
     assert all(Path(path).is_file() for path in report.files)
 
 
-def test_open3d_reads_the_pose_graphs(room):
-    import open3d as o3d
-
+def test_open3d_reads_the_pose_graphs(room, o3d):
     _, folder, report = room
     graph = o3d.io.read_pose_graph(str(folder / "scene" / "refined_registration_optimized.json"))
     assert (len(graph.nodes), len(graph.edges)) == (3, report.edges)
@@ -168,14 +166,6 @@ def test_a_stream_is_recorded_and_then_read_as_often_as_needed(tmp_path):
         run_system(Stream(walk), config(), tmp_path)
 
 
-def test_progress_tells_every_stage(tmp_path):
-    seen = []
-    run_system(Walk(range(4)), config(n_frames_per_fragment=2), tmp_path, progress=lambda *step: seen.append(step))
-    assert list(dict.fromkeys(stage for stage, _, _ in seen)) == ["frames", "pairs", "refine", "integrate", "extract"]
-    assert ("frames", 4, 4) in seen
-    assert ("integrate", 4, 4) in seen
-
-
 def test_frames_are_not_held(tmp_path):
     walk, alive, most = Walk(range(8)), [], []
     inner = walk.read
@@ -191,12 +181,6 @@ def test_frames_are_not_held(tmp_path):
     run_system(walk, config(n_frames_per_fragment=4), tmp_path)
     assert len(most) == 24  # twice for fragments, once for the scene
     assert max(most) <= 6  # those decoded ahead
-
-
-@pytest.mark.parametrize("settings", [None, {}, "config.json"], ids=["None", "a dictionary", "a path"])
-def test_a_configuration_is_one(tmp_path, settings):
-    with pytest.raises(TypeError, match="config: expected a ReconstructionConfig"):
-        loom.reconstruction.make_fragments(Walk([0]), settings, tmp_path)
 
 
 @pytest.mark.slow

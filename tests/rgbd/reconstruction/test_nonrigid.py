@@ -98,6 +98,7 @@ def test_frames_go_through_the_grid(whole):
     assert np.median(cloud.compute_point_cloud_distance(written)) < 1e-5
 
 
+@pytest.mark.slow
 def test_a_run_without_slac_takes_nothing_of_an_earlier_one_with_it(whole, job, tmp_path):
     report = rec.run_system(bent_walk(), SETTINGS, job, resume=True)
     assert report.slac is None
@@ -129,9 +130,6 @@ def test_frames_without_colour_are_bent_too(tmp_path, device):
     assert loom.read_triangle_mesh(tmp_path / "scene" / "integrated.ply").vertex_colors is None
 
 
-# ------------------------------------------------------------------------------------------------ resuming
-
-
 def test_a_run_that_is_done_is_kept_as_it_is(whole, job):
     _, first, content = whole
     times = {path: path.stat().st_mtime_ns for path in job.rglob("*.[np][pl][zy]")}
@@ -160,7 +158,9 @@ def test_an_interrupted_stage_resumes_to_the_same_bits(whole, job):
         assert digest_of(job) == whole[2], f"interrupted before line {stop} of {lines}"
 
 
-@pytest.mark.parametrize("name", ["control_grid.npz", "optimized_posegraph_slac.json"])
+@pytest.mark.parametrize(
+    "name", [pytest.param("control_grid.npz", marks=pytest.mark.slow), "optimized_posegraph_slac.json"]
+)
 def test_a_damaged_file_is_made_again(whole, job, name):
     content = whole[2]
     path = job / "slac" / name
@@ -171,6 +171,7 @@ def test_a_damaged_file_is_made_again(whole, job, name):
     assert digest_of(job) == content
 
 
+@pytest.mark.slow
 def test_another_stiffness_is_another_stage(whole, job):
     _, report, content = whole
     softer = dataclasses.replace(SETTINGS, regularizer_weight=0.1)
@@ -202,9 +203,6 @@ def test_what_slac_does_not_take_is_told_before_the_work(tmp_path):
     with pytest.raises(ValueError, match="fitness_threshold"):
         rec.run_system(Walk([0, 1]), config(fitness_threshold=2.0), tmp_path, slac=True)
     assert not list(tmp_path.rglob("*.ply"))
-
-
-# ------------------------------------------------------------------------------------------------ the grid's file
 
 
 def a_grid(device="cpu"):

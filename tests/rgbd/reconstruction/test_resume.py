@@ -3,6 +3,8 @@
 import errno
 import io
 import os
+import shutil
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -28,22 +30,32 @@ def the_walk():
 
 
 @pytest.fixture(scope="module")
-def whole(tmp_path_factory):
-    """What an uninterrupted run leaves."""
+def done(tmp_path_factory):
+    """An uninterrupted run: its folder, its report and its files."""
     folder = tmp_path_factory.mktemp("whole")
-    run_system(the_walk(), SETTINGS, folder)
-    return digest_of(folder)
+    report = run_system(the_walk(), SETTINGS, folder)
+    return folder, report, digest_of(folder)
 
 
-def test_a_run_that_is_done_is_kept_as_it_is(tmp_path, whole):
-    first = run_system(the_walk(), SETTINGS, tmp_path)
-    times = {path: path.stat().st_mtime_ns for path in tmp_path.rglob("*.ply")}
-    again = run_system(the_walk(), SETTINGS, tmp_path, resume=True)
+@pytest.fixture
+def whole(done):
+    return done[2]
+
+
+@pytest.fixture
+def job(done, tmp_path):
+    """A copy of it that a test may change."""
+    return Path(shutil.copytree(done[0], tmp_path / "job"))
+
+
+def test_a_run_that_is_done_is_kept_as_it_is(done, job):
+    times = {path: path.stat().st_mtime_ns for path in job.rglob("*.ply")}
+    again = run_system(the_walk(), SETTINGS, job, resume=True)
     assert again.kept == 2
-    assert {path: path.stat().st_mtime_ns for path in tmp_path.rglob("*.ply")} == times
+    assert {path: path.stat().st_mtime_ns for path in job.rglob("*.ply")} == times
     for name in ("lost", "fragments", "mesh", "trajectory_error", "poor"):
-        assert getattr(again, name) == getattr(first, name)
-    assert digest_of(tmp_path) == whole
+        assert getattr(again, name) == getattr(done[1], name)
+    assert digest_of(job) == done[2]
 
 
 @pytest.mark.slow
@@ -83,7 +95,7 @@ class FullDisk(io.FileIO):
         return super().write(data)
 
 
-@pytest.mark.parametrize("room", [0, 3000, 200_000, 1_500_000])
+@pytest.mark.parametrize("room", [3000, 200_000])
 def test_a_full_disk_is_said_and_the_run_goes_on_from_there(tmp_path, monkeypatch, whole, room):
     FullDisk.room = room
     with monkeypatch.context() as patch:
@@ -96,33 +108,28 @@ def test_a_full_disk_is_said_and_the_run_goes_on_from_there(tmp_path, monkeypatc
 
 
 @pytest.mark.parametrize("name", ["fragments/fragment_001.ply", "scene/integrated.ply", "records/refine.json"])
-def test_a_damaged_file_is_made_again(tmp_path, whole, name):
-    run_system(the_walk(), SETTINGS, tmp_path)
-    path = tmp_path / name
+def test_a_damaged_file_is_made_again(job, whole, name):
+    path = job / name
     path.write_bytes(path.read_bytes()[:-40])
-    run_system(the_walk(), SETTINGS, tmp_path, resume=True)
-    assert digest_of(tmp_path) == whole
+    run_system(the_walk(), SETTINGS, job, resume=True)
+    assert digest_of(job) == whole
 
 
-def test_another_configuration_is_another_run(tmp_path):
-    run_system(the_walk(), SETTINGS, tmp_path)
-    finer = config(n_frames_per_fragment=2)
-    report = run_system(the_walk(), finer, tmp_path, resume=True)
+def test_another_configuration_is_another_run(job):
+    report = run_system(the_walk(), config(n_frames_per_fragment=2), job, resume=True)
     assert report.kept == 0
     assert [fragment.frames for fragment in report.fragments] == [2, 2]
 
 
-def test_a_stage_is_made_again_where_its_own_names_change(tmp_path):
-    first = run_system(the_walk(), SETTINGS, tmp_path)
-    report = run_system(the_walk(), config(n_frames_per_fragment=3, tsdf_voxel_size=0.04), tmp_path, resume=True)
+def test_a_stage_is_made_again_where_its_own_names_change(done, job):
+    report = run_system(the_walk(), config(n_frames_per_fragment=3, tsdf_voxel_size=0.04), job, resume=True)
     assert report.kept == 2
-    assert report.mesh["vertices"] < first.mesh["vertices"]
+    assert report.mesh["vertices"] < done[1].mesh["vertices"]
 
 
-def test_a_changed_frame_is_made_again_from_there_on(tmp_path):
-    run_system(Walk(range(6)), SETTINGS, tmp_path)
-    changed = Walk(range(6), changed={4: {"depth": frame_at(4).depth + np.uint16(1)}})
-    assert run_system(changed, SETTINGS, tmp_path, resume=True).kept == 1
+def test_a_changed_frame_is_made_again_from_there_on(job):
+    changed = Walk(range(7), changed={3: blank(frame_at(3)), 5: {"depth": frame_at(5).depth + np.uint16(1)}})
+    assert run_system(changed, SETTINGS, job, resume=True).kept == 1
 
 
 @pytest.mark.slow
@@ -133,12 +140,11 @@ def test_a_walk_that_grew_keeps_what_was_complete(tmp_path):
     assert [fragment.frames for fragment in report.fragments] == [3, 3, 2]
 
 
-def test_a_walk_that_shrank_leaves_no_fragment_of_the_old_one(tmp_path):
-    run_system(Walk(range(6)), SETTINGS, tmp_path)
-    report = run_system(Walk(range(3)), SETTINGS, tmp_path, resume=True)
+def test_a_walk_that_shrank_leaves_no_fragment_of_the_old_one(job):
+    report = run_system(Walk(range(3)), SETTINGS, job, resume=True)
     assert [fragment.frames for fragment in report.fragments] == [3]
     assert report.used == 3
-    assert not list(tmp_path.rglob("*_001.*"))
+    assert not list(job.rglob("*_001.*"))
 
 
 @pytest.mark.slow
@@ -150,7 +156,5 @@ def test_fragments_of_an_older_run_are_gone_even_where_it_was_interrupted_while_
     assert not list(tmp_path.rglob("*_003.*"))
 
 
-def test_without_resume_nothing_is_kept(tmp_path):
-    run_system(the_walk(), SETTINGS, tmp_path)
-    walk = the_walk()
-    assert run_system(walk, SETTINGS, tmp_path).kept == 0
+def test_without_resume_nothing_is_kept(job):
+    assert run_system(the_walk(), SETTINGS, job).kept == 0

@@ -74,3 +74,11 @@ def hall_run(device, frames, angles, first=0):
         T[:3, 3] = (0.3 * np.cos(angle), 0.3 * np.sin(angle), 0.1)
         recorder.add(hall_depth(T), T, number=first + i)
     return recorder.finish()[0]
+
+
+def record(poses, device="cpu", **options):
+    """A recorder that has seen a flat wall 1.5 m before each camera."""
+    recorder = SubmapRecorder(CAMERA, **{"voxel_size": 0.1, "color": False, "device": device} | options)
+    for pose in poses:
+        recorder.add(np.full((CAMERA.height, CAMERA.width), 1.5), pose)
+    return recorder

@@ -60,6 +60,7 @@ def test_maps_that_share_nothing_are_not_joined(device):
     assert slam.join_maps() == []  # nothing new to look at
 
 
+@pytest.mark.slow
 def test_a_map_is_joined_where_the_camera_comes_into_the_old_one(device):
     """Lost at 60, it walks back to where it began."""
     slam, seen = begun(device), [*range(0, 14, 2), *range(60, -1, -2)]
@@ -99,19 +100,19 @@ def renumbered(other, slam):
     return known
 
 
-@pytest.mark.parametrize(("shift", "is_right"), [((0, 0, 0), True), ((0.2, 0, 0), False), ((0, -0.3, 0.1), False)])
-def test_a_join_has_to_be_borne_out_by_the_maps(device, shift, is_right):
+def test_a_join_has_to_be_borne_out_by_the_maps(device):
     first, second = begun(device), begun(device)
     first.run(frames(*range(0, 24, 4)))
     second.model.current_frame_pose = frame(8).T_world_camera.copy()
     second.run(frames(*range(8, 32, 4)))
-    T = np.eye(4)
-    T[:3, 3] = shift
-    join = judge_join(first._maps.here, second._maps.here, T)
-    assert bool(join.refused) is not is_right, join
-    if is_right:
-        poses = np.array(second.keyframes.poses)
-        assert np.linalg.norm((join.T_target_source @ poses - poses)[:, :3, 3], axis=1).max() < 0.02
+    join = judge_join(first._maps.here, second._maps.here, np.eye(4))
+    poses = np.array(second.keyframes.poses)
+    assert not join.refused
+    assert np.linalg.norm((join.T_target_source @ poses - poses)[:, :3, 3], axis=1).max() < 0.02
+    for shift in ((0.2, 0, 0), (0, -0.3, 0.1)):
+        T = np.eye(4)
+        T[:3, 3] = shift
+        assert judge_join(first._maps.here, second._maps.here, T).refused
 
 
 @pytest.mark.parametrize(

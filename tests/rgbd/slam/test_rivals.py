@@ -40,6 +40,7 @@ def wall_frame(number: int, has_texture: bool):
     return made(depth.astype(np.float32), color, pose, number / 5.0, str(number))
 
 
+@cache
 def covered_walk(device: str, has_texture: bool):
     """The results of a walk in which the camera goes on by one pillar while it is covered."""
     shown = [wall_frame(number, has_texture) for number in range(24)]

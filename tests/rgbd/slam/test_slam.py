@@ -39,42 +39,46 @@ def test_the_trajectory_has_the_frames_numbers_and_times(device):
     assert path.timestamps.tolist() == [taken[0].timestamp, taken[2].timestamp]
 
 
-def test_depth_without_colour_is_tracked(device):
-    taken, slam = frames(*range(6)), begun(device)
-    assert_found(slam.run([changed(f, color=None) for f in taken]), taken)
-    assert slam.render(taken[0].T_world_camera).colors is None
+def lit(shown, gain):
+    return changed(shown, color=np.clip(shown.color * gain, 0, 255).astype(np.uint8))
 
 
-def test_colour_that_is_missing_for_some_frames_does_not_stop_the_model(device):
-    taken, slam = frames(*range(6)), begun(device)
-    given = [f if f is not taken[2] and f is not taken[3] else changed(f, color=None) for f in taken]
-    assert_found(slam.run(given), taken)
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda k, shown: changed(shown, color=None),
+        lambda k, shown: changed(shown, color=None) if k in (2, 3) else shown,
+        lambda k, shown: lit(shown, 1 + 0.4 * np.sin(2 * k)),
+        lambda k, shown: frame(2 * k),
+    ],
+    ids=["depth alone", "some without color", "rolling exposure", "farther apart"],
+)
+def test_other_frames_are_tracked_too(device, change):
+    taken, slam = [change(k, frame(k)) for k in range(6)], begun(device)
+    assert_found(slam.run(taken), taken)
     assert slam.volume.frame_count == 6
+    colors = slam.render(taken[0].T_world_camera).colors
+    assert (colors is None) == all(shown.color is None for shown in taken)
 
 
-def test_rolling_exposure_changes_little(device):
-    taken, slam = frames(*range(6)), begun(device)
-    bright = [
-        changed(f, color=np.clip(f.color * (1 + 0.4 * np.sin(2 * k)), 0, 255).astype(np.uint8))
-        for k, f in enumerate(taken)
-    ]
-    assert_found(slam.run(bright), taken)
+def test_what_does_not_lie_on_the_model_is_not_fused(device):
+    slam, shown = begun(device), frame(4)
+    assert slam.step(blank(frame(0))).verdict == "lost"
+    slam.run(frames(*range(4)))
+    assert slam.results[1].verdict == "tracked", "the world begins with the first frame that has depth"
+    dark, elsewhere = slam.step(blank(shown)), slam.step(frame(150))
+    assert (dark.verdict, dark.pose, dark.fused) == ("lost", None, False) and "blank" in dark.reason
+    assert (elsewhere.verdict, elsewhere.pose) == ("lost", None) and elsewhere.reason
+    wall = changed(shown, depth=np.full_like(shown.depth, 1200), color=np.full_like(shown.color, 90))
+    assert slam.step(wall).verdict != "tracked"
+    assert slam.volume.frame_count == 4
 
 
-def test_a_blank_frame_is_lost_and_not_fused(device):
-    slam = begun(device)
-    slam.run(frames(0, 1))
-    result = slam.step(blank(frame(2)))
-    assert (result.verdict, result.pose, result.fused) == ("lost", None, False)
-    assert "blank" in result.reason
-    assert slam.volume.frame_count == 2
-
-
-def test_a_camera_that_was_covered_for_two_seconds_is_found_again(device):
-    """60 frames of 30 a second; meanwhile it moves by 6 frames of this walk, some 9 cm and 7 degrees."""
+def test_a_camera_that_was_covered_for_a_while_is_found_again(device):
+    """Meanwhile it moves by 6 frames of this walk, some 9 cm and 7 degrees."""
     slam = begun(device)
     slam.run(frames(*range(6)))
-    lost = [slam.step(blank(frame(6))) for _ in range(60)]
+    lost = [slam.step(blank(frame(6))) for _ in range(12)]
     assert set(verdicts(lost)) == {"lost"}
     assert slam.volume.frame_count == 6
     results = slam.run(frames(9, 10, 11))
@@ -85,30 +89,12 @@ def test_a_camera_that_was_covered_for_two_seconds_is_found_again(device):
 
 def test_a_lost_camera_is_found_again_from_a_keyframe(device):
     slam = begun(device)
-    slam.run(frames(*range(0, 40, 2)))
+    slam.run(frames(*range(0, 28, 2)))
     assert len(slam.keyframes) >= 3
-    slam.step(blank(frame(40)))
+    slam.step(blank(frame(28)))
     first, second = slam.run(frames(1, 2))  # where it began, far from where it was last
     assert first.relocalized and not second.relocalized
     assert_found([first, second], frames(1, 2))
-
-
-def test_a_frame_of_another_place_is_not_believed(device):
-    slam = begun(device)
-    slam.run(frames(*range(4)))
-    result = slam.step(frame(150))  # half a loop on: the other side of the room
-    assert result.verdict == "lost" and result.pose is None
-    assert result.reason
-    assert slam.volume.frame_count == 4
-
-
-def test_a_picture_of_nothing_but_a_wall_is_not_firmly_tracked(device):
-    slam = begun(device)
-    slam.run(frames(*range(4)))
-    shown = frame(4)
-    wall = changed(shown, depth=np.full_like(shown.depth, 1200), color=np.full_like(shown.color, 90))
-    assert slam.step(wall).verdict != "tracked"
-    assert slam.volume.frame_count == 4
 
 
 def test_a_flat_wall_without_colour_is_uncertain_as_long_as_it_lasts(device):
@@ -143,14 +129,7 @@ def test_one_frame_or_none_is_a_run_too(device):
     assert len(slam.extract_triangle_mesh(0).vertices) > 100
 
 
-def test_the_world_begins_with_the_first_frame_that_has_depth(device):
-    slam = begun(device)
-    assert slam.step(blank(frame(0))).verdict == "lost"
-    result = slam.step(frame(0))
-    assert result.verdict == "tracked" and result.index == 1
-
-
-@pytest.mark.parametrize("jump", [-5.0, 0.0, 1000.0, np.nan])
+@pytest.mark.parametrize("jump", [-5.0, 1000.0, np.nan])
 def test_time_that_jumps_takes_the_velocity_away_and_nothing_else(device, jump):
     taken, slam = frames(*range(5)), begun(device)
     slam.run(taken[:3])
@@ -161,11 +140,6 @@ def test_time_that_jumps_takes_the_velocity_away_and_nothing_else(device, jump):
         return
     assert_found([slam.step(changed(taken[3], timestamp=time))], taken[3:4])
     assert_found([slam.step(changed(taken[4], timestamp=time + 1 / 30))], taken[4:5])
-
-
-def test_frames_farther_apart_are_tracked_by_their_velocity(device):
-    taken, slam = frames(*range(0, 12, 2)), begun(device)
-    assert_found(slam.run(taken), taken)
 
 
 def test_tracking_alone_leaves_the_model_as_it_is(device):
@@ -186,12 +160,6 @@ def test_runs_give_the_same_bits(device):
     second.run(iter(taken))  # a stream
     assert np.array_equal(first.trajectory.poses, second.trajectory.poses)
     assert np.array_equal(first.extract_triangle_mesh(0).vertices, second.extract_triangle_mesh(0).vertices)
-
-
-def test_progress_counts_the_frames(device):
-    said: list[tuple[str, int, int]] = []
-    begun(device).run(frames(0, 1), progress=lambda *step: said.append(step))
-    assert said == [("tracking", 1, 2), ("tracking", 2, 2)]
 
 
 def test_a_model_tracks_and_renders(device):

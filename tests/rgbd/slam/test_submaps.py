@@ -6,14 +6,7 @@ import pytest
 from pointloom.registration.rigid import pose_of
 from pointloom.rgbd.slam.submaps import SubmapRecorder, tracked_run
 
-from .loop_scenes import CAMERA, hall_depth, hall_run
-
-
-def record(poses, device="cpu", **options):
-    recorder = SubmapRecorder(CAMERA, **{"voxel_size": 0.1, "color": False, "device": device} | options)
-    for pose in poses:
-        recorder.add(np.full((CAMERA.height, CAMERA.width), 1.5), pose)
-    return recorder
+from .loop_scenes import CAMERA, hall_depth, hall_run, record
 
 
 def along_x(count, step=0.01):

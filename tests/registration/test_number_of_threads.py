@@ -1,0 +1,71 @@
+"""Registration gives the same bits with any number of threads."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+
+import pytest
+
+DIGESTS = """
+import hashlib, numpy as np, pointloom as loom
+reg, rng = loom.registration, np.random.default_rng(3)
+
+def show(*values):
+    print(hashlib.sha256(b"".join(np.asarray(value).tobytes() for value in values)).hexdigest())
+
+def cloud(shift):
+    xy = rng.uniform(-1, 1, (12000, 2))
+    points = np.column_stack([xy, 0.2 * np.sin(3 * xy[:, 0]) * np.cos(4 * xy[:, 1])])
+    points[::500] = np.nan
+    colors, speeds = rng.random((12000, 3)), rng.random(12000).astype(np.float32)
+    return loom.PointCloud(points + shift, colors=colors, dopplers=speeds).estimate_normals(max_nn=12)
+
+source, target = cloud(0.02), cloud(0)
+name = "TransformationEstimation"
+methods = [getattr(reg, name + end)() for end in ("PointToPlane", "Symmetric", "ForColoredICP", "ForDopplerICP")]
+methods += [reg.TransformationEstimationPointToPoint(True), reg.TransformationEstimationForGeneralizedICP()]
+methods += [reg.TransformationEstimationForGeneralizedICP(voxel_size=0.1)]
+methods += [reg.TransformationEstimationPointToPlane(reg.CauchyLoss(0.02))]
+for method in methods:
+    r = reg.registration_icp(source, target, 0.1, None, method, reg.ICPConvergenceCriteria(0, 0, 4), overlap=0.9)
+    show(r.transformation, r.correspondence_set, r.inlier_rmse)
+
+box = rng.uniform(-1, 1, (3000, 3))
+pairs = np.column_stack([np.arange(3000)] * 2)
+pairs[300:, 1] = rng.integers(0, 3000, 2700)
+clouds = loom.PointCloud(box), loom.PointCloud(box[:, [1, 2, 0]] + 0.01 * rng.normal(size=(3000, 3)))
+for r in (
+    reg.registration_ransac_based_on_correspondence(*clouds, pairs, 0.03),
+    reg.registration_fgr_based_on_correspondence(*clouds, pairs),
+    reg.registration_robust_based_on_correspondence(*clouds, pairs[:1500], 0.05),
+):
+    assert r.fitness > 0.9
+    show(r.transformation, r.fitness, r.score, r.iterations)
+p = rng.uniform(-1, 1, (8000, 3))
+p[:, 2] = 0.2 * np.sin(3 * p[:, 0]) * np.cos(4 * p[:, 1]) + 0.1 * np.sin(7 * p[:, 1] + p[:, 0])
+r = reg.register_globally(loom.PointCloud(p[:5000] + 3), loom.PointCloud(p[3000:]), voxel_size=0.06)
+show(r.transformation, r.score, r.fitness)
+
+room = rng.uniform(-8, 8, (4000, 3)) * [1, 1, 0.3]
+room[np.arange(4000), np.arange(4000) % 3] = np.where(rng.random(4000) < 0.5, -1, 1) * 8.0
+odometry = reg.LidarOdometry(max_range=20, min_range=0.5, voxel_size=0.5)
+for k in range(4):
+    odometry.register(loom.PointCloud(room - [0.4 * k, 0, 0]), np.arange(4000) / 4000)
+show(odometry.poses, odometry.map.points)
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.slow_on_emulated_cuda("its processes run on the CPU alone")
+def test_the_number_of_threads_changes_no_bit():
+    runs = []
+    for threads in ("1", "2"):
+        environment = os.environ | {"POINTLOOM_CPU_THREADS": threads}
+        environment["PYTHONPATH"] = os.pathsep.join(p for p in sys.path if p)
+        pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
+        runs.append(subprocess.Popen([sys.executable, "-c", DIGESTS], env=environment, **pipes))
+    answers = [run.communicate() for run in runs]  # both at once: most of their time is the start
+    assert [run.returncode for run in runs] == [0, 0], answers
+    assert answers[0][0] == answers[1][0] and len(set(answers[0][0].split())) == 13

@@ -1,0 +1,245 @@
+"""`loom.fuse`, `loom.track`, `loom.reconstruct`, `loom.check_focal`: any frames, and the same as the commands give."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+import pointloom as loom
+from pointloom.app.shell.cli import cli
+from pointloom.core.errors import FileError
+from pointloom.core.timing import Clock
+from pointloom.rgbd.reconstruction.config import ReconstructionConfig
+from pointloom.rgbd.reconstruction.fragment_model import FragmentOptions
+
+from .fusion.walls import Wall
+from .sequences import CAMERA, turning_path, waves
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """Six frames of a wavy wall on disk, with poses, the camera moving along it."""
+    path = tmp_path_factory.mktemp("frames") / "waves"
+    loom.record_frames(loom.frames_from(waves(), CAMERA), path)
+    return path
+
+
+@pytest.mark.parametrize("call", [loom.fuse, loom.track, loom.reconstruct])
+def test_no_frame_at_all_is_refused(call):
+    for frames in ([], iter([])):
+        with pytest.raises(ValueError, match="frames: expected at least one frame"):
+            call(loom.frames_from(frames, CAMERA))
+
+
+def test_a_clock_counts_the_stages():
+    fused, tracked = Clock(), Clock()
+    loom.fuse(Wall(3), voxel_size=0.05, clock=fused)
+    loom.track(loom.frames_from(waves()[:2], CAMERA), clock=tracked)
+    assert list(fused.seconds) == ["read", "integrate", "extract", "check"] and list(tracked.seconds) == [
+        "read",
+        "track",
+    ]
+
+
+def run(*words: object, codes: tuple[int, ...] = (0,)) -> str:
+    shown = CliRunner().invoke(cli, [*map(str, words), "--device", "cpu"])
+    assert shown.exit_code in codes, shown.stderr
+    return shown.stdout
+
+
+def command(*words: object) -> dict[str, Any]:
+    return json.loads(run("reconstruct", *words, "--json", codes=(0, 3)))
+
+
+def same_meshes(*meshes: loom.TriangleMesh) -> None:
+    for name in ("vertices", "triangles", "vertex_colors"):
+        first, *others = (getattr(mesh, name) for mesh in meshes)
+        for other in others:
+            np.testing.assert_array_equal(first, other)
+    assert len(meshes[0]) > 100
+
+
+@pytest.mark.parametrize("refine", [False, True], ids=["as given", "refined"])
+def test_a_list_a_generator_and_a_folder_give_the_same_bits(folder, refine):
+    listed, streamed = loom.frames_from(waves(), CAMERA), loom.frames_from(iter(waves()), CAMERA)
+    options = {"voxel_size": 0.02, "refine": refine}
+    results = [loom.fuse(frames, **options) for frames in (listed, streamed, loom.open_dataset(folder))]
+    same_meshes(*(result.mesh for result in results))
+    assert [result.frame_count for result in results] == [6, 6, 6]
+
+
+def test_frames_whose_number_nobody_knows_are_counted_as_they_come():
+    told = []
+    loom.fuse(loom.frames_from(iter(waves()), CAMERA), voxel_size=0.05, progress=lambda *step: told.append(step))
+    assert told == [*(("frames", i, 0) for i in range(7)), ("extract", 0, 0)]
+
+
+def test_one_frame_is_a_surface_already():
+    result = loom.fuse(loom.frames_from(waves()[:1], CAMERA), voxel_size=0.02)
+    assert (result.frame_count, result.weight_threshold, result.poor) == (1, 0.0, None)
+    assert len(result.mesh) > 100
+    refined = loom.fuse(loom.frames_from(waves()[:1], CAMERA), voxel_size=0.02, refine=True)
+    assert refined.refinement is not None and refined.refinement.poor is None
+
+
+def test_a_frame_without_a_pose_is_named():
+    frames = [(None, np.full((48, 64), 1000, np.uint16))]
+    with pytest.raises(ValueError, match="frame frame-000000: has no pose"):
+        loom.fuse(loom.frames_from(frames, CAMERA))
+
+
+def test_pictures_without_a_camera_are_sent_to_frames_from():
+    with pytest.raises(TypeError, match=r"frames: expected RGB-D frames of one camera, got list; loom\.frames_from"):
+        loom.fuse([(None, np.ones((48, 64), np.uint16))])  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("refine", [False, True], ids=["as given", "refined"])
+def test_the_command_gives_the_same_bits_figures_and_lines(folder, tmp_path, refine):
+    words = ["fuse", folder, "-o", tmp_path / "mesh.ply", "--voxel", 0.02, *(["--refine"] if refine else [])]
+    shown, report = run(*words), json.loads(run(*words, "--force", "--json"))
+    result = loom.fuse(loom.open_dataset(folder), voxel_size=0.02, refine=refine)
+    loom.write_triangle_mesh(tmp_path / "own.ply", result.mesh)
+    assert (tmp_path / "own.ply").read_bytes() == (tmp_path / "mesh.ply").read_bytes()
+    assert report.items() >= json.loads(json.dumps(result.to_json())).items()
+    assert set(report) - set(result.to_json()) == {
+        *("command", "dataset", "layout", "left_out", "camera", "seconds", "peak_bytes", "files", "poor")
+    }
+    unpadded = [line.split() for line in shown.splitlines()]
+    for line in str(result).splitlines():
+        assert any(told[: len(line.split())] == line.replace("volume", "volume,").split() for told in unpadded), line
+
+
+def test_a_list_and_a_generator_give_the_same_mesh():
+    listed, streamed = loom.frames_from(waves(), CAMERA), loom.frames_from(iter(waves()), CAMERA)
+    first, second = (loom.reconstruct(frames, voxel_size=0.02) for frames in (listed, streamed))
+    np.testing.assert_array_equal(first.mesh.vertices, second.mesh.vertices)
+    assert len(first.mesh) > 100
+    assert first.to_json() == second.to_json()
+
+
+def test_one_frame_is_a_mesh_already():
+    result = loom.reconstruct(loom.frames_from(waves()[:1], CAMERA), voxel_size=0.02)
+    assert (result.method, len(result.trajectory), result.error, result.poor) == ("slam", 1, None, None)
+    assert len(result.mesh) > 100
+
+
+def test_an_empty_mesh_is_a_poor_result():
+    blank = [(None, np.zeros((48, 64), np.uint16))] * 2
+    result = loom.reconstruct(loom.frames_from(blank, CAMERA))
+    assert len(result.mesh) == len(result.trajectory) == 0
+    assert "check the depth maps" in str(result.poor)
+
+
+def test_the_command_gives_the_same_bits_and_figures(folder, tmp_path):
+    words = ["--voxel", 0.02, "--trajectory", tmp_path / "poses.log"]
+    report = command(folder, "-o", tmp_path / "mesh.ply", *words)
+    result = loom.reconstruct(loom.open_frames(folder), voxel_size=0.02)
+    loom.write_triangle_mesh(tmp_path / "own.ply", result.mesh)
+    loom.write_trajectory(tmp_path / "own.log", result.trajectory)
+    assert (tmp_path / "own.ply").read_bytes() == (tmp_path / "mesh.ply").read_bytes()
+    assert (tmp_path / "own.log").read_bytes() == (tmp_path / "poses.log").read_bytes()
+    assert report.items() >= json.loads(json.dumps(result.to_json())).items()
+    assert result.error is not None and report["errors"]["absolute"]["m"]["rmse"] == pytest.approx(
+        result.error.absolute_translation.rmse
+    )
+
+
+def test_by_fragments_the_command_gives_the_same_bits_and_figures(folder, tmp_path):
+    words = ["--method", "fragments", "--voxel", 0.02, "--work", tmp_path / "stages"]
+    report = command(folder, "-o", tmp_path / "mesh.ply", *words)
+    config = ReconstructionConfig(depth_max=4.0, tsdf_voxel_size=0.02)
+    result = loom.reconstruct(loom.open_frames(folder), fragments=FragmentOptions(tmp_path / "own", config))
+    assert result.method == report["method"] == "fragments"
+    loom.write_triangle_mesh(tmp_path / "own.ply", result.mesh)
+    assert (tmp_path / "own.ply").read_bytes() == (tmp_path / "mesh.ply").read_bytes()
+    own = json.loads(json.dumps(result.to_json())) | {"work": report["work"]}
+    assert report.items() >= own.items()
+    for label in ("frames", "fragments", "stages", "mesh", "bounds"):
+        assert f"  {label} " in str(result)
+
+
+class Damaged:
+    """Frames that can be read by their place, but for some."""
+
+    intrinsic, depth_scale = CAMERA, 1000.0
+
+    def __init__(self, *damaged: int):
+        self.damaged = damaged
+
+    def __len__(self) -> int:
+        return 6
+
+    def read(self, index: int):
+        if index in self.damaged:
+            raise FileError(f"frame-{index}.png", "damaged")
+        return waves()[index]
+
+
+def test_a_list_a_generator_and_a_folder_give_the_same_path(folder):
+    listed, streamed = loom.frames_from(waves(), CAMERA), loom.frames_from(iter(waves()), CAMERA)
+    first, *others = (loom.track(frames, voxel_size=0.02) for frames in (listed, streamed, loom.open_frames(folder)))
+    assert len(first.trajectory) == first.frame_count == 6
+    for other in others:
+        np.testing.assert_array_equal(other.trajectory.poses, first.trajectory.poses)
+        assert other.to_json() == first.to_json()
+
+
+def test_the_error_is_told_where_frames_came_with_their_poses():
+    path = loom.track(loom.frames_from(waves(), CAMERA), voxel_size=0.02)
+    assert path.error is not None and path.error.absolute_translation.rmse < 0.01
+    untold = loom.track(loom.frames_from([(f.color, f.depth, f.timestamp) for f in waves()], CAMERA), voxel_size=0.02)
+    assert untold.error is None
+    np.testing.assert_array_equal(untold.trajectory.poses, path.trajectory.poses)
+
+
+def test_one_frame_is_where_the_world_begins():
+    path = loom.track(loom.frames_from(waves()[:1], CAMERA))
+    np.testing.assert_array_equal(path.trajectory.poses, np.eye(4)[None])
+    assert (path.residuals, path.poor, path.error) == ((), None, None)
+
+
+def test_what_cannot_be_read_is_named_and_left_out():
+    path = loom.track(Damaged(2), voxel_size=0.02)
+    assert path.unreadable == {2: "frame-2.png: damaged"}
+    assert path.trajectory.ids[:, 0].tolist() == [0, 1, 3, 4, 5]
+    assert "1 of 6 frames cannot be read and are left out: frame-2.png: damaged" in str(path.poor)
+    with pytest.raises(FileError, match=r"frame-0\.png: damaged"):
+        loom.track(Damaged(*range(6)))
+
+
+def test_the_command_gives_the_same_poses_figures_and_lines(folder, tmp_path):
+    words = ["track", folder, "-o", tmp_path / "poses.log"]
+    shown, report = run(*words), json.loads(run(*words, "--force", "--json"))
+    path = loom.track(loom.open_frames(folder))
+    loom.write_trajectory(tmp_path / "own.log", path.trajectory)
+    assert (tmp_path / "own.log").read_bytes() == (tmp_path / "poses.log").read_bytes()
+    assert report.items() >= json.loads(json.dumps(path.to_json())).items()
+    told = dict(line.split(maxsplit=1) for line in shown.splitlines()[1:] if not line.startswith("   "))
+    for label, value in (line.split(maxsplit=1) for line in str(path).splitlines()):
+        assert told[label].split("; ")[-1] == value.split("; ")[-1]
+
+
+def test_without_a_trajectory_the_frames_are_tracked_first():
+    """They hardly turn: nothing is told, and nothing is made up."""
+    assert loom.check_focal(loom.frames_from(waves(), CAMERA)) is None
+
+
+def test_frames_of_a_list_are_checked_as_those_that_can_be_read():
+    class Readable(Damaged):
+        def read(self, index: int):
+            return waves()[0]
+
+    listed = loom.frames_from([waves()[0]] * 6, CAMERA)
+    assert loom.check_focal(listed, turning_path()) == loom.check_focal(Readable(), turning_path())
+
+
+def test_a_number_of_no_frame_is_refused():
+    poses = turning_path().poses
+    strange = loom.Trajectory(poses, ids=np.array([[0, 0, 1], [90, 90, 91], [91, 91, 92], [92, 92, 93]]))
+    for frames in (Damaged(), loom.frames_from(waves(), CAMERA)):
+        with pytest.raises(ValueError, match=r"trajectory: names frame 9[0-2], and frames has no such frame"):
+            loom.check_focal(frames, strange)

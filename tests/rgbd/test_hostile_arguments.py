@@ -1,0 +1,223 @@
+"""Every argument of every public call of rgbd refuses what makes no sense, by an error that names it.
+
+The checks are the host's, so the CPU stands for all devices. Records that operations return are left out.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom import registration
+
+from ..hostile import faults_of, missing_from, public_arguments, read_table
+from .fusion.walls import Wall
+from .reconstruction.walks import Walk, config
+from .sequences import CAMERA, turning_path, waves
+
+# One line a call: what is called, and a good value of each of its arguments, as expressions over `things()`.
+CALLS = {
+    "frames": """
+loom.fuse(frames=posed, voxel_size=0.1, truncation=0.4, depth_max=3.0, weight_threshold=0.0, device="cpu", read_ahead=0, progress=None, clock=None)
+loom.track(frames=frames, voxel_size=0.1, depth_max=3.0, device="cpu", read_ahead=0, progress=None, clock=None)
+loom.check_focal(frames=frames, trajectory=turning, uncertain=[7], depth_max=3.0, device="cpu")
+loom.reconstruct(frames=frames, voxel_size=0.1, depth_max=3.0, fragments=None, device="cpu", read_ahead=0, progress=None, clock=None)
+""",  # noqa: E501
+    "odometry": """
+reg.OdometryOption(iteration_number_per_pyramid_level=[3, 2], depth_diff_max=0.03, depth_min=0.0, depth_max=4.0)
+reg.OdometryConvergenceCriteria(max_iteration=3, relative_rmse=1e-6, relative_fitness=1e-6)
+reg.OdometryLossParams(depth_outlier_trunc=0.07, depth_huber_delta=0.05, intensity_huber_delta=0.1)
+reg.OdometryFrame(depth=depth, intrinsic=camera, color=color, depth_scale=1000.0, depth_max=5.0, device="cpu")
+reg.align_frames(source=frame, target=frame, T_target_source=pose, method=hybrid)
+reg.compute_rgbd_odometry(source=rgbd, target=rgbd, pinhole_camera_intrinsic=camera, odo_init=pose, jacobian=term, option=option, weights="robust")
+reg.rgbd_odometry_multi_scale(source=rgbd, target=rgbd, intrinsics=camera, init_source_to_target=pose, depth_scale=1000.0, depth_max=4.0, criteria_list=[rules], method=hybrid, params=params, weights="robust")
+reg.compute_odometry_information_matrix(source_depth=depth, target_depth=depth, intrinsic=camera, source_to_target=pose, dist_threshold=0.07, depth_scale=1000.0, depth_max=3.0)
+""",  # noqa: E501
+    "slam": """
+reg.DenseSLAM(intrinsic=camera, voxel_size=0.1, truncation=0.4, T_init=pose, depth_scale=1000.0, depth_max=3.0, submap_frames=10, seed=0, device="cpu")
+tracker().close_loops(progress=None)
+tracker().extract_point_cloud(weight_threshold=0.0)
+tracker().extract_triangle_mesh(weight_threshold=0.0)
+tracker().integrate(frame=frame)
+tracker().join_maps()
+tracker().trajectory_of(number=0)
+tracker().render(T_world_camera=pose)
+tracker().run(source=[frame], progress=None)
+tracker().step(frame=frame)
+tracker().track(frame=frame)
+reg.Model(intrinsic=camera, voxel_size=0.1, truncation=0.4, T_init=pose, depth_scale=1000.0, depth_max=3.0, device="cpu")
+model().extract_point_cloud(weight_threshold=0.0)
+model().extract_triangle_mesh(weight_threshold=0.0)
+model().integrate(frame=frame, T_world_camera=pose)
+model().prepare(frame=frame)
+model().render(T_world_camera=pose, weight_threshold=0.0)
+model().track_frame(frame=frame, T_world_camera=pose)
+reg.Submap(volume=submap.volume, T_world_submap=pose, frames=[0, 1], T_submap_camera=[pose, pose])
+submap.cloud(voxel_size=0.1)
+reg.SubmapRecorder(intrinsic=camera, voxel_size=0.1, truncation=0.4, depth_scale=1000.0, depth_max=3.0, frames=4, way=1.0, shared=0.25, device="cpu")
+recorder().add(depth=frame.depth, T_world_camera=pose, color=color, number=0)
+reg.close_loops(submaps=[submap], voxel_size=0.1, drift=0.05, seed=0, progress=None)
+reg.corrected_trajectory(submaps=[submap], T_world_submap=[pose])
+reg.fuse_submaps(submaps=[submap], T_world_submap=[pose], voxel_size=0.1)
+""",  # noqa: E501
+    "reconstruction": """
+reg.ReconstructionConfig(path_dataset="frames", path_intrinsic="camera.json", depth_min=0.3, depth_max=3.0, depth_scale=1000.0, depth_diff_max=0.07, odometry_method="hybrid", n_frames_per_fragment=100, n_frames_least=2, n_keyframes_per_n_frame=5, preference_loop_closure_odometry=0.1, voxel_size=0.05, global_registration="robust", icp_method="color", preference_loop_closure_registration=5.0, tsdf_cubic_size=3.0, tsdf_voxel_size=0.01, fragment_voxel_size=0.01, sdf_trunc=0.04, surface_weight_threshold=3.0, seed=0, max_iterations=5, distance_threshold=0.07, fitness_threshold=0.3, regularizer_weight=1.0, method="slac", save_output_as="mesh", folder_fragment="fragments/", folder_scene="scene/", folder_slac="slac/", template_fragment_posegraph="fragments/fragment_%03d.json", template_fragment_posegraph_optimized="fragments/fragment_optimized_%03d.json", template_fragment_pointcloud="fragments/fragment_%03d.ply", template_global_posegraph="scene/global_registration.json", template_global_posegraph_optimized="scene/global_registration_optimized.json", template_refined_posegraph="scene/refined_registration.json", template_refined_posegraph_optimized="scene/refined_registration_optimized.json", template_global_mesh="scene/integrated.ply", template_global_traj="scene/trajectory.log", template_optimized_posegraph_slac="optimized_posegraph_slac.json")
+reg.ReconstructionConfig.from_names(names={"depth_max": 2.0})
+reg.ReconstructionConfig.read(path="config.json")
+settings.write(path="written.json")
+reg.FragmentOptions(folder="stages", config=settings)
+reg.make_fragments(source=walk, config=settings, folder="job", device="cpu", progress=None)
+reg.register_fragments(config=settings, folder="done", device="cpu", progress=None)
+reg.refine_registration(config=settings, folder="done", device="cpu", progress=None)
+reg.refine_with_slac(config=settings, folder="done", device="cpu", progress=None)
+reg.integrate_scene(source=walk, config=settings, folder="done", device="cpu", progress=None)
+reg.run_system(source=walk, config=settings, folder="job", device="cpu", progress=None)
+reg.SLACOptimizerParams(max_iterations=2, voxel_size=0.05, distance_threshold=0.07, fitness_threshold=0.3, regularizer_weight=1.0, grid_size=0.375)
+reg.run_slac_optimizer_for_fragments(fragments=clouds, fragment_pose_graph=graph, params=params, progress=None)
+reg.run_rigid_optimizer_for_fragments(fragments=clouds, fragment_pose_graph=graph, params=params, progress=None)
+reg.ControlGrid(grid_size=0.375, device="cpu")
+grid.touch(cloud=cloud)
+grid.deform(cloud=cloud)
+grid.set_positions(positions=grid.get_init_positions())
+grid.deform_depth(depth=depth, intrinsic=camera, extrinsic=pose, depth_scale=1000.0, depth_max=3.0)
+grid.deform_rgbd(image=image, intrinsic=camera, extrinsic=pose, depth_max=3.0)
+reg.integrate_deformed(volume=volume, grid=grid, depth=depth, intrinsic=camera, T_world_fragment=pose, T_fragment_camera=pose, color=image.color, depth_scale=1000.0, depth_max=3.0)
+""",  # noqa: E501
+}
+HOMES = {
+    "tracker()": "DenseSLAM", "model()": "Model", "recorder()": "SubmapRecorder", "submap": "Submap",
+    "settings": "ReconstructionConfig", "grid": "ControlGrid",
+}  # fmt: skip
+LEFT_OUT = {  # records, and what tracking asks the model for
+    "frames": set(loom.__all__) - {"fuse", "track", "check_focal", "reconstruct"},
+    "odometry": {
+        "OdometryResult", "Method", "RGBDOdometryJacobianFromColorTerm", "RGBDOdometryJacobianFromHybridTerm",
+    },
+    "slam": {
+        "LoopClosure", "MapJoin", "TrackingResult", "Model.seen_from", "Model.fuse", "Model.begin_anew",
+        "SubmapRecorder.take_over",
+    },
+    "reconstruction": {
+        "Fragment", "FragmentSet", "LostFrame", "Placement", "BentPlacement", "Scene", "FragmentOverlap",
+        "RefinementReport", "SystemReport",
+    },
+}  # fmt: skip
+MAY_BE_INFINITE = {("OdometryOption", "depth_max"), ("OdometryFrame", "depth_max")}
+ALSO = {"source": "frame", "depth": "intrinsic"}  # the names in messages of slam
+TABLES = {house: read_table(lines, HOMES) for house, lines in CALLS.items()}
+CASES = [
+    pytest.param(
+        house,
+        call,
+        name,
+        marks=pytest.mark.slow if call == "run_system" or (call, name) == ("check_focal", "depth_max") else (),
+    )
+    for house, table in TABLES.items()
+    for call, (_, names) in table.items()
+    for name in names
+]
+GOOD = [(house, call) for house in ("odometry", "slam") for call in TABLES[house]]
+SMALL = loom.PinholeCameraIntrinsic(32, 24, 30.0, 30.0, 15.5, 11.5)
+SEEN = SimpleNamespace(depth=1.0 + 0.1 * np.sin(np.mgrid[:24, :32].sum(axis=0)), color=None)
+
+
+def module_of(house: str) -> Any:
+    return loom if house == "frames" else getattr(loom, house)
+
+
+@cache
+def things(house: str) -> dict[str, Any]:
+    """The values that the expressions of a table name."""
+    known = {"loom": loom, "reg": module_of(house), "pose": np.eye(4)}
+    return (
+        known
+        | {"frames": frame_things, "odometry": pair_things, "slam": slam_things, "reconstruction": job_things}[house]()
+    )
+
+
+def frame_things() -> dict[str, Any]:
+    return {"posed": Wall(1), "frames": loom.frames_from(waves()[:2], CAMERA), "turning": turning_path()}
+
+
+def pair_things() -> dict[str, Any]:
+    od, depth = loom.odometry, np.full((24, 32), 1500, np.uint16)
+    color = np.random.default_rng(0).integers(0, 255, (24, 32, 3), np.uint8)
+    return dict(
+        depth=depth, color=color, camera=SMALL, frame=od.OdometryFrame(depth, SMALL, color),
+        rgbd=loom.RGBDImage(color, depth), hybrid=od.Method.Hybrid, term=od.RGBDOdometryJacobianFromHybridTerm(),
+        option=od.OdometryOption(), rules=od.OdometryConvergenceCriteria(2), params=od.OdometryLossParams(),
+    )  # fmt: skip
+
+
+def slam_things() -> dict[str, Any]:
+    model = loom.slam.Model(SMALL, voxel_size=0.1, depth_max=2.0)
+    model.integrate(SEEN, np.eye(4))
+
+    @cache  # for all values: a refused call changes nothing
+    def tracker() -> Any:
+        made = loom.slam.DenseSLAM(SMALL, voxel_size=0.1, submap_frames=10)
+        made.step(SEEN)
+        made.track(SEEN)
+        return made
+
+    def recorder(color: bool = True) -> Any:
+        return loom.slam.SubmapRecorder(SMALL, voxel_size=0.1, frames=4, color=color)
+
+    plain = recorder(color=False)
+    plain.add(SEEN.depth, np.eye(4))
+    return {
+        "submap": plain.finish()[0], "recorder": recorder, "color": np.full((24, 32, 3), 100, np.uint8),
+        "camera": SMALL, "frame": SEEN, "model": lambda: model, "tracker": tracker,
+    }  # fmt: skip
+
+
+def job_things() -> dict[str, Any]:
+    rec, points = loom.reconstruction, np.random.default_rng(0).random((300, 3)) * [1, 1, 0]
+    grid, clouds = rec.ControlGrid(), [loom.PointCloud(points), loom.PointCloud(points)]
+    grid.touch(clouds[0])
+    nodes = [registration.PoseGraphNode(), registration.PoseGraphNode()]
+    depth = np.full((12, 16), 1000, np.uint16)
+    return {
+        "settings": config(), "walk": Walk([0, 1]), "grid": grid, "clouds": clouds, "cloud": clouds[0],
+        "graph": registration.PoseGraph(nodes, [registration.PoseGraphEdge(0, 1)]), "depth": depth,
+        "params": rec.SLACOptimizerParams(max_iterations=1), "volume": loom.TSDFVolume(voxel_size=0.02),
+        "camera": loom.PinholeCameraIntrinsic(16, 12, 20.0, 20.0, 7.5, 5.5),
+        "image": loom.RGBDImage(np.zeros((12, 16, 3), np.uint8), depth),
+    }  # fmt: skip
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path, monkeypatch):
+    """Files named by hostile values go here, beside a configuration."""
+    monkeypatch.chdir(tmp_path)
+    config().write("config.json")
+
+
+@pytest.mark.parametrize("house", TABLES)
+def test_the_table_names_every_argument_of_every_public_call(house):
+    assert missing_from(TABLES[house], public_arguments(module_of(house), LEFT_OUT[house])) == {}
+
+
+def good_call(house, call):
+    function, expressions = TABLES[house][call]
+    good = {name: eval(expression, dict(things(house))) for name, expression in expressions.items()}
+    return lambda **given: eval(function, dict(things(house)))(**given), good
+
+
+@pytest.mark.parametrize(("house", "call"), GOOD)
+def test_the_good_arguments_are_taken(house, call):
+    act, good = good_call(house, call)
+    act(**good)
+
+
+@pytest.mark.parametrize(("house", "call", "argument"), CASES)
+def test_a_hostile_value_is_refused_by_name(house, call, argument):
+    act, good = good_call(house, call)
+    finite, also = (call, argument) not in MAY_BE_INFINITE, ALSO.get(argument, "") if house == "slam" else ""
+    faults = faults_of(act, good, argument, finite=finite, also=also)
+    assert not faults, "\n".join(faults)

@@ -1,0 +1,69 @@
+"""Print a digest of every operation on the small scenes, for tests that compare processes.
+
+    python -m tests.small_digests [--cpu-target x86-64-v3]
+
+The first line is a JSON object with the BLAS kernels and the vector instructions of NumPy in use. Every other line is
+a digest, or an error, and the operation's name.
+"""
+
+from __future__ import annotations
+
+import argparse
+import ctypes
+import json
+import warnings
+from pathlib import Path
+
+import numpy as np
+import scipy.linalg  # noqa: F401  loads SciPy's own OpenBLAS
+
+from pointloom.kernels.language import cpu_code
+
+from .small_scenes import ON_CLOUDS, ONCE, SmallScenes, digest
+
+NATIVE = "-march=native"
+NAMES = ("scipy_openblas_get_corename64_", "scipy_openblas_get_corename", "openblas_get_corename")
+
+
+def blas_kernels() -> list[str]:
+    """The name of the kernels of each loaded OpenBLAS."""
+    lines = Path("/proc/self/maps").read_text().splitlines()
+    found = []
+    for path in sorted({line.split()[-1] for line in lines if "openblas" in line}):
+        library = ctypes.CDLL(path)
+        function = next((getattr(library, name) for name in NAMES if hasattr(library, name)), None)
+        if function is not None:
+            function.restype = ctypes.c_char_p
+            found.append(function().decode())
+    return found
+
+
+def compile_for(target: str) -> None:
+    """Compile CPU kernels for an x86-64 level instead of this processor; before the first kernel is used."""
+    if NATIVE not in cpu_code.FLAGS:
+        raise RuntimeError(f"the flags of CPU kernels have no {NATIVE}: {cpu_code.FLAGS}")
+    cpu_code.FLAGS = cpu_code.FLAGS.replace(NATIVE, f"-march={target}")
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--cpu-target", help="of CPU kernels, such as x86-64-v2; this processor by default")
+    options = parser.parse_args()
+    if options.cpu_target:
+        compile_for(options.cpu_target)
+    warnings.simplefilter("ignore")
+    features = [name for name, has in np._core._multiarray_umath.__cpu_features__.items() if has]
+    print(json.dumps({"blas": blas_kernels(), "numpy": features, "flags": cpu_code.FLAGS}))
+    scenes = SmallScenes("cpu")
+    places = ("surface", "far", "dirty")
+    works = {f"{name} [{p}]": (work, p) for name, work in ON_CLOUDS.items() for p in places}
+    for name, (work, place) in {**works, **{name: (work, "") for name, work in ONCE.items()}}.items():
+        try:
+            found = digest(work(getattr(scenes, place) if place else scenes))
+        except Exception as error:  # on clouds that are far too small an error is a result too
+            found = f"error-{type(error).__name__}"
+        print(found, name, flush=True)
+
+
+if __name__ == "__main__":
+    main()
