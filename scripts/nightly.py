@@ -25,6 +25,7 @@ STAGES: dict[str, tuple[list[str], dict[str, str]]] = {
     "gpu-kit": (["make", "gpu-run", "ARGS=--dry"], {}),
     "cuda-architectures": (["make", "check-cuda"], {}),
     "fuzz": (FUZZ, {}),
+    "nightly-tests": (["make", "test-all", "ARGS=-m nightly"], {}),
     "gallery": (["make", "docs"], {}),
     "flakes": (["make", "flakes"], {}),
     "mutants": (["make", "mutants", "ARGS=--all"], {}),

@@ -1,10 +1,10 @@
 """The tests of `make test`, the compilers that tests run on, and the tests that share a process.
 
 `make test` is `pytest --quick`, `make test-all` is pytest without it. `--quick` leaves out the tests that are marked
-`slow`, those that need Open3D itself (tests/oracle.py) and all runs on Taichi, which is optional. `--rest` runs those,
-and the tests that use stored answers of Open3D once more with Open3D. Without either option the tests of tests/kernels
-that take `device`, and others marked `both_compilers`, run on Warp and on Taichi. All operations are compared on the
-two compilers by tests/test_compilers.py.
+`slow` or `nightly`, those that need Open3D itself (tests/oracle.py) and all runs on Taichi, which is optional. `--rest`
+runs those but the `nightly` ones, and the tests that use stored answers of Open3D once more with Open3D. Without either
+option the tests of tests/kernels that take `device`, and others marked `both_compilers`, run on Warp and on Taichi. All
+operations are compared on the two compilers by tests/test_compilers.py.
 """
 
 from __future__ import annotations
@@ -52,7 +52,8 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         if (HAS_TAICHI or not needs_taichi(item))
         and oracle.is_selected(mode, fixtures_of(item))
         and not (quick and is_left_out(item))
-        and not (rest and not is_left_out(item) and "oracle" not in fixtures_of(item))
+        and not (rest and not (is_left_out(item) or "oracle" in fixtures_of(item)))
+        and not (rest and item.get_closest_marker("nightly"))
     ]
     if len(kept) < len(items):
         chosen = set(kept)
@@ -64,7 +65,8 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 def is_left_out(item: pytest.Item) -> bool:
     """True if a test does not run in `make test`."""
-    return item.get_closest_marker("slow") is not None or needs_taichi(item) or "o3d" in fixtures_of(item)
+    marks = {mark.name for mark in item.iter_markers()}
+    return bool(marks & {"slow", "nightly"}) or needs_taichi(item) or "o3d" in fixtures_of(item)
 
 
 def fixtures_of(item: pytest.Item) -> Sequence[str]:

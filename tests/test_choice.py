@@ -31,6 +31,10 @@ def test_a_claim():
 def test_a_slow_claim():
     pass
 
+@pytest.mark.nightly
+def test_a_nightly_claim():
+    pass
+
 @pytest.mark.parametrize("count", [1, pytest.param(9, marks=pytest.mark.slow)])
 def test_a_claim_of_which_one_case_is_slow(count):
     pass
@@ -136,7 +140,7 @@ def run_suite(tmp_path):
     def run(*options, installed=True):
         (tmp_path / "test_suite.py").write_text(SUITE)
         (tmp_path / "conftest.py").write_text(CONFTEST.format(installed=installed))
-        markers = ["slow", "both_compilers", "taichi"]
+        markers = ["slow", "nightly", "both_compilers", "taichi"]
         (tmp_path / "pyproject.toml").write_text(
             f'[tool.pytest.ini_options]\npythonpath = ["{ROOT}"]\nmarkers = {markers}\n' + PLAIN
         )
@@ -154,9 +158,10 @@ def test_make_test_leaves_out_slow_tests_open3d_and_taichi(run_suite):
 
 @pytest.mark.slow
 def test_all_tests_are_those_and_the_others(run_suite):
-    assert run_suite() == sorted([*QUICK_TESTS, *SLOW_TESTS, *NEED_MORE])
+    nightly = "test_a_nightly_claim"
+    assert run_suite() == sorted([*QUICK_TESTS, *SLOW_TESTS, *NEED_MORE, nightly])
     assert run_suite("--rest") == sorted([*SLOW_TESTS, *NEED_MORE, "test_of_a_stored_answer"])
-    assert run_suite(installed=False) == sorted([*QUICK_TESTS, *SLOW_TESTS])
+    assert run_suite(installed=False) == sorted([*QUICK_TESTS, *SLOW_TESTS, nightly])
 
 
 @pytest.mark.parametrize(

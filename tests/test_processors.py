@@ -80,7 +80,7 @@ def has_level(needs: str | None) -> bool:
     return needs is None or FEATURES.get(needs, False) or FEATURES.get(same.get(needs, needs), False)
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 @pytest.mark.parametrize("name", PROCESSORS)
 def test_every_operation_has_the_same_bits_on_a_processor_like(name):
     processor = PROCESSORS[name]
@@ -97,14 +97,14 @@ def test_every_operation_has_the_same_bits_on_a_processor_like(name):
     assert differing(found) == []
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 @pytest.mark.parametrize("threads", [1, 2])
 def test_every_operation_has_the_same_bits_with_any_number_of_threads(threads):
     counts = {"POINTLOOM_CPU_THREADS": str(threads), "OPENBLAS_NUM_THREADS": str(3 - threads)}
     assert differing(run_digests(**counts)[1]) == []
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_no_operation_of_the_digests_fails():
     errors = [name for name, digest in digests_here().items() if digest.startswith("error-")]
     assert errors == []
