@@ -1,8 +1,7 @@
-"""Taichi makes of every operation, bit for bit, what Warp makes of it.
+"""Taichi gives bitwise the results of Warp for every operation of benchmarks/digests.py, on small scenes.
 
-The operations are those of benchmarks/digests.py on small scenes. Warp's results are held against Open3D, NumPy and
-brute force by the tests that take `device`; so in `make test`, where those run on Warp alone, these are the tests of
-Taichi. The two hand out work to their threads in different chunks: what that might change is seen here as well.
+The tests that take `device` compare Warp's results with Open3D, NumPy and brute force. The two compilers hand out work
+to their threads in different chunks; Taichi runs on all cores here and Warp on one.
 """
 
 from __future__ import annotations
@@ -15,31 +14,23 @@ from .small_scenes import ON_CLOUDS, ON_HOST, ONCE, SmallScenes, digest
 
 pytestmark = pytest.mark.taichi
 
-DEAR = {"slam, DenseSLAM", "run_system"}  # what they are made of has lines of its own
-# What Taichi compiles for ten to forty seconds after a change, as it writes out each call of a function. In `make test`
-# their results on Warp are held against NumPy and Open3D.
-DEAR |= {"scene, closest points and signs", "rays, all queries", "alpha_shape", "alpha_shape, several"}
-DEAR |= {"from_point_cloud_ball_pivoting", "from_point_cloud_ball_pivoting, radii"}
-# Whose own kernels take Taichi a second and a half or more to load, compiled before.
-DEAR |= {"color_map", "demo, video", "detect_planar_patches", "mvs, estimate_depth_maps, plain wall", "mvs, fuse"}
-DEAR |= {"region_growing", "rgbd odometry", "sfm.detect_keypoints, match_keypoints"}
-DEAR |= {
-    f"mesh, {name}" for name in ("cleaned", "metrics and error map", "remesh_isotropic", "repair", "seams", "sheets")
-}
-DEAR |= {f"mesh, {name}" for name in ("simplify_quadric_decimation", "texture_from_pictures", "topology")}
-DEAR |= {"mesh, triangles that meet"}
+# Kernels that Taichi compiles for ten to forty seconds each.
+NIGHTLY = {
+    "scene, closest points and signs", "rays, all queries", "alpha_shape", "alpha_shape, several",
+    "from_point_cloud_ball_pivoting", "from_point_cloud_ball_pivoting, radii",
+}  # fmt: skip
 
 
 def lines(names):
     return [
-        pytest.param(name, marks=[pytest.mark.slow] if name in DEAR else [])
+        pytest.param(name, marks=[pytest.mark.nightly] * (name in NIGHTLY))
         for name in names
         if not name.startswith(ON_HOST) and not name.endswith("far")  # which are the same kernels as near by
     ]
 
 
 def test_what_is_dear_is_there():
-    assert {*ON_CLOUDS, *ONCE} >= DEAR
+    assert {*ON_CLOUDS, *ONCE} >= NIGHTLY
 
 
 @pytest.fixture(scope="module")

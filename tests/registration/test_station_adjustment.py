@@ -89,7 +89,7 @@ def test_right_surveys_raise_no_alarm():
         assert not snoop(first, observed, level=True, reference=0)[2]
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_alarms_are_as_rare_as_said():
     surveys = 240
     alarms = sum(

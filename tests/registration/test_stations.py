@@ -52,7 +52,7 @@ def test_a_courtyard_is_put_together_to_a_third_of_a_millimetre(court, found):
     assert np.array_equal(found.poses[0], court[1][0])
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_errors_are_as_large_as_said_over_many_courtyards():
     squares, seeds = [], 12
     for seed in range(100, 100 + seeds):
