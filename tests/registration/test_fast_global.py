@@ -85,6 +85,18 @@ def test_errors_are_no_larger_than_open3ds(device, rng, outliers, angle_between,
 
 
 @pytest.fixture(scope="module")
+def featured(room_pair):
+    """The scans of the room in voxels, with features; normals have the side that the estimation gives them."""
+    found = SimpleNamespace(T=room_pair.T)
+    for name in ("source", "target"):
+        cloud = loom.PointCloud(getattr(room_pair, name)).voxel_down_sample(VOXEL)
+        cloud = cloud.estimate_normals(radius=2 * VOXEL, max_nn=30)
+        feature = loom.compute_fpfh_feature(cloud, radius=5 * VOXEL, max_nn=100)
+        setattr(found, name, SimpleNamespace(points=cloud.points, feature=feature.copy()))
+    return found
+
+
+@pytest.fixture(scope="module")
 def best_of_open3d(featured, o3d, to_open3d):
     """The best fitness of Open3D over three seeds, from the same points and features."""
     r = o3d.pipelines.registration
