@@ -95,6 +95,7 @@ def run_open3d(o3d, to_open3d, pair, kind, init=None, rules=RULES):
     return call(*clouds, pair.distance, np.eye(4) if init is None else init, method, criteria)
 
 
+@pytest.mark.slow  # small_gicp comes with the benchmarks
 def test_generalised_icp_of_a_street_is_small_gicps(device, street):
     small_gicp = pytest.importorskip("small_gicp")
     clouds = []

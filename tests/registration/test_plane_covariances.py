@@ -40,6 +40,7 @@ def test_unknown_planes_are_round(device):
     assert covariances_from(np.empty((0, 3)), 0.1, device).shape == (0, 3, 3)
 
 
+@pytest.mark.slow  # small_gicp comes with the benchmarks
 @pytest.mark.parametrize("scene", ["lidar", "fragment"])
 def test_covariances_of_twenty_neighbours_are_small_gicps(device, scene, lidar, fragment, tolerances):
     gicp = pytest.importorskip("small_gicp")
