@@ -23,7 +23,7 @@ MAX_STEPS = 60  # per eigenvalue; two or three are usual
 SEPARATED = 1e-6  # eigenvalues whose difference is a larger fraction of the largest one have eigenvectors of their own
 
 
-@np.errstate(over="ignore", invalid="ignore", divide="ignore", under="ignore")  # as BLAS and LAPACK
+@np.errstate(all="ignore")  # as BLAS and LAPACK
 def matmul(a: Any, b: Any, *others: Any) -> NDArray[Any]:
     """The product `a @ b @ ...`, from left to right; stacks broadcast as NumPy's do.
 
@@ -47,7 +47,7 @@ def matmul(a: Any, b: Any, *others: Any) -> NDArray[Any]:
     return matmul(product, *others) if others else product
 
 
-@np.errstate(over="ignore", invalid="ignore", divide="ignore", under="ignore")  # as BLAS and LAPACK
+@np.errstate(all="ignore")  # as BLAS and LAPACK
 def norm(values: Any) -> float:
     """The Euclidean norm of all values. (`np.linalg.norm` with an axis has a fixed order already.)"""
     values = np.asarray(values, np.float64)
@@ -82,7 +82,7 @@ def det(A: Any) -> Any:
     return a[..., 0] * x + a[..., 1] * y + a[..., 2] * z
 
 
-@np.errstate(over="ignore", invalid="ignore", divide="ignore", under="ignore")  # as BLAS and LAPACK
+@np.errstate(all="ignore")  # as BLAS and LAPACK
 def solve(A: Any, b: Any) -> Array:
     """The solution X of A X = b, shape [..., n, k] of b [..., n, k], or [n] of b [n]: elimination with row exchanges.
 

@@ -52,8 +52,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         if (HAS_TAICHI or not needs_taichi(item))
         and oracle.is_selected(mode, fixtures_of(item))
         and not (quick and is_left_out(item))
-        and not (rest and not (is_left_out(item) or "oracle" in fixtures_of(item)))
-        and not (rest and item.get_closest_marker("nightly"))
+        and (not rest or is_in_rest(item))
     ]
     if len(kept) < len(items):
         chosen = set(kept)
@@ -67,6 +66,11 @@ def is_left_out(item: pytest.Item) -> bool:
     """True if a test does not run in `make test`."""
     marks = {mark.name for mark in item.iter_markers()}
     return bool(marks & {"slow", "nightly"}) or needs_taichi(item) or "o3d" in fixtures_of(item)
+
+
+def is_in_rest(item: pytest.Item) -> bool:
+    """True if CI runs a test after `make test`."""
+    return not item.get_closest_marker("nightly") and (is_left_out(item) or "oracle" in fixtures_of(item))
 
 
 def fixtures_of(item: pytest.Item) -> Sequence[str]:

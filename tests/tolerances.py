@@ -57,10 +57,6 @@ TABLE: dict[str, tuple[float, str]] = {
     ),
     "image_absolute": (5e-7, "[m] as `image_relative`, where a coordinate is near zero but the depth is up to 4 m"),
     "color_8bit": (1.0 / 510 + 1e-6, "files that hold 8 bits a channel round by half of 1/255"),
-    "text_relative": (
-        1e-15,
-        "text holds the shortest digits that give the same number, so only the parser could round",
-    ),
     "transform_relative": (1e-7, "float64 arithmetic, then one rounding to float32 relative to the new origin"),
     "smoothed_relative": (
         1.5e-7,
@@ -89,7 +85,6 @@ TABLE: dict[str, tuple[float, str]] = {
         "[degrees] Open3D's fit minimises distances along an axis, ours those to the plane: they differ by the tilt "
         "times the ratio of the variances across and along; 0.002 were measured",
     ),
-    "plane_fit_residual": (1e-9, "the sum of squared distances in float64, of up to 30,000 terms"),
     "plane_unit": (1e-12, "a unit vector of float64"),
     "intensity_relative": (
         4e-7,
@@ -204,11 +199,6 @@ TABLE: dict[str, tuple[float, str]] = {
         "(6e-8 of 1) and differ by some 1e-2 between neighbours",
     ),
     "gradient_share": (0.999, "the share of gradients; another of two neighbours tied for the 30th place changes one"),
-    "colored_step": (
-        1e-5,
-        "one step of coloured ICP in float64 with our float32 gradients, relative to how far it moves; Open3D's "
-        "gradients are not projected, which changes them by some 1e-6 at radii of 4 cm",
-    ),
     "plane_covariance": (
         1e-4,
         "a covariance of eigenvalues (1e-3, 1, 1) against small_gicp's: the normal's error of about 1e-7 over the gap "
@@ -359,7 +349,6 @@ TABLE: dict[str, tuple[float, str]] = {
     ),
     "global_rest_distance": (0.005, "[m] as `global_rest_degrees`"),
     "global_lidar_degrees": (0.735, "what KISS-Matcher reaches on the LiDAR pair; ours 0.35 to 0.48"),
-    "global_lidar_distance": (0.054, "[m] as `global_lidar_degrees`; ours 22 to 27 mm at the middle of the cloud"),
     "icp_real": (
         1e-5,
         "[m] and of a rotation matrix, as `icp_pose` on a street of 6,000 points 60 m wide: of its pairs one in a "
