@@ -37,6 +37,16 @@ class UnitWarning(UserWarning):
     """
 
 
+class NonFiniteWarning(UserWarning):
+    """Normals, covariances, colors or speeds of some points are NaN or infinite, so that these points are not used.
+
+    Example:
+        >>> import warnings, pointloom as loom
+        >>> with warnings.catch_warnings():
+        ...     warnings.simplefilter("error", loom.NonFiniteWarning)  # make it an error
+    """
+
+
 @dataclasses.dataclass(frozen=True, eq=False)
 class LengthUnit:
     """The unit of coordinates. It is equal to its name: `cloud.unit == "foot"`.

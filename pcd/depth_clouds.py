@@ -12,7 +12,7 @@ from ..cameras.camera import PinholeCameraIntrinsic, check_pixels
 from ..cameras.images import RGBDImage, check_intrinsic, upload_depth, warn_of_scale
 from ..core.array_libraries import hand_out, library_of
 from ..core.checks import check_count, check_positive, check_rigid
-from ..core.coordinates import split_origin
+from ..core.coordinates import origin_of_sensor
 from ..core.gpu_arrays import device_for
 from ..core.told_arguments import told_arguments
 from ..kernels.images.depth import PixelGrid, color_pixels, pixel_normals, unproject_depth
@@ -176,7 +176,7 @@ class DepthClouds(Selection):
         """`from_depth_image` for depth in metres that is on the device, float32 [h * w], and colours [h * w, 3]."""
         step = check_count("stride", stride)
         T_world_camera = np.eye(4) if extrinsic is None else inv(check_rigid("extrinsic", extrinsic))
-        _, origin = split_origin(T_world_camera[None, :3, 3])
+        origin = origin_of_sensor(T_world_camera[:3, 3])
         local = T_world_camera.copy()
         local[:3, 3] -= origin
         grid = PixelGrid(camera.width, camera.height, step)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..core.checks import LARGEST_NUMBER, check_finite, check_positive, check_rigid, check_shape, check_transformation
-from ..core.coordinates import FLOAT32_MAX, split_origin
+from ..core.coordinates import FLOAT32_MAX, origin_under
 from ..core.dropped_results import returns_new
 from ..core.known_names import ToldNames
 from ..kernels.algebra.transform import transform_covariances, transform_directions, transform_points
@@ -104,12 +104,9 @@ class Motion(Bounding, Movable):
         if not np.abs(corners).max() <= LARGEST_NUMBER or np.ptp(corners, axis=0).max() > 2 * FLOAT32_MAX:
             reach = f"{corners[0].tolist()}..{corners[1].tolist()}"
             raise ValueError(f"{name}: takes the points to {reach}, beyond what float32 holds about their middle")
-        _, origin = split_origin(corners)
-        # near most of the points still, whatever a stray one does to the box
-        carried = np.round(matmul(A, self._origin) + t)
-        if origin.any() and np.abs(corners - carried).max() < FLOAT32_MAX:
-            origin = carried
-        cloud = self._under(A, matmul(A, self._origin) + t - origin, origin)
+        moved = matmul(A, self._origin) + t
+        origin = origin_under(moved, corners)
+        cloud = self._under(A, moved - origin, origin)
         cloud._unit = unit_under(self._unit, A)
         return cloud
 

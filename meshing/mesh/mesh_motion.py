@@ -8,10 +8,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_color, check_transformation
-from ...core.coordinates import ORIGIN_LIMIT
+from ...core.coordinates import origin_under
 from ...core.dropped_results import returns_new
 from ...core.upward import up_under
 from ...kernels.algebra.transform import transform_points
+from ...kernels.arrays.bounds import bound_points
 from ...kernels.extent.mean_covariance import mean_and_covariance
 from ...kernels.lang import vec3
 from ...kernels.linear_algebra import det, inv, matmul
@@ -47,7 +48,10 @@ class MeshMotion(MeshArrays, Movable):
         if determinant == 0:
             raise ValueError(f"{name}: expected a matrix with an inverse, got one that flattens space")
         target = matmul(A, self._origin) + T[:3, 3]
-        origin = np.round(target) if np.abs(target).max() > ORIGIN_LIMIT else np.zeros(3)
+        low, high, finite = bound_points(self._arrays["vertices"])  # sync
+        low, high = (low, high) if finite else (np.zeros(3), np.zeros(3))
+        middle, half = matmul(A, (low + high) / 2.0) + target, matmul(np.abs(A), (high - low) / 2.0)
+        origin = origin_under(target, np.stack([middle - half, middle + half]))
         arrays: dict[str, Any] = {"vertices": transform_points(self._arrays["vertices"], A, target - origin)}
         if "vertex_normals" in self._arrays:
             arrays["vertex_normals"] = mesh_edits.turn_normals(self._arrays["vertex_normals"], inv(A).T)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.checks import check_count, check_rigid, check_rows
-from ...core.coordinates import ORIGIN_LIMIT
+from ...core.coordinates import NEAR_ZERO
 from ...core.devices import check_same_device, resolve_device
 from ...core.known_names import KnownNames
 from ...core.pickled_arrays import device_like
@@ -186,8 +186,9 @@ class SceneGeometries(KnownNames):
         """What the scene's float32 positions count from: zero, or where the first mesh's do if that is far away."""
         if not self._poses:
             return np.zeros(3)
-        place = matmul(self._poses[0][:3, :3], self._meshes[self._mesh_of[0]].origin) + self._poses[0][:3, 3]
-        return place if np.abs(place).max() > ORIGIN_LIMIT else np.zeros(3)
+        anchor = self._meshes[self._mesh_of[0]].origin
+        place = matmul(self._poses[0][:3, :3], anchor) + self._poses[0][:3, 3]
+        return place if anchor.any() or np.abs(place).max() > NEAR_ZERO else np.zeros(3)
 
     def _stored_poses(self) -> NDArray[np.float64]:
         """float64 [geometries, 4, 4], from the meshes' stored float32 vertices to positions about `_origin`."""

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_number, check_positive
-from ...core.coordinates import split_origin
+from ...core.coordinates import origin_of_sensor
 from ...core.devices import resolve_device
 from ...core.dropped_results import returns_new
 from ...core.known_names import ToldNames
@@ -161,7 +161,7 @@ class OccupancyGrid(OccupancyQuestions, ToldNames):
         longest = FARTHEST if max_range is None else check_positive("max_range", max_range)
         if not len(cloud):
             return 0
-        place = self._origin if self._origin is not None else split_origin(starts[:1])[1]
+        place = self._origin if self._origin is not None else origin_of_sensor(starts[0])
         local = starts - place
         if not np.abs(local).max() < OUTERMOST * self.voxel_size:
             raise ValueError(

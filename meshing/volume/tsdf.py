@@ -14,7 +14,7 @@ from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.images import RGBDImage, check_intrinsic, upload_color, upload_raw_depth, warn_of_scale
 from ...core.array_libraries import NUMPY, library_of
 from ...core.checks import check_positive, check_rigid
-from ...core.coordinates import split_origin
+from ...core.coordinates import origin_of_sensor
 from ...core.devices import check_same_device, resolve_device
 from ...core.dropped_results import returns_new
 from ...core.known_names import ToldNames
@@ -203,7 +203,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
         frames, T = self._settled, np.array(T_world_camera, np.float64)
         origin = frames.origin
         if origin is None:
-            _, origin = split_origin(T[None, :3, 3])
+            origin = origin_of_sensor(T[:3, 3])
         T[:3, 3] -= origin
         after = _Frames(frames.count + 1, origin, pixels is not None)
         self._next = (self._blocks.frame_count + 1, after)

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_list, check_positive, check_rigid
-from ...core.coordinates import choose_origin
+from ...core.coordinates import origin_of_sensor
 from ...core.devices import check_same_device
 from ...kernels.linear_algebra import inv, matmul
 from ...kernels.memory import download
@@ -114,7 +114,7 @@ def fuse_volumes(
     if not filled:
         return result
     moved = _in_fixed_order([m for m in moved if m.volume.frame_count])
-    origin = choose_origin((matmul(moved[0].pose[:3, :3], moved[0].volume.origin) + moved[0].pose[:3, 3])[None])
+    origin = origin_of_sensor(matmul(moved[0].pose[:3, :3], moved[0].volume.origin) + moved[0].pose[:3, 3])
     if (moved[0].pose == np.eye(4)).all():
         origin = moved[0].volume.origin  # its grid stays
     backs = [_way_back(m, origin, size) for m in moved]

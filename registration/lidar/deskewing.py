@@ -16,7 +16,7 @@ from ...kernels.odometry.deskewing import bound_times
 from ...kernels.odometry.deskewing import deskew_points as move_points
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
-from ..rigid import rotation_vector, skew
+from ..rigid import rotation_vector, skew, to_local
 
 TIME_NAMES = ("time", "timestamp", "timestamps", "t", "time_offset", "offset_time", "gps_time")
 SMALL_ANGLE = 1e-4  # [rad] below it series to fourth order are exact in float64
@@ -36,7 +36,7 @@ def deskew_point_cloud(cloud: PointCloud, T_start_end: ArrayLike, timestamps: Ar
             "time", "timestamp", "timestamps", "t", "time_offset", "offset_time" or "gps_time", whichever is there.
 
     Returns:
-        The cloud about origin zero, with all its attributes; a point whose time is NaN becomes NaN. Normals are left
+        The cloud with all its attributes; a point whose time is NaN becomes NaN. Normals are left
         as they are.
 
     Raises:
@@ -61,9 +61,10 @@ def deskew_point_cloud(cloud: PointCloud, T_start_end: ArrayLike, timestamps: Ar
         names = ", ".join(TIME_NAMES)
         raise ValueError(f"timestamps: the cloud has no attribute of the names {names}; give timestamps=")
     span = bound_times(cloud.device_array("points"), times)
-    moved = move_points(cloud.device_array("points"), times, cloud.origin, span, twist_of(T))
+    twist = twist_of(to_local(T, cloud.origin, cloud.origin))
+    moved = move_points(cloud.device_array("points"), times, np.zeros(3), span, twist)
     arrays = {name: cloud.device_array(name) for name in cloud.device_arrays} | {"points": moved}
-    deskewed = type(cloud).from_device_arrays(arrays, np.zeros(3), cloud.array_library)
+    deskewed = type(cloud).from_device_arrays(arrays, cloud.origin, cloud.array_library)
     deskewed.grid = cloud.grid
     return deskewed
 
