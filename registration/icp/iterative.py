@@ -218,7 +218,7 @@ class IterativeRegistration:
         states = self.loop.states.download()  # sync
         outcomes, free_counts = states["outcomes"], states["free_counts"]
         told = self._told_of_freedom()
-        return [
+        results = [
             RegistrationResult(
                 self._world(job, states["poses"][job]),
                 float(states["fitness"][job]),
@@ -232,6 +232,9 @@ class IterativeRegistration:
             )
             for job in range(self.loop.jobs.count)
         ]
+        for result in results if self.estimation.scales else ():
+            result.check_scale()
+        return results
 
     def _told_of_freedom(self) -> list[dict[str, Any]]:
         """What results say of a constraint: of each job what was free, what the prior held, and its parameters."""

@@ -81,6 +81,20 @@ def test_a_scale_is_found_again(device, rng, scale):
     assert_rigid(reg.registration_icp(source, target, 0.3, None, KINDS["point"], rules).transformation)
 
 
+def test_a_scale_that_collapses_is_not_converged(device, rng):
+    """Every point of a ball that shrinks to a point of a plane has a partner there."""
+    ball, plane = rng.normal(size=(600, 3)), np.c_[rng.uniform(-2, 2, (900, 2)), np.zeros(900)]
+    ball /= np.linalg.norm(ball, axis=1)[:, None]
+    source, target = (loom.PointCloud(p, device=device) for p in (ball + np.array([0, 0, 3.0]), plane))
+    method = reg.TransformationEstimationPointToPoint(with_scaling=True)
+    wrong = np.c_[np.arange(600), rng.integers(0, 900, 600)]
+    for result in (
+        reg.registration_icp(source, target, 5.0, None, method, reg.ICPConvergenceCriteria(max_iteration=200)),
+        reg.registration_ransac_based_on_correspondence(source, target, wrong, 0.15, method, seed=1),
+    ):
+        assert result.fitness == 1 and not result.converged and "scale" in result.reason
+
+
 @EACH
 def test_no_iterations_only_evaluate(device, full_pair, kind):
     source, target = on(device, *full_pair[:2])
