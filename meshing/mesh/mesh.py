@@ -95,8 +95,8 @@ class TriangleMesh(
         vertex_attributes: Further values at vertices by name, of any type of number, shape [m] or [m, c].
         triangle_attributes: Further values of triangles, shape [t] or [t, c].
         device: "cpu", "cuda:N" or "auto"; None for the GPU that the vertices lie on, else the CPU.
-        origin: The point [3] that positions are stored relative to; None takes zero, or the middle of the box where a
-            coordinate passes 1e4 m.
+        origin: The point [3] that positions are stored relative to; None takes zero, or for vertices far
+            from zero for their extent a point near their median.
 
     Raises:
         TypeError: Not numeric, or triangles that are not whole numbers.

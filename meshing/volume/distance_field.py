@@ -87,7 +87,7 @@ class DistanceField(FieldQueries, FieldViews, ToldNames):
             voxel_size: Edge of a voxel [m].
             max_distance: How far distances are to be known [m], at most 16,383 voxels.
             origin: The lowest corner of voxel (0, 0, 0) [m], shape [3]; None takes the cloud's own `origin`, which is
-                zero or, for coordinates beyond 1e4 m, whole metres: voxels then lie at whole multiples of their size.
+                zero, or near the median of points that are far from zero for their extent.
 
         Raises:
             TypeError: No cloud.

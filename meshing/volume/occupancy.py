@@ -101,7 +101,7 @@ class OccupancyGrid(OccupancyQuestions, ToldNames):
 
     @property
     def origin(self) -> NDArray[np.float64]:
-        """Where the grid's coordinates start [m]: zero, or near the first scan where that is beyond 1e4 m."""
+        """Where the grid's coordinates start [m]: zero, or whole meters near the first scan if that is beyond 128 m."""
         return np.zeros(3) if self._origin is None else self._origin.copy()
 
     @property

@@ -69,8 +69,8 @@ def fuse_volumes(
         color: Whether the result keeps colour; None where all volumes with frames have it.
 
     Returns:
-        The volume. Its `frame_count` is the sum of theirs; weights stop at 65535. Its origin is zero or, where the
-        poses put volumes beyond 1e4 m, near the first in the order of their poses. More frames can be integrated.
+        The volume. Its `frame_count` is the sum of theirs; weights stop at 65535. Its origin is zero or, if the
+        poses put volumes beyond 128 m, near the first in the order of their poses. More frames can be integrated.
 
     Raises:
         ValueError: No volumes, poses that are not as many or no rigid motions, sizes that are not positive, a
