@@ -108,6 +108,62 @@ world 1e-5 reg.register_fragments([cloud, other], voxel_size=0.1).poses[1] @ shi
 world 1e-5 reg.global_optimization(graph, option=reg.GlobalOptimizationOption(reference_node=0)).nodes[2].pose @ shift(1)
 moved 1e-5 reg.deskew_point_cloud(cloud, about(start), np.arange(len(cloud))).points
 moved 1e-3 reg.coherent_point_drift(other, cloud, max_iteration=5).warped.points
+same 0 cloud.cluster_euclidean(0.15, 5)
+moved 0 cloud.farthest_point_down_sample(10).points
+moved 0 cloud.get_axis_aligned_bounding_box().get_box_points()
+moved 0 cloud.get_min_bound()
+same 1e-6 cloud.normal_disagreement(8)
+moved 1e-6 loom.PointCloud.from_rgbd_image(loom.RGBDImage(np.full((48, 64, 3), 100, np.uint8), depth), camera, view @ shift(-1)).points
+same 1e-6 cloud.project_to_rgbd_image(64, 48, camera, view @ shift(-1)).depth
+same 0 cloud.region_growing()
+same 0 cloud.remove_duplicated_points().normals
+same 0 cloud.segment_planes(0.01, seed=1)[0]
+same 1e-4 ball.segment_sphere(0.02, seed=1)[0].radius
+moved 1e-4 ball.segment_sphere(0.02, seed=1)[0].center
+moved 1e-5 cloud.smooth_bilateral().points
+moved 0 cloud.thin(0.3, corner=at([-1, -1, -1])).points
+same 0 mesh.boolean_union(mesh.translate([0.5, 0.25, 0.125])).triangles
+same 1e-5 mesh.clip_plane(at([0.1, 0, 0]), [1, 0, 0.2]).get_surface_area()
+moved 1e-5 mesh.slice_plane(at([0.1, 0, 0]), [1, 0, 0.2], [0.0]).points
+same 0 mesh.cluster_connected_triangles()[0]
+same 1e-5 mesh.compute_metrics(mesh.translate([0.01, 0, 0])).chamfer
+same 1e-5 mesh.compute_geodesic_distances([0])
+same 1e-6 mesh.compute_triangle_areas()
+same 1e-3 mesh.compute_uvatlas().triangle_uvs
+moved 1e-4 mesh.deform_as_rigid_as_possible([0, 50], at(local[[0, 50]] + 0.05), 5).vertices
+moved 1e-5 mesh.extrude_linear([0, 0, 1]).vertices
+moved 1e-5 mesh.filter_sharpen(1, 0.5).vertices
+moved 1e-5 mesh.filter_smooth_laplacian(2).vertices
+moved 1e-5 mesh.filter_smooth_simple(2).vertices
+moved 0 mesh.get_axis_aligned_bounding_box().get_box_points()
+same 0 mesh.is_intersecting(mesh.translate([0.5, 0.25, 0.125]))
+same 1e-2 mesh.remesh_isotropic(0.2).get_surface_area()
+same 0 soup.repair()[0].triangles
+moved 1e-5 mesh.sample_points_poisson_disk(50, seed=1).points
+moved 1e-5 mesh.subdivide_midpoint(1).vertices
+same 0 mesh.voxelize(0.25).coordinates
+same 1e-6 scene.compute_distance(at([[0, 0, 0.5], [1, 0, 0.1]]))
+same 0 scene.compute_occupancy(at([[0, 0, 0.5], [1, 0, 0.1]]))
+same 0 scene.count_intersections(rays)
+same 1e-6 scene.list_intersections(rays)["t_hit"]
+same 0 scene.test_occlusions(rays)
+moved 1e-4 volume.extract_point_cloud(weight_threshold=0).points
+same 1e-4 volume.ray_cast(camera, view @ shift(-1)).depth
+moved 0 loom.LineSet.create_from_triangle_mesh(mesh).points
+same 0 loom.AxisAlignedBoundingBox(at([0, 0, 0]), at([2, 2, 1])).get_point_indices_within_bounding_box(cloud.points)
+same 0 loom.OrientedBoundingBox(at([2, 1, 1]), turn, [2, 2, 1]).get_point_indices_within_bounding_box(cloud.points)
+moved 1e-6 loom.OrientedBoundingBox.create_from_points(cloud.points).center
+pose 2e-5 reg.registration_fgr_based_on_correspondence(other, cloud, pairs).transformation
+pose 2e-5 reg.registration_robust_based_on_correspondence(other, cloud, pairs, 0.1).transformation
+pose 1e-3 reg.registration_robust_based_on_feature_matching(other, cloud, *features, 0.1).transformation
+same 1e-6 reg.choose_voxel_size(cloud)
+same 0 loom.classify_ground(cloud)
+same 1e-4 loom.compute_eigen_features(cloud, radius=0.3)["linearity"]
+same 0 loom.compute_iss_keypoints(cloud).normals
+same 1e-4 loom.estimate_curvature(cloud, radius=0.4)["curvature"]
+same 1e-4 loom.fit_shape(ball, "sphere").radius
+same 1e-3 loom.create_surface(ball).mesh.get_surface_area()
+same 1e-6 loom.compare_meshes(mesh, mesh.translate([0.01, 0, 0])).metrics.hausdorff
 """  # noqa: E501
 
 
@@ -160,7 +216,8 @@ def things(offset: Any) -> dict[str, Any]:
     nearest = loom.NearestNeighborSearch(target).knn_search(source.points, 1)[0].ravel()
     return {
         "at": at, "shift": shift, "about": about, "cloud": target, "other": source, "near": near, "start": start,
-        "turn": as_pose([0.3, 0.4, 0.5])[:3, :3], "mesh": loom.TriangleMesh(at(vertices), torus.triangles),
+        "turn": as_pose([0.3, 0.4, 0.5])[:3, :3], "local": vertices,
+        "mesh": loom.TriangleMesh(at(vertices), torus.triangles),
         "soup": loom.TriangleMesh(at(corners), np.arange(2304).reshape(-1, 3)), "scene": scene, "camera": camera,
         "rays": np.c_[at(ends), np.tile([0, 0, -1.0], (40, 1))], "depth": depth, "view": view, "volume": volume,
         "ball": loom.PointCloud(at(directions), normals=2 * directions), "graph": graph_of(target, about),
