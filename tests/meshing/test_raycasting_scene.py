@@ -197,6 +197,7 @@ def test_edges_and_corners_are_crossed_once(device):
     found = scene.list_intersections(rays)
     assert found["primitive_ids"][:4].tolist() == [0, 4, 0, 4]
     assert found["t_hit"].tolist() == [2, 4, 2.25, 3.75, 2.5, 3.5, 3, 2, 4, 3]
+    assert set(found["primitive_uvs"][[2, 3, 6]].ravel().tolist()) <= {0, 0.25, 0.5, 0.75}  # whole numbers' own
 
 
 def test_of_equal_triangles_the_smallest_number_is_met(device):
