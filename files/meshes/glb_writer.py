@@ -4,9 +4,9 @@ A GLB holds all in one file, pictures as PNG inside; beside m.gltf, which is tex
 Positions are float32 about the node's translation, so that coordinates far from zero stay exact. glTF has texture
 coordinates at vertices: a vertex whose corners have several is written several times. Triangles come in the order of
 their materials. An attribute NAME is written as _NAME, in its own type where glTF has it (float32, and whole numbers of
-up to 16 bits), else as float32 where that holds each value exactly; "alpha" beside colours is that of COLOR_0. Not
-held: other attributes and those of triangles (left out with a warning), material numbers of a mesh that has no
-textures, NaN.
+up to 16 bits), else as float32 where that holds each value exactly; "alpha" beside colors is that of COLOR_0. Vertex
+colors are converted from sRGB to linear light, which is what glTF stores. Not held: other attributes and those of
+triangles (left out with a warning), material numbers of a mesh that has no textures, NaN.
 
 Source: Khronos, "glTF 2.0 Specification".
 """
@@ -28,6 +28,7 @@ from numpy.typing import NDArray
 from ...core.atomic import atomic_write, check_writable
 from ...core.coordinates import quiet, split_origin
 from ...core.errors import FileError
+from ..color_space import srgb_to_linear
 from ..pictures.image_files import encode_png
 from ..pictures.texture_files import derived_name, picture_names, write_with
 from ..table import MeshTable
@@ -132,10 +133,12 @@ def _scene_of(path: Path, mesh: MeshTable) -> _Scene:
 def _columns(mesh: MeshTable, positions: NDArray[Any]) -> dict[str, NDArray[Any]]:
     """The values at vertices by their names in the file, shape [m, c]."""
     colors, attributes = mesh.vertex_colors, dict(mesh.attributes)
-    if colors is not None and ALPHA in attributes:
-        alpha = attributes[ALPHA]
+    if colors is not None:
+        colors = srgb_to_linear(colors)
+        alpha = attributes.get(ALPHA, np.empty((0, 0)))
         if alpha.ndim == 1 and alpha.dtype.kind == "f" and ((alpha >= 0) & (alpha <= 1)).all():
-            colors = np.column_stack([colors, attributes.pop(ALPHA)]).astype(np.float32)
+            colors = np.column_stack([colors, attributes.pop(ALPHA)])
+        colors = colors.astype(np.float32)
     found = {"POSITION": positions, "NORMAL": mesh.vertex_normals, "COLOR_0": colors}
     found |= {f"_{name}": _column_of(values) for name, values in attributes.items()}
     return {name: values for name, values in found.items() if values is not None}

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..color_space import linear_to_srgb
 from ..pictures.texture_files import decode_textures
 from ..source import open_source
 from .gltf_arrays import GltfArrays
@@ -151,8 +152,7 @@ class Materials:
 
 
 def _pixel(linear: tuple[float, ...]) -> NDArray[np.uint8]:
-    """A picture of one pixel, from linear light to sRGB (IEC 61966-2-1); with alpha where it is not whole."""
-    light = np.array(linear[:3])
-    curved = np.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055)
+    """A picture of one pixel, converted from linear light to sRGB; with alpha where it is not whole."""
+    curved = linear_to_srgb(np.array(linear[:3]))
     values = [*curved, linear[3]] if linear[3] < 1 else curved
     return np.rint(np.array(values) * 255).astype(np.uint8).reshape(1, 1, -1)

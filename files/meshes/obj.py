@@ -11,10 +11,11 @@ coordinates gets (0, 0) where others have them. Materials that faces have are nu
 that it lacks (a warning) and faces without a material behind them, white.
 
 Left behind with a warning, as the geometry is whole without them, are normals or texture coordinates where a corner
-names one that is not there, colours that some vertices lack or that are outside 0..1, textures and material numbers
+names one that is not there, colors that some vertices lack or that are not finite, textures and material numbers
 where the .mtl or a picture is missing or its name leads out of the folder, names of objects, groups and materials
-without textures, points and lines. Left behind in silence are smoothing groups and lines that begin with $. Free-form
-surfaces and rational vertices are refused. Files in UTF-16 are read where they begin with its mark.
+without textures, points and lines. Vertex colors outside 0..1 are scaled or clamped with a warning. Left behind in
+silence are smoothing groups and lines that begin with $. Free-form surfaces and rational vertices are refused. Files in
+UTF-16 are read where they begin with its mark.
 
 Source: Wavefront's "Object Files (.obj)", with the vertex colours that MeshLab and Blender added.
 """

@@ -91,7 +91,7 @@ def test_numbers_of_every_type_and_step_are_taken_for_what_they_are(tmp_path):
         })  # fmt: skip
         names[name] = len(scene.accessors) - 1
     mesh = read_glb(scene.write(tmp_path / "m.glb"))
-    np.testing.assert_array_equal(mesh.vertex_colors, np.float32([[1, 0, 0.2]] * 3))
+    np.testing.assert_allclose(mesh.vertex_colors, [[1, 0, 0.484529]] * 3, atol=1e-6)  # 0.2 of linear light
     np.testing.assert_array_equal(mesh.triangle_uvs, [[1, 1], [0, 1], [0, 0]])
 
 
@@ -224,9 +224,6 @@ def test_indices_beyond_the_vertices_are_refused(tmp_path):
         read_glb(scene.write(tmp_path / "m.glb"))
     scene = one_triangle(NORMAL=np.array(Z[:2], "f4"))
     with pytest.raises(FileError, match="NORMAL of meshes 0 has 2 elements, POSITION 3"):
-        read_glb(scene.write(tmp_path / "m.glb"))
-    scene = one_triangle(COLOR_0=np.array([[2, 0, 0]] * 3, "f4"))
-    with pytest.raises(FileError, match=r"a colour is outside 0\.\.1"):
         read_glb(scene.write(tmp_path / "m.glb"))
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import json
 import re
 import sys
 
@@ -14,7 +15,7 @@ from pointloom.core.checks import check_textures
 from pointloom.core.errors import FileError
 from pointloom.files.meshes import gltf_file
 from pointloom.files.meshes.glb import read_glb
-from pointloom.files.meshes.glb_writer import write_glb
+from pointloom.files.meshes.glb_writer import write_glb, write_gltf
 from pointloom.files.pictures.image_files import encode_png
 from pointloom.files.source import netted
 from pointloom.files.table import MeshTable
@@ -389,7 +390,35 @@ def test_attributes_and_alpha_survive_a_round_trip(tmp_path):
     assert kinds["label"] == np.uint8
     assert kinds["pair"] == np.int16
     assert kinds["id"] == np.float32
-    np.testing.assert_array_equal(again.vertex_colors[back], mesh.vertex_colors[at])
+    np.testing.assert_array_max_ulp(again.vertex_colors[back], mesh.vertex_colors[at], 1)
+
+
+@pytest.mark.parametrize("kind", ["f4", "u2", "u1"])
+@pytest.mark.parametrize("name", ["m.glb", "m.gltf"])
+def test_vertex_colors_are_linear_light_and_alpha_is_not_converted(tmp_path, name, kind):
+    full = 1 if kind == "f4" else np.iinfo(kind).max
+    scene = one_triangle()
+    linear = np.array([[0.2158605, 1, 0, 0.5]] * 3)  # sRGB 128, 255, 0
+    values = np.rint(linear * full).astype(kind) if full > 1 else linear.astype(kind)
+    scene.primitives[0]["attributes"]["COLOR_0"] = scene.array(values, normalized=full > 1)
+    mesh = read_glb(scene.write(tmp_path / name))
+    np.testing.assert_array_equal(np.rint(mesh.vertex_colors * 255), [[128, 255, 0]] * 3)
+    np.testing.assert_allclose(mesh.attributes["alpha"], 0.5, atol=0.5 / min(full, 2**20))
+
+
+def test_vertex_colors_of_8_bits_are_written_as_linear_light_and_come_back(tmp_path):
+    grays = np.arange(256).repeat(3).reshape(-1, 3)
+    colors = np.float32(grays / 255)
+    mesh = MeshTable(np.zeros((256, 3)), [[0, 1, 2]], vertex_colors=colors, attributes={"alpha": colors[:, 0]})
+    write_gltf(tmp_path / "m.gltf", mesh)
+    content = json.loads((tmp_path / "m.gltf").read_text())
+    number = content["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"]
+    view = content["bufferViews"][content["accessors"][number]["bufferView"]]
+    linear = np.frombuffer((tmp_path / "m.bin").read_bytes(), "<f4", 1024, view["byteOffset"]).reshape(-1, 4)
+    assert linear[128, :3] == pytest.approx(0.2158605) and linear[128, 3] == np.float32(128 / 255)
+    assert linear[2, 0] == pytest.approx(2 / 255 / 12.92)
+    again = read_glb(tmp_path / "m.gltf")
+    np.testing.assert_array_equal(np.rint(again.vertex_colors * 255), grays)
 
 
 def test_trimesh_finds_our_attributes(tmp_path):

@@ -1,0 +1,65 @@
+"""A mesh whose geometry is complete is read whatever its colors and materials are; a warning names what was changed."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from pointloom.files.meshes.mesh_formats import read_mesh
+
+from .gltf_scenes import one_triangle
+
+CORNERS = ((0, 0, 0), (1, 0, 0), (0, 1, 0))
+
+
+def write_colored(path, color):
+    """A file of one triangle with these floating-point colors at its three vertices."""
+    rows = "".join(f"{x} {y} {z} {color}\n" for x, y, z in CORNERS)
+    if path.suffix == ".glb":
+        scene = one_triangle(COLOR_0=np.array([[float(word) for word in color.split()]] * 3, "f4"))
+        scene.write(path)
+    elif path.suffix == ".obj":
+        path.write_text("v " + rows.replace("\n", "\nv ")[:-2] + "f 1 2 3\n")
+    elif path.suffix == ".off":
+        path.write_text(f"COFF\n3 1 0\n{rows}3 0 1 2\n")
+    else:
+        names = "".join(f"property float {name}\n" for name in ["x", "y", "z", "red", "green", "blue"])
+        head = (
+            f"ply\nformat ascii 1.0\nelement vertex 3\n{names}element face 1\nproperty list uchar int vertex_indices\n"
+        )
+        path.write_text(f"{head}end_header\n{rows}3 0 1 2\n")
+    return path
+
+
+@pytest.mark.parametrize("suffix", [".obj", ".glb", ".ply", ".off"])
+@pytest.mark.parametrize(
+    ("color", "wanted"), [("1.5 0 1", [1, 0, 1]), ("-0.5 1 0", [0, 1, 0]), ("nan 0 0", None), ("inf 0 0", None)]
+)
+def test_colors_outside_0_to_1_are_clamped_and_those_not_finite_left_behind(tmp_path, suffix, color, wanted):
+    path = write_colored(tmp_path / f"m{suffix}", color)
+    with pytest.warns(UserWarning, match="color"):
+        mesh = read_mesh(path)
+    assert len(mesh.triangles) == 1
+    if wanted is None:
+        assert mesh.vertex_colors is None
+    else:
+        np.testing.assert_array_equal(mesh.vertex_colors, np.float32([wanted] * 3))
+
+
+@pytest.mark.parametrize("suffix", [".obj", ".ply", ".off"])
+@pytest.mark.parametrize("color", ["255 51 0", "127.5 51 0", "2 1 0"])
+def test_floating_point_colors_of_0_to_255_are_divided_by_255(tmp_path, suffix, color, recwarn):
+    mesh = read_mesh(write_colored(tmp_path / f"m{suffix}", color))
+    np.testing.assert_allclose(mesh.vertex_colors, [np.float64(color.split()) / 255] * 3, atol=1e-7)
+    assert ("divided by 255" in str([str(warning.message) for warning in recwarn])) == (suffix != ".off")
+
+
+@pytest.mark.parametrize(
+    ("name", "values"),
+    [("COLOR_0", np.zeros((3, 3), "u1")), ("COLOR_0", np.zeros((2, 3), "f4")), ("TEXCOORD_0", np.zeros((3, 3), "f4"))],
+)
+def test_colors_and_texture_coordinates_of_unknown_types_are_left_behind(tmp_path, name, values):
+    path = one_triangle(**{name: values}).write(tmp_path / "m.glb")
+    with pytest.warns(UserWarning, match="left behind"):
+        mesh = read_mesh(path)
+    assert (len(mesh.triangles), mesh.vertex_colors, mesh.triangle_uvs) == (1, None, None)
