@@ -2,8 +2,8 @@
 
 Where the coordinate system is known each point is brought to the globe by itself, so that neither the curve of the
 Earth nor the scale of the map shows; elsewhere points keep their coordinates. Positions are float32 about the middle of
-their node, which stands in the GLB as a translation, with y up as glTF wants it. Colors are the upper 8 bits of those of
-LAS, converted from sRGB to linear light of 16 bits, since glTF stores linear light and 8 bits of it would merge dark
+their node, which stands in the GLB as a translation, with y up as glTF wants it. Colors are the upper 8 bits of those
+of LAS, converted from sRGB to linear light of 16 bits, since glTF stores linear light and 8 bits of it would merge dark
 colors. Intensity and classification are the attributes _INTENSITY and _CLASSIFICATION. A node adds to the coarser ones
 (refine: ADD); what is drawn without the finer ones is off by the spacing of its level. Large trees are JSON files of
 some levels each.
