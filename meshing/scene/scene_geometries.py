@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import Any, Self
 
 import numpy as np
@@ -15,6 +16,7 @@ from ...core.pickled_arrays import device_like
 from ...kernels.linear_algebra import matmul
 from ...kernels.rays.scene_trees import SceneTrees
 from ...kernels.rays.triangle_tree import TriangleTree
+from ..mesh.finite_corners import find_wrong_corner
 from ..mesh.mesh import TriangleMesh
 
 
@@ -94,7 +96,8 @@ class SceneGeometries(KnownNames):
             DeviceError: The mesh is on another device.
 
         Notes:
-            Triangles with a corner that is not finite are left out; the numbers of the others stay theirs.
+            Triangles with a corner that is not finite are left out with a warning; the numbers of the others stay
+            theirs.
 
         Example:
             >>> import pointloom as loom
@@ -112,6 +115,9 @@ class SceneGeometries(KnownNames):
                 raise TypeError(f"mesh: expected a TriangleMesh, or vertices and triangles, got {type(mesh).__name__}")
             added = TriangleMesh(check_rows("mesh", mesh, 3), triangles, device=self._device)
         T = np.eye(4) if pose is None else check_rigid("pose", pose)
+        if (wrong := find_wrong_corner(added)) is not None:
+            message = f"mesh: {wrong}; such triangles are left out, so distances and occupancy are of an open surface"
+            warnings.warn(message, UserWarning, stacklevel=2)
         self._trees.append(TriangleTree(added.array("vertices"), added.array("triangles")))
         self._meshes.append(added)
         return self._place(len(self._meshes) - 1, T)
