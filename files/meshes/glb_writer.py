@@ -1,6 +1,7 @@
 """A mesh as glTF 2.0: one node, one mesh, a primitive for each of its textures.
 
 A GLB holds all in one file, pictures as PNG inside; beside m.gltf, which is text, lie m.bin and m_0.png, m_1.png, ...
+A picture with an alpha other than 255 has the alphaMode MASK if its alphas are 0 and 255, else BLEND.
 Positions are float32 about the node's translation, so that coordinates far from zero stay exact. glTF has texture
 coordinates at vertices: a vertex whose corners have several is written several times. Triangles come in the order of
 their materials. An attribute NAME is written as _NAME, in its own type where glTF has it (float32, and whole numbers of
@@ -30,7 +31,7 @@ from ...core.coordinates import quiet, split_origin
 from ...core.errors import FileError
 from ..color_space import srgb_to_linear
 from ..pictures.image_files import encode_png
-from ..pictures.texture_files import derived_name, picture_names, write_with
+from ..pictures.texture_files import alpha_mode, derived_name, picture_names, write_with
 from ..table import MeshTable
 from .glb_container import BINARY_CHUNK, JSON_CHUNK, MAGIC
 from .gltf_arrays import COMPONENTS
@@ -207,11 +208,13 @@ def _assemble(
     }
     images = list({id(picture): picture for picture in mesh.textures}.values())
     if images:
+        modes = {id(picture): alpha_mode(picture) for picture in images}
         places = {id(picture): number for number, picture in enumerate(images)}
         content |= {
             "textures": [{"source": number} for number in range(len(images))],
-            "materials": [_material(places[id(picture)], picture) for picture in mesh.textures],
+            "materials": [_material(places[id(picture)], modes[id(picture)]) for picture in mesh.textures],
         }
+        images = [picture[..., :3] if modes[id(picture)] == "OPAQUE" else picture for picture in images]
     return _Scene(content, body, images)
 
 
@@ -224,10 +227,10 @@ def _text(scene: _Scene, images: list[dict[str, Any]], buffer: dict[str, Any]) -
     return json.dumps(content, separators=(",", ":")).encode("ascii")
 
 
-def _material(texture: int, picture: NDArray[np.uint8]) -> dict[str, Any]:
+def _material(texture: int, mode: str) -> dict[str, Any]:
     look = {"baseColorTexture": {"index": texture}, "metallicFactor": 0.0, "roughnessFactor": 1.0}
     material: dict[str, Any] = {"pbrMetallicRoughness": look, "doubleSided": True}
-    return material | ({"alphaMode": "BLEND"} if picture.shape[2] == 4 else {})
+    return material | ({} if mode == "OPAQUE" else {"alphaMode": mode})
 
 
 class _Body:
