@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import struct
+import warnings
+from contextlib import nullcontext
+
 import numpy as np
 import pytest
 
@@ -52,6 +56,67 @@ def test_floating_point_colors_of_0_to_255_are_divided_by_255(tmp_path, suffix, 
     mesh = read_mesh(write_colored(tmp_path / f"m{suffix}", color))
     np.testing.assert_allclose(mesh.vertex_colors, [np.float64(color.split()) / 255] * 3, atol=1e-7)
     assert ("divided by 255" in str([str(warning.message) for warning in recwarn])) == (suffix != ".off")
+
+
+def binary_stl(path, header, values):
+    """A binary STL of a facet for each value of its attribute bytes."""
+    facet = struct.pack("<12f", 0, 0, 1, *np.ravel(CORNERS))
+    facets = b"".join(facet + struct.pack("<H", value) for value in values)
+    path.write_bytes(header.ljust(80) + struct.pack("<I", len(values)) + facets)
+    return path
+
+
+@pytest.mark.parametrize(
+    ("header", "values", "told", "wanted"),
+    [
+        (b"viscam", [0x801F, 0xFC00], None, [[0, 0, 1], [1, 0, 0]]),
+        (b"viscam", [0x801F, 0x7C00], "1 of 2 facets have no color", [[0, 0, 1], [1, 1, 1]]),
+        (b"COLOR=\xff\x33\x00\xff,MATERIAL=", [0x001F, 0xFFFF], None, [[1, 0, 0], [1, 0.2, 0]]),
+        (b"COLOR=\x00\x00\x00\x66", [0x7C00, 0x8000], None, [[0, 0, 1, 0.4], [0, 0, 0, 0.4]]),
+        (b"", [7, 0], "attribute bytes of facets are left behind", None),
+        (b"", [0, 0], None, None),
+    ],
+)
+def test_colors_of_a_binary_stl_are_those_of_its_triangles(tmp_path, header, values, told, wanted):
+    path = binary_stl(tmp_path / "m.stl", header, values)
+    with pytest.warns(UserWarning, match=told) if told else nullcontext():
+        mesh = read_mesh(path)
+    assert len(mesh.triangles) == 2
+    check_triangle_colors(mesh, wanted)
+
+
+FACET = ["outer loop", "vertex 0 0 0", "vertex 1 0 0", "vertex 0 1 0", "endloop", "endfacet"]
+
+
+@pytest.mark.parametrize(
+    ("before", "within", "told", "wanted"),
+    [
+        (["", ""], ["color 0 0.5 1", "color 1 0 0"], None, [[0, 0.5, 1], [1, 0, 0]]),
+        (["color 0 0 1", ""], ["", "COLOR 1 0 0"], None, [[0, 0, 1], [1, 0, 0]]),
+        (["color 0 0 1 0.5", ""], ["", ""], None, [[0, 0, 1, 0.5]] * 2),
+        (["", ""], ["color 0 255 51", ""], "divided by 255", [[0, 1, 0.2], [1, 1, 1]]),
+        (["", ""], ["color 0 1.5 -1", "color 0 0 0"], "1 of 2 are outside 0..1", [[0, 1, 0], [0, 0, 0]]),
+        (["", ""], ["color nan 0 0", ""], "colors are left behind", None),
+        (["", ""], ["color red", ""], "colors are left behind", None),
+    ],
+)
+def test_color_lines_of_a_text_stl_are_colors_of_its_triangles(tmp_path, before, within, told, wanted):
+    lines = ["solid a"]
+    for outer, inner in zip(before, within, strict=True):
+        lines += [outer, "facet normal 0 0 1", inner, *FACET]
+    (tmp_path / "m.stl").write_text("\n".join([*lines, "endsolid a", ""]))
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        mesh = read_mesh(tmp_path / "m.stl")
+    assert (told or "") in str([str(each.message) for each in caught]) and bool(caught) == bool(told)
+    assert len(mesh.triangles) == 2
+    check_triangle_colors(mesh, wanted)
+
+
+def check_triangle_colors(mesh, wanted):
+    assert list(mesh.triangle_attributes) == ([] if wanted is None else ["colors"])
+    if wanted is not None:
+        np.testing.assert_allclose(mesh.triangle_attributes["colors"], wanted, atol=1e-7)
 
 
 @pytest.mark.parametrize(

@@ -124,7 +124,7 @@ COUNTED = ["ascii.ply", "ascii_mesh.ply", "ascii.pcd", "cloud.pts", "text.stl", 
 pytestmark = [
     pytest.mark.filterwarnings("ignore:.*(are|is) left behind"),
     pytest.mark.filterwarnings("ignore:.*(clamped|divided by 255|defined twice|before any newmtl)"),
-    pytest.mark.filterwarnings("ignore:.*it is taken for white"),
+    pytest.mark.filterwarnings("ignore:.*taken for white"),
     pytest.mark.filterwarnings("ignore:.*such are fans"),
     pytest.mark.filterwarnings("ignore:.*WIDTH x HEIGHT is 0"),
 ]
