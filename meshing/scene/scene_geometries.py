@@ -12,12 +12,13 @@ from ...core.checks import check_count, check_rigid, check_rows
 from ...core.coordinates import ORIGIN_LIMIT
 from ...core.devices import check_same_device, resolve_device
 from ...core.known_names import KnownNames
-from ...core.pickled_arrays import device_like
+from ...core.pickled_arrays import device_like, unpickling
 from ...kernels.linear_algebra import matmul
 from ...kernels.rays.scene_trees import SceneTrees
 from ...kernels.rays.triangle_tree import TriangleTree
 from ..mesh.finite_corners import find_wrong_corner
 from ..mesh.mesh import TriangleMesh
+from ..mesh.mesh_intersections import check_mesh
 
 
 class SceneGeometries(KnownNames):
@@ -68,10 +69,21 @@ class SceneGeometries(KnownNames):
         """The scene on the device that it was on; on the first GPU where there is another number of them.
 
         Raises:
+            ValueError: The state is damaged: no meshes, a geometry of a mesh that is not there, or a pose that is not
+                rigid.
             DeviceError: It was on a GPU, and here is none.
         """
-        self.__init__(device_like("scene", state["device"]))
-        self._meshes, self._mesh_of, self._poses = state["meshes"], state["mesh_of"], state["poses"]
+        with unpickling("scene"):
+            device, meshes, mesh_of = device_like("scene", state["device"]), state["meshes"], state["mesh_of"]
+            for mesh in meshes:
+                check_mesh("meshes", mesh)
+                check_same_device("meshes", device, mesh.device)
+            numbers = [check_count("mesh_of", number, minimum=0, maximum=len(meshes) - 1) for number in mesh_of]
+            poses = [check_rigid("poses", pose) for pose in state["poses"]]
+            if len(poses) != len(numbers):
+                raise ValueError(f"poses: expected one for each of {len(numbers)} geometries, got {len(poses)}")
+        self.__init__(device)
+        self._meshes, self._mesh_of, self._poses = [*meshes], numbers, poses
         self._trees = [TriangleTree(mesh.array("vertices"), mesh.array("triangles")) for mesh in self._meshes]
 
     @property
