@@ -36,9 +36,10 @@ class MeshPickling(MeshArrays):
             vertices, triangles = (np.asarray(given[name][0]).reshape(-1, 3) for name in ("vertices", "triangles"))
             ids = given["triangle_material_ids"][0] if "triangle_material_ids" in given else None
             MeshTable(vertices, triangles, triangle_material_ids=ids).checked()
+            arrays: dict[str, Any] = unpickled(given, device)
+            arrays |= {kind: unpickled(state["attributes"][kind], device) for kind in ATTRIBUTES}
             mesh = self.from_device_arrays(
-                **unpickled(given, device),
-                **{kind: unpickled(state["attributes"][kind], device) for kind in ATTRIBUTES},
+                **arrays,
                 textures=check_textures("textures", state["textures"]),
                 origin=check_finite("origin", check_shape("origin", state["origin"], (3,))),
                 library=check_library("library", state["library"]),

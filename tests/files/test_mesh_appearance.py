@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from pointloom.files.meshes.mesh_formats import read_mesh
+from pointloom.files.points.ply import read_ply
 
 from .gltf_scenes import one_triangle
 
@@ -48,6 +49,17 @@ def test_colors_outside_0_to_1_are_clamped_and_those_not_finite_left_behind(tmp_
         assert mesh.vertex_colors is None
     else:
         np.testing.assert_array_equal(mesh.vertex_colors, np.float32([wanted] * 3))
+
+
+@pytest.mark.parametrize(("color", "wanted"), [("255 51 0", [1, 0.2, 0]), ("1.5 0 1", [1, 0, 1]), ("nan 0 0", None)])
+def test_a_cloud_of_ply_is_read_whatever_its_colors_are(tmp_path, color, wanted):
+    with pytest.warns(UserWarning, match="color"):
+        cloud = read_ply(write_colored(tmp_path / "m.ply", color))
+    assert len(cloud.points) == 3
+    if wanted is None:
+        assert cloud.colors is None
+    else:
+        np.testing.assert_array_equal(cloud.colors, np.float32([wanted] * 3))
 
 
 @pytest.mark.parametrize("suffix", [".obj", ".ply", ".off"])
