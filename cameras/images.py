@@ -63,6 +63,8 @@ class RGBDImage(ToldNames):
         (1.5, 3, 2)
     """
 
+    _fixed = ("color_array", "depth_array", "height", "width", "device")
+
     @told_arguments
     def __init__(
         self,
@@ -118,7 +120,7 @@ class RGBDImage(ToldNames):
         """
         image = cls(color, depth, depth_scale=depth_scale, depth_trunc=depth_trunc, device=device)
         if convert_rgb_to_intensity:
-            image.color_array = intensity_of(image.color_array)
+            vars(image)["color_array"] = intensity_of(image.color_array)
         return image
 
     create_from_color_and_depth = from_color_and_depth
@@ -296,9 +298,7 @@ def warn_of_scale(
         elif depth_scale < 1000:
             remedy = "integers in millimetres want depth_scale=1000"
         else:
-            remedy = (
-                "TUM's numbers want depth_scale=5000" if depth_scale < 5000 else "a larger depth_scale brings it near"
-            )
+            remedy = "TUM's numbers want depth_scale=5000" if depth_scale < 5000 else "a larger depth_scale helps"
         warn_of_units(
             f"depth_scale, {limit}: no depth is left: {given}, taken for {scale}, lie beyond {depth_trunc:g} m; "
             f"{remedy}; what is truly that far wants a larger {limit}"

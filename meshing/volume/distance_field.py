@@ -72,6 +72,7 @@ class DistanceField(FieldQueries, FieldViews, ToldNames):
         [False]
     """
 
+    _fixed = ("device", "voxel_size", "max_distance", "shape", "origin", "is_signed")
     device: Any
     voxel_size: float
     max_distance: float | None

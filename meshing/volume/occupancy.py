@@ -67,6 +67,7 @@ class OccupancyGrid(OccupancyQuestions, ToldNames):
 
     device: Any
     voxel_size: float
+    _fixed = ("device", "voxel_size")
 
     @told_arguments
     def __init__(

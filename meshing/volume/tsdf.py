@@ -85,6 +85,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
 
     device: Any
     has_color: bool
+    _fixed = ("device", "has_color")
 
     @told_arguments
     def __init__(self, *, voxel_size: float, truncation: float | None = None, color: bool = True, device: Any = None):

@@ -1,4 +1,4 @@
-"""A damaged pickle is a ValueError: its arrays are checked against each other before an object is made of them."""
+"""Checks of constructors hold at other entry points, too: pickles and attributes. A damaged pickle is a ValueError."""
 
 from __future__ import annotations
 
@@ -45,10 +45,6 @@ def scene():
     made = loom.RaycastingScene()
     made.add_triangles(loom.TriangleMesh.create_box())
     return made
-
-
-def search():
-    return loom.NearestNeighborSearch(np.eye(3))
 
 
 def put(*keys_and_value):
@@ -121,6 +117,22 @@ def test_a_damaged_state_is_refused(make, change):
 
 
 def test_a_search_of_something_else_than_a_cloud_is_refused():
-    kind = type(search())
+    kind = loom.NearestNeighborSearch
     with pytest.raises(TypeError, match="cloud"):
         kind.__new__(kind).__setstate__(np.eye(3))
+
+
+@pytest.mark.parametrize(
+    ("make", "names"),
+    [
+        (image, ["color_array", "depth_array", "height", "width", "device"]),
+        (volume, ["device", "has_color", "voxel_size", "truncation"]),
+        (grid, ["device", "voxel_size"]),
+        (field, ["device", "voxel_size", "max_distance", "shape", "origin", "is_signed"]),
+    ],
+)
+def test_attributes_that_arrays_depend_on_cannot_be_assigned(make, names):
+    made = make()
+    for name in names:
+        with pytest.raises(AttributeError, match=name):
+            setattr(made, name, getattr(made, name))
