@@ -2,7 +2,8 @@
 
 A material with an image is that image, whatever its Kd; one with a color alone is an image of one pixel; one without
 both is white. So a mesh has one image a material. The alpha of an image is kept if the material has a map_d or a d
-below 1, and dropped otherwise. The options -s and -o of map_Kd scale and shift the texture coordinates.
+below 1, and dropped otherwise; another image of map_d is left behind. The options -s and -o of map_Kd scale and shift
+the texture coordinates.
 
 A fault of a material never refuses the mesh. One warning lists the faults: colors that are no numbers (left behind) or
 outside 0..1 (clamped), options that are not read, lines before any newmtl and names that are defined twice (the first
@@ -53,6 +54,7 @@ class Material:
         name: As in the file.
         picture: The name of its image, or None.
         color: Red, green and blue in 0..1, or None.
+        opacity: The name of the image of its map_d, with options, or None.
         is_opaque: True if it has no map_d and no d below 1.
         scale, offset: What its texture coordinates u and v are multiplied by, and what is added then.
     """
@@ -60,6 +62,7 @@ class Material:
     name: str
     picture: str | None = None
     color: tuple[float, ...] | None = None
+    opacity: str | None = None
     is_opaque: bool = True
     scale: tuple[float, float] = (1.0, 1.0)
     offset: tuple[float, float] = (0.0, 0.0)
@@ -90,6 +93,9 @@ def read_mtl(path: str | os.PathLike[str]) -> list[Material]:
             note = f"{kind} comes before any newmtl" if current is None else _take(current, kind, rest)
         if note:
             notes.append(f"line {number}: {note}")
+    for material in found.values():
+        if material.opacity is not None and not material.opacity.endswith(material.picture or "\0"):
+            notes.append(f"the opacity map {material.opacity[:60]!r} of {material.name[:60]!r} is left behind")
     if notes:
         more = f"; and {len(notes) - _MAX_NOTES} more" if len(notes) > _MAX_NOTES else ""
         warnings.warn(f"{path}: {'; '.join(notes[:_MAX_NOTES])}{more}", UserWarning, stacklevel=5)
@@ -101,7 +107,7 @@ def _take(material: Material, kind: str, rest: str) -> str:
     if kind == "map_kd":
         return _take_map(material, rest)
     if kind == "map_d":
-        material.is_opaque = False
+        material.opacity, material.is_opaque = rest, False
         return ""
     words = rest.partition("#")[0].split()
     values = [float(word) for word in words if _is_number(word)]

@@ -52,7 +52,7 @@ class CleanedMesh(ChangedMesh):
         removed_parts: Small parts that went after that; `parts` are left.
         is_watertight, boundary_edges: Of the mesh without them.
         self_intersections: Pairs of triangles that cut through each other.
-        was_watertight, area_in: Whether the mesh was closed before, and its area [m^2].
+        was_watertight, area_in: Whether the mesh was closed before, and the area of its finite triangles [m^2].
         merge_distance, hole_size: As they were given [m].
         vertices_in, triangles_in: How many the other one had.
         poor: Why the mesh is not to be believed, with the remedy; None where it is.

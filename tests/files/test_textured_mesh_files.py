@@ -242,6 +242,7 @@ def test_a_damaged_vt_is_refused_with_its_line(tmp_path, text, where, reason):
         ("newmtl a\nmap_Kd -mm 0 2 -t 1 p.png\n", "line 2: the option -mm of map_Kd, the option -t", PICTURE),
         ("\ufeffNEWMTL a\nKD 0 0 1 # blue\n", None, [0, 0, 255]),
         ("newmtl a\nmap_kd p.png\n", None, PICTURE),
+        ("newmtl a\nmap_Kd p.png\nmap_d o.png\n", "the opacity map 'o.png' of 'a' is left behind", PICTURE),
     ],
 )
 def test_faults_of_an_mtl_are_warned_of_and_the_mesh_is_read(tmp_path, mtl, told, seen):
