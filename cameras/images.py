@@ -9,11 +9,11 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
-from ..core.array_libraries import NUMPY, library_of, view_as
-from ..core.checks import check_positive, is_on_gpu
+from ..core.array_libraries import NUMPY, check_library, library_of, view_as
+from ..core.checks import check_count, check_positive, is_on_gpu
 from ..core.gpu_arrays import INTEGERS, device_for, take_numbers
 from ..core.known_names import ToldNames
-from ..core.pickled_arrays import device_like, pickled, unpickled
+from ..core.pickled_arrays import check_form, device_like, pickled, unpickled, unpickling
 from ..core.told_arguments import told_arguments
 from ..core.units import asked_by_user, warn_of_units
 from ..kernels.arrays.row_numbers import limits_of
@@ -62,6 +62,8 @@ class RGBDImage(ToldNames):
         >>> float(rgbd.depth[0, 0]), rgbd.width, rgbd.height
         (1.5, 3, 2)
     """
+
+    _fixed = ("color_array", "depth_array", "height", "width", "device")
 
     @told_arguments
     def __init__(
@@ -118,7 +120,7 @@ class RGBDImage(ToldNames):
         """
         image = cls(color, depth, depth_scale=depth_scale, depth_trunc=depth_trunc, device=device)
         if convert_rgb_to_intensity:
-            image.color_array = intensity_of(image.color_array)
+            vars(image)["color_array"] = intensity_of(image.color_array)
         return image
 
     create_from_color_and_depth = from_color_and_depth
@@ -192,8 +194,7 @@ class RGBDImage(ToldNames):
         return f"RGBDImage({self.width} x {self.height}, {self.device})"
 
     def __copy__(self) -> Self:
-        arrays = self.color_array, self.depth_array
-        return self.from_device_arrays(*arrays, self.height, self.width, self._library)
+        return self.from_device_arrays(self.color_array, self.depth_array, self.height, self.width, self._library)
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Self:
         arrays = clone(self.color_array), clone(self.depth_array)
@@ -201,19 +202,23 @@ class RGBDImage(ToldNames):
 
     def __getstate__(self) -> dict[str, Any]:
         """The image as NumPy arrays and the name of its device, for pickle."""
-        arrays = pickled({"color_array": self.color_array, "depth_array": self.depth_array})
-        state = {"arrays": arrays, "device": str(self.device), "library": self._library}
-        return state | {"height": self.height, "width": self.width}
+        state = {"device": str(self.device), "library": self._library, "height": self.height, "width": self.width}
+        return state | {"arrays": pickled({"color_array": self.color_array, "depth_array": self.depth_array})}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         """The image on the device that it was on; on the first GPU where there is another number of them.
 
         Raises:
-            DeviceError: It was on a GPU, and here is none.
+            ValueError, DeviceError: The state is damaged, or it was on a GPU and here is none.
         """
-        self.device, self._library = device_like("image", state["device"]), state["library"]
-        vars(self).update(unpickled(state["arrays"], self.device))
-        self.height, self.width = state["height"], state["width"]
+        with unpickling("image"):
+            arrays = unpickled(state["arrays"], device_like("image", state["device"]))
+            height, width = (check_count(name, state[name]) for name in ("height", "width"))
+            flat = float32, (height * width,)
+            color = check_form("color_array", arrays["color_array"], (uint8, (height * width, 3)), flat)
+            depth = check_form("depth_array", arrays["depth_array"], flat)
+            made = self.from_device_arrays(color, depth, height, width, check_library("library", state["library"]))
+        vars(self).update(vars(made))
 
     # ------------------------------------------------------------------------------------------ internals
 
@@ -293,9 +298,7 @@ def warn_of_scale(
         elif depth_scale < 1000:
             remedy = "integers in millimetres want depth_scale=1000"
         else:
-            remedy = (
-                "TUM's numbers want depth_scale=5000" if depth_scale < 5000 else "a larger depth_scale brings it near"
-            )
+            remedy = "TUM's numbers want depth_scale=5000" if depth_scale < 5000 else "a larger depth_scale helps"
         warn_of_units(
             f"depth_scale, {limit}: no depth is left: {given}, taken for {scale}, lie beyond {depth_trunc:g} m; "
             f"{remedy}; what is truly that far wants a larger {limit}"
@@ -376,19 +379,17 @@ def upload_color(color: Any, height: int, width: int, device: Any) -> wp.array:
 
 def _repeated(grey: wp.array) -> wp.array:
     """A grey image on a GPU, [h, w], as one of three colours."""
-    rows, columns = grey.shape
-    pixels = empty((rows * columns, 3), uint8, grey.device)
+    pixels = empty((grey.size, 3), uint8, grey.device)
     for channel in range(3):
         fill_column(pixels, channel, view_as(grey, uint8, (grey.size,)))
-    return view_as(pixels, uint8, (rows, columns, 3))
+    return view_as(pixels, uint8, (*grey.shape, 3))
 
 
 def check_intrinsic(intrinsic: Any, width: int, height: int) -> PinholeCameraIntrinsic:
     """The intrinsic, once it fits the image."""
     if not isinstance(intrinsic, PinholeCameraIntrinsic):
-        kind = type(intrinsic).__name__
         raise TypeError(
-            f"intrinsic: expected a PinholeCameraIntrinsic, got {kind}; "
+            f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}; "
             "PinholeCameraIntrinsic.from_matrix(K, width, height) makes one of a matrix"
         )
     if (intrinsic.width, intrinsic.height) != (width, height):

@@ -46,8 +46,6 @@ class LeftBehind:
             self.add("metallic-roughness maps", number)
         if (look.get("metallicFactor", 1.0), look.get("roughnessFactor", 1.0)) not in ((1, 1), (0, 1)):
             self.add("metallic and roughness factors", number)
-        if material.get("alphaMode", "OPAQUE") == "MASK":
-            self.add("alpha cutoffs", number)
 
     def add_scene(self, nodes: list[int], materials: list[int]) -> None:
         """Note what stands beside the meshes: names of parts, animations, cameras, extensions."""

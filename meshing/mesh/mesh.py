@@ -33,6 +33,7 @@ from .mesh_extent import MeshExtent
 from .mesh_geodesics import MeshGeodesics
 from .mesh_intersections import MeshIntersections
 from .mesh_metrics import MeshMetrics
+from .mesh_pickling import MeshPickling
 from .mesh_remeshing import MeshRemeshing
 from .mesh_repair import MeshRepair
 from .mesh_round_shapes import MeshRoundShapes
@@ -66,6 +67,7 @@ class TriangleMesh(
     MeshAlbedo,
     MeshSimplification,
     MeshRemeshing,
+    MeshPickling,
     MeshSampling,
     MeshCutting,
     Poisson,

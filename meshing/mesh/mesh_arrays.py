@@ -15,7 +15,6 @@ from ...core.checks import check_colors, check_name, check_numeric, check_rows, 
 from ...core.devices import check_same_device, resolve_device
 from ...core.dropped_results import returns_new
 from ...core.gpu_arrays import take_colors, take_vectors
-from ...core.pickled_arrays import device_like, pickled, unpickled
 from ...kernels.arrays.select import gather_rows
 from ...kernels.lang import int32, vec2, vec3
 from ...kernels.memory import clone, download, move, upload
@@ -380,21 +379,3 @@ class MeshArrays(Upright, MeshQuestions):
         changed: dict[str, Any] = each(self._arrays, change)
         changed |= {kind: each(held, change) for kind, held in self._attributes.items()}
         return self.with_arrays(**changed)
-
-    def __getstate__(self) -> dict[str, Any]:
-        """The mesh as NumPy arrays and the name of its device, for pickle."""
-        state = {"arrays": pickled(self._arrays), "origin": self._origin, "device": str(self._device)}
-        attributes = {kind: pickled(held) for kind, held in self._attributes.items()}
-        state |= {"textures": self._textures, "library": self._library, "attributes": attributes}
-        return state | {"unit": self._unit, "up": self._up}
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        """The mesh on the device that it was on; on the first GPU where there is another number of them.
-
-        Raises:
-            DeviceError: It was on a GPU, and here is none.
-        """
-        self._device, self._origin = device_like("mesh", state["device"]), state["origin"]
-        self._arrays, self._textures = unpickled(state["arrays"], self._device), state["textures"]
-        self._library, self._unit, self._up = state["library"], state.get("unit"), state.get("up")
-        self._attributes = {kind: unpickled(state["attributes"][kind], self._device) for kind in ATTRIBUTES}

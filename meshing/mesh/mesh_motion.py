@@ -20,6 +20,7 @@ from ...kernels.memory import full
 from ...kernels.meshes import mesh_edits
 from ...pcd.motion import Movable
 from ...pcd.units import unit_under
+from .finite_corners import check_finite_corners
 from .mesh_arrays import MeshArrays
 
 
@@ -68,7 +69,12 @@ class MeshMotion(MeshArrays, Movable):
         return self.with_arrays(origin=self._origin * factor, vertices=vertices)
 
     def get_center(self) -> NDArray[np.float64]:
-        """The mean of the vertices [m], shape [3]; zeros where there is none."""
+        """The mean of the finite vertices [m], shape [3]; zeros where there is none.
+
+        Raises:
+            ValueError: A triangle has a corner that is not finite.
+        """
+        check_finite_corners("get_center", self)
         count, mean, _ = mean_and_covariance(self._arrays["vertices"])
         return mean + self._origin if count else np.zeros(3)
 

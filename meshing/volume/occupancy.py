@@ -13,7 +13,7 @@ from ...core.coordinates import origin_of_sensor
 from ...core.devices import resolve_device
 from ...core.dropped_results import returns_new
 from ...core.known_names import ToldNames
-from ...core.pickled_arrays import device_like
+from ...core.pickled_arrays import device_like, unpickling
 from ...core.told_arguments import told_arguments
 from ...kernels.lang import float32, int64, vec3
 from ...kernels.memory import download, upload
@@ -22,11 +22,10 @@ from ...kernels.volumes.occupancy_blocks import OUTERMOST, OddsBlocks
 from ...kernels.volumes.occupancy_rays import Lattice
 from ...kernels.volumes.tsdf_blocks import BLOCK_VOXELS
 from ...pcd.cloud import PointCloud
-from .occupancy_files import find_fault_of_model, log_odds_of, read_grid, write_grid
+from .occupancy_files import check_grid_arrays, find_fault_of_model, log_odds_of, read_grid, write_grid
 from .occupancy_questions import OccupancyQuestions
-from .voxel_boxes import places_of
+from .voxel_boxes import check_voxel_size, places_of
 
-SMALLEST = 1.0e-6  # [m] of a voxel, and the largest is 1 / this: float32 holds its half and its inverse
 FARTHEST = 3.0e38  # [m] of a scan without max_range
 
 
@@ -68,6 +67,7 @@ class OccupancyGrid(OccupancyQuestions, ToldNames):
 
     device: Any
     voxel_size: float
+    _fixed = ("device", "voxel_size")
 
     @told_arguments
     def __init__(
@@ -80,9 +80,7 @@ class OccupancyGrid(OccupancyQuestions, ToldNames):
         *,
         device: Any = None,
     ):
-        edge = check_positive("voxel_size", voxel_size)
-        if not SMALLEST <= edge <= 1 / SMALLEST:
-            raise ValueError(f"voxel_size: {edge:g} m; expected {SMALLEST:g} to {1 / SMALLEST:g} m")
+        edge = check_voxel_size(voxel_size)
         given = {"hit": hit, "miss": miss, "min": min, "max": max}
         self._model = tuple(check_number(name, value) for name, value in given.items())
         fault = find_fault_of_model(*self._model)
@@ -246,7 +244,10 @@ class OccupancyGrid(OccupancyQuestions, ToldNames):
         """The grid on the device that it was on; on the first GPU where there is another number of them.
 
         Raises:
+            ValueError: The state is damaged.
             DeviceError: It was on a GPU, and here is none.
         """
-        where = device_like("occupancy grid", state["device"])
-        vars(self).update(vars(self._from_downloaded(state["arrays"], where)))
+        with unpickling("occupancy grid"):
+            where = device_like("occupancy grid", state["device"])
+            made = self._from_downloaded(check_grid_arrays(state["arrays"]), where)
+        vars(self).update(vars(made))

@@ -23,6 +23,7 @@ from ...core.work_folder import held
 from ...files.points.archives import Arrays, Expected, read_archive, rows_of, write_archive
 from ...kernels.arrays.block_keys import BIAS
 from ...kernels.volumes.tsdf_blocks import BLOCK_VOXELS, block_box, box_keys
+from .tsdf_files import find_fault_of_sizes
 
 LIST = "volume.npz"
 FORMAT, PAGE_FORMAT = b"pointloom paged TSDF volume 1", b"pointloom TSDF page 1"
@@ -200,8 +201,8 @@ def _fault_of_list(arrays: Arrays) -> str:
     """What no list says, or nothing."""
     voxel_size, truncation = arrays["sizes"].tolist()
     keys, counts, side = arrays["keys"], arrays["counts"], int(arrays["side"])
-    if not (0 < voxel_size <= truncation < np.inf):
-        return f"sizes: expected 0 < voxel size <= truncation, got {voxel_size} and {truncation}"
+    if fault := find_fault_of_sizes(voxel_size, truncation):
+        return fault
     if not np.isfinite(arrays["origin"]).all() or int(arrays["frame_count"]) < 0:
         return "origin, frame_count: not finite, or negative"
     if not 1 <= side <= MOST_SIDE or (counts < 1).any() or counts.sum() != len(keys):

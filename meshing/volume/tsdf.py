@@ -18,7 +18,7 @@ from ...core.coordinates import origin_of_sensor
 from ...core.devices import check_same_device, resolve_device
 from ...core.dropped_results import returns_new
 from ...core.known_names import ToldNames
-from ...core.pickled_arrays import device_like
+from ...core.pickled_arrays import device_like, unpickling
 from ...core.told_arguments import told_arguments
 from ...core.watching import report
 from ...kernels.images import depth as depth_images
@@ -33,9 +33,10 @@ from ...kernels.volumes.voxel_blocks import VoxelBlocks
 from ...pcd.cloud import PointCloud
 from ..mesh.mesh import TriangleMesh
 from .block_count import BlockCount
-from .tsdf_files import VOXEL_ARRAYS, read_volume_arrays, write_volume_arrays
+from .tsdf_files import LARGEST_TRUNCATION, VOXEL_ARRAYS, check_volume_arrays, read_volume_arrays, write_volume_arrays
 from .tsdf_scans import ScanIntegration
 from .tsdf_views import RayCast, RenderedMaps, cast_view, check_view, render_colors, render_maps
+from .voxel_boxes import check_voxel_size
 
 OTHER_UNIT = 30.0  # times the farthest depth used: nothing of a place that is near lies beyond
 
@@ -84,11 +85,14 @@ class TSDFVolume(ScanIntegration, ToldNames):
 
     device: Any
     has_color: bool
+    _fixed = ("device", "has_color")
 
     @told_arguments
     def __init__(self, *, voxel_size: float, truncation: float | None = None, color: bool = True, device: Any = None):
-        edge = check_positive("voxel_size", voxel_size)
-        limit = 4 * edge if truncation is None else check_positive("truncation", truncation)
+        edge = check_voxel_size(voxel_size)
+        limit = 4 * edge
+        if truncation is not None:
+            limit = check_positive("truncation", truncation, maximum=LARGEST_TRUNCATION)
         if limit < edge:
             raise ValueError(f"truncation: {truncation} m is below one voxel ({edge} m); 4 voxels are usual")
         self.device, self.has_color = resolve_device(device), bool(color)
@@ -417,10 +421,13 @@ class TSDFVolume(ScanIntegration, ToldNames):
         """The volume on the device that it was on; on the first GPU where there is another number of them.
 
         Raises:
+            ValueError: The state is damaged.
             DeviceError: It was on a GPU, and here is none.
         """
-        where = device_like("volume", state["device"])
-        vars(self).update(vars(self._from_downloaded(state["arrays"], where)))
+        with unpickling("volume"):
+            where = device_like("volume", state["device"])
+            made = self._from_downloaded(check_volume_arrays(state["arrays"]), where)
+        vars(self).update(vars(made))
 
     # ------------------------------------------------------------------------------------------ internals
 

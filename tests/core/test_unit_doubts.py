@@ -63,9 +63,10 @@ def test_balls_and_alphas_that_touch_nothing_are_told(ball):
         assert len(loom.TriangleMesh.from_point_cloud_alpha_shape(ball, 1e-6)) == 0
     assert caught[0].filename == __file__
     flat = loom.PointCloud(ball.points * [1, 1, 0], normals=np.tile([0.0, 0, 1], (800, 1)), device=ball.device)
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        assert len(loom.TriangleMesh.from_point_cloud_alpha_shape(flat, 2.0)) == 0  # no unit gives a plane a volume
+    with pytest.warns(UserWarning, match="the points lie in one plane, so no alpha gives a surface") as caught:
+        assert len(loom.TriangleMesh.from_point_cloud_alpha_shape(flat, 2.0)) == 0
+    assert [each.category for each in caught] == [UserWarning]  # no unit gives a plane a volume
+    assert caught[0].filename == __file__
 
 
 def test_icp_without_correspondences_says_where_both_are(ball):

@@ -122,8 +122,9 @@ TEXT = ("ascii", "cloud.xyz", "cloud.pts", "cloud.csv", "plain.txt", "mesh.obj",
 COUNTED = ["ascii.ply", "ascii_mesh.ply", "ascii.pcd", "cloud.pts", "text.stl", "mesh.off"]
 
 pytestmark = [
-    pytest.mark.filterwarnings("ignore:.*are left behind"),
-    pytest.mark.filterwarnings("ignore:.*it is taken for white"),
+    pytest.mark.filterwarnings("ignore:.*(are|is) left behind"),
+    pytest.mark.filterwarnings("ignore:.*(clamped|divided by 255|defined twice|before any newmtl)"),
+    pytest.mark.filterwarnings("ignore:.*taken for white"),
     pytest.mark.filterwarnings("ignore:.*such are fans"),
     pytest.mark.filterwarnings("ignore:.*WIDTH x HEIGHT is 0"),
 ]
