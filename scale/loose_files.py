@@ -228,7 +228,7 @@ def _write(path: Path, parts: Parts, target: Path, found: Found, count: int) -> 
             for table in parts():
                 if not len(table.points):
                     continue
-                layout = lay_out(target, found.shaped(table), found.scale, found.offset, None)
+                layout = lay_out(target, found.shaped(table), found.scale, found.offset, None, is_part=True)
                 if writer is None:
                     writer = layout.laspy.LasWriter(stream, layout.header, do_compress=True, closefd=False)
                 for begin in range(0, len(table.points), ROWS):

@@ -10,6 +10,7 @@ from ...core.errors import FileError
 from ..points.e57_writer import unstorable_in_e57
 from ..points.formats import READERS, write_table
 from ..points.las import open_las
+from ..points.las_records import system_of
 from ..points.las_writer import unstorable_in_las
 from ..points.ply_faces import STRIPS
 from ..points.ply_header import read_header
@@ -54,11 +55,12 @@ def write_cloud_table(
     as_text: bool = False,
     overwrite: bool = True,
     source: str | os.PathLike[str] | None = None,
+    system_only: bool = False,
 ) -> list[str]:
     """Write a cloud, leaving out what the format cannot hold.
 
-    From .las or .laz to .las or .laz, the `source` gives the scale and offset of the coordinates and the records of the
-    coordinate system.
+    From .las or .laz to .las or .laz, the `source` gives the scale and offset of the coordinates, the coordinate
+    system and, unless `system_only`, the other records and the identification.
 
     Returns:
         The names of what was left out.
@@ -74,6 +76,7 @@ def write_cloud_table(
             table, unstorable_in_e57(table) if suffix == ".e57" else [*unstorable_in_las(path, table)]
         )
     like = open_las(source).header if source and suffix in LAS and Path(source).suffix.lower() in LAS else None
+    like = system_of(like) if like is not None and system_only else like
     write_table(path, table, ascii=as_text, overwrite=overwrite, like=like)
     return left_out
 

@@ -42,10 +42,10 @@ def read_point_cloud(
 
     LAS and LAZ come in the file's own unit and coordinate system, which may be feet: `cloud.unit` says so where the
     file does (docs/units.md). Their dimensions are attributes by laspy's names (intensity, classification, gps_time and
-    so on). Where the file says that they are longitude and latitude, a GeographicWarning says so: they are kept to the
-    file's steps, but a radius or a voxel of degrees is no length, so that `project_to_utm` should come next. The scans
-    of an E57 file lie where their poses place them, in metres. Both need an extra: `pip install "pointloom[las]"`,
-    `pip install "pointloom[e57]"`.
+    so on). An extra dimension is NaN where it has the no_data value that the file declares. Where the file says that
+    they are longitude and latitude, a GeographicWarning says so: they are kept to the file's steps, but a radius or a
+    voxel of degrees is no length, so that `project_to_utm` should come next. The scans of an E57 file lie where their
+    poses place them, in metres. Both need an extra: `pip install "pointloom[las]"`, `pip install "pointloom[e57]"`.
 
     Args:
         path: The file.
@@ -63,6 +63,7 @@ def read_point_cloud(
     Warns:
         GeographicWarning: x and y are degrees.
         UnitWarning: z is in another unit than x and y, or the file tells two units.
+        UserWarning: Missing values of an attribute are a number: LAS declares one for integers of 64 bits.
 
     Example:
         >>> import pointloom as loom
@@ -252,8 +253,10 @@ def write_point_cloud(
         scale: Step of the coordinates [m], for .las and .laz: one for all axes, or one for each. None takes 0.001, and
             finer ones for axes along which most points lie within 1000 m: a millionth of that as a power of ten.
             Coarser steps make smaller LAZ files.
-        like: For .las and .laz: a LAS or LAZ file whose coordinate system, offset, kind of GPS time and, where none is
-            given, scale are taken over, for a cloud in the same system.
+        like: For .las and .laz: the LAS or LAZ file that the cloud came from, or one in the same system. Its
+            coordinate system, other records, identification, offset, kind of GPS time and, where none is given, scale
+            are taken over. Its extra dimensions keep type, scale, no_data value and description if no value changes by
+            that.
 
     Raises:
         FileError: The file cannot be made, or the format cannot hold an attribute, a point that is not finite or, of
@@ -263,6 +266,7 @@ def write_point_cloud(
 
     Warns:
         UnitWarning: The cloud's unit is not that of `like`, not the format's, or one that the format cannot tell.
+        UserWarning: `like` has waveforms or a spatial index, which are not copied.
 
     Example:
         >>> import pointloom as loom
