@@ -23,11 +23,12 @@ from ..core.atomic import atomic_write
 from ..core.errors import FileError
 from ..core.progress import ReportProgress
 from ..core.units import LengthUnit
+from ..files.attribute_names import new_names
 from ..files.foreign import foreign_errors
 from ..files.points.e57 import SCAN_INDEX, describe_e57, read_e57
 from ..files.points.formats import READERS
 from ..files.points.in_parts import open_in_parts
-from ..files.points.las_writer import lay_out, unstorable_in_las, with_scan_angle
+from ..files.points.las_writer import lay_out, name_rules, unstorable_in_las, with_scan_angle
 from ..files.points.text_parts import TextInParts
 from ..files.table import PointTable
 
@@ -37,7 +38,6 @@ ROWS = 1 << 18  # at a time
 COARSEST = 1e-4  # step of the coordinates [their unit]; finer where the points lie within 100 units
 _STEPS = 2.0**30  # across all points
 Parts = Callable[[], Iterator[PointTable]]
-RENAMED = "_value"  # behind the name of a value that LAS has in another range
 
 
 @dataclass
@@ -49,7 +49,7 @@ class Found:
         unit: Of the coordinates; None where no file tells one.
         normals, colors: Whether all points have them.
         types: Of the attributes that all points have.
-        renamed: Those among them whose values a dimension of LAS with their name cannot hold.
+        renamed: The names in LAS of those that it cannot hold under their own (attribute_names.py).
         counts: Points of each file.
     """
 
@@ -59,7 +59,7 @@ class Found:
     normals: bool = True
     colors: bool = True
     types: dict[str, Any] | None = None
-    renamed: set[str] = field(default_factory=set)
+    renamed: dict[str, str] = field(default_factory=dict)
     counts: list[int] = field(default_factory=list)
 
     def add(self, path: Path, table: PointTable, *, is_first: bool) -> None:
@@ -88,7 +88,7 @@ class Found:
         self.normals &= table.normals is not None
         self.colors &= table.colors is not None
         types = {name: (values.dtype, values.shape[1:]) for name, values in table.attributes.items()}
-        self.renamed |= self._to_rename(path, table)
+        self.renamed = _names_in_las(path, table) | self.renamed
         if self.types is None:
             self.types = types
         self.types = {
@@ -97,29 +97,10 @@ class Found:
             if name in types and types[name][1] == kept[1]
         }
 
-    def _to_rename(self, path: Path, table: PointTable) -> set[str]:
-        """The attributes whose values LAS can hold under another name alone.
-
-        Raises:
-            FileError: LAS cannot hold one under that name either, or another attribute has it.
-        """
-        lost = unstorable_in_las(path, with_scan_angle(table))
-        lost = {name: reason for name, reason in lost.items() if name in table.attributes}
-        again = PointTable(table.points, attributes={name + RENAMED: table.attributes[name] for name in lost})
-        still = {name.removesuffix(RENAMED): reason for name, reason in unstorable_in_las(path, again).items()}
-        still |= {
-            name: f"{lost[name]}, and there is a {name + RENAMED!r}"
-            for name in lost
-            if name + RENAMED in table.attributes
-        }
-        for name, reason in still.items():
-            raise FileError(path, f"attribute {name!r} {reason}", remedy="Rename or drop it, or write the file as .laz")
-        return {*lost}
-
     def shaped(self, table: PointTable) -> PointTable:
         """A part with what all points have, in the types that hold all values, under names that LAS can have."""
         attributes = {
-            name + RENAMED * (name in self.renamed): table.attributes[name].astype(dtype)
+            self.renamed.get(name, name): table.attributes[name].astype(dtype)
             for name, (dtype, _) in (self.types or {}).items()
         }
         normals, colors = (table.normals if self.normals else None), (table.colors if self.colors else None)
@@ -136,6 +117,21 @@ class Found:
         """What the steps count from, a multiple of a hundred of them."""
         hundred = 100 * self.scale
         return np.round(np.round((self.low + self.high) / 2 / hundred) * hundred, 9)
+
+
+def _names_in_las(path: Path, table: PointTable) -> dict[str, str]:
+    """The attributes that LAS can hold under another name alone, and that name.
+
+    Raises:
+        FileError: LAS has no type for an attribute.
+    """
+    shaped = with_scan_angle(table)
+    renamed = new_names(shaped.attributes, name_rules(path, shaped))
+    under = {renamed.get(name, name): values for name, values in shaped.attributes.items()}
+    for name, reason in unstorable_in_las(path, PointTable(table.points, attributes=under)).items():
+        remedy = "Change or drop it, or write the file as .laz"
+        raise FileError(path, f"attribute {name!r} {reason}", remedy=remedy)
+    return {name: new for name, new in renamed.items() if name in table.attributes}
 
 
 def _metres(unit: LengthUnit | None) -> float | None:

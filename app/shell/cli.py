@@ -188,7 +188,8 @@ def convert(
     recordings  from .bag .mcap .db3 and folders of those: to a folder of scans, or to one cloud
 
     What OUT cannot hold is left out, and the summary names it; a mesh becomes a cloud of its vertices that way. LAS and
-    LAZ hold coordinates in steps: those of IN where it is such a file, else thousandths.
+    LAZ hold coordinates in steps: those of IN where it is such a file, else thousandths. An attribute whose name OUT
+    cannot hold gets another, and an intensity that LAS cannot hold becomes intensity_value; warnings name them.
 
     Several scans of a recording become one cloud where --frame or --poses says how they stand to each other. Where the
     recording is damaged what is left is written, and the exit code is 3.

@@ -7,8 +7,9 @@ from dataclasses import replace
 from pathlib import Path
 
 from ...core.errors import FileError
+from ..columns import narrow_integers
 from ..points.e57_writer import unstorable_in_e57
-from ..points.formats import READERS, write_table
+from ..points.formats import READERS, with_fitting_names, write_table
 from ..points.las import open_las
 from ..points.las_records import system_of
 from ..points.las_writer import unstorable_in_las
@@ -71,10 +72,13 @@ def write_cloud_table(
     suffix, left_out = Path(path).suffix.lower(), []
     if suffix in _HELD:
         table, left_out = _as_text_holds(table, _HELD[suffix])
-    elif suffix in (*LAS, ".e57"):
-        table, left_out = _without(
-            table, unstorable_in_e57(table) if suffix == ".e57" else [*unstorable_in_las(path, table)]
-        )
+    elif suffix == ".e57":
+        table, left_out = _without(table, unstorable_in_e57(table))
+    elif suffix in LAS:
+        table = with_fitting_names(path, table)
+        table, left_out = _without(table, [*unstorable_in_las(path, table)])
+    elif suffix == ".ply":
+        table, left_out = _as_ply_holds(table)
     like = open_las(source).header if source and suffix in LAS and Path(source).suffix.lower() in LAS else None
     like = system_of(like) if like is not None and system_only else like
     write_table(path, table, ascii=as_text, overwrite=overwrite, like=like)
@@ -111,6 +115,14 @@ def points_of(mesh: MeshTable) -> PointTable:
 def _without(table: PointTable, left_out: list[str]) -> tuple[PointTable, list[str]]:
     """The table without some of its attributes, and their names."""
     attributes = {name: values for name, values in table.attributes.items() if name not in left_out}
+    return replace(table, attributes=attributes), left_out
+
+
+def _as_ply_holds(table: PointTable) -> tuple[PointTable, list[str]]:
+    """The table with attributes of 64-bit integers as types that PLY has, and the names of those that none holds."""
+    narrowed = {name: narrow_integers(values) for name, values in table.attributes.items()}
+    left_out = [name for name, values in narrowed.items() if values is None]
+    attributes = {name: values for name, values in narrowed.items() if values is not None}
     return replace(table, attributes=attributes), left_out
 
 

@@ -24,6 +24,7 @@ from ...core.atomic import atomic_write, check_writable
 from ...core.checks import check_finite, check_numeric, check_positive, check_shape
 from ...core.coordinates import finite_box, quiet
 from ...core.errors import FileError
+from ..attribute_names import NameRules
 from ..columns import stack_colors
 from ..foreign import foreign_errors, import_for
 from ..table import PointTable
@@ -42,6 +43,7 @@ _BLOCK = 1 << 18  # points packed at a time
 _ANGLE_STEP = 0.006  # degrees, of LAS 1.4's scan angle
 _MAX_STEPS = 2**31 - 1
 _MAX_NAME_BYTES = 32
+RENAMED = "_value"  # behind the name of a value that LAS has in another range
 
 # Names that LAS uses for other things than an attribute of a cloud could mean.
 _TAKEN = {"X", "Y", "Z", *COLORS, *NORMALS, "ExtraBytes", "bit_fields", "raw_classification", "classification_flags"}
@@ -180,6 +182,20 @@ def unstorable_in_las(path: Any, table: PointTable) -> dict[str, str]:
         if reason:
             lost[name] = reason
     return lost
+
+
+def name_rules(path: Any, table: PointTable) -> NameRules:
+    """The names that attributes may have as dimensions: that of a standard one if their values fit it.
+
+    Raises:
+        FileError: laspy is missing.
+    """
+    layout = import_for(path, "laspy", "las").PointFormat(_point_format(table))
+    standard = {dimension.name: dimension for dimension in layout.dimensions if dimension.name not in _TAKEN}
+    held = {name: values for name, values in table.attributes.items() if name in standard}
+    unfit = {name: name + RENAMED for name, values in held.items() if _why_unfit(values, standard[name])}
+    used = {*_TAKEN, *standard} - {*held} | {*unfit}
+    return NameRules(str.isprintable, used, max_bytes=_MAX_NAME_BYTES, instead=unfit)
 
 
 def _why_unfit(values: NDArray[Any], dimension: Any) -> str:

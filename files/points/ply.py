@@ -28,6 +28,7 @@ from numpy.typing import NDArray
 from ...core.atomic import atomic_write, check_writable
 from ...core.errors import FileError
 from ..ascii_rows import CHUNK_ROWS, write_rows
+from ..attribute_names import NameRules, is_word
 from ..columns import (
     check_name,
     check_reach,
@@ -324,6 +325,13 @@ def _check_corners(path: Any, faces: ListColumn, vertex_count: int) -> NDArray[A
         reason = f"a face names vertex {corners[k]}, but there are {vertex_count} vertices"
         raise FileError(path, reason, where=f"face {row}")
     return corners.astype(np.int32 if vertex_count <= 2**31 else np.int64)
+
+
+def name_rules(normals: Any, colors: Any) -> NameRules:
+    """The names that attributes of vertices may have, beside normals and colours or None."""
+    used = {*_POINTS, *(_NORMALS if normals is not None else ()), *(_COLORS[0] if colors is not None else ())}
+    roles = [*([_NORMALS] if normals is None else []), *(_COLORS if colors is None else [])]
+    return NameRules(is_word, used, roles)
 
 
 def _vertex_columns(

@@ -20,6 +20,7 @@ from ...kernels.memory import download
 from ...pcd.boxes import AxisAlignedBoundingBox
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import VECTORS, check_cloud
+from ..attribute_names import NameRules, new_names, warn_of_names
 from ..table import PointTable
 from . import text_table
 from .copc import open_copc
@@ -192,8 +193,11 @@ def cloud_of(
     """The cloud of what was read from a file, about an origin that is chosen where none is given.
 
     Raises:
-        FileError: An attribute with the name of an array that every cloud has, or points too far apart for float32.
+        FileError: Points too far apart for float32.
         DeviceError: No such device.
+
+    Warns:
+        UserWarning: An attribute has the name of an array that every cloud has, and is read under another.
     """
     try:
         origin = origin_of(table, path, stacklevel=5) if origin is None else origin
@@ -202,10 +206,10 @@ def cloud_of(
         raise
     except ValueError as error:
         raise FileError(path, f"{error}", remedy="Drop the points that lie so far out") from error
+    if renamed := new_names(table.attributes, NameRules(lambda letter: True, VECTORS, in_parts=False)):
+        warn_of_names(path, "read under other names, since every cloud has arrays of these names", renamed)
     for name, values in table.attributes.items():  # one by one: a file may call one "device" or "origin"
-        if name in VECTORS:
-            raise FileError(path, f"attribute {name!r} has the name of a cloud's own {name}", remedy="Rename it")
-        cloud[name] = values
+        cloud[renamed.get(name, name)] = values
     cloud.grid, cloud.unit = table.grid, unit_told(table, path)
     return cloud
 
@@ -240,10 +244,11 @@ def write_point_cloud(
 
     Coordinates of a cloud whose origin is zero are written in float32 as they are held; those of a moved origin in
     float64, so that nothing is lost. LAS and LAZ alone round them, to multiples of `scale` about the cloud's origin.
-    A name that ends in .copc.laz makes a Cloud Optimized Point Cloud: LAZ in the order of an octree, of which
-    `read_copc`, QGIS, PDAL and Potree read parts. A cloud knows no coordinate system: `like` takes it over from the
-    file that the cloud came from. Its unit is written where the format has a place for it; E57 holds metres, so that
-    coordinates in another unit are multiplied.
+    Colors are rounded to 16 bits a channel in LAS and LAZ, and to 8 bits in PLY, PCD, PTS and E57. A name that ends
+    in .copc.laz makes a Cloud Optimized Point Cloud: LAZ in the order of an octree, of which `read_copc`, QGIS, PDAL
+    and Potree read parts. A cloud knows no coordinate system: `like` takes it over from the file that the cloud came
+    from. Its unit is written where the format has a place for it; E57 holds metres, so that coordinates in another unit
+    are multiplied.
 
     Args:
         path: The file: .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57.
@@ -266,7 +271,9 @@ def write_point_cloud(
 
     Warns:
         UnitWarning: The cloud's unit is not that of `like`, not the format's, or one that the format cannot tell.
-        UserWarning: `like` has waveforms or a spatial index, which are not copied.
+        UserWarning: Attributes are written under other names: a character that the format cannot hold becomes "_", a
+            name in use gets "_2" at its end, and values that a dimension of LAS cannot hold, such as an intensity in
+            0..1, go to "intensity_value". Or `like` has waveforms or a spatial index, which are not copied.
 
     Example:
         >>> import pointloom as loom
