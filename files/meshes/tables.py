@@ -7,7 +7,8 @@ from dataclasses import replace
 from pathlib import Path
 
 from ...core.errors import FileError
-from ..columns import narrow_integers
+from ..columns import narrow_integers, warn_of_loss
+from ..points.e57 import read_frames
 from ..points.e57_writer import unstorable_in_e57
 from ..points.formats import READERS, with_fitting_names, write_table
 from ..points.las import open_las
@@ -61,7 +62,8 @@ def write_cloud_table(
     """Write a cloud, leaving out what the format cannot hold.
 
     From .las or .laz to .las or .laz, the `source` gives the scale and offset of the coordinates, the coordinate
-    system and, unless `system_only`, the other records and the identification.
+    system and, unless `system_only`, the other records and the identification. From .e57 to .e57 it gives the names and
+    the poses of the scans, unless `system_only`.
 
     Returns:
         The names of what was left out.
@@ -79,9 +81,15 @@ def write_cloud_table(
         table, left_out = _without(table, [*unstorable_in_las(path, table)])
     elif suffix == ".ply":
         table, left_out = _as_ply_holds(table)
-    like = open_las(source).header if source and suffix in LAS and Path(source).suffix.lower() in LAS else None
-    like = system_of(like) if like is not None and system_only else like
-    write_table(path, table, ascii=as_text, overwrite=overwrite, like=like)
+    kind, frames, like = "" if source is None else Path(source).suffix.lower(), [], None
+    if source is not None and suffix in LAS and kind in LAS:
+        like = open_las(source).header
+        like = system_of(like) if system_only else like
+    elif source is not None and suffix == kind == ".e57" and not system_only:
+        frames, beside = read_frames(source)
+        if beside:
+            warn_of_loss(path, f"{' and the '.join(beside)} of the source", "E57 is written with points alone")
+    write_table(path, table, ascii=as_text, overwrite=overwrite, like=like, frames=frames)
     return left_out
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -15,7 +15,7 @@ from ..source import netted
 from ..table import PointTable
 from . import las_writer, npz, pcd, ply
 from .copc_writer import write_copc
-from .e57 import read_e57
+from .e57 import ScanFrame, read_e57
 from .e57_writer import write_e57
 from .header_units import PCD, PLY, tells_unit, unit_comment, warn_of_lost_unit
 from .kitti_bin import read_kitti_bin
@@ -49,13 +49,14 @@ def write_table(
     scale: ArrayLike | None = None,
     offset: ArrayLike | None = None,
     like: LasHeader | None = None,
+    frames: Sequence[ScanFrame] = (),
     device: Any = None,
 ) -> None:
     """Write a table in the format of the path's extension, which is one of WRITTEN.
 
     Attributes whose names the format cannot hold are written under others (attribute_names.py), with a warning.
     `ascii` is for .ply and .pcd; `scale`, `offset` and `like` are for .las and .laz, see write_las; a name that ends in
-    .copc.laz is a COPC file, whose octree is made on the device.
+    .copc.laz is a COPC file, whose octree is made on the device. `frames` are for .e57, see write_e57.
 
     Raises:
         FileError: The file cannot be made, or the format cannot hold an attribute.
@@ -73,7 +74,7 @@ def write_table(
     elif extension in (".las", ".laz"):
         las_writer.write_las(path, table, scale=scale, offset=offset, like=like, overwrite=overwrite)
     elif extension == ".e57":
-        write_e57(path, table, overwrite=overwrite)
+        write_e57(path, table, overwrite=overwrite, frames=frames)
     else:
         warn_of_lost_unit(path, table)
         write_text(path, table, overwrite=overwrite)

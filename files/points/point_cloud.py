@@ -248,7 +248,7 @@ def write_point_cloud(
     in .copc.laz makes a Cloud Optimized Point Cloud: LAZ in the order of an octree, of which `read_copc`, QGIS, PDAL
     and Potree read parts. A cloud knows no coordinate system: `like` takes it over from the file that the cloud came
     from. Its unit is written where the format has a place for it; E57 holds metres, so that coordinates in another unit
-    are multiplied.
+    are multiplied, and its scans (by `scan_index`) have no poses here: `write_stations` writes them.
 
     Args:
         path: The file: .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57.
