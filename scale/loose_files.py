@@ -1,8 +1,8 @@
-"""Files that know neither windows nor steps of their coordinates: PLY, PCD, text and E57, taken over as LAZ.
+"""Files that know neither windows nor steps of their coordinates: PLY, PCD, text, E57 and PTX, taken over as LAZ.
 
 Two passes over each, in parts: one finds the bounds and the types of all files together, one writes a LAZ file each
 into the folder of the job, about one offset and in one step. Tiles are made of these. Binary PLY and PCD and text are
-read some rows at a time, E57 scan by scan; PLY as text, rows with lists and compressed PCD are read whole.
+read some rows at a time, E57 and PTX scan by scan; PLY as text, rows with lists and compressed PCD are read whole.
 """
 
 from __future__ import annotations
@@ -29,10 +29,11 @@ from ..files.points.e57 import SCAN_INDEX, describe_e57, read_e57
 from ..files.points.formats import READERS
 from ..files.points.in_parts import open_in_parts
 from ..files.points.las_writer import lay_out, name_rules, unstorable_in_las, with_scan_angle
+from ..files.points.ptx import iterate_placed
 from ..files.points.text_parts import TextInParts
 from ..files.table import PointTable
 
-SUFFIXES = (".ply", ".pcd", ".xyz", ".xyzn", ".xyzrgb", ".pts", ".csv", ".txt", ".e57")
+SUFFIXES = (".ply", ".pcd", ".xyz", ".xyzn", ".xyzrgb", ".pts", ".csv", ".txt", ".asc", ".e57", ".ptx")
 FOLDER, MAKING = "sources", "sources.part"
 ROWS = 1 << 18  # at a time
 COARSEST = 1e-4  # step of the coordinates [their unit]; finer where the points lie within 100 units
@@ -199,9 +200,8 @@ def look_at(paths: list[Path], report: ReportProgress) -> tuple[Found, list[Part
 def opened(path: Path) -> Parts:
     """What gives the points of a file, some at a time and each time anew; at least one part, perhaps of none."""
     suffix = path.suffix.lower()
-    if suffix in (".e57", ".ply", ".pcd"):
-        return partial(_scans_of if suffix == ".e57" else _rows_of, path)
-    return partial(TextInParts(path).parts, ROWS)
+    by_suffix = {".e57": _scans_of, ".ptx": iterate_placed, ".ply": _rows_of, ".pcd": _rows_of}
+    return partial(by_suffix[suffix], path) if suffix in by_suffix else partial(TextInParts(path).parts, ROWS)
 
 
 def _scans_of(path: Path) -> Iterator[PointTable]:

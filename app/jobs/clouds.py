@@ -97,7 +97,8 @@ def convert_file(
         job.left_out += ["triangles"] + ["textures"] * (table.triangle_uvs is not None)
         table = tables.points_of(table)
     job.write_points(table, output)
-    _warn_of_rounded_colors(output, table)
+    if Path(source).suffix.lower() in (*tables.LAS, ".e57"):
+        _warn_of_rounded_colors(output, table)
     return ConvertReport(job.done(), "point cloud", len(table.points))
 
 

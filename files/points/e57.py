@@ -80,7 +80,7 @@ def read_e57(path: str | os.PathLike[str], *, scan: int | None = None) -> PointT
         if scan is not None:
             return read_scan(path, image, scans[scan])
         tables = [read_scan(path, image, node) for node in scans]
-    merged = _merge(tables)
+    merged = merge_scans(tables)
     counts = [len(table.points) for table in tables]
     merged.attributes[SCAN_INDEX] = np.repeat(np.arange(len(tables), dtype=np.int32), counts)
     return merged
@@ -269,7 +269,7 @@ def _color_limits(scan: Any, fields: dict[str, Any]) -> list[tuple[float, float]
     return limits
 
 
-def _merge(tables: list[PointTable]) -> PointTable:
+def merge_scans(tables: list[PointTable]) -> PointTable:
     """The points of all scans with what every one of them has; an attribute takes a type that holds all its values."""
     names = [name for name in tables[0].attributes if all(name in table.attributes for table in tables)]
     normals = [table.normals for table in tables if table.normals is not None]

@@ -21,14 +21,15 @@ from .header_units import PCD, PLY, tells_unit, unit_comment, warn_of_lost_unit
 from .kitti_bin import read_kitti_bin
 from .las import read_las
 from .las_header import LasHeader
+from .ptx import read_ptx
 from .text import read_text, write_text
 from .text_table import read_text_table
 
 _READERS: dict[str, Callable[..., PointTable]] = {
     ".ply": tells_unit(PLY)(ply.read_ply), ".pcd": tells_unit(PCD)(pcd.read_pcd), ".npz": npz.read_npz,
     ".xyz": read_text, ".xyzn": read_text, ".xyzrgb": read_text, ".pts": read_text,
-    ".csv": read_text_table, ".txt": read_text_table, ".bin": read_kitti_bin,
-    ".las": read_las, ".laz": read_las, ".e57": read_e57,
+    ".csv": read_text_table, ".txt": read_text_table, ".asc": read_text_table, ".bin": read_kitti_bin,
+    ".las": read_las, ".laz": read_las, ".e57": read_e57, ".ptx": read_ptx,
 }  # fmt: skip
 
 #: The readers by extension; whatever a file's content makes them raise is a FileError.
@@ -37,7 +38,7 @@ READERS = {extension: netted(reader) for extension, reader in _READERS.items()}
 COPC = ".copc.laz"
 
 #: The extensions that clouds are written to.
-WRITTEN = tuple(extension for extension in READERS if extension not in (".csv", ".txt", ".bin"))
+WRITTEN = tuple(extension for extension in READERS if extension not in (".csv", ".txt", ".asc", ".bin", ".ptx"))
 
 
 def write_table(

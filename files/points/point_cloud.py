@@ -32,34 +32,38 @@ from .las_crs import is_geographic, warn_of_degrees
 def read_point_cloud(
     path: str | os.PathLike[str], *, device: Any = None, scan: int | None = None, columns: Sequence[str] | None = None
 ) -> PointCloud:
-    """Read a cloud with all its attributes: .ply .pcd .xyz .xyzn .xyzrgb .pts .csv .txt .npz .bin .las .laz .e57.
+    """Read a cloud with all its attributes.
+
+    The formats are .ply .pcd .xyz .xyzn .xyzrgb .pts .csv .txt .asc .npz .bin .las .laz .e57 .ptx.
 
     The readers are strict: a file that is truncated, has trailing bytes, or counts that do not fit its size is
     refused by name and place, before memory is taken for it; nothing is ever filled in.
 
-    Columns of .csv, .txt and .xyz are what a first line of names says: x y z, nx ny nz, r g b (0..1, or whole numbers
-    in 0..255), and attributes by any other name. Without names three columns are x y z, and more are refused: give
-    `columns`. A .bin is a scan of KITTI, float32 x, y, z, intensity.
+    Columns of .csv, .txt, .asc and .xyz are what a first line of names says: x y z, nx ny nz, r g b (0..1, or whole
+    numbers in 0..255), and attributes by any other name. Without names three columns are x y z, and more are refused:
+    give `columns`. A line with the number of points, as CloudCompare writes it, is checked. A .bin is a scan of KITTI,
+    float32 x, y, z, intensity.
 
     LAS and LAZ come in the file's own unit and coordinate system, which may be feet: `cloud.unit` says so where the
     file does (docs/units.md). Their dimensions are attributes by laspy's names (intensity, classification, gps_time and
     so on). An extra dimension is NaN where it has the no_data value that the file declares. Where the file says that
     they are longitude and latitude, a GeographicWarning says so: they are kept to the file's steps, but a radius or a
-    voxel of degrees is no length, so that `project_to_utm` should come next. The scans of an E57 file lie where their
-    poses place them, in metres. Both need an extra: `pip install "pointloom[las]"`, `pip install "pointloom[e57]"`.
+    voxel of degrees is no length, so that `project_to_utm` should come next. The scans of an E57 or PTX file lie
+    where their poses place them, in metres; directions without a return are left out. LAS and E57 need an extra:
+    `pip install "pointloom[las]"`, `pip install "pointloom[e57]"`.
 
     Args:
         path: The file.
         device: Where the cloud goes.
-        scan: For .e57: the scan to read, from 0; None reads all, with the attribute `scan_index`.
-        columns: For .csv, .txt and .xyz: the names of the columns, in place of those that the file may have.
+        scan: For .e57 and .ptx: the scan to read, from 0; None reads all, with the attribute `scan_index`.
+        columns: For .csv, .txt, .asc and .xyz: the names of the columns, in place of those that the file may have.
 
     Raises:
         FileError: The file cannot be read; says which byte or line, and why; or the package for it is missing.
         DeviceError: No such device.
         IndexError: There is no such scan.
-        ValueError: A scan of a file that is no .e57, columns of one that is no table of text, or columns without x, y
-            and z.
+        ValueError: A scan of a file that is no .e57 or .ptx, columns of one that is no table of text, or columns
+            without x, y and z.
 
     Warns:
         GeographicWarning: x and y are degrees.
@@ -84,8 +88,8 @@ def read_point_cloud(
         return cloud_of(text_table.read_text_table(path, columns), path, device=device)
     if scan is None:
         return cloud_of(reader(path), path, device=device)
-    if extension != ".e57":
-        raise ValueError(f"scan: only .e57 has scans, got {Path(path).suffix}")
+    if extension not in (".e57", ".ptx"):
+        raise ValueError(f"scan: only .e57 and .ptx have scans, got {Path(path).suffix}")
     return cloud_of(reader(path, scan=check_count("scan", scan, minimum=0)), path, device=device)
 
 
