@@ -58,6 +58,7 @@ _COLORS: tuple[tuple[str, ...], ...] = (
     ("r", "g", "b"),
 )
 _CORNERS = ("vertex_indices", "vertex_index")
+_PACKED_SPLATS = "packed_position"
 _TYPES = "i1 u1 i2 u2 i4 u4 f4 f8"
 _TYPE_REMEDY = "Convert it to an integer of at most 32 bits or to float32 or float64, or write NPZ"
 
@@ -284,6 +285,8 @@ def _is_vertex_scalar(element: Element, prop: Property) -> bool:
 def _role_names(path: Any, names: Sequence[str] | Mapping[str, Any]) -> list[tuple[str, ...] | None]:
     """Which properties are positions, normals and colours; None for a role that is not filled."""
     missing = [name for name in _POINTS if name not in names]
+    if missing and _PACKED_SPLATS in names:
+        raise FileError(path, "holds compressed Gaussian splats (SuperSplat)", remedy="read_splats reads them")
     if missing:
         raise FileError(path, f"element 'vertex' has no property {', '.join(missing)}")
     normals = _NORMALS if all(name in names for name in _NORMALS) else None
