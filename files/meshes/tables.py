@@ -16,6 +16,7 @@ from ..points.las_records import system_of
 from ..points.las_writer import unstorable_in_las
 from ..points.ply_faces import STRIPS
 from ..points.ply_header import read_header
+from ..points.ptx import read_ptx_frames
 from ..source import open_source
 from ..table import MeshTable, PointTable
 from .mesh_formats import MESH_READERS, UNHELD, write_mesh
@@ -62,8 +63,8 @@ def write_cloud_table(
     """Write a cloud, leaving out what the format cannot hold.
 
     From .las or .laz to .las or .laz, the `source` gives the scale and offset of the coordinates, the coordinate
-    system and, unless `system_only`, the other records and the identification. From .e57 to .e57 it gives the names and
-    the poses of the scans, unless `system_only`.
+    system and, unless `system_only`, the other records and the identification. From .e57 or .ptx to .e57 it gives the
+    names and the poses of the scans, unless `system_only`.
 
     Returns:
         The names of what was left out.
@@ -85,8 +86,8 @@ def write_cloud_table(
     if source is not None and suffix in LAS and kind in LAS:
         like = open_las(source).header
         like = system_of(like) if system_only else like
-    elif source is not None and suffix == kind == ".e57" and not system_only:
-        frames, beside = read_frames(source)
+    elif source is not None and suffix == ".e57" and kind in (".e57", ".ptx") and not system_only:
+        frames, beside = read_frames(source) if kind == ".e57" else (read_ptx_frames(source), [])
         if beside:
             warn_of_loss(path, f"{' and the '.join(beside)} of the source", "E57 is written with points alone")
     write_table(path, table, ascii=as_text, overwrite=overwrite, like=like, frames=frames)

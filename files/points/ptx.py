@@ -30,7 +30,7 @@ from ..ascii_rows import AsciiRows, is_number, unix_lines
 from ..columns import stack_colors
 from ..source import Source, open_source, parse_whole
 from ..table import PointTable
-from .e57 import SCAN_INDEX, merge_scans
+from .e57 import SCAN_INDEX, ScanFrame, merge_scans
 
 _HEADER_LINES = 10
 _WIDTHS = (4, 7)
@@ -149,6 +149,15 @@ def iterate_placed(path: str | os.PathLike[str]) -> Iterator[PointTable]:
     for number, (table, pose) in enumerate(iterate_ptx(path)):
         table.attributes[SCAN_INDEX] = np.full(len(table.points), number, np.int32)
         yield _in_world(table, pose)
+
+
+def read_ptx_frames(path: str | os.PathLike[str]) -> list[ScanFrame]:
+    """The pose of each scan; PTX has no names.
+
+    Raises:
+        FileError: As `read_ptx`.
+    """
+    return [ScanFrame("", scan.pose) for scan in _open(path)[1]]
 
 
 def describe_ptx(path: str | os.PathLike[str]) -> list[dict[str, Any]]:

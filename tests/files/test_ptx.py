@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.files.meshes.tables import read_table, write_cloud_table
 
 TURNED = "0 1 0 0\n-1 0 0 0\n0 0 1 0\n10 20 30 1"  # of row vectors: x becomes y
 STRAIGHT = "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1"
@@ -60,6 +61,16 @@ def test_stations_keep_their_own_coordinates(tmp_path):
     assert found.names == ("0", "1") and found.posed.all()
     np.testing.assert_allclose(found.poses[0], [[0, -1, 0, 10], [1, 0, 0, 20], [0, 0, 1, 30], [0, 0, 0, 1]])
     np.testing.assert_allclose(found.clouds[0].points, [[1, 0, 0], [0, 2, 0], [0, 0, 3]])
+
+
+def test_an_e57_made_of_it_keeps_the_poses(tmp_path):
+    path = write(tmp_path / "a.ptx", scan(), scan(matrix=STRAIGHT))
+    write_cloud_table(tmp_path / "a.e57", read_table(path), source=path)
+    before, after = loom.read_stations(path), loom.read_stations(tmp_path / "a.e57")
+    np.testing.assert_allclose(after.poses, before.poses, atol=1e-12)
+    for a, b in zip(after.clouds, before.clouds, strict=True):
+        np.testing.assert_allclose(a.points, b.points, atol=1e-6)
+        assert {*a.attributes} == {*b.attributes} == {"intensity", "row_index", "column_index"}
 
 
 def test_tiles_are_made_of_it(tmp_path):
