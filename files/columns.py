@@ -185,6 +185,17 @@ def check_type(path: Any, name: str, values: NDArray[Any], allowed: str, remedy:
         raise FileError(path, f"attribute {name!r} has no components", remedy="Leave it out")
 
 
+def narrow_integers(values: NDArray[Any]) -> NDArray[Any] | None:
+    """Integers of 64 bits in 32 bits or as float64 if that changes none, else None; other values as they are."""
+    if values.dtype.kind not in "iu" or values.dtype.itemsize < 8:
+        return values
+    low, high = (int(values.min()), int(values.max())) if len(values) else (0, 0)
+    for kind in (np.int32, np.uint32):
+        if np.iinfo(kind).min <= low and high <= np.iinfo(kind).max:
+            return values.astype(kind)
+    return values.astype(np.float64) if low >= -(2**53) and high <= 2**53 else None
+
+
 def check_name(path: Any, name: str) -> None:
     """Hold that an attribute's name can stand as one word in a header.
 

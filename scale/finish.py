@@ -13,6 +13,7 @@ from ..core.paths import path_of
 from ..core.progress import ReportProgress, say_nothing
 from ..files.foreign import foreign_errors, import_for
 from ..files.points.las import open_las
+from ..files.points.las_records import describe_together
 from .borders import LEFT
 from .buckets import FOLDER as BUCKETS
 from .crew import Crew
@@ -175,6 +176,7 @@ def _merge(path: Path, parts: list[tuple[Path, int]], overwrite: bool, report: R
     laspy: Any = import_for(path, "laspy", "las")
     with laspy.open(parts[0][0]) as first:
         header = first.header
+    describe_together(laspy, header, (open_las(part, layers_too=False).header for part, _ in parts))
     compress, done, total = path.suffix.lower() == ".laz", 0, sum(count for _, count in parts)
     with (
         atomic_write(path, overwrite=overwrite) as file,

@@ -1,8 +1,8 @@
-"""Files that know neither windows nor steps of their coordinates: PLY, PCD, text and E57, taken over as LAZ.
+"""Files that know neither windows nor steps of their coordinates: PLY, PCD, text, E57 and PTX, taken over as LAZ.
 
 Two passes over each, in parts: one finds the bounds and the types of all files together, one writes a LAZ file each
 into the folder of the job, about one offset and in one step. Tiles are made of these. Binary PLY and PCD and text are
-read some rows at a time, E57 scan by scan; PLY as text, rows with lists and compressed PCD are read whole.
+read some rows at a time, E57 and PTX scan by scan; PLY as text, rows with lists and compressed PCD are read whole.
 """
 
 from __future__ import annotations
@@ -23,21 +23,22 @@ from ..core.atomic import atomic_write
 from ..core.errors import FileError
 from ..core.progress import ReportProgress
 from ..core.units import LengthUnit
+from ..files.attribute_names import new_names
 from ..files.foreign import foreign_errors
 from ..files.points.e57 import SCAN_INDEX, describe_e57, read_e57
 from ..files.points.formats import READERS
 from ..files.points.in_parts import open_in_parts
-from ..files.points.las_writer import lay_out, unstorable_in_las, with_scan_angle
+from ..files.points.las_writer import lay_out, name_rules, unstorable_in_las, with_scan_angle
+from ..files.points.ptx import iterate_placed
 from ..files.points.text_parts import TextInParts
 from ..files.table import PointTable
 
-SUFFIXES = (".ply", ".pcd", ".xyz", ".xyzn", ".xyzrgb", ".pts", ".csv", ".txt", ".e57")
+SUFFIXES = (".ply", ".pcd", ".xyz", ".xyzn", ".xyzrgb", ".pts", ".csv", ".txt", ".asc", ".e57", ".ptx")
 FOLDER, MAKING = "sources", "sources.part"
 ROWS = 1 << 18  # at a time
 COARSEST = 1e-4  # step of the coordinates [their unit]; finer where the points lie within 100 units
 _STEPS = 2.0**30  # across all points
 Parts = Callable[[], Iterator[PointTable]]
-RENAMED = "_value"  # behind the name of a value that LAS has in another range
 
 
 @dataclass
@@ -49,7 +50,7 @@ class Found:
         unit: Of the coordinates; None where no file tells one.
         normals, colors: Whether all points have them.
         types: Of the attributes that all points have.
-        renamed: Those among them whose values a dimension of LAS with their name cannot hold.
+        renamed: The names in LAS of those that it cannot hold under their own (attribute_names.py).
         counts: Points of each file.
     """
 
@@ -59,7 +60,7 @@ class Found:
     normals: bool = True
     colors: bool = True
     types: dict[str, Any] | None = None
-    renamed: set[str] = field(default_factory=set)
+    renamed: dict[str, str] = field(default_factory=dict)
     counts: list[int] = field(default_factory=list)
 
     def add(self, path: Path, table: PointTable, *, is_first: bool) -> None:
@@ -88,7 +89,7 @@ class Found:
         self.normals &= table.normals is not None
         self.colors &= table.colors is not None
         types = {name: (values.dtype, values.shape[1:]) for name, values in table.attributes.items()}
-        self.renamed |= self._to_rename(path, table)
+        self.renamed = _names_in_las(path, table) | self.renamed
         if self.types is None:
             self.types = types
         self.types = {
@@ -97,29 +98,10 @@ class Found:
             if name in types and types[name][1] == kept[1]
         }
 
-    def _to_rename(self, path: Path, table: PointTable) -> set[str]:
-        """The attributes whose values LAS can hold under another name alone.
-
-        Raises:
-            FileError: LAS cannot hold one under that name either, or another attribute has it.
-        """
-        lost = unstorable_in_las(path, with_scan_angle(table))
-        lost = {name: reason for name, reason in lost.items() if name in table.attributes}
-        again = PointTable(table.points, attributes={name + RENAMED: table.attributes[name] for name in lost})
-        still = {name.removesuffix(RENAMED): reason for name, reason in unstorable_in_las(path, again).items()}
-        still |= {
-            name: f"{lost[name]}, and there is a {name + RENAMED!r}"
-            for name in lost
-            if name + RENAMED in table.attributes
-        }
-        for name, reason in still.items():
-            raise FileError(path, f"attribute {name!r} {reason}", remedy="Rename or drop it, or write the file as .laz")
-        return {*lost}
-
     def shaped(self, table: PointTable) -> PointTable:
         """A part with what all points have, in the types that hold all values, under names that LAS can have."""
         attributes = {
-            name + RENAMED * (name in self.renamed): table.attributes[name].astype(dtype)
+            self.renamed.get(name, name): table.attributes[name].astype(dtype)
             for name, (dtype, _) in (self.types or {}).items()
         }
         normals, colors = (table.normals if self.normals else None), (table.colors if self.colors else None)
@@ -136,6 +118,21 @@ class Found:
         """What the steps count from, a multiple of a hundred of them."""
         hundred = 100 * self.scale
         return np.round(np.round((self.low + self.high) / 2 / hundred) * hundred, 9)
+
+
+def _names_in_las(path: Path, table: PointTable) -> dict[str, str]:
+    """The attributes that LAS can hold under another name alone, and that name.
+
+    Raises:
+        FileError: LAS has no type for an attribute.
+    """
+    shaped = with_scan_angle(table)
+    renamed = new_names(shaped.attributes, name_rules(path, shaped))
+    under = {renamed.get(name, name): values for name, values in shaped.attributes.items()}
+    for name, reason in unstorable_in_las(path, PointTable(table.points, attributes=under)).items():
+        remedy = "Change or drop it, or write the file as .laz"
+        raise FileError(path, f"attribute {name!r} {reason}", remedy=remedy)
+    return {name: new for name, new in renamed.items() if name in table.attributes}
 
 
 def _metres(unit: LengthUnit | None) -> float | None:
@@ -203,9 +200,8 @@ def look_at(paths: list[Path], report: ReportProgress) -> tuple[Found, list[Part
 def opened(path: Path) -> Parts:
     """What gives the points of a file, some at a time and each time anew; at least one part, perhaps of none."""
     suffix = path.suffix.lower()
-    if suffix in (".e57", ".ply", ".pcd"):
-        return partial(_scans_of if suffix == ".e57" else _rows_of, path)
-    return partial(TextInParts(path).parts, ROWS)
+    by_suffix = {".e57": _scans_of, ".ptx": iterate_placed, ".ply": _rows_of, ".pcd": _rows_of}
+    return partial(by_suffix[suffix], path) if suffix in by_suffix else partial(TextInParts(path).parts, ROWS)
 
 
 def _scans_of(path: Path) -> Iterator[PointTable]:
@@ -228,7 +224,7 @@ def _write(path: Path, parts: Parts, target: Path, found: Found, count: int) -> 
             for table in parts():
                 if not len(table.points):
                     continue
-                layout = lay_out(target, found.shaped(table), found.scale, found.offset, None)
+                layout = lay_out(target, found.shaped(table), found.scale, found.offset, None, is_part=True)
                 if writer is None:
                     writer = layout.laspy.LasWriter(stream, layout.header, do_compress=True, closefd=False)
                 for begin in range(0, len(table.points), ROWS):

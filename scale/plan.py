@@ -25,7 +25,7 @@ from .halos import far_files
 from .loose_files import is_made
 from .manifest import NAME, Manifest, canonical, files_of, hash_of, read_plan, write_manifest
 from .polygons import boxes_that_meet, in_survey, parse_area, to_json
-from .sources import check_alike, check_same, describe_all, given_as, list_files
+from .sources import check_alike, check_same, describe_all, given_as, list_files, warn_of_lost_records
 from .status import TileStatus, status_of
 from .steps.parse import parse_steps
 from .steps.step import Step
@@ -189,6 +189,7 @@ def plan_tiles(
     with _nothing_left(folder):
         described = describe_all(paths, folder, check_progress(progress))
         check_alike(described)
+        warn_of_lost_records(described)
         for step in parsed:
             step.settle(described)
         told = _make(described, parsed, size, points, _area_of(only, only_crs, described), output)

@@ -20,9 +20,11 @@ from ..core.errors import FileError
 from ..core.paths import path_of
 from ..core.progress import ReportProgress
 from ..core.units import text_of
+from ..files.columns import warn_of_loss
 from ..files.points.copc import CopcFile, is_copc, octree_of
 from ..files.points.las import LasFile, attribute_types, open_las, scale_by, table_of
 from ..files.points.las_crs import crs_name, is_geographic
+from ..files.points.las_records import left_out_of, own_records
 from ..files.points.las_units import units_of
 from ..files.table import PointTable
 from .buckets import Window, check_size, inside, positions_of, read_buckets
@@ -170,6 +172,16 @@ def check_alike(sources: list[dict[str, Any]]) -> None:
             if other[key] != first[key]:
                 said = f"its {what} is {_said(other[key])}, that of {given_as(first)} {_said(first[key])}"
                 raise FileError(given_as(other), said, remedy="Bring the files to one first, nothing is converted here")
+
+
+def warn_of_lost_records(sources: list[dict[str, Any]]) -> None:
+    """Warn of what the first file has and tiles do not: waveforms, or other records if there are several files."""
+    header = file_of(sources[0]).header
+    if lost := left_out_of(header):
+        warn_of_loss(given_as(sources[0]), " and the ".join(lost), "tiles hold points alone")
+    if len(sources) > 1 and (names := own_records(header)):
+        reason = "tiles hold points of several files. The tiles of one file keep them"
+        warn_of_loss(given_as(sources[0]), f"records {', '.join(names)}", reason)
 
 
 def given_as(source: dict[str, Any]) -> str:

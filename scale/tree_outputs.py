@@ -17,6 +17,7 @@ from ..files.points import potree_writer, three_d_tiles_writer
 from ..files.points.copc_writer import CopcWriter
 from ..files.points.geodetic import Geodesy
 from ..files.points.las import LasFile, open_las, table_of
+from ..files.points.las_records import describe_together
 from ..files.points.las_writer import lay_out
 from ..files.points.vpc_writer import Statistics, dimensions_of, item_of, write_index
 from ..kernels.sampling.detail_levels import DEPTH, NODE_BITS
@@ -43,7 +44,8 @@ def write_tree(path: Path, tree: TileTree, overwrite: bool, most: int = DEPTH) -
     """
     first = open_las(tree.files[0].path)
     table = table_of(first, first.decode(np.zeros(1, first.layout.dtype())))
-    layout = lay_out(path, table, tree.scales, tree.offsets, first.header)
+    layout = lay_out(path, table, tree.scales, tree.offsets, first.header, is_part=True)
+    describe_together(layout.laspy, layout.header, (file.header for file in tree.files))
     if layout.header.point_format.dtype() != tree.files[0].row:
         raise FileError(first.path, "is not a tile of this version", remedy="Plan it anew in another folder")
     with atomic_write(path, overwrite=overwrite) as file, foreign_errors(path, "cannot be written"), quiet():

@@ -17,8 +17,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.errors import FileError
+from ..files.points.las_records import for_tiles
 from ..files.points.las_wkt import with_system
-from ..files.points.las_writer import with_scan_angle, write_las
+from ..files.points.las_writer import fits_steps, with_scan_angle, write_las
 from ..files.points.point_cloud import cloud_of, table_of
 from ..files.table import PointTable
 from ..kernels.memory import download
@@ -40,7 +41,6 @@ from .steps.step import Part, Sight, Step
 
 FOLDER = "tiles"
 MOST_DOUBLINGS = 40
-_MOST_STEPS = 2**31 - 2
 
 
 @dataclass(frozen=True)
@@ -227,7 +227,8 @@ def write_tile(plan: Plan, folder: Path, tile: int, part: Part) -> int:
         told.points = part.exact
     told = with_scan_angle(told)
     told.unit = None if plan.sources[0]["unit"] is None else told.unit
-    header = file_of(plan.sources[0]).header
+    first = file_of(plan.sources[0])
+    header = for_tiles(first.header, first.layout, is_only=len(plan.sources) == 1)
     scales, offsets = header.scales, offset_of(plan)
     if isinstance(plan.steps[-1] if plan.steps else None, Reproject):
         params, told.unit = plan.steps[-1].params, None
@@ -255,8 +256,7 @@ def tile_path(plan: Plan, folder: Path, tile: int) -> Path:
 def offset_of(plan: Plan) -> list[float]:
     """What all tiles count their steps from: the first file's offset, if all files lie within its steps."""
     first = plan.sources[0]
-    low, high, scales = np.array(plan.told["low"]), np.array(plan.told["high"]), np.array(first["scales"])
-    offsets = np.array(first["offsets"])
-    if (np.maximum(high - offsets, offsets - low) / scales < _MOST_STEPS).all():
+    low, high = np.array(plan.told["low"]), np.array(plan.told["high"])
+    if fits_steps(low, high, first["scales"], first["offsets"]):
         return first["offsets"]
     return np.round((low + high) / 2).tolist()

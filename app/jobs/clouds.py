@@ -5,6 +5,7 @@ Each checks its output before the work and returns what was done; `poor` says wh
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Unpack
@@ -17,12 +18,14 @@ from ...core.units import symbol_of
 from ...core.wording import format_share
 from ...files.meshes import tables
 from ...files.points.formats import WRITTEN
-from ...files.table import MeshTable
+from ...files.table import MeshTable, PointTable
 from .job import Job, JobReport, Settings
 
 if TYPE_CHECKING:
     from ...pcd.cloud import PointCloud
 
+OF_8_BITS = (".ply", ".pcd", ".pts", ".e57")
+COLOR_STEP = 1 / 65535  # of the finest colors that files hold as integers
 WITH_NORMALS = (".ply", ".pcd", ".npz", ".xyzn", ".las", ".laz", ".e57")
 
 
@@ -73,6 +76,10 @@ def convert_file(
 
     Raises:
         FileError: A file that cannot be read or written, or a cloud for a format of meshes.
+
+    Warns:
+        UserWarning: Colors of 16 bits are rounded to 8, attributes have other names in the output, or records of the
+            source are left out.
     """
     job = Job("convert", source, as_text=as_text, overwrite=overwrite, up=up)
     allowed = (*WRITTEN, *(suffix for suffix in tables.MESHES if suffix not in WRITTEN))
@@ -90,7 +97,20 @@ def convert_file(
         job.left_out += ["triangles"] + ["textures"] * (table.triangle_uvs is not None)
         table = tables.points_of(table)
     job.write_points(table, output)
+    if Path(source).suffix.lower() in (*tables.LAS, ".e57"):
+        _warn_of_rounded_colors(output, table)
     return ConvertReport(job.done(), "point cloud", len(table.points))
+
+
+def _warn_of_rounded_colors(output: FilePath, table: PointTable) -> None:
+    """Warn if a format has fewer bits for colors than the table."""
+    suffix = Path(output).suffix.lower()
+    if table.colors is None or suffix not in OF_8_BITS:
+        return
+    full = np.float32(255)
+    if (np.abs(np.rint(table.colors * full) / full - table.colors) > COLOR_STEP / 2).any():
+        message = f"{output}: colors are rounded to the 8 bits a channel of {suffix}; .laz and .npz keep 16"
+        warnings.warn(message, UserWarning, stacklevel=3)
 
 
 @dataclass(frozen=True)

@@ -33,6 +33,7 @@ from ...files.points.e57 import describe_e57
 from ...files.points.las import attribute_types, open_las
 from ...files.points.las_crs import crs_name
 from ...files.points.las_units import units_of
+from ...files.points.ptx import describe_ptx
 from ...files.points.scan_files import natural_key
 from ...files.table import MeshTable
 from .facts import (
@@ -163,8 +164,9 @@ def _describe_file(path: Path) -> Facts:
     suffix = path.suffix.lower()
     if suffix in tables.LAS:
         return _describe_las(path)
-    if suffix == ".e57":
-        return replace(_describe_table(path), scans=[_scan_line(scan) for scan in describe_e57(path)])
+    if suffix in (".e57", ".ptx"):
+        scans = describe_e57(path) if suffix == ".e57" else describe_ptx(path)
+        return replace(_describe_table(path), scans=[_scan_line(scan) for scan in scans])
     if suffix != ".txt" and (suffix in tables.READERS or suffix in tables.MESHES):
         return _describe_table(path)
     if suffix in _PICTURES:

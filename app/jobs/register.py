@@ -179,7 +179,8 @@ def _write_results(
         write_pose(output, T, overwrite=form["overwrite"])
         job.wrote(output)
     if aligned is not None:
-        job.wrote(aligned, tables.write_cloud_table(aligned, table_of(clouds[0].transform(T)), source=target, **form))
+        table = table_of(clouds[0].transform(T))
+        job.wrote(aligned, tables.write_cloud_table(aligned, table, source=target, system_only=True, **form))
     if picture is not None:
         draw_pair(picture, *clouds, T, overwrite=form["overwrite"])
         job.wrote(picture)

@@ -22,7 +22,7 @@ from .job import Job, JobReport, Settings
 from .survey_tables import read_control, read_targets
 
 REPORT = {"text": "report.txt", "json": "report.json", "plan": "plan.png"}
-E57 = (".e57",)
+E57, WITH_SCANS = (".e57",), (".e57", ".ptx")
 
 
 @dataclass(frozen=True)
@@ -89,10 +89,9 @@ def register_scans(
     job = Job("stations", source, **settings)
     job.check(output, E57, what="stations")
     places = _check_report(report, overwrite=job.form["overwrite"])
-    if Path(source).suffix.lower() not in E57:
-        raise FileError(
-            source, "is no .e57 file", remedy="Convert the scans, or call loom.registration.register_stations"
-        )
+    if Path(source).suffix.lower() not in WITH_SCANS:
+        remedy = "Convert the scans, or call loom.registration.register_stations"
+        raise FileError(source, "is no .e57 or .ptx file", remedy=remedy)
     with job.stage("read"):
         scans = _filled(read_stations(source, device=job.device), source)
     seen = None if targets is None else read_targets(targets, scans.names)

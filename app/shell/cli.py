@@ -81,8 +81,8 @@ def cli() -> None:
     pointloom tile plan SURVEY --steps steps.toml -o job   files larger than the memory, tile by tile
 
     Clouds are read and written as .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57, with all their attributes;
-    .csv, .txt and KITTI's .bin are read. Meshes are .ply .obj .stl .off .glb .gltf. A - stands for standard input or
-    output:
+    .csv, .txt, .asc, .ptx and KITTI's .bin are read. Meshes are .ply .obj .stl .off .glb .gltf. A - stands for
+    standard input or output:
 
     \b
     zcat scan.ply.gz | pointloom clean - - --from ply --to ply | pointloom info - --from ply
@@ -115,7 +115,7 @@ def info(files: tuple[Path, ...], read_as: str | None, as_json: bool) -> int:
     """Say what each FILE holds: counts, attributes, bounds, origin, points that are not finite.
 
     \b
-    clouds        .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .csv .txt .bin .las .laz .e57
+    clouds        .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .csv .txt .asc .bin .las .laz .e57 .ptx
     meshes        .ply .obj .stl .off .glb .gltf
     trajectories  .log .tum .kitti .txt .json
     cameras       .json, .txt of a 3x3 matrix
@@ -183,12 +183,13 @@ def convert(
     """Write the cloud or mesh IN to OUT, whose extension names the format; no value is rounded that OUT can hold.
 
     \b
-    clouds      .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57, and from .csv .txt .bin
+    clouds      .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57, and from .csv .txt .asc .bin .ptx
     meshes      .ply .obj .stl .off .glb .gltf
     recordings  from .bag .mcap .db3 and folders of those: to a folder of scans, or to one cloud
 
     What OUT cannot hold is left out, and the summary names it; a mesh becomes a cloud of its vertices that way. LAS and
-    LAZ hold coordinates in steps: those of IN where it is such a file, else thousandths.
+    LAZ hold coordinates in steps: those of IN where it is such a file, else thousandths. An attribute whose name OUT
+    cannot hold gets another, and an intensity that LAS cannot hold becomes intensity_value; warnings name them.
 
     Several scans of a recording become one cloud where --frame or --poses says how they stand to each other. Where the
     recording is damaged what is left is written, and the exit code is 3.

@@ -20,7 +20,10 @@ from click.shell_completion import (
 PATH = "path"  # the kind of an item that is a file or a folder, which shells show by its last part
 _PLAIN = "[[ $type == 'plain' ]]"
 
-CLOUDS = (".ply", ".pcd", ".npz", ".xyz", ".xyzn", ".xyzrgb", ".pts", ".csv", ".txt", ".bin", ".las", ".laz", ".e57")
+CLOUDS = (
+    ".ply", ".pcd", ".npz", ".xyz", ".xyzn", ".xyzrgb", ".pts", ".csv", ".txt", ".asc", ".bin", ".las", ".laz", ".e57",
+    ".ptx",
+)  # fmt: skip
 MESHES = (".ply", ".obj", ".stl", ".off", ".glb", ".gltf")
 POSES = (".txt", ".tum", ".log", ".kitti", ".json")
 # What a parameter's metavar, which its help shows, says of its files; folders are shown beside them.

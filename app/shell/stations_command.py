@@ -40,7 +40,7 @@ LEVEL, ALL = "x,y,z,yaw", "x,y,z,roll,pitch,yaw"
 @json_option()
 @force_option()
 def stations(scans: Path, free: str, no_poses: bool, as_json: bool, force: bool, **options: Any) -> int:
-    """Find where the stations of SCANS.E57 stood, and how well that is known.
+    """Find where the stations of SCANS.E57 (or .ptx) stood, and how well that is known.
 
     Scans that overlap are registered in pairs, from the poses of the file where it has any; then all poses are adjusted
     together, with targets and control points. Observations that contradict the rest are taken out and named. The

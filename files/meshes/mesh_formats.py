@@ -12,8 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.checks import shown
+from ..attribute_names import rename
 from ..points.header_units import PLY, in_metres, is_metric, tells_unit, unit_comment, warn_of_lost_unit
-from ..points.ply import read_ply_mesh, write_ply_mesh
+from ..points.ply import name_rules, read_ply_mesh, write_ply_mesh
+from ..points.ply_faces import face_name_rules
 from ..source import netted
 from ..table import MeshTable
 from .glb import read_glb
@@ -75,6 +77,7 @@ def write_mesh(path: str | os.PathLike[str], mesh: MeshTable, *, ascii: bool, ov
     check_up(path, up)
     mesh = turned_up(mesh, back=True) if up == "z" else mesh
     if suffix == ".ply":
+        mesh = _with_fitting_names(path, mesh)
         write_ply_mesh(path, mesh, ascii=ascii, overwrite=overwrite, comments=unit_comment(mesh))
     else:
         if suffix in UPRIGHT:
@@ -82,6 +85,18 @@ def write_mesh(path: str | os.PathLike[str], mesh: MeshTable, *, ascii: bool, ov
         else:
             warn_of_lost_unit(path, mesh)
         _WRITERS[suffix](path, mesh, overwrite=overwrite)
+
+
+def _with_fitting_names(path: str | os.PathLike[str], mesh: MeshTable) -> MeshTable:
+    """The mesh with attributes under names that PLY holds."""
+    rules = name_rules(mesh.vertex_normals, mesh.vertex_colors)
+    of_vertices = rename(path, "PLY", mesh.attributes, rules, stacklevel=5)
+    colors = mesh.triangle_attributes.get("colors")
+    others = {name: values for name, values in mesh.triangle_attributes.items() if name != "colors"}
+    of_triangles = rename(path, "PLY", others, face_name_rules(colors), stacklevel=5)
+    if colors is not None:
+        of_triangles = {"colors": colors} | of_triangles
+    return replace(mesh, attributes=of_vertices, triangle_attributes=of_triangles)
 
 
 def check_up(path: str | os.PathLike[str], up: Any) -> None:

@@ -7,12 +7,16 @@ from dataclasses import replace
 from pathlib import Path
 
 from ...core.errors import FileError
+from ..columns import narrow_integers, warn_of_loss
+from ..points.e57 import read_frames
 from ..points.e57_writer import unstorable_in_e57
-from ..points.formats import READERS, write_table
+from ..points.formats import READERS, with_fitting_names, write_table
 from ..points.las import open_las
+from ..points.las_records import system_of
 from ..points.las_writer import unstorable_in_las
 from ..points.ply_faces import STRIPS
 from ..points.ply_header import read_header
+from ..points.ptx import read_ptx_frames
 from ..source import open_source
 from ..table import MeshTable, PointTable
 from .mesh_formats import MESH_READERS, UNHELD, write_mesh
@@ -54,11 +58,13 @@ def write_cloud_table(
     as_text: bool = False,
     overwrite: bool = True,
     source: str | os.PathLike[str] | None = None,
+    system_only: bool = False,
 ) -> list[str]:
     """Write a cloud, leaving out what the format cannot hold.
 
-    From .las or .laz to .las or .laz, the `source` gives the scale and offset of the coordinates and the records of the
-    coordinate system.
+    From .las or .laz to .las or .laz, the `source` gives the scale and offset of the coordinates, the coordinate
+    system and, unless `system_only`, the other records and the identification. From .e57 or .ptx to .e57 it gives the
+    names and the poses of the scans, unless `system_only`.
 
     Returns:
         The names of what was left out.
@@ -69,12 +75,22 @@ def write_cloud_table(
     suffix, left_out = Path(path).suffix.lower(), []
     if suffix in _HELD:
         table, left_out = _as_text_holds(table, _HELD[suffix])
-    elif suffix in (*LAS, ".e57"):
-        table, left_out = _without(
-            table, unstorable_in_e57(table) if suffix == ".e57" else [*unstorable_in_las(path, table)]
-        )
-    like = open_las(source).header if source and suffix in LAS and Path(source).suffix.lower() in LAS else None
-    write_table(path, table, ascii=as_text, overwrite=overwrite, like=like)
+    elif suffix == ".e57":
+        table, left_out = _without(table, unstorable_in_e57(table))
+    elif suffix in LAS:
+        table = with_fitting_names(path, table)
+        table, left_out = _without(table, [*unstorable_in_las(path, table)])
+    elif suffix == ".ply":
+        table, left_out = _as_ply_holds(table)
+    kind, frames, like = "" if source is None else Path(source).suffix.lower(), [], None
+    if source is not None and suffix in LAS and kind in LAS:
+        like = open_las(source).header
+        like = system_of(like) if system_only else like
+    elif source is not None and suffix == ".e57" and kind in (".e57", ".ptx") and not system_only:
+        frames, beside = read_frames(source) if kind == ".e57" else (read_ptx_frames(source), [])
+        if beside:
+            warn_of_loss(path, f"{' and the '.join(beside)} of the source", "E57 is written with points alone")
+    write_table(path, table, ascii=as_text, overwrite=overwrite, like=like, frames=frames)
     return left_out
 
 
@@ -108,6 +124,14 @@ def points_of(mesh: MeshTable) -> PointTable:
 def _without(table: PointTable, left_out: list[str]) -> tuple[PointTable, list[str]]:
     """The table without some of its attributes, and their names."""
     attributes = {name: values for name, values in table.attributes.items() if name not in left_out}
+    return replace(table, attributes=attributes), left_out
+
+
+def _as_ply_holds(table: PointTable) -> tuple[PointTable, list[str]]:
+    """The table with attributes of 64-bit integers as types that PLY has, and the names of those that none holds."""
+    narrowed = {name: narrow_integers(values) for name, values in table.attributes.items()}
+    left_out = [name for name, values in narrowed.items() if values is None]
+    attributes = {name: values for name, values in narrowed.items() if values is not None}
     return replace(table, attributes=attributes), left_out
 
 

@@ -24,6 +24,7 @@ from ..foreign import foreign_errors, import_for
 from ..source import Source
 from ..table import PointTable
 from .las import COLORS, LasFile, open_las, scale_by, table_of
+from .las_extra import warn_of_wide_integers
 from .laszip import RECORD as LASZIP
 from .laszip import chunks_at
 
@@ -99,6 +100,7 @@ class CopcFile:
             Memory: the nodes that reach into the box, unpacked and as columns; then the result.
         """
         file = self.file
+        warn_of_wide_integers(self.path, file.layout)
         columns = file.decode(np.frombuffer(self.unpack(self.nodes_within(low, high, spacing)), file.layout.dtype()))
         keep = np.ones(len(columns["points"]), bool)
         if low is not None:

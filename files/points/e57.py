@@ -15,7 +15,7 @@ import contextlib
 import importlib
 import os
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -38,6 +38,12 @@ COLORS: tuple[str, ...] = ("colorRed", "colorGreen", "colorBlue")
 NORMALS: tuple[str, ...] = ("nor:normalX", "nor:normalY", "nor:normalZ")
 _INVALID = ("cartesianInvalidState", "sphericalInvalidState")  # 0 is valid, 1 a direction without a range
 
+_SCANNER_DATA = (
+    "description", "sensorVendor", "sensorModel", "sensorSerialNumber", "sensorHardwareVersion",
+    "sensorSoftwareVersion", "sensorFirmwareVersion", "temperature", "relativeHumidity", "atmosphericPressure",
+    "acquisitionStart", "acquisitionEnd",
+)  # fmt: skip
+
 SCAN_INDEX = "scan_index"
 ATTRIBUTES = {
     "intensity": "intensity", "rowIndex": "row_index", "columnIndex": "column_index",
@@ -45,6 +51,13 @@ ATTRIBUTES = {
 }  # fmt: skip
 NARROW = [np.dtype(code) for code in ("u1", "i1", "u2", "i2")]
 WIDE = np.dtype("q")  # pye57 takes no 32-bit integers, and 64-bit ones rightly under this of their two names only
+
+
+class ScanFrame(NamedTuple):
+    """The name of a scan and its pose T_world_scan, float64 (4, 4), or None."""
+
+    name: str
+    pose: NDArray[np.float64] | None
 
 
 def read_e57(path: str | os.PathLike[str], *, scan: int | None = None) -> PointTable:
@@ -67,7 +80,7 @@ def read_e57(path: str | os.PathLike[str], *, scan: int | None = None) -> PointT
         if scan is not None:
             return read_scan(path, image, scans[scan])
         tables = [read_scan(path, image, node) for node in scans]
-    merged = _merge(tables)
+    merged = merge_scans(tables)
     counts = [len(table.points) for table in tables]
     merged.attributes[SCAN_INDEX] = np.repeat(np.arange(len(tables), dtype=np.int32), counts)
     return merged
@@ -89,6 +102,26 @@ def describe_e57(path: str | os.PathLike[str]) -> list[dict[str, Any]]:
             }
             for node in scans
         ]
+
+
+def read_frames(path: str | os.PathLike[str]) -> tuple[list[ScanFrame], list[str]]:
+    """The name and the pose of each scan, and what the file has beside points.
+
+    Raises:
+        FileError: As `read_e57`.
+    """
+    with open_e57(path) as (image, scans), foreign_errors(path, "a scan is damaged"):
+        frames = []
+        for node in scans:
+            pose = None
+            if node.isDefined("pose"):
+                pose = np.eye(4)
+                pose[:3, :3], pose[:3, 3] = read_pose(path, node)
+            frames.append(ScanFrame(node["name"].value() if node.isDefined("name") else "", pose))
+        beside = ["pictures"] if image.root().isDefined("images2D") and len(image.root()["images2D"]) else []
+        if any(node.isDefined(name) for node in scans for name in _SCANNER_DATA):
+            beside.append("scanner data")
+    return frames, beside
 
 
 @contextlib.contextmanager
@@ -236,7 +269,7 @@ def _color_limits(scan: Any, fields: dict[str, Any]) -> list[tuple[float, float]
     return limits
 
 
-def _merge(tables: list[PointTable]) -> PointTable:
+def merge_scans(tables: list[PointTable]) -> PointTable:
     """The points of all scans with what every one of them has; an attribute takes a type that holds all its values."""
     names = [name for name in tables[0].attributes if all(name in table.attributes for table in tables)]
     normals = [table.normals for table in tables if table.normals is not None]

@@ -1,6 +1,6 @@
-"""E57 files as stations: each scan in its scanner's own coordinates, with its pose; and written back so.
+"""E57 and PTX files as stations: each scan in its scanner's own coordinates, with its pose; E57 is written back so.
 
-What a scan holds is what e57.py reads of it and e57_writer.py writes.
+What a scan holds is what e57.py or ptx.py reads of it and e57_writer.py writes.
 """
 
 from __future__ import annotations
@@ -16,12 +16,16 @@ from numpy.typing import ArrayLike, NDArray
 from ...core.atomic import check_writable
 from ...core.checks import check_list, check_rigid
 from ...core.errors import FileError
+from ...core.paths import path_of
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
 from ..foreign import foreign_errors
+from ..source import netted
+from ..table import PointTable
 from .e57 import SCAN_INDEX, open_e57, read_pose, read_scan
 from .e57_writer import check_e57, columns_of, write_scans
 from .point_cloud import cloud_of, table_of
+from .ptx import iterate_ptx
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,7 +52,7 @@ class Stations:
 
 
 def read_stations(path: str | os.PathLike[str], *, device: Any = "auto") -> Stations:
-    """Read the scans of an E57 file, each in its own coordinates, and their poses.
+    """Read the scans of an E57 or PTX file, each in its own coordinates, and their poses.
 
     Args:
         path: The file.
@@ -72,6 +76,19 @@ def read_stations(path: str | os.PathLike[str], *, device: Any = "auto") -> Stat
         >>> found.names, found.poses[0, :3, 3].tolist(), bool(np.allclose(found.clouds[0].points, cloud.points))
         (('A',), [5.0, 6.0, 7.0], True)
     """
+    tables, names, poses, posed = _ptx_scans(path) if path_of(path).suffix.lower() == ".ptx" else _e57_scans(path)
+    clouds = [cloud_of(table, path, device=device) for table in tables]
+    if not all(names) or len(set(names)) < len(names):
+        names = [f"{i} {name}".strip() for i, name in enumerate(names)]
+    return Stations(tuple(names), clouds, poses, posed)
+
+
+_read_ptx = netted(lambda path: [*iterate_ptx(path)])
+_Scans = tuple[list[PointTable], list[str], NDArray[np.float64], NDArray[np.bool_]]
+
+
+def _e57_scans(path: str | os.PathLike[str]) -> _Scans:
+    """The points, the name, the pose and whether there is one, of each scan."""
     with open_e57(path) as (image, scans):
         tables = [read_scan(path, image, node, placed=False) for node in scans]
         with foreign_errors(path, "its list of scans is damaged"):
@@ -80,10 +97,12 @@ def read_stations(path: str | os.PathLike[str], *, device: Any = "auto") -> Stat
             poses = np.tile(np.eye(4), (len(scans), 1, 1))
             for T, node in zip(poses, scans, strict=True):
                 T[:3, :3], T[:3, 3] = read_pose(path, node)
-    clouds = [cloud_of(table, path, device=device) for table in tables]
-    if not all(names) or len(set(names)) < len(names):
-        names = [f"{i} {name}".strip() for i, name in enumerate(names)]
-    return Stations(tuple(names), clouds, poses, posed)
+    return tables, names, poses, posed
+
+
+def _ptx_scans(path: str | os.PathLike[str]) -> _Scans:
+    tables, poses = zip(*_read_ptx(path), strict=True)
+    return [*tables], [""] * len(tables), np.stack(poses), np.ones(len(tables), bool)
 
 
 def write_stations(

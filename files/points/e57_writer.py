@@ -1,9 +1,8 @@
 """Writing E57 files; reading is e57.py's matter.
 
-Positions are float or double as the table has them, in metres, without a pose but where one is given (e57_stations.py);
-one scan for each value of `scan_index`,
-or one. Colours take 8 bits, normals are the extension "nor". Attributes other than those that e57.py reads cannot be
-stored.
+Positions are float or double as the table has them, in metres; one scan for each value of `scan_index`, or one. Scans
+have a pose where one is given: by e57_stations.py, or by the file that the points came from. Colours take 8 bits,
+normals are the extension "nor". Attributes other than those that e57.py reads cannot be stored.
 
 Source: ASTM E2807-11; the extension "nor" of libe57.org.
 """
@@ -28,7 +27,7 @@ from ...core.quaternions import rotations_to_quaternions
 from ..columns import colors_to_bytes
 from ..foreign import foreign_errors, import_for
 from ..table import PointTable
-from .e57 import ATTRIBUTES, BLOCK, CARTESIAN, COLORS, NARROW, NORMALS, SCAN_INDEX, WIDE
+from .e57 import ATTRIBUTES, BLOCK, CARTESIAN, COLORS, NARROW, NORMALS, SCAN_INDEX, WIDE, ScanFrame
 from .header_units import in_metres
 
 _NORMALS_URI = "http://www.libe57.org/E57_NOR_surface_normals.txt"
@@ -37,13 +36,16 @@ Scan = tuple[str, dict[str, NDArray[Any]], NDArray[np.float64] | None]  # a name
 
 
 @quiet()
-def write_e57(path: str | os.PathLike[str], table: PointTable, *, overwrite: bool = True) -> None:
+def write_e57(
+    path: str | os.PathLike[str], table: PointTable, *, overwrite: bool = True, frames: Sequence[ScanFrame] = ()
+) -> None:
     """Write points as E57.
 
     Args:
         path: The file; it appears whole or not at all.
-        table: The points.
+        table: The points, in the coordinates of the world.
         overwrite: Whether an existing file may be replaced.
+        frames: Names and poses of scans by `scan_index`. Points of scans with a pose are stored in its coordinates.
 
     Raises:
         FileError: The place cannot be written, a coordinate is not finite, an attribute cannot be stored, or pye57 is
@@ -58,8 +60,20 @@ def write_e57(path: str | os.PathLike[str], table: PointTable, *, overwrite: boo
     scans: list[Scan] = []
     for number, index in enumerate(indices if len(indices) else [0]):
         chosen = slice(None) if len(indices) <= 1 else scan_index == index
-        scans.append((f"Scan {number}", {n: v[chosen] for n, v in columns.items()}, None))
+        name, pose = frames[int(index)] if 0 <= index < len(frames) else ScanFrame("", None)
+        own = {n: v[chosen] for n, v in columns.items()}
+        scans.append((name or f"Scan {number}", own if pose is None else _in_scan(own, pose), pose))
     write_scans(path, scans, overwrite=overwrite)
+
+
+def _in_scan(columns: dict[str, NDArray[Any]], pose: NDArray[np.float64]) -> dict[str, NDArray[Any]]:
+    """Columns with positions and normals in the coordinates of a scan."""
+    points = np.stack([columns[name] for name in CARTESIAN], axis=1).astype(np.float64)
+    columns = columns | dict(zip(CARTESIAN, ((points - pose[:3, 3]) @ pose[:3, :3]).T, strict=True))
+    if NORMALS[0] in columns:
+        normals = np.stack([columns[name] for name in NORMALS], axis=1) @ pose[:3, :3]
+        columns |= dict(zip(NORMALS, normals.T.astype(np.float32), strict=True))
+    return columns
 
 
 def write_scans(path: Path, scans: Sequence[Scan], *, overwrite: bool) -> None:

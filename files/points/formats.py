@@ -3,33 +3,33 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from numpy.typing import ArrayLike
 
+from ..attribute_names import rename
 from ..source import netted
 from ..table import PointTable
+from . import las_writer, npz, pcd, ply
 from .copc_writer import write_copc
-from .e57 import read_e57
+from .e57 import ScanFrame, read_e57
 from .e57_writer import write_e57
 from .header_units import PCD, PLY, tells_unit, unit_comment, warn_of_lost_unit
 from .kitti_bin import read_kitti_bin
 from .las import read_las
 from .las_header import LasHeader
-from .las_writer import write_las
-from .npz import read_npz, write_npz
-from .pcd import read_pcd, write_pcd
-from .ply import read_ply, write_ply
+from .ptx import read_ptx
 from .text import read_text, write_text
 from .text_table import read_text_table
 
 _READERS: dict[str, Callable[..., PointTable]] = {
-    ".ply": tells_unit(PLY)(read_ply), ".pcd": tells_unit(PCD)(read_pcd), ".npz": read_npz,
+    ".ply": tells_unit(PLY)(ply.read_ply), ".pcd": tells_unit(PCD)(pcd.read_pcd), ".npz": npz.read_npz,
     ".xyz": read_text, ".xyzn": read_text, ".xyzrgb": read_text, ".pts": read_text,
-    ".csv": read_text_table, ".txt": read_text_table, ".bin": read_kitti_bin,
-    ".las": read_las, ".laz": read_las, ".e57": read_e57,
+    ".csv": read_text_table, ".txt": read_text_table, ".asc": read_text_table, ".bin": read_kitti_bin,
+    ".las": read_las, ".laz": read_las, ".e57": read_e57, ".ptx": read_ptx,
 }  # fmt: skip
 
 #: The readers by extension; whatever a file's content makes them raise is a FileError.
@@ -38,7 +38,7 @@ READERS = {extension: netted(reader) for extension, reader in _READERS.items()}
 COPC = ".copc.laz"
 
 #: The extensions that clouds are written to.
-WRITTEN = tuple(extension for extension in READERS if extension not in (".csv", ".txt", ".bin"))
+WRITTEN = tuple(extension for extension in READERS if extension not in (".csv", ".txt", ".asc", ".bin", ".ptx"))
 
 
 def write_table(
@@ -50,29 +50,48 @@ def write_table(
     scale: ArrayLike | None = None,
     offset: ArrayLike | None = None,
     like: LasHeader | None = None,
+    frames: Sequence[ScanFrame] = (),
     device: Any = None,
 ) -> None:
     """Write a table in the format of the path's extension, which is one of WRITTEN.
 
+    Attributes whose names the format cannot hold are written under others (attribute_names.py), with a warning.
     `ascii` is for .ply and .pcd; `scale`, `offset` and `like` are for .las and .laz, see write_las; a name that ends in
-    .copc.laz is a COPC file, whose octree is made on the device.
+    .copc.laz is a COPC file, whose octree is made on the device. `frames` are for .e57, see write_e57.
 
     Raises:
         FileError: The file cannot be made, or the format cannot hold an attribute.
     """
     extension = Path(path).suffix.lower()
+    table = with_fitting_names(path, table, stacklevel=4)
     if Path(path).name.lower().endswith(COPC):
         write_copc(path, table, scale=scale, offset=offset, like=like, overwrite=overwrite, device=device)
     elif extension == ".ply":
-        write_ply(path, table, ascii=ascii, overwrite=overwrite, comments=unit_comment(table))
+        ply.write_ply(path, table, ascii=ascii, overwrite=overwrite, comments=unit_comment(table))
     elif extension == ".pcd":
-        write_pcd(path, table, encoding="ascii" if ascii else "binary", overwrite=overwrite)
+        pcd.write_pcd(path, table, encoding="ascii" if ascii else "binary", overwrite=overwrite)
     elif extension == ".npz":
-        write_npz(path, table, overwrite=overwrite)
+        npz.write_npz(path, table, overwrite=overwrite)
     elif extension in (".las", ".laz"):
-        write_las(path, table, scale=scale, offset=offset, like=like, overwrite=overwrite)
+        las_writer.write_las(path, table, scale=scale, offset=offset, like=like, overwrite=overwrite)
     elif extension == ".e57":
-        write_e57(path, table, overwrite=overwrite)
+        write_e57(path, table, overwrite=overwrite, frames=frames)
     else:
         warn_of_lost_unit(path, table)
         write_text(path, table, overwrite=overwrite)
+
+
+def with_fitting_names(path: str | os.PathLike[str], table: PointTable, *, stacklevel: int = 3) -> PointTable:
+    """The table with attributes under names that the format of the path's extension holds; warns of other names."""
+    extension = Path(path).suffix.lower()
+    if extension == ".ply":
+        format, rules = "PLY", ply.name_rules(table.normals, table.colors)
+    elif extension == ".pcd":
+        format, rules = "PCD", pcd.name_rules(table)
+    elif extension == ".npz":
+        format, rules = "NPZ", npz.name_rules(table)
+    elif extension in (".las", ".laz"):
+        format, rules = "LAS", las_writer.name_rules(path, table)
+    else:
+        return table
+    return replace(table, attributes=rename(path, format, table.attributes, rules, stacklevel=stacklevel))

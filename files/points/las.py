@@ -4,10 +4,12 @@ Reading: positions are X * scale + offset in float64, in the file's own unit (me
 nothing is converted) and coordinate system (las_crs.py tells its name). Every other dimension is an attribute by
 laspy's name and in the file's type: intensity, return_number, number_of_returns, classification, synthetic, key_point,
 withheld, scan_angle_rank (whole degrees, formats 0 to 5) or scan_angle (steps of 0.006 degrees, formats 6 to 10),
-user_data, point_source_id, gps_time, nir, and so on, and each extra dimension by its own name, scaled where it says so.
+user_data, point_source_id, gps_time, nir, and so on, and each extra dimension by its own name, scaled where it says so,
+and NaN where it has the no_data value that the file declares (las_extra.py).
 Red, green and blue are colours in 0..1: of 65535, or of 255 where no value in the file exceeds that, as many writers
 store 8 bits in the 16-bit fields (a file of 16-bit colours darker than 1/257 throughout would come out too bright).
-Extra dimensions NormalX, NormalY and NormalZ are normals. Waveforms are not read.
+Extra dimensions NormalX, NormalY and NormalZ, or "normal x", "normal y" and "normal z" (Metashape), are normals.
+Waveforms are not read.
 
 The file is held to its header by las_header.py and laszip.py before memory is taken.
 
@@ -33,7 +35,8 @@ from ..growing import GrowingColumns
 from ..source import Source, open_source
 from ..table import PointTable
 from .las_crs import is_geographic
-from .las_header import SPEC, LasHeader, parse_las_header
+from .las_extra import EXTRA_BYTES, decode_extra, parameters_of, warn_of_wide_integers
+from .las_header import LasHeader, parse_las_header
 from .las_units import units_of
 from .laszip import check_laszip, unpack_beginnings, unpack_blocks
 
@@ -41,11 +44,11 @@ from .laszip import check_laszip, unpack_beginnings, unpack_blocks
 # fewer of points that claim to be long, of which compressed bytes tell nothing.
 _BLOCK, _BLOCK_BYTES = 1 << 18, 1 << 24
 
-_EXTRA_BYTES = (SPEC, 4)
 _PACKED = ("bit_fields", "raw_classification", "classification_flags")  # bytes that hold several dimensions
 _COORDINATES = ("X", "Y", "Z")
 COLORS: tuple[str, ...] = ("red", "green", "blue")
 NORMALS: tuple[str, ...] = ("NormalX", "NormalY", "NormalZ")
+_NAMES_OF_NORMALS = (NORMALS, ("normal x", "normal y", "normal z"))  # the latter are Metashape's
 
 
 @dataclass(frozen=True)
@@ -114,9 +117,8 @@ class LasFile:
             name = dimension.name
             if name in _COORDINATES or name in COLORS:
                 continue
-            values = np.asarray(record[name]) if dimension.is_standard else rows[name]
-            scaled = not dimension.is_standard and dimension.is_scaled
-            columns["." + name] = values * dimension.scales + dimension.offsets if scaled else values
+            is_standard = dimension.is_standard
+            columns["." + name] = np.asarray(record[name]) if is_standard else decode_extra(dimension, rows[name])
         return columns
 
 
@@ -131,7 +133,7 @@ def open_las(path: str | os.PathLike[str], *, layers_too: bool = True) -> LasFil
     path = Path(path)
     source = open_source(path)
     header = parse_las_header(path, source)
-    layout = _layout(path, header)
+    layout = layout_of(path, header)
     if header.is_compressed:
         check_laszip(path, source, header, layers_too=layers_too)
     return LasFile(path, source, header, layout)
@@ -150,6 +152,7 @@ def read_las(path: str | os.PathLike[str]) -> PointTable:
         Memory: the result, and some 20 MB; for a LAZ file up to half as much again while it grows.
     """
     file = open_las(path)
+    warn_of_wide_integers(path, file.layout)
     columns = GrowingColumns(file.header.point_count, is_proven=not file.header.is_compressed)
     for block in file.blocks(min(_BLOCK, _BLOCK_BYTES // file.header.record_length)):
         columns.append(block)
@@ -171,6 +174,7 @@ def iterate_las(file: LasFile, chunk_size: int) -> Iterator[PointTable]:
     Raises:
         FileError: As `read_las`; also colours that turn out to be of 65535 after a part that looked like 255.
     """
+    warn_of_wide_integers(file.path, file.layout)
     full = 0
     for number, block in enumerate(file.blocks(chunk_size)):
         if not number:
@@ -211,24 +215,27 @@ def table_of(file: LasFile, arrays: dict[str, NDArray[Any]]) -> PointTable:
     """The table of columns as `decode` makes them, colours in 0..1."""
     attributes = {name[1:]: values for name, values in arrays.items() if name.startswith(".")}
     normals = None
-    if all(name in attributes and attributes[name].dtype.kind == "f" for name in NORMALS):
-        normals = stack_normals(file.path, [attributes.pop(name) for name in NORMALS])
+    for names in _NAMES_OF_NORMALS:
+        if normals is None and all(name in attributes and attributes[name].dtype.kind == "f" for name in names):
+            normals = stack_normals(file.path, [attributes.pop(name) for name in names])
     steps = np.array(file.header.scales, np.float64)
     told, is_lonlat, units = arrays.get("colors"), is_geographic(file.header), units_of(file.header)
     how = {"steps": steps, "is_geographic": is_lonlat, "unit": units.plane, "unit_doubt": units.doubt}
     return PointTable(arrays["points"], normals, told, attributes, **how)
 
 
-def _layout(path: Any, header: LasHeader) -> Any:
-    """The dimensions of a point: those of the format, those that the file describes, and what is left of its bytes."""
+def layout_of(path: Any, header: LasHeader) -> Any:
+    """The dimensions of a point: those of the format, those that the file describes, and what is left of its bytes.
+
+    Raises:
+        FileError: The record of extra dimensions is damaged or does not go with the points; or laspy is missing.
+    """
     laspy = import_for(path, "laspy", "las")
     layout = laspy.PointFormat(header.point_format)
-    described = header.find(*_EXTRA_BYTES)
+    described = header.find(*EXTRA_BYTES)
     with foreign_errors(path, "the record of extra dimensions is damaged"):
         if described is not None and header.record_length > layout.size:
-            record = import_for(path, "laspy.vlrs.known", "las").ExtraBytesVlr()
-            record.parse_record_data(described)
-            for dimension in record.type_of_extra_dims():
+            for dimension in parameters_of(import_for(path, "laspy.vlrs.known", "las"), described):
                 layout.add_extra_dimension(dimension)
         spare = header.record_length - layout.size
         if spare < 0:

@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 import struct
 from dataclasses import dataclass
+from datetime import date, timedelta
 from typing import Any
 
 from ...core.coordinates import FLOAT32_MAX
@@ -37,11 +38,25 @@ SPEC = "LASF_Spec"
 
 @dataclass(frozen=True)
 class LasRecord:
-    """A variable-length record: whose it is, which of theirs, and its bytes."""
+    """A variable-length record.
+
+    Attributes:
+        user_id: Whose record it is.
+        record_id: Which of theirs.
+        data: Its bytes; a view into the file for extended records of other users than the coordinate system.
+        description: Text beside it.
+        extended: True if it follows the points.
+    """
 
     user_id: str
     record_id: int
-    data: bytes
+    data: bytes | memoryview
+    description: str = ""
+    extended: bool = False
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle the bytes of a view."""
+        return LasRecord, (self.user_id, self.record_id, bytes(self.data), self.description, self.extended)
 
 
 @dataclass(frozen=True)
@@ -59,8 +74,12 @@ class LasHeader:
         scales: Steps of the coordinates, one for each axis, in the file's own unit.
         offsets: What is added to the scaled coordinates.
         bounds: Lowest and highest coordinates as the header says; nobody holds it to be right.
-        records: The variable-length records, and the extended ones that tell the coordinate system.
+        records: The variable-length records, then the extended ones.
         software: What wrote the file.
+        source_id: Such as the number of a flight line.
+        guid: Identifier of the project, 16 bytes.
+        system: What measured the points, or the operation that made the file.
+        created: Day of creation, or None.
     """
 
     version: str
@@ -75,11 +94,16 @@ class LasHeader:
     bounds: tuple[tuple[float, ...], tuple[float, ...]]
     records: tuple[LasRecord, ...]
     software: str
+    source_id: int
+    guid: bytes
+    system: str
+    created: date | None
 
     def find(self, user_id: str, record_id: int) -> bytes | None:
         """The bytes of a record, or None."""
         found = (record.data for record in self.records if (record.user_id, record.record_id) == (user_id, record_id))
-        return next(found, None)
+        data = next(found, None)
+        return None if data is None else bytes(data)
 
 
 def parse_las_header(path: Any, source: Source) -> LasHeader:
@@ -119,8 +143,15 @@ def parse_las_header(path: Any, source: Source) -> LasHeader:
     high, low = fields[23::2], fields[24::2]
     return LasHeader(
         f"1.{minor}", fields[2], point_format, is_compressed, length, point_count, begin, scales, offsets,
-        (low, high), tuple(records), _text(fields[7]),
+        (low, high), tuple(records), _text(fields[7]), fields[1], fields[3], _text(fields[6]), _day_of(*fields[8:10]),
     )  # fmt: skip
+
+
+def _day_of(day: int, year: int) -> date | None:
+    """A day from its number in the year; None if there is no such day."""
+    if not (1 <= day <= 366 and 1 <= year <= 9999):
+        return None
+    return date(year, 1, 1) + timedelta(day - 1) if (year, day) < (9999, 366) else None
 
 
 def _unpack_header(path: Any, source: Source) -> tuple[Any, ...]:
@@ -185,7 +216,7 @@ def _check_extent(path: Any, size: int, begin: int, length: int, count: int, *, 
 def _read_records(path: Any, source: Source, form: struct.Struct, begin: int, end: int, count: int) -> list[LasRecord]:
     """The records from byte `begin` on, none of which reaches beyond `end`.
 
-    Extended ones may hold gigabytes of waveforms: of these only those that tell the coordinate system are kept.
+    Extended ones may hold gigabytes, so that only those of the coordinate system are copied from the file.
     """
     if count > (end - begin) // form.size:
         reason = f"{count} records cannot lie in the {end - begin} bytes from byte {begin} to {end}"
@@ -194,13 +225,15 @@ def _read_records(path: Any, source: Source, form: struct.Struct, begin: int, en
     for number in range(count):
         if end - at < form.size:
             raise FileError(path, f"record {number} of {count} is cut off", where=f"byte {at}")
-        _, user_id, record_id, length, _ = form.unpack_from(source, at)
+        _, user_id, record_id, length, description = form.unpack_from(source, at)
         at += form.size
         if length > end - at:
             reason = f"record {number} of {count} has {length} bytes, but {end - at} are left"
             raise FileError(path, reason, where=f"byte {at}")
-        if form is _RECORD_HEADER or _text(user_id) == PROJECTION:
-            records.append(LasRecord(_text(user_id), record_id, bytes(source[at : at + length])))
+        extended, name = form is _EXTENDED_HEADER, _text(user_id)
+        is_view = extended and name != PROJECTION
+        data = memoryview(source)[at : at + length] if is_view else bytes(source[at : at + length])
+        records.append(LasRecord(name, record_id, data, _text(description), extended))
         at += length
     return records
 

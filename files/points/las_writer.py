@@ -24,15 +24,14 @@ from ...core.atomic import atomic_write, check_writable
 from ...core.checks import check_finite, check_numeric, check_positive, check_shape
 from ...core.coordinates import finite_box, quiet
 from ...core.errors import FileError
-from ...core.units import LengthUnit, is_same, warn_of_units
+from ..attribute_names import NameRules
 from ..columns import stack_colors
 from ..foreign import foreign_errors, import_for
 from ..table import PointTable
-from .las import COLORS, NORMALS
-from .las_crs import NO_NAME, WKT
-from .las_header import PROJECTION, LasHeader, LasRecord
-from .las_units import units_of
-from .las_wkt import text_of_keys
+from .las import COLORS, NORMALS, layout_of
+from .las_extra import EXTRA_BYTES, TITLE, TYPES, ExtraColumn, record_of, store_extra
+from .las_header import LasHeader
+from .las_records import WKT_BIT, needs_1_4, take_over, unit_record
 
 # Where no scale is given: a millimetre where the unit is metres, below what scanners measure; finer for an axis along
 # which the points lie within 1000 units, so that objects and degrees keep a millionth of their extent.
@@ -44,16 +43,12 @@ _BLOCK = 1 << 18  # points packed at a time
 _ANGLE_STEP = 0.006  # degrees, of LAS 1.4's scan angle
 _MAX_STEPS = 2**31 - 1
 _MAX_NAME_BYTES = 32
-_MAX_RECORD_BYTES = 0xFFFF
-_TYPES = ("i1", "u1", "i2", "u2", "i4", "u4", "i8", "u8", "f4", "f8")
+RENAMED = "_value"  # behind the name of a value that LAS has in another range
 
 # Names that LAS uses for other things than an attribute of a cloud could mean.
 _TAKEN = {"X", "Y", "Z", *COLORS, *NORMALS, "ExtraBytes", "bit_fields", "raw_classification", "classification_flags"}
 
 _NEW_FORMAT_ONLY = {"scan_angle", "overlap", "scanner_channel", "nir"}
-_GPS_TIME_BIT, _WKT_BIT = 1, 16
-FIRST_OF_1_4 = 6  # point format
-_LIBLAS_WKT = ("liblas", 2112)  # where libLAS put the text before LAS 1.4 had a place for it
 
 
 def write_las(
@@ -73,8 +68,9 @@ def write_las(
         scale: Step of the coordinates [unit of the coordinates], one for all axes or one for each; None takes 0.001,
             or for an axis along which most points lie within 1000 units a finer power of ten.
         offset: What the steps count from; None takes the middle of the points in whole units.
-        like: The header of a file whose coordinate system and kind of GPS time are taken over; scale and offset, too,
-            where they are None.
+        like: The header of a file whose records, identification and kind of GPS time are taken over; scale and offset,
+            too, where they are None. Attributes that it has as extra dimensions are stored as it stores them, if no
+            value changes by that.
         overwrite: Whether an existing file may be replaced.
 
     Raises:
@@ -112,7 +108,7 @@ class LasLayout:
     laspy: Any
     table: PointTable
     header: Any
-    extra: dict[str, NDArray[Any]]
+    extra: dict[str, ExtraColumn]
     extended: Any
 
     @quiet()
@@ -122,20 +118,23 @@ class LasLayout:
         rows: Any = np.zeros(len(points), self.header.point_format.dtype())
         record = self.laspy.PackedPointRecord(rows, self.header.point_format)
         for axis, name in enumerate("XYZ"):
-            rows[name] = np.rint((points[:, axis] - self.header.offsets[axis]) / self.header.scales[axis])
+            steps = np.rint((points[:, axis] - self.header.offsets[axis]) / self.header.scales[axis])
+            rows[name] = np.clip(steps, -_MAX_STEPS - 1, _MAX_STEPS)  # beyond by less than the points' type rounds
         if self.table.colors is not None:
             for axis, name in enumerate(COLORS):
                 rows[name] = np.rint(self.table.colors[part, axis] * np.float32(65535))
-        for name, values in self.extra.items():
-            rows[name] = values[part]
+        for name, column in self.extra.items():
+            rows[name] = column.values[part]
         for dimension in self.header.point_format.standard_dimensions:
             if dimension.name in self.table.attributes and dimension.name not in _TAKEN:
                 record[dimension.name][:] = self.table.attributes[dimension.name][part]
         return record
 
 
-def lay_out(path: Any, table: PointTable, scale: Any, offset: Any, like: LasHeader | None) -> LasLayout:
-    """How `write_las` stores a table.
+def lay_out(
+    path: Any, table: PointTable, scale: Any, offset: Any, like: LasHeader | None, *, is_part: bool = False
+) -> LasLayout:
+    """How `write_las` stores a table; the ranges of extra dimensions are left out if it is a part of the points.
 
     Raises:
         FileError, ValueError: As write_las.
@@ -148,63 +147,21 @@ def lay_out(path: Any, table: PointTable, scale: Any, offset: Any, like: LasHead
     if table.colors is not None:
         table.colors = stack_colors(path, [*table.colors.T])  # refuses what is outside 0..1
     scales, offsets = _scaling(path, table.points, scale, offset, like)
-    told = _unit_record(laspy, path, table.unit, like)
-    version = "1.4" if _is_new(table) or told or (like is not None and _is_from_1_4(like)) else "1.2"
+    told = unit_record(laspy, path, table.unit, like)
+    version = "1.4" if _is_new(table) or told or (like is not None and needs_1_4(like)) else "1.2"
     header = laspy.LasHeader(point_format=_point_format(table), version=version)
-    extra = _extra_columns(table, {*header.point_format.dimension_names})
-    header.add_extra_dims([laspy.ExtraBytesParams(name, values.dtype) for name, values in extra.items()])
+    columns = _extra_columns(table, {*header.point_format.dimension_names})
+    extra = store_extra(columns, None if like is None else layout_of(path, like))
     header.scales, header.offsets = scales, offsets
-    extended = _take_over(laspy, path, header, like) if like is not None else []
+    if extra:
+        header.add_extra_dims([laspy.ExtraBytesParams(name, column.values.dtype) for name, column in extra.items()])
+        header.vlrs.extract("ExtraBytesVlr")  # laspy would write ranges of single points
+        header.vlrs.append(laspy.VLR(*EXTRA_BYTES, TITLE, record_of(extra, with_ranges=not is_part)))
+    extended = take_over(laspy, path, header, like) if like is not None else []
     if told:
-        header.global_encoding.value |= _WKT_BIT
+        header.global_encoding.value |= WKT_BIT
         header.vlrs.append(told)
     return LasLayout(laspy, table, header, extra, extended)
-
-
-def _is_from_1_4(like: LasHeader) -> bool:
-    """Whether a coordinate system is told in a way that came with LAS 1.4: as text, or in more than 64 KiB."""
-    return bool(like.encoding & _WKT_BIT) or any(len(record.data) > _MAX_RECORD_BYTES for record in _carried(like))
-
-
-def _carried(like: LasHeader) -> list[LasRecord]:
-    """The records of another file that tell its coordinate system."""
-    kinds = ((record, (record.user_id, record.record_id)) for record in like.records)
-    return [record for record, kind in kinds if kind[0] == PROJECTION or kind == _LIBLAS_WKT]
-
-
-def _unit_record(laspy: Any, path: Any, unit: LengthUnit | None, like: LasHeader | None) -> Any:
-    """The record that tells a length's unit where no file's system does; warns where such a system has another one."""
-    if like is not None:
-        told = units_of(like).plane
-        if not is_same(unit, told):
-            warn_of_units(
-                f"{path}: coordinates in {unit} are written under the coordinate system of a file in {told}: "
-                f'cloud.to_unit("{told}") converts them'
-            )
-        return None
-    if unit is None or unit.metres is None:
-        return None
-    name = unit.name.replace('"', '""')
-    axes = 'AXIS["Easting",EAST],AXIS["Northing",NORTH]'
-    text = f'LOCAL_CS["{NO_NAME}",LOCAL_DATUM["{NO_NAME}",0],UNIT["{name}",{unit.metres!r}],{axes}]'
-    return laspy.VLR(PROJECTION, WKT, "", text.encode("ascii") + b"\0")
-
-
-def _take_over(laspy: Any, path: Any, header: Any, like: LasHeader) -> Any:
-    """Give a header another's coordinate system and kind of GPS time; returns the records that follow the points.
-
-    Keys become text where the points are in a format of LAS 1.4, which has no place for keys.
-    """
-    header.global_encoding.value = like.encoding & (_GPS_TIME_BIT | _WKT_BIT)
-    extended, carried = laspy.vlrs.vlrlist.VLRList(), _carried(like)
-    text = text_of_keys(path, like) if header.point_format.id >= FIRST_OF_1_4 else None
-    if text is not None:
-        header.global_encoding.value |= _WKT_BIT
-        carried = [LasRecord(PROJECTION, WKT, text)]
-    for record in carried:
-        place = header.vlrs if len(record.data) <= _MAX_RECORD_BYTES else extended
-        place.append(laspy.VLR(record.user_id, record.record_id, "", record.data))
-    return extended
 
 
 def unstorable_in_las(path: Any, table: PointTable) -> dict[str, str]:
@@ -227,6 +184,20 @@ def unstorable_in_las(path: Any, table: PointTable) -> dict[str, str]:
     return lost
 
 
+def name_rules(path: Any, table: PointTable) -> NameRules:
+    """The names that attributes may have as dimensions: that of a standard one if their values fit it.
+
+    Raises:
+        FileError: laspy is missing.
+    """
+    layout = import_for(path, "laspy", "las").PointFormat(_point_format(table))
+    standard = {dimension.name: dimension for dimension in layout.dimensions if dimension.name not in _TAKEN}
+    held = {name: values for name, values in table.attributes.items() if name in standard}
+    unfit = {name: name + RENAMED for name, values in held.items() if _why_unfit(values, standard[name])}
+    used = {*_TAKEN, *standard} - {*held} | {*unfit}
+    return NameRules(str.isprintable, used, max_bytes=_MAX_NAME_BYTES, instead=unfit)
+
+
 def _why_unfit(values: NDArray[Any], dimension: Any) -> str:
     """Why values cannot go to a standard dimension; empty if they can."""
     if values.ndim != 1:
@@ -243,7 +214,7 @@ def _why_unfit(values: NDArray[Any], dimension: Any) -> str:
 
 def _why_no_extra(name: str, values: NDArray[Any], taken: set[str]) -> str:
     """Why values cannot become extra dimensions; empty if they can."""
-    if f"{values.dtype.kind}{values.dtype.itemsize}" not in _TYPES:
+    if f"{values.dtype.kind}{values.dtype.itemsize}" not in TYPES:
         return f"is of type {values.dtype}, which LAS does not have"
     if values.ndim == 2 and not values.shape[1]:
         return "has no components"
@@ -307,11 +278,19 @@ def _scaling(
     scales = check_shape("scale", steps if steps.ndim else np.full(3, check_positive("scale", scale)), (3,))
     if not (np.isfinite(scales).all() and (scales > 0).all()):
         raise ValueError(f"scale: expected finite numbers > 0, got {scale}")
-    if (reach / scales > _MAX_STEPS).any():
+    slack = np.spacing(np.maximum(np.abs(low), np.abs(high)).astype(points.dtype))  # what the points' type rounds by
+    if not fits_steps(low + slack, high - slack, scales, offsets):
         needed = 10.0 ** math.ceil(math.log10((reach / _MAX_STEPS).max()))
         reason = f"coordinates {reach.max():.6g} from the offset take more than 2^31 steps of {scales.tolist()}"
         raise FileError(path, reason, remedy=f"Give a larger scale, such as scale={needed:g}, or a nearer offset")
     return scales, offsets
+
+
+@quiet()
+def fits_steps(low: Any, high: Any, scales: Any, offsets: Any) -> bool:
+    """True if steps from the offsets to all coordinates between two corners fit into 32 bits."""
+    first, last = (np.rint((np.asarray(end) - offsets) / np.asarray(scales)) for end in (low, high))
+    return bool((first >= -(2**31)).all() and (last < 2**31).all())
 
 
 @quiet()

@@ -27,6 +27,7 @@ from ...core.checks import shown
 from ...core.errors import FileError
 from ...core.paths import path_of
 from ...core.units import KNOWN, LengthUnit, text_of, unit_of_text
+from ..attribute_names import NameRules
 from ..columns import stack_colors, stack_normals
 from ..source import open_source
 from ..table import PointTable
@@ -130,6 +131,12 @@ def write_npz(path: str | os.PathLike[str], table: PointTable, *, overwrite: boo
             member = zipfile.ZipInfo(f"{name}.npy", _TIME_STAMP)
             with archive.open(member, "w", force_zip64=True) as stream:
                 np.lib.format.write_array(stream, np.asarray(values, order="C"), allow_pickle=False)
+
+
+def name_rules(table: PointTable) -> NameRules:
+    """The names that attributes may have as members of the archive."""
+    used = (*_TABLE_KEYS, *([_UNIT] if table.unit is not None else []))
+    return NameRules(lambda letter: letter.isprintable() and letter not in "/\\", used, in_parts=False)
 
 
 def read_member(path: Any, archive: zipfile.ZipFile, info: zipfile.ZipInfo, name: str) -> NDArray[Any]:

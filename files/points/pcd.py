@@ -24,6 +24,7 @@ from numpy.typing import NDArray
 from ...core.atomic import atomic_write, check_writable
 from ...core.errors import FileError
 from ..ascii_rows import CHUNK_ROWS, write_rows
+from ..attribute_names import NameRules, is_word
 from ..columns import check_name, check_type, colors_to_bytes, own, stack_colors, stack_normals, stack_points
 from ..source import Source, open_source
 from ..table import PointTable
@@ -165,6 +166,13 @@ def _unpack_colors(path: Any, name: str, packed: NDArray[Any]) -> tuple[NDArray[
     channels = np.ascontiguousarray(packed).astype(packed.dtype.newbyteorder("<"), copy=False).view(np.uint8)
     channels = channels.reshape(-1, 4)
     return stack_colors(path, [channels[:, 2], channels[:, 1], channels[:, 0]]), channels[:, 3]
+
+
+def name_rules(table: PointTable) -> NameRules:
+    """The names that attributes may have as fields."""
+    used = {*_POINTS, *_PACKED, "_", *(_NORMALS if table.normals is not None else ())}
+    roles = [*([_NORMALS] if table.normals is None else []), *([_CHANNELS] if table.colors is None else [])]
+    return NameRules(is_word, used, roles, in_parts=False)
 
 
 def _fields(path: Any, table: PointTable) -> dict[str, NDArray[Any]]:

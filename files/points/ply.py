@@ -28,6 +28,7 @@ from numpy.typing import NDArray
 from ...core.atomic import atomic_write, check_writable
 from ...core.errors import FileError
 from ..ascii_rows import CHUNK_ROWS, write_rows
+from ..attribute_names import NameRules, is_word
 from ..columns import (
     check_name,
     check_reach,
@@ -57,6 +58,7 @@ _COLORS: tuple[tuple[str, ...], ...] = (
     ("r", "g", "b"),
 )
 _CORNERS = ("vertex_indices", "vertex_index")
+_PACKED_SPLATS = "packed_position"
 _TYPES = "i1 u1 i2 u2 i4 u4 f4 f8"
 _TYPE_REMEDY = "Convert it to an integer of at most 32 bits or to float32 or float64, or write NPZ"
 
@@ -292,6 +294,8 @@ def _is_vertex_scalar(element: Element, prop: Property) -> bool:
 def _role_names(path: Any, names: Sequence[str] | Mapping[str, Any]) -> list[tuple[str, ...] | None]:
     """Which properties are positions, normals and colours; None for a role that is not filled."""
     missing = [name for name in _POINTS if name not in names]
+    if missing and _PACKED_SPLATS in names:
+        raise FileError(path, "holds compressed Gaussian splats (SuperSplat)", remedy="read_splats reads them")
     if missing:
         raise FileError(path, f"element 'vertex' has no property {', '.join(missing)}")
     normals = _NORMALS if all(name in names for name in _NORMALS) else None
@@ -333,6 +337,13 @@ def _check_corners(path: Any, faces: ListColumn, vertex_count: int) -> NDArray[A
         reason = f"a face names vertex {corners[k]}, but there are {vertex_count} vertices"
         raise FileError(path, reason, where=f"face {row}")
     return corners.astype(np.int32 if vertex_count <= 2**31 else np.int64)
+
+
+def name_rules(normals: Any, colors: Any) -> NameRules:
+    """The names that attributes of vertices may have, beside normals and colours or None."""
+    used = {*_POINTS, *(_NORMALS if normals is not None else ()), *(_COLORS[0] if colors is not None else ())}
+    roles = [*([_NORMALS] if normals is None else []), *(_COLORS if colors is None else [])]
+    return NameRules(is_word, used, roles)
 
 
 def _vertex_columns(

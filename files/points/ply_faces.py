@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.errors import FileError
+from ..attribute_names import NameRules, is_word
 from ..columns import check_name, check_type, colors_or_loss, colors_to_bytes, own, warn_of_loss
 from .ply_header import TYPE_NAMES, PlyHeader
 from .ply_rows import Column, ListColumn
@@ -98,6 +99,13 @@ def warn_of_rest(path: Any, header: PlyHeader, columns: Mapping[str, Mapping[str
             lost += [f"{element.name} {p.name!r}" for p in element.properties if p.name not in columns[element.name]]
     if lost:
         warn_of_loss(path, "lists and elements", f"a mesh has no place for them: {', '.join(lost)}", stacklevel=4)
+
+
+def face_name_rules(colors: NDArray[Any] | None) -> NameRules:
+    """The names that attributes of triangles may have, beside colours or None."""
+    held = () if colors is None else (*_COLORS, _ALPHA) if colors.shape[1:] == (4,) else _COLORS
+    used = {*_CORNERS, *_TEXTURE, *held}
+    return NameRules(is_word, used, [] if colors is not None else [_COLORS])
 
 
 def attribute_columns(

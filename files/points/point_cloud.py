@@ -20,6 +20,7 @@ from ...kernels.memory import download
 from ...pcd.boxes import AxisAlignedBoundingBox
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import VECTORS, check_cloud
+from ..attribute_names import NameRules, new_names, warn_of_names
 from ..table import PointTable
 from . import text_table
 from .copc import open_copc
@@ -31,38 +32,43 @@ from .las_crs import is_geographic, warn_of_degrees
 def read_point_cloud(
     path: str | os.PathLike[str], *, device: Any = None, scan: int | None = None, columns: Sequence[str] | None = None
 ) -> PointCloud:
-    """Read a cloud with all its attributes: .ply .pcd .xyz .xyzn .xyzrgb .pts .csv .txt .npz .bin .las .laz .e57.
+    """Read a cloud with all its attributes.
+
+    The formats are .ply .pcd .xyz .xyzn .xyzrgb .pts .csv .txt .asc .npz .bin .las .laz .e57 .ptx.
 
     The readers are strict: a file that is truncated, has trailing bytes, or counts that do not fit its size is
     refused by name and place, before memory is taken for it; nothing is ever filled in.
 
-    Columns of .csv, .txt and .xyz are what a first line of names says: x y z, nx ny nz, r g b (0..1, or whole numbers
-    in 0..255), and attributes by any other name. Without names three columns are x y z, and more are refused: give
-    `columns`. A .bin is a scan of KITTI, float32 x, y, z, intensity.
+    Columns of .csv, .txt, .asc and .xyz are what a first line of names says: x y z, nx ny nz, r g b (0..1, or whole
+    numbers in 0..255), and attributes by any other name. Without names three columns are x y z, and more are refused:
+    give `columns`. A line with the number of points, as CloudCompare writes it, is checked. A .bin is a scan of KITTI,
+    float32 x, y, z, intensity.
 
     LAS and LAZ come in the file's own unit and coordinate system, which may be feet: `cloud.unit` says so where the
     file does (docs/units.md). Their dimensions are attributes by laspy's names (intensity, classification, gps_time and
-    so on). Where the file says that they are longitude and latitude, a GeographicWarning says so: they are kept to the
-    file's steps, but a radius or a voxel of degrees is no length, so that `project_to_utm` should come next. The scans
-    of an E57 file lie where their poses place them, in metres. Both need an extra: `pip install "pointloom[las]"`,
-    `pip install "pointloom[e57]"`.
+    so on). An extra dimension is NaN where it has the no_data value that the file declares. Where the file says that
+    they are longitude and latitude, a GeographicWarning says so: they are kept to the file's steps, but a radius or a
+    voxel of degrees is no length, so that `project_to_utm` should come next. The scans of an E57 or PTX file lie
+    where their poses place them, in metres; directions without a return are left out. LAS and E57 need an extra:
+    `pip install "pointloom[las]"`, `pip install "pointloom[e57]"`.
 
     Args:
         path: The file.
         device: Where the cloud goes.
-        scan: For .e57: the scan to read, from 0; None reads all, with the attribute `scan_index`.
-        columns: For .csv, .txt and .xyz: the names of the columns, in place of those that the file may have.
+        scan: For .e57 and .ptx: the scan to read, from 0; None reads all, with the attribute `scan_index`.
+        columns: For .csv, .txt, .asc and .xyz: the names of the columns, in place of those that the file may have.
 
     Raises:
         FileError: The file cannot be read; says which byte or line, and why; or the package for it is missing.
         DeviceError: No such device.
         IndexError: There is no such scan.
-        ValueError: A scan of a file that is no .e57, columns of one that is no table of text, or columns without x, y
-            and z.
+        ValueError: A scan of a file that is no .e57 or .ptx, columns of one that is no table of text, or columns
+            without x, y and z.
 
     Warns:
         GeographicWarning: x and y are degrees.
         UnitWarning: z is in another unit than x and y, or the file tells two units.
+        UserWarning: Missing values of an attribute are a number: LAS declares one for integers of 64 bits.
 
     Example:
         >>> import pointloom as loom
@@ -82,8 +88,8 @@ def read_point_cloud(
         return cloud_of(text_table.read_text_table(path, columns), path, device=device)
     if scan is None:
         return cloud_of(reader(path), path, device=device)
-    if extension != ".e57":
-        raise ValueError(f"scan: only .e57 has scans, got {Path(path).suffix}")
+    if extension not in (".e57", ".ptx"):
+        raise ValueError(f"scan: only .e57 and .ptx have scans, got {Path(path).suffix}")
     return cloud_of(reader(path, scan=check_count("scan", scan, minimum=0)), path, device=device)
 
 
@@ -191,8 +197,11 @@ def cloud_of(
     """The cloud of what was read from a file, about an origin that is chosen where none is given.
 
     Raises:
-        FileError: An attribute with the name of an array that every cloud has, or points too far apart for float32.
+        FileError: Points too far apart for float32.
         DeviceError: No such device.
+
+    Warns:
+        UserWarning: An attribute has the name of an array that every cloud has, and is read under another.
     """
     try:
         origin = origin_of(table, path, stacklevel=5) if origin is None else origin
@@ -201,10 +210,10 @@ def cloud_of(
         raise
     except ValueError as error:
         raise FileError(path, f"{error}", remedy="Drop the points that lie so far out") from error
+    if renamed := new_names(table.attributes, NameRules(lambda letter: True, VECTORS, in_parts=False)):
+        warn_of_names(path, "read under other names, since every cloud has arrays of these names", renamed)
     for name, values in table.attributes.items():  # one by one: a file may call one "device" or "origin"
-        if name in VECTORS:
-            raise FileError(path, f"attribute {name!r} has the name of a cloud's own {name}", remedy="Rename it")
-        cloud[name] = values
+        cloud[renamed.get(name, name)] = values
     cloud.grid, cloud.unit = table.grid, unit_told(table, path)
     return cloud
 
@@ -239,10 +248,11 @@ def write_point_cloud(
 
     Coordinates of a cloud whose origin is zero are written in float32 as they are held; those of a moved origin in
     float64, so that nothing is lost. LAS and LAZ alone round them, to multiples of `scale` about the cloud's origin.
-    A name that ends in .copc.laz makes a Cloud Optimized Point Cloud: LAZ in the order of an octree, of which
-    `read_copc`, QGIS, PDAL and Potree read parts. A cloud knows no coordinate system: `like` takes it over from the
-    file that the cloud came from. Its unit is written where the format has a place for it; E57 holds metres, so that
-    coordinates in another unit are multiplied.
+    Colors are rounded to 16 bits a channel in LAS and LAZ, and to 8 bits in PLY, PCD, PTS and E57. A name that ends
+    in .copc.laz makes a Cloud Optimized Point Cloud: LAZ in the order of an octree, of which `read_copc`, QGIS, PDAL
+    and Potree read parts. A cloud knows no coordinate system: `like` takes it over from the file that the cloud came
+    from. Its unit is written where the format has a place for it; E57 holds metres, so that coordinates in another unit
+    are multiplied, and its scans (by `scan_index`) have no poses here: `write_stations` writes them.
 
     Args:
         path: The file: .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57.
@@ -252,8 +262,10 @@ def write_point_cloud(
         scale: Step of the coordinates [m], for .las and .laz: one for all axes, or one for each. None takes 0.001, and
             finer ones for axes along which most points lie within 1000 m: a millionth of that as a power of ten.
             Coarser steps make smaller LAZ files.
-        like: For .las and .laz: a LAS or LAZ file whose coordinate system, offset, kind of GPS time and, where none is
-            given, scale are taken over, for a cloud in the same system.
+        like: For .las and .laz: the LAS or LAZ file that the cloud came from, or one in the same system. Its
+            coordinate system, other records, identification, offset, kind of GPS time and, where none is given, scale
+            are taken over. Its extra dimensions keep type, scale, no_data value and description if no value changes by
+            that.
 
     Raises:
         FileError: The file cannot be made, or the format cannot hold an attribute, a point that is not finite or, of
@@ -263,6 +275,9 @@ def write_point_cloud(
 
     Warns:
         UnitWarning: The cloud's unit is not that of `like`, not the format's, or one that the format cannot tell.
+        UserWarning: Attributes are written under other names: a character that the format cannot hold becomes "_", a
+            name in use gets "_2" at its end, and values that a dimension of LAS cannot hold, such as an intensity in
+            0..1, go to "intensity_value". Or `like` has waveforms or a spatial index, which are not copied.
 
     Example:
         >>> import pointloom as loom

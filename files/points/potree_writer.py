@@ -86,9 +86,9 @@ class PotreeWriter:
                 out[name] = self._unscaled(fields[0], out[name])
         for name in self._row.names or ():
             values = out[name].reshape(len(out), -1)
-            low, high = values.min(axis=0).astype(np.float64), values.max(axis=0).astype(np.float64)
+            low, high = (end.reduce(values).astype(np.float64) for end in (np.fmin, np.fmax))  # of what is not NaN
             if name in self._lows:
-                low, high = np.minimum(self._lows[name], low), np.maximum(self._highs[name], high)
+                low, high = np.fmin(self._lows[name], low), np.fmax(self._highs[name], high)
             self._lows[name], self._highs[name] = low, high
         self._nodes[(level, *cell)] = (len(rows), self._points.tell(), out.nbytes)
         self._points.write(out.tobytes())

@@ -1,4 +1,4 @@
-"""Points as text read in parts, a block of lines at a time: .xyz, .xyzn, .xyzrgb, .pts, .csv and .txt.
+"""Points as text read in parts, a block of lines at a time: .xyz, .xyzn, .xyzrgb, .pts, .csv, .txt and .asc.
 
 The rules are those of text.py and text_table.py. What only the whole file tells is asked for by a first pass over it:
 how many points there are, and whether colours are parts of 1 or of 255.
@@ -27,6 +27,7 @@ from .text_table import (
     read_head,
     table_of,
     without_comments,
+    wrong_count,
 )
 
 BLOCK = 1 << 23  # bytes of lines at a time
@@ -53,7 +54,7 @@ class TextInParts:
         self._kind, source = self.path.suffix.lower(), open_source(path)
         begin = 3 if source[:3] == b"\xef\xbb\xbf" else 0
         first = unix_lines(bytes(source[begin : begin + _HEAD]))
-        self._declared, self._delimiter, self._lines = -1, None, 0
+        self._declared, self._delimiter, self._lines, full = -1, None, 0, None
         if self._kind == ".pts":
             self._declared = parse_whole(
                 path, first.partition(b"\n")[0].strip().decode("ascii", "backslashreplace"), "the number of points", 1
@@ -64,12 +65,13 @@ class TextInParts:
         else:
             head = read_head(self.path, first)
             self._delimiter, self._lines = head.delimiter, head.lines
+            self._declared, full = -1 if head.declared is None else head.declared, head.full
             self._names = tuple(names_of(self.path, head, head.width))
         self._begin = begin
-        self._full = 1.0
-        self.count = self._look()
+        self._full = full or 1.0
+        self.count = self._look(is_told=full is not None)
 
-    def _look(self) -> int:
+    def _look(self, *, is_told: bool) -> int:
         """The first pass: the number of points, and what a full colour is."""
         count, seen = 0, []
         for names, rows in self._rows():
@@ -78,13 +80,12 @@ class TextInParts:
                 seen.append([colors.min(), colors.max(), float((np.floor(colors) == colors).all())])
             count += len(rows)
         if self._declared >= 0 and count != self._declared:
-            reason = f"{count} points where its first line declares {self._declared}"
-            raise FileError(self.path, reason, remedy="It was cut off, or the number is wrong")
+            raise wrong_count(self.path, self._declared, count)
         if not count and self._declared != 0:
             raise FileError(self.path, "holds no points")
         if seen and self._kind == ".pts":
             self._full = 255.0
-        elif seen and self._kind != ".xyzrgb":
+        elif seen and self._kind != ".xyzrgb" and not is_told:
             low, high, whole = np.array(seen).T
             self._full = color_range(self.path, float(low.min()), float(high.max()), whole=bool(whole.min()))
         return count

@@ -1,7 +1,8 @@
-"""Points as a table of text: .csv, .txt and .xyz, one point a line.
+"""Points as a table of text: .csv, .txt, .asc and .xyz, one point a line.
 
 Values are parted by commas, by semicolons or by blanks, all of a file alike; the first line of values decides. Blank
-lines and lines that begin with '#' are passed over. What a column means is never guessed:
+lines and lines that begin with '#' are passed over. A line above the values with one whole number, as CloudCompare
+writes it, is the number of points and has to be right. What a column means is never guessed:
 
 - A first line of names says it, also behind '#' or '//': x y z, normals nx ny nz (normal_x ...), colours r g b
   (red ...), and any other name, which becomes an attribute. Case does not matter for these and for intensity.
@@ -10,7 +11,8 @@ lines and lines that begin with '#' are passed over. What a column means is neve
   rest.)
 
 Colours are whole numbers in 0..255 or parts in 0..1, for the file as a whole; one that holds nothing but 0 and 1 could
-be either and is refused unless it is black. Text has no types: positions and attributes are float64.
+be either and is refused unless it is black. Columns Rf, Gf and Bf (CloudCompare) are parts in 0..1. Text has no types:
+positions and attributes are float64.
 """
 
 from __future__ import annotations
@@ -30,14 +32,17 @@ from ..columns import stack_colors, stack_normals
 from ..source import open_source
 from ..table import PointTable
 
-SUFFIXES = (".xyz", ".csv", ".txt")
+SUFFIXES = (".xyz", ".csv", ".txt", ".asc")
 
 POSITION, NORMAL, COLOR = ("x", "y", "z"), ("nx", "ny", "nz"), ("r", "g", "b")
 
 _NAMED = {name: name for name in (*POSITION, *NORMAL, *COLOR, "intensity")}
+_FRACTIONS = {"rf": "r", "gf": "g", "bf": "b"}  # CloudCompare's names of colours in 0..1
+_NAMED |= _FRACTIONS
 _NAMED |= {f"normal_{axis}": f"n{axis}" for axis in POSITION} | {"red": "r", "green": "g", "blue": "b"}
 
 _COMMENT = re.compile(rb"^[ \t]*#[^\n]*", re.M)
+_MOST_DIGITS = 19  # of a number of points
 _PARTED = "Values are parted by commas, semicolons or blanks, decimals by points"
 
 
@@ -50,6 +55,7 @@ class _Head(NamedTuple):
         lines: How many lines the head takes.
         width: Columns.
         delimiter: Between the values: b",", b";", or None for blanks.
+        declared: The number of points, where a line of the head tells it.
     """
 
     names: list[str] | None
@@ -57,10 +63,21 @@ class _Head(NamedTuple):
     lines: int
     width: int
     delimiter: bytes | None
+    declared: int | None = None
+
+    @property
+    def full(self) -> float | None:
+        """What a full colour is, where the names tell it."""
+        return full_of(self.names or ())
+
+
+def full_of(names: Sequence[str]) -> float | None:
+    """What a full colour is, where the names of the columns tell it."""
+    return 1.0 if any(name.strip().lower() in _FRACTIONS for name in names) else None
 
 
 def read_text_table(path: str | os.PathLike[str], columns: Sequence[str] | None = None) -> PointTable:
-    """Read a .csv, .txt or .xyz file.
+    """Read a .csv, .txt, .asc or .xyz file.
 
     Args:
         path: The file.
@@ -84,7 +101,16 @@ def read_text_table(path: str | os.PathLike[str], columns: Sequence[str] | None 
     check_fields(path, rows, text, head.delimiter, head.lines + 1, width)
     names = given or names_of(path, head, width)
     values = rows.numbers().reshape(-1, width)
-    return table_of(path, dict(zip(names, values.T, strict=True)))
+    if head.declared not in (None, len(values)):
+        raise wrong_count(path, head.declared, len(values))
+    full = head.full if columns is None else full_of(columns)
+    return table_of(path, dict(zip(names, values.T, strict=True)), full)
+
+
+def wrong_count(path: Any, declared: int | None, count: int) -> FileError:
+    """The error of a file whose number of points is another than it declares."""
+    reason = f"expected {declared} points, which a line above them declares, found {count}"
+    return FileError(path, reason, remedy="It was cut off, or the number is wrong")
 
 
 def _check_given(columns: Sequence[str]) -> list[str]:
@@ -97,24 +123,47 @@ def _check_given(columns: Sequence[str]) -> list[str]:
 
 
 def read_head(path: Path, body: bytes) -> _Head:
-    """The names above the values, and what parts these."""
-    comment, begin = (b"", 0), 0
-    for number, begin, line in _lines(body):
+    """The names above the values, the number of points, and what parts the values."""
+    comment, names, count, number = (b"", 0), None, None, 0
+    for number, end, line in _lines(body):
         bare = line.strip()
         if bare.startswith((b"#", b"//")):
             comment = (bare.lstrip(b"#/"), number) if bare.lstrip(b"#/").strip() else comment
             continue
         if not bare:
             continue
+        if bare[:5].lower() == b"ncols":
+            remedy = "Convert it to a table, such as by gdal_translate -of XYZ"
+            raise FileError(path, "is an Esri grid of heights, expected a table of points", remedy=remedy)
         delimiter = next((mark for mark in (b";", b",") if mark in bare), None)
         fields = _split(bare, delimiter)
-        numeric = [is_number(field) for field in fields if field]
-        if any(numeric) or not any(fields):
-            names = _as_names(comment[0], delimiter, len(fields)) if comment[0] else None
-            return _Head(names, comment[1], number - 1, len(fields), delimiter)
-        names = [_plain(field) for field in (bare.split(b"\t") if delimiter is None and b"\t" in bare else fields)]
-        return _Head(names, number, number, len(names), _delimiter_below(body, begin, delimiter))
-    raise FileError(path, "holds no points")
+        is_values = any(is_number(field) for field in fields if field) or not any(fields)
+        if names is None and not is_values:
+            words = bare.split(b"\t") if delimiter is None and b"\t" in bare else fields
+            names = ([_plain(field) for field in words], number, delimiter)
+        elif count is None and _is_count(fields) and _is_wider_below(body, end):
+            count = int(fields[0])
+        elif names is not None:
+            return _Head(*names[:2], number - 1, len(names[0]), delimiter, count)
+        else:
+            told = _as_names(comment[0], delimiter, len(fields)) if comment[0] else None
+            return _Head(told, comment[1], number - 1, len(fields), delimiter, count)
+    if names is None:
+        raise FileError(path, "holds no points")
+    return _Head(*names[:2], number, len(names[0]), names[2], count)
+
+
+def _is_count(fields: list[bytes]) -> bool:
+    return len(fields) == 1 and fields[0].isdigit() and len(fields[0]) < _MOST_DIGITS
+
+
+def _is_wider_below(body: bytes, end: int) -> bool:
+    """Whether the next line of values has more than one of them."""
+    for _, _, line in _lines(body[end + 1 : end + 1 + (1 << 16)]):
+        bare = line.strip()
+        if bare and not bare.startswith(b"#"):
+            return len(bare.replace(b";", b" ").replace(b",", b" ").split()) > 1
+    return False
 
 
 def _lines(body: bytes) -> Any:
@@ -125,14 +174,6 @@ def _lines(body: bytes) -> Any:
         end = len(body) if end < 0 else end
         yield number, end, body[begin:end]
         begin, number = end + 1, number + 1
-
-
-def _delimiter_below(body: bytes, end: int, named: bytes | None) -> bytes | None:
-    """What parts the values below a line of names: what the first of their lines holds."""
-    for _, _, line in _lines(body[end + 1 : end + 1 + (1 << 16)]):
-        if line.strip() and not line.strip().startswith(b"#"):
-            return next((mark for mark in (b";", b",") if mark in line), None)
-    return named
 
 
 def _split(line: bytes, delimiter: bytes | None) -> list[bytes]:

@@ -31,32 +31,31 @@ class Statistics:
     """Count, range and moments of each dimension, gathered part by part."""
 
     count: int = 0
-    told: dict[str, list[float]] = field(default_factory=dict)  # least, most, mean, sum of squares about the mean
+    told: dict[str, list[float]] = field(default_factory=dict)  # least, most, mean, squares about the mean, count
 
     def add(self, columns: dict[str, NDArray[Any]]) -> None:
-        """Take further points in."""
-        size = len(next(iter(columns.values())))
+        """Take further points in; values that are not finite do not count, since JSON cannot hold them."""
         for name, column in columns.items():
-            values = column.astype(np.float64)
-            if not np.isfinite(values).all():
-                continue  # a mean of it says nothing, and JSON cannot hold it
-            mean = float(values.mean())
-            own = [float(values.min()), float(values.max()), mean, float(((values - mean) ** 2).sum())]
+            values = column[np.isfinite(column)].astype(np.float64)
+            if not len(values):
+                continue
+            mean, size = float(values.mean()), len(values)
+            own = [float(values.min()), float(values.max()), mean, float(((values - mean) ** 2).sum()), size]
             if name in self.told:
-                low, high, before, squares = self.told[name]
-                step, total = mean - before, self.count + size
-                own[0], own[1], own[2] = min(low, own[0]), max(high, own[1]), before + step * size / total
-                own[3] += squares + step * step * self.count * size / total
+                low, high, before, squares, known = self.told[name]
+                step, total = mean - before, known + size
+                own[:3] = min(low, own[0]), max(high, own[1]), before + step * size / total
+                own[3:] = own[3] + squares + step * step * known * size / total, total
             self.told[name] = own
-        self.count += size
+        self.count += len(next(iter(columns.values())))
 
     def items(self) -> list[dict[str, Any]]:
         """As the pointcloud extension wants them."""
         items = []
-        for place, (name, (low, high, mean, squares)) in enumerate(self.told.items()):
-            variance = squares / max(self.count - 1, 1)
+        for place, (name, (low, high, mean, squares, count)) in enumerate(self.told.items()):
+            variance = squares / max(count - 1, 1)
             numbers = {"average": mean, "minimum": low, "maximum": high, "variance": variance, "stddev": variance**0.5}
-            items.append({"name": name, "position": place, "count": self.count, **numbers})
+            items.append({"name": name, "position": place, "count": int(count), **numbers})
         return items
 
 

@@ -27,7 +27,7 @@ EXTENSIONS = tuple(_READERS)
 
 
 def read_splats(path: str | os.PathLike[str], *, drop_invalid: bool = False, device: Any = None) -> GaussianSplats:
-    """Read 3D Gaussian splats: .ply as training writes it, .splat, .spz of versions 2 to 4.
+    """Read 3D Gaussian splats: .ply as training or SuperSplat (compressed) writes it, .splat, .spz of versions 2 to 4.
 
     Numbers are taken as the file has them; nothing is filled in, sorted or scaled. Further columns of a PLY file become
     attributes of `splats.cloud`.

@@ -2,6 +2,7 @@
 
 Vertices have x y z, f_dc_0..2, opacity (a logit), scale_0..2 (logarithms), rot_0..3 (w, x, y, z), and 9, 24, 45 or 72
 numbers f_rest_i: all coefficients of red, then of green, then of blue. Normals, which are zeros, are left behind.
+Compressed splats are read by compressed_ply.py.
 """
 
 from __future__ import annotations
@@ -18,8 +19,10 @@ from ...core.errors import FileError
 from ...pcd.harmonics import degree_of
 from ..columns import own, stack_points
 from ..points.ply import vertex_columns
+from ..points.ply_header import read_header
 from ..source import open_source
 from ..table import PointTable
+from .compressed_ply import is_compressed, read_compressed_ply
 
 _GROUPS = {"f_dc": 3, "scale": 3, "rot": 4}
 _NUMBERED = re.compile(r"(f_dc|f_rest|scale|rot)_(\d+)")
@@ -33,7 +36,11 @@ def read_splat_ply(path: str | os.PathLike[str]) -> PointTable:
         FileError: As `read_ply`; also columns that are missing, or of another number than splats have.
     """
     path = Path(path)
-    columns = vertex_columns(path, open_source(path))
+    source = open_source(path)
+    header = read_header(path, source)
+    if is_compressed(header):
+        return read_compressed_ply(path, source, header)
+    columns = vertex_columns(path, source)
     missing = [name for name in ("x", "y", "z", "opacity", "f_dc_0", "scale_0", "rot_0") if name not in columns]
     if missing:
         reason = f"holds no Gaussian splats: vertices have no {', '.join(missing)}"

@@ -78,12 +78,16 @@ def test_convert_carries_las_through_other_formats(autzen, tmp_path):
             np.testing.assert_array_equal(np.asarray(found[field]), np.asarray(las[field]))
 
 
+@pytest.mark.filterwarnings("always::UserWarning")
 def test_convert_names_what_las_and_e57_cannot_hold(tmp_path, rng):
-    cloud = loom.PointCloud(rng.random((5, 3)), intensity=rng.random(5), label=np.arange(5))
+    cloud = loom.PointCloud(rng.random((5, 3)), intensity=rng.random(5), label=np.arange(5), flag=np.ones(5, bool))
     loom.write_point_cloud(tmp_path / "a.npz", cloud)
-    assert answer("convert", tmp_path / "a.npz", tmp_path / "a.las")["left_out"] == ["intensity"]
-    np.testing.assert_array_equal(laspy.read(tmp_path / "a.las")["label"], np.arange(5))
-    assert answer("convert", tmp_path / "a.npz", tmp_path / "a.e57")["left_out"] == ["label"]
+    assert answer("convert", tmp_path / "a.npz", tmp_path / "a.las")["left_out"] == ["flag"]
+    assert "'intensity' as 'intensity_value'" in run("convert", tmp_path / "a.npz", tmp_path / "b.laz").stderr
+    found = laspy.read(tmp_path / "a.las")
+    np.testing.assert_array_equal(found["label"], np.arange(5))
+    np.testing.assert_array_equal(found["intensity_value"], cloud["intensity"])
+    assert answer("convert", tmp_path / "a.npz", tmp_path / "a.e57")["left_out"] == ["label", "flag"]
     np.testing.assert_array_equal(loom.read_point_cloud(tmp_path / "a.e57")["intensity"], cloud["intensity"])
 
 
@@ -118,3 +122,13 @@ def test_a_file_in_degrees_is_said_to_be_and_keeps_its_rows(tmp_path, rng):
     stored, kept = ({tuple(row) for row in laspy.read(path).xyz.tolist()} for path in (degrees, tmp_path / "some.laz"))
     assert len(kept) == 50
     assert kept <= stored
+
+
+@pytest.mark.filterwarnings("always::UserWarning")
+@pytest.mark.parametrize(("suffix", "is_rounded"), [(".ply", True), (".pcd", True), (".e57", True), (".laz", False)])
+def test_convert_warns_of_colors_that_are_rounded(tmp_path, suffix, is_rounded):
+    for red, is_finer in ((1000, True), (257, False)):
+        colors = np.array([[red, 0, 65535], [0, 0, 0]]) / 65535
+        loom.write_point_cloud(tmp_path / "a.las", loom.PointCloud(np.eye(3)[:2], colors=colors))
+        said = run("convert", tmp_path / "a.las", tmp_path / f"out{suffix}", "--force").stderr
+        assert ("rounded to the 8 bits" in said) == (is_rounded and is_finer)

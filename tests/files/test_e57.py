@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from pye57 import libe57
 
 import pointloom as loom
+from pointloom.files.meshes.tables import read_table, write_cloud_table
 from pointloom.files.points.e57 import describe_e57, read_e57
 from pointloom.files.points.e57_writer import write_e57
 from pointloom.files.table import PointTable
@@ -287,8 +288,39 @@ def test_what_is_no_e57_file_is_refused(tmp_path, small):
         loom.read_point_cloud(tmp_path / "a.e57")
     with pytest.raises(loom.FileError, match="does not exist"):
         loom.read_point_cloud(tmp_path / "b.e57")
-    with pytest.raises(ValueError, match=r"scan: only \.e57 has scans"):
+    with pytest.raises(ValueError, match=r"scan: only \.e57 and \.ptx have scans"):
         loom.read_point_cloud(tmp_path / "b.ply", scan=0)
     write_by_pye57(tmp_path / "none.e57")
     with pytest.raises(loom.FileError, match="holds no scan"):
         loom.read_point_cloud(tmp_path / "none.e57")
+
+
+def test_a_copy_keeps_the_names_and_poses_of_scans(tmp_path, rng):
+    turn = np.array([[0, -1, 0, 5], [1, 0, 0, 6], [0, 0, 1, 7e6], [0, 0, 0, 1.0]])
+    normals = rng.normal(size=(20, 3)).astype(np.float32)
+    clouds = [loom.PointCloud(rng.random((20, 3)), normals=normals) for _ in range(3)]
+    loom.write_stations(tmp_path / "a.e57", clouds, [np.eye(4), turn, turn], names=["hall", "stairs", "roof"])
+    table = read_table(tmp_path / "a.e57")
+    kept = table.attributes["scan_index"] != 1  # as a crop leaves them
+    part = PointTable(
+        table.points[kept], table.normals[kept], None, {"scan_index": table.attributes["scan_index"][kept]}
+    )
+    for points, names in ((table, ("hall", "stairs", "roof")), (part, ("hall", "roof"))):
+        assert write_cloud_table(tmp_path / "b.e57", points, source=tmp_path / "a.e57") == []
+        found, again = loom.read_stations(tmp_path / "b.e57"), read_e57(tmp_path / "b.e57")
+        assert found.names == names
+        np.testing.assert_allclose(found.poses[-1], turn, atol=1e-12)
+        np.testing.assert_allclose(found.clouds[-1].points, clouds[2].points, atol=1e-6)
+        np.testing.assert_allclose(again.points, points.points, rtol=0, atol=1e-8)
+        np.testing.assert_allclose(again.normals, points.normals, atol=1e-6)
+    write_cloud_table(tmp_path / "b.e57", table, source=tmp_path / "a.e57", system_only=True)
+    np.testing.assert_array_equal(loom.read_stations(tmp_path / "b.e57").poses, np.tile(np.eye(4), (3, 1, 1)))
+
+
+def test_a_copy_warns_of_what_it_leaves_behind(tmp_path, rng):
+    with pye57.E57(str(tmp_path / "a.e57"), mode="w") as file:
+        file.write_scan_raw(scan_of(rng, 5))
+        scan = file.root["data3D"][0]
+        scan.set("sensorModel", libe57.StringNode(file.image_file, "X 7"))
+    with pytest.warns(UserWarning, match="the scanner data of the source are left behind"):
+        write_cloud_table(tmp_path / "b.e57", read_table(tmp_path / "a.e57"), source=tmp_path / "a.e57")

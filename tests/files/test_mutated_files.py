@@ -19,10 +19,14 @@ from pointloom.files.meshes.stl import read_stl, write_stl
 from pointloom.files.points.npz import read_npz, write_npz
 from pointloom.files.points.pcd import read_pcd, write_pcd
 from pointloom.files.points.ply import read_ply, read_ply_mesh, write_ply, write_ply_mesh
+from pointloom.files.points.ptx import read_ptx
 from pointloom.files.points.text import read_text, write_text
 from pointloom.files.points.text_table import read_text_table
+from pointloom.files.splats.splat_ply import read_splat_ply
 from pointloom.files.table import MeshTable, PointTable
 
+from .test_ptx import scan
+from .test_splat_files import CHUNK, compressed, packed
 from .textured_meshes import square, textured
 
 EXAMPLES = 25
@@ -95,6 +99,8 @@ MAKERS = {
     "cloud.pts": (lambda path: write_text(path, text_table(".pts")), read_text),
     "cloud.csv": (lambda path: path.write_text("x,y,z,r,g,b,t\n1,2,3,0,1,255,7\n4,5,6,9,8,7,0\n"), read_text_table),
     "plain.txt": (lambda path: path.write_text("# x y z\n1 2 3\n4.5 5e1 -6\n"), read_text_table),
+    "scans.ptx": (lambda path: path.write_text(scan()), read_ptx),
+    "splats.ply": (lambda path: compressed(path, [packed()] * 3, CHUNK, sh=[[1] * 9] * 3), read_splat_ply),
     "mesh.obj": (lambda path: write_obj(path, bare_mesh()), read_obj),
     "mesh.stl": (lambda path: write_stl(path, MeshTable(mesh().vertices, mesh().triangles)), read_stl),
     "text.stl": (write_text_stl, read_stl),
@@ -118,8 +124,19 @@ def valid_files():
         yield Path(folder), files
 
 
-TEXT = ("ascii", "cloud.xyz", "cloud.pts", "cloud.csv", "plain.txt", "mesh.obj", "mesh.off", "text.stl", "square")
-COUNTED = ["ascii.ply", "ascii_mesh.ply", "ascii.pcd", "cloud.pts", "text.stl", "mesh.off"]
+TEXT = (
+    "ascii",
+    "cloud.xyz",
+    "cloud.pts",
+    "cloud.csv",
+    "plain.txt",
+    "scans",
+    "mesh.obj",
+    "mesh.off",
+    "text.stl",
+    "square",
+)
+COUNTED = ["ascii.ply", "ascii_mesh.ply", "ascii.pcd", "cloud.pts", "scans.ptx", "text.stl", "mesh.off"]
 
 pytestmark = [
     pytest.mark.filterwarnings("ignore:.*(are|is) left behind"),

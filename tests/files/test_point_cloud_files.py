@@ -122,13 +122,13 @@ def test_an_attribute_may_have_the_name_of_a_parameter(name, tmp_path):
     assert loom.read_point_cloud(path)[name].tolist() == [4, 5]
 
 
-def test_an_attribute_with_the_name_of_a_clouds_own_array_is_refused(tmp_path):
+def test_an_attribute_with_the_name_of_a_clouds_own_array_is_read_under_another(tmp_path):
     path = tmp_path / "cloud.ply"
     header = "ply\nformat ascii 1.0\nelement vertex 1\n"
     names = "".join(f"property float {name}\n" for name in ("x", "y", "z", "points"))
     path.write_text(f"{header}{names}end_header\n1 2 3 4\n")
-    with pytest.raises(loom.FileError, match=r"cloud\.ply: attribute 'points' has the name of a cloud's own points"):
-        loom.read_point_cloud(path)
+    with pytest.warns(UserWarning, match=r"cloud\.ply: .*'points' as 'points_2'"):
+        assert loom.read_point_cloud(path)["points_2"].tolist() == [4]
 
 
 def test_what_is_no_cloud_is_refused_by_name(rng, tmp_path):

@@ -157,3 +157,85 @@ def test_rows_that_are_no_splats_are_refused(tmp_path):
     (tmp_path / "a.splat").write_bytes(np.full(16, -3.0, "<f4").tobytes())
     with pytest.raises(FileError, match=r"\(byte 12\): splat 0 has the scales"):
         loom.read_splats(tmp_path / "a.splat")
+
+
+ENDS = [f"{end}_{what}{axis}" for what in ("", "scale_") for end in ("min", "max") for axis in "xyz"]
+COLOR_ENDS = [f"{end}_{channel}" for end in ("min", "max") for channel in "rgb"]
+PACKED = ("position", "rotation", "scale", "color")
+
+
+def compressed(path, splats, chunks, *, ends=ENDS, sh=None, kind="uint"):
+    """A compressed PLY of packed splats (n, 4), bounds of chunks and bytes of harmonics."""
+    splats, chunks = np.array(splats, "<u4").reshape(-1, 4), np.array(chunks, "<f4").reshape(-1, len(ends))
+    head = f"ply\nformat binary_little_endian 1.0\nelement chunk {len(chunks)}\n"
+    head += "".join(f"property float {name}\n" for name in ends) + f"element vertex {len(splats)}\n"
+    head += "".join(f"property {kind} packed_{name}\n" for name in PACKED)
+    if sh is not None:
+        sh = np.array(sh, np.uint8)
+        names = "".join(f"property uchar f_rest_{k}\n" for k in range(sh.shape[1]))
+        head += f"element sh {len(sh)}\n{names}"
+    body = chunks.tobytes() + splats.tobytes() + (b"" if sh is None else sh.tobytes())
+    path.write_bytes(f"{head}end_header\n".encode() + body)
+    return path
+
+
+def packed(position=(0, 0, 0), rotation=0, scale=(0, 0, 0), color=(0, 0, 0, 0)):
+    """The four integers of a splat."""
+    position, scale = (x << 21 | y << 11 | z for x, y, z in (position, scale))
+    return [position, rotation, scale, int.from_bytes(bytes(color), "big")]
+
+
+CHUNK = [0, -1, 10, 1, 1, 20, -5, -4, -3, -1, -2, 0]
+
+
+def test_compressed_splats_are_between_the_bounds_of_their_chunk(tmp_path):
+    rows = [packed(), packed((2047, 1023, 2047), 0, (2047, 1023, 0), (255, 0, 51, 255)), packed((1023, 0, 0))]
+    found = loom.read_splats(compressed(tmp_path / "a.ply", rows, [CHUNK], sh=[[0, 255] + [128] * 7] * 3))
+    np.testing.assert_allclose(found.centers, [[0, -1, 10], [1, 1, 20], [1023 / 2047, -1, 10]], rtol=1e-6)
+    np.testing.assert_allclose(found.cloud["scale"][:2], [[-5, -4, -3], [-1, -2, -3]])
+    np.testing.assert_allclose(found.opacities, [0, 1, 0])
+    np.testing.assert_allclose(found.cloud["f_dc"][1] * 0.28209479 + 0.5, [1, 0, 0.2], atol=1e-6)
+    np.testing.assert_allclose(found.cloud["f_rest"][0], [-4, 4] + [128 * 8 / 255 - 4] * 7, atol=1e-6)
+    many = loom.read_splats(compressed(tmp_path / "b.ply", [packed()] * 257, [CHUNK, [7] * 12]))
+    assert many.centers[255].tolist() == [0, -1, 10] and many.centers[256].tolist() == [7, 7, 7]
+
+
+def test_colors_of_compressed_splats_have_bounds_in_newer_files(tmp_path):
+    row, chunk = packed(color=(255, 0, 51, 255)), [*CHUNK, -1, 0.25, 0, 2, 1, 1]
+    found = loom.read_splats(compressed(tmp_path / "a.ply", row, chunk, ends=[*ENDS, *COLOR_ENDS]))
+    np.testing.assert_allclose(found.cloud["f_dc"][0] * 0.28209479 + 0.5, [2, 0.25, 0.2], atol=1e-6)
+
+
+@pytest.mark.parametrize("largest", range(4))
+def test_the_largest_part_of_a_compressed_rotation_follows_from_the_others(tmp_path, largest):
+    others = np.array([0.1, -0.2, 0.3])
+    bits = np.rint((others / np.sqrt(2) + 0.5) * 1023).astype(int).tolist()
+    word = largest << 30 | bits[0] << 20 | bits[1] << 10 | bits[2]
+    found = loom.read_splats(compressed(tmp_path / "a.ply", packed(rotation=word), CHUNK))
+    expected = np.insert(others, largest, np.sqrt(1 - (others**2).sum()))
+    np.testing.assert_allclose(found.rotations[0], expected, atol=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("more", "message"),
+    [
+        ({"chunks": []}, "expected 1 chunks of 256 for 1 splats, found 0"),
+        ({"chunks": [CHUNK] * 2}, "expected 1 chunks"),
+        ({"chunks": CHUNK[1:], "ends": ENDS[1:]}, "has no min_x"),
+        ({"chunks": [*CHUNK, 0], "ends": [*ENDS, "min_r"]}, "expected all of min_r"),
+        ({"kind": "int"}, "packed_position .*unsigned integers of 4 bytes"),
+        ({"sh": [[0] * 8]}, "expected 9, 24, 45 or 72"),
+        ({"sh": [[0] * 9] * 2}, "expected 1 rows"),
+    ],
+)
+def test_compressed_splats_that_do_not_go_with_their_chunks_are_refused(tmp_path, more, message):
+    path = compressed(tmp_path / "a.ply", packed(), **({"chunks": CHUNK} | more))
+    with pytest.raises(FileError, match=message) as caught:
+        loom.read_splats(path)
+    assert caught.value.path == str(path)
+
+
+def test_compressed_splats_are_no_cloud(tmp_path):
+    path = compressed(tmp_path / "a.ply", packed(), CHUNK)
+    with pytest.raises(FileError, match=r"compressed Gaussian splats.*read_splats"):
+        loom.read_point_cloud(path)

@@ -9,6 +9,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.core.errors import FileError
+from pointloom.files.points.text_parts import TextInParts
 from pointloom.files.points.text_table import read_text_table
 
 POINTS = [[1.5, 2, 3], [4, 5, -0.25]]
@@ -19,7 +20,7 @@ def write(path, text):
     return path
 
 
-@pytest.mark.parametrize("name", ["a.csv", "a.txt", "a.xyz"])
+@pytest.mark.parametrize("name", ["a.csv", "a.txt", "a.xyz", "a.asc"])
 @pytest.mark.parametrize(
     "text",
     [
@@ -35,6 +36,10 @@ def write(path, text):
         "//X Y Z\n1.5 2 3\n4 5 -0.25\n",
         "# x y z\n1.5,2,3\n4,5,-0.25\n",
         "z,y,x\n3,2,1.5\n-0.25,5,4\n",
+        "2\n1.5 2 3\n4 5 -0.25\n",
+        "//X;Y;Z\n2\n1.5;2;3\n4;5;-0.25\n",
+        "x,y,z\n\n2\n# a note\n1.5,2,3\n4,5,-0.25\n",
+        "2\nx y z\n1.5 2 3\n4 5 -0.25\n",
     ],
 )
 def test_three_columns_are_positions_however_they_are_parted(tmp_path, name, text):
@@ -69,12 +74,30 @@ def test_the_range_of_colours_is_that_of_the_file(tmp_path, colors, expected):
     np.testing.assert_allclose(table.colors, expected, atol=1e-7)
 
 
+def test_names_of_cloudcompare_say_that_colours_are_parts_of_1(tmp_path):
+    text = "//X Y Z Rf Gf Bf Nx Ny Nz Scalar_field\n2\n1.5 2 3 1 0 0 0 0 1 7\n4 5 -0.25 0 1 1 1 0 0 8\n"
+    table = read_text_table(write(tmp_path / "a.asc", text))
+    np.testing.assert_array_equal(table.points, POINTS)
+    assert table.colors.tolist() == [[1, 0, 0], [0, 1, 1]] and table.normals.tolist() == [[0, 0, 1], [1, 0, 0]]
+    assert {name: values.tolist() for name, values in table.attributes.items()} == {"Scalar_field": [7, 8]}
+    (part,) = TextInParts(tmp_path / "a.asc").parts(10)
+    np.testing.assert_array_equal(part.points, table.points)
+    np.testing.assert_array_equal(part.colors, table.colors)
+    with pytest.raises(FileError, match="expected 3 points"):
+        TextInParts(write(tmp_path / "b.asc", text.replace("\n2\n", "\n3\n")))
+
+
 @pytest.mark.parametrize(
     ("text", "where", "reason"),
     [
         ("1 2 3 4 5 6\n", "", "has 6 columns, and nothing says what they are"),
         ("1,2,3,4\n", "", "has 4 columns"),
         ("# only a note\n\n", "", "holds no points"),
+        ("3\n1 2 3\n4 5 6\n", "", "expected 3 points, which a line above them declares, found 2"),
+        ("x y z\n1\n1 2 3\n4 5 6\n", "", "expected 1 points"),
+        ("x y z\n2\n2\n1 2 3\n", "line 2", "expected 3 values, found 1"),
+        ("ncols 2\nnrows 2\nxllcorner 0\n", "", "is an Esri grid of heights"),
+        ("x y z Rf Gf Bf\n1 2 3 255 0 0\n", "row 0", "a colour is outside 0..1"),
         ("x,y,z\n", "", "holds no points"),
         ("x,y,z,x\n1,2,3,4\n", "line 1", "two columns are named x"),
         ("# note\nx,y,height\n1,2,3\n", "line 2", "no column is named z"),
@@ -120,7 +143,7 @@ def test_columns_take_the_place_of_names(tmp_path):
         with pytest.raises(error, match=r"^columns: "):
             loom.read_point_cloud(path, columns=columns)
     loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(POINTS))
-    with pytest.raises(ValueError, match=r"columns: only \.xyz, \.csv, \.txt take them"):
+    with pytest.raises(ValueError, match=r"columns: only \.xyz, \.csv, \.txt, \.asc take them"):
         loom.read_point_cloud(tmp_path / "a.ply", columns=["x", "y", "z"])
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import struct
+from contextlib import nullcontext
 
 import laspy
 import numpy as np
@@ -264,3 +265,34 @@ def test_outputs_that_there_are_not_are_refused(job, tmp_path):
         loom.scale.finish_tiles(job, output="potree")
     with pytest.raises(ValueError, match="overview"):
         loom.scale.finish_tiles(job, tmp_path / "x", output="tiles", overview=0)
+
+
+@pytest.mark.parametrize("count", [1, 2])
+def test_tiles_keep_missing_values_apart_and_the_records_of_a_single_file(tmp_path, count):
+    header = laspy.LasHeader(point_format=6, version="1.4")
+    header.scales, header.file_source_id = np.full(3, 0.001), 9
+    more = {"scales": [0.01], "offsets": [1.0], "no_data": [-9999]}
+    header.add_extra_dim(laspy.ExtraBytesParams("height", "i2", "above ground", **more))
+    header.vlrs.append(laspy.VLR("mine", 7, "calibration", b"abc"))
+    las, rng = laspy.LasData(header), np.random.default_rng(0)
+    las.x, las.y, las.z = rng.random((3, 300)) * 20
+    las.points.array["height"] = np.where(np.arange(300) % 3, np.arange(300), -9999)
+    for k in range(count):
+        las.write(tmp_path / f"{k}.las")
+    with pytest.warns(UserWarning, match="records mine 7") if count > 1 else nullcontext():
+        loom.scale.plan_tiles([tmp_path / f"{k}.las" for k in range(count)], [], tmp_path / "job", size=10.0)
+    assert loom.scale.run_tiles(tmp_path / "job").is_finished
+    for name in ("a.laz", "a.copc.laz"):
+        found = laspy.read(loom.scale.finish_tiles(tmp_path / "job", tmp_path / name))
+        assert np.isnan(found["height"]).sum() == 100 * count
+        (record,) = found.vlrs.get("ExtraBytesVlr")[0].extra_bytes_structs
+        assert (record.min, record.max, record.description) == (1.01, 1 + 2.99, b"above ground")
+        assert bool(found.vlrs.get_by_id("mine")) == (found.header.file_source_id == 9) == (count == 1)
+    folders = {
+        name: loom.scale.finish_tiles(tmp_path / "job", tmp_path / name, output=name) for name in ("potree", "tiles")
+    }
+    told = json.loads((folders["potree"] / "metadata.json").read_text())["attributes"]
+    assert [(a["min"], a["max"]) for a in told if a["name"] == "height"] == [([1.01], [1 + 2.99])]
+    items = json.loads((folders["tiles"] / "index.vpc").read_text())["features"]
+    told = [s for item in items for s in item["properties"]["pc:statistics"] if s["name"] == "height"]
+    assert (sum(s["count"] for s in told), max(s["maximum"] for s in told)) == (200 * count, 1 + 2.99)

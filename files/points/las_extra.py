@@ -1,0 +1,234 @@
+"""The record of a LAS file that describes extra bytes: their types, scales, no_data values, ranges and descriptions.
+
+laspy parses the record, but leaves out the no_data values when it reads, and computes ranges from single points when it
+writes. Both are done here.
+
+Source: ASPRS, LAS Specification 1.4-R15 (table 24, Extra Bytes).
+"""
+
+from __future__ import annotations
+
+import struct
+import warnings
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.coordinates import quiet
+from .las_header import SPEC
+
+EXTRA_BYTES = (SPEC, 4)
+TITLE = "Extra Bytes Record"
+TYPES = ("u1", "i1", "u2", "i2", "u4", "i4", "u8", "i8", "f4", "f8")  # the data types 1 to 10 of the record
+
+_ENTRY = struct.Struct("<2sBB32s4s24s24s24s3d3d32s")
+_NO_DATA_BYTES, _TEXTS = slice(40, 64), (slice(4, 36), slice(160, 192))
+_NO_DATA, _MIN, _MAX, _SCALE, _OFFSET = 1, 2, 4, 8, 16
+_WIDE = {"u": "<u8", "i": "<i8", "f": "<f8"}  # the types of no_data values and ranges
+_WITH_NAN: dict[int, str] = {1: "f4", 2: "f4", 4: "f8"}  # floating-point types by the bytes of integers that they hold
+
+
+def parameters_of(known: Any, data: bytes) -> list[Any]:
+    """Parse the record.
+
+    Args:
+        known: The module `laspy.vlrs.known`.
+        data: The content of the record.
+
+    Returns:
+        laspy's ExtraBytesParams, with no_data values as the record has them.
+    """
+    record = known.ExtraBytesVlr()
+    record.parse_record_data(b"".join(_with_utf8(data[k : k + _ENTRY.size]) for k in range(0, len(data), _ENTRY.size)))
+    parameters = record.type_of_extra_dims()
+    for described, dimension in zip(record.extra_bytes_structs, parameters, strict=True):
+        if not described.data_type:  # bytes without a type: the options are their number
+            dimension.scales = dimension.offsets = None
+        elif described.options & _NO_DATA:
+            kind = dimension.type.base
+            wide = np.frombuffer(bytes(described)[_NO_DATA_BYTES], _WIDE[kind.kind])[: described.num_elements()]
+            dimension.no_data = wide.astype(kind) if kind.kind == "f" else wide
+    return parameters
+
+
+def _with_utf8(entry: bytes) -> bytes:
+    """An entry whose name and description are UTF-8; text in other encodings is taken for Latin-1."""
+    for place in _TEXTS:
+        text = entry[place].split(b"\0")[0]
+        try:
+            text.decode()
+        except UnicodeDecodeError:
+            entry = entry[: place.start] + _fitting(text.decode("latin-1")).ljust(32, b"\0") + entry[place.stop :]
+    return entry
+
+
+def _fitting(text: str) -> bytes:
+    """UTF-8 of at most 32 bytes, without a part of a character."""
+    return text.encode()[:32].decode(errors="ignore").encode()
+
+
+@quiet()
+def decode_extra(dimension: Any, raw: NDArray[Any]) -> NDArray[Any]:
+    """The values of an extra dimension: scaled, and NaN where the raw value is the no_data value.
+
+    Integers with a no_data value become float32 (8 and 16 bits) or float64 (32 bits). Those of 64 bits stay as they
+    are, since floating point does not hold them.
+    """
+    values = raw * dimension.scales + dimension.offsets if dimension.is_scaled else raw
+    kind = _type_with_nan(dimension)
+    if kind is None:
+        return values
+    values = values.astype(kind, copy=not dimension.is_scaled)
+    values[raw == dimension.no_data] = np.nan
+    return values
+
+
+def _type_with_nan(dimension: Any) -> np.dtype[Any] | None:
+    """The type of values of which some are missing; None if the record has no no_data value or no type holds both."""
+    if dimension.no_data is None:
+        return None
+    if dimension.is_scaled:
+        return np.dtype("f8")
+    kind = dimension.dtype.base
+    code = kind.str[1:] if kind.kind == "f" else _WITH_NAN.get(kind.itemsize)
+    return None if code is None else np.dtype(code)
+
+
+def warn_of_wide_integers(path: Any, layout: Any) -> None:
+    """Warn of no_data values that stay numbers."""
+    for dimension in layout.extra_dimensions:
+        if dimension.no_data is not None and _type_with_nan(dimension) is None:
+            message = (
+                f"{path}: attribute {dimension.name!r}: missing values are {dimension.no_data.tolist()[0]}, since "
+                "integers of 64 bits have no NaN. Replace them before computing with the attribute."
+            )
+            warnings.warn(message, UserWarning, stacklevel=4)
+
+
+class ExtraColumn(NamedTuple):
+    """An extra dimension as it is stored.
+
+    Attributes:
+        values: The stored numbers.
+        description: Text of the record.
+        scale, offset: The value is `stored * scale + offset`; both None if values are stored as they are.
+        no_data: The stored number of a missing value, or None.
+    """
+
+    values: NDArray[Any]
+    description: str = ""
+    scale: float | None = None
+    offset: float | None = None
+    no_data: Any = None
+
+
+def store_extra(columns: dict[str, NDArray[Any]], layout: Any) -> dict[str, ExtraColumn]:
+    """Choose how columns are stored: as another file stores dimensions of the same names, if no value changes by that.
+
+    Args:
+        columns: Values by name, each of shape (n,).
+        layout: laspy's PointFormat of the other file, or None.
+    """
+    known = {} if layout is None else _known(layout)
+    stored = {}
+    for name, values in columns.items():
+        stored[name] = _stored_like(values, *known[name]) if name in known else ExtraColumn(values)
+    return stored
+
+
+def _known(layout: Any) -> dict[str, tuple[Any, int]]:
+    """The extra dimensions of a file and their components, by the names under which they are written."""
+    known = {}
+    for dimension in layout.extra_dimensions:
+        for k in range(dimension.num_elements):
+            known[dimension.name if dimension.num_elements == 1 else f"{dimension.name}_{k}"] = (dimension, k)
+    return known
+
+
+@quiet()
+def _stored_like(values: NDArray[Any], dimension: Any, k: int) -> ExtraColumn:
+    """A column as component `k` of a dimension is stored; in its own type if that would change a value."""
+    kind, description = dimension.dtype.base, dimension.description
+    if f"{kind.kind}{kind.itemsize}" not in TYPES:
+        return ExtraColumn(values, description)
+    scale = offset = None
+    if dimension.is_scaled:
+        scale, offset = float(dimension.scales[k]), float(dimension.offsets[k])
+    no_data = None if dimension.no_data is None else dimension.no_data[k]
+    raw = values if scale is None or offset is None else np.rint((values - offset) / scale)
+    if no_data is not None and raw.dtype.kind == "f":
+        raw = np.where(np.isnan(raw), no_data, raw)
+    if kind.kind != "f" and raw.dtype.kind == "f":
+        limits = np.iinfo(kind)
+        if not ((raw >= limits.min) & (raw < limits.max + 1.0)).all():
+            return ExtraColumn(values, description)
+    stored = ExtraColumn(raw.astype(kind, copy=False), description, scale, offset, no_data)
+    back = stored.values if scale is None or offset is None else stored.values * scale + offset
+    if _type_with_nan(dimension) is not None:
+        back = np.where(stored.values == no_data, np.nan, back)
+    same = (back == values) | (back != back) & (values != values)
+    return stored if same.all() else ExtraColumn(values, description)
+
+
+def record_of(columns: dict[str, ExtraColumn], *, with_ranges: bool) -> bytes:
+    """The content of the record.
+
+    Args:
+        columns: The extra dimensions in their order.
+        with_ranges: Whether the columns are those of all points, so that their least and greatest values are written.
+    """
+    entries = []
+    for name, column in columns.items():
+        kind, options = column.values.dtype, 0
+        ends = _range_of(column) if with_ranges else None
+        for bit, value in ((_NO_DATA, column.no_data), (_MIN, ends), (_MAX, ends), (_SCALE | _OFFSET, column.scale)):
+            options |= bit if value is not None else 0
+        low, high = (0, 0) if ends is None else ends
+        no_data = 0 if column.no_data is None else column.no_data
+        numbers = [np.array([value]).astype(_WIDE[kind.kind]).tobytes() for value in (no_data, low, high)]
+        scaling = (column.scale or 0.0, 0.0, 0.0, column.offset or 0.0, 0.0, 0.0)
+        number = TYPES.index(f"{kind.kind}{kind.itemsize}") + 1
+        description = _fitting(column.description)
+        entries.append(_ENTRY.pack(b"", number, options, name.encode(), b"", *numbers, *scaling, description))
+    return b"".join(entries)
+
+
+def value_record(layout: Any) -> tuple[bytes, int]:
+    """The record of the extra dimensions of a file in the types of their values, and the bytes of these types.
+
+    Points of which the values may have changed are stored so, in the same types whatever the values are.
+    """
+    columns = {}
+    for name, (dimension, _) in _known(layout).items():
+        empty = decode_extra(dimension, np.empty((0, *dimension.dtype.shape), dimension.dtype.base))
+        columns[name] = ExtraColumn(empty.ravel(), dimension.description)
+    size = sum(column.values.dtype.itemsize for column in columns.values())
+    return record_of(columns, with_ranges=False), size
+
+
+def join_ranges(records: Sequence[bytes]) -> bytes:
+    """The record of several files with the same extra dimensions together: the first one, with the range of all."""
+    joined = []
+    for entries in zip(*([*_ENTRY.iter_unpack(record)] for record in records), strict=True):
+        fields = [*entries[0]]
+        wide = np.dtype("<f8" if fields[1] > 8 else "<i8" if fields[1] % 2 == 0 else "<u8")
+        fields[2] &= ~(_MIN | _MAX)
+        for place, bit, end in ((6, _MIN, min), (7, _MAX, max)):
+            ends = [np.frombuffer(entry[place], wide)[0] for entry in entries if entry[2] & bit]
+            if ends:
+                fields[2] |= bit
+                fields[place] = np.array([end(ends)]).tobytes()
+        joined.append(_ENTRY.pack(*fields))
+    return b"".join(joined)
+
+
+def _range_of(column: ExtraColumn) -> tuple[Any, Any] | None:
+    """The least and the greatest stored number of the values that are not missing; None if all are."""
+    values = column.values
+    if column.no_data is not None:
+        values = values[values != column.no_data]
+    if values.dtype.kind == "f":
+        values = values[~np.isnan(values)]
+    return (values.min(), values.max()) if len(values) else None

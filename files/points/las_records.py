@@ -1,0 +1,169 @@
+"""What a LAS file takes over from another one beside points: its records and the identification in its header.
+
+Records that describe the layout of the points (extra bytes, LASzip, COPC) are written anew. Waveforms and spatial
+indexes are left out with a warning, since waveforms are not read and the order of the points may change. All other
+records are copied.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+from typing import Any
+
+from ...core.units import LengthUnit, is_same, warn_of_units
+from ..columns import warn_of_loss
+from .copc import HIERARCHY, INFO
+from .las_crs import NO_NAME, WKT
+from .las_extra import EXTRA_BYTES, TITLE, join_ranges, value_record
+from .las_header import PROJECTION, SPEC, LasHeader, LasRecord
+from .las_units import units_of
+from .las_wkt import text_of_keys
+from .laszip import RECORD as LASZIP
+
+GPS_TIME_BIT, WKT_BIT = 1, 16
+_WAVEFORM_BITS, _SYNTHETIC_RETURNS_BIT = 2 | 4, 8
+FIRST_OF_1_4 = 6  # point format
+_MAX_RECORD_BYTES = 0xFFFF
+_LIBLAS_WKT = ("liblas", WKT)  # where libLAS stored the text before LAS 1.4 defined a record for it
+
+_LAYOUT = (EXTRA_BYTES, LASZIP, INFO, HIERARCHY)
+_WAVEFORMS = {*range(100, 355), 65535}  # record ids of LASF_Spec: descriptions of packets, and the packets
+_SPATIAL_INDEX = ("LAStools", 30)
+
+
+def needs_1_4(like: LasHeader) -> bool:
+    """True if the records of a file need LAS 1.4: a coordinate system as text, or extended records."""
+    return bool(like.encoding & WKT_BIT) or any(_is_extended(record) for record in _carried(like))
+
+
+def _is_extended(record: LasRecord) -> bool:
+    return record.extended or len(record.data) > _MAX_RECORD_BYTES
+
+
+def _key(record: LasRecord) -> tuple[str, int]:
+    return record.user_id, record.record_id
+
+
+def _is_projection(record: LasRecord) -> bool:
+    return record.user_id == PROJECTION or _key(record) == _LIBLAS_WKT
+
+
+def _is_waveform(record: LasRecord) -> bool:
+    return record.user_id == SPEC and record.record_id in _WAVEFORMS
+
+
+def _carried(like: LasHeader) -> list[LasRecord]:
+    """The records of another file that are copied."""
+    kept = [record for record in like.records if _key(record) not in (*_LAYOUT, _SPATIAL_INDEX)]
+    return [record for record in kept if not _is_waveform(record)]
+
+
+def system_of(header: LasHeader) -> LasHeader:
+    """A header with the coordinate system, the steps and the kind of GPS time of another one, and nothing else of it.
+
+    It is for points that are not those of the file, or not of one file alone.
+    """
+    records = tuple(record for record in header.records if _is_projection(record))
+    encoding = header.encoding & (GPS_TIME_BIT | WKT_BIT)
+    nobody = {"source_id": 0, "guid": bytes(16), "system": "", "software": "", "created": None}
+    return replace(header, records=records, encoding=encoding, **nobody)
+
+
+def own_records(header: LasHeader) -> list[str]:
+    """The names of the copied records that do not tell the coordinate system, such as "LAStools 10"."""
+    return [f"{record.user_id} {record.record_id}" for record in _carried(header) if not _is_projection(record)]
+
+
+def for_tiles(header: LasHeader, layout: Any, *, is_only: bool) -> LasHeader:
+    """The header that tiles of files are written like.
+
+    Args:
+        header: Of the first file.
+        layout: Its laspy.PointFormat. Extra dimensions keep their descriptions, in types that do not vary.
+        is_only: True if there is no other file: then its other records and its identification are kept.
+    """
+    kept = replace(header, encoding=header.encoding & ~_WAVEFORM_BITS) if is_only else system_of(header)
+    content, size = value_record(layout)
+    length = layout.size - layout.num_extra_bytes + size
+    return replace(kept, records=(*_carried(kept), LasRecord(*EXTRA_BYTES, content)), record_length=length)
+
+
+def left_out_of(like: LasHeader) -> list[str]:
+    """The kinds of records that a copy of a file does not have."""
+    waveforms = like.encoding & _WAVEFORM_BITS or any(map(_is_waveform, like.records))
+    index = any(_key(record) == _SPATIAL_INDEX for record in like.records)
+    return ["waveforms"] * bool(waveforms) + ["spatial index (record LAStools 30)"] * index
+
+
+def describe_together(laspy: Any, header: Any, headers: Iterable[LasHeader]) -> None:
+    """Give laspy's header the record of extra bytes of several files with the same dimensions, with joint ranges."""
+    records = [record for told in headers if (record := told.find(*EXTRA_BYTES)) is not None]
+    if records:
+        kept = [record for record in header.vlrs if (record.user_id, record.record_id) != EXTRA_BYTES]
+        header.vlrs[:] = [*kept, laspy.VLR(*EXTRA_BYTES, TITLE, join_ranges(records))]
+
+
+def take_over(laspy: Any, path: Any, header: Any, like: LasHeader) -> Any:
+    """Give a header the identification, records and kind of GPS time of another one.
+
+    GeoTIFF keys become text where the points are in a format of LAS 1.4, which has no place for keys.
+
+    Args:
+        laspy: The package.
+        path: The new file, for warnings.
+        header: laspy's.
+        like: The header of the other file.
+
+    Returns:
+        The extended records, which follow the points.
+
+    Warns:
+        UserWarning: Some records are left out.
+        LostSystemWarning: As of `text_of_keys`.
+    """
+    header.global_encoding.value = like.encoding & (GPS_TIME_BIT | WKT_BIT | _SYNTHETIC_RETURNS_BIT)
+    header.file_source_id = like.source_id
+    for name, text in (("system_identifier", like.system), ("generating_software", like.software)):
+        if text:
+            setattr(header, name, _ascii(text))
+    if like.created is not None:
+        header.creation_date = like.created
+    header.uuid = type(header.uuid)(bytes_le=like.guid)
+    if lost := left_out_of(like):
+        warn_of_loss(path, f"{' and the '.join(lost)} of the source", "copies hold points and other records alone")
+    extended, carried = laspy.vlrs.vlrlist.VLRList(), _carried(like)
+    text = text_of_keys(path, like) if header.point_format.id >= FIRST_OF_1_4 else None
+    if text is not None:
+        header.global_encoding.value |= WKT_BIT
+        others = (record for record in carried if not _is_projection(record))
+        carried = [LasRecord(PROJECTION, WKT, text), *others]
+    for record in carried:
+        is_extended = _is_extended(record)
+        data = record.data if is_extended else bytes(record.data)
+        place = extended if is_extended else header.vlrs
+        place.append(laspy.VLR(_ascii(record.user_id), record.record_id, _ascii(record.description), data))
+    return extended
+
+
+def _ascii(text: str) -> str:
+    """A text in the characters that LAS allows in its fields."""
+    return text.encode("ascii", "replace").decode()
+
+
+def unit_record(laspy: Any, path: Any, unit: LengthUnit | None, like: LasHeader | None) -> Any:
+    """The record that tells a length's unit where no file's system does; warns where such a system has another one."""
+    if like is not None:
+        told = units_of(like).plane
+        if not is_same(unit, told):
+            warn_of_units(
+                f"{path}: coordinates in {unit} are written under the coordinate system of a file in {told}: "
+                f'cloud.to_unit("{told}") converts them'
+            )
+        return None
+    if unit is None or unit.metres is None:
+        return None
+    name = unit.name.replace('"', '""')
+    axes = 'AXIS["Easting",EAST],AXIS["Northing",NORTH]'
+    text = f'LOCAL_CS["{NO_NAME}",LOCAL_DATUM["{NO_NAME}",0],UNIT["{name}",{unit.metres!r}],{axes}]'
+    return laspy.VLR(PROJECTION, WKT, "", text.encode("ascii") + b"\0")

@@ -1,0 +1,245 @@
+"""PTX files of scans, Leica's text of stations.
+
+A scan has its number of columns and of rows, a line each; the position of the scanner and its three axes (4 lines of 3
+numbers); a matrix of 4 lines, which multiplies row vectors from the right, as the pose T_world_scan; and one line for
+each direction, column by column: x y z intensity, or x y z intensity r g b with whole colors in 0..255. Further scans
+follow without a mark. Lengths are metres.
+
+A direction without a return is "0 0 0"; it is left out, as is one whose coordinates are not finite. `row_index` and
+`column_index` tell the direction of each point.
+
+Source: Leica Geosystems, "Cyclone PTX format".
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.checks import check_rigid
+from ...core.errors import FileError
+from ...core.quaternions import nearest_rotations
+from ...core.units import METRE
+from ..ascii_rows import AsciiRows, is_number, unix_lines
+from ..columns import stack_colors
+from ..source import Source, open_source, parse_whole
+from ..table import PointTable
+from .e57 import SCAN_INDEX, ScanFrame, merge_scans
+
+_HEADER_LINES = 10
+_WIDTHS = (4, 7)
+_BLOCK = 1 << 18  # lines parsed at a time
+_SEARCHED = 1 << 24  # bytes in which line ends are found at a time
+
+
+@dataclass(frozen=True, eq=False)
+class _Scan:
+    """A scan whose header is known to be right.
+
+    Attributes:
+        shape: Columns and rows.
+        pose: T_world_scan, float64 (4, 4).
+        first: Number of the line of its first point, from 0.
+    """
+
+    shape: tuple[int, int]
+    pose: NDArray[np.float64]
+    first: int
+
+
+class _Lines:
+    """The lines of a file.
+
+    Args:
+        path: The file, for errors.
+        source: Its bytes.
+
+    Attributes:
+        count: How many lines.
+    """
+
+    def __init__(self, path: Path, source: Source):
+        self.path = path
+        self._body: Source = source if source.find(b"\n") >= 0 else unix_lines(bytes(source[:]))
+        begins = range(0, len(self._body), _SEARCHED)
+        found = [np.flatnonzero(_bytes_of(self._body, begin) == ord("\n")) + begin for begin in begins]
+        ends = np.concatenate(found)
+        is_open = not len(ends) or ends[-1] + 1 < len(self._body)
+        self._ends = np.append(ends, len(self._body)) if is_open else ends
+        self.count = len(self._ends)
+
+    def text(self, begin: int, end: int) -> bytes:
+        """The lines from one up to another."""
+        first = int(self._ends[begin - 1]) + 1 if begin else 0
+        return bytes(self._body[first : int(self._ends[end - 1])]) if end > begin else b""
+
+    def whole(self, line: int, what: str) -> int:
+        """The count in a line."""
+        text = self.text(line, line + 1).strip().decode("ascii", "backslashreplace")
+        return parse_whole(self.path, text, what, line + 1)
+
+    def numbers(self, line: int, width: int, what: str) -> list[float]:
+        """The finite numbers in a line."""
+        words = self.text(line, line + 1).split()
+        values = [float(word) for word in words] if all(map(is_number, words)) else []
+        if len(values) != width or not np.isfinite(values).all():
+            shown = b" ".join(words)[:60].decode("ascii", "backslashreplace")
+            reason = f"{what}: expected {width} finite numbers, found {shown!r}"
+            raise FileError(self.path, reason, where=f"line {line + 1}")
+        return values
+
+    def rows(self, begin: int, end: int) -> AsciiRows:
+        """The lines from one up to another as rows of numbers, none of them blank."""
+        rows = AsciiRows(self.path, self.text(begin, end), begin + 1)
+        if rows.row_count != end - begin:
+            reason = f"{rows.row_count} of {end - begin} lines of points have values"
+            raise FileError(self.path, reason, where=f"lines {begin + 1} to {end}", remedy="Remove the blank lines")
+        return rows
+
+
+def _bytes_of(body: Source, begin: int) -> NDArray[np.uint8]:
+    return np.frombuffer(body, np.uint8, min(_SEARCHED, len(body) - begin), begin)
+
+
+def read_ptx(path: str | os.PathLike[str], *, scan: int | None = None) -> PointTable:
+    """Read the points of a PTX file, in the coordinates of the world.
+
+    Args:
+        path: The file.
+        scan: Which scan, from 0; None reads all, which then have the attribute `scan_index`.
+
+    Raises:
+        FileError: Missing, no PTX file, truncated, or a pose that is no rigid motion.
+        IndexError: There is no such scan.
+
+    Notes:
+        Memory: the result and twice the largest scan.
+    """
+    if scan is not None:
+        lines, scans = _open(path)
+        if not 0 <= scan < len(scans):
+            raise IndexError(f"scan: expected 0..{len(scans) - 1}, got {scan}")
+        return _in_world(_read_scan(lines, scans[scan]), scans[scan].pose)
+    return merge_scans([*iterate_placed(path)])
+
+
+def iterate_ptx(path: str | os.PathLike[str]) -> Iterator[tuple[PointTable, NDArray[np.float64]]]:
+    """Read scan by scan: the points in the scanner's coordinates, and the pose T_world_scan.
+
+    Raises:
+        FileError: As `read_ptx`; what is wrong with points shows when their scan is read.
+    """
+    lines, scans = _open(path)
+    for scan in scans:
+        yield _read_scan(lines, scan), scan.pose
+
+
+def iterate_placed(path: str | os.PathLike[str]) -> Iterator[PointTable]:
+    """Read scan by scan: the points in the coordinates of the world, with the attribute `scan_index`.
+
+    Raises:
+        FileError: As `iterate_ptx`.
+    """
+    for number, (table, pose) in enumerate(iterate_ptx(path)):
+        table.attributes[SCAN_INDEX] = np.full(len(table.points), number, np.int32)
+        yield _in_world(table, pose)
+
+
+def read_ptx_frames(path: str | os.PathLike[str]) -> list[ScanFrame]:
+    """The pose of each scan; PTX has no names.
+
+    Raises:
+        FileError: As `read_ptx`.
+    """
+    return [ScanFrame("", scan.pose) for scan in _open(path)[1]]
+
+
+def describe_ptx(path: str | os.PathLike[str]) -> list[dict[str, Any]]:
+    """The name, the number of points and the pose's position [m] of each scan, as `describe_e57`.
+
+    Raises:
+        FileError: As `read_ptx`.
+    """
+    scans = iterate_ptx(path)
+    return [{"name": "", "points": len(table.points), "position": pose[:3, 3].tolist()} for table, pose in scans]
+
+
+def _open(path: str | os.PathLike[str]) -> tuple[_Lines, list[_Scan]]:
+    """The lines of a file and its scans, whose counts are known to go with the lines."""
+    lines, scans, at = _Lines(Path(path), open_source(path)), [], 0
+    while at < lines.count:
+        if not lines.text(at, at + 1).strip():
+            at += 1
+            continue
+        scans.append(_read_header(lines, at))
+        columns, rows = scans[-1].shape
+        at = scans[-1].first + columns * rows
+    if not scans:
+        raise FileError(path, "holds no scan of points")
+    return lines, scans
+
+
+def _read_header(lines: _Lines, at: int) -> _Scan:
+    """The header that begins at a line."""
+    columns = lines.whole(at, "the number of columns of a scan")
+    if lines.count - at < _HEADER_LINES:
+        reason = f"truncated: the header of a scan has {lines.count - at} of {_HEADER_LINES} lines"
+        raise FileError(lines.path, reason, where=f"line {lines.count}")
+    rows = lines.whole(at + 1, "the number of rows of a scan")
+    for k, what in enumerate(("position of the scanner", "X axis", "Y axis", "Z axis")):
+        lines.numbers(at + 2 + k, 3, what)
+    matrix = np.array([lines.numbers(at + 6 + k, 4, "matrix of the scan") for k in range(4)])
+    try:
+        pose = check_rigid("matrix of the scan", matrix.T)
+    except ValueError as error:
+        raise FileError(lines.path, str(error), where=f"lines {at + 7} to {at + 10}") from error
+    pose = pose.copy()
+    pose[:3, :3], pose[3] = nearest_rotations(pose[None, :3, :3])[0], (0, 0, 0, 1)
+    left = lines.count - at - _HEADER_LINES
+    if columns * rows > left:
+        expected = f"{columns} x {rows} = {columns * rows} lines of points"
+        reason = f"truncated: expected {expected} of a scan, found {left}"
+        raise FileError(lines.path, reason, where=f"line {at + 1}", remedy="It was cut off, or the numbers are wrong")
+    return _Scan((columns, rows), pose, at + _HEADER_LINES)
+
+
+def _read_scan(lines: _Lines, scan: _Scan) -> PointTable:
+    """The points of a scan, in the scanner's coordinates."""
+    count, width = scan.shape[0] * scan.shape[1], 0
+    kept, parts = [np.empty(0, np.int64)], [np.empty((0, 4))]
+    for begin in range(scan.first, scan.first + count, _BLOCK):
+        end = min(begin + _BLOCK, scan.first + count)
+        rows = lines.rows(begin, end)
+        if not width:
+            width = int(rows.widths()[0])
+            if width not in _WIDTHS:
+                reason = f"expected 4 or 7 values (x y z intensity, then r g b), found {width}"
+                raise FileError(lines.path, reason, where=rows.where(0), remedy="Check the number of rows and columns")
+            parts = [np.empty((0, width))]
+        rows.check_width(0, rows.row_count, width)
+        values = rows.numbers().reshape(-1, width)
+        for column in values[:, 4:].T:
+            rows.cast(column, np.dtype(np.uint8), "color", 0)
+        there = np.flatnonzero(np.isfinite(values[:, :3]).all(axis=1) & (values[:, :3] != 0).any(axis=1))
+        kept.append(there + (begin - scan.first))
+        parts.append(values[there])
+    table, index = np.concatenate(parts), np.concatenate(kept)
+    colors = stack_colors(lines.path, [*table[:, 4:].astype(np.uint8).T]) if width == 7 else None
+    column_index, row_index = np.divmod(index, max(scan.shape[1], 1))
+    attributes = {
+        "intensity": table[:, 3].copy(),
+        "row_index": row_index.astype(np.int32),
+        "column_index": column_index.astype(np.int32),
+    }
+    return PointTable(np.ascontiguousarray(table[:, :3]), None, colors, attributes, unit=METRE)
+
+
+def _in_world(table: PointTable, pose: NDArray[np.float64]) -> PointTable:
+    table.points = table.points @ pose[:3, :3].T + pose[:3, 3]
+    return table
