@@ -19,8 +19,9 @@ from ... import __version__  # pyright: ignore[reportMissingImports]
 from ...core.errors import FileError, FilePath
 from ...core.paths import path_of
 from ...core.wording import to_json
+from ..job_folder import make_folder
 from ..manifest import NAME, OVER, Manifest, a_new_manifest
-from ..plan import check_same_plan, make_folder
+from ..plan import check_same_plan
 
 _TABLES = """
 CREATE TABLE meta (key TEXT PRIMARY KEY, value TEXT NOT NULL);

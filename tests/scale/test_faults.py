@@ -13,7 +13,7 @@ import pointloom as loom
 from pointloom.core.errors import FileError
 from pointloom.files.points.las_writer import write_las
 from pointloom.files.table import PointTable
-from pointloom.scale import runners
+from pointloom.scale import plan, runners
 from pointloom.scale.manifest import Manifest, a_worker
 
 from .scenes import CORNER, RADIUS, SIDE, STEP, finished, kill_runner, plan_of, rows_of, survey, tiled
@@ -30,7 +30,9 @@ from .scenes import CORNER, RADIUS, SIDE, STEP, finished, kill_runner, plan_of, 
         ([{"step": "segment_plane", "distance": 1}], "whole cloud"),
         ([{"step": "cluster_dbscan", "eps": 1}], "min_points"),
         ([{"step": "function", "call": lambda cloud: cloud, "reach": 1}], "top of a module"),
-        ([{"step": "function", "call": "no.such:thing", "reach": 1}], "no.such"),
+        ([{"step": "function", "call": "no.such:thing", "reach": 1}], "call: 'no.such:thing'"),
+        ([{"step": "function", "call": "no_such", "reach": 1}], "call: .*'no_such'"),
+        ([{"step": "function", "call": os.getenv, "reach": 1, "arguments": [1]}], "arguments"),
         (["voxel_down_sample"], "dictionary"),
     ],
 )
@@ -172,6 +174,25 @@ def test_a_step_that_raises_fails_its_tile_alone(files, tmp_path, monkeypatch):
     monkeypatch.delenv("POINTLOOM_TEST_FAILS")
     loom.scale.retry_tiles(job)
     assert loom.scale.run_tiles(job).is_finished
+
+
+def test_a_file_names_no_function(files, tmp_path):
+    called = tmp_path / "called"
+    told = tmp_path / "steps.toml"
+    told.write_text(f'[[step]]\nstep = "function"\ncall = "os:mkdir"\nreach = 0\narguments = {{path = "{called}"}}\n')
+    with pytest.raises(FileError, match=r"steps\.toml: steps: call: 'os:mkdir'"):
+        loom.scale.plan_tiles(files, told, tmp_path / "job")
+    assert not called.exists() and not (tmp_path / "job").exists()
+
+
+@pytest.mark.parametrize("workers", [0, pytest.param(1, marks=pytest.mark.slow)])
+def test_a_manifest_allows_no_function(files, tmp_path, monkeypatch, workers):
+    job = tmp_path / "job"
+    loom.scale.plan_tiles(files, [{"step": "function", "call": fails_in_the_east, "reach": 0}], job, size=20.0)
+    monkeypatch.setattr(plan, "_passed", {})  # as in another process
+    with pytest.raises(FileError, match=r"plan\.sqlite: steps: call: .*fails_in_the_east'"):
+        loom.scale.run_tiles(job)
+    assert loom.scale.run_tiles(job, functions=[fails_in_the_east], workers=workers).is_finished
 
 
 def test_empty_tiles_and_a_halo_larger_than_tiles(tmp_path):
