@@ -21,7 +21,8 @@ from .buckets import Window
 from .epochs import describe_epochs
 from .halos import far_files
 from .job_folder import check_folder, make_folder, nothing_left
-from .manifest import NAME, Manifest, canonical, files_of, hash_of, read_plan, write_manifest
+from .manifest import NAME, Manifest, canonical, damage_as_file_errors, files_of, hash_of, read_plan, write_manifest
+from .plan_check import MOST_TILES
 from .polygons import boxes_that_meet, in_survey, parse_area, to_json
 from .sources import check_alike, check_same, describe_all, given_as, list_files
 from .status import TileStatus, status_of
@@ -29,7 +30,6 @@ from .steps.function import Function, UserFunction, resolve_functions
 from .steps.parse import naming_file, parse_steps
 from .steps.step import Step
 
-MOST_TILES = 1 << 22
 POINTS = 2_000_000  # a tile, where nothing is said
 OUTPUTS = ("laz", "copc")
 MOST_POINTS = 8  # times the points of a usual tile that one may hold with its halo, and at least
@@ -232,7 +232,8 @@ def open_plan(folder: FilePath) -> tuple[Manifest, Plan]:
             raise FileError(manifest.folder / NAME, reason, remedy="Plan it anew in another folder")
         for source in files_of(manifest.plan):
             check_same(source)
-        return manifest, Plan(manifest.plan)
+        with damage_as_file_errors(manifest.folder / NAME):
+            return manifest, Plan(manifest.plan)
     except BaseException:
         manifest.base.close()
         raise

@@ -106,7 +106,8 @@ def run_tiles(
         tell = partial(_tell, manifest, plan, report)
         tell()
         if count:
-            oversee(manifest, partial(_start, manifest.folder, share, plan.passed_functions, count, gpus), count, tell)
+            start = partial(_start, manifest.folder, share, count, gpus, functions=plan.passed_functions)
+            oversee(manifest, start, count, tell)
         else:
             try:
                 with a_worker(manifest.folder) as owner:
@@ -268,7 +269,7 @@ def _progress_of(manifest: Manifest) -> list[Any]:
 
 
 def _start(
-    folder: Path, part: tuple[int, int], functions: tuple[str, ...], count: int, gpus: list[Gpu], place: int
+    folder: Path, part: tuple[int, int], count: int, gpus: list[Gpu], place: int, functions: tuple[str, ...] = ()
 ) -> subprocess.Popen[bytes]:
     """A worker, which finds the modules that this process finds and takes its share of the cores, and its GPU."""
     return start_worker(_WORKER, [str(folder.absolute()), *map(str, part), *functions], count, gpus, place)

@@ -9,7 +9,7 @@ from typing import Any
 from ..core.errors import FileError, FilePath
 from ..core.paths import path_of
 from ..core.wording import to_json
-from .manifest import Manifest, files_of
+from .manifest import NAME, Manifest, damage_as_file_errors, files_of
 from .sources import check_same, given_as
 from .steps.parse import KNOWN
 
@@ -113,7 +113,8 @@ def status_of(manifest: Manifest) -> TileStatus:
         for row in bad
     }
     files = manifest.rows("SELECT id, error FROM sources WHERE state IN ('failed', 'aside') ORDER BY id")
-    troubles |= {files_of(manifest.plan)[row["id"]]["path"]: row["error"] or "" for row in files}
+    with damage_as_file_errors(manifest.folder / NAME):
+        troubles |= {files_of(manifest.plan)[row["id"]]["path"]: row["error"] or "" for row in files}
     return TileStatus(
         folder=str(manifest.folder),
         **counts,
@@ -129,7 +130,8 @@ def status_of(manifest: Manifest) -> TileStatus:
 
 
 def _pass_of(manifest: Manifest) -> dict[str, int]:
-    kinds = [KNOWN[step["step"]] for step in manifest.plan["steps"]]
+    with damage_as_file_errors(manifest.folder / NAME):
+        kinds = [KNOWN[step["step"]] for step in manifest.plan["steps"]]
     passes = 1 + sum(kind.needs_numbers or kind.joins for kind in kinds)
     (row,) = manifest.rows("SELECT min(pass) AS pass FROM tiles WHERE state NOT IN ('done', 'empty')")
     number = passes - 1 if row["pass"] is None else row["pass"]

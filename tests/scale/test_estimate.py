@@ -53,7 +53,7 @@ def uneven(folder, count, *, files=2):
 def in_this_process(monkeypatch):
     """A calibration whose tasks start no process."""
 
-    def measured(folder, what, threads):
+    def measured(folder, what, threads, functions):
         manifest, plan = open_plan(folder)
         manifest.base.close()
         told = calibration._lay(plan, folder) if what == "files" else calibration._work(plan, folder, int(what), 0.0)
