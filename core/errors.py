@@ -5,6 +5,8 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+from .escaped_text import escaped
+
 MOST_NAMES = 10_000  # of a folder that are looked through for one like a name that is not there
 _ABSENT = ("does not exist", "cannot be read: ")
 
@@ -28,9 +30,9 @@ class FileError(PointloomError, ValueError):
     def __init__(self, path: FilePath, reason: str, *, where: str = "", remedy: str = ""):
         if not remedy and reason.startswith(_ABSENT):
             remedy = _near_paths(os.fspath(path))
-        self.path, self.reason, self.where, self.remedy = os.fspath(path), reason, where, remedy
-        place = f"{self.path} ({where})" if where else self.path
-        super().__init__(f"{place}: {reason}" + (f". {remedy}" if remedy else ""))
+        self.path, self.reason, self.where, self.remedy = os.fspath(path), *map(escaped, (reason, where, remedy))
+        place = f"{escaped(self.path)} ({self.where})" if where else escaped(self.path)
+        super().__init__(f"{place}: {self.reason}" + (f". {self.remedy}" if remedy else ""))
 
     def __reduce__(self):
         """Survive pickling: the keyword arguments travel along."""

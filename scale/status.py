@@ -7,6 +7,7 @@ from dataclasses import asdict, dataclass, replace
 from typing import Any
 
 from ..core.errors import FileError, FilePath
+from ..core.escaped_text import escaped
 from ..core.paths import path_of
 from ..core.wording import to_json
 from .manifest import NAME, Manifest, damage_as_file_errors, files_of
@@ -71,7 +72,8 @@ class TileStatus:
         told += [
             f"{count} {name}" for name in ("waiting", "running", "failed", "aside") if (count := getattr(self, name))
         ]
-        return "; ".join(told) + "".join(f"\n  tile {tile}: {error}" for tile, error in self.troubles.items())
+        lines = (f"\n  tile {escaped(tile)}: {escaped(error)}" for tile, error in self.troubles.items())
+        return "; ".join(told) + "".join(lines)
 
 
 def tile_status(folder: FilePath) -> TileStatus:

@@ -28,6 +28,7 @@ from numpy.typing import NDArray
 from ...core.atomic import atomic_write, check_writable
 from ...core.coordinates import quiet, split_origin
 from ...core.errors import FileError
+from ...core.escaped_text import escaped
 from ..pictures.image_files import encode_png
 from ..pictures.texture_files import derived_name, picture_names, write_with
 from ..table import MeshTable
@@ -113,7 +114,7 @@ def _scene_of(path: Path, mesh: MeshTable) -> _Scene:
     mesh, left_out = held_by_gltf(mesh)
     if left_out:
         message = f"{path}: {', '.join(left_out)} left out, since glTF cannot hold that; .ply holds everything"
-        warnings.warn(message, UserWarning, stacklevel=4)
+        warnings.warn(escaped(message), UserWarning, stacklevel=4)
     if not len(mesh.triangles):
         raise FileError(path, "GLB cannot hold a mesh without triangles", remedy="Write .ply")
     with quiet():

@@ -17,6 +17,7 @@ from typing import Any, ClassVar, NamedTuple
 
 from ... import __version__  # pyright: ignore[reportMissingImports]
 from ...core.errors import FileError, FilePath
+from ...core.escaped_text import escaped
 from ...core.paths import path_of
 from ...core.wording import to_json
 from ..job_folder import make_folder
@@ -118,8 +119,8 @@ class JobStatus:
         told = [f"{self.job}: {self.done} of {total} tasks done" + ("" if self.is_finished else f", at {self.stage}")]
         names = ("waiting", "running", "failed", "aside")
         told += [f"{count} {name}" for name in names if (count := getattr(self, name))]
-        lines = [f"\n  {name}: {error}" for name, error in self.troubles.items()]
-        return "; ".join(told) + "".join([*lines, *(f"\n  {remark}" for remark in self.remarks)])
+        lines = [*(f"{name}: {error}" for name, error in self.troubles.items()), *self.remarks]
+        return "; ".join(told) + "".join(f"\n  {escaped(line)}" for line in lines)
 
 
 def make_job(kind: type[Job], folder: FilePath, plan: dict[str, Any], tasks: Sequence[Task]) -> JobStatus:
