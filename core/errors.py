@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
+from collections.abc import Iterator
 from pathlib import Path
 
 from .escaped_text import escaped
@@ -49,6 +51,17 @@ class CameraError(PointloomError, RuntimeError):
 
 class DeviceError(PointloomError, RuntimeError):
     """A device that does not exist, or operands that live on different ones."""
+
+
+@contextlib.contextmanager
+def values_of_file(path: FilePath, *, where: str = "", remedy: str = "") -> Iterator[None]:
+    """Turn the errors of argument checks, for values that were read from a file, into a FileError with its path."""
+    try:
+        yield
+    except FileError:
+        raise
+    except (ValueError, TypeError, OverflowError) as error:
+        raise FileError(path, str(error), where=where, remedy=remedy) from error
 
 
 def _near_paths(path: str) -> str:

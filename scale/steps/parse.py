@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 from ...core.checks import shown
-from ...core.errors import FileError
+from ...core.errors import FileError, values_of_file
 from ...core.known_names import nearest_name
 from .clusters import ClusterDbscan, ClusterEuclidean
 from .comparison import Change, Distance
@@ -59,12 +59,8 @@ def parse_steps(steps: Any) -> list[Step]:
 @contextmanager
 def naming_file(steps: Any) -> Iterator[None]:
     """Turn errors about steps into a `FileError` if the steps came from a file."""
-    try:
+    with values_of_file(steps) if isinstance(steps, str | Path) else nullcontext():
         yield
-    except (ValueError, TypeError) as error:
-        if isinstance(error, FileError) or not isinstance(steps, str | Path):
-            raise
-        raise FileError(steps, str(error)) from error
 
 
 def _parse(steps: Any) -> list[Step]:

@@ -49,6 +49,27 @@ def test_steps_may_stand_in_a_file(files, job, tmp_path):
     assert plan_of(job) == plan
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "step = [1, 2]",
+        "[[step]]\nstep = 1",
+        '[[step]]\nstep = "shell"',
+        '[[step]]\nstep = "voxel_down_sample"\nvoxel_size = "1"',
+        '[[step]]\nstep = "voxel_down_sample"\nvoxel_size = 1e999',
+        '[[step]]\nstep = "rasterize"\ncell = 1\nname = "../a"',
+        '[[step]]\nstep = "function"\ncall = "x"\nreach = 0\narguments = {day = 2020-01-01}',
+        "x = " + "[" * 100_000,
+        "\xff",
+    ],
+)
+def test_wrong_steps_in_a_file_are_an_error_that_names_it(files, tmp_path, text):
+    told = tmp_path / "steps.toml"
+    told.write_text(text, "latin-1")
+    with pytest.raises(FileError, match=r"steps\.toml"):
+        loom.scale.plan_tiles(files, told, tmp_path / "job")
+
+
 @pytest.mark.parametrize("what", ["scale", "attributes", "unit"])
 def test_files_that_go_ill_together_are_told_by_name(files, tmp_path, what):
     cloud = loom.PointCloud(np.full((5, 3), CORNER), origin=CORNER, intensity=np.arange(5, dtype=np.uint16))
