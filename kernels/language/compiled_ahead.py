@@ -101,9 +101,7 @@ class Archive:
         here = made_from()
         others = [name for name in here if self.made_from.get(name) != here[name]]
         named = (
-            f"{name} {self.made_from.get(name)} instead of {here[name]}"
-            for name in others
-            if "sources" not in name
+            f"{name} {self.made_from.get(name)} instead of {here[name]}" for name in others if "sources" not in name
         )
         words = ", ".join([*named, *(f"other {name}" for name in others if "sources" in name)])
         return f"made from {words}" if words else ""
