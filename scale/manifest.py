@@ -39,6 +39,8 @@ _REMEDIES = {  # of a manifest that is not there, or is of something else; by wh
     True: "Call plan_fusion, plan_sequences or plan_registration first; they go with run_job",
 }
 STATES = ("waiting", "running", "done", "empty", "failed", "aside")
+# Errors of Python for values that are not as this version writes them.
+DAMAGE = (EOFError, LookupError, TypeError, ValueError, AttributeError, OverflowError, RecursionError)
 _OWNER = re.compile(r"[0-9A-Za-z ]{1,64}")
 NOT_LAID = -1  # in place of a full colour: a file that is far from all tiles
 OVER = ("done", "empty", "failed", "aside")  # states that a tile leaves by `retry` alone
@@ -305,7 +307,7 @@ def damage_as_file_errors(path: Path) -> Iterator[None]:
         yield
     except FileError:
         raise
-    except (LookupError, TypeError, ValueError, AttributeError, OverflowError, RecursionError) as error:
+    except DAMAGE as error:
         reason = f"the manifest is damaged: {type(error).__name__}: {error}"
         raise FileError(path, reason, remedy="Plan it anew in another folder") from error
 
