@@ -16,6 +16,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from .checks import check_positive, shown
+from .escaped_text import escaped
 
 SAME_SHARE = 1e-7  # by which a length may be rounded and still is that of a known unit: the two feet differ by 2e-6
 _NEAR_SHARE = 1e-5  # by which a length of few digits may differ from that of the unit which the same place names
@@ -215,7 +216,7 @@ def common_unit(name: str, units: Iterable[LengthUnit | None]) -> LengthUnit | N
 
 def warn_of_units(message: str, category: type[Warning] = UnitWarning) -> None:
     """Warn, at the line of the user's that led here."""
-    warnings.warn(message, category, stacklevel=_user_level())
+    warnings.warn(escaped(message), category, stacklevel=_user_level())
 
 
 def asked_by_user() -> bool:

@@ -17,6 +17,8 @@ from collections.abc import Iterator
 from types import TracebackType
 from typing import Self
 
+from .escaped_text import escaped
+
 LOGGER = logging.getLogger("pointloom")
 PATIENCE = 3.0  # [s] before a call says how far it is, and between two times
 
@@ -63,7 +65,7 @@ def _print(text: str) -> None:
     """A line on stderr; nothing where that is closed."""
     if sys.stderr is not None:
         with contextlib.suppress(OSError, ValueError):
-            print(f"pointloom: {text}", file=sys.stderr, flush=True)
+            print(f"pointloom: {escaped(text, lines=True)}", file=sys.stderr, flush=True)
 
 
 _lines = Lines()

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from ..core.coordinates import choose_origin, quiet
 from ..core.errors import FileError
+from ..core.escaped_text import escaped
 
 # Colours that arithmetic has pushed out of 0..1 by no more than this are clipped; anything further is a mistake.
 COLOR_SLACK = 1e-3
@@ -125,14 +126,15 @@ def fit_colors(columns: Sequence[NDArray[Any]], full: int) -> tuple[NDArray[np.f
 
 def warn_of_loss(path: Any, what: str, reason: str, *, stacklevel: int = 3) -> None:
     """Warn that something of a file is left behind, for a reason; by default in the name of a reader's caller."""
-    warnings.warn(f"{path}: the {what} are left behind, since {reason}", UserWarning, stacklevel=stacklevel + 1)
+    message = f"{path}: the {what} are left behind, since {reason}"
+    warnings.warn(escaped(message), UserWarning, stacklevel=stacklevel + 1)
 
 
 def warn_left_out(path: Any, format: str, names: Sequence[str], *, stacklevel: int = 3) -> None:
     """Warn, in the name of a writer's caller, that a file lacks what its format cannot hold; say nothing of nothing."""
     if names:
         message = f"{path}: {', '.join(names)} left out, since {format} cannot hold that; .ply holds everything"
-        warnings.warn(message, UserWarning, stacklevel=stacklevel + 1)
+        warnings.warn(escaped(message), UserWarning, stacklevel=stacklevel + 1)
 
 
 def check_reach(path: Any, points: NDArray[Any]) -> None:

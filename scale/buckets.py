@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from ..core.errors import FileError
 from ..files.foreign import foreign_errors, import_for
 from ..files.points.las import COLORS, LasFile, open_las
-from .manifest import is_dead
+from .manifest import DAMAGE, is_dead
 
 FOLDER, INDEX = "buckets", "index.json"
 MOST_ROWS = 1 << 22  # held in memory before some go to disk
@@ -100,7 +100,7 @@ def _filled(done: Path) -> Filled:
     try:
         told = json.loads((done / INDEX).read_text())
         return Filled(**told | {"tiles": {int(tile): rows for tile, rows in told["tiles"].items()}})
-    except (OSError, ValueError, KeyError, TypeError) as error:
+    except (OSError, *DAMAGE) as error:
         raise FileError(done / INDEX, f"cannot be read: {error}", remedy=_ANEW.format(done)) from error
 
 
@@ -263,7 +263,7 @@ def _time_of(place: Path) -> int:
 def _index_of(place: Path, time: int) -> dict[int, int]:
     try:
         return {int(tile): rows for tile, rows in json.loads((place / INDEX).read_text())["tiles"].items()}
-    except (OSError, ValueError, KeyError) as error:
+    except (OSError, *DAMAGE) as error:
         raise FileError(place / INDEX, f"cannot be read: {error}", remedy=_ANEW.format(place)) from error
 
 

@@ -14,6 +14,7 @@ from typing import Any
 import click
 
 from ... import __version__  # pyright: ignore[reportMissingImports]
+from ...core.escaped_text import escaped
 from . import (
     change_command,
     depth_command,
@@ -145,7 +146,7 @@ def info(files: tuple[Path, ...], read_as: str | None, as_json: bool) -> int:
     found = [report for report in reports if isinstance(report, Description)]
     broken = [report.broken for report in found if report.broken]
     for error in broken:
-        click.echo(f"error: {error}", err=True)
+        click.echo(escaped(f"error: {error}"), err=True)
     failed = bool(broken) or len(found) < len(reports)
     poor = poor_result(all_of(*(report.poor for report in found)))
     if as_json:

@@ -15,6 +15,7 @@ from typing import Any
 
 import click
 
+from ...core.escaped_text import escaped
 from .console import CompileNotice, OutputLostError, print_json
 
 ERROR, USAGE, POOR, INTERRUPTED, TERMINATED = 1, 2, 3, 130, 143
@@ -87,7 +88,7 @@ def poor_result(reason: str | None) -> int:
     """The exit code for a result: 3, with the reason on stderr, where there is one to call it poor."""
     if not reason:
         return 0
-    click.echo(f"poor result: {reason}", err=True)
+    click.echo(escaped(f"poor result: {reason}", lines=True), err=True)
     return POOR
 
 
@@ -97,7 +98,7 @@ def report_error(error: Exception) -> str:
         import traceback
 
         traceback.print_exception(error, file=sys.stderr)
-    message = _message(error)
+    message = escaped(_message(error), lines=True)
     click.echo(message if isinstance(error, click.Abort) else f"error: {message}", err=True)
     return message
 
@@ -183,4 +184,4 @@ def _message(error: Exception) -> str:
 def _show_warning(
     message: Warning | str, category: Any, filename: str, lineno: int, file: Any = None, line: str | None = None
 ) -> None:
-    click.echo(f"warning: {message}", err=True)
+    click.echo(escaped(f"warning: {message}", lines=True), err=True)

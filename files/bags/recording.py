@@ -16,6 +16,7 @@ from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.trajectory import Trajectory
 from ...core.checks import check_count, check_positive
 from ...core.errors import FileError
+from ...core.escaped_text import escaped
 from ...core.paths import path_of
 from ...pcd.cloud import PointCloud
 from ..foreign import foreign_errors, import_for
@@ -96,7 +97,7 @@ class Recording:
         return len(self._rows)
 
     def __repr__(self) -> str:
-        return f"Recording({self.path.name}, {len(self.topics)} topics, {len(self)} messages)"
+        return f"Recording({escaped(self.path.name)}, {len(self.topics)} topics, {len(self)} messages)"
 
     @cached_property
     def topics(self) -> list[Topic]:
@@ -364,7 +365,7 @@ def open_recording(path: str | os.PathLike[str]) -> Recording:
     if not len(recording):
         raise FileError(place, f"holds no message{'; ' + recording.damage if recording.damage else ''}")
     if recording.damage:
-        warnings.warn(f"{place}: {recording.damage}; {len(recording)} messages are left", RecordingWarning, 2)
+        warnings.warn(escaped(f"{place}: {recording.damage}; {len(recording)} messages are left"), RecordingWarning, 2)
     return recording
 
 

@@ -29,6 +29,7 @@ from numpy.typing import NDArray
 from ...core.atomic import atomic_write, check_writable
 from ...core.coordinates import quiet, split_origin
 from ...core.errors import FileError
+from ...core.escaped_text import escaped
 from ..color_space import srgb_to_linear
 from ..pictures.image_files import encode_png
 from ..pictures.texture_files import alpha_mode, derived_name, picture_names, write_with
@@ -115,7 +116,7 @@ def _scene_of(path: Path, mesh: MeshTable) -> _Scene:
     mesh, left_out = held_by_gltf(mesh)
     if left_out:
         message = f"{path}: {', '.join(left_out)} left out, since glTF cannot hold that; .ply holds everything"
-        warnings.warn(message, UserWarning, stacklevel=4)
+        warnings.warn(escaped(message), UserWarning, stacklevel=4)
     if not len(mesh.triangles):
         raise FileError(path, "GLB cannot hold a mesh without triangles", remedy="Write .ply")
     with quiet():

@@ -5,6 +5,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Hashable
 
+from ...core.escaped_text import escaped
 from .gltf_compression import DRACO, MESHOPT
 from .gltf_file import GltfFile
 
@@ -70,7 +71,7 @@ class LeftBehind:
             return
         told = [f"{words} ({len(things)})" if things else words for words, things in self._words.items()]
         message = f"{self._file.path}: parts that a mesh has no place for are left behind: {', '.join(told)}"
-        warnings.warn(message, UserWarning, stacklevel=stacklevel + 1)
+        warnings.warn(escaped(message), UserWarning, stacklevel=stacklevel + 1)
 
 
 def check_required(file: GltfFile) -> None:

@@ -35,6 +35,7 @@ from numpy.typing import NDArray
 from ...core.atomic import check_writable
 from ...core.coordinates import quiet
 from ...core.errors import FileError
+from ...core.escaped_text import escaped
 from ...core.paths import path_of
 from ..ascii_rows import AsciiRows, row_format, unix_lines, write_rows
 from ..columns import check_reach, colors_or_loss, stack_normals, warn_left_out, warn_of_loss
@@ -262,7 +263,7 @@ def _add_textures(
     lacking = [name for name in statements.material_names if name not in known]
     if lacking:
         message = f"{path}: the material {lacking[0][:60]!r} is in none of {', '.join(statements.libraries)}"
-        warnings.warn(f"{message}; it is taken for white", UserWarning, stacklevel=4)
+        warnings.warn(escaped(f"{message}; it is taken for white"), UserWarning, stacklevel=4)
     materials += [Material(name) for name in lacking]
     known = {material.name: number for number, material in enumerate(materials)}
     numbers = np.array([*(known[name] for name in statements.material_names), len(materials)])

@@ -198,7 +198,7 @@ def _numbers(path: Path, where: str, values: Mapping[str, Any], name: str, count
         raise FileError(path, f"missing key {name}", where=where, remedy=_EXPORTED)
     try:
         array = np.array(values[name], np.float64)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         array = np.full(1, np.nan)
     if isinstance(values[name], str | bool) or not (np.abs(array) <= 1e100).all() or count not in (None, array.size):
         wanted = "numbers" if count is None else f"{count} finite number{'s' * (count != 1)}"

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write
 from ...core.errors import FileError
+from ...core.escaped_text import escaped
 from ...core.paths import path_of
 from ..source import Source, open_source
 from .image_files import decode_texture, encode_png, parse_picture_header
@@ -130,7 +131,7 @@ def drop_alpha(picture: NDArray[np.uint8], cutoff: float = 0.0) -> NDArray[np.ui
 
 def warn_left_behind(path: Any, reason: str) -> None:
     """Warn that textures are left behind, for a reason."""
-    warnings.warn(f"{path}: the textures are left behind, since {reason}", UserWarning, stacklevel=5)
+    warnings.warn(escaped(f"{path}: the textures are left behind, since {reason}"), UserWarning, stacklevel=5)
 
 
 def derived_name(path: str | os.PathLike[str], ending: str) -> str:

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from ...core.errors import FileError
+from ...core.escaped_text import escaped
 from ..source import MAX_HEADER_BYTES, Source, parse_whole
 
 #: The encodings that a DATA line may name.
@@ -164,7 +165,7 @@ def _parse_extent(path: Any, lines: _Lines) -> tuple[int, int]:
     points = numbers.get("POINTS", width * height)
     if width * height == 0 and points:  # as PCL where HEIGHT is 0, and Open3D
         message = f"{path}: WIDTH x HEIGHT is 0, so that the {points} points of POINTS are one row"
-        warnings.warn(message, UserWarning, stacklevel=5)
+        warnings.warn(escaped(message), UserWarning, stacklevel=5)
         return points, 1
     if points != width * height:
         raise FileError(

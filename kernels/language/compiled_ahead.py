@@ -73,6 +73,9 @@ def made_from() -> dict[str, Any]:
     }
 
 
+_MANIFEST = {"made from": dict, "architectures": list, "modules": dict}
+
+
 class Archive:
     """Machine code of kernels in a file.
 
@@ -84,6 +87,11 @@ class Archive:
         self.path = path
         with zipfile.ZipFile(path) as file:
             manifest = json.loads(file.read(MANIFEST))
+        if not isinstance(manifest, dict):
+            raise ValueError(f"{MANIFEST}: expected an object, got a {type(manifest).__name__}")
+        for name, kind in _MANIFEST.items():
+            if not isinstance(manifest[name], kind):
+                raise ValueError(f"{MANIFEST}: {name}: expected a {kind.__name__}, got {str(manifest[name])[:80]}")
         self.made_from: dict[str, Any] = manifest["made from"]
         self.architectures: list[str] = manifest["architectures"]
         self.modules: dict[str, dict[str, Any]] = manifest["modules"]
@@ -202,8 +210,8 @@ def archive() -> Archive | None:
                 opened = Archive(path)
                 problem = opened.misfit()
                 _Search.found = None if problem else opened
-            except (OSError, ValueError, KeyError, zipfile.BadZipFile) as error:
-                problem = f"cannot be read: {error}"
+            except Exception as error:  # zipfile raises some ten types on damaged archives
+                problem = f"cannot be read: {type(error).__name__}: {error}"
             if problem:
                 refuse(path, problem)
     return _Search.found
@@ -225,4 +233,4 @@ def described() -> str:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         found = archive()
-    return f"{found.path} for {', '.join(found.architectures)}" if found else f"none: {_Search.problem}"
+    return f"{found.path} for {', '.join(map(str, found.architectures))}" if found else f"none: {_Search.problem}"

@@ -20,7 +20,7 @@ from ...kernels.lang import int32, vec2, vec3
 from ...kernels.memory import clone, download, move, upload
 from ...kernels.meshes.mesh_edits import gather_corners, gather_triangles
 from ...pcd.point_arrays import PointArrays, read_only
-from .mesh_attributes import MeshAttributes, each, rows_of
+from .mesh_attributes import MeshAttributes, each, listed, rows_of
 from .mesh_questions import MeshQuestions
 from .mesh_rows import ATTRIBUTES, PER_TRIANGLE, PER_VERTEX, TEXTURE, as_triples, check_attributes, kind_and_count
 from .mesh_up import Upright
@@ -104,7 +104,7 @@ class MeshArrays(Upright, MeshQuestions):
         kept: dict[str, Any] = {name: values for name, values in merged.items() if values is not None}
         for kind, of in ATTRIBUTES.items():
             if self._attributes[kind] and kind not in arrays and kept[of].size != self._arrays[of].size:
-                warnings.warn(f"{kind} {', '.join(kept.pop(kind))}: left behind, the {of} are others", stacklevel=3)
+                warnings.warn(f"{kind} {listed(kept.pop(kind))}: left behind, the {of} are others", stacklevel=3)
         place = self._origin if origin is None else origin
         textures = self._textures if "triangle_uvs" in kept else ()
         mesh = self.from_device_arrays(**kept, textures=textures, origin=place, library=self._library)
@@ -186,7 +186,7 @@ class MeshArrays(Upright, MeshQuestions):
 
     def __repr__(self) -> str:
         extras = "".join(f", {name}" for name in self._arrays if name not in ("vertices", "triangles"))
-        extras += "".join(f", {kind}[{', '.join(held)}]" for kind, held in self._attributes.items() if held)
+        extras += "".join(f", {kind}[{listed(held)}]" for kind, held in self._attributes.items() if held)
         sizes = f"{self._arrays['vertices'].size} vertices, {len(self)} triangles"
         return f"{type(self).__name__}({sizes}{extras}, {self._device})"
 

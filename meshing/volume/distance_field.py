@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...core.array_libraries import view_as
 from ...core.checks import check_finite, check_numeric, check_positive, check_rows, check_shape, is_on_gpu
 from ...core.devices import resolve_device
-from ...core.errors import FileError
+from ...core.errors import values_of_file
 from ...core.gpu_arrays import device_for, take_numbers
 from ...core.known_names import ToldNames
 from ...core.pickled_arrays import device_like, unpickling
@@ -335,10 +335,8 @@ class DistanceField(FieldQueries, FieldViews, ToldNames):
             MemoryError: There is no room for it.
         """
         arrays, where = read_field(path), resolve_device(device)
-        try:
+        with values_of_file(path):
             return cls._of_arrays(arrays, where)
-        except ValueError as error:
-            raise FileError(path, str(error)) from error
 
     def _arrays(self) -> dict[str, NDArray[Any]]:
         return arrays_of(self._source, self.occupied_voxels)

@@ -12,6 +12,7 @@ from ...core.checks import check_number, check_positive
 from ...core.coordinates import origin_of_sensor
 from ...core.devices import resolve_device
 from ...core.dropped_results import returns_new
+from ...core.errors import values_of_file
 from ...core.known_names import ToldNames
 from ...core.pickled_arrays import device_like, unpickling
 from ...core.told_arguments import told_arguments
@@ -200,7 +201,9 @@ class OccupancyGrid(OccupancyQuestions, ToldNames):
         Raises:
             FileError: The file is missing, damaged, or no occupancy grid.
         """
-        return cls._from_downloaded(read_grid(path), device)
+        arrays, where = read_grid(path), resolve_device(device)
+        with values_of_file(path):
+            return cls._from_downloaded(arrays, where)
 
     def _downloaded(self) -> dict[str, Any]:
         count = self.block_count

@@ -10,6 +10,7 @@ from __future__ import annotations
 import contextlib
 import weakref
 from collections.abc import Mapping
+from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -117,14 +118,15 @@ class PageFolder:
         self._last = number
         return Page(number, np.array(arrays["keys"]))
 
-    def read(self, page: Page) -> Arrays:
+    def read(self, page: Page, *, has_colors: bool) -> Arrays:
         """The arrays of a page.
 
         Raises:
             FileError: It is missing, damaged, or of another volume.
         """
         path = self._place(page.number)
-        arrays = read_archive(path, PAGE_FORMAT, "page of a volume", "PagedTSDFVolume", _page_arrays, _fault_of_page)
+        expected = partial(_page_arrays, has_colors)
+        arrays = read_archive(path, PAGE_FORMAT, "page of a volume", "PagedTSDFVolume", expected, _fault_of_page)
         if not np.array_equal(arrays["keys"], page.keys):
             raise FileError(path, f"holds other blocks than {LIST} says", remedy="The file was changed")
         del arrays["format"]
@@ -165,7 +167,7 @@ class PageFolder:
         return Saved(told, int(arrays["side"]), {cube: Page(number, blocks) for cube, number, blocks in rows})
 
 
-def _page_arrays(arrays: Arrays) -> Expected:
+def _page_arrays(has_colors: bool, arrays: Arrays) -> Expected:
     blocks = rows_of(arrays, "keys")
     expected: dict[str, tuple[Any, tuple[int, ...]]] = {
         "keys": (np.int64, (blocks,)),
@@ -173,7 +175,7 @@ def _page_arrays(arrays: Arrays) -> Expected:
         "distances": (np.float32, (blocks, BLOCK_VOXELS)),
         "weights": (np.uint16, (blocks, BLOCK_VOXELS)),
     }
-    if "colors" in arrays:
+    if has_colors:
         expected["colors"] = (np.uint16, (blocks, BLOCK_VOXELS, 3))
     return expected
 

@@ -17,6 +17,7 @@ from ...core.checks import check_positive, check_rigid
 from ...core.coordinates import origin_of_sensor
 from ...core.devices import check_same_device, resolve_device
 from ...core.dropped_results import returns_new
+from ...core.errors import values_of_file
 from ...core.known_names import ToldNames
 from ...core.pickled_arrays import device_like, unpickling
 from ...core.told_arguments import told_arguments
@@ -386,7 +387,9 @@ class TSDFVolume(ScanIntegration, ToldNames):
         Raises:
             FileError: The file is missing, damaged, or no volume.
         """
-        return cls._from_downloaded(read_volume_arrays(path), device)
+        arrays, where = read_volume_arrays(path), resolve_device(device)
+        with values_of_file(path):
+            return cls._from_downloaded(arrays, where)
 
     @classmethod
     def _from_downloaded(cls, arrays: dict[str, Any], device: Any) -> TSDFVolume:
