@@ -11,7 +11,7 @@ from ...core.checks import check_color, check_transformation
 from ...core.coordinates import ORIGIN_LIMIT
 from ...core.dropped_results import returns_new
 from ...core.upward import up_under
-from ...kernels.algebra.transform import transform_points
+from ...kernels.algebra.transform import transform_directions, transform_points
 from ...kernels.extent.mean_covariance import mean_and_covariance
 from ...kernels.lang import vec3
 from ...kernels.linear_algebra import det, inv, matmul
@@ -33,8 +33,8 @@ class MeshMotion(MeshArrays, Movable):
             transformation: A finite 4x4 matrix with last row (0, 0, 0, 1) and an inverse.
 
         Returns:
-            The moved mesh. Normals turn with the surface (by the inverse transpose, at unit length; Open3D turns them
-            as if they were directions), and a reflection reverses the triangles, so that their outside stays outside.
+            The moved mesh. Normals turn with the surface (by the inverse transpose; Open3D turns them as if they were
+            directions) and keep their lengths. A reflection reverses the triangles: their outside stays outside.
 
         Raises:
             ValueError: Another matrix.
@@ -49,8 +49,8 @@ class MeshMotion(MeshArrays, Movable):
         target = matmul(A, self._origin) + T[:3, 3]
         origin = np.round(target) if np.abs(target).max() > ORIGIN_LIMIT else np.zeros(3)
         arrays: dict[str, Any] = {"vertices": transform_points(self._arrays["vertices"], A, target - origin)}
-        if "vertex_normals" in self._arrays:
-            arrays["vertex_normals"] = mesh_edits.turn_normals(self._arrays["vertex_normals"], inv(A).T)
+        if "vertex_normals" in self._arrays and not np.array_equal(A, np.eye(3)):
+            arrays["vertex_normals"] = transform_directions(self._arrays["vertex_normals"], inv(A).T)
         if determinant < 0:
             arrays["triangles"] = mesh_edits.flip_triangles(self._arrays["triangles"])
             if "triangle_uvs" in self._arrays:
