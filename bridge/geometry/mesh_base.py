@@ -10,6 +10,7 @@ from .. import geometry
 from ..held import Rows
 from ..vectors import Vector3dVector
 from .bounded import BoundedByBoxes
+from .geometry import column
 
 
 class MeshBase(BoundedByBoxes):
@@ -37,7 +38,7 @@ class MeshBase(BoundedByBoxes):
 
     def paint_uniform_color(self, color: ArrayLike) -> Self:
         """Give all vertices one colour."""
-        return self._become(self._ours.paint_uniform_color(color))
+        return self._become(self._ours.paint_uniform_color(column("color", color)))
 
     def normalize_normals(self) -> Self:
         """Bring normals to length 1."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Self
+from typing import Any, ClassVar, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -10,9 +10,11 @@ from numpy.typing import ArrayLike, NDArray
 from ...pcd import cloud
 from .. import geometry
 from ..held import Rows, ours
+from ..indices import flagged
 from ..seeds import next_seed
 from ..vectors import DoubleVector, IntVector, Matrix3dVector, Vector3dVector
 from .bounded import BoundedByBoxes
+from .geometry import column
 from .image import below, metres_of
 from .search_param import KDTreeSearchParam, KDTreeSearchParamHybrid, KDTreeSearchParamKNN, keywords_of
 
@@ -29,6 +31,7 @@ class PointCloud(BoundedByBoxes):
     """
 
     _kind = cloud.PointCloud
+    _arrays: ClassVar = {"points": "points", "normals": "normals", "covariances": "covariances"}
 
     points = Rows(Vector3dVector)
     normals = Rows(Vector3dVector)
@@ -136,7 +139,7 @@ class PointCloud(BoundedByBoxes):
 
     def paint_uniform_color(self, color: ArrayLike) -> Self:
         """Give all points one colour."""
-        return self._become(self._ours.paint_uniform_color(color))
+        return self._become(self._ours.paint_uniform_color(column("color", color)))
 
     def estimate_normals(self, search_param: KDTreeSearchParam = KNN, fast_normal_computation: bool = True) -> None:
         """Fit normals, to the side of earlier ones; there is one way to do it, fast and exact."""
@@ -152,11 +155,13 @@ class PointCloud(BoundedByBoxes):
 
     def orient_normals_to_align_with_direction(self, orientation_reference: ArrayLike = (0.0, 0.0, 1.0)) -> None:
         """Turn normals to the side of a direction."""
-        self._become(self._ours.orient_normals_to_align_with_direction(orientation_reference))
+        self._become(
+            self._ours.orient_normals_to_align_with_direction(column("orientation_reference", orientation_reference))
+        )
 
     def orient_normals_towards_camera_location(self, camera_location: ArrayLike = (0.0, 0.0, 0.0)) -> None:
         """Turn normals towards a point."""
-        self._become(self._ours.orient_normals_towards_camera_location(camera_location))
+        self._become(self._ours.orient_normals_towards_camera_location(column("camera_location", camera_location)))
 
     def orient_normals_consistent_tangent_plane(
         self, k: int, lambda_penalty: float = 0.0, cos_alpha_tol: float = 1.0
@@ -198,8 +203,10 @@ class PointCloud(BoundedByBoxes):
         return PointCloud._of(self._ours.farthest_point_down_sample(num_samples, start_index))
 
     def select_by_index(self, indices: Any, invert: bool = False) -> PointCloud:
-        """The points of these numbers, or the others."""
-        return PointCloud._of(self._ours.select_by_index(np.asarray(indices, np.int64), invert))
+        """The points with these indices, each once and in the order of the cloud, or the others."""
+        cloud = self._ours
+        flags = flagged("indices", indices, len(cloud), f"cloud of {len(cloud)} points")
+        return PointCloud._of(cloud.select_by_index(np.flatnonzero(flags != invert)))
 
     def crop(self, bounding_box: Any, invert: bool = False) -> PointCloud:
         """The points in a box, or the others."""

@@ -58,6 +58,9 @@ def test_points_that_were_assigned_keep_their_digits(cloud):
     cloud.points = V(values)
     cloud.paint_uniform_color([1, 0, 0])
     assert (np.asarray(cloud.points) == values).all()
+    cloud.normals = V(values)
+    cloud.translate([1, 0, 0])
+    assert (np.asarray(cloud.normals) == values).all()
 
 
 def test_ours_shares_no_memory_with_vectors(cloud):
