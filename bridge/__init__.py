@@ -9,5 +9,5 @@ Modules are loaded when they are first used, as in `pointloom` itself.
 
 from ..public_names import attach  # pyright: ignore[reportMissingImports]
 
-__version__ = "0.1.0"
+__version__ = "0.20.0"  # of the Open3D whose names these are; pointloom.__version__ is that of pointloom
 __getattr__, __dir__ = attach(__name__)

@@ -66,8 +66,8 @@ class Vector(ToldNames):
         return rows.astype(self._dtype)
 
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:
-        """The memory itself, unless a copy or another type is asked for."""
-        return np.array(self._values, dtype) if copy else self._values.astype(dtype or self._dtype, copy=False)
+        """The memory itself, or a copy; NumPy converts to `dtype`, by the rules of the function that needs it."""
+        return self._values.copy() if copy else self._values
 
     def __len__(self) -> int:
         return len(self._array) + len(self._tail)
@@ -82,7 +82,7 @@ class Vector(ToldNames):
         found = self._values[index]
         if isinstance(index, slice):
             return type(self)(found)
-        return found if self._row else found.item()
+        return found.item() if isinstance(found, np.generic) and not self._row else found
 
     def __setitem__(self, index: Any, value: Any) -> None:
         self._values[index] = value
@@ -99,7 +99,6 @@ class Vector(ToldNames):
         return np.array_equal(self._values, other._values)
 
     __hash__ = None  # type: ignore[assignment]  # vectors compare by value
-    __array_ufunc__ = None  # arithmetic is that of arrays: np.asarray(vector) + 1
 
     def __repr__(self) -> str:
         if not self._row:
