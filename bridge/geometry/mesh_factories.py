@@ -160,10 +160,13 @@ class MeshFactories(MeshBase):
         samples_per_node: float = 1.5,
         point_weight: float = 2.0,
     ) -> tuple[Self, DoubleVector]:
-        """The closed surface that follows normals, and a density a vertex; threads and full_depth have no effect."""
+        """The closed surface that follows normals, and a density a vertex.
+
+        A width above 0 takes the place of the depth, which may be 0 then. Threads and full_depth have no effect.
+        """
         made, densities = Ours.create_from_point_cloud_poisson(
             ours(pcd, PointCloud, "pcd"),
-            depth,
+            8 if width > 0 else depth,
             width,
             scale,
             linear_fit,

@@ -324,8 +324,10 @@ class TriangleMesh(TriangleNormals):
         return self._ours.get_volume()
 
     def euler_poincare_characteristic(self) -> int:
-        """Vertices and triangles less edges."""
-        return self._ours.euler_poincare_characteristic()
+        """Vertices and triangles less edges; vertices without triangles count, as in Open3D."""
+        mesh = self._ours
+        unused = len(mesh.vertices) - len(np.unique(mesh.triangles))
+        return mesh.euler_poincare_characteristic() + unused
 
     def is_edge_manifold(self, allow_boundary_edges: bool = True) -> bool:
         """Whether no edge has more than two triangles."""

@@ -11,6 +11,7 @@ ROWS = (3, 1, 1, 0)
 GRID = np.stack(np.meshgrid(*[np.arange(4.0)] * 3, indexing="ij"), -1).reshape(-1, 3)
 TURN = np.array([[0.0, -1, 0], [0, 0, -1], [1, 0, 0]])
 EDITS = ("select_by_index", "remove_triangles_by_index", "remove_vertices_by_index")
+FANS = [(np.eye(5, 3), np.array(rows, np.int32)) for rows in ([[0, 1, 2], [0, 2, 3]], [[0, 1, 1]], [[0, 1, 2]] * 2, [])]
 SHAPES = {"DoubleVector": (4,), "IntVector": (4,), "Vector2dVector": (4, 2), "Vector3dVector": (4, 3)}
 SHAPES |= {"Vector2iVector": (4, 2), "Vector3iVector": (4, 3), "Vector4iVector": (4, 4)}
 SHAPES |= {"Matrix3dVector": (4, 3, 3), "Matrix4dVector": (4, 4, 4)}
@@ -90,6 +91,17 @@ def is_refused(call, names):
     return False
 
 
+def textured(o3d):
+    made = o3d.geometry.TriangleMesh.create_box()
+    made.textures = [o3d.geometry.Image(np.zeros((2, 2, 3), np.uint8))]
+    return made
+
+
+def mesh_of(o3d, vertices, triangles):
+    vectors = o3d.utility.Vector3dVector(vertices), o3d.utility.Vector3iVector(np.reshape(triangles, (-1, 3)))
+    return o3d.geometry.TriangleMesh(*vectors)
+
+
 def criteria(o3d, confidence):
     return o3d.pipelines.registration.RANSACConvergenceCriteria(4000, confidence)
 
@@ -143,6 +155,7 @@ CLAIMS = {
     "duplicates removed": lambda o3d: arrays((mesh(o3d) + mesh(o3d)).remove_duplicated_vertices()),
     "mesh cropped": lambda o3d: arrays(mesh(o3d).crop(o3d.geometry.AxisAlignedBoundingBox([-1] * 3, [1, 1, 0.1]))),
     "meshes added": lambda o3d: arrays(mesh(o3d) + mesh(o3d).translate([3, 0, 0])),
+    "textures assigned before their coordinates": lambda o3d: len(textured(o3d).translate([1, 0, 0]).textures),
     "a mesh without normals added": lambda o3d: arrays(mesh(o3d) + o3d.geometry.TriangleMesh.create_box()),
     "a mesh added to an empty one": lambda o3d: arrays(o3d.geometry.TriangleMesh() + mesh(o3d)),
     # Points of both clouds, also those without a line.
@@ -168,6 +181,9 @@ CLAIMS = {
     "confidence": lambda o3d: [criteria(o3d, value).confidence for value in (500, 1.5, 0.9, -1)],
     "registration with a count": lambda o3d: registered(o3d, criteria(o3d, 500)),
     "registration with an assigned count": lambda o3d: registered(o3d, assigned(criteria(o3d, 0.9), "confidence", 500)),
+    # Vertices without triangles count.
+    "Euler characteristic": lambda o3d: [mesh_of(o3d, *shape).euler_poincare_characteristic() for shape in FANS],
+    "orientable": lambda o3d: [mesh_of(o3d, *shape).is_orientable() for shape in FANS[:1]],
     "version": lambda o3d: [int(part) for part in o3d.__version__.split(".")],
     "oriented box of columns": lambda o3d: corners(o3d.geometry.OrientedBoundingBox(-COLUMN, TURN, COLUMN)),
 }
@@ -205,6 +221,22 @@ def test_conventions_are_those_of_open3d(name, expected):
     assert theirs.keys() == ours.keys()
     for part, values in theirs.items():
         np.testing.assert_allclose(ours[part], values, rtol=2e-6, atol=2e-6, err_msg=part)
+
+
+def files(o3d, folder):
+    """What writers return for shapes that lack something, and how many vertices an .stl of a box has."""
+    box, empty = o3d.geometry.TriangleMesh.create_box(), o3d.geometry.PointCloud()
+    returned = [o3d.io.write_point_cloud(str(folder / f"a.{kind}"), empty) for kind in ("ply", "pcd")]
+    returned += [o3d.io.write_triangle_mesh(str(folder / "a.stl"), box)]
+    o3d.io.write_triangle_mesh(str(folder / "b.stl"), box.compute_vertex_normals())
+    return [*returned, len(o3d.io.read_triangle_mesh(str(folder / "b.stl")).vertices)]
+
+
+def test_files_differ_from_those_of_open3d_as_documented(oracle, tmp_path):
+    assert oracle("bridge/files", files, tmp_path) == [False, False, False, 24]
+    assert files(bridge, tmp_path) == [True, True, True, 8]
+    assert bridge.io.read_point_cloud(tmp_path / "a.ply").is_empty()
+    assert len(bridge.io.read_triangle_mesh(tmp_path / "a.stl").triangles) == 12
 
 
 @pytest.mark.parametrize(
