@@ -150,8 +150,8 @@ class PointCloud(BoundedByBoxes):
         self._become(self._ours.estimate_covariances(**keywords_of(search_param)))
 
     def normalize_normals(self) -> Self:
-        """Bring normals to length 1."""
-        return self._become(self._ours.normalize_normals())
+        """Bring normals to length 1, if there are some."""
+        return self._become(self._ours.normalize_normals()) if self.has_normals() else self
 
     def orient_normals_to_align_with_direction(self, orientation_reference: ArrayLike = (0.0, 0.0, 1.0)) -> None:
         """Turn normals to the side of a direction."""
@@ -269,8 +269,8 @@ class PointCloud(BoundedByBoxes):
         return DoubleVector(self._ours.compute_mahalanobis_distance())
 
     def compute_mean_and_covariance(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Mean [3] and covariance [3, 3]."""
-        return self._ours.compute_mean_and_covariance()
+        """Mean [3] and covariance [3, 3]; zero and the identity without points."""
+        return self._ours.compute_mean_and_covariance() if self.has_points() else (np.zeros(3), np.eye(3))
 
     @staticmethod
     def estimate_point_covariances(input: PointCloud, search_param: KDTreeSearchParam = KNN) -> Matrix3dVector:

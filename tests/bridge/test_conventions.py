@@ -144,6 +144,8 @@ CLAIMS = {
     "areas by normals": lambda o3d: arrays(mesh(o3d).compute_triangle_normals(normalized=False))["triangle_normals"],
     "normals weighted by areas": lambda o3d: arrays(mesh(o3d).compute_vertex_normals(normalized=False)),
     "computed normals": lambda o3d: arrays(mesh(o3d).compute_vertex_normals()),
+    "no normals to normalize": lambda o3d: arrays(o3d.geometry.PointCloud(cloud(o3d).points).normalize_normals()),
+    "mean of no points": lambda o3d: np.vstack(o3d.geometry.PointCloud().compute_mean_and_covariance()),
     "normalized normals": lambda o3d: arrays(mesh(o3d).normalize_normals()),
     "mesh translated": lambda o3d: arrays(mesh(o3d).translate([1, 2, 3])),
     "mesh scaled": lambda o3d: arrays(mesh(o3d).scale(2, center=(0, 0, 1))),
