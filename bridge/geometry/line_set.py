@@ -61,8 +61,11 @@ class LineSet(BoundedByBoxes):
 
     @classmethod
     def create_from_triangle_mesh(cls, mesh: Any) -> Self:
-        """The edges of a mesh."""
-        return cls._of(cls._kind.create_from_triangle_mesh(ours(mesh)))
+        """The edges of a mesh, each once, as the first triangle that has it names it."""
+        surface = ours(mesh)
+        edges = surface.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
+        _, first = np.unique(np.sort(edges, axis=1), axis=0, return_index=True)
+        return cls(Vector3dVector(surface.vertices), Vector2iVector(edges[np.sort(first)]))
 
     @classmethod
     def create_from_point_cloud_correspondences(cls, cloud0: Any, cloud1: Any, correspondences: Any) -> Self:

@@ -97,6 +97,14 @@ def textured(o3d):
     return made
 
 
+def points_in_box(o3d, shape):
+    return shape.get_axis_aligned_bounding_box().get_point_indices_within_bounding_box(shape.points)
+
+
+def traced(o3d, shape):
+    return shape.voxel_down_sample_and_trace(0.5, shape.get_min_bound(), shape.get_max_bound())[2]
+
+
 def mesh_of(o3d, vertices, triangles):
     vectors = o3d.utility.Vector3dVector(vertices), o3d.utility.Vector3iVector(np.reshape(triangles, (-1, 3)))
     return o3d.geometry.TriangleMesh(*vectors)
@@ -163,6 +171,9 @@ CLAIMS = {
     # Points of both clouds, also those without a line.
     "correspondences": lambda o3d: arrays(joined(o3d, [(0, 1), (2, 3)])),
     "correspondences that repeat": lambda o3d: arrays(joined(o3d, [(0, 1), (0, 1), (4, 5)])),
+    "edges of a mesh": lambda o3d: arrays(o3d.geometry.LineSet.create_from_triangle_mesh(mesh(o3d))),
+    "points in their own box": lambda o3d: len(points_in_box(o3d, cloud(o3d, 200))),
+    "voxels from the lowest corner": lambda o3d: len(traced(o3d, cloud(o3d, 200))),
     "no correspondences": lambda o3d: arrays(joined(o3d, [])),
     # Matrices that are no rigid motions are applied as they are.
     "cloud translated": lambda o3d: arrays(cloud(o3d).translate([1, 2, 3])),
