@@ -51,6 +51,8 @@ class Vector(ToldNames):
     def _rows(self, values: Any) -> NDArray[Any]:
         kind = type(self).__name__
         rows = np.asarray(values)
+        if self._row and rows.shape[1:] == (*self._row, 1):  # columns
+            rows = rows[..., 0]
         if rows.size == 0 and rows.ndim <= 1:
             return np.zeros((0, *self._row), self._dtype)
         if rows.dtype.kind not in "biuf":
@@ -85,7 +87,8 @@ class Vector(ToldNames):
         return found.item() if isinstance(found, np.generic) and not self._row else found
 
     def __setitem__(self, index: Any, value: Any) -> None:
-        self._values[index] = value
+        row = np.asarray(value)
+        self._values[index] = row[..., 0] if self._row and row.shape == (*self._row, 1) else row
 
     def __delitem__(self, index: Any) -> None:
         self._array = np.delete(self._values, index, axis=0)

@@ -9,9 +9,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_shape
 from ...pcd import boxes
-from ..held import as_array, ours
+from ..held import as_array, column, ours
 from ..vectors import Vector3dVector
-from .geometry import Geometry3D, column
+from .geometry import Geometry3D
 
 Row = NDArray[np.float64]
 

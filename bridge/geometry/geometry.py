@@ -8,11 +8,11 @@ from typing import Any, ClassVar, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.checks import LARGEST_NUMBER, RIGID_TOLERANCE, check_number, check_shape
+from ...core.checks import LARGEST_NUMBER, RIGID_TOLERANCE, check_number
 from ...core.plain_poses import is_plainly_rigid
 from ...kernels.linear_algebra import matmul
 from ...pcd.motion import map_about
-from ..held import Held
+from ..held import Held, column
 from . import rotations
 
 
@@ -128,12 +128,6 @@ class Geometry3D(Geometry):
                 values = matmul(values, A.T) if kind == "normals" else matmul(A, values, A.T)
             self._assign(name, type(getattr(self, name))(values))
         return self
-
-
-def column(name: str, values: Any) -> NDArray[np.float64]:
-    """Three numbers, also of a column (3, 1), as Open3D takes them."""
-    array = np.asarray(values)
-    return check_shape(name, array[:, 0] if array.shape == (3, 1) else values, (3,))
 
 
 def is_affine(T: NDArray[Any]) -> bool:

@@ -9,12 +9,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...pcd import boxes, line_set
 from ...pcd.cloud import PointCloud as OurCloud
-from ..held import Rows, ours
+from ..held import Rows, column, ours
 from ..indices import indices_of
 from ..vectors import Vector2iVector, Vector3dVector
 from .bounded import BoundedByBoxes
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
-from .geometry import column
 from .point_cloud import PointCloud
 
 

@@ -7,10 +7,9 @@ from typing import Any, Self
 from numpy.typing import ArrayLike
 
 from .. import geometry
-from ..held import Rows
+from ..held import Rows, column
 from ..vectors import Vector3dVector
 from .bounded import BoundedByBoxes
-from .geometry import column
 
 
 class MeshBase(BoundedByBoxes):

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ...meshing.mesh import mesh
-from ..held import ours
+from ..held import column, ours
 from ..vectors import DoubleVector
 from .mesh_base import MeshBase
 from .point_cloud import PointCloud
@@ -106,7 +106,7 @@ class MeshFactories(MeshBase):
     @classmethod
     def create_coordinate_frame(cls, size: float = 1.0, origin: ArrayLike = (0.0, 0.0, 0.0)) -> Self:
         """Arrows along x (red), y (green) and z (blue)."""
-        return cls._of(Ours.create_coordinate_frame(size, origin))
+        return cls._of(Ours.create_coordinate_frame(size, column("origin", origin)))
 
     @classmethod
     def create_mobius(

@@ -9,12 +9,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...pcd import cloud
 from .. import geometry
-from ..held import Rows, ours
+from ..held import Rows, column, ours
 from ..indices import flagged
 from ..seeds import next_seed
 from ..vectors import DoubleVector, IntVector, Matrix3dVector, Vector3dVector
 from .bounded import BoundedByBoxes
-from .geometry import column
 from .image import below, metres_of
 from .search_param import KDTreeSearchParam, KDTreeSearchParamHybrid, KDTreeSearchParamKNN, keywords_of
 
@@ -187,7 +186,8 @@ class PointCloud(BoundedByBoxes):
         self, voxel_size: float, min_bound: ArrayLike, max_bound: ArrayLike, approximate_class: bool = False
     ) -> tuple[PointCloud, NDArray[np.int32], list[IntVector]]:
         """As `voxel_down_sample`, with the points of each voxel."""
-        trace = self._ours.voxel_down_sample_and_trace(voxel_size, min_bound, max_bound, approximate_class)
+        corners = column("min_bound", min_bound), column("max_bound", max_bound)
+        trace = self._ours.voxel_down_sample_and_trace(voxel_size, *corners, approximate_class)
         return PointCloud._of(trace.cloud), trace.cubic_id, [IntVector(rows) for rows in trace.original_indices]
 
     def uniform_down_sample(self, every_k_points: int) -> PointCloud:
@@ -312,5 +312,5 @@ class PointCloud(BoundedByBoxes):
 
     def hidden_point_removal(self, camera_location: ArrayLike, radius: float) -> tuple[Any, list[int]]:
         """A mesh of the points that a camera sees, and their numbers."""
-        surface, rows = self._ours.hidden_point_removal(camera_location, radius)
+        surface, rows = self._ours.hidden_point_removal(column("camera_location", camera_location), radius)
         return geometry.TriangleMesh(surface.vertices, surface.triangles), rows.tolist()

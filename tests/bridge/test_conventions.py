@@ -101,8 +101,20 @@ def points_in_box(o3d, shape):
     return shape.get_axis_aligned_bounding_box().get_point_indices_within_bounding_box(shape.points)
 
 
-def traced(o3d, shape):
-    return shape.voxel_down_sample_and_trace(0.5, shape.get_min_bound(), shape.get_max_bound())[2]
+def traced(o3d, shape, *corners):
+    corners = corners or (shape.get_min_bound(), shape.get_max_bound())
+    return shape.voxel_down_sample_and_trace(0.5, *corners)[2]
+
+
+def points_of(o3d, rows, last):
+    points = o3d.utility.Vector3dVector(rows)
+    points.append(last)
+    points[0] = 2 * last
+    return np.array(points)
+
+
+def rotations(o3d):
+    return [getattr(o3d.geometry, f"get_rotation_matrix_from_{name}") for name in ("xyz", "zyx", "axis_angle")]
 
 
 def mesh_of(o3d, vertices, triangles):
@@ -187,6 +199,11 @@ CLAIMS = {
     "projective mesh": lambda o3d: arrays(mesh(o3d).transform(SHEAR)),
     "projective lines": lambda o3d: arrays(joined(o3d, [(0, 1)]).transform(SHEAR)),
     "columns": lambda o3d: arrays(cloud(o3d).translate(COLUMN).scale(1, center=COLUMN).rotate(TURN, center=COLUMN)),
+    "points of columns": lambda o3d: points_of(o3d, [COLUMN, -COLUMN], COLUMN),
+    "rotations of columns": lambda o3d: [turn(COLUMN) for turn in rotations(o3d)],
+    "columns of corners": lambda o3d: len(traced(o3d, cloud(o3d, 200), -np.ones((3, 1)), np.ones((3, 1)))),
+    "a frame at a column": lambda o3d: o3d.geometry.TriangleMesh.create_coordinate_frame(1, COLUMN).get_min_bound(),
+    "a camera at a column": lambda o3d: sorted(cloud(o3d, 30).hidden_point_removal(9 * COLUMN, 100.0)[1]),
     "box of columns": lambda o3d: corners(o3d.geometry.AxisAlignedBoundingBox(-COLUMN, COLUMN)),
     "box of swapped corners": lambda o3d: corners(o3d.geometry.AxisAlignedBoundingBox([1, 2, 3], [0, 3, 0])),
     **{f"{kind} in NumPy": lambda o3d, kind=kind: in_numpy(o3d, kind) for kind in SHAPES},
