@@ -97,7 +97,7 @@ class TriangleNormals(MeshFactories):
 
     def _joined(self, other: Any) -> tuple[Any, Any]:
         """Both meshes as one; the normals stay where all triangles have some."""
-        parts = [(self._ours, self), (ours(other, TriangleNormals, "other"), other)]
+        parts = [(self._ours, self), (ours(other, type(self), "other"), other)]
         made = parts[0][0] + parts[1][0]
         held = [(mesh, getattr(part, "_faces", None), part) for mesh, part in parts if len(mesh)]
         if not held or any(faces is None for _, faces, _ in held):
