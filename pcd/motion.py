@@ -120,10 +120,12 @@ class Motion(Bounding, Movable):
         """The cloud about another origin, its arrays under a map from the old one to the new one."""
         arrays = dict(self._arrays)
         arrays["points"] = transform_points(arrays["points"], A, shift)
-        if self.has_normals:
+        is_shift = np.array_equal(A, np.eye(3))  # normals and covariances stay what they are
+        if self.has_normals and not is_shift:
             arrays["normals"] = transform_directions(arrays["normals"], inv(A).T)
         if (
-            "covariances" in arrays
+            not is_shift
+            and "covariances" in arrays
             and arrays["covariances"].dtype == float32
             and arrays["covariances"].shape[1:] == (9,)
         ):

@@ -106,7 +106,7 @@ class MeshArrays(Upright, MeshQuestions):
             if self._attributes[kind] and kind not in arrays and kept[of].size != self._arrays[of].size:
                 warnings.warn(f"{kind} {listed(kept.pop(kind))}: left behind, the {of} are others", stacklevel=3)
         place = self._origin if origin is None else origin
-        textures = self._textures if "triangle_uvs" in kept else ()
+        textures = () if "triangle_uvs" in self._arrays and "triangle_uvs" not in kept else self._textures
         mesh = self.from_device_arrays(**kept, textures=textures, origin=place, library=self._library)
         mesh._unit, mesh._up = self._unit, self._up
         return mesh

@@ -29,8 +29,8 @@ class MeshMeasures(MeshArrays):
         """Set the normal of each vertex to the mean of the triangles around it, weighted by their areas.
 
         Returns:
-            The mesh with unit normals [m, 3]; (0, 0, 1) at vertices without area around them, as Open3D has it, and NaN
-            at vertices that are not finite, whose triangles count nowhere.
+            The mesh with unit normals [m, 3]; (0, 0, 1) at vertices without area around them (Open3D: zero), and NaN at
+            vertices that are not finite, whose triangles count nowhere.
 
         Notes:
             O(m + t) memory. Sums run in float64 by ascending triangle: the same bits from run to run.

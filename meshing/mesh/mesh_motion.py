@@ -11,7 +11,7 @@ from ...core.checks import check_color, check_transformation
 from ...core.coordinates import origin_under
 from ...core.dropped_results import returns_new
 from ...core.upward import up_under
-from ...kernels.algebra.transform import transform_points
+from ...kernels.algebra.transform import transform_directions, transform_points
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.extent.mean_covariance import mean_and_covariance
 from ...kernels.lang import vec3
@@ -35,8 +35,8 @@ class MeshMotion(MeshArrays, Movable):
             transformation: A finite 4x4 matrix with last row (0, 0, 0, 1) and an inverse.
 
         Returns:
-            The moved mesh. Normals turn with the surface (by the inverse transpose, at unit length; Open3D turns them
-            as if they were directions), and a reflection reverses the triangles, so that their outside stays outside.
+            The moved mesh. Normals turn with the surface (by the inverse transpose; Open3D turns them as if they were
+            directions) and keep their lengths. A reflection reverses the triangles: their outside stays outside.
 
         Raises:
             ValueError: Another matrix.
@@ -54,8 +54,8 @@ class MeshMotion(MeshArrays, Movable):
         middle, half = matmul(A, (low + high) / 2.0) + target, matmul(np.abs(A), (high - low) / 2.0)
         origin = origin_under(target, np.stack([middle - half, middle + half]))
         arrays: dict[str, Any] = {"vertices": transform_points(self._arrays["vertices"], A, target - origin)}
-        if "vertex_normals" in self._arrays:
-            arrays["vertex_normals"] = mesh_edits.turn_normals(self._arrays["vertex_normals"], inv(A).T)
+        if "vertex_normals" in self._arrays and not np.array_equal(A, np.eye(3)):
+            arrays["vertex_normals"] = transform_directions(self._arrays["vertex_normals"], inv(A).T)
         if determinant < 0:
             arrays["triangles"] = mesh_edits.flip_triangles(self._arrays["triangles"])
             if "triangle_uvs" in self._arrays:
