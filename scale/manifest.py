@@ -18,6 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from ..core.errors import FileError
+from ..core.sqlite_files import check_no_code, check_tables, protect
 from .file_systems import is_shared
 
 try:
@@ -100,6 +101,7 @@ class Manifest:
             raise FileError(path, "does not exist", remedy=_REMEDIES[is_job])
         self.base = connect(path)
         try:
+            check_no_code(self.base, path, remedy="Plan it anew in another folder")
             told = dict(self.base.execute("SELECT key, value FROM meta").fetchall())
             if told.get("schema") != str(SCHEMA):
                 reason = f"is a manifest of schema {told.get('schema')}, this version reads {SCHEMA}"
@@ -209,6 +211,7 @@ def connect(path: Path) -> sqlite3.Connection:
     with told_as_file_errors(path):
         base = sqlite3.connect(path, timeout=PATIENCE, isolation_level=None)
         base.row_factory = sqlite3.Row
+        protect(base, path)
         if is_shared(path.parent):
             _leave_log(base, path)
         else:  # what is lost where power fails is done again; a process that is killed loses nothing
@@ -240,6 +243,8 @@ def read_plan(folder: Path) -> dict[str, Any]:
             raise FileError(path, "does not exist", remedy="Have all workers see the folder under the same path")
         base = sqlite3.connect(f"{path.absolute().as_uri()}?immutable=1", uri=True)
         try:
+            protect(base, path)
+            check_tables(base, path, ["meta"])
             (plan,) = base.execute("SELECT value FROM meta WHERE key = 'plan'").fetchone()
         finally:
             base.close()
