@@ -20,9 +20,10 @@ from typing import Any
 
 from ..core.errors import FileError
 from ..core.paths import refuse_link
+from ..core.sqlite_files import check_no_code, check_tables, protect
 from .file_systems import is_shared
 from .plan_check import check_plan
-from .schema import CHECKSUMS, TASKS, TILES, check_schema, check_views
+from .schema import CHECKSUMS, TASKS, TILES, check_schema
 
 try:
     import fcntl
@@ -87,7 +88,7 @@ class Manifest:
             refuse_link(place)
         self.base = connect(path)
         try:
-            check_views(self.base)
+            check_no_code(self.base, path, remedy="Plan it anew in another folder")
             told = dict(self.base.execute("SELECT key, value FROM meta").fetchall())
             if told.get("schema") != str(SCHEMA):
                 reason = f"is a manifest of schema {told.get('schema')}, this version reads {SCHEMA}"
@@ -201,6 +202,7 @@ def connect(path: Path) -> sqlite3.Connection:
     with told_as_file_errors(path):
         base = sqlite3.connect(path, timeout=PATIENCE, isolation_level=None)
         base.row_factory = sqlite3.Row
+        protect(base, path)
         if is_shared(path.parent):
             _leave_log(base, path)
         else:  # what is lost where power fails is done again; a process that is killed loses nothing
@@ -232,7 +234,8 @@ def read_plan(folder: Path) -> dict[str, Any]:
             raise FileError(path, "does not exist", remedy="Have all workers see the folder under the same path")
         base = sqlite3.connect(f"{path.absolute().as_uri()}?immutable=1", uri=True)
         with contextlib.closing(base), damage_as_file_errors(path):
-            check_views(base)
+            protect(base, path)
+            check_tables(base, path, ["meta"])
             (text,) = base.execute("SELECT value FROM meta WHERE key = 'plan'").fetchone()
             plan = json.loads(text)
             check_plan(plan)

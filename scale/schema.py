@@ -1,4 +1,4 @@
-"""The tables of a manifest, and the check that a database has these and nothing that runs SQL of the file."""
+"""The tables of a manifest, and the check that a database has these."""
 
 from __future__ import annotations
 
@@ -34,17 +34,6 @@ CREATE INDEX tasks_by_state ON tasks (stage, state, id);
 """
 # Of the files of tiles, by tile. In a table of its own, which runs that began without it are given.
 CHECKSUMS = "CREATE TABLE IF NOT EXISTS checksums (tile INTEGER PRIMARY KEY, crc INTEGER NOT NULL)"
-
-
-def check_views(base: sqlite3.Connection) -> None:
-    """Check that a database has no views, triggers or virtual tables, which run SQL of the file.
-
-    Raises:
-        ValueError: It has one.
-    """
-    query = "SELECT name FROM sqlite_master WHERE type NOT IN ('table', 'index') OR sql LIKE 'CREATE VIRTUAL%'"
-    for (name,) in base.execute(query):
-        raise ValueError(f"{name!r} is a view, a trigger or a virtual table")
 
 
 def check_schema(base: sqlite3.Connection, tables: str) -> None:

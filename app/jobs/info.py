@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic, read_pinhole_camera_intrinsic
 from ...cameras.trajectory import parse_floats, read_lines, read_pose, read_trajectory
+from ...core.atomic import restore_folder
 from ...core.coordinates import describe_bounds, split_origin
 from ...core.errors import FileError
 from ...core.json_files import read_json_object
@@ -150,6 +151,7 @@ def describe(path: str | os.PathLike[str], *, layout: str = "auto") -> Descripti
         FileError: Missing, damaged, or of no known kind.
     """
     path = Path(path)
+    restore_folder(path)
     if not path.exists():
         raise FileError(path, "does not exist")
     if is_recording(path):

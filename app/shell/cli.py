@@ -126,8 +126,8 @@ def info(files: tuple[Path, ...], read_as: str | None, as_json: bool) -> int:
     folders       of clouds and meshes, one line each
     recordings    .bag of ROS 1, .db3 and .mcap of ROS 2, and folders of those: their topics
 
-    The origin is the point that positions are counted from in float32 (other than zero for data far from zero). The exit code is
-    3 where a recording is damaged, 1 where a file cannot be read at all.
+    The origin is the point that positions are counted from in float32 (other than zero for data far from zero).
+    The exit code is 3 where a recording is damaged, 1 where a file cannot be read at all.
 
     \b
     pointloom info scan.ply trajectory.log frames/

@@ -34,7 +34,7 @@ from .transforms import TRANSFORMS, RecordedTransforms, transforms_of_messages
 
 CLOUD = "sensor_msgs/msg/PointCloud2"
 _READERS = {".bag": read_bag1, ".mcap": read_mcap, ".db3": read_db3}
-_KEPT = 4  # unpacked chunks: those of a recording overlap little in time
+_MAX_CHUNKS, _MAX_BYTES = 4, 1 << 28  # unpacked chunks that are kept: those of a recording overlap little in time
 
 
 @dataclass(frozen=True)
@@ -86,6 +86,9 @@ class Recording:
 
     def __init__(self, path: Path, parts: list[Contents]):
         self.path, self._parts = path, parts
+        for part in parts:
+            if orphans := sum(entry[1] not in part.channels for entry in part.entries):
+                part.note(f"has {orphans} messages of no topic, which were left out")
         self.damage = "; ".join(f"{part.path.name} {part.damage}" for part in parts if part.damage) or None
         rows = [(time, n, c, p, at) for n, part in enumerate(parts) for time, c, p, at in part.entries
                 if c in part.channels]  # fmt: skip
@@ -285,16 +288,19 @@ class Recording:
             yield row, content
 
     def _payload(self, row: tuple[int, int, int, int, int]) -> bytes:
-        _, number, _, piece, place = row
+        time, number, channel, piece, place = row
         part = self._parts[number]
         if (number, piece) not in self._chunks:
             with foreign_errors(part.path, "damaged"):
                 self._chunks[number, piece] = part.pieces[piece]()
-            while len(self._chunks) > _KEPT:
+            while len(self._chunks) > _MAX_CHUNKS or (len(self._chunks) > 1 and self._kept_bytes() > _MAX_BYTES):
                 self._chunks.popitem(last=False)
         self._chunks.move_to_end((number, piece))
         with foreign_errors(part.path, "damaged"):
-            return part.payload(self._chunks[number, piece], place)
+            return part.payload(self._chunks[number, piece], place, channel, time)
+
+    def _kept_bytes(self) -> int:
+        return sum(len(chunk) for chunk in self._chunks.values() if isinstance(chunk, bytes))  # else a mapped file
 
     def _decode(self, kind: str, encoding: str, data: bytes) -> Any:
         if encoding not in ("ros1", "cdr"):

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
+from ...core.atomic import restore_folder
 from ...core.checks import check_count, check_name, check_positive
 from ...core.errors import DatasetError, FileError
 from ...core.paths import path_of
@@ -244,6 +245,7 @@ def open_frames(
 
 def _check_folder(folder: str | os.PathLike[str]) -> Path:
     folder = path_of(folder)
+    restore_folder(folder)
     if not folder.is_dir():
         reason = "is not a folder" if folder.exists() else "does not exist"
         raise DatasetError(folder, reason, remedy="Give the folder that holds the frames")

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
+from ...core.atomic import restore_folder
 from ...core.errors import FileError
 from ...core.paths import path_of
 from ...pcd.cloud import PointCloud
@@ -30,6 +31,7 @@ def list_scans(folder: str | os.PathLike[str]) -> list[Path]:
         FileError: No folder, no scan in it, or scans of several kinds, whose order would be a guess.
     """
     place = path_of(folder)
+    restore_folder(place)
     if not place.is_dir():
         raise FileError(folder, "is no folder" if place.exists() else "does not exist", remedy="Give a folder of scans")
     files = [path for path in place.iterdir() if path.suffix.lower() in READERS and path.is_file()]

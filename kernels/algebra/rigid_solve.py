@@ -193,7 +193,7 @@ def diagonalize_three(matrix: mat33d) -> three_system:
 
 @func
 def factor_system(h: triangle) -> square:
-    """LDL^T of a symmetric positive definite 6x6 matrix: D on the diagonal, 0 where there is no pivot, L below it; NaN of a matrix that is not finite.
+    """LDL^T of a symmetric positive definite 6x6 matrix: D on the diagonal, 0 where there is no pivot, L below it.
 
     Constant loops, here and below: Warp unrolls them, and CUDA holds all entries in registers.
     """

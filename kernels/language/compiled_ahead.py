@@ -12,7 +12,6 @@ hash, since Warp counts only the low 32 bits of a whole-number constant.
 
 from __future__ import annotations
 
-import contextlib
 import functools
 import hashlib
 import importlib.util
@@ -29,7 +28,7 @@ from typing import Any, NamedTuple
 import warp as wp
 
 from ..array_types import Device
-from .cache_folders import temporary_cache
+from .cache_folders import is_intact, seal, temporary_cache, write_atomically
 
 VARIABLE = "POINTLOOM_CUDA_KERNELS"  # names the archive; empty: none is used, an installed one neither
 PACKAGE = "pointloom_cuda_kernels"
@@ -120,7 +119,7 @@ class Archive:
         name = module.get_module_identifier(block_dim)
         folder = Path(wp.config.kernel_cache_dir or tempfile.gettempdir()) / name
         files = Placed(folder / f"{name}.{chosen}", folder / f"{name}.meta", _architecture(chosen))
-        if files.binary.exists() and files.meta.exists():
+        if is_intact(files.binary, files.meta):
             return files
         with zipfile.ZipFile(self.path) as file:
             code = lzma.decompress(file.read(member(key, chosen)))
@@ -164,23 +163,10 @@ def _is_written(files: Placed, code: bytes, meta: dict[str, int]) -> bool:
         files.binary.parent.mkdir(parents=True, exist_ok=True)
         write_atomically(files.meta, json.dumps(meta, sort_keys=True).encode())
         write_atomically(files.binary, code)
+        seal(files.binary, files.meta)
     except OSError:
         return False
     return True
-
-
-def write_atomically(path: Path, content: bytes) -> None:
-    """Write a file so that other processes see all of it or nothing."""
-    descriptor, name = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
-    try:
-        with os.fdopen(descriptor, "wb") as file:
-            file.write(content)
-        os.chmod(name, 0o644)  # noqa: PTH101  others may share the cache
-        os.replace(name, path)  # noqa: PTH105
-    except BaseException:
-        with contextlib.suppress(OSError):
-            os.unlink(name)  # noqa: PTH108
-        raise
 
 
 def archive_path() -> Path | None:

@@ -17,6 +17,7 @@ import numpy as np
 import warp as wp
 
 from . import cpu_code
+from .cache_folders import CacheError
 from .device_lock import lock
 from .module_loading import load_module
 from .quiet import kept_from_stderr
@@ -184,6 +185,8 @@ def pool_code() -> PoolCode | None:
     try:
         with lock:
             return PoolCode()
+    except CacheError:  # no fault of Warp's or the header's
+        raise
     except Exception as error:  # Warp's own has no other type
         warnings.warn(
             f"pointloom uses one CPU core, and slower code: Warp {wp.config.version} does not take cpu_access.h "

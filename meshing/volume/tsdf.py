@@ -122,7 +122,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
 
     @property
     def origin(self) -> NDArray[np.float64]:
-        """Where the volume's coordinates start [m]: zero, or whole meters near the first camera if that is beyond 128 m."""
+        """Where the volume's coordinates start [m]: zero, or near the first camera if that is beyond 128 m."""
         origin = self._settled.origin
         return np.zeros(3) if origin is None else origin.copy()
 
