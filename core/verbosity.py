@@ -11,11 +11,12 @@ import contextlib
 import enum
 import logging
 import os
-import sys
 import time
 from collections.abc import Iterator
 from types import TracebackType
 from typing import Self
+
+from .standard_streams import write_to_stderr
 
 LOGGER = logging.getLogger("pointloom")
 PATIENCE = 3.0  # [s] before a call says how far it is, and between two times
@@ -60,10 +61,8 @@ class Lines(logging.Handler):
 
 
 def _print(text: str) -> None:
-    """A line on stderr; nothing where that is closed."""
-    if sys.stderr is not None:
-        with contextlib.suppress(OSError, ValueError):
-            print(f"pointloom: {text}", file=sys.stderr, flush=True)
+    """Write a line to stderr."""
+    write_to_stderr(f"pointloom: {text}")
 
 
 _lines = Lines()

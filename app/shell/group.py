@@ -107,6 +107,8 @@ def _flushed(code: int) -> int:
 
     What cannot be written is dropped: Python would try again at its end, and say so in lines of its own.
     """
+    if sys.stdout is None:
+        return code
     try:
         sys.stdout.flush()
     except OSError:
