@@ -7,7 +7,7 @@ and the tables are read, and held against the file.
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -138,12 +138,15 @@ class CloudFolder(Facts):
         return [("files", "\n".join(file.line() for file in self.files)), ("points", f"{self.points:,}")]
 
 
-def describe(path: str | os.PathLike[str], *, layout: str = "auto") -> Description:
+def describe(
+    path: str | os.PathLike[str], *, layout: str = "auto", columns: Sequence[str] | None = None
+) -> Description:
     """Describe what lies at a path.
 
     Args:
         path: A file, the folder of a data set, of a model of COLMAP, or of clouds and meshes.
         layout: The layout of a folder.
+        columns: The names of the columns of a cloud, for .bin, .csv, .txt and .xyz; None takes those of the file.
 
     Raises:
         FileError: Missing, damaged, or of no known kind.
@@ -156,6 +159,8 @@ def describe(path: str | os.PathLike[str], *, layout: str = "auto") -> Descripti
         return Description(str(path), describe_recording(path), size)
     if path.is_dir():
         return Description(str(path), _describe_folder(path, layout))
+    if columns is not None:
+        return Description(str(path), _describe_table(path, columns), path.stat().st_size)
     return Description(str(path), _describe_file(path), path.stat().st_size)
 
 
@@ -186,8 +191,8 @@ def _describe_file(path: Path) -> Facts:
 # ------------------------------------------------------------------------------------------------ points
 
 
-def _describe_table(path: Path) -> Cloud | Mesh:
-    table = tables.read_table(path)
+def _describe_table(path: Path, columns: Sequence[str] | None = None) -> Cloud | Mesh:
+    table = tables.read_table(path, columns)
     if isinstance(table, MeshTable):
         named = {"normals": table.vertex_normals, "colors": table.vertex_colors, **table.attributes}
         named["texture_coordinates"] = table.triangle_uvs

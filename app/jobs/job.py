@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import warnings
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -39,6 +39,7 @@ class Settings(TypedDict, total=False):
         overwrite: Replace outputs that exist.
         progress: Called with each stage when it begins.
         up: Which axis is up in what is worked on, "y" or "z"; in a .glb or .gltf it is y, so that "z" turns those.
+        columns: The names of the source's columns, for .bin, .csv, .txt and .xyz; None takes those of the file.
     """
 
     device: Any
@@ -46,6 +47,7 @@ class Settings(TypedDict, total=False):
     overwrite: bool
     progress: ReportProgress | None
     up: str
+    columns: Sequence[str] | None
 
 
 class Form(TypedDict):
@@ -141,7 +143,7 @@ class Job:
     Args:
         command: Its name.
         source: What is read.
-        device, as_text, overwrite, progress, up: As of `Settings`.
+        device, as_text, overwrite, progress, up, columns: As of `Settings`.
 
     Attributes:
         source: What is read.
@@ -164,8 +166,9 @@ class Job:
         overwrite: bool = False,
         progress: ReportProgress | None = None,
         up: str = "y",
+        columns: Sequence[str] | None = None,
     ):
-        self._command, self._device, self.up = command, device, up
+        self._command, self._device, self.up, self._columns = command, device, up, columns
         self.source, self.tell, self.clock = source, check_progress(progress), Clock()
         self.form: Form = {"as_text": as_text, "overwrite": overwrite}
         self.left_out: list[str] = []
@@ -211,7 +214,7 @@ class Job:
 
     def read_table(self) -> PointTable | MeshTable:
         """What the source holds, in NumPy."""
-        table = tables.read_table(self.source)
+        table = tables.read_table(self.source, self._columns)
         return turned_up(table) if isinstance(table, MeshTable) and self.up_of(self.source) == "z" else table
 
     def write_table(self, table: MeshTable, output: FilePath) -> None:

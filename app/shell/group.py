@@ -24,6 +24,7 @@ _OPTIONS = {
     "overwrite=True": "--force",
     "layout=,": "--layout,",
     "intrinsic=": "--intrinsic",
+    "columns=": "--columns",
     "depth_scale=": "--depth-scale",
     "Call plan_tiles(sources, steps, folder) first": "Run pointloom tile plan first",
     "call retry_tiles(folder)": "run pointloom tile retry",

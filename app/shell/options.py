@@ -188,6 +188,22 @@ def refuse_same(**files: Path | None) -> None:
             refuse(f"{option} is the file of {first}, {path}; give another name")
 
 
+class ColumnNames(click.ParamType):
+    """Names of columns, parted by commas."""
+
+    name = "names"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[str, ...]:
+        """The names; which of them are needed, the readers know."""
+        return value if isinstance(value, tuple) else tuple(name.strip() for name in value.split(","))
+
+
+def columns_option() -> Decorator:
+    """`--columns`."""
+    text = "Of .bin, .csv, .txt, .xyz: what the columns are, such as x,y,z,intensity,ring."
+    return click.option("--columns", type=ColumnNames(), metavar="NAMES", help=text)
+
+
 def up_option() -> Decorator:
     """`--up y|z`."""
     text = "Which axis is up here where IN or OUT is .glb or .gltf, in which it is y: z turns those."

@@ -21,9 +21,8 @@ from ...pcd.boxes import AxisAlignedBoundingBox
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import VECTORS, check_cloud
 from ..table import PointTable
-from . import text_table
 from .copc import open_copc
-from .formats import READERS, WRITTEN, write_table
+from .formats import READERS, WRITTEN, read_points, write_table
 from .las import LasFile, iterate_las, open_las
 from .las_crs import is_geographic, warn_of_degrees
 
@@ -38,7 +37,8 @@ def read_point_cloud(
 
     Columns of .csv, .txt and .xyz are what a first line of names says: x y z, nx ny nz, r g b (0..1, or whole numbers
     in 0..255), and attributes by any other name. Without names three columns are x y z, and more are refused: give
-    `columns`. A .bin is a scan of KITTI, float32 x, y, z, intensity.
+    `columns`. A .bin holds float32 columns without names: x, y, z, intensity as KITTI has them, unless `columns` names
+    others, such as x, y, z, intensity, ring of nuScenes. A .bin whose numbers repeat with another period is refused.
 
     LAS and LAZ come in the file's own unit and coordinate system, which may be feet: `cloud.unit` says so where the
     file does (docs/units.md). Their dimensions are attributes by laspy's names (intensity, classification, gps_time and
@@ -51,14 +51,13 @@ def read_point_cloud(
         path: The file.
         device: Where the cloud goes.
         scan: For .e57: the scan to read, from 0; None reads all, with the attribute `scan_index`.
-        columns: For .csv, .txt and .xyz: the names of the columns, in place of those that the file may have.
+        columns: For .csv, .txt, .xyz and .bin: the names of all columns, in place of those that the file may have.
 
     Raises:
         FileError: The file cannot be read; says which byte or line, and why; or the package for it is missing.
         DeviceError: No such device.
         IndexError: There is no such scan.
-        ValueError: A scan of a file that is no .e57, columns of one that is no table of text, or columns without x, y
-            and z.
+        ValueError: A scan of a file that is no .e57, columns of one that names its own, or columns without x, y and z.
 
     Warns:
         GeographicWarning: x and y are degrees.
@@ -75,16 +74,11 @@ def read_point_cloud(
         [5.0, 6.0]
     """
     extension = _extension(path)
-    reader = READERS[extension]
-    if columns is not None:
-        if extension not in text_table.SUFFIXES:
-            raise ValueError(f"columns: only {', '.join(text_table.SUFFIXES)} take them, got {Path(path).suffix}")
-        return cloud_of(text_table.read_text_table(path, columns), path, device=device)
-    if scan is None:
-        return cloud_of(reader(path), path, device=device)
+    if columns is not None or scan is None:
+        return cloud_of(read_points(path, columns), path, device=device)
     if extension != ".e57":
         raise ValueError(f"scan: only .e57 has scans, got {Path(path).suffix}")
-    return cloud_of(reader(path, scan=check_count("scan", scan, minimum=0)), path, device=device)
+    return cloud_of(READERS[extension](path, scan=check_count("scan", scan, minimum=0)), path, device=device)
 
 
 def read_las_chunks(
