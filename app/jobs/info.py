@@ -16,7 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic, read_pinhole_camera_intrinsic
-from ...cameras.trajectory import parse_floats, read_lines, read_pose, read_trajectory
+from ...cameras.pose_text import parse_floats, read_lines, read_pose
+from ...cameras.trajectory import read_trajectory
 from ...core.coordinates import describe_bounds, split_origin
 from ...core.errors import FileError
 from ...core.json_files import read_json_object

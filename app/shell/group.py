@@ -25,6 +25,7 @@ _OPTIONS = {
     "layout=,": "--layout,",
     "intrinsic=": "--intrinsic",
     "columns=": "--columns",
+    "skip_missing=True": "--skip-missing",
     "depth_scale=": "--depth-scale",
     "Call plan_tiles(sources, steps, folder) first": "Run pointloom tile plan first",
     "call retry_tiles(folder)": "run pointloom tile retry",
