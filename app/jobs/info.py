@@ -201,7 +201,8 @@ def _describe_table(path: Path, columns: Sequence[str] | None = None) -> Cloud |
         return Mesh(len(table.vertices), len(table.triangles), textures, table.unit, _table_of(table.vertices, named))
     named = {"normals": table.normals, "colors": table.colors, **table.attributes}
     grid = f"{table.grid[0]} rows of {table.grid[1]}" if table.grid else None
-    return Cloud(len(table.points), grid, table.unit, _table_of(table.points, named))
+    viewpoint = " ".join(f"{value:g}" for value in table.viewpoint) if table.viewpoint else None
+    return Cloud(len(table.points), grid, table.unit, _table_of(table.points, named), viewpoint=viewpoint)
 
 
 def _table_of(points: NDArray[Any], named: Mapping[str, NDArray[Any] | None]) -> Table:

@@ -174,6 +174,7 @@ class Job:
         self.left_out: list[str] = []
         self.files: list[str] = []
         self.unit: LengthUnit | None = None
+        self._viewpoint: tuple[float, ...] | None = None
 
     @cached_property
     def device(self) -> Any:
@@ -226,6 +227,7 @@ class Job:
         """The points of the source as its file has them; of a mesh the vertices, which leaves its triangles out."""
         table = self.read_table()
         self.unit = table.unit
+        self._viewpoint = None if isinstance(table, MeshTable) else table.viewpoint
         if isinstance(table, MeshTable):
             self.left_out.append("triangles")
             return tables.points_of(table)
@@ -252,6 +254,7 @@ class Job:
     def write_points(self, table: PointTable, output: FilePath) -> None:
         """Write points, whole or not at all; in LAS with the source's steps where it is such a file."""
         with self.stage("write"):
+            table = replace(table, viewpoint=table.viewpoint or self._viewpoint)
             self.wrote(output, tables.write_cloud_table(output, table, source=self.source, **self.form))
 
     def write_cloud(self, cloud: PointCloud, output: FilePath) -> None:
@@ -259,7 +262,7 @@ class Job:
         from ...files.points.point_cloud import table_of
 
         with self.stage("write"):
-            table = table_of(cloud)
+            table = replace(table_of(cloud), viewpoint=self._viewpoint)
             self.wrote(output, tables.write_cloud_table(output, table, source=self.source, **self.form))
 
     def write_mesh(self, mesh: TriangleMesh, output: FilePath) -> None:

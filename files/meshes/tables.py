@@ -73,6 +73,7 @@ def write_cloud_table(
         FileError: The place cannot be written, or the cloud lacks what the format needs.
     """
     suffix, left_out = Path(path).suffix.lower(), []
+    lost = ["viewpoint"] if table.viewpoint is not None and suffix != ".pcd" else []
     if suffix in _HELD:
         table, left_out = _as_text_holds(table, _HELD[suffix])
     elif suffix in (*LAS, ".e57"):
@@ -81,7 +82,7 @@ def write_cloud_table(
         )
     like = open_las(source).header if source and suffix in LAS and Path(source).suffix.lower() in LAS else None
     write_table(path, table, ascii=as_text, overwrite=overwrite, like=like)
-    return left_out
+    return left_out + lost
 
 
 def write_mesh_table(

@@ -25,6 +25,7 @@ from .copc import open_copc
 from .formats import READERS, WRITTEN, read_points, write_table
 from .las import LasFile, iterate_las, open_las
 from .las_crs import is_geographic, warn_of_degrees
+from .pcd import warn_of_viewpoint
 
 
 def read_point_cloud(
@@ -62,6 +63,7 @@ def read_point_cloud(
     Warns:
         GeographicWarning: x and y are degrees.
         UnitWarning: z is in another unit than x and y, or the file tells two units.
+        UserWarning: A PCD has a VIEWPOINT: the pose of its sensor, which is not applied; or colours that are "nan".
 
     Example:
         >>> import pointloom as loom
@@ -75,7 +77,9 @@ def read_point_cloud(
     """
     extension = _extension(path)
     if columns is not None or scan is None:
-        return cloud_of(read_points(path, columns), path, device=device)
+        table = read_points(path, columns)
+        warn_of_viewpoint(path, table.viewpoint)
+        return cloud_of(table, path, device=device)
     if extension != ".e57":
         raise ValueError(f"scan: only .e57 has scans, got {Path(path).suffix}")
     return cloud_of(READERS[extension](path, scan=check_count("scan", scan, minimum=0)), path, device=device)
