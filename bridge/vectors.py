@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from ..core.known_names import ToldNames
+from ..core.masked_arrays import unmasked
 
 
 class Vector(ToldNames):
@@ -50,7 +51,7 @@ class Vector(ToldNames):
 
     def _rows(self, values: Any) -> NDArray[Any]:
         kind = type(self).__name__
-        rows = np.asarray(values)
+        rows = np.asarray(unmasked(kind, values))
         if self._row and rows.shape[1:] == (*self._row, 1):  # columns
             rows = rows[..., 0]
         if rows.size == 0 and rows.ndim <= 1:

@@ -35,7 +35,7 @@ from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress, print_fields, print_json
 from .group import ERROR, INTERRUPTED, TERMINATED, CommandLine, poor_result, report_error
 from .help_commands import VARIABLE
-from .options import FILE, LENGTH, Renamed, device_option, force_option, json_option, refuse
+from .options import FILE, LENGTH, Renamed, columns_option, device_option, force_option, json_option, refuse
 from .pipes import RECORDINGS, from_option, open_pipes
 
 _SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 110}
@@ -111,8 +111,9 @@ for command in (
 @cli.command(short_help="Say what files and folders hold.")
 @click.argument("files", nargs=-1, required=True, type=FILE, metavar="FILE...")
 @from_option()
+@columns_option()
 @json_option()
-def info(files: tuple[Path, ...], read_as: str | None, as_json: bool) -> int:
+def info(files: tuple[Path, ...], read_as: str | None, columns: tuple[str, ...] | None, as_json: bool) -> int:
     """Say what each FILE holds: counts, attributes, bounds, origin, points that are not finite.
 
     \b
@@ -140,7 +141,7 @@ def info(files: tuple[Path, ...], read_as: str | None, as_json: bool) -> int:
         for path, source in zip(files, ends.sources, strict=True):
             try:
                 with ends.errors_renamed():
-                    reports.append(ends.rename(describe(source)))
+                    reports.append(ends.rename(describe(source, columns=columns)))
             except (ValueError, TypeError, OSError) as error:
                 reports.append(BrokenFile(str(path), report_error(error)))
     found = [report for report in reports if isinstance(report, Description)]
@@ -206,6 +207,8 @@ def convert(
         from ..jobs.recorded_clouds import convert_recording
 
         options.pop("up")
+        if options.pop("columns") is not None:
+            refuse("--columns is for a cloud; a recording names its columns")
         return convert_recording(source, output, topic=topic, frame=frame, poses=poses, **options)
     for name, value in (("topic", topic), ("frame", frame), ("poses", poses)):
         if value is not None:

@@ -16,6 +16,7 @@ import click
 
 from ...core.escaped_text import escaped
 from ...core.reports import rows_of
+from ...core.standard_streams import is_terminal
 from ...core.wording import to_json
 
 # Seconds between lines of progress where stderr is a file: a log of a long run grows by 12 lines a minute.
@@ -41,7 +42,7 @@ class Progress:
         self._last_told: dict[str, int] = {}  # steps done, by stage
 
     def __enter__(self) -> Progress:
-        if sys.stderr.isatty():
+        if is_terminal(sys.stderr):
             from rich.console import Console
             from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeElapsedColumn, TimeRemainingColumn
             from rich.progress import Progress as Bar

@@ -25,6 +25,8 @@ _OPTIONS = {
     "overwrite=True": "--force",
     "layout=,": "--layout,",
     "intrinsic=": "--intrinsic",
+    "columns=": "--columns",
+    "skip_missing=True": "--skip-missing",
     "depth_scale=": "--depth-scale",
     "Call plan_tiles(sources, steps, folder) first": "Run pointloom tile plan first",
     "call retry_tiles(folder)": "run pointloom tile retry",
@@ -108,6 +110,8 @@ def _flushed(code: int) -> int:
 
     What cannot be written is dropped: Python would try again at its end, and say so in lines of its own.
     """
+    if sys.stdout is None:
+        return code
     try:
         sys.stdout.flush()
     except OSError:

@@ -18,6 +18,7 @@ from typing import Any, NamedTuple
 import click
 
 from ...core.reports import values_of
+from ...core.standard_streams import is_terminal
 from .console import OutputLostError
 from .options import Decorator, refuse
 
@@ -122,10 +123,13 @@ def open_pipes(
     if not reads and not writes:
         yield Ends(list(sources), output, {})
         return
-    stdin, stdout = sys.stdin.buffer, sys.stdout.buffer
-    if reads and stdin.isatty():
+    if (reads and sys.stdin is None) or (writes and sys.stdout is None):
+        refuse("- needs a standard stream, and this process has none; give a name in place of -")
+    stdin: Any = getattr(sys.stdin, "buffer", None)
+    stdout: Any = getattr(sys.stdout, "buffer", None)
+    if reads and is_terminal(stdin):
         refuse("standard input is a terminal; pipe a file into it, or give a name in place of -")
-    if writes and stdout.isatty():
+    if writes and is_terminal(stdout):
         refuse("standard output is a terminal; pipe it into a program or a file, or give a name in place of -")
     with tempfile.TemporaryDirectory(prefix="pointloom-") as folder:
         spool, result = Path(folder) / f"in.{read_as}", Path(folder) / f"out.{write_as}"

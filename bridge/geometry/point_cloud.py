@@ -14,7 +14,7 @@ from ..indices import flagged
 from ..seeds import next_seed
 from ..vectors import DoubleVector, IntVector, Matrix3dVector, Vector3dVector
 from .bounded import BoundedByBoxes
-from .image import below, metres_of
+from .image import below, depth_of
 from .search_param import KDTreeSearchParam, KDTreeSearchParamHybrid, KDTreeSearchParamKNN, keywords_of
 
 KNN = KDTreeSearchParamKNN()
@@ -118,7 +118,7 @@ class PointCloud(BoundedByBoxes):
         project_valid_depth_only: bool = True,
     ) -> Self:
         """The points that a depth image shows; `extrinsic` is world to camera."""
-        pixels, farthest = metres_of(depth, depth_scale), below(depth_trunc)
+        pixels, farthest = depth_of(depth), below(depth_trunc)
         made = cloud.PointCloud.create_from_depth_image(
             pixels, ours(intrinsic), extrinsic, depth_scale, farthest, stride, project_valid_depth_only
         )

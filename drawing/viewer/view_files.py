@@ -8,7 +8,8 @@ import zipfile
 from pathlib import Path
 from typing import Any
 
-from ...cameras.trajectory import read_lines, read_trajectory
+from ...cameras.pose_text import read_lines
+from ...cameras.trajectory import read_trajectory
 from ...core.atomic import restore_folder
 from ...core.devices import resolve_device
 from ...core.errors import FileError

@@ -188,7 +188,7 @@ class PagedTSDFVolume(ToldNames):
         intrinsic: PinholeCameraIntrinsic,
         extrinsic: ArrayLike,
         color: ArrayLike | None = None,
-        depth_scale: float = 1000.0,
+        depth_scale: float | None = None,
         depth_max: float | None = None,
     ) -> int:
         """Fold in one frame, as `TSDFVolume.integrate`.

@@ -11,7 +11,8 @@ import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
-from ...cameras.images import RGBDImage, check_intrinsic, upload_color, upload_raw_depth, warn_of_scale
+from ...cameras.depth_doubts import warn_of_scale
+from ...cameras.images import RGBDImage, check_intrinsic, upload_color, upload_raw_depth
 from ...core.array_libraries import NUMPY, library_of
 from ...core.checks import check_positive, check_rigid
 from ...core.coordinates import origin_of_sensor
@@ -61,7 +62,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
     Differences from Open3D. Like VoxelBlockGrid and unlike the legacy volume, voxels lie at whole multiples of
     `voxel_size`, distances are along z, and `weight_threshold` counts frames. Unlike both, the nearest pixel is
     looked up (VoxelBlockGrid truncates, which shifts the surface by half a pixel), the truncation is in metres, blocks
-    are found by walking rays exactly, and float depth is metres whatever `depth_scale` says.
+    are found by walking rays exactly, and float depth is metres where no `depth_scale` is given.
 
     A frame whose integration was interrupted (Ctrl-C, no memory) is in the volume or is not; `frame_count` tells.
 
@@ -143,18 +144,18 @@ class TSDFVolume(ScanIntegration, ToldNames):
         intrinsic: PinholeCameraIntrinsic,
         extrinsic: ArrayLike,
         color: ArrayLike | None = None,
-        depth_scale: float = 1000.0,
+        depth_scale: float | None = None,
         depth_max: float | None = None,
     ) -> int:
         """Fold in one frame: `volume.integrate(depth, camera, T, color)`, or Open3D's `integrate(rgbd, camera, T)`.
 
         Args:
-            depth: Shape [h, w]; integers are divided by `depth_scale`, floats are metres. 0, NaN and infinite mean no
+            depth: Shape [h, w]; integers of 16 bits and more, or floats. 0, NaN and infinite mean no
                 measurement. Or an RGBDImage on the volume's device, whose colours are taken where the volume keeps any.
             intrinsic: The camera, of the image's size.
             extrinsic: T_camera_world, shape [4, 4].
             color: uint8 [h, w, 3] of the same size; needed when the volume keeps colour, for every frame or for none.
-            depth_scale: Integer units a metre.
+            depth_scale: Units of depth a metre; None for 1000 of integers and 1 of floats.
             depth_max: Farthest depth used [m]; None for 3, and for all that an RGBDImage was left with.
 
         Returns:
@@ -198,7 +199,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
         """`integrate` for a frame that is on the volume's device: tracking uploads it once for both.
 
         Args:
-            depth: float32 [h * w] in metres, or uint16 in units of 1 / `depth_scale`.
+            depth: float32 or uint16 [h * w], in units of 1 / `depth_scale`.
             intrinsic: The camera, of the frame's size.
             T_world_camera: A rigid motion, not checked, float64 [4, 4].
             pixels: uint8 [h * w, 3], or None; must be as before where the volume keeps colour, see `_check_color`.

@@ -25,7 +25,7 @@ from ...core.coordinates import split_origin
 from ...core.errors import FileError, FilePath
 from ...core.paths import path_of, plain_name
 from ...files.frames.datasets import Frame, RGBDDataset, open_frames
-from ...files.frames.frames import DEPTH_MAX, read_in_order
+from ...files.frames.frames import DEPTH_MAX, depth_unit, read_in_order
 from ...kernels.linear_algebra import inv
 from ...kernels.volumes.tsdf_blocks import SIDE, block_box
 from ...meshing.volume.surface_weights import least_weight
@@ -147,7 +147,7 @@ class FusionJob(Job):
 
     def _integrate(self, volume: Any, frame: Frame) -> None:
         camera, plan = self.frames.intrinsic, self.plan
-        limits = {"depth_scale": self.frames.depth_scale, "depth_max": plan["depth_max"]}
+        limits = {"depth_scale": depth_unit(self.frames, frame), "depth_max": plan["depth_max"]}
         color = frame.color if plan["color"] else None
         assert frame.T_world_camera is not None
         try:

@@ -40,7 +40,8 @@ class SequencesJob(Job):
         stamp = _stamp(frames)
         camera = None if plan["intrinsic"] is None else PinholeCameraIntrinsic(**plan["intrinsic"])
         options = {option: plan[option] for option in ("layout", "every", "depth_scale")}
-        source = open_frames(frames, intrinsic=camera, skip_missing=plan["leave_out"], **options)
+        missing = "pictures" if plan["leave_out"] else False
+        source = open_frames(frames, intrinsic=camera, skip_missing=missing, **options)
         folder = refuse_link(self.folder / SEQUENCES / plain_name(self.folder / NAME, name))
         folder.parent.mkdir(exist_ok=True)
         config = ReconstructionConfig.from_names(plan["config"])

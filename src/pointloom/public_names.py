@@ -131,8 +131,15 @@ def _read(package: str) -> dict[str, str]:
     import ast
     import pkgutil
 
-    stub = pkgutil.get_data(package, "__init__.pyi")
-    assert stub is not None
+    try:
+        stub = pkgutil.get_data(package, "__init__.pyi")
+    except OSError:
+        stub = None
+    if stub is None:
+        raise ImportError(
+            f"{package}/__init__.pyi is missing: it lists the public names. Reinstall pointloom; a program packed by "
+            "PyInstaller needs --collect-data pointloom"
+        )
     homes = {}
     for node in ast.parse(stub).body:
         if isinstance(node, ast.ImportFrom):

@@ -34,6 +34,7 @@ def test_a_radius_that_finds_nobody_is_told(ball):
     [
         (np.full((48, 64), 1500, np.uint16), {"depth_scale": 1.0}, "3,072 of uint16 .* taken for 1 units a metre"),
         (np.full((48, 64), 1500.0, np.float32), {}, "taken for metres, lie beyond 3 m"),
+        (np.full((48, 64), 1.5, np.float32), {"depth_scale": 1000.0}, "within 0.05 m: .* 1.5..1.5, divided by 1000"),
         (
             np.full((48, 64), 1500, np.uint16),
             {"depth_trunc": 1.0},
@@ -46,7 +47,7 @@ def test_a_scale_that_cuts_all_is_told(depth, options, told):
     with pytest.warns(loom.UnitWarning, match=told) as caught:
         loom.RGBDImage.from_color_and_depth(color, depth, **options)
     assert caught[0].filename == __file__
-    depth[5, 5] = 1  # a pixel that the first look does not see
+    depth[5, 5] = 1 if depth.min() > 100 else 100  # a pixel that the first look does not see
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         loom.RGBDImage.from_color_and_depth(color, depth, **options)
