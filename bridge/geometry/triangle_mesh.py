@@ -296,16 +296,16 @@ class TriangleMesh(TriangleNormals):
 
     def sample_points_uniformly(self, number_of_points: int = 100, use_triangle_normal: bool = False) -> PointCloud:
         """Points on the surface, by `o3d.utility.random.seed`."""
-        return PointCloud._of(self._ours.sample_points_uniformly(number_of_points, use_triangle_normal, next_seed()))
+        surface, is_own = self._sampled(use_triangle_normal)
+        return PointCloud._of(surface.sample_points_uniformly(number_of_points, is_own, next_seed()))
 
     def sample_points_poisson_disk(
         self, number_of_points: int, init_factor: float = 5, pcl: Any = None, use_triangle_normal: bool = False
     ) -> PointCloud:
         """Points on the surface with room between them, by `o3d.utility.random.seed`."""
         given = None if pcl is None else ours(pcl, PointCloud, "pcl")
-        made = self._ours.sample_points_poisson_disk(
-            number_of_points, int(init_factor), given, use_triangle_normal, next_seed()
-        )
+        surface, is_own = self._sampled(use_triangle_normal)
+        made = surface.sample_points_poisson_disk(number_of_points, int(init_factor), given, is_own, next_seed())
         return PointCloud._of(made)
 
     # ------------------------------------------------------------------------------------------------ that answer

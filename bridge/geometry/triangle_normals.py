@@ -85,6 +85,28 @@ class TriangleNormals(MeshFactories):
         made, faces = self._selected(operation)
         return self._become(made)._set_faces(faces)
 
+    def _sampled(self, use_triangle_normal: bool) -> tuple[Any, bool]:
+        """A mesh to draw samples from, and whether they take the normals that its triangles have by themselves.
+
+        Assigned normals are given to the corners of triangles that share no vertices.
+        """
+        current = self._ours
+        if use_triangle_normal and self._faces is None:
+            self._set_faces(current)
+        rows = self._face_rows() if use_triangle_normal and self._faces is not current else ()
+        if not len(rows) or len(rows) != len(current):
+            return current, use_triangle_normal
+        corners, colors = current.triangles.reshape(-1), current.vertex_colors
+        apart = type(current)(
+            current.vertices[corners],
+            np.arange(len(corners), dtype=np.int32).reshape(-1, 3),
+            vertex_normals=np.repeat(rows, 3, axis=0),
+            vertex_colors=None if colors is None else colors[corners],
+            device=current.device,
+            origin=current.origin,
+        )
+        return apart, False
+
     def _new(self, made: Any, *, faces: Any = None) -> Any:
         """Another mesh with these normals of triangles."""
         other = type(self)._of(made)

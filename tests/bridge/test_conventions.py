@@ -117,6 +117,12 @@ def rotations(o3d):
     return [getattr(o3d.geometry, f"get_rotation_matrix_from_{name}") for name in ("xyz", "zyx", "axis_angle")]
 
 
+def sampled(o3d, how):
+    made = o3d.geometry.TriangleMesh.create_box()
+    made.triangle_normals = o3d.utility.Vector3dVector(np.tile([[0.6, 0, 0.8]], (12, 1)))
+    return getattr(made, f"sample_points_{how}")(5, use_triangle_normal=True)
+
+
 def mesh_of(o3d, vertices, triangles):
     vectors = o3d.utility.Vector3dVector(vertices), o3d.utility.Vector3iVector(np.reshape(triangles, (-1, 3)))
     return o3d.geometry.TriangleMesh(*vectors)
@@ -178,6 +184,8 @@ CLAIMS = {
     "mesh cropped": lambda o3d: arrays(mesh(o3d).crop(o3d.geometry.AxisAlignedBoundingBox([-1] * 3, [1, 1, 0.1]))),
     "meshes added": lambda o3d: arrays(mesh(o3d) + mesh(o3d).translate([3, 0, 0])),
     "textures assigned before their coordinates": lambda o3d: len(textured(o3d).translate([1, 0, 0]).textures),
+    "samples with assigned normals": lambda o3d: np.array(sampled(o3d, "uniformly").normals),
+    "even samples with assigned normals": lambda o3d: np.array(sampled(o3d, "poisson_disk").normals),
     "a mesh without normals added": lambda o3d: arrays(mesh(o3d) + o3d.geometry.TriangleMesh.create_box()),
     "a mesh added to an empty one": lambda o3d: arrays(o3d.geometry.TriangleMesh() + mesh(o3d)),
     # Points of both clouds, also those without a line.
