@@ -40,7 +40,8 @@ def vectors(kind, dtype):
 def attempt(operation, *args, **kwargs):
     """The result, or None where it is refused; a warning is neither, nor is one that became a refusal's reason."""
     with warnings.catch_warnings():
-        warnings.simplefilter("error", RuntimeWarning)
+        warnings.simplefilter("error")
+        warnings.simplefilter("ignore", UserWarning)  # of attributes with other names
         try:
             return operation(*args, **kwargs)
         except (ValueError, TypeError) as error:
