@@ -82,14 +82,7 @@ class IterativeRegistration:
         weights: ArrayLike | str | None = None,
     ):
         self.estimation, self.distance, self.degeneracy = estimation, distance, degeneracy
-        self._sources, self.source_of = _distinct(sources)
-        self._targets, self.target_of = _distinct(targets)
-        device = self._sources[0].device
-        for cloud in (*self._sources, *self._targets):
-            check_same_device("clouds", device, cloud.device)
-        if estimation.in_sensor_frame:
-            self._sources = [in_sensor_frame(c, n) for c, n in zip(self._sources, self._names()[0], strict=True)]
-            self._targets = [in_sensor_frame(c, n) for c, n in zip(self._targets, self._names()[1], strict=True)]
+        self._take_clouds(sources, targets)
         source_columns, target_columns = self._columns(max_normal_angle is not None)
         points = _usable(self._sources, source_columns, self._names()[0])
         self._target_points = _usable(self._targets, target_columns, self._names()[1])
@@ -120,6 +113,17 @@ class IterativeRegistration:
                 normals = (source.normals, target.normals, float(np.cos(max_normal_angle)))
             sizes = self.loop.progress.sizes if overlap is None else None
             self._rejection = PairRejection(self.loop.matches, wanted, normals, sizes=sizes)
+
+    def _take_clouds(self, sources: Sequence[PointCloud], targets: Sequence[PointCloud]) -> None:
+        """Keep each cloud once, about the sensor if the estimator needs that."""
+        self._sources, self.source_of = _distinct(sources)
+        self._targets, self.target_of = _distinct(targets)
+        for cloud in (*self._sources, *self._targets):
+            check_same_device("clouds", self._sources[0].device, cloud.device)
+        if self.estimation.in_sensor_frame:
+            names = self._names()
+            self._sources = [in_sensor_frame(c, n) for c, n in zip(self._sources, names[0], strict=True)]
+            self._targets = [in_sensor_frame(c, n) for c, n in zip(self._targets, names[1], strict=True)]
 
     def _columns(self, with_normals: bool) -> tuple[Any, Any]:
         """What the estimator asks of the points on either side, with normals where pairs are judged by them."""
