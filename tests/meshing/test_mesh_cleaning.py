@@ -159,6 +159,11 @@ def test_vertices_in_a_row_in_order_of_their_numbers_are_merged_in_that_order(de
         assert len(mesh.vertices) == count // 2
 
 
+def test_threads_wait_for_vertices_of_lower_numbers():
+    points = np.arange(300_000)[:, None] * [0.6, 0, 0]  # enough for several threads
+    assert len(TriangleMesh(points, [[0, 1, 2]], origin=[0, 0, 0]).merge_close_vertices(1).vertices) == 150_000
+
+
 def test_merged_normals_have_unit_length_unlike_in_open3d(device):
     mesh = TriangleMesh([[0, 0, 0], [0.1, 0, 0]], [], vertex_normals=[[1, 0, 0], [0, 1, 0]], device=device)
     np.testing.assert_allclose(mesh.merge_close_vertices(1).vertex_normals, [[0.5**0.5, 0.5**0.5, 0]], atol=1e-7)
