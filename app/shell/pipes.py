@@ -29,8 +29,8 @@ _PIPE = Path("-")
 # for --help; a test holds them alike.
 RECORDINGS = (".bag", ".mcap", ".db3")
 _MESHES = ["obj", "stl", "off", "glb", "gltf"]
-READ = ["ply", "pcd", "npz", "xyz", "xyzn", "xyzrgb", "pts", "csv", "txt", "bin", "las", "laz", "e57", *_MESHES]
 WRITTEN = ["ply", "pcd", "npz", "xyz", "xyzn", "xyzrgb", "pts", "las", "laz", "e57", *_MESHES]
+READ = [*WRITTEN, "csv", "txt", "asc", "bin", "ptx"]
 
 
 def from_option() -> Decorator:
