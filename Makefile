@@ -38,7 +38,7 @@ CHECK_NEEDS := { $(PIP) check --quiet || $(PIP) check; }
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: gpu-kit gpu-run help setup setup-test setup-runtime test test-all test-cuda-emulated test-cuda-emulated-quick test-browser oracle flakes mutants nightly lint format types check-cuda cuda-cache trust bench docs docs-clean demo clean distclean
+.PHONY: gpu-kit gpu-run help setup setup-test setup-runtime test test-all test-cuda-emulated test-cuda-emulated-quick kernel-coverage test-browser oracle flakes mutants nightly lint format types check-cuda cuda-cache trust bench docs docs-clean demo clean distclean
 
 help: ## Print the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-24s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -64,6 +64,17 @@ test-cuda-emulated: $(EMULATION) ## Run the tests on an emulated CUDA device (ne
 test-cuda-emulated-quick: $(EMULATION) ## ... the set that CI runs, threads interleaved
 	@$(BIN)/python tests/emulated_cuda/compile_kernels.py
 	@EMULATED_CUDA_ORDER=$${EMULATED_CUDA_ORDER:-3} $(PYTEST) --emulated-cuda-quick $(ON_DEVICE) $(ARGS)
+
+# TESTS=full takes all tests of the emulated device. The tests' exit code is that of the target.
+TESTS ?= quick
+MARKS := $(CURDIR)/build/kernel-coverage/marks
+kernel-coverage: export EMULATED_CUDA_COVERAGE = $(MARKS)
+kernel-coverage: $(EMULATION) ## Lines and branches of kernels that no test takes on the emulated device (TESTS=full for all tests)
+	@rm -f $(MARKS)
+	@$(BIN)/python tests/emulated_cuda/compile_kernels.py
+	@EMULATED_CUDA_ORDER=$${EMULATED_CUDA_ORDER:-3} $(PYTEST) --emulated-cuda$(if $(filter quick,$(TESTS)),-quick) \
+		$(ON_DEVICE) $(ARGS); status=$$?; \
+	$(BIN)/python tests/emulated_cuda/kernel_coverage.py $(MARKS) --missed $(dir $(MARKS))missed.txt; exit $$status
 
 oracle: $(FULL) ## Compute Open3D's stored answers again (tests/oracle_answers)
 	@$(BIN)/python -m pytest -n 0 -q --oracle write $(ARGS)

@@ -14,6 +14,7 @@ import shutil
 import sys
 import tempfile
 from collections.abc import Callable
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -120,7 +121,10 @@ def steps_of(s: float, other: Path, box: NDArray[Any]) -> dict[str, tuple[Steps,
             [{"step": "crop", "min_bound": low, "max_bound": high}],
             lambda c, o, v: c.crop(loom.AxisAlignedBoundingBox(low, high)),
         ),
-        "function": ([{"step": "function", "call": "tile_equality:dimmer", "reach": 0}], lambda c, o, v: dimmer(c)),
+        "function": (
+            [{"step": "function", "call": import_module("tile_equality").dimmer, "reach": 0}],
+            lambda c, o, v: dimmer(c),
+        ),
         "classify_ground": ([ground], lambda c, o, v: classified(c, s)),
         "height_above_ground": (
             [ground, above],

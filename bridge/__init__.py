@@ -7,7 +7,8 @@ here are errors that say how it is done in pointloom (docs/adr/0030-open3d-objec
 Modules are loaded when they are first used, as in `pointloom` itself.
 """
 
-from ..public_names import attach  # pyright: ignore[reportMissingImports]
+from ..public_names import attach, tell_unknown_modules  # pyright: ignore[reportMissingImports]
 
-__version__ = "0.1.0"
+__version__ = "0.20.0"  # of the Open3D whose names these are; pointloom.__version__ is that of pointloom
 __getattr__, __dir__ = attach(__name__)
+tell_unknown_modules()

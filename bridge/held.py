@@ -18,6 +18,7 @@ from typing import Any, ClassVar, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..core.checks import check_shape
 from ..core.known_names import KnownNames
 from .vectors import Vector
 
@@ -169,6 +170,12 @@ def ours(value: Any, kind: type[Held] | None = None, name: str = "") -> Any:
 def as_array(vector: ArrayLike | Vector) -> NDArray[Any]:
     """The memory of a vector, or of what else NumPy takes."""
     return np.asarray(vector)
+
+
+def column(name: str, values: Any, count: int = 3) -> NDArray[np.float64]:
+    """Some numbers as an array (count,), also those of a column (count, 1), which Open3D takes, too."""
+    array = np.asarray(values)
+    return check_shape(name, array[:, 0] if array.shape == (count, 1) else values, (count,))
 
 
 def _bits(values: NDArray[Any]) -> NDArray[Any]:

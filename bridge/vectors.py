@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from ..core.known_names import ToldNames
+from ..core.masked_arrays import unmasked
 
 
 class Vector(ToldNames):
@@ -50,7 +51,9 @@ class Vector(ToldNames):
 
     def _rows(self, values: Any) -> NDArray[Any]:
         kind = type(self).__name__
-        rows = np.asarray(values)
+        rows = np.asarray(unmasked(kind, values))
+        if self._row and rows.shape[1:] == (*self._row, 1):  # columns
+            rows = rows[..., 0]
         if rows.size == 0 and rows.ndim <= 1:
             return np.zeros((0, *self._row), self._dtype)
         if rows.dtype.kind not in "biuf":
@@ -66,8 +69,8 @@ class Vector(ToldNames):
         return rows.astype(self._dtype)
 
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:
-        """The memory itself, unless a copy or another type is asked for."""
-        return np.array(self._values, dtype) if copy else self._values.astype(dtype or self._dtype, copy=False)
+        """The memory itself, or a copy; NumPy converts to `dtype`, by the rules of the function that needs it."""
+        return self._values.copy() if copy else self._values
 
     def __len__(self) -> int:
         return len(self._array) + len(self._tail)
@@ -82,10 +85,11 @@ class Vector(ToldNames):
         found = self._values[index]
         if isinstance(index, slice):
             return type(self)(found)
-        return found if self._row else found.item()
+        return found.item() if isinstance(found, np.generic) and not self._row else found
 
     def __setitem__(self, index: Any, value: Any) -> None:
-        self._values[index] = value
+        row = np.asarray(value)
+        self._values[index] = row[..., 0] if self._row and row.shape == (*self._row, 1) else row
 
     def __delitem__(self, index: Any) -> None:
         self._array = np.delete(self._values, index, axis=0)
@@ -99,7 +103,6 @@ class Vector(ToldNames):
         return np.array_equal(self._values, other._values)
 
     __hash__ = None  # type: ignore[assignment]  # vectors compare by value
-    __array_ufunc__ = None  # arithmetic is that of arrays: np.asarray(vector) + 1
 
     def __repr__(self) -> str:
         if not self._row:

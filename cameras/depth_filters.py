@@ -1,6 +1,6 @@
 """Filters on depth images: less noise, no edges, normals, half the size.
 
-All take a depth image as an array of shape [h, w] (integers are divided by `depth_scale`, floats are metres) and give
+All take a depth image as an array of shape [h, w] (divided by `depth_scale`) and give
 float32 metres, or an RGBDImage and give an RGBDImage on its device. Pixels without depth (0) never count and are never
 filled. The same bits from run to run; memory for one more image.
 """
@@ -33,7 +33,7 @@ def filter_depth_bilateral(
     value_sigma: float = 0.03,
     dist_sigma: float = 2.0,
     *,
-    depth_scale: float = 1000.0,
+    depth_scale: float | None = None,
     device: Any = None,
 ) -> Depth:
     """Average each depth with those around it that are much the same.
@@ -46,7 +46,7 @@ def filter_depth_bilateral(
         kernel_size: Width of the disc of pixels [px], up to 255: its radius is kernel_size // 2.
         value_sigma: Deviation of the weight over differences of depth [m].
         dist_sigma: Deviation of the weight over pixels [px].
-        depth_scale: Integer units a metre of an array.
+        depth_scale: Units a metre of an array; None for 1000 of integers and 1 of floats.
         device: Where an array is filtered; None for the GPU that it lies on, else the CPU.
 
     Returns:
@@ -73,7 +73,7 @@ def filter_depth_bilateral(
 
 
 def erode_depth_edges(
-    depth: Depth, radius: int = 3, depth_threshold: float = 0.1, *, depth_scale: float = 1000.0, device: Any = None
+    depth: Depth, radius: int = 3, depth_threshold: float = 0.1, *, depth_scale: float | None = None, device: Any = None
 ) -> Depth:
     """Drop the pixels beside edges and holes, where sensors mix near and far.
 
@@ -81,7 +81,7 @@ def erode_depth_edges(
         depth: Shape [h, w], or an RGBDImage, whose colours stay.
         radius: How many pixels go on each side of an edge, and around a hole [px]; diagonals count as one.
         depth_threshold: Neighbouring pixels whose depths differ by more are an edge [m].
-        depth_scale: Integer units a metre of an array.
+        depth_scale: Units a metre of an array; None for 1000 of integers and 1 of floats.
         device: Where an array is filtered; None for the GPU that it lies on, else the CPU.
 
     Returns:
@@ -107,7 +107,7 @@ def create_normal_map(
     intrinsic: PinholeCameraIntrinsic,
     invalid_fill: float = 0.0,
     *,
-    depth_scale: float = 1000.0,
+    depth_scale: float | None = None,
     device: Any = None,
 ) -> NDArray[np.float32]:
     """The normal of the surface at each pixel, from the differences to the points on the right and below.
@@ -117,7 +117,7 @@ def create_normal_map(
         intrinsic: The camera, of the image's size.
         invalid_fill: What stands in all components where one of the three pixels has no depth, and in the last row
             and column.
-        depth_scale: Integer units a metre of an array.
+        depth_scale: Units a metre of an array; None for 1000 of integers and 1 of floats.
         device: Where an array's normals are computed.
 
     Returns:
@@ -145,14 +145,14 @@ def create_normal_map(
 
 
 def pyrdown_depth(
-    depth: Depth, diff_threshold: float = DEPTH_DIFF, *, depth_scale: float = 1000.0, device: Any = None
+    depth: Depth, diff_threshold: float = DEPTH_DIFF, *, depth_scale: float | None = None, device: Any = None
 ) -> Depth:
     """A depth image of half the size: every second pixel, smoothed over 5 x 5 pixels of the same surface.
 
     Args:
         depth: Shape [h, w], or an RGBDImage, whose colours are halved by `pyrdown_color`.
         diff_threshold: Depths that differ by as much from the pixel's own do not count [m].
-        depth_scale: Integer units a metre of an array.
+        depth_scale: Units a metre of an array; None for 1000 of integers and 1 of floats.
         device: Where an array is filtered; None for the GPU that it lies on, else the CPU.
 
     Returns:
@@ -215,7 +215,7 @@ def create_depth_pyramid(
     levels: int = 3,
     diff_threshold: float = DEPTH_DIFF,
     *,
-    depth_scale: float = 1000.0,
+    depth_scale: float | None = None,
     device: Any = None,
 ) -> list[Depth]:
     """A depth image and its halves, the largest first; see `pyrdown_depth`.
@@ -224,7 +224,7 @@ def create_depth_pyramid(
         depth: Shape [h, w], or an RGBDImage.
         levels: Images in all.
         diff_threshold: As in `pyrdown_depth`.
-        depth_scale: Integer units a metre of an array.
+        depth_scale: Units a metre of an array; None for 1000 of integers and 1 of floats.
         device: Where an array is filtered; None for the GPU that it lies on, else the CPU.
 
     Raises:
@@ -250,7 +250,7 @@ def create_depth_pyramid(
 # ---------------------------------------------------------------------------------------------- internals
 
 
-def _metric(depth: Any, depth_scale: float, device: Any) -> tuple[wp.array, int, int]:
+def _metric(depth: Any, depth_scale: float | None, device: Any) -> tuple[wp.array, int, int]:
     """Metres on the device, flat; height and width."""
     if isinstance(depth, RGBDImage):
         return depth.depth_array, depth.height, depth.width

@@ -9,20 +9,23 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
-from ..core.array_libraries import NUMPY, library_of, view_as
-from ..core.checks import check_positive, is_on_gpu
+from ..core.array_libraries import NUMPY, check_library, library_of, view_as
+from ..core.checks import check_count, check_positive, is_on_gpu
 from ..core.gpu_arrays import INTEGERS, device_for, take_numbers
 from ..core.known_names import ToldNames
-from ..core.pickled_arrays import device_like, pickled, unpickled
+from ..core.masked_arrays import unmasked
+from ..core.pickled_arrays import check_form, device_like, pickled, unpickled, unpickling
 from ..core.told_arguments import told_arguments
-from ..core.units import asked_by_user, warn_of_units
 from ..kernels.arrays.row_numbers import limits_of
 from ..kernels.images.depth import decode_depth, intensity_of, metric_depth
 from ..kernels.lang import float32, float64, int8, int64, uint8, uint16
 from ..kernels.memory import cast, clone, download, empty, fill_column, upload
 from .camera import PinholeCameraIntrinsic
+from .depth_doubts import warn_of_scale
 
 MOST_RAW = 65535  # of integer depths
+MILLIMETRES = 1000.0  # units a metre of integers whose scale is not given
+FLOATS = (wp.float16, float32, float64)
 BYTES = (int8, uint8)  # pictures, and no depth
 TOO_SHALLOW = (
     "depth: expected 16-bit integers or float metres, got {}: 8 bits hold no depth but a picture of it; read the data "
@@ -37,8 +40,8 @@ class RGBDImage(ToldNames):
 
     Args:
         color: 8-bit colours, shape [h, w, 3], or grey [h, w].
-        depth: Shape [h, w]; integers of 16 bits and more are divided by `depth_scale`, floats are metres.
-        depth_scale: Integer units a metre.
+        depth: Shape [h, w]; integers of 16 bits and more, or floats.
+        depth_scale: Units of depth a metre; None for 1000 of integers and 1 of floats.
         depth_trunc: Farthest depth kept [m]; beyond it a pixel has no measurement (0).
         device: Where the images go; None for the GPU that the depth lies on, else the CPU.
 
@@ -47,7 +50,8 @@ class RGBDImage(ToldNames):
         TypeError: Wrong element types; depth of 8 bits, which is a picture of it.
 
     Warns:
-        UnitWarning: A scale or limit leaves no depth, of an array on the host.
+        UnitWarning: A scale or limit leaves no depth, or a scale of floats only depth of millimetres, of an array on
+            the host.
 
     Attributes:
         depth_array: The depth on its device, float32 [h * w] [m], 0 where there is none.
@@ -63,23 +67,25 @@ class RGBDImage(ToldNames):
         (1.5, 3, 2)
     """
 
+    _fixed = ("color_array", "depth_array", "height", "width", "device")
+
     @told_arguments
     def __init__(
         self,
         color: ArrayLike,
         depth: ArrayLike,
         *,
-        depth_scale: float = 1000.0,
+        depth_scale: float | None = None,
         depth_trunc: float = 3.0,
         device: Any = None,
     ):
         where = device_for(depth, device)
-        self.depth_array, _, self.height, self.width = upload_depth(
+        self.depth_array, scale, self.height, self.width = upload_depth(
             depth, depth_scale, depth_trunc, where, limit="depth_trunc"
         )
         self.color_array = upload_color(color, self.height, self.width, where)
         if isinstance(depth, np.ndarray):
-            warn_of_scale(depth, depth_scale, depth_trunc)
+            warn_of_scale(depth, scale, depth_trunc)
         self.device, self._library = where, library_of(depth)
 
     @classmethod
@@ -88,7 +94,7 @@ class RGBDImage(ToldNames):
         cls,
         color: ArrayLike,
         depth: ArrayLike,
-        depth_scale: float = 1000.0,
+        depth_scale: float | None = None,
         depth_trunc: float = 3.0,
         convert_rgb_to_intensity: bool = True,
         *,
@@ -98,9 +104,9 @@ class RGBDImage(ToldNames):
 
         Args:
             color: 8-bit colours, shape [h, w, 3], or grey [h, w].
-            depth: Shape [h, w]; integers of 16 bits and more are divided by `depth_scale`, floats are metres (Open3D
-                divides them too, and takes 8 bits for 0..1).
-            depth_scale: Integer units a metre.
+            depth: Shape [h, w]; integers of 16 bits and more, or floats (Open3D takes 8 bits for 0..1).
+            depth_scale: Units of depth a metre; None for 1000 of integers and 1 of floats (Open3D's default divides
+                floats by 1000).
             depth_trunc: Farthest depth kept [m] (Open3D drops it itself).
             convert_rgb_to_intensity: Keep 0.299 R + 0.587 G + 0.114 B, 0..1, in place of colours.
             device: Where the images go; None for the GPU that the depth lies on, else the CPU.
@@ -118,7 +124,7 @@ class RGBDImage(ToldNames):
         """
         image = cls(color, depth, depth_scale=depth_scale, depth_trunc=depth_trunc, device=device)
         if convert_rgb_to_intensity:
-            image.color_array = intensity_of(image.color_array)
+            vars(image)["color_array"] = intensity_of(image.color_array)
         return image
 
     create_from_color_and_depth = from_color_and_depth
@@ -192,8 +198,7 @@ class RGBDImage(ToldNames):
         return f"RGBDImage({self.width} x {self.height}, {self.device})"
 
     def __copy__(self) -> Self:
-        arrays = self.color_array, self.depth_array
-        return self.from_device_arrays(*arrays, self.height, self.width, self._library)
+        return self.from_device_arrays(self.color_array, self.depth_array, self.height, self.width, self._library)
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Self:
         arrays = clone(self.color_array), clone(self.depth_array)
@@ -201,19 +206,23 @@ class RGBDImage(ToldNames):
 
     def __getstate__(self) -> dict[str, Any]:
         """The image as NumPy arrays and the name of its device, for pickle."""
-        arrays = pickled({"color_array": self.color_array, "depth_array": self.depth_array})
-        state = {"arrays": arrays, "device": str(self.device), "library": self._library}
-        return state | {"height": self.height, "width": self.width}
+        state = {"device": str(self.device), "library": self._library, "height": self.height, "width": self.width}
+        return state | {"arrays": pickled({"color_array": self.color_array, "depth_array": self.depth_array})}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         """The image on the device that it was on; on the first GPU where there is another number of them.
 
         Raises:
-            DeviceError: It was on a GPU, and here is none.
+            ValueError, DeviceError: The state is damaged, or it was on a GPU and here is none.
         """
-        self.device, self._library = device_like("image", state["device"]), state["library"]
-        vars(self).update(unpickled(state["arrays"], self.device))
-        self.height, self.width = state["height"], state["width"]
+        with unpickling("image"):
+            arrays = unpickled(state["arrays"], device_like("image", state["device"]))
+            height, width = (check_count(name, state[name]) for name in ("height", "width"))
+            flat = float32, (height * width,)
+            color = check_form("color_array", arrays["color_array"], (uint8, (height * width, 3)), flat)
+            depth = check_form("depth_array", arrays["depth_array"], flat)
+            made = self.from_device_arrays(color, depth, height, width, check_library("library", state["library"]))
+        vars(self).update(vars(made))
 
     # ------------------------------------------------------------------------------------------ internals
 
@@ -243,70 +252,52 @@ class RGBDImage(ToldNames):
 
 
 def upload_depth(
-    depth: Any, depth_scale: float, depth_max: float, device: Any, *, limit: str = "depth_max"
-) -> tuple[wp.array, wp.array, int, int]:
-    """A depth image as float32 metres on the device, flat; its largest depth (see largest_depth); height and width.
+    depth: Any, depth_scale: float | None, depth_max: float, device: Any, *, limit: str = "depth_max"
+) -> tuple[wp.array, float, int, int]:
+    """A depth image as float32 metres on the device, flat; what it was divided by; height and width.
 
-    Integers are divided by `depth_scale`; floats are metres already. Zero, negative, NaN and infinite depths, and
-    those beyond `depth_max`, become 0: no measurement. Errors call that one by the name `limit`.
+    Zero, negative, NaN and infinite depths, and those beyond `depth_max`, become 0: no measurement. Errors call that
+    one by the name `limit`.
     """
     raw, scale, farthest, height, width = upload_raw_depth(depth, depth_scale, depth_max, device, limit=limit)
-    metric, largest = metric_depth(raw, scale, farthest)
-    return metric, largest, height, width
+    return metric_depth(raw, scale, farthest)[0], scale, height, width
 
 
 def upload_raw_depth(
-    depth: Any, depth_scale: float, depth_max: float, device: Any, *, limit: str = "depth_max"
+    depth: Any, depth_scale: float | None, depth_max: float, device: Any, *, limit: str = "depth_max"
 ) -> tuple[wp.array, float, float, int, int]:
     """A checked depth image on the device, flat, as uint16 or float32; the scale; the limit; height and width."""
     image: Any = take_numbers("depth", depth, device) if is_on_gpu(depth) else _as_array("depth", depth)
     _check_size(image)
-    scale = check_positive("depth_scale", depth_scale)
+    scale = None if depth_scale is None else check_positive("depth_scale", depth_scale)
     farthest = check_positive(limit, depth_max, allow_infinite=True)
     if is_on_gpu(depth):
-        raw = _flat_floats(image) if image.dtype in (wp.float16, float32, float64) else _flat_integers(image)
+        raw = _flat_floats(image) if image.dtype in FLOATS else _flat_integers(image)
     elif image.dtype.kind == "f":
         with np.errstate(over="ignore"):  # a depth beyond float32 is infinite: no measurement
             raw = upload(image.reshape(-1), float32, device)
     else:
         raw = _upload_raw(image, device)[0]
+    if scale is None:
+        scale = 1.0 if raw.dtype == float32 else MILLIMETRES
     return raw, scale, farthest, image.shape[0], image.shape[1]
 
 
-def warn_of_scale(
-    depth: Any, depth_scale: float, depth_trunc: float, limit: str = "depth_trunc", times: float = 1.0
-) -> None:
-    """Warn a user where a scale or limit leaves no depth of an image on the host: all is so many `times` farther."""
-    if not isinstance(depth, np.ndarray) or not asked_by_user():
-        return
-    unit = 1.0 if depth.dtype.kind == "f" else depth_scale
-    for part in (depth[::8, ::8], depth):
-        with np.errstate(invalid="ignore"):
-            measured = part[(part > 0) & np.isfinite(part)]
-        if measured.size and float(measured.min()) / unit <= depth_trunc * times:
-            return
-    if measured.size:
-        given = f"{measured.size:,} of {measured.dtype} {measured.min()}..{measured.max()}"
-        scale = "metres" if depth.dtype.kind == "f" else f"{depth_scale:g} units a metre"
-        if depth.dtype.kind == "f":
-            remedy = "floats in millimetres are divided by 1000 first"
-        elif depth_scale < 1000:
-            remedy = "integers in millimetres want depth_scale=1000"
-        else:
-            remedy = (
-                "TUM's numbers want depth_scale=5000" if depth_scale < 5000 else "a larger depth_scale brings it near"
-            )
-        warn_of_units(
-            f"depth_scale, {limit}: no depth is left: {given}, taken for {scale}, lie beyond {depth_trunc:g} m; "
-            f"{remedy}; what is truly that far wants a larger {limit}"
-        )
+def integer_scale(depth: Any, depth_scale: float) -> float | None:
+    """The scale of a frame's depth whose source tells that of integers: None for floats, which are metres there."""
+    if isinstance(depth, RGBDImage):
+        return None
+    if is_on_gpu(depth):
+        return None if take_numbers("depth", depth).dtype in FLOATS else depth_scale
+    return None if _as_array("depth", depth).dtype.kind == "f" else depth_scale
 
 
 def _as_array(name: str, values: Any) -> NDArray[Any]:
     if isinstance(values, str | os.PathLike):
         raise TypeError(f"{name}: expected an array, got a path; loom.read_{name}(path) reads it")
+    plain = unmasked(name, values, missing=0 if name == "depth" else None)
     try:
-        return np.asarray(values)
+        return np.asarray(plain)
     except (ValueError, TypeError) as error:
         raise TypeError(f"{name}: expected numbers, got {type(values).__name__} ({error})") from error
 
@@ -376,19 +367,17 @@ def upload_color(color: Any, height: int, width: int, device: Any) -> wp.array:
 
 def _repeated(grey: wp.array) -> wp.array:
     """A grey image on a GPU, [h, w], as one of three colours."""
-    rows, columns = grey.shape
-    pixels = empty((rows * columns, 3), uint8, grey.device)
+    pixels = empty((grey.size, 3), uint8, grey.device)
     for channel in range(3):
         fill_column(pixels, channel, view_as(grey, uint8, (grey.size,)))
-    return view_as(pixels, uint8, (rows, columns, 3))
+    return view_as(pixels, uint8, (*grey.shape, 3))
 
 
 def check_intrinsic(intrinsic: Any, width: int, height: int) -> PinholeCameraIntrinsic:
     """The intrinsic, once it fits the image."""
     if not isinstance(intrinsic, PinholeCameraIntrinsic):
-        kind = type(intrinsic).__name__
         raise TypeError(
-            f"intrinsic: expected a PinholeCameraIntrinsic, got {kind}; "
+            f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}; "
             "PinholeCameraIntrinsic.from_matrix(K, width, height) makes one of a matrix"
         )
     if (intrinsic.width, intrinsic.height) != (width, height):

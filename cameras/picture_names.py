@@ -14,7 +14,7 @@ def number_of(name: str) -> int | None:
         >>> number_of("left/frame_000012.png"), number_of("porch.jpg")
         (12, None)
     """
-    match = re.search(r"(\d+)$", Path(name).stem)
+    match = re.search(r"(?<!\d)(\d++)$", Path(name).stem)
     return int(match[1]) if match else None
 
 

@@ -10,10 +10,8 @@ from __future__ import annotations
 import dataclasses
 import json
 import os
-import re
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,20 +21,12 @@ from ..core.checks import check_name, check_numeric, check_rigid, check_shape
 from ..core.errors import FileError
 from ..core.json_files import check_keys, read_json_object
 from ..core.known_names import ToldNames
-from ..core.paths import path_of
-from ..core.quaternions import nearest_rotations, quaternions_to_rotations, rotations_to_quaternions
+from ..core.quaternions import nearest_rotations, rotations_to_quaternions
 from ..kernels.linear_algebra import inv
-from .camera import LARGEST_NUMBER, PinholeCameraIntrinsic, intrinsic_to_json, read_json_matrix
+from .camera import PinholeCameraIntrinsic, intrinsic_to_json, read_json_matrix
+from .pose_text import check_pose, kitti_poses, log_poses, read_lines, timed_poses
 
 FORMATS = ("log", "tum", "kitti", "json")
-
-# Open3D (0.20) ends this comment without a line break, so that the first pose of its TUM files stands behind it.
-_OPEN3D_TUM_HEADER = "# TUM trajectory, format: <t> <x> <y> <z> <qx> <qy> <qz> <qw>"
-
-# How far from 1 the length of a quaternion may be: 4 decimals leave 1e-4; more is not a rotation.
-_QUATERNION_TOLERANCE = 1e-2
-
-Line = tuple[int, list[str]]
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -93,7 +83,7 @@ class Trajectory(ToldNames):
         return f"Trajectory({', '.join([*parts, *(['ids'] if self.ids is not None else [])])})"
 
 
-def read_trajectory(path: str | os.PathLike[str]) -> Trajectory:
+def read_trajectory(path: str | os.PathLike[str], *, skip_missing: bool = False) -> Trajectory:
     """Read a trajectory; the name and the columns decide the format.
 
     - `.log`: three whole numbers and four matrix rows a pose, camera to world (Open3D, Redwood).
@@ -104,6 +94,11 @@ def read_trajectory(path: str | os.PathLike[str]) -> Trajectory:
     - `.txt` with 12 columns, `.kitti`: the upper three matrix rows, camera to world.
 
     In the text formats lines that begin with `#` and blank lines are passed over.
+
+    Args:
+        path: The file.
+        skip_missing: Leave out the poses of the text formats that tracking lost, which are marked by inf or NaN. The
+            timestamps or ids tell the others; KITTI's, which have none, get the number of their line as id.
 
     Returns:
         The poses; n >= 1.
@@ -119,6 +114,26 @@ def read_trajectory(path: str | os.PathLike[str]) -> Trajectory:
         >>> loom.read_trajectory("path.tum")
         Trajectory(3 poses, timestamps)
     """
+    trajectory = _read_all(path, gaps=skip_missing)
+    kept = np.asarray(~np.isnan(trajectory.poses).any(axis=(1, 2)))
+    if kept.all():
+        return trajectory
+    if not kept.any():
+        raise FileError(path, f"all {len(kept)} poses are lost: inf or NaN", remedy="Track the frames again")
+    ids = trajectory.ids
+    if ids is None and trajectory.timestamps is None:
+        order = np.arange(len(kept))
+        ids = np.stack([order, order, order + 1], axis=1)
+    times = None if trajectory.timestamps is None else trajectory.timestamps[kept]
+    return Trajectory(trajectory.poses[kept], times, None if ids is None else ids[kept])
+
+
+def read_poses_and_gaps(path: str | os.PathLike[str]) -> Trajectory:
+    """Read a trajectory as `read_trajectory` does, with NaN for the poses that tracking lost."""
+    return _read_all(path, gaps=True)
+
+
+def _read_all(path: str | os.PathLike[str], *, gaps: bool) -> Trajectory:
     suffix = Path(path).suffix.lower()
     if suffix == ".json":
         return _read_json(path)
@@ -130,12 +145,13 @@ def read_trajectory(path: str | os.PathLike[str]) -> Trajectory:
     if not lines:
         raise FileError(path, "holds no pose")
     if suffix == ".log":
-        return _read_log(path, lines)
+        poses, ids = log_poses(path, lines, gaps=gaps)
+        return Trajectory(poses, ids=ids)
     columns = len(lines[0][1])
     if columns == 8 and suffix != ".kitti":
-        return read_timed_poses(path, lines)
+        return Trajectory(*timed_poses(path, lines, gaps=gaps))
     if columns == 12 and suffix != ".tum":
-        return _read_kitti(path, lines)
+        return Trajectory(kitti_poses(path, lines, gaps=gaps))
     expected = {".tum": "8 columns", ".kitti": "12 columns"}.get(suffix, "8 columns (TUM) or 12 (KITTI)")
     raise FileError(
         path,
@@ -200,102 +216,6 @@ def write_trajectory(
         file.write(text.encode())
 
 
-def read_pose(path: str | os.PathLike[str]) -> NDArray[np.float64]:
-    """Read one pose, four rows of four numbers, shape [4, 4].
-
-    Raises:
-        FileError: Unreadable, another number of rows or columns, or not rigid.
-    """
-    lines = read_lines(path)
-    if len(lines) != 4:
-        raise FileError(path, f"expected 4 rows of a pose, got {len(lines)}")
-    return _rigid(path, [parse_floats(path, line, 4) for line in lines], lines[0][0])
-
-
-def read_lines(path: str | os.PathLike[str]) -> list[Line]:
-    """The lines of a text file that are neither blank nor comments, as (line number, columns)."""
-    try:
-        text = path_of(path).read_bytes().decode("utf-8-sig")
-    except OSError as error:
-        raise FileError(path, f"cannot be read: {error.strerror or error}") from error
-    except UnicodeDecodeError as error:
-        raise FileError(path, "not a text file", where=f"byte {error.start}") from error
-    lines = []
-    for number, line in enumerate(text.replace("\r\n", "\n").replace("\r", "\n").split("\n"), 1):
-        if line.startswith(_OPEN3D_TUM_HEADER):
-            line = line[len(_OPEN3D_TUM_HEADER) :]
-        columns = re.split(r"[ \t\v\f]+", line.strip(" \t\v\f")) if line.strip(" \t\v\f") else []
-        if columns and not columns[0].startswith("#"):
-            lines.append((number, columns))
-    return lines
-
-
-def parse_floats(path: str | os.PathLike[str], line: Line, count: int) -> list[float]:
-    """The finite numbers of a line that must hold exactly `count` of them."""
-    number, columns = line
-    if len(columns) != count:
-        raise FileError(path, f"expected {count} numbers, got {len(columns)} columns", where=f"line {number}")
-    try:
-        values = [float(column) for column in columns]
-    except ValueError as error:
-        raise FileError(path, f"not a number: {error}"[:200], where=f"line {number}") from error
-    words = "".join(columns)
-    if "_" in words or not words.isascii() or not all(abs(value) < LARGEST_NUMBER for value in values):
-        raise FileError(path, "expected finite numbers", where=f"line {number}")
-    return values
-
-
-def _read_log(path: str | os.PathLike[str], lines: list[Line]) -> Trajectory:
-    if len(lines) % 5:
-        reason = f"ends within a pose: {len(lines)} lines, where each pose takes 5"
-        raise FileError(path, reason, where=f"line {lines[-1][0]}", remedy="The file may be cut off")
-    poses, ids = [], []
-    for start in range(0, len(lines), 5):
-        ids.append(_parse_ids(path, lines[start]))
-        rows = [parse_floats(path, line, 4) for line in lines[start + 1 : start + 5]]
-        poses.append(_rigid(path, rows, lines[start + 1][0]))
-    return Trajectory(np.array(poses), ids=np.array(ids, np.int64))
-
-
-def _parse_ids(path: str | os.PathLike[str], line: Line) -> list[int]:
-    number, columns = line
-    try:
-        ids = [int(column) for column in columns if column.isascii() and "_" not in column]
-    except ValueError:
-        ids = []
-    if len(ids) != 3 or any(abs(i) >= 2**63 for i in ids):
-        reason = f"expected three whole numbers before a pose, got {' '.join(columns)[:60]!r}"
-        raise FileError(path, reason, where=f"line {number}")
-    return ids
-
-
-def read_timed_poses(path: str | os.PathLike[str], lines: list[Line]) -> Trajectory:
-    """Lines of a time and a pose, as TUM writes them."""
-    table = np.array([parse_floats(path, line, 8) for line in lines])
-    quaternions = table[:, 4:]
-    lengths = np.linalg.norm(quaternions, axis=1)
-    wrong = np.flatnonzero(~(np.abs(lengths - 1) <= _QUATERNION_TOLERANCE))
-    if len(wrong):
-        row = wrong[0]
-        raise FileError(
-            path,
-            f"expected a unit quaternion qx qy qz qw, got {quaternions[row].tolist()} of length {lengths[row]:.4g}",
-            where=f"line {lines[row][0]}",
-        )
-    poses = np.tile(np.eye(4), (len(table), 1, 1))
-    poses[:, :3, :3] = quaternions_to_rotations(quaternions / lengths[:, None])
-    poses[:, :3, 3] = table[:, 1:4]
-    return Trajectory(poses, timestamps=table[:, 0].copy())
-
-
-def _read_kitti(path: str | os.PathLike[str], lines: list[Line]) -> Trajectory:
-    poses = []
-    for line in lines:
-        values = parse_floats(path, line, 12)
-        poses.append(_rigid(path, [values[:4], values[4:8], values[8:], [0.0, 0.0, 0.0, 1.0]], line[0]))
-    return Trajectory(np.array(poses))
-
-
 def _read_json(path: str | os.PathLike[str]) -> Trajectory:
     content = read_json_object(path)
     versions = {"version_major", "version_minor"}
@@ -314,15 +234,8 @@ def _read_json(path: str | os.PathLike[str]) -> Trajectory:
         optional = {"class_name", "intrinsic", *versions}
         check_keys(path, camera, required={"extrinsic"}, optional=optional, where=f"{place}.")
         T_camera_world = read_json_matrix(path, camera["extrinsic"], 4, where=f"key {place}.extrinsic")
-        poses.append(inv(_rigid(path, T_camera_world, where=f"key {place}.extrinsic")))
+        poses.append(inv(check_pose(path, T_camera_world, f"key {place}.extrinsic")))
     return Trajectory(np.array(poses))
-
-
-def _rigid(path: str | os.PathLike[str], rows: Any, line: int = 0, *, where: str = "") -> NDArray[np.float64]:
-    try:
-        return check_rigid("pose", rows)
-    except ValueError as error:
-        raise FileError(path, str(error), where=where or f"line {line}") from error
 
 
 def _output_format(path: str | os.PathLike[str], format: str | None) -> str:

@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 import contextlib
+import errno
 import io
 import os
+import re
+import secrets
 import shutil
-import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 from typing import IO, Any
 
 from .errors import FileError
+from .interrupts import signal_exception
 from .paths import path_of
 
 _REPLACE = "Give another name, or overwrite=True to replace it"
+_MAX_ATTEMPTS = 5  # to replace a folder while another process restores the previous one
 
 
 def check_writable(path: str | os.PathLike[str], *, overwrite: bool = True) -> Path:
@@ -38,17 +42,26 @@ def check_writable(path: str | os.PathLike[str], *, overwrite: bool = True) -> P
 
 @contextlib.contextmanager
 def atomic_write(path: str | os.PathLike[str], *, overwrite: bool = True) -> Iterator[IO[bytes]]:
-    """A binary file that takes its name when the block ends without an error, and is removed otherwise."""
+    """A binary file that takes its name when the block ends without an error, and is removed otherwise.
+
+    A new file gets the permissions that `open` would give it. A replaced file keeps its own.
+    """
     path = check_writable(path, overwrite=overwrite)
-    handle, name = tempfile.mkstemp(prefix=f".{path.name}.", suffix=".part", dir=path.parent)
-    part = Path(name)
-    file = _Written(io.FileIO(handle, "wb"))
+    handle, part = _create_part(path)
+    try:
+        file = _Written(io.FileIO(handle, "wb"))
+    except BaseException:
+        os.close(handle)
+        part.unlink(missing_ok=True)
+        raise
     try:
         with file:
             yield file
             file.flush()
-        mode = path.stat().st_mode & 0o777 if path.exists() else 0o666 & ~_umask()
-        part.chmod(mode)
+        if file.failed is not None:  # a package caught it and went on
+            raise file.failed
+        if (mode := _mode_of(path)) is not None:
+            part.chmod(mode)
         if overwrite:
             part.replace(path)
         else:
@@ -59,22 +72,57 @@ def atomic_write(path: str | os.PathLike[str], *, overwrite: bool = True) -> Ite
         raise FileError(path, "exists already", remedy=_REPLACE) from error
     except BaseException as error:
         part.unlink(missing_ok=True)
-        told = error if isinstance(error, OSError) else file.failed
-        if told is not None and told.strerror:
-            raise FileError(path, f"cannot be written: {told.strerror}") from error
+        _raise_cause(path, error, file.failed)
         raise
 
 
-class _Written(io.BufferedWriter):
-    """A file that remembers why it could not be written: libraries that write to it may tell another reason."""
+def _raise_cause(path: Path, error: BaseException, failed: BaseException | None) -> None:
+    """Raise what stopped the writing, where `error` is another package's error that followed from it."""
+    if failed is not None and (not isinstance(failed, Exception) or signal_exception(failed) is failed):
+        if error is not failed and isinstance(error, Exception):
+            raise failed  # Ctrl-C or a time limit during a write
+        return
+    told = error if isinstance(error, OSError) else failed
+    if isinstance(told, OSError) and told.strerror:
+        raise FileError(path, f"cannot be written: {told.strerror}") from error
 
-    failed: OSError | None = None
+
+def _create_part(path: Path) -> tuple[int, Path]:
+    """Create a temporary file beside a file, with that file's permissions or those that `open` gives to a new one.
+
+    `tempfile.mkstemp` gives other permissions, and the umask can be read only by changing it for all threads.
+    """
+    mode, part = _mode_of(path), part_name(path)
+    try:
+        flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)
+        return os.open(part, flags, 0o666 if mode is None else mode), part
+    except OSError as error:
+        raise FileError(path, f"cannot be written: {error.strerror or error}") from error
+
+
+def part_name(path: Path, ending: str = "part") -> Path:
+    """A new hidden name in the same folder. `open` and `mkdir` then give the usual permissions, unlike `tempfile`."""
+    return path.absolute().with_name(f".{path.name}.{secrets.token_hex(8)}.{ending}")
+
+
+def _mode_of(path: Path) -> int | None:
+    """The permissions of a file or folder; None if it does not exist."""
+    try:
+        return path.stat().st_mode & 0o777
+    except FileNotFoundError:
+        return None
+
+
+class _Written(io.BufferedWriter):
+    """A file that stores the first exception of a write. Packages that write to it may raise another, or none."""
+
+    failed: BaseException | None = None
 
     def write(self, data: Any, /) -> int:
         try:
             return super().write(data)
-        except OSError as error:
-            self.failed = error
+        except BaseException as error:
+            self.failed = self.failed or error
             raise
 
 
@@ -86,6 +134,7 @@ def check_folder(path: str | os.PathLike[str], marker: str, *, overwrite: bool =
             something without the marker.
     """
     path = path_of(path)
+    restore_folder(path)
     if path.exists() and not path.is_dir():
         raise FileError(path, "is not a folder", remedy="Give the name of a folder")
     parent = path.absolute().parent
@@ -105,22 +154,21 @@ def check_folder(path: str | os.PathLike[str], marker: str, *, overwrite: bool =
 def atomic_folder(path: str | os.PathLike[str], marker: str, *, overwrite: bool = True) -> Iterator[Path]:
     """A folder that takes its name when the block ends without an error, and is removed otherwise.
 
+    A new folder gets the permissions that `mkdir` would give it. A replaced folder keeps its own. If the process is
+    killed while the folder is replaced, the next `check_folder` or `restore_folder` brings the previous one back.
+
     Raises:
         FileError: As `check_folder`; or a file cannot be written.
     """
     path = check_folder(path, marker, overwrite=overwrite)
-    part = Path(tempfile.mkdtemp(prefix=f".{path.name}.", suffix=".part", dir=path.absolute().parent))
+    mode, part = _mode_of(path), part_name(path)
     try:
+        part.mkdir(0o777 if mode is None else mode | 0o700)
         yield part
-        part.chmod(0o777 & ~_umask())
         check_folder(path, marker, overwrite=overwrite)
-        if path.exists():
-            old = part.with_suffix(".old")
-            path.rename(old)
-            part.rename(path)
-            shutil.rmtree(old)
-        else:
-            part.rename(path)
+        if (mode := _mode_of(path)) is not None:
+            part.chmod(mode)
+        _replace_folder(part, path)
     except BaseException as error:
         shutil.rmtree(part, ignore_errors=True)
         if isinstance(error, OSError) and error.strerror:
@@ -128,7 +176,49 @@ def atomic_folder(path: str | os.PathLike[str], marker: str, *, overwrite: bool 
         raise
 
 
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
+def _replace_folder(part: Path, path: Path) -> None:
+    """Rename a folder to a name that another folder may have. The other one is restored if that fails."""
+    old = part_name(path, "old")
+    for attempt in range(_MAX_ATTEMPTS):
+        try:
+            with contextlib.suppress(FileNotFoundError):
+                path.rename(old)
+            part.rename(path)
+            break
+        except BaseException as error:
+            restore_folder(path)  # also where another process just did
+            is_back = isinstance(error, OSError) and error.errno in (errno.ENOTEMPTY, errno.EEXIST)
+            if not is_back or attempt == _MAX_ATTEMPTS - 1:
+                raise
+            old = part_name(path, "old")
+    for each in _old_folders(path):  # of a process that was killed here, too
+        removed = part_name(path)
+        with contextlib.suppress(OSError):
+            each.rename(removed)  # first: a folder that is half removed must not be restored
+            shutil.rmtree(removed, ignore_errors=True)
+
+
+def restore_folder(path: str | os.PathLike[str]) -> None:
+    """Bring a folder back that a killed process had renamed to replace it; nothing if a file or folder exists.
+
+    The folders around the path are restored too, from the outermost one. Call it before a folder is reported as
+    missing.
+    """
+    path = path_of(path).absolute()
+    if os.path.lexists(path):
+        return
+    for place in (*reversed(path.parents), path):
+        if not os.path.lexists(place) and (old := _old_folders(place)):
+            with contextlib.suppress(OSError):  # another process was faster
+                old[-1].rename(place)
+
+
+def _old_folders(path: Path) -> list[Path]:
+    """What remains of folders that were being replaced, the latest last."""
+    pattern = re.compile(rf"\.{re.escape(path.name)}\.[0-9a-f]{{16}}\.old")
+    try:
+        with os.scandir(path.absolute().parent) as entries:
+            found = [(entry.stat().st_mtime_ns, entry.path) for entry in entries if pattern.fullmatch(entry.name)]
+    except OSError:
+        return []
+    return [Path(name) for _, name in sorted(found)]

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..kernels.linear_algebra import det, matmul, norm
+from .masked_arrays import unmasked
 from .plain_poses import is_plainly_rigid
 from .progress import ReportProgress
 from .verbosity import LoggedProgress
@@ -54,12 +55,10 @@ def check_rows(name: str, values: Any, width: int, *, rows: int | None = None, d
     """
     array = check_numeric(name, values)
     if array.ndim != 2 or array.shape[1] != width:
-        if array.size == 0 and array.ndim <= 2 and len(array) == 0:
-            array = array.reshape(0, width)
-        else:
-            raise ValueError(
-                f"{name}: expected shape [n, {width}], got {list(array.shape)}{remedy_of_shape(array.shape, width)}"
-            )
+        if array.size or array.ndim > 2 or len(array):
+            found = f"{list(array.shape)}{remedy_of_shape(array.shape, width)}"
+            raise ValueError(f"{name}: expected shape [n, {width}], got {found}")
+        array = array.reshape(0, width)
     if rows is not None and len(array) != rows:
         raise ValueError(
             f"{name}: expected shape [{rows}, {width}] as the cloud has {rows} points, got {list(array.shape)}"
@@ -113,10 +112,9 @@ def check_finite(name: str, array: NDArray[Any]) -> NDArray[Any]:
 def check_direction(name: str, direction: Any) -> NDArray[np.float64]:
     """A direction as a unit vector [3], of any length that is not zero."""
     vector = check_finite(name, check_shape(name, direction, (3,)))
-    size = np.abs(vector).max()
-    if not size > 0:
+    if not vector.any():
         raise ValueError(f"{name}: expected a direction, got {vector.tolist()}")
-    vector = vector / size  # whose square does not overflow
+    vector = vector / np.abs(vector).max()  # whose square does not overflow
     return vector / norm(vector)
 
 
@@ -145,16 +143,18 @@ def check_colors(name: str, colors: NDArray[Any]) -> NDArray[np.float32]:
 
 
 def check_numeric(name: str, values: Any) -> NDArray[Any]:
-    """An array-like of real numbers or booleans as a NumPy array.
+    """An array-like of real numbers or booleans as a NumPy array, with NaN for masked floats.
 
     Raises:
+        ValueError: Masked integers.
         TypeError: Not numeric, or memory of a GPU, which is never copied to the host silently.
     """
     if is_on_gpu(values):
-        kind = type(values).__name__
-        raise TypeError(f"{name}: expected an array on the host, got a {kind} on a GPU; download it first")
+        found = type(values).__name__
+        raise TypeError(f"{name}: expected an array on the host, got a {found} on a GPU; download it first")
+    plain = unmasked(name, values)
     try:
-        array = np.asarray(values)
+        array = np.asarray(plain)
     except (ValueError, TypeError, RuntimeError) as error:  # RuntimeError: a tensor of torch that requires a gradient
         raise TypeError(f"{name}: expected numbers, got {type(values).__name__} ({error})") from error
     if array.dtype.kind not in "biuf":

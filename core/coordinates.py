@@ -1,7 +1,7 @@
 """Coordinates as float32 relative to a float64 origin, so that kernels stay exact far from zero.
 
-A float32 holds 7 digits: at UTM coordinates (5e5, 5.4e6) that is half a metre. Relative to an origin inside the cloud
-it is a tenth of a millimetre a kilometre away.
+A float32 has 24 bits: half a meter at UTM coordinates (5e5, 5.4e6), half a millimeter at 9 km. Points that are far from
+zero for their spread are therefore stored about an origin near their median, whatever the unit of length.
 """
 
 from __future__ import annotations
@@ -14,12 +14,11 @@ from numpy.typing import NDArray
 
 from .checks import LARGEST_NUMBER
 
-ORIGIN_LIMIT = 1.0e4  # [m] coordinates beyond this move the origin: below it float32 resolves 1 mm
+ORIGIN_LIMIT = 1.0e4  # coordinates beyond this always move the origin: below it float32 resolves 1 mm
 MEDIAN_SAMPLE = 4096  # points whose median becomes the origin
-FAR_FROM_ZERO = (
-    64.0  # times the spread of x or y: a town's degrees are thousands, rooms and streets in metres below ten
-)
+FAR_FROM_ZERO = 32.0  # times the spread: about 8 times the extent of a uniform cloud, which costs 3 of 24 bits
 _MOST_DECIMALS = 12  # of an origin: more would be float64's own rounding
+NEAR_ZERO = 128.0  # [m] positions of sensors within this keep the origin at zero: float32 resolves 8 um there
 FLOAT32_MAX = float(np.finfo(np.float32).max)
 
 
@@ -36,9 +35,8 @@ def split_origin(
 
     Args:
         points: Finite or not; integers and float64 are taken exactly.
-        origin: The origin to use; None takes zero where no finite coordinate exceeds 1e4, else the median of the
-            finite points rounded to whole metres. That lies where most points are; one stray return would pull the
-            middle of their box away from all of them, and the points with it into coarser steps of float32.
+        origin: The origin to use; None takes that of `choose_origin`, near the median: one stray return would
+            pull the middle of the bounding box away from all other points.
 
     Raises:
         ValueError: The finite points lie so far apart that float32 cannot hold them about any origin. With an origin
@@ -53,7 +51,7 @@ def split_origin(
 
 @quiet()
 def choose_origin(points: NDArray[Any], steps: NDArray[np.float64] | None = None) -> NDArray[np.float64]:
-    """The origin of points of shape [n, 3], float64 [3]: zero, or the median of the finite points in whole metres.
+    """The origin of points of shape [n, 3], float64 [3]: zero, or near the median of the finite points.
 
     Args:
         points: Finite or not.
@@ -64,19 +62,70 @@ def choose_origin(points: NDArray[Any], steps: NDArray[np.float64] | None = None
     Raises:
         ValueError: The finite points lie so far apart that float32 cannot hold them about any origin.
     """
-    origin = np.zeros(3)
-    if points.size and not (points.min() >= -ORIGIN_LIMIT and points.max() <= ORIGIN_LIMIT):
+    if not points.size:
+        return np.zeros(3)
+    sample = sample_points(points)
+    if points.min() >= -ORIGIN_LIMIT and points.max() <= ORIGIN_LIMIT:
+        origin = origin_of_sample(sample)
+    else:
         low, high = finite_box(points)
-        if max(np.abs(low).max(), np.abs(high).max()) > LARGEST_NUMBER:
-            reach = f"{low.tolist()}..{high.tolist()}"
-            raise ValueError(f"points: {reach} reach beyond float32 about their middle, and {LARGEST_NUMBER:g} m")
-        if max(np.abs(low).max(), np.abs(high).max()) > ORIGIN_LIMIT:
-            origin = middle_of(points)
-            if max((high - origin).max(), (origin - low).max()) > FLOAT32_MAX:
-                origin = np.round(low / 2 + high / 2)
-            if max((high - origin).max(), (origin - low).max()) > FLOAT32_MAX:
-                raise ValueError(f"points: {low.tolist()}..{high.tolist()} reach beyond float32 about their middle")
-    return origin if steps is None or not points.size else _refine(origin, _most(points), steps)
+        reach = max(np.abs(low).max(), np.abs(high).max())
+        if reach > LARGEST_NUMBER:
+            found = f"{low.tolist()}..{high.tolist()}"
+            raise ValueError(f"points: {found} reach beyond float32 about their middle, and {LARGEST_NUMBER:g} m")
+        origin = origin_of_sample(sample, is_far=reach > ORIGIN_LIMIT)
+        if max((high - origin).max(), (origin - low).max()) > FLOAT32_MAX:
+            origin = np.round(low / 2 + high / 2)
+        if max((high - origin).max(), (origin - low).max()) > FLOAT32_MAX:
+            raise ValueError(f"points: {low.tolist()}..{high.tolist()} reach beyond float32 about their middle")
+    return origin if steps is None else _refine(origin, sample, steps)
+
+
+@quiet()
+def origin_of_sample(sample: NDArray[np.float64], *, is_far: bool = False) -> NDArray[np.float64]:
+    """The origin for points of which a finite sample is given: zero, or near the median of the sample.
+
+    The spread is the median deviation along each axis, which strays do not change. Zero is the origin if the median is
+    within 32 times the largest spread; else the median, rounded to whole meters, or along axes of small extent to a
+    power of two of about 4 times the extent.
+
+    Args:
+        sample: Shape [n, 3].
+        is_far: True if zero cannot be the origin.
+    """
+    middle = np.median(sample, axis=0)
+    spread = np.median(np.abs(sample - middle), axis=0)
+    if not spread.any():
+        spread = np.ptp(sample, axis=0)
+    if not is_far and (not spread.any() or np.abs(middle).max() <= FAR_FROM_ZERO * spread.max()):
+        return np.zeros(3)
+    return _rounded(middle, spread)
+
+
+def _rounded(place: NDArray[np.float64], spread: NDArray[np.float64]) -> NDArray[np.float64]:
+    finest = np.spacing(np.abs(place).max())  # of float64
+    steps = np.array([2.0 ** min(0, math.floor(math.log2(max(16 * s, finest)))) if s > 0 else 1.0 for s in spread])
+    return np.round(place / steps) * steps
+
+
+def origin_of_sensor(position: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The origin for measurements of a sensor at a position [m], shape [3]: zero within 128 m, else whole meters."""
+    return np.round(position) if np.abs(position).max() > NEAR_ZERO else np.zeros(3)
+
+
+def origin_under(moved: NDArray[np.float64], corners: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The origin of points after an affine map.
+
+    Args:
+        moved: Their origin under the map, shape [3].
+        corners: The lowest and highest corner of their bounding box after the map, shape [2, 3].
+    """
+    origin = choose_origin(corners)
+    if not origin.any():
+        return origin
+    carried = _rounded(moved, np.ptp(corners, axis=0) / 4)
+    # The old origin is near most of the points, whatever strays do to their bounding box.
+    return carried if np.abs(corners - carried).max() < FLOAT32_MAX else origin
 
 
 @quiet()
@@ -91,7 +140,7 @@ def written_steps(points: NDArray[Any]) -> NDArray[np.float64] | None:
     """
     if points.dtype != np.float64 or not len(points):
         return None
-    sample = _most(points)
+    sample = sample_points(points)
     middle = np.median(sample, axis=0)
     spread = np.median(np.abs(sample - middle), axis=0)
     if not (np.abs(middle) > FAR_FROM_ZERO * spread)[:2].any():
@@ -104,11 +153,6 @@ def _decimals(values: NDArray[np.float64]) -> int:
         if (np.round(values, decimals) == values).all():
             return decimals
     return _MOST_DECIMALS
-
-
-def middle_of(points: NDArray[Any]) -> NDArray[np.float64]:
-    """The median of the finite points in whole metres."""
-    return np.round(np.median(_most(points), axis=0))
 
 
 def _refine(
@@ -124,7 +168,7 @@ def _refine(
     return refined
 
 
-def _most(points: NDArray[Any]) -> NDArray[np.float64]:
+def sample_points(points: NDArray[Any]) -> NDArray[np.float64]:
     """The finite points, or a sample where they are many; one at zero where there are none.
 
     Points at zero do not count, which many scanners write where they measured nothing.

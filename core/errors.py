@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
+from collections.abc import Iterator
 from pathlib import Path
+
+from .escaped_text import escaped
 
 MOST_NAMES = 10_000  # of a folder that are looked through for one like a name that is not there
 _ABSENT = ("does not exist", "cannot be read: ")
@@ -28,9 +32,9 @@ class FileError(PointloomError, ValueError):
     def __init__(self, path: FilePath, reason: str, *, where: str = "", remedy: str = ""):
         if not remedy and reason.startswith(_ABSENT):
             remedy = _near_paths(os.fspath(path))
-        self.path, self.reason, self.where, self.remedy = os.fspath(path), reason, where, remedy
-        place = f"{self.path} ({where})" if where else self.path
-        super().__init__(f"{place}: {reason}" + (f". {remedy}" if remedy else ""))
+        self.path, self.reason, self.where, self.remedy = os.fspath(path), *map(escaped, (reason, where, remedy))
+        place = f"{escaped(self.path)} ({self.where})" if where else escaped(self.path)
+        super().__init__(f"{place}: {self.reason}" + (f". {self.remedy}" if remedy else ""))
 
     def __reduce__(self):
         """Survive pickling: the keyword arguments travel along."""
@@ -47,6 +51,17 @@ class CameraError(PointloomError, RuntimeError):
 
 class DeviceError(PointloomError, RuntimeError):
     """A device that does not exist, or operands that live on different ones."""
+
+
+@contextlib.contextmanager
+def values_of_file(path: FilePath, *, where: str = "", remedy: str = "") -> Iterator[None]:
+    """Turn the errors of argument checks, for values that were read from a file, into a FileError with its path."""
+    try:
+        yield
+    except FileError:
+        raise
+    except (ValueError, TypeError, OverflowError) as error:
+        raise FileError(path, str(error), where=where, remedy=remedy) from error
 
 
 def _near_paths(path: str) -> str:

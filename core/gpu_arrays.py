@@ -20,7 +20,7 @@ from ..kernels.lang import float32, float64, int32, int64, uint8, vec3, vec3d, v
 from ..kernels.memory import cast, contiguous, download, empty, upload
 from .array_libraries import view_as
 from .checks import check_rows, is_on_gpu, remedy_of_shape
-from .coordinates import MEDIAN_SAMPLE, ORIGIN_LIMIT, middle_of
+from .coordinates import MEDIAN_SAMPLE, ORIGIN_LIMIT, origin_of_sample, sample_points
 from .devices import check_same_device, resolve_device
 from .exchange import share
 
@@ -106,17 +106,15 @@ def take_points(
         ValueError: Another shape, or finite points that float32 does not hold about the origin that was chosen.
     """
     array = take_rows(name, values, 3, device, rows=rows)
-    count, start = array.shape[0], origin
-    if array.dtype == float32 and (start is None or not start.any()):
-        points = view_as(array, vec3, (count,))
-        if start is not None or not count or not reaches_beyond(points, ORIGIN_LIMIT):
-            return points, np.zeros(3) if start is None else start
-    wide = view_as(_as(array, float64), vec3d, (count,))
-    is_far = start is None and count > 0 and reaches_beyond(wide, ORIGIN_LIMIT)
-    if start is None:
-        start = _middle_of(wide) if is_far else np.zeros(3)
+    count = int(array.shape[0])
+    is_float32 = array.dtype == float32
+    points = view_as(array if is_float32 else _as(array, float64), vec3 if is_float32 else vec3d, (count,))
+    start = _choose_origin(points) if origin is None else origin
+    if is_float32 and not start.any():
+        return points, start
+    wide = points if points.dtype == vec3d else view_as(_as(array, float64), vec3d, (count,))
     local, lost = subtract_origin(wide, start)
-    if is_far and download(lost)[0]:  # sync
+    if origin is None and start.any() and download(lost)[0]:  # sync
         raise ValueError(f"{name}: they reach beyond float32 about their middle, {start.tolist()}")
     return local, start
 
@@ -236,11 +234,15 @@ def _as(array: wp.array, dtype: Any) -> wp.array:
     return array if array.dtype == dtype else cast(array, dtype)
 
 
-def _middle_of(points: wp.array) -> NDArray[np.float64]:
-    """The median of those points of an array of vec3d that `split_origin` would look at.
+def _choose_origin(points: wp.array) -> NDArray[np.float64]:
+    """The origin of an array of vec3 or vec3d, as `choose_origin` chooses it.
 
-    Only these go to the host, some 4,096; all do where none of them is finite.
+    Only a sample goes to the host, some 4,096 points; all do where none of it is finite.
     """
+    if not points.size:
+        return np.zeros(3)
     sample = download(contiguous(points[:: points.size // MEDIAN_SAMPLE | 1]))  # sync
     usable = np.isfinite(sample).all(axis=1) & sample.any(axis=1)
-    return middle_of(sample if usable.any() else download(points))
+    sample = sample_points(sample if usable.any() else download(points))
+    origin = origin_of_sample(sample)
+    return origin if origin.any() else origin_of_sample(sample, is_far=reaches_beyond(points, ORIGIN_LIMIT))

@@ -10,6 +10,8 @@ from collections.abc import Iterable
 from html import escape
 from typing import Any
 
+from .escaped_text import escaped
+
 MOST_ROWS = 40  # of a table
 MOST_CHARACTERS = 300  # of a value
 
@@ -30,7 +32,7 @@ def html_table(caption: str, rows: Iterable[tuple[str, Any]]) -> str:
 
 def _cell(text: str) -> str:
     short = text if len(text) <= MOST_CHARACTERS else f"{text[: MOST_CHARACTERS - 3]}..."
-    return escape(short).replace("\n", "<br>")
+    return escape(escaped(short, lines=True)).replace("\n", "<br>")
 
 
 def array_type(array: Any) -> str:

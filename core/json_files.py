@@ -11,6 +11,8 @@ from .checks import LARGEST_NUMBER as LARGEST_NUMBER
 from .errors import FileError
 from .paths import path_of
 
+MOST_DIGITS = 300  # of a whole number, which float64 then holds
+
 
 def read_json_object(path: str | os.PathLike[str]) -> dict[str, Any]:
     """The JSON object in a file, read strictly: no NaN, no infinity, no key given twice.
@@ -20,8 +22,14 @@ def read_json_object(path: str | os.PathLike[str]) -> dict[str, Any]:
     """
     try:
         content = json.loads(
-            path_of(path).read_bytes(), object_pairs_hook=_unique_pairs, parse_constant=_refuse, parse_float=_finite
+            data := path_of(path).read_bytes(),
+            object_pairs_hook=_unique_pairs,
+            parse_constant=_refuse,
+            parse_float=_finite,
+            parse_int=_bounded,
         )
+        if b"\\ud" in data.lower():
+            json.dumps(content, ensure_ascii=False).encode()  # half of a surrogate pair is no text
     except OSError as error:
         raise FileError(path, f"cannot be read: {error.strerror or error}") from error
     except json.JSONDecodeError as error:
@@ -60,6 +68,12 @@ def _unique_pairs(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
 
 def _refuse(constant: str) -> Any:
     raise ValueError(f"{constant} is not a number")
+
+
+def _bounded(text: str) -> int:
+    if len(text) > MOST_DIGITS:
+        raise ValueError(f"{text[:40]}... is too large")
+    return int(text)
 
 
 def _finite(text: str) -> float:

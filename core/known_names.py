@@ -28,9 +28,19 @@ class ToldClass(type):
 
 
 class ToldNames(metaclass=ToldClass):
-    """A class whose unknown names are told, with what Open3D's are here, else with the nearest one."""
+    """A class whose unknown names are told, with what Open3D's are here, else with the nearest one.
+
+    The attributes in `_fixed` cannot be assigned again: others, such as arrays of their size, depend on them.
+    """
+
+    _fixed: tuple[str, ...] = ()
 
     if not TYPE_CHECKING:
+
+        def __setattr__(self, name: str, value: Any) -> None:
+            if name in self._fixed and name in vars(self):
+                raise AttributeError(f"{name}: is fixed once a {type(self).__name__} is made; make another one")
+            object.__setattr__(self, name, value)
 
         def __getattr__(self, name: str) -> Any:
             raise AttributeError(_message(type(self), name))
@@ -46,7 +56,7 @@ class KnownNames(ToldNames):
         def __setattr__(self, name: str, value: Any) -> None:
             if not name.startswith("_") and not _declares(type(self), name):
                 raise AttributeError(_message(type(self), name, self._how_to_add.format(name=name)))
-            object.__setattr__(self, name, value)
+            super().__setattr__(name, value)
 
 
 _declared: set[tuple[type, str]] = set()  # found before: a class does not lose a name

@@ -6,6 +6,8 @@ import os
 from pathlib import Path
 from typing import Any
 
+from .errors import FileError
+
 
 def path_of(path: Any) -> Path:
     """The path, with `~` and `~name` as a shell has them.
@@ -20,3 +22,29 @@ def path_of(path: Any) -> Path:
         return given.expanduser()
     except RuntimeError:  # no such user: a file may be called so
         return given
+
+
+def refuse_link(path: Path) -> Path:
+    """The path of an entry in a job's folder, after a check that it is no symbolic link.
+
+    Raises:
+        FileError: It is one. Files of the job would be written or removed where it leads.
+    """
+    if path.is_symlink():
+        raise FileError(path, "is a symbolic link", remedy="Replace it by the file or folder it leads to")
+    return path
+
+
+def plain_name(path: Path, name: Any) -> str:
+    """A name read from a file for another file in a folder, after a check that it leads nowhere else.
+
+    Args:
+        path: The file that contains the name.
+        name: The name.
+
+    Raises:
+        FileError: It is no plain file name.
+    """
+    if not isinstance(name, str) or name in ("", ".", "..") or any(sign in name for sign in "/\\\0"):
+        raise FileError(path, f"expected a plain file name, got {name!r}")
+    return name

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any
 
+import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
 from ..kernels.lang import vec2, vec3, vec3i
 from ..kernels.memory import download, upload
+from .checks import shown
 from .devices import resolve_device
 from .errors import DeviceError
 
@@ -22,11 +26,54 @@ def pickled(arrays: dict[str, wp.array]) -> dict[str, tuple[NDArray[Any], str]]:
 
 
 def unpickled(state: dict[str, tuple[NDArray[Any], str]], device: Any) -> dict[str, wp.array]:
-    """The arrays on a device."""
-    return {
-        name: upload(values, KINDS[kind] if kind else wp.dtype_from_numpy(values.dtype), device)
-        for name, (values, kind) in state.items()
-    }
+    """The arrays on a device.
+
+    Raises:
+        TypeError, ValueError: An entry is not an array of numbers with the name of its type.
+    """
+    return {name: _upload_checked(name, *entry, device) for name, entry in state.items()}
+
+
+def _upload_checked(name: str, values: Any, kind: str, device: Any) -> wp.array:
+    if not isinstance(name, str) or not isinstance(values, np.ndarray) or values.dtype.kind not in "biuf":
+        raise TypeError(f"{shown(name)}: expected an array of numbers, got {type(values).__name__}")
+    if not kind:
+        return upload(values, wp.dtype_from_numpy(values.dtype), device)
+    vector = KINDS[kind]
+    width, scalar = len(vector()), wp.dtype_to_numpy(vector._wp_scalar_type_)
+    if values.dtype != scalar or values.size % width or (values.size and values.shape[-1] != width):
+        raise ValueError(f"{name}: expected {np.dtype(scalar)} [n, {width}], got {values.dtype} {list(values.shape)}")
+    return upload(values.reshape(-1, width), vector, device)
+
+
+def check_form(name: str, array: wp.array, *forms: tuple[Any, tuple[int, ...]]) -> wp.array:
+    """An array of one of these types and shapes.
+
+    Raises:
+        ValueError: It has none of them.
+    """
+    if (array.dtype, tuple(array.shape)) not in forms:
+        expected = " or ".join(f"{dtype.__name__} {list(shape)}" for dtype, shape in forms)
+        raise ValueError(f"{name}: expected {expected}, got {array}")
+    return array
+
+
+@contextmanager
+def unpickling(what: str) -> Iterator[None]:
+    """Raise whatever a damaged state makes the code inside raise as one ValueError.
+
+    Raises:
+        ValueError: A pickle is damaged, or of another version.
+        DeviceError: It was on a GPU, and here is none.
+    """
+    try:
+        yield
+    except (MemoryError, DeviceError):
+        raise
+    except Exception as error:  # a state may hold anything
+        reason = f"lacks {error}" if isinstance(error, KeyError) else str(error)
+        remedy = "Pickle it again with this version"
+        raise ValueError(f"{what}: the pickle is damaged or of another version: {reason}. {remedy}") from error
 
 
 def device_like(what: str, name: str) -> Any:

@@ -6,6 +6,7 @@ import dataclasses
 from collections.abc import Iterable
 from typing import Any
 
+from .escaped_text import escaped
 from .html_tables import html_table
 from .wording import plain
 
@@ -51,11 +52,11 @@ def values_of(report: Any) -> dict[str, Any]:
 def rows_of(fields: Iterable[tuple[str, str]]) -> list[str]:
     """Labels and values in two columns, a row a line; a value of several lines keeps its column."""
     pairs = list(fields)
-    width = max((len(label) for label, _ in pairs), default=0)
+    width = max((len(escaped(label)) for label, _ in pairs), default=0)
     rows = []
     for label, value in pairs:
-        first, *others = value.split("\n")
-        rows.append(f"  {label:<{width}}  {first}".rstrip())
+        first, *others = escaped(value, lines=True).split("\n")
+        rows.append(f"  {escaped(label):<{width}}  {first}".rstrip())
         rows += [f"  {'':<{width}}  {line}" for line in others]
     return rows
 

@@ -16,6 +16,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from .checks import check_positive, shown
+from .escaped_text import escaped
 
 SAME_SHARE = 1e-7  # by which a length may be rounded and still is that of a known unit: the two feet differ by 2e-6
 _NEAR_SHARE = 1e-5  # by which a length of few digits may differ from that of the unit which the same place names
@@ -34,6 +35,16 @@ class UnitWarning(UserWarning):
         >>> import warnings, pointloom as loom
         >>> with warnings.catch_warnings():
         ...     warnings.simplefilter("error", loom.UnitWarning)  # make it an error
+    """
+
+
+class NonFiniteWarning(UserWarning):
+    """Normals, covariances, colors or speeds of some points are NaN or infinite, so that these points are not used.
+
+    Example:
+        >>> import warnings, pointloom as loom
+        >>> with warnings.catch_warnings():
+        ...     warnings.simplefilter("error", loom.NonFiniteWarning)  # make it an error
     """
 
 
@@ -205,7 +216,7 @@ def common_unit(name: str, units: Iterable[LengthUnit | None]) -> LengthUnit | N
 
 def warn_of_units(message: str, category: type[Warning] = UnitWarning) -> None:
     """Warn, at the line of the user's that led here."""
-    warnings.warn(message, category, stacklevel=_user_level())
+    warnings.warn(escaped(message), category, stacklevel=_user_level())
 
 
 def asked_by_user() -> bool:

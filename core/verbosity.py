@@ -11,11 +11,13 @@ import contextlib
 import enum
 import logging
 import os
-import sys
 import time
 from collections.abc import Iterator
 from types import TracebackType
 from typing import Self
+
+from .escaped_text import escaped
+from .standard_streams import write_to_stderr
 
 LOGGER = logging.getLogger("pointloom")
 PATIENCE = 3.0  # [s] before a call says how far it is, and between two times
@@ -60,10 +62,8 @@ class Lines(logging.Handler):
 
 
 def _print(text: str) -> None:
-    """A line on stderr; nothing where that is closed."""
-    if sys.stderr is not None:
-        with contextlib.suppress(OSError, ValueError):
-            print(f"pointloom: {text}", file=sys.stderr, flush=True)
+    """Write a line to stderr."""
+    write_to_stderr(f"pointloom: {escaped(text, lines=True)}")
 
 
 _lines = Lines()

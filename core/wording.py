@@ -11,6 +11,8 @@ import math
 from collections.abc import Iterable, Sequence
 from typing import Any
 
+from .escaped_text import escaped_json
+
 MOST_DECIMALS = 15  # that `rounded` leaves; Python has no more of numbers near 1
 
 
@@ -55,7 +57,7 @@ def format_bounds(bounds: dict[str, Any] | None) -> str:
 
 def to_json(report: dict[str, Any]) -> str:
     """A report as JSON text, indented; what is not a finite number becomes null."""
-    return json.dumps(plain(report), indent=2, allow_nan=False, ensure_ascii=False)
+    return escaped_json(json.dumps(plain(report), indent=2, allow_nan=False, ensure_ascii=False))
 
 
 def plain(value: Any) -> Any:

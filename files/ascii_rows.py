@@ -20,7 +20,7 @@ from ..core.errors import FileError
 # Rows formatted or packed at a time: large enough to amortise Python, small enough to stay out of memory's way.
 CHUNK_ROWS = 1 << 16
 
-_NUMBER = re.compile(rb"[+-]?(?:\d+\.?\d*(?:e[+-]?\d+)?|\.\d+(?:e[+-]?\d+)?|inf(?:inity)?|nan(?:\(\w*\))?)", re.I)
+_NUMBER = re.compile(rb"[+-]?(?:\d++(?:\.\d*+)?(?:e[+-]?\d+)?|\.\d+(?:e[+-]?\d+)?|inf(?:inity)?|nan(?:\(\w*\))?)", re.I)
 
 
 def unix_lines(body: bytes) -> bytes:

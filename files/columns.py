@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from ..core.coordinates import choose_origin, quiet
 from ..core.errors import FileError
+from ..core.escaped_text import escaped
 
 # Colours that arithmetic has pushed out of 0..1 by no more than this are clipped; anything further is a mistake.
 COLOR_SLACK = 1e-3
@@ -40,7 +41,7 @@ def stack_normals(path: Any, columns: Sequence[NDArray[Any]]) -> NDArray[np.floa
 
 
 def stack_colors(path: Any, columns: Sequence[NDArray[Any]]) -> NDArray[np.float32]:
-    """Three columns as colours in 0..1, float32 [n, 3].
+    """Columns as colors in 0..1, float32 [n, 3]; or [n, 4] with an alpha.
 
     16-bit unsigned integers count as parts of 65535, other integers as parts of 255, floating point as it stands.
 
@@ -65,26 +66,75 @@ def stack_colors(path: Any, columns: Sequence[NDArray[Any]]) -> NDArray[np.float
     return colors
 
 
-def colors_or_loss(path: Any, columns: Sequence[NDArray[Any]], *, stacklevel: int = 3) -> NDArray[np.float32] | None:
-    """As `stack_colors`, but None with a warning where a colour is outside its range: a mesh is whole without them."""
+def colors_or_loss(
+    path: Any, columns: Sequence[NDArray[Any]], *, what: str = "colors", stacklevel: int = 3
+) -> NDArray[np.float32] | None:
+    """Stack the color channels of a mesh, which is read whatever its colors are.
+
+    Colors outside their range are scaled or clamped with a warning. They are left behind with a warning if one is NaN
+    or infinite, or if the channels have different types.
+
+    Returns:
+        Colors in 0..1, float32 [n, 3], or None.
+    """
     try:
         return stack_colors(path, columns)
     except FileError as error:
-        reason = f"{error.reason} ({error.where})" if error.where else error.reason
-        warn_of_loss(path, "colours", reason, stacklevel=stacklevel + 1)
+        if len({(column.dtype.kind, column.dtype.itemsize) for column in columns}) > 1:
+            warn_of_loss(path, what, error.reason, stacklevel=stacklevel + 1)
+            return None
+    full = color_scale(columns)
+    colors, note = fit_colors(columns, full)
+    if colors is None:
+        warn_of_loss(path, what, note, stacklevel=stacklevel + 1)
         return None
+    if full > 1 and columns[0].dtype.kind == "f":
+        note = f"they are floating-point numbers above 1 and were divided by {full}" + f"; {note}" * bool(note)
+    warnings.warn(f"{path}: {what}: {note}", UserWarning, stacklevel=stacklevel)
+    return colors
+
+
+def color_scale(columns: Sequence[NDArray[Any]]) -> int:
+    """The value of a full channel of colors.
+
+    Returns:
+        65535 for 16-bit unsigned integers and 255 for other integers. Floating-point numbers: 255 if one is above 2,
+        or one is above 1 and all are whole numbers; else 1.
+    """
+    if columns[0].dtype.kind != "f":
+        return 65535 if columns[0].dtype.kind == "u" and columns[0].dtype.itemsize == 2 else 255
+    high = max((float(column.max()) for column in columns if len(column)), default=0.0)
+    return 255 if high > 2 or (high > 1 and all(bool((np.floor(column) == column).all()) for column in columns)) else 1
+
+
+def fit_colors(columns: Sequence[NDArray[Any]], full: int) -> tuple[NDArray[np.float32] | None, str]:
+    """Divide channels by `full` and clamp them to 0..1.
+
+    Returns:
+        The colors, float32 [n, c], and a note on what was clamped, empty if nothing was; or None and the reason if a
+        color is NaN or infinite.
+    """
+    with quiet():
+        values = np.stack([column.astype(np.float64) for column in columns], axis=1) / full
+    wild = ~np.isfinite(values).all(axis=1)
+    if wild.any():
+        return None, f"a color is NaN or infinite (row {int(np.argmax(wild))})"
+    outside = ((values < -COLOR_SLACK) | (values > 1 + COLOR_SLACK)).any(axis=1)
+    note = f"{int(outside.sum())} of {len(values)} are outside 0..{full} and were clamped" if outside.any() else ""
+    return np.clip(values, 0, 1).astype(np.float32), note
 
 
 def warn_of_loss(path: Any, what: str, reason: str, *, stacklevel: int = 3) -> None:
     """Warn that something of a file is left behind, for a reason; by default in the name of a reader's caller."""
-    warnings.warn(f"{path}: the {what} are left behind, since {reason}", UserWarning, stacklevel=stacklevel + 1)
+    message = f"{path}: the {what} are left behind, since {reason}"
+    warnings.warn(escaped(message), UserWarning, stacklevel=stacklevel + 1)
 
 
 def warn_left_out(path: Any, format: str, names: Sequence[str], *, stacklevel: int = 3) -> None:
     """Warn, in the name of a writer's caller, that a file lacks what its format cannot hold; say nothing of nothing."""
     if names:
         message = f"{path}: {', '.join(names)} left out, since {format} cannot hold that; .ply holds everything"
-        warnings.warn(message, UserWarning, stacklevel=stacklevel + 1)
+        warnings.warn(escaped(message), UserWarning, stacklevel=stacklevel + 1)
 
 
 def check_reach(path: Any, points: NDArray[Any]) -> None:
@@ -164,7 +214,7 @@ def _outside(colors: NDArray[Any]) -> NDArray[np.bool_]:
     """Which rows have a channel that is NaN or beyond 0..1, shape [n]."""
     with np.errstate(invalid="ignore"):
         inside = (colors >= -COLOR_SLACK) & (colors <= 1 + COLOR_SLACK)
-    return ~inside[:, 0] | ~inside[:, 1] | ~inside[:, 2]
+    return np.logical_or.reduce(~inside.T)
 
 
 def _refuse_colors(path: Any, bad: NDArray[np.bool_], span: str) -> None:

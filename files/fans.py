@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.errors import FileError
+from ..core.escaped_text import escaped
 from .ears import MOST_CORNERS, clip_ears
 
 # A quad is bent where its diagonals pass each other at more than this part of the longer one: well above what seven
@@ -195,4 +196,4 @@ def _tell(path: Any, crossed: Places, lengths: Places) -> None:
     many = f"{len(crossed)} faces cross themselves, the first" if len(crossed) > 1 else "a face crosses itself:"
     large = f" (or have more than {MOST_CORNERS} corners)" if lengths[crossed].max() > MOST_CORNERS else ""
     message = f"{path}: {many} face {crossed[0]}{large}; such are fans, whose triangles overlap"
-    warnings.warn(message, UserWarning, stacklevel=5)
+    warnings.warn(escaped(message), UserWarning, stacklevel=5)

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import contextlib
 import importlib
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 from ..core.errors import FileError
+from ..core.interrupts import signal_exception
 
 
 def import_for(path: Any, module: str, extra: str) -> Any:
@@ -30,12 +32,38 @@ def import_for(path: Any, module: str, extra: str) -> Any:
 
 
 @contextlib.contextmanager
-def foreign_errors(path: Any, what: str) -> Iterator[None]:
-    """Turn whatever another package raises over a file into a FileError; Rust's panics are no Exception."""
+def foreign_errors(path: Any, what: str, *, remedy: str = "") -> Iterator[None]:
+    """Turn the errors that another package raises for a file into a FileError.
+
+    Exceptions that are no errors of the package pass unchanged: a FileError, a MemoryError, everything that is no
+    Exception (KeyboardInterrupt, time limits of test runners), and everything that a signal handler raised. The panics
+    of packages in Rust are no Exception either, but they are errors.
+
+    Args:
+        path: The file, for errors.
+        what: The beginning of the reason.
+        remedy: What the user can do.
+
+    Raises:
+        FileError: The package raised an error.
+    """
+    handled = sys.exception()
     try:
         yield
-    except (FileError, MemoryError, KeyboardInterrupt, SystemExit, GeneratorExit):
+    except (FileError, MemoryError):
         raise
     except BaseException as error:
+        if not isinstance(error, Exception) and not _is_panic(error):
+            raise
+        stopped = signal_exception(error, handled)
+        if stopped is error:
+            raise
+        if stopped is not None:
+            raise stopped from None
         reason = str(error).split("\n")[0] or type(error).__name__
-        raise FileError(path, f"{what}: {reason}") from error
+        raise FileError(path, f"{what}: {reason}", remedy=remedy) from error
+
+
+def _is_panic(error: BaseException) -> bool:
+    """True for a panic of a package in Rust. Each package has its own class of this name."""
+    return (type(error).__module__, type(error).__name__) == ("pyo3_runtime", "PanicException")

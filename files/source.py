@@ -10,6 +10,7 @@ import stat
 from collections.abc import Callable, Iterator
 from typing import Any, ParamSpec, TypeVar
 
+from ..core.atomic import restore_folder
 from ..core.errors import FileError, PointloomError
 from ..core.paths import path_of
 
@@ -65,6 +66,7 @@ def open_source(path: str | os.PathLike[str]) -> Source:
         FileError: Missing, a folder, a pipe or device, unreadable, or empty.
     """
     path = path_of(path)
+    restore_folder(path.parent)
     try:
         status = path.stat()
         if stat.S_ISDIR(status.st_mode):

@@ -26,6 +26,7 @@ class PointTable:
         is_geographic: Whether the file says that x and y are longitude and latitude.
         unit: Of the coordinates, where the file tells it.
         unit_doubt: What the file says against that unit, in a sentence, or None.
+        viewpoint: Position and quaternion w x y z of the sensor, not applied to the points (PCD); None at the origin.
     """
 
     points: NDArray[Any]
@@ -37,6 +38,7 @@ class PointTable:
     is_geographic: bool = False
     unit: LengthUnit | None = None
     unit_doubt: str | None = None
+    viewpoint: tuple[float, ...] | None = None
 
     def checked(self) -> PointTable:
         """The same table with every array checked, as the writers need it.
@@ -59,6 +61,7 @@ class PointTable:
             self.is_geographic,
             self.unit,
             self.unit_doubt,
+            self.viewpoint,
         )
 
 

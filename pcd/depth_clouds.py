@@ -9,10 +9,11 @@ import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
 from ..cameras.camera import PinholeCameraIntrinsic, check_pixels
-from ..cameras.images import RGBDImage, check_intrinsic, upload_depth, warn_of_scale
+from ..cameras.depth_doubts import warn_of_scale
+from ..cameras.images import RGBDImage, check_intrinsic, upload_depth
 from ..core.array_libraries import hand_out, library_of
 from ..core.checks import check_count, check_positive, check_rigid
-from ..core.coordinates import split_origin
+from ..core.coordinates import origin_of_sensor
 from ..core.gpu_arrays import device_for
 from ..core.told_arguments import told_arguments
 from ..kernels.images.depth import PixelGrid, color_pixels, pixel_normals, unproject_depth
@@ -34,7 +35,7 @@ class DepthClouds(Selection):
         depth: ArrayLike,
         intrinsic: PinholeCameraIntrinsic,
         extrinsic: ArrayLike | None = None,
-        depth_scale: float = 1000.0,
+        depth_scale: float | None = None,
         depth_trunc: float = 1000.0,
         stride: int = 1,
         project_valid_depth_only: bool = True,
@@ -45,10 +46,10 @@ class DepthClouds(Selection):
         """The points of a depth image, row by row.
 
         Args:
-            depth: Shape [h, w]; integers are divided by `depth_scale`, floats are metres.
+            depth: Shape [h, w]; integers of 16 bits and more, or floats.
             intrinsic: The camera, of the image's size.
             extrinsic: T_camera_world, shape [4, 4]; None for the identity.
-            depth_scale: Integer units a metre.
+            depth_scale: Units of depth a metre; None for 1000 of integers and 1 of floats.
             depth_trunc: Farthest depth kept [m] (Open3D drops it itself), also for float depth (Open3D ignores it
                 there).
             stride: Takes every stride-th pixel of every stride-th row.
@@ -63,10 +64,10 @@ class DepthClouds(Selection):
             ValueError: Wrong shapes, sizes that disagree, an extrinsic that is no rigid motion.
         """
         where = device_for(depth, device)
-        metric, _, height, width = upload_depth(depth, depth_scale, depth_trunc, where, limit="depth_trunc")
+        metric, scale, height, width = upload_depth(depth, depth_scale, depth_trunc, where, limit="depth_trunc")
         camera = check_intrinsic(intrinsic, width, height)
         times = 1.0 if depth_trunc >= NOBODY_MEASURES else OTHER_UNIT
-        warn_of_scale(depth, depth_scale, depth_trunc, times=times)
+        warn_of_scale(depth, scale, depth_trunc, times=times)
         cloud = cls.from_device_depth(metric, None, camera, extrinsic, stride, project_valid_depth_only, with_normals)
         cloud._library = library_of(depth)
         return cloud
@@ -103,7 +104,7 @@ class DepthClouds(Selection):
         height: int,
         intrinsic: PinholeCameraIntrinsic,
         extrinsic: ArrayLike | None = None,
-        depth_scale: float = 1000.0,
+        depth_scale: float = 1.0,
         depth_max: float = 3.0,
     ) -> NDArray[np.float32]:
         """What a depth camera would measure of the cloud: the depth of the nearest point in each pixel.
@@ -113,7 +114,8 @@ class DepthClouds(Selection):
             height: Rows of the image [px].
             intrinsic: The camera, of that size.
             extrinsic: T_camera_world, shape [4, 4]; None for the identity.
-            depth_scale: Units of the result a metre; 1 for metres.
+            depth_scale: Units of the result a metre; 1000 for millimetres. `from_depth_image` with the same one gives
+                the points back.
             depth_max: Farthest depth that is seen [m].
 
         Returns:
@@ -124,14 +126,14 @@ class DepthClouds(Selection):
             ValueError: Wrong sizes, numbers out of range, an extrinsic that is no rigid motion.
 
         Notes:
-            Open3D's tensor form. A point is seen in the pixel whose centre is nearest; there are no surfaces between
-            points. A depth image comes back whole from its own cloud. 8 B of memory a pixel; same bits from run to
-            run.
+            Open3D's tensor form, whose depth_scale is 1000 by default. A point is seen in the pixel whose centre is
+            nearest; there are no surfaces between points. A depth image comes back whole from its own cloud. 8 B of
+            memory a pixel; same bits from run to run.
 
         Example:
             >>> import pointloom as loom
             >>> camera = loom.PinholeCameraIntrinsic(3, 2, 1.0, 1.0, 1.0, 0.0)
-            >>> loom.PointCloud([[0, 0, 2], [2, 2, 2], [0, 0, 1]]).project_to_depth_image(3, 2, camera, depth_scale=1)
+            >>> loom.PointCloud([[0, 0, 2], [2, 2, 2], [0, 0, 1]]).project_to_depth_image(3, 2, camera)
             array([[0., 1., 0.],
                    [0., 0., 2.]], dtype=float32)
         """
@@ -176,7 +178,7 @@ class DepthClouds(Selection):
         """`from_depth_image` for depth in metres that is on the device, float32 [h * w], and colours [h * w, 3]."""
         step = check_count("stride", stride)
         T_world_camera = np.eye(4) if extrinsic is None else inv(check_rigid("extrinsic", extrinsic))
-        _, origin = split_origin(T_world_camera[None, :3, 3])
+        origin = origin_of_sensor(T_world_camera[:3, 3])
         local = T_world_camera.copy()
         local[:3, 3] -= origin
         grid = PixelGrid(camera.width, camera.height, step)

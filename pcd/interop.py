@@ -7,13 +7,13 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..core.array_libraries import library_of
-from ..core.checks import check_finite, check_shape
+from ..core.array_libraries import check_library, library_of
+from ..core.checks import check_count, check_finite, check_shape
 from ..core.coordinates import split_origin
 from ..core.devices import check_same_device, resolve_device
 from ..core.exchange import share_numbers, share_vectors
-from ..core.pickled_arrays import device_like, pickled, unpickled
-from ..kernels.lang import vec3
+from ..core.pickled_arrays import device_like, pickled, unpickled, unpickling
+from ..kernels.lang import vec2, vec3, vec3i
 from ..kernels.memory import clone, download, upload
 from .kept_tree import KeptTree
 from .point_arrays import VECTORS
@@ -169,12 +169,25 @@ class Interop(Selection):
         """The cloud on the device that it was on.
 
         Raises:
+            ValueError: The state is damaged: arrays of wrong types or lengths, or a grid of another number of points.
             DeviceError: It was on a GPU, and here is none.
         """
-        self._arrays = unpickled(state["arrays"], device_like("cloud", state["device"]))
-        self._kept = KeptTree(self._arrays["points"])
-        self._origin, self.grid, self._library = state["origin"], state["grid"], state["library"]
-        self._unit = state.get("unit")  # which older pickles lack
+        with unpickling("cloud"):
+            arrays = unpickled(state["arrays"], device_like("cloud", state["device"]))
+            origin = check_finite("origin", check_shape("origin", state["origin"], (3,)))
+            count = arrays["points"].size
+            for name, values in arrays.items():
+                is_right = values.dtype == vec3 if name in VECTORS else values.dtype not in (vec2, vec3, vec3i)
+                if not is_right or values.ndim not in (1, 2) or values.shape[0] != count:
+                    raise ValueError(f"{name}: expected a row for each of {count} points, got {values}")
+            cloud = self.from_device_arrays(arrays, origin, check_library("library", state["library"]))
+            if (grid := state["grid"]) is not None:
+                height, width = (check_count("grid", extent, minimum=0) for extent in grid)
+                if height * width != count:
+                    raise ValueError(f"grid: expected height x width = {count} points, got {height} x {width}")
+                cloud.grid = height, width
+            cloud.unit = state.get("unit")  # which older pickles lack
+        vars(self).update(vars(cloud))
 
     def __copy__(self) -> Self:
         return self.copy()

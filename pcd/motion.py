@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..core.checks import LARGEST_NUMBER, check_finite, check_positive, check_rigid, check_shape, check_transformation
-from ..core.coordinates import FLOAT32_MAX, split_origin
+from ..core.coordinates import FLOAT32_MAX, origin_under
 from ..core.dropped_results import returns_new
 from ..core.known_names import ToldNames
 from ..kernels.algebra.transform import transform_covariances, transform_directions, transform_points
@@ -104,12 +104,9 @@ class Motion(Bounding, Movable):
         if not np.abs(corners).max() <= LARGEST_NUMBER or np.ptp(corners, axis=0).max() > 2 * FLOAT32_MAX:
             reach = f"{corners[0].tolist()}..{corners[1].tolist()}"
             raise ValueError(f"{name}: takes the points to {reach}, beyond what float32 holds about their middle")
-        _, origin = split_origin(corners)
-        # near most of the points still, whatever a stray one does to the box
-        carried = np.round(matmul(A, self._origin) + t)
-        if origin.any() and np.abs(corners - carried).max() < FLOAT32_MAX:
-            origin = carried
-        cloud = self._under(A, matmul(A, self._origin) + t - origin, origin)
+        moved = matmul(A, self._origin) + t
+        origin = origin_under(moved, corners)
+        cloud = self._under(A, moved - origin, origin)
         cloud._unit = unit_under(self._unit, A)
         return cloud
 
@@ -123,10 +120,12 @@ class Motion(Bounding, Movable):
         """The cloud about another origin, its arrays under a map from the old one to the new one."""
         arrays = dict(self._arrays)
         arrays["points"] = transform_points(arrays["points"], A, shift)
-        if self.has_normals:
+        is_shift = np.array_equal(A, np.eye(3))  # normals and covariances stay what they are
+        if self.has_normals and not is_shift:
             arrays["normals"] = transform_directions(arrays["normals"], inv(A).T)
         if (
-            "covariances" in arrays
+            not is_shift
+            and "covariances" in arrays
             and arrays["covariances"].dtype == float32
             and arrays["covariances"].shape[1:] == (9,)
         ):

@@ -15,6 +15,7 @@ from ..core.checks import check_colors, check_name, check_numeric, check_rows, i
 from ..core.coordinates import quiet, split_origin
 from ..core.devices import resolve_device
 from ..core.dropped_results import returns_new
+from ..core.escaped_text import escaped
 from ..core.gpu_arrays import take_colors, take_column, take_points, take_vectors
 from ..core.html_tables import array_type, html_table
 from ..kernels.lang import vec3
@@ -45,8 +46,8 @@ class PointArrays(InUnit, CloudQuestions):
     grid: tuple[int, int] | None
 
     def __repr__(self) -> str:
-        names = [n for n in self._arrays if n != "points"]
-        return f"{type(self).__name__}({len(self):,} points, {', '.join(names) or 'no attributes'}, {self.device})"
+        names = escaped(", ".join(n for n in self._arrays if n != "points"))
+        return f"{type(self).__name__}({len(self):,} points, {names or 'no attributes'}, {self.device})"
 
     def _repr_html_(self) -> str:
         """The cloud in a notebook: what it holds, a row each."""

@@ -21,7 +21,7 @@ from ..kernels.lang import vec3
 from ..kernels.memory import upload
 from ..kernels.search.tree_search import search_nearest, search_within
 from .cloud import PointCloud
-from .point_arrays import PointArrays
+from .point_arrays import PointArrays, check_cloud
 
 FEW = 1024  # neighbours that may be asked for beyond the number of points
 
@@ -102,6 +102,12 @@ class NearestNeighborSearch(ToldNames):
         return self.cloud.copy()
 
     def __setstate__(self, cloud: PointCloud) -> None:
+        """The search over the cloud.
+
+        Raises:
+            TypeError: The state is no cloud.
+        """
+        check_cloud("cloud", cloud)
         self.cloud, self._tree = cloud, cloud.search_tree()
 
     def knn_search(self, queries: PointCloud | ArrayLike, k: int) -> Neighbors:

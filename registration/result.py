@@ -10,8 +10,12 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
+from ..core.checks import is_on_gpu
+from ..core.exchange import share_numbers
 from ..kernels.memory import download
 
+FEWEST_TARGETS = 10  # that fix a scale
+SHARED = 10  # source points a target point, from which on they tell nothing of the source's size
 Pairs = NDArray[np.int32]
 
 
@@ -76,6 +80,19 @@ class RegistrationResult:
     @score.setter
     def score(self, value: float | Callable[[], float] | None) -> None:
         self._score = value
+
+    def check_scale(self) -> None:
+        """End a similarity as not converged if so few target points are matched that any smaller scale fits as well.
+
+        A source that shrinks to the spacing of the target has fitness 1 and an rmse near 0.
+        """
+        pairs = self.correspondence_set
+        on_device = isinstance(pairs, wp.array) or is_on_gpu(pairs)
+        rows = download(share_numbers("pairs", pairs)) if on_device else np.asarray(pairs)
+        targets = len(np.unique(rows[:, 1]))
+        if targets < FEWEST_TARGETS and len(rows) > SHARED * targets:
+            self.converged = False
+            self.reason = f"scale not determined: {len(rows):,} source points match {targets} target points"
 
     def __getstate__(self) -> dict[str, Any]:
         """All of it, what is fetched or rated when first read among it, for pickle."""

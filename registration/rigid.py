@@ -11,9 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.quaternions import nearest_rotations
-from ..kernels.linear_algebra import cube_root, det, matmul, norm
+from ..kernels.linear_algebra import cube_root, det, inv, matmul, norm
 
 Matrix = NDArray[np.float64]
+ROUNDED = 1e-12  # of a product of a rotation and its transpose: beyond this it is rounded to fewer digits than float64
 SMALL_ANGLE = 1e-6  # [rad] below it series to second order are exact in float64
 
 
@@ -87,8 +88,11 @@ def make_pose(R: Matrix, t: NDArray[np.float64]) -> Matrix:
 
 
 def invert_pose(T: Matrix) -> Matrix:
-    """The inverse of a pose."""
-    return make_pose(T[:3, :3].T, matmul(-T[:3, :3].T, T[:3, 3]))
+    """The inverse of a pose, also of one with a rounded rotation, whose transpose is meters off far from zero."""
+    R = T[:3, :3]
+    rounded = np.abs(matmul(R.T, R) - np.eye(3)).max() > ROUNDED
+    back = inv(R) if rounded else R.T
+    return make_pose(back, matmul(-back, T[:3, 3]))
 
 
 def adjoint_of(T: Matrix) -> Matrix:

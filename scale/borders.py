@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from ..core.atomic import atomic_write
 from ..core.errors import FileError
+from .manifest import DAMAGE
 
 LEFT, JOINED = "left", "joined"
 WHOLE = "whole.json"
@@ -94,9 +95,9 @@ class Leavings:
                 arrays = {name: _mapped(whole, file) for name in names}
         except OSError as error:
             raise FileError(path, f"cannot be read: {error.strerror or error}", remedy=remedy) from error
-        except ValueError as error:
+        except DAMAGE as error:
             raise FileError(path, f"is damaged: {error}", remedy=remedy) from error
-        if arrays["count"].tolist() != [self._counts[tile]]:
+        if "count" not in arrays or arrays["count"].tolist() != [self._counts[tile]]:
             raise FileError(path, f"is not what tile {tile} left for the join", remedy=remedy)
         return arrays
 
@@ -151,5 +152,5 @@ def read_joined(folder: Path, number: int, tile: int) -> tuple[int, NDArray[Any]
         count = int(json.loads((place / WHOLE).read_text())["count"])
         path = place / f"{tile}.npy"
         return count, np.load(path) if path.exists() else None
-    except (OSError, ValueError, KeyError) as error:
+    except (OSError, *DAMAGE) as error:
         raise FileError(place, f"cannot be read: {error}", remedy="Plan it anew in another folder") from error

@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from ..core.errors import FileError
 from ..files.foreign import foreign_errors, import_for
 from ..files.points.las import COLORS, LasFile, open_las
-from .manifest import is_dead
+from .manifest import DAMAGE, is_dead
 
 FOLDER, INDEX = "buckets", "index.json"
 MOST_ROWS = 1 << 22  # held in memory before some go to disk
@@ -100,7 +100,7 @@ def _filled(done: Path) -> Filled:
     try:
         told = json.loads((done / INDEX).read_text())
         return Filled(**told | {"tiles": {int(tile): rows for tile, rows in told["tiles"].items()}})
-    except (OSError, ValueError, KeyError, TypeError) as error:
+    except (OSError, *DAMAGE) as error:
         raise FileError(done / INDEX, f"cannot be read: {error}", remedy=_ANEW.format(done)) from error
 
 
@@ -263,7 +263,7 @@ def _time_of(place: Path) -> int:
 def _index_of(place: Path, time: int) -> dict[int, int]:
     try:
         return {int(tile): rows for tile, rows in json.loads((place / INDEX).read_text())["tiles"].items()}
-    except (OSError, ValueError, KeyError) as error:
+    except (OSError, *DAMAGE) as error:
         raise FileError(place / INDEX, f"cannot be read: {error}", remedy=_ANEW.format(place)) from error
 
 
@@ -283,16 +283,25 @@ def _read_blocks(path: Path, file: LasFile, window: Any) -> tuple[list[tuple[Any
             if zlib.crc32(told, zlib.crc32(body)) != checksum:
                 raise FileError(path, "is damaged: a block does not go with its checksum", where=f"at {stream.tell()}")
             block = np.frombuffer(_unpacked(path, file, body, count, how), file.layout.dtype())
-            steps = np.frombuffer(zlib.decompress(told), np.uint8).reshape(8, -1).T
+            steps = np.frombuffer(_inflated(path, told, 8 * count), np.uint8).reshape(8, -1).T
             numbers = np.cumsum(np.ascontiguousarray(steps).view(np.uint64).ravel(), dtype=np.uint64)
             keep = inside(positions_of(file, block), window)
             found.append((block[keep], numbers[keep]))
     return found, size
 
 
+def _inflated(path: Path, packed: bytes, size: int) -> bytes:
+    """The bytes of a zlib stream, of which there must be `size`."""
+    with foreign_errors(path, "a block is damaged"):
+        unpacked = zlib.decompressobj().decompress(packed, size + 1)
+    if len(unpacked) != size:
+        raise FileError(path, f"is damaged: a block of {len(unpacked)} bytes, expected {size}")
+    return unpacked
+
+
 def _unpacked(path: Path, file: LasFile, body: bytes, count: int, how: int) -> Any:
     if how == _ZLIB:
-        return zlib.decompress(body)
+        return _inflated(path, body, count * file.header.record_length)
     lazrs = import_for("buckets.laz", "lazrs", "las")
     rows = np.empty(count * file.header.record_length, np.uint8)
     with foreign_errors(path, "the packed points are damaged"):

@@ -32,7 +32,7 @@ from .buckets import Window, fill_buckets, inside, positions_of
 from .exact_sums import ExactSums
 from .halos import halos_of
 from .manifest import files_of, write_manifest
-from .plan import Plan, open_plan
+from .plan import Plan, allow_functions, open_plan
 from .sources import describe
 from .work_tile import FOLDER as TILES
 from .work_tile import tile_path, work_tile
@@ -155,13 +155,13 @@ def calibrate(
         (folder / name).mkdir()
     write_manifest(folder, told, __version__, [])
     report("calibration", 0, len(tiles) + 1)
-    laid = None
+    laid, functions = None, plan.passed_functions
     if any(source["kind"] != "copc" for source in files_of(told)):
-        laid = _measured(folder, FILES, threads)
+        laid = _measured(folder, FILES, threads, functions)
     report("calibration", 1, len(tiles) + 1)
     found = []
     for tile in tiles:
-        found.append(_measured(folder, str(tile), threads))
+        found.append(_measured(folder, str(tile), threads, functions))
         report("calibration", len(found) + 1, len(tiles) + 1)
     return laid, found, share
 
@@ -243,11 +243,11 @@ def _rows(file: LasFile, most: int) -> Any:
             yield rows[::step]
 
 
-def _measured(folder: Path, what: str, threads: int) -> Measured:
+def _measured(folder: Path, what: str, threads: int, functions: tuple[str, ...]) -> Measured:
     """Do a task in a process of its own, `files` or the number of a tile; what it took."""
     paths = os.pathsep.join(path or os.getcwd() for path in sys.path)  # noqa: PTH109
     environment = os.environ | {"PYTHONPATH": paths, "POINTLOOM_CPU_THREADS": str(threads)}
-    command = [sys.executable, "-c", _PROGRAM, str(folder.absolute()), what]
+    command = [sys.executable, "-P", "-c", _PROGRAM, str(folder.absolute()), what, *functions]
     done = subprocess.run(command, env=environment, stdin=subprocess.DEVNULL, capture_output=True, check=False)
     if done.returncode:
         lines = done.stderr.decode(errors="replace").strip().splitlines() or [f"it ended with {done.returncode}"]
@@ -257,10 +257,11 @@ def _measured(folder: Path, what: str, threads: int) -> Measured:
 
 
 def main() -> None:
-    """A process of a calibration: `main FOLDER TILE`, or `files` in place of the tile; prints a Measured as JSON."""
+    """A process of a calibration: `main FOLDER TILE FUNCTION...`, or `files` for TILE; prints a Measured as JSON."""
     begin = time.monotonic() - time.process_time()  # which imports have taken
     folder, what = Path(sys.argv[1]), sys.argv[2]
     manifest, plan = open_plan(folder)
+    allow_functions(manifest, plan, sys.argv[3:])
     manifest.base.close()
     base = _peak()
     told = _lay(plan, folder) if what == FILES else _work(plan, folder, int(what), begin)

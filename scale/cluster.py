@@ -52,6 +52,7 @@ def run_on_cluster(
     security: Any = None,
     device: str = "cpu",
     gpus: Sequence[Gpu] = (),
+    functions: tuple[str, ...] = (),
 ) -> None:
     """Work the tasks of a book off on a cluster.
 
@@ -63,6 +64,7 @@ def run_on_cluster(
         security: distributed's, for a scheduler's certificates; None takes dask's own configuration.
         device: That workers use.
         gpus: Those of this machine's processes, one each.
+        functions: Names of the functions that the caller passed, which workers import.
 
     Raises:
         FileError: No such scheduler, it went away, or its workers are of another version or die before they do
@@ -70,6 +72,7 @@ def run_on_cluster(
     """
     distributed = import_for(folder / NAME, "distributed", "scale")
     flying: dict[Any, Task] = {}
+    place = str(folder.absolute())
     with _quiet(), _client(distributed, folder, where, security, gpus) as (client, crew):
         lonely = time.monotonic()
         checked: set[str] = set()
@@ -79,7 +82,7 @@ def run_on_cluster(
                 checked |= _check_versions(client, folder, workers - checked)
             task: Task | bool = True
             while len(flying) < AHEAD * len(workers) and isinstance(task := book.take(), Task):
-                flying[client.submit(_do, str(folder.absolute()), task, device, pure=False)] = task
+                flying[client.submit(_do, place, task, device, functions, pure=False)] = task
             if not flying and task is False:
                 return
             lonely = time.monotonic() if workers else lonely
@@ -147,7 +150,7 @@ class _Crew:
                 raise FileError(folder / NAME, reason, remedy="Run it with workers=0 to see why")
             gpu = self._gpus[place : place + 1]
             self._places[place] = subprocess.Popen(
-                [sys.executable, "-m", "distributed.cli.dask_worker", self._address, *_OPTIONS],
+                [sys.executable, "-P", "-m", "distributed.cli.dask_worker", self._address, *_OPTIONS],
                 env=environment_of(self._count, gpu) | {"DASK_LOGGING__DISTRIBUTED": "critical"},
                 stdin=subprocess.DEVNULL,
                 process_group=0,
@@ -245,17 +248,17 @@ _held = contextlib.ExitStack()
 _devices: dict[str, str] = {}  # those that this process holds, by what was asked for
 
 
-def _do(folder: str, task: Task, device: str) -> tuple[Found, float]:
+def _do(folder: str, task: Task, device: str, functions: tuple[str, ...]) -> tuple[Found, float]:
     """A task on a worker of the cluster."""
     with _ONE:
         if device not in _devices:
             gpus = _held.enter_context(held_gpus(device, 1))
             _devices[device] = gpus[0].alias if gpus else device
-        plan = _plan(folder, (Path(folder) / NAME).stat().st_ino)
+        plan = _plan(folder, (Path(folder) / NAME).stat().st_ino, functions)
         plan.device = _devices[device]
         return do_task(plan, Path(folder), task, REMOTE + uuid.uuid4().hex)
 
 
 @lru_cache(maxsize=4)
-def _plan(folder: str, inode: int) -> Plan:
-    return plan_alone(Path(folder))
+def _plan(folder: str, inode: int, functions: tuple[str, ...]) -> Plan:
+    return plan_alone(Path(folder), functions)

@@ -114,7 +114,7 @@ class _Worker:
         environment = {"RAYON_NUM_THREADS": threads} | environment_of(self._count)
         # In a group of its own: Ctrl-C in a terminal is for the process that asks, which ends it.
         self._process = subprocess.Popen(
-            [sys.executable, "-c", _WORKER, str(there.fileno())],
+            [sys.executable, "-P", "-c", _WORKER, str(there.fileno())],
             env=environment,
             stdin=subprocess.DEVNULL,
             process_group=0,

@@ -17,9 +17,10 @@ from ..files.points.las_records import describe_together
 from .borders import LEFT
 from .buckets import FOLDER as BUCKETS
 from .crew import Crew
-from .manifest import CHECKSUMS, Manifest, clear_locks, only_one
+from .manifest import Manifest, clear_locks, only_one
 from .plan import Plan, open_plan
 from .rasters import mosaics_of, write_mosaics
+from .schema import CHECKSUMS
 from .status import status_of
 from .tasks import lay_again
 from .tree_outputs import FOLDERS, tree_of, write_folder, write_tree

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 from typing import Any
 from urllib.parse import unquote
@@ -11,6 +10,7 @@ import numpy as np
 
 from ..core.checks import shown
 from ..core.errors import FileError
+from ..core.json_files import read_json_object
 from ..files.points.las import open_las
 
 SUFFIXES = (".las", ".laz")
@@ -24,17 +24,17 @@ def files_of_index(path: Path) -> list[Path]:
         FileError: It cannot be read, is none, lists what is not there or no LAS file, or says of one what is not so.
     """
     try:
-        items = json.loads(path.read_bytes())["features"]
+        items = read_json_object(path)["features"]
         hrefs = [_data_of(item["assets"])["href"] for item in items]
-    except OSError as error:
-        raise FileError(path, f"cannot be read: {error.strerror or error}") from error
-    except (ValueError, KeyError, TypeError) as error:
+    except FileError:
+        raise
+    except (ValueError, KeyError, TypeError, AttributeError) as error:
         reason = f"is no virtual point cloud: {type(error).__name__}: {error}"
         raise FileError(path, reason, remedy="A .vpc has features, each with an asset of points") from error
     files = []
     for number, href in enumerate(hrefs):
         where = f"item {number}"
-        if not isinstance(href, str) or "://" in href:
+        if not isinstance(href, str) or "://" in href or "\0" in href:
             remedy = "Download it, and make the index anew"
             raise FileError(path, f"lists {href!r}, which is no file on this machine", where=where, remedy=remedy)
         file = (path.parent / href).resolve()
@@ -69,6 +69,8 @@ def _check_item(path: Path, item: dict[str, Any], file: Path, where: str) -> Non
         FileError: It is not.
     """
     header, told = open_las(file).header, item.get("properties") or {}
+    if not isinstance(told, dict):
+        raise FileError(path, f"expected an object of properties, got {shown(told)}", where=where)
     count, box, remedy = told.get("pc:count"), told.get("proj:bbox"), "Make the index anew"
     if count is not None and count != header.point_count:
         reason = f"says that {file} holds {shown(count)} points, it holds {header.point_count}"
@@ -79,7 +81,7 @@ def _check_item(path: Path, item: dict[str, Any], file: Path, where: str) -> Non
     try:
         ends = np.array(box, np.float64).reshape(2, -1)
         (plane,) = {ends.shape[1]} & {2, 3}
-    except (ValueError, TypeError) as error:
+    except (ValueError, TypeError, OverflowError) as error:
         reason = f"says bounds of {file} that are none: {shown(box)}"
         raise FileError(path, reason, where=where, remedy=remedy) from error
     beside = np.abs(ends - np.array([low, high])[:, :plane])

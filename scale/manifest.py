@@ -11,6 +11,7 @@ import contextlib
 import hashlib
 import json
 import os
+import re
 import sqlite3
 import uuid
 from collections.abc import Container, Iterable, Iterator
@@ -18,7 +19,11 @@ from pathlib import Path
 from typing import Any
 
 from ..core.errors import FileError
+from ..core.paths import refuse_link
+from ..core.sqlite_files import check_no_code, check_tables, protect
 from .file_systems import is_shared
+from .plan_check import check_plan
+from .schema import CHECKSUMS, TASKS, TILES, check_schema
 
 try:
     import fcntl
@@ -35,30 +40,11 @@ _REMEDIES = {  # of a manifest that is not there, or is of something else; by wh
     True: "Call plan_fusion, plan_sequences or plan_registration first; they go with run_job",
 }
 STATES = ("waiting", "running", "done", "empty", "failed", "aside")
+# Errors of Python for values that are not as this version writes them.
+DAMAGE = (EOFError, LookupError, TypeError, ValueError, AttributeError, OverflowError, RecursionError)
+_OWNER = re.compile(r"[0-9A-Za-z ]{1,64}")
 NOT_LAID = -1  # in place of a full colour: a file that is far from all tiles
 OVER = ("done", "empty", "failed", "aside")  # states that a tile leaves by `retry` alone
-
-_TABLES = """
-CREATE TABLE meta (key TEXT PRIMARY KEY, value TEXT NOT NULL);
-CREATE TABLE sources (
-    id INTEGER PRIMARY KEY, state TEXT NOT NULL DEFAULT 'waiting', owner TEXT, attempts INTEGER NOT NULL DEFAULT 0,
-    points INTEGER NOT NULL DEFAULT 0, full INTEGER NOT NULL DEFAULT 0, bytes INTEGER NOT NULL DEFAULT 0, error TEXT);
-CREATE TABLE tiles (
-    id INTEGER PRIMARY KEY, ix INTEGER NOT NULL, iy INTEGER NOT NULL, x0 REAL, y0 REAL, x1 REAL, y1 REAL,
-    state TEXT NOT NULL DEFAULT 'waiting', pass INTEGER NOT NULL DEFAULT 0, owner TEXT,
-    attempts INTEGER NOT NULL DEFAULT 0, points_in INTEGER NOT NULL DEFAULT 0, points_out INTEGER NOT NULL DEFAULT 0,
-    points_read INTEGER NOT NULL DEFAULT 0, halo REAL NOT NULL DEFAULT 0, seconds REAL NOT NULL DEFAULT 0, error TEXT);
-CREATE TABLE joins (
-    id INTEGER PRIMARY KEY, state TEXT NOT NULL DEFAULT 'waiting', owner TEXT, attempts INTEGER NOT NULL DEFAULT 0,
-    error TEXT);
-CREATE INDEX tiles_by_state ON tiles (state, pass, id);
-CREATE INDEX sources_by_state ON sources (state);
-CREATE TABLE numbers (
-    pass INTEGER, tile INTEGER, count INTEGER NOT NULL, total TEXT NOT NULL, squares TEXT NOT NULL,
-    PRIMARY KEY (pass, tile));
-"""
-# Of the files of tiles, by tile. In a table of its own, which runs that began without it are given.
-CHECKSUMS = "CREATE TABLE IF NOT EXISTS checksums (tile INTEGER PRIMARY KEY, crc INTEGER NOT NULL)"
 
 
 def canonical(plan: Any) -> str:
@@ -98,8 +84,11 @@ class Manifest:
             raise FileError(path, f"cannot be read: {error.strerror or error}") from error
         if not is_there:
             raise FileError(path, "does not exist", remedy=_REMEDIES[is_job])
+        for place in folder.iterdir():  # of a folder from elsewhere: nothing is written through a link
+            refuse_link(place)
         self.base = connect(path)
         try:
+            check_no_code(self.base, path, remedy="Plan it anew in another folder")
             told = dict(self.base.execute("SELECT key, value FROM meta").fetchall())
             if told.get("schema") != str(SCHEMA):
                 reason = f"is a manifest of schema {told.get('schema')}, this version reads {SCHEMA}"
@@ -110,7 +99,10 @@ class Manifest:
                 raise FileError(path, "its plan does not go with its hash", remedy="Plan it anew in another folder")
             if ("job" in self.plan) != is_job:
                 raise FileError(path, f"is of {self.plan.get('job', 'tiles')}", remedy=_REMEDIES[not is_job])
-        except (sqlite3.DatabaseError, KeyError, ValueError) as error:
+            check_schema(self.base, TASKS if is_job else TILES)
+            if not is_job:
+                check_plan(self.plan)
+        except (sqlite3.DatabaseError, KeyError, ValueError, TypeError, AttributeError, RecursionError) as error:
             self.base.close()
             if isinstance(error, FileError):
                 raise
@@ -173,6 +165,7 @@ class Manifest:
         counted = int(is_death)
         given = 0
         for owner in self.owners():
+            lock = lock_of(self.folder, owner)
             if not is_dead(self.folder, owner):
                 continue
             reason = f"the worker died {MOST_ATTEMPTS} times at it, of memory or a fault of a step"
@@ -185,7 +178,7 @@ class Manifest:
                         " WHERE owner = ? AND state = 'running'"
                     )
                     given += base.execute(query, (MOST_ATTEMPTS, reason, MOST_ATTEMPTS, owner)).rowcount
-            (self.folder / LOCKS / owner).unlink(missing_ok=True)
+            lock.unlink(missing_ok=True)
         return given
 
     def owners(self) -> list[str]:
@@ -209,6 +202,7 @@ def connect(path: Path) -> sqlite3.Connection:
     with told_as_file_errors(path):
         base = sqlite3.connect(path, timeout=PATIENCE, isolation_level=None)
         base.row_factory = sqlite3.Row
+        protect(base, path)
         if is_shared(path.parent):
             _leave_log(base, path)
         else:  # what is lost where power fails is done again; a process that is killed loses nothing
@@ -239,11 +233,13 @@ def read_plan(folder: Path) -> dict[str, Any]:
         if not is_there:
             raise FileError(path, "does not exist", remedy="Have all workers see the folder under the same path")
         base = sqlite3.connect(f"{path.absolute().as_uri()}?immutable=1", uri=True)
-        try:
-            (plan,) = base.execute("SELECT value FROM meta WHERE key = 'plan'").fetchone()
-        finally:
-            base.close()
-    return json.loads(plan)
+        with contextlib.closing(base), damage_as_file_errors(path):
+            protect(base, path)
+            check_tables(base, path, ["meta"])
+            (text,) = base.execute("SELECT value FROM meta WHERE key = 'plan'").fetchone()
+            plan = json.loads(text)
+            check_plan(plan)
+            return plan
 
 
 def write_manifest(
@@ -259,7 +255,7 @@ def write_manifest(
     Tiles are (id, ix, iy, x0, y0, x1, y1); `far` has the numbers of files that none of them needs, `joins` those of the
     passes that are followed by one.
     """
-    with a_new_manifest(folder, plan, version, _TABLES + CHECKSUMS) as base:
+    with a_new_manifest(folder, plan, version, TILES + CHECKSUMS) as base:
         has_windows = [source["kind"] == "copc" for source in files_of(plan)]
         rows = [
             (k, "done" if windows or k in far else "waiting", NOT_LAID if k in far else 0)
@@ -308,10 +304,34 @@ def told_as_file_errors(path: Path) -> Iterator[None]:
 
 
 @contextlib.contextmanager
+def damage_as_file_errors(path: Path) -> Iterator[None]:
+    """Turn the errors of a plan or a task that is not as this version writes them into a FileError."""
+    try:
+        yield
+    except FileError:
+        raise
+    except DAMAGE as error:
+        reason = f"the manifest is damaged: {type(error).__name__}: {error}"
+        raise FileError(path, reason, remedy="Plan it anew in another folder") from error
+
+
+def lock_of(folder: Path, owner: Any) -> Path:
+    """The path of a worker's lock.
+
+    Raises:
+        FileError: The manifest's name of the worker is none that this library makes, such as a path.
+    """
+    if not isinstance(owner, str) or not _OWNER.fullmatch(owner):
+        reason = f"the manifest is damaged: expected the name of a worker, got {owner!r}"
+        raise FileError(folder / NAME, reason, remedy="Plan it anew in another folder")
+    return folder / LOCKS / owner
+
+
+@contextlib.contextmanager
 def a_worker(folder: Path) -> Iterator[str]:
     """The name of a worker that lives as long as the block, and as its process at most."""
     owner = uuid.uuid4().hex
-    path = folder / LOCKS / owner
+    path = lock_of(folder, owner)
     with told_as_file_errors(path):
         path.parent.mkdir(exist_ok=True)
         descriptor = os.open(path, os.O_RDWR | os.O_CREAT, 0o666)
@@ -351,15 +371,15 @@ def only_one(folder: Path, name: str) -> Iterator[None]:
 def clear_locks(folder: Path) -> None:
     """Remove what dead workers have locked, once no task is left: a worker that begins now is taken for none."""
     for path in (folder / LOCKS).glob("*"):
-        if is_dead(folder, path.name):
+        if _OWNER.fullmatch(path.name) and is_dead(folder, path.name):
             path.unlink(missing_ok=True)
 
 
 def is_dead(folder: Path, owner: str) -> bool:
     """Whether nobody holds the lock of a worker."""
     try:
-        descriptor = os.open(folder / LOCKS / owner, os.O_RDWR)
-    except FileNotFoundError:
+        descriptor = os.open(lock_of(folder, owner), os.O_RDWR)
+    except (FileNotFoundError, FileError):  # no worker has another name
         return True
     try:
         if fcntl is None:

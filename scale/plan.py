@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import math
-import shutil
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -22,20 +20,22 @@ from ..kernels.search.hilbert_order import levels_for
 from .buckets import Window
 from .epochs import describe_epochs
 from .halos import far_files
-from .loose_files import is_made
-from .manifest import NAME, Manifest, canonical, files_of, hash_of, read_plan, write_manifest
+from .job_folder import check_folder, make_folder, nothing_left
+from .manifest import NAME, Manifest, canonical, damage_as_file_errors, files_of, hash_of, read_plan, write_manifest
+from .plan_check import MOST_TILES
 from .polygons import boxes_that_meet, in_survey, parse_area, to_json
 from .sources import check_alike, check_same, describe_all, given_as, list_files, warn_of_lost_records
 from .status import TileStatus, status_of
-from .steps.parse import parse_steps
+from .steps.function import Function, UserFunction, resolve_functions
+from .steps.parse import naming_file, parse_steps
 from .steps.step import Step
 
-MOST_TILES = 1 << 22
 POINTS = 2_000_000  # a tile, where nothing is said
 OUTPUTS = ("laz", "copc")
 MOST_POINTS = 8  # times the points of a usual tile that one may hold with its halo, and at least
 LEAST_POINTS = 4_000_000
 LEAST_LEVELS = 12  # of the search tree's curve, which order points that are equally near: 2^26 points a tile
+_passed: dict[str, list[UserFunction]] = {}  # to `plan_tiles` in this process, by the hash of the plan
 _ROUNDING = 2.0**-21  # of a coordinate about the origin: those of two points and of their distance, in float32
 
 
@@ -103,6 +103,12 @@ class Plan:
         )
 
     @property
+    def passed_functions(self) -> tuple[str, ...]:
+        """Names, `module:function`, of the functions that were passed in Python."""
+        calls = [step.params["call"] for step in self.steps if isinstance(step, Function) and step.is_passed]
+        return tuple(dict.fromkeys(calls))
+
+    @property
     def passes(self) -> list[int | None]:
         """The step that each pass over the tiles measures for, None of the last one, which does all of them."""
         return [*(k for k, step in enumerate(self.steps) if step.needs_numbers or step.joins), None]
@@ -137,7 +143,8 @@ def plan_tiles(
         steps: Dictionaries such as `{"step": "voxel_down_sample", "voxel_size": 0.5}`, or a TOML file of [[step]]
             tables. Steps: voxel_down_sample, remove_radius_outlier, remove_statistical_outlier, estimate_normals,
             smooth_mls, crop, function, classify_ground, height_above_ground, rasterize, features, thin, distance,
-            m3c2, cluster_dbscan, cluster_euclidean, reproject.
+            m3c2, cluster_dbscan, cluster_euclidean, reproject. The `call` of a function is a Python function, or the
+            name of an entry point in the group "pointloom.steps". A file can give an entry point only.
         folder: Of the job; made where it is missing.
         size: Edge of a tile [unit of the files].
         points: Points a tile, about; 2 million where no size is given either.
@@ -179,6 +186,8 @@ def plan_tiles(
         True
     """
     parsed = parse_steps(steps)
+    with naming_file(steps):
+        passed = resolve_functions(parsed)
     if output not in OUTPUTS:
         raise ValueError(f"output: expected {' or '.join(map(repr, OUTPUTS))}, got {shown(output)}")
     if size is not None and points is not None:
@@ -186,14 +195,16 @@ def plan_tiles(
     paths, folder = list_files(sources), path_of(folder)
     if not (folder / NAME).exists():
         check_folder(folder)
-    with _nothing_left(folder):
+    with nothing_left(folder):
         described = describe_all(paths, folder, check_progress(progress))
         check_alike(described)
         warn_of_lost_records(described)
-        for step in parsed:
-            step.settle(described)
+        with naming_file(steps):
+            for step in parsed:
+                step.settle(described)
         told = _make(described, parsed, size, points, _area_of(only, only_crs, described), output)
         told["epochs"] = describe_epochs(parsed, described, folder, progress)
+        _passed[hash_of(told)] = passed
         if (folder / NAME).exists():
             with Manifest(folder) as manifest:
                 check_same_plan(manifest, told)
@@ -209,21 +220,6 @@ def plan_tiles(
         return status_of(manifest)
 
 
-@contextmanager
-def _nothing_left(folder: Path) -> Iterator[None]:
-    """Take away what was written over in the folder of a job, and a new folder, where no plan comes of it."""
-    is_new = not folder.exists()
-    try:
-        yield
-    except BaseException:
-        if folder.is_dir() and not (folder / NAME).exists():
-            for made in filter(is_made, folder.iterdir()):
-                shutil.rmtree(made, ignore_errors=True)
-            if is_new and not any(folder.iterdir()):
-                folder.rmdir()
-        raise
-
-
 def open_plan(folder: FilePath) -> tuple[Manifest, Plan]:
     """The manifest of a folder and its plan, once it is sure that version and files are those it was made with.
 
@@ -237,19 +233,36 @@ def open_plan(folder: FilePath) -> tuple[Manifest, Plan]:
             raise FileError(manifest.folder / NAME, reason, remedy="Plan it anew in another folder")
         for source in files_of(manifest.plan):
             check_same(source)
-        return manifest, Plan(manifest.plan)
+        with damage_as_file_errors(manifest.folder / NAME):
+            return manifest, Plan(manifest.plan)
     except BaseException:
         manifest.base.close()
         raise
 
 
-def plan_alone(folder: Path) -> Plan:
+def allow_functions(manifest: Manifest, plan: Plan, functions: Iterable[UserFunction | str]) -> None:
+    """Set the functions of a plan's steps: entry points, those given, and those passed when this process planned it.
+
+    Raises:
+        FileError: The plan names another function.
+    """
+    try:
+        resolve_functions(plan.steps, [*functions, *_passed.get(hash_of(manifest.plan), ())])
+    except ValueError as error:
+        remedy = "run_tiles(folder, functions=[...]) takes the functions of a plan that another process made"
+        raise FileError(manifest.folder / NAME, str(error), remedy=remedy) from error
+
+
+def plan_alone(folder: Path, functions: Iterable[str]) -> Plan:
     """The plan of a folder for a worker elsewhere: without the manifest's locks, which need one machine.
 
     Raises:
         FileError: There is none.
+        ValueError: It names a function that is neither registered nor among those given.
     """
-    return Plan(read_plan(folder))
+    plan = Plan(read_plan(folder))
+    resolve_functions(plan.steps, functions)
+    return plan
 
 
 def check_same_plan(manifest: Manifest, told: dict[str, Any]) -> None:
@@ -360,33 +373,3 @@ def _touched(area: list[Any] | None, lows: NDArray[np.float64], highs: NDArray[n
     if isinstance(area[0], list):
         return boxes_that_meet(parse_area("only", area), lows, highs)
     return np.logical_and(*((lows <= area[2:]) & (highs > area[:2])).T)
-
-
-def make_folder(folder: Path) -> None:
-    """Make the folder of a run, which may be there and empty.
-
-    Raises:
-        FileError: It holds something, or cannot be made.
-    """
-    check_folder(folder)
-    try:
-        folder.mkdir(exist_ok=True)
-    except OSError as error:
-        raise FileError(folder, f"cannot be made: {error.strerror or error}") from error
-
-
-def check_folder(folder: Path) -> None:
-    """Hold that a folder is missing, empty, or holds what an interrupted plan left.
-
-    Raises:
-        FileError: It holds something else.
-    """
-    if folder.exists() and not folder.is_dir():
-        raise FileError(folder, "is not a folder", remedy="Give the name of a folder")
-    try:
-        inside = folder.iterdir() if folder.exists() else ()
-        other = [path for path in inside if path.suffix != ".part" and not is_made(path)]
-    except OSError as error:
-        raise FileError(folder, f"cannot be made: {error.strerror or error}") from error
-    if other:
-        raise FileError(folder, "holds other files than those of a run", remedy="Give another folder")

@@ -29,7 +29,9 @@ Ring = NDArray[np.float64]
 Area = list[list[Ring]]
 SUFFIXES = (".geojson", ".json", ".wkt")
 MOST_CORNERS = 1_000_000
-_WKT = re.compile(r"\s*(?:SRID=\d+;)?\s*(MULTI)?POLYGON\s*(?:ZM|Z|M)?\s*(\(.*\))\s*", re.IGNORECASE | re.DOTALL)
+MOST_NESTED = 100  # collections in each other
+# Possessive, so that a text of blanks takes linear time.
+_WKT = re.compile(r"(?:SRID=\d++;\s*+)?(MULTI)?POLYGON\s*+(?:(?:ZM|Z|M)\s*+)?(?=\()", re.IGNORECASE)
 
 
 def parse_area(name: str, value: Any) -> Area:
@@ -45,23 +47,17 @@ def parse_area(name: str, value: Any) -> Area:
         path = Path(value)
         try:
             text = path.read_text("utf-8")
-        except (OSError, UnicodeDecodeError) as error:
+        except (OSError, ValueError) as error:
             raise FileError(path, f"cannot be read: {getattr(error, 'strerror', None) or error}") from error
         try:
             return parse_area(name, _from_text(name, text))
-        except ValueError as error:
-            if isinstance(error, FileError):
-                raise
+        except (ValueError, TypeError) as error:
             raise FileError(path, str(error)) from error
+    is_told = isinstance(value, dict)
     if isinstance(value, str):
-        value = _from_text(name, value)
-    if isinstance(value, dict):
-        area = [[*map(_open, polygon)] for polygon in _polygons_of(name, value)]
-    elif _depth(value) == 4:
-        area = [[*map(_open, polygon)] for polygon in value]
-    else:
-        area = [[_open(value)]]
-    checked = [[_check_ring(name, ring) for ring in polygon] for polygon in area]
+        value, is_told = _from_text(name, value), True
+    polygons = _polygons_of(name, value) if isinstance(value, dict) else value if _depth(value) == 4 else [[value]]
+    checked = [_check_polygon(name, polygon, is_told) for polygon in polygons]
     if not any(checked):
         raise ValueError(f"{name}: expected at least one polygon, got none")
     if sum(len(ring) for polygon in checked for ring in polygon) > MOST_CORNERS:
@@ -76,14 +72,15 @@ def to_json(area: Area) -> list[Any]:
 
 def _depth(value: Any) -> int:
     depth = 0
-    while isinstance(value, list | tuple) and len(value):
+    while isinstance(value, list | tuple) and len(value) and depth <= 4:
         value, depth = value[0], depth + 1
     return depth
 
 
 def _from_text(name: str, text: str) -> Any:
     """GeoJSON as a dictionary, or well-known text as polygons of rings."""
-    found = _WKT.fullmatch(text)
+    text = text.strip()
+    found = _WKT.match(text)
     if found is None:
         try:
             told = json.loads(text)
@@ -93,45 +90,67 @@ def _from_text(name: str, text: str) -> Any:
         if not isinstance(told, dict):
             raise ValueError(f"{name}: expected an object of GeoJSON, got {shown(told)}")
         return told
-    body = re.sub(r"[^(),]+", lambda part: f"[{','.join(part[0].split())}]" if part[0].strip() else "", found[2])
+    body = text[found.end() :]
+    body = re.sub(r"[^(),]+", lambda part: f"[{','.join(part[0].split())}]" if part[0].strip() else "", body)
     try:
         rings = json.loads(body.replace("(", "[").replace(")", "]"))
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise ValueError(f"{name}: not well-known text: {error}") from error
     return rings if found[1] else [rings]
 
 
 def _polygons_of(name: str, told: dict[str, Any]) -> Iterator[Any]:
     """The polygons of an object of GeoJSON."""
-    kind = told.get("type")
-    try:
-        if kind == "FeatureCollection":
-            for feature in told["features"]:
-                yield from _polygons_of(name, feature)
-        elif kind == "Feature":
-            yield from _polygons_of(name, told["geometry"])
-        elif kind == "GeometryCollection":
-            for geometry in told["geometries"]:
-                yield from _polygons_of(name, geometry)
-        elif kind == "Polygon":
-            yield told["coordinates"]
-        elif kind == "MultiPolygon":
-            yield from told["coordinates"]
+    waiting: list[tuple[Any, int]] = [(told, 0)]
+    while waiting:
+        each, depth = waiting.pop()
+        kind = each.get("type") if isinstance(each, dict) else None
+        if not isinstance(kind, str) or kind not in _PARTS:
+            raise ValueError(f"{name}: expected polygons, got a {shown(each if kind is None else kind)}")
+        if depth > MOST_NESTED:
+            raise ValueError(f"{name}: more than {MOST_NESTED} collections of GeoJSON in each other")
+        key, is_list = _PARTS[kind]
+        if key not in each:
+            raise ValueError(f"{name}: no GeoJSON: a {kind} without {key!r}")
+        part = each[key]
+        if is_list and not isinstance(part, list | tuple):
+            raise ValueError(f"{name}: no GeoJSON: expected a list of {key} in a {kind}, got {shown(part)}")
+        if key != "coordinates":
+            waiting += [(one, depth + 1) for one in (reversed(part) if is_list else [part])]
+        elif is_list:
+            yield from part
         else:
-            raise ValueError(f"{name}: expected polygons, got a {shown(kind)}")
-    except (KeyError, TypeError, AttributeError) as error:
-        raise ValueError(f"{name}: no GeoJSON: a {kind} without {error}") from error
+            yield part
 
 
-def _open(ring: Any) -> Any:
-    """Corners without the last one where it is the first again."""
-    return ring[:-1] if len(ring) > 1 and np.array_equal(ring[0], ring[-1]) else ring
+# What an object of GeoJSON is made of, by its type, and whether there are several of them.
+_PARTS = {
+    "FeatureCollection": ("features", True),
+    "Feature": ("geometry", False),
+    "GeometryCollection": ("geometries", True),
+    "Polygon": ("coordinates", False),
+    "MultiPolygon": ("coordinates", True),
+}
+
+
+def _check_polygon(name: str, rings: Any, is_told: bool) -> list[Ring]:
+    """The rings of a polygon; of a text's (`is_told`), values of another type are wrong values."""
+    if not isinstance(rings, list | tuple):
+        raise ValueError(f"{name}: expected a list of rings, got {shown(rings)}")
+    try:
+        return [_check_ring(name, ring) for ring in rings]
+    except TypeError as error:
+        if not is_told:
+            raise
+        raise ValueError(str(error)) from error
 
 
 def _check_ring(name: str, ring: Any) -> Ring:
     corners = check_finite(name, check_numeric(name, ring).astype(np.float64))
     if corners.ndim != 2 or corners.shape[1] not in (2, 3):
         raise ValueError(f"{name}: expected corners of shape [n, 2], got {list(corners.shape)}")
+    if len(corners) > 1 and (corners[0] == corners[-1]).all():
+        corners = corners[:-1]
     if len(corners) < MIN_CORNERS:
         raise ValueError(f"{name}: expected at least three corners, got {len(corners)}")
     return np.ascontiguousarray(corners[:, :2])

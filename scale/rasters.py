@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.errors import FileError
+from ..core.paths import refuse_link
 from ..files.foreign import foreign_errors, import_for
 from ..files.points.las_crs import find_keys, find_text
 from ..pcd.cloud import PointCloud
@@ -49,7 +50,7 @@ def write_raster(step: Rasterize, cloud: PointCloud, plan: Plan, folder: Path, p
         return
     raster = _raster_of(step, cloud, plan, cells)
     path = raster_path(folder, step.raster, place)
-    path.parent.mkdir(parents=True, exist_ok=True)
+    refuse_link(path.parent).mkdir(parents=True, exist_ok=True)
     raster.write(path)
 
 

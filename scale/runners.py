@@ -11,7 +11,7 @@ import re
 import subprocess
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from contextlib import ExitStack
 from functools import partial
 from pathlib import Path
@@ -25,7 +25,7 @@ from .buckets import FOLDER as BUCKETS
 from .cluster import run_on_cluster
 from .gpus import Gpu, environment_of, held_gpus
 from .manifest import OVER, TABLES, Manifest, a_worker
-from .plan import Plan, open_plan
+from .plan import Plan, allow_functions, open_plan
 from .status import TileStatus, status_of
 from .tasks import Taskbook, do_task, lay_again, next_pass
 from .work_tile import FOLDER as TILES
@@ -46,6 +46,7 @@ def run_tiles(
     scheduler: str | None = None,
     security: Any = None,
     device: str = "cpu",
+    functions: Iterable[Callable[..., Any]] = (),
     progress: ReportProgress = say_nothing,
 ) -> TileStatus:
     """Work the tiles of a folder off; what earlier runs have done stays.
@@ -69,14 +70,17 @@ def run_tiles(
             own configuration.
         device: "cpu", or "cuda": each worker has a GPU to itself, which no other run of this machine takes meanwhile;
             "cuda:1" is that one. The result is the same, see the notes.
+        functions: Functions of the plan's `function` steps, if another process planned them. A plan can name a function
+            but never allows it: only functions that are passed here or to `plan_tiles`, and registered entry points,
+            are called.
         progress: Called with "files", "tiles" or "pass 1 of 2", how many are done, and how many there are.
 
     Returns:
         A TileStatus; look at `failed` and `aside`.
 
     Raises:
-        FileError: There is no plan, it is of other files or of another version, a file cannot be laid by tile, or
-            workers die before they do anything.
+        FileError: There is no plan, it is of other files or of another version, it names a function that was not
+            passed, a file cannot be laid by tile, or workers die before they do anything.
         ValueError: There is no such tile, or a part is given too; two runners.
         DeviceError: There is no such device, or fewer GPUs are free than workers want.
 
@@ -93,6 +97,7 @@ def run_tiles(
         raise TypeError(f"scheduler: expected an address such as 'tcp://host:8786', got {shown(scheduler)}")
     manifest, plan = open_plan(folder)
     with manifest, ExitStack() as held:
+        allow_functions(manifest, plan, functions)
         share = share if tile is None else _share_of(manifest, plan, tile)
         for name in (TILES, BUCKETS):
             (manifest.folder / name).mkdir(exist_ok=True)
@@ -101,13 +106,15 @@ def run_tiles(
         tell = partial(_tell, manifest, plan, report)
         tell()
         if count:
-            oversee(manifest, partial(_start, manifest.folder, share, count, gpus), count, tell)
+            start = partial(_start, manifest.folder, share, count, gpus, functions=plan.passed_functions)
+            oversee(manifest, start, count, tell)
         else:
             try:
                 with a_worker(manifest.folder) as owner:
                     book = Taskbook(manifest, plan, owner, share)
                     if dask or scheduler is not None:
                         told: dict[str, Any] = {"device": "cuda:0" if gpus else device, "gpus": gpus}
+                        told["functions"] = plan.passed_functions
                         run_on_cluster(manifest.folder, book, tell, scheduler or dask, security=security, **told)
                     else:
                         plan.device = gpus[0].alias if gpus else device
@@ -261,15 +268,17 @@ def _progress_of(manifest: Manifest) -> list[Any]:
     return [*row]
 
 
-def _start(folder: Path, part: tuple[int, int], count: int, gpus: list[Gpu], place: int) -> subprocess.Popen[bytes]:
+def _start(
+    folder: Path, part: tuple[int, int], count: int, gpus: list[Gpu], place: int, functions: tuple[str, ...] = ()
+) -> subprocess.Popen[bytes]:
     """A worker, which finds the modules that this process finds and takes its share of the cores, and its GPU."""
-    return start_worker(_WORKER, [str(folder.absolute()), *map(str, part)], count, gpus, place)
+    return start_worker(_WORKER, [str(folder.absolute()), *map(str, part), *functions], count, gpus, place)
 
 
 def start_worker(code: str, arguments: list[str], count: int, gpus: list[Gpu], place: int) -> subprocess.Popen[bytes]:
     """A process of Python code, which gets the arguments, this process's number and its device."""
     gpu = gpus[place : place + 1]
-    command = [sys.executable, "-c", code, *arguments, str(os.getpid()), "cuda:0" if gpu else "cpu"]
+    command = [sys.executable, "-P", "-c", code, *arguments, str(os.getpid()), "cuda:0" if gpu else "cpu"]
     # In a group of its own: Ctrl-C in a terminal is for the process that oversees the workers, which ends them.
     return subprocess.Popen(
         command,
@@ -281,10 +290,11 @@ def start_worker(code: str, arguments: list[str], count: int, gpus: list[Gpu], p
 
 
 def main() -> None:
-    """A worker process: `main FOLDER WHICH OF PARENT DEVICE`; it ends when nothing is left for it."""
-    folder, which, of, parent, device = sys.argv[1:]
+    """A worker process: `main FOLDER WHICH OF FUNCTION... PARENT DEVICE`; it ends when nothing is left for it."""
+    folder, which, of, *functions, parent, device = sys.argv[1:]
     try:
         manifest, plan = open_plan(folder)
+        allow_functions(manifest, plan, functions)
         plan.device = device
         with manifest, a_worker(manifest.folder) as owner:
             book = Taskbook(manifest, plan, owner, (int(which), int(of)))

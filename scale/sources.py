@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..core.atomic import restore_folder
 from ..core.errors import FileError
 from ..core.paths import path_of
 from ..core.progress import ReportProgress
@@ -50,6 +51,7 @@ def list_files(sources: Any) -> list[Path]:
     given: Iterable[Any] = [sources] if isinstance(sources, str | os.PathLike) else sources
     found: dict[Path, None] = {}
     for path in map(path_of, given):
+        restore_folder(path)
         try:
             names = sorted(path.iterdir()) if path.is_dir() else None
         except OSError as error:

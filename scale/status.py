@@ -7,9 +7,10 @@ from dataclasses import asdict, dataclass, replace
 from typing import Any
 
 from ..core.errors import FileError, FilePath
+from ..core.escaped_text import escaped
 from ..core.paths import path_of
 from ..core.wording import to_json
-from .manifest import Manifest, files_of
+from .manifest import NAME, Manifest, damage_as_file_errors, files_of
 from .sources import check_same, given_as
 from .steps.parse import KNOWN
 
@@ -71,7 +72,8 @@ class TileStatus:
         told += [
             f"{count} {name}" for name in ("waiting", "running", "failed", "aside") if (count := getattr(self, name))
         ]
-        return "; ".join(told) + "".join(f"\n  tile {tile}: {error}" for tile, error in self.troubles.items())
+        lines = (f"\n  tile {escaped(tile)}: {escaped(error)}" for tile, error in self.troubles.items())
+        return "; ".join(told) + "".join(lines)
 
 
 def tile_status(folder: FilePath) -> TileStatus:
@@ -113,7 +115,8 @@ def status_of(manifest: Manifest) -> TileStatus:
         for row in bad
     }
     files = manifest.rows("SELECT id, error FROM sources WHERE state IN ('failed', 'aside') ORDER BY id")
-    troubles |= {files_of(manifest.plan)[row["id"]]["path"]: row["error"] or "" for row in files}
+    with damage_as_file_errors(manifest.folder / NAME):
+        troubles |= {files_of(manifest.plan)[row["id"]]["path"]: row["error"] or "" for row in files}
     return TileStatus(
         folder=str(manifest.folder),
         **counts,
@@ -129,7 +132,8 @@ def status_of(manifest: Manifest) -> TileStatus:
 
 
 def _pass_of(manifest: Manifest) -> dict[str, int]:
-    kinds = [KNOWN[step["step"]] for step in manifest.plan["steps"]]
+    with damage_as_file_errors(manifest.folder / NAME):
+        kinds = [KNOWN[step["step"]] for step in manifest.plan["steps"]]
     passes = 1 + sum(kind.needs_numbers or kind.joins for kind in kinds)
     (row,) = manifest.rows("SELECT min(pass) AS pass FROM tiles WHERE state NOT IN ('done', 'empty')")
     number = passes - 1 if row["pass"] is None else row["pass"]

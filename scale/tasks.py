@@ -15,8 +15,9 @@ from ..core.errors import FileError
 from .borders import Joined, Leavings, join_step
 from .buckets import Filled, fill_buckets, folder_of
 from .exact_sums import ExactSums
-from .manifest import CHECKSUMS, NOT_LAID, STATES, Manifest, files_of
+from .manifest import NOT_LAID, STATES, Manifest, files_of
 from .plan import Plan
+from .schema import CHECKSUMS
 from .sources import NotLaidError, check_same
 from .work_tile import Outcome, work_tile
 

@@ -113,6 +113,7 @@ def warnings_of(call: Callable[[], Any]) -> list[str]:
         warnings.simplefilter("always")
         warnings.simplefilter("ignore", loom.DroppedResultWarning)
         warnings.simplefilter("ignore", loom.NormalsWarning)  # true of clouds whose normals are random
+        warnings.simplefilter("ignore", loom.NonFiniteWarning)  # true of clouds with normals that are NaN
         warnings.simplefilter("ignore", loom.UnitWarning)  # true of clouds that are a million times as large
         try:
             result = call()

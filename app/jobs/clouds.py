@@ -6,6 +6,7 @@ Each checks its output before the work and returns what was done; `poor` says wh
 from __future__ import annotations
 
 import warnings
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Unpack
@@ -60,7 +61,13 @@ class ConvertReport(JobReport):
 
 
 def convert_file(
-    source: FilePath, output: FilePath, *, as_text: bool = False, overwrite: bool = False, up: str = "y"
+    source: FilePath,
+    output: FilePath,
+    *,
+    as_text: bool = False,
+    overwrite: bool = False,
+    up: str = "y",
+    columns: Sequence[str] | None = None,
 ) -> ConvertReport:
     """Write a cloud or mesh in another format, every value as the file has it.
 
@@ -72,7 +79,7 @@ def convert_file(
         output: A cloud (.ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57) or a mesh (as the source).
         as_text: Text instead of binary, for .ply and .pcd.
         overwrite: Replace the output if it exists.
-        up: As of `Settings`.
+        up, columns: As of `Settings`.
 
     Raises:
         FileError: A file that cannot be read or written, or a cloud for a format of meshes.
@@ -81,7 +88,7 @@ def convert_file(
         UserWarning: Colors of 16 bits are rounded to 8, attributes have other names in the output, or records of the
             source are left out.
     """
-    job = Job("convert", source, as_text=as_text, overwrite=overwrite, up=up)
+    job = Job("convert", source, as_text=as_text, overwrite=overwrite, up=up, columns=columns)
     allowed = (*WRITTEN, *(suffix for suffix in tables.MESHES if suffix not in WRITTEN))
     job.check(output, allowed, what="clouds and meshes")
     with job.stage("read"):

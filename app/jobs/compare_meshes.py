@@ -15,6 +15,7 @@ from ...core.wording import plain
 from ...drawing.render.error_picture import draw_errors
 from ...drawing.render.picture_files import check_picture, save_picture
 from ...drawing.render.surface_picture import looks_inwards
+from ...meshing.mesh.finite_corners import find_wrong_corner
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_comparison import MeshComparison, compare_meshes
 from ...meshing.mesh.mesh_files import mesh_table, read_triangle_mesh
@@ -129,6 +130,8 @@ def compare_mesh_files(
 
 def _read(path: FilePath, device: Any, up: str) -> TriangleMesh:
     mesh = read_triangle_mesh(path, device=device, up=up)
+    if (wrong := find_wrong_corner(mesh)) is not None:
+        raise FileError(path, wrong, remedy="Drop such triangles with pointloom clean-mesh first")
     if not mesh.get_surface_area() > 0:
         raise FileError(path, "holds no triangle with an area, so no distance can be taken")
     return mesh

@@ -113,16 +113,18 @@ class Cloud(Shape):
         unit: Of its coordinates, where the file tells it.
         table: The rest.
         scans: Of an E57 file, each in words.
+        viewpoint: Of a PCD file: position and quaternion w x y z of its sensor, not applied.
     """
 
     KIND = "point cloud"
-    SPARE = ("grid", "unit", "scans")
+    SPARE = ("grid", "unit", "scans", "viewpoint")
 
     points: int
     grid: str | None
     unit: LengthUnit | None
     table: Table
     scans: list[str] | None = None
+    viewpoint: str | None = None
 
     @property
     def point_count(self) -> int:

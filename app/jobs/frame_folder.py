@@ -35,6 +35,7 @@ class FolderOptions:
         intrinsic: A camera as Open3D's JSON, if it is another than the folder says.
         every: Take every k-th frame, beginning with the first.
         depth_scale: Stored depth of one metre, if it is another than the folder says; not with posed frames.
+        skip_missing: Leave out frames that lack a picture or whose pose is inf or NaN; only with posed frames.
         topic, color_topic: Of a recording: its pictures of depth and of colour; None takes the only ones.
     """
 
@@ -42,6 +43,7 @@ class FolderOptions:
     intrinsic: FilePath | None = None
     every: int = 1
     depth_scale: float | None = None
+    skip_missing: bool = False
     topic: str | None = None
     color_topic: str | None = None
 
@@ -70,6 +72,7 @@ class FrameFolder:
         if is_recording(path_of(path)):
             return cls(path, _frames_of_recording(path, options), options.intrinsic)
         given = dataclasses.asdict(options)
+        given.pop("skip_missing")
         for name in ("topic", "color_topic"):
             if topic := given.pop(name):
                 option = f"--{name.replace('_', '-')}"
@@ -85,6 +88,7 @@ class FrameFolder:
         """
         camera = None if options.intrinsic is None else read_pinhole_camera_intrinsic(options.intrinsic)
         given: dict[str, Any] = {"layout": options.layout, "intrinsic": camera, "every": options.every}
+        given["skip_missing"] = options.skip_missing
         try:
             return cls(path, open_dataset(path, **given), options.intrinsic)
         except DatasetError as error:

@@ -7,7 +7,7 @@ and the tables are read, and held against the file.
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -16,7 +16,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic, read_pinhole_camera_intrinsic
-from ...cameras.trajectory import parse_floats, read_lines, read_pose, read_trajectory
+from ...cameras.pose_text import parse_floats, read_lines, read_pose
+from ...cameras.trajectory import read_trajectory
+from ...core.atomic import restore_folder
 from ...core.coordinates import describe_bounds, split_origin
 from ...core.errors import FileError
 from ...core.json_files import read_json_object
@@ -139,17 +141,21 @@ class CloudFolder(Facts):
         return [("files", "\n".join(file.line() for file in self.files)), ("points", f"{self.points:,}")]
 
 
-def describe(path: str | os.PathLike[str], *, layout: str = "auto") -> Description:
+def describe(
+    path: str | os.PathLike[str], *, layout: str = "auto", columns: Sequence[str] | None = None
+) -> Description:
     """Describe what lies at a path.
 
     Args:
         path: A file, the folder of a data set, of a model of COLMAP, or of clouds and meshes.
         layout: The layout of a folder.
+        columns: The names of the columns of a cloud, for .bin, .csv, .txt and .xyz; None takes those of the file.
 
     Raises:
         FileError: Missing, damaged, or of no known kind.
     """
     path = Path(path)
+    restore_folder(path)
     if not path.exists():
         raise FileError(path, "does not exist")
     if is_recording(path):
@@ -157,6 +163,8 @@ def describe(path: str | os.PathLike[str], *, layout: str = "auto") -> Descripti
         return Description(str(path), describe_recording(path), size)
     if path.is_dir():
         return Description(str(path), _describe_folder(path, layout))
+    if columns is not None:
+        return Description(str(path), _describe_table(path, columns), path.stat().st_size)
     return Description(str(path), _describe_file(path), path.stat().st_size)
 
 
@@ -188,8 +196,8 @@ def _describe_file(path: Path) -> Facts:
 # ------------------------------------------------------------------------------------------------ points
 
 
-def _describe_table(path: Path) -> Cloud | Mesh:
-    table = tables.read_table(path)
+def _describe_table(path: Path, columns: Sequence[str] | None = None) -> Cloud | Mesh:
+    table = tables.read_table(path, columns)
     if isinstance(table, MeshTable):
         named = {"normals": table.vertex_normals, "colors": table.vertex_colors, **table.attributes}
         named["texture_coordinates"] = table.triangle_uvs
@@ -197,7 +205,8 @@ def _describe_table(path: Path) -> Cloud | Mesh:
         return Mesh(len(table.vertices), len(table.triangles), textures, table.unit, _table_of(table.vertices, named))
     named = {"normals": table.normals, "colors": table.colors, **table.attributes}
     grid = f"{table.grid[0]} rows of {table.grid[1]}" if table.grid else None
-    return Cloud(len(table.points), grid, table.unit, _table_of(table.points, named))
+    viewpoint = " ".join(f"{value:g}" for value in table.viewpoint) if table.viewpoint else None
+    return Cloud(len(table.points), grid, table.unit, _table_of(table.points, named), viewpoint=viewpoint)
 
 
 def _table_of(points: NDArray[Any], named: Mapping[str, NDArray[Any] | None]) -> Table:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import warnings
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -39,6 +39,7 @@ class Settings(TypedDict, total=False):
         overwrite: Replace outputs that exist.
         progress: Called with each stage when it begins.
         up: Which axis is up in what is worked on, "y" or "z"; in a .glb or .gltf it is y, so that "z" turns those.
+        columns: The names of the source's columns, for .bin, .csv, .txt and .xyz; None takes those of the file.
     """
 
     device: Any
@@ -46,6 +47,7 @@ class Settings(TypedDict, total=False):
     overwrite: bool
     progress: ReportProgress | None
     up: str
+    columns: Sequence[str] | None
 
 
 class Form(TypedDict):
@@ -141,7 +143,7 @@ class Job:
     Args:
         command: Its name.
         source: What is read.
-        device, as_text, overwrite, progress, up: As of `Settings`.
+        device, as_text, overwrite, progress, up, columns: As of `Settings`.
 
     Attributes:
         source: What is read.
@@ -164,13 +166,15 @@ class Job:
         overwrite: bool = False,
         progress: ReportProgress | None = None,
         up: str = "y",
+        columns: Sequence[str] | None = None,
     ):
-        self._command, self._device, self.up = command, device, up
+        self._command, self._device, self.up, self._columns = command, device, up, columns
         self.source, self.tell, self.clock = source, check_progress(progress), Clock()
         self.form: Form = {"as_text": as_text, "overwrite": overwrite}
         self.left_out: list[str] = []
         self.files: list[str] = []
         self.unit: LengthUnit | None = None
+        self._viewpoint: tuple[float, ...] | None = None
 
     @cached_property
     def device(self) -> Any:
@@ -211,7 +215,7 @@ class Job:
 
     def read_table(self) -> PointTable | MeshTable:
         """What the source holds, in NumPy."""
-        table = tables.read_table(self.source)
+        table = tables.read_table(self.source, self._columns)
         return turned_up(table) if isinstance(table, MeshTable) and self.up_of(self.source) == "z" else table
 
     def write_table(self, table: MeshTable, output: FilePath) -> None:
@@ -223,6 +227,7 @@ class Job:
         """The points of the source as its file has them; of a mesh the vertices, which leaves its triangles out."""
         table = self.read_table()
         self.unit = table.unit
+        self._viewpoint = None if isinstance(table, MeshTable) else table.viewpoint
         if isinstance(table, MeshTable):
             self.left_out.append("triangles")
             return tables.points_of(table)
@@ -249,6 +254,7 @@ class Job:
     def write_points(self, table: PointTable, output: FilePath) -> None:
         """Write points, whole or not at all; in LAS with the source's steps where it is such a file."""
         with self.stage("write"):
+            table = replace(table, viewpoint=table.viewpoint or self._viewpoint)
             self.wrote(output, tables.write_cloud_table(output, table, source=self.source, **self.form))
 
     def write_cloud(self, cloud: PointCloud, output: FilePath) -> None:
@@ -256,7 +262,7 @@ class Job:
         from ...files.points.point_cloud import table_of
 
         with self.stage("write"):
-            table = table_of(cloud)
+            table = replace(table_of(cloud), viewpoint=self._viewpoint)
             self.wrote(output, tables.write_cloud_table(output, table, source=self.source, **self.form))
 
     def write_mesh(self, mesh: TriangleMesh, output: FilePath) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from ...core.audience import to_shell
@@ -26,6 +27,7 @@ def mesh_file(
     overwrite: bool = False,
     progress: ReportProgress | None = None,
     up: str = "y",
+    columns: Sequence[str] | None = None,
     **options: Any,
 ) -> ResultReport:
     """Write a surface through the points of a cloud, and a picture of it; outputs are checked before the work.
@@ -34,7 +36,7 @@ def mesh_file(
         source: A cloud; of a mesh the vertices count.
         output: A .ply, .obj, .stl, .off, .glb or .gltf file; STL holds no normals and colours, which are then left out.
         picture: A .png file for a picture of the mesh.
-        device, as_text, overwrite, progress, up: As of `Settings`.
+        device, as_text, overwrite, progress, up, columns: As of `Settings`.
         options: As of `create_surface`.
 
     Returns:
@@ -45,7 +47,8 @@ def mesh_file(
         ValueError: What the method refuses.
         DeviceError: No such device.
     """
-    job = Job("mesh", source, device=device, as_text=as_text, overwrite=overwrite, progress=progress, up=up)
+    form = {"as_text": as_text, "overwrite": overwrite, "up": up}
+    job = Job("mesh", source, device=device, progress=progress, columns=columns, **form)
     job.check(output, tables.MESHES, what="meshes")
     if picture is not None:
         check_picture(picture, overwrite=overwrite)

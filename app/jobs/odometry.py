@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -15,8 +15,7 @@ from ...core.progress import ReportProgress
 from ...core.reports import Fields, values_of
 from ...core.wording import format_seconds, plain
 from ...files.bags.recording import is_recording, open_recording
-from ...files.points.point_cloud import read_point_cloud
-from ...files.points.scan_files import list_scans
+from ...files.points.scan_files import list_scans, read_scans
 from ...pcd.cloud import PointCloud
 from ...registration.lidar.lidar_odometry import LidarOdometry
 from ...registration.lidar.lidar_steps import OdometrySummary, summarize_steps
@@ -87,6 +86,7 @@ def odometry_of_folder(
     min_range: float = 5.0,
     truth: FilePath | None = None,
     topic: str | None = None,
+    columns: Sequence[str] | None = None,
     device: Any = "auto",
     overwrite: bool = False,
     progress: ReportProgress | None = None,
@@ -101,6 +101,7 @@ def odometry_of_folder(
         voxel_size, max_range, min_range: As of `LidarOdometry`.
         truth: A file of the scanner's true poses, one a scan.
         topic: Of a recording; None takes the only one of clouds.
+        columns: The names of the columns of .bin, .csv, .txt and .xyz files, as of `read_point_cloud`.
         device: Where to compute.
         overwrite: Replace the output if it exists.
         progress: Called with the number of scans done and that of all.
@@ -116,7 +117,7 @@ def odometry_of_folder(
     job = Job("odometry", folder, device=device, overwrite=overwrite, progress=progress)
     form = _check_output(job, output, format)
     odometry = LidarOdometry(voxel_size=voxel_size, max_range=max_range, min_range=min_range, device=job.device)
-    scans = _Scans.open(folder, topic, job.device)
+    scans = _Scans.open(folder, topic, columns, job.device)
     if scans.count < 2:
         raise FileError(folder, f"holds one scan, {scans.first}; odometry needs two", remedy="Give another folder")
     true_path = None if truth is None else read_trajectory(truth)
@@ -145,9 +146,11 @@ class _Scans:
     clouds: Iterator[PointCloud]
 
     @classmethod
-    def open(cls, place: FilePath, topic: str | None, device: Any) -> _Scans:
+    def open(cls, place: FilePath, topic: str | None, columns: Sequence[str] | None, device: Any) -> _Scans:
         """Those of a folder, or of a topic of a recording."""
         if is_recording(Path(place)):
+            if columns is not None:
+                raise FileError(place, "is a recording, which names its columns", remedy="Leave --columns out")
             recording = open_recording(place)
             chosen = recording.choose_topic(topic)
             count = sum(found.count for found in recording.topics if found.name == chosen)
@@ -155,7 +158,7 @@ class _Scans:
         if topic is not None:
             raise FileError(place, f"is no recording, and has no topic {topic!r}", remedy="Leave --topic out")
         files = list_scans(place)
-        return cls(len(files), files[0].name, (read_point_cloud(file, device=device) for file in files))
+        return cls(len(files), files[0].name, read_scans(files, device=device, columns=columns))
 
 
 def _register_scans(job: Job, odometry: LidarOdometry, scans: _Scans) -> int:

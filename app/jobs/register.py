@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from ...cameras.pose_files import write_pose
-from ...cameras.trajectory import read_pose
+from ...cameras.pose_text import read_pose
 from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
 from ...core.reports import Fields

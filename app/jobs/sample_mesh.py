@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Unpack
 
-from ...core.errors import FilePath
+from ...core.errors import FileError, FilePath
 from ...core.reports import Fields
+from ...meshing.mesh.finite_corners import find_wrong_corner
 from .job import Job, JobReport, Settings
 
 
@@ -67,13 +68,15 @@ def sample_mesh_file(
         What was done. Nothing is written where the mesh has no area.
 
     Raises:
-        FileError: A file that cannot be read or written.
+        FileError: A file that cannot be read or written, or a triangle with a corner that is not finite.
         ValueError: A count out of range.
         DeviceError: No such device.
     """
     job = Job("sample-mesh", source, **settings)
     job.check(output)
     mesh = job.read_mesh()
+    if (wrong := find_wrong_corner(mesh)) is not None:
+        raise FileError(source, wrong, remedy="Drop such triangles with pointloom clean-mesh first")
     area, points = mesh.get_surface_area(), 0
     poor = None if area > 0 else "the mesh has no area to draw points from; nothing was written"
     if poor is None:

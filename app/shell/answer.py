@@ -6,6 +6,7 @@ from typing import Any, Protocol
 
 import click
 
+from ...core.escaped_text import escaped
 from ...core.reports import Fields, Report
 from .console import print_fields, print_json
 from .group import poor_result
@@ -35,5 +36,5 @@ def answer_with(report: CommandReport, title: str, as_json: bool, *, err: bool =
     else:
         print_fields(report.fields(), title=title, err=err)
         if isinstance(report, Report) and report.note:
-            click.echo(f"note: {report.note}", err=True)
+            click.echo(escaped(f"note: {report.note}", lines=True), err=True)
     return poor_result(report.poor)

@@ -14,6 +14,7 @@ from typing import Any
 import click
 
 from ... import __version__  # pyright: ignore[reportMissingImports]
+from ...core.escaped_text import escaped
 from . import (
     change_command,
     depth_command,
@@ -34,7 +35,7 @@ from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress, print_fields, print_json
 from .group import ERROR, INTERRUPTED, TERMINATED, CommandLine, poor_result, report_error
 from .help_commands import VARIABLE
-from .options import FILE, LENGTH, Renamed, device_option, force_option, json_option, refuse
+from .options import FILE, LENGTH, Renamed, columns_option, device_option, force_option, json_option, refuse
 from .pipes import RECORDINGS, from_option, open_pipes
 
 _SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 110}
@@ -110,8 +111,9 @@ for command in (
 @cli.command(short_help="Say what files and folders hold.")
 @click.argument("files", nargs=-1, required=True, type=FILE, metavar="FILE...")
 @from_option()
+@columns_option()
 @json_option()
-def info(files: tuple[Path, ...], read_as: str | None, as_json: bool) -> int:
+def info(files: tuple[Path, ...], read_as: str | None, columns: tuple[str, ...] | None, as_json: bool) -> int:
     """Say what each FILE holds: counts, attributes, bounds, origin, points that are not finite.
 
     \b
@@ -125,8 +127,8 @@ def info(files: tuple[Path, ...], read_as: str | None, as_json: bool) -> int:
     folders       of clouds and meshes, one line each
     recordings    .bag of ROS 1, .db3 and .mcap of ROS 2, and folders of those: their topics
 
-    The origin is the point that positions are counted from in float32 (other than zero beyond 10 km). The exit code is
-    3 where a recording is damaged, 1 where a file cannot be read at all.
+    The origin is the point that positions are counted from in float32 (other than zero for data far from zero).
+    The exit code is 3 where a recording is damaged, 1 where a file cannot be read at all.
 
     \b
     pointloom info scan.ply trajectory.log frames/
@@ -139,13 +141,13 @@ def info(files: tuple[Path, ...], read_as: str | None, as_json: bool) -> int:
         for path, source in zip(files, ends.sources, strict=True):
             try:
                 with ends.errors_renamed():
-                    reports.append(ends.rename(describe(source)))
+                    reports.append(ends.rename(describe(source, columns=columns)))
             except (ValueError, TypeError, OSError) as error:
                 reports.append(BrokenFile(str(path), report_error(error)))
     found = [report for report in reports if isinstance(report, Description)]
     broken = [report.broken for report in found if report.broken]
     for error in broken:
-        click.echo(f"error: {error}", err=True)
+        click.echo(escaped(f"error: {error}"), err=True)
     failed = bool(broken) or len(found) < len(reports)
     poor = poor_result(all_of(*(report.poor for report in found)))
     if as_json:
@@ -205,6 +207,8 @@ def convert(
         from ..jobs.recorded_clouds import convert_recording
 
         options.pop("up")
+        if options.pop("columns") is not None:
+            refuse("--columns is for a cloud; a recording names its columns")
         return convert_recording(source, output, topic=topic, frame=frame, poses=poses, **options)
     for name, value in (("topic", topic), ("frame", frame), ("poses", poses)):
         if value is not None:

@@ -15,6 +15,7 @@ from .options import (
     Decorator,
     ascii_option,
     check_up,
+    columns_option,
     device_option,
     force_option,
     json_option,
@@ -29,11 +30,13 @@ if TYPE_CHECKING:
 Answer: TypeAlias = "JobReport"
 
 
-def from_cloud_to_cloud(*, device: bool = True) -> Callable[[Callable[..., Answer]], Callable[..., int]]:
+def from_cloud_to_cloud(
+    *, device: bool = True, columns: bool = True
+) -> Callable[[Callable[..., Answer]], Callable[..., int]]:
     """Give a command IN and OUT, either of them `-`, and after its own options those that all such commands share.
 
-    OUT is given by its place or by `-o`. The function gets source and output as files, overwrite, as_text, up and
-    (with `device`) device beside its own options, and returns its report.
+    OUT is given by its place or by `-o`. The function gets source and output as files, overwrite, as_text, up,
+    (with `device`) device and (with `columns`) columns beside its own options, and returns its report.
     """
 
     def decorate(function: Callable[..., Answer]) -> Callable[..., int]:
@@ -61,6 +64,7 @@ def from_cloud_to_cloud(*, device: bool = True) -> Callable[[Callable[..., Answe
             click.argument("output", type=FILE, metavar="OUT", required=False),
             click.option("-o", "--output", "named_output", type=FILE, metavar="OUT", help="OUT by name."),
             *([device_option()] if device else []),
+            *([columns_option()] if columns else []),
             up_option(),
             ascii_option(),
             from_option(),

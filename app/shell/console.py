@@ -14,7 +14,9 @@ from typing import Any
 
 import click
 
+from ...core.escaped_text import escaped
 from ...core.reports import rows_of
+from ...core.standard_streams import is_terminal
 from ...core.wording import to_json
 
 # Seconds between lines of progress where stderr is a file: a log of a long run grows by 12 lines a minute.
@@ -40,12 +42,12 @@ class Progress:
         self._last_told: dict[str, int] = {}  # steps done, by stage
 
     def __enter__(self) -> Progress:
-        if sys.stderr.isatty():
+        if is_terminal(sys.stderr):
             from rich.console import Console
             from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeElapsedColumn, TimeRemainingColumn
             from rich.progress import Progress as Bar
 
-            columns = (TextColumn("{task.description:<10}"), BarColumn(), MofNCompleteColumn())
+            columns = (TextColumn("{task.description:<10}", markup=False), BarColumn(), MofNCompleteColumn())
             times = (TimeElapsedColumn(), TextColumn("left"), TimeRemainingColumn())
             rates = (TextColumn("{task.fields[rate]}"),) if self._rates else ()
             self._bar = Bar(*columns, *times, *rates, console=Console(stderr=True), transient=True)
@@ -64,7 +66,7 @@ class Progress:
             self._tell(stage, done, total)
             return
         if stage not in self._tasks:
-            self._tasks[stage] = self._bar.add_task(stage, total=total or None, rate="")
+            self._tasks[stage] = self._bar.add_task(escaped(stage), total=total or None, rate="")
         self._bar.update(self._tasks[stage], completed=done, rate=self._rate(stage, done))
 
     def _tell(self, stage: str, done: int, total: int) -> None:
@@ -72,7 +74,7 @@ class Progress:
         if now - self._last_line >= LINE_INTERVAL and self._last_told.get(stage) != done:
             self._last_line, self._last_told[stage] = now, done
             text = f"{stage}: {done} of {total}" if total else stage
-            click.echo(f"{text} {self._rate(stage, done)}".rstrip(), err=True)
+            click.echo(escaped(f"{text} {self._rate(stage, done)}".rstrip()), err=True)
 
     def _rate(self, stage: str, done: int) -> str:
         """The mean rate so far, where it is told."""
@@ -111,7 +113,7 @@ def print_json(report: dict[str, Any]) -> None:
 def print_fields(fields: Iterable[tuple[str, str]], *, title: str = "", err: bool = False) -> None:
     """Print labels and values in two columns, below a title; a value of several lines keeps its column."""
     if title:
-        _say(title, err)
+        _say(escaped(title), err)
     for row in rows_of(fields):
         _say(row, err)
 

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from ..jobs.frame_folder import FolderOptions
     from ..jobs.model_outputs import ModelOutputs
 
-FOLDER_OPTIONS = ("layout", "intrinsic", "every", "depth_scale", "topic", "color_topic")
+FOLDER_OPTIONS = ("layout", "intrinsic", "every", "depth_scale", "skip_missing", "topic", "color_topic")
 MESH = "The mesh, .ply .obj .stl .off .glb .gltf."
 MODEL_VOXEL = "Edge of a voxel of the model that frames are held against [m]."
 MESH_VOXEL = "Edge of a voxel of the mesh [m]; 0.02, with fragments what --config says or 0.0059, if not given."

@@ -15,6 +15,7 @@ from typing import Any
 
 import click
 
+from ...core.escaped_text import escaped
 from .console import CompileNotice, OutputLostError, print_json
 
 ERROR, USAGE, POOR, INTERRUPTED, TERMINATED = 1, 2, 3, 130, 143
@@ -24,6 +25,8 @@ _OPTIONS = {
     "overwrite=True": "--force",
     "layout=,": "--layout,",
     "intrinsic=": "--intrinsic",
+    "columns=": "--columns",
+    "skip_missing=True": "--skip-missing",
     "depth_scale=": "--depth-scale",
     "Call plan_tiles(sources, steps, folder) first": "Run pointloom tile plan first",
     "call retry_tiles(folder)": "run pointloom tile retry",
@@ -87,7 +90,7 @@ def poor_result(reason: str | None) -> int:
     """The exit code for a result: 3, with the reason on stderr, where there is one to call it poor."""
     if not reason:
         return 0
-    click.echo(f"poor result: {reason}", err=True)
+    click.echo(escaped(f"poor result: {reason}", lines=True), err=True)
     return POOR
 
 
@@ -97,7 +100,7 @@ def report_error(error: Exception) -> str:
         import traceback
 
         traceback.print_exception(error, file=sys.stderr)
-    message = _message(error)
+    message = escaped(_message(error), lines=True)
     click.echo(message if isinstance(error, click.Abort) else f"error: {message}", err=True)
     return message
 
@@ -107,6 +110,8 @@ def _flushed(code: int) -> int:
 
     What cannot be written is dropped: Python would try again at its end, and say so in lines of its own.
     """
+    if sys.stdout is None:
+        return code
     try:
         sys.stdout.flush()
     except OSError:
@@ -183,4 +188,4 @@ def _message(error: Exception) -> str:
 def _show_warning(
     message: Warning | str, category: Any, filename: str, lineno: int, file: Any = None, line: str | None = None
 ) -> None:
-    click.echo(f"warning: {message}", err=True)
+    click.echo(escaped(f"warning: {message}", lines=True), err=True)

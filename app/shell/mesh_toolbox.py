@@ -38,7 +38,7 @@ ANY = Number("a finite number", math.isfinite)
 @click.option("--fill", type=LENGTH, metavar="M", help="Close holes of up to this radius [m].")
 @click.option("--min-triangles", type=COUNT, default=1, metavar="N", help="Drop parts of fewer triangles.")
 @click.option("--min-area", type=AREA, default=None, metavar="M2", help="Drop parts of a smaller area [m^2].")
-@from_cloud_to_cloud()
+@from_cloud_to_cloud(columns=False)
 def clean_mesh(source: Path, output: Path, min_area: float | None, **options: Any) -> Answer:
     """Write the mesh IN to OUT without what is commonly wrong with one, and say what was done.
 
@@ -66,7 +66,7 @@ def clean_mesh(source: Path, output: Path, min_area: float | None, **options: An
 @click.option("--voxel", type=LENGTH, metavar="M", help="Leave one vertex a voxel of this size [m] instead.")
 @click.option("--max-error", type=FACTOR, metavar="E", help="End where a step would cost more than this.")
 @click.option("--boundary-weight", type=FACTOR, metavar="W", help="How firmly borders stay; 1 if not given.")
-@from_cloud_to_cloud()
+@from_cloud_to_cloud(columns=False)
 def simplify(
     source: Path, output: Path, max_error: float | None, boundary_weight: float | None, **options: Any
 ) -> Answer:
@@ -108,7 +108,7 @@ def simplify(
 @click.option("--lambda", "lambda_filter", type=FACTOR, metavar="L", help="taubin, laplacian: step; 0.5 if not given.")
 @click.option("--mu", type=ANY, metavar="MU", help="taubin: step back; -0.53 if not given.")
 @click.option("--strength", type=FACTOR, metavar="S", help="sharpen: how much; 1 if not given.")
-@from_cloud_to_cloud()
+@from_cloud_to_cloud(columns=False)
 def smooth_mesh(source: Path, output: Path, method: str, **options: Any) -> Answer:
     """Write the mesh IN to OUT with smoother vertices, normals and colours.
 
@@ -141,7 +141,7 @@ def smooth_mesh(source: Path, output: Path, method: str, **options: Any) -> Answ
 @click.option("--even", is_flag=True, help="Spread them evenly (Poisson disk).")
 @click.option("--triangle-normals", is_flag=True, help="Give them the normals of their triangles.")
 @click.option("--seed", type=SEED, default=0, show_default=True, metavar="N", help="Chooses the points.")
-@from_cloud_to_cloud()
+@from_cloud_to_cloud(columns=False)
 def sample_mesh(source: Path, output: Path, **options: Any) -> Answer:
     """Write to the cloud OUT points on the surface of the mesh IN, each place as likely as any other.
 

@@ -124,8 +124,9 @@ def force_option() -> Decorator:
 def frame_options(*, posed: bool = True, depth_max: float | None = 4.0) -> Decorator:
     """`--layout`, `--intrinsic`, `--every`, `--depth-max`: which frames of a folder, and what of them.
 
-    Where they need not be posed, `pictures` is a layout too, and `--depth-scale` says its unit; a recording will do as
-    well, and `--topic` and `--color-topic` say which pictures of it.
+    Where they are posed, `--skip-missing` leaves out what lacks a picture or a pose. Where they need not be posed,
+    `pictures` is a layout too, and `--depth-scale` says its unit; a recording will do as well, and `--topic` and
+    `--color-topic` say which pictures of it.
     """
     layouts = ["auto", "7scenes", "redwood", "tum", *([] if posed else ["pictures"])]
     scale = click.option(
@@ -135,6 +136,9 @@ def frame_options(*, posed: bool = True, depth_max: float | None = 4.0) -> Decor
         click.option("--topic", metavar="NAME", help="Of a recording: pictures of depth; the only ones if not given."),
         click.option("--color-topic", metavar="NAME", help="Of a recording: pictures of colour, as --topic."),
     ]
+    missing = click.option(
+        "--skip-missing", is_flag=True, help="Leave out frames that lack a picture or whose pose is inf or NaN."
+    )
     options = [
         click.option(
             "--layout",
@@ -146,7 +150,7 @@ def frame_options(*, posed: bool = True, depth_max: float | None = 4.0) -> Decor
         click.option(
             "--intrinsic", type=FILE, metavar="JSON", help="The camera, if it is another than the folder says."
         ),
-        *([] if posed else [scale, *topics]),
+        *([missing] if posed else [scale, *topics]),
         click.option("--every", type=click.IntRange(min=1), default=1, metavar="N", help="Take every N-th frame."),
         click.option(
             "--depth-max",
@@ -186,6 +190,22 @@ def refuse_same(**files: Path | None) -> None:
         first = taken.setdefault(path.resolve(), option)
         if first != option:
             refuse(f"{option} is the file of {first}, {path}; give another name")
+
+
+class ColumnNames(click.ParamType):
+    """Names of columns, parted by commas."""
+
+    name = "names"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[str, ...]:
+        """The names; which of them are needed, the readers know."""
+        return value if isinstance(value, tuple) else tuple(name.strip() for name in value.split(","))
+
+
+def columns_option() -> Decorator:
+    """`--columns`."""
+    text = "Of .bin, .csv, .txt, .xyz: what the columns are, such as x,y,z,intensity,ring."
+    return click.option("--columns", type=ColumnNames(), metavar="NAMES", help=text)
 
 
 def up_option() -> Decorator:

@@ -18,6 +18,7 @@ from typing import Any, NamedTuple
 import click
 
 from ...core.reports import values_of
+from ...core.standard_streams import is_terminal
 from .console import OutputLostError
 from .options import Decorator, refuse
 
@@ -29,8 +30,9 @@ _PIPE = Path("-")
 # for --help; a test holds them alike.
 RECORDINGS = (".bag", ".mcap", ".db3")
 _MESHES = ["obj", "stl", "off", "glb", "gltf"]
+READ = ["ply", "pcd", "npz", "xyz", "xyzn", "xyzrgb", "pts", "csv", "txt", "asc", "bin", "las", "laz", "e57", "ptx"]
+READ += _MESHES
 WRITTEN = ["ply", "pcd", "npz", "xyz", "xyzn", "xyzrgb", "pts", "las", "laz", "e57", *_MESHES]
-READ = [*WRITTEN, "csv", "txt", "asc", "bin", "ptx"]
 
 
 def from_option() -> Decorator:
@@ -122,10 +124,13 @@ def open_pipes(
     if not reads and not writes:
         yield Ends(list(sources), output, {})
         return
-    stdin, stdout = sys.stdin.buffer, sys.stdout.buffer
-    if reads and stdin.isatty():
+    if (reads and sys.stdin is None) or (writes and sys.stdout is None):
+        refuse("- needs a standard stream, and this process has none; give a name in place of -")
+    stdin: Any = getattr(sys.stdin, "buffer", None)
+    stdout: Any = getattr(sys.stdout, "buffer", None)
+    if reads and is_terminal(stdin):
         refuse("standard input is a terminal; pipe a file into it, or give a name in place of -")
-    if writes and stdout.isatty():
+    if writes and is_terminal(stdout):
         refuse("standard output is a terminal; pipe it into a program or a file, or give a name in place of -")
     with tempfile.TemporaryDirectory(prefix="pointloom-") as folder:
         spool, result = Path(folder) / f"in.{read_as}", Path(folder) / f"out.{write_as}"

@@ -17,6 +17,7 @@ from .options import (
     LENGTH,
     POSES,
     Renamed,
+    columns_option,
     device_option,
     force_option,
     json_option,
@@ -211,6 +212,7 @@ def multiway(folder: Path, output: Path, as_json: bool, force: bool, **options: 
 )
 @click.option("--truth", type=FILE, metavar="FILE", help="The scanner's true poses: print the errors.")
 @click.option("--topic", metavar="NAME", help="Of a recording: which clouds; the only ones if not given.")
+@columns_option()
 @record_option("scan after scan with the map and the path")
 @device_option()
 @json_option()
@@ -218,10 +220,11 @@ def multiway(folder: Path, output: Path, as_json: bool, force: bool, **options: 
 def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
     """Register the scans of DIR one after another, and write the pose of each: T_first_scan.
 
-    Scans are .bin files as KITTI has them, or clouds, in natural order (scan2 before scan10); those whose points have
-    times are straightened. Indoors take a smaller --max-range, and --min-range 0.5. The exit code is 3 where a scan
-    did not overlap those before it (its pose is then that of constant velocity), where one lies beside the map of those
-    before it, or where many did not come to rest: the path is then likely lost, and the summary names the scans.
+    Scans are .bin files (columns as KITTI has them, unless --columns names others), or clouds, in natural order (scan2
+    before scan10); those whose points have times are straightened. Indoors take a smaller --max-range, and
+    --min-range 0.5. The exit code is 3 where a scan did not overlap those before it (its pose is then that of constant
+    velocity), where one lies beside the map of those before it, or where many did not come to rest: the path is then
+    likely lost, and the summary names the scans.
 
     DIR may be a recording too: a .bag of ROS 1, a .db3 or .mcap file, or a folder of those, with pointloom[ros].
 

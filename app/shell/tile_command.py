@@ -152,8 +152,9 @@ def plan(
         refuse("--from-crs goes with --to-crs")
     chain: Any = steps
     if to_crs is not None:
-        from ...scale.steps.parse import read_toml
+        from ...scale.steps.parse import parse_steps, read_toml
 
+        parse_steps(steps)  # so that errors name the file
         chain = [*read_toml(steps), {"step": "reproject", "to_crs": to_crs, "from_crs": from_crs}]
     if estimates:
         from ...scale.estimate import estimate_tiles

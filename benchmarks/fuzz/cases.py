@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import job_cases
 import mutations
 import numpy as np
 import oracles
@@ -211,7 +212,7 @@ def _some_corners(rng: random.Random, data: bytes) -> bytes:
 
 
 CASES = [
-    *(Case(*other) for other in other_cases.OTHERS),
+    *(Case(*other) for other in (*other_cases.OTHERS, *job_cases.JOBS)),
     Case("OBJ", ".obj", _obj, mutations.text, read_obj, oracles.obj),
     Case("OBJ corners", ".obj", _obj, _some_corners, read_obj, oracles.obj),
     Case("OFF", ".off", _off, mutations.text, read_off, oracles.off),

@@ -98,10 +98,9 @@ def obj(path: Path, mesh: MeshTable) -> str | None:
     vertices = [row[:3] for row in rows[b"v"]]
     if not same(mesh.vertices, np.array(vertices)):
         return "the vertices differ"
-    if mesh.vertex_colors is not None:
-        colors = np.clip(np.array([row[3:] for row in rows[b"v"]], np.float32), 0, 1)
-        if not same(mesh.vertex_colors, colors):
-            return "the colours differ"
+    colors = mesh.vertex_colors
+    if colors is not None and not _are_colors(colors, np.array([row[3:] for row in rows[b"v"]])):
+        return "the colors differ"
     wrong = differing_faces(mesh, [[corner[0] or 0 for corner in face] for face in faces])
     return wrong or _differing_corners(mesh, faces, rows)
 
@@ -180,8 +179,14 @@ def off(path: Path, mesh: MeshTable) -> str | None:
     return differing_faces(mesh, corners)
 
 
+def color_scale(values: Any) -> int:
+    """What a full channel of floating-point colors is."""
+    is_whole = bool((np.floor(values) == values).all())
+    return 255 if (values > 2).any() or (is_whole and (values > 1).any()) else 1
+
+
 def _are_colors(found: Any, values: Any) -> bool:
-    full = 255 if (values[:, :3] > 1).any() else 1
+    full = color_scale(values[:, :3])
     return bool((np.abs(found - np.clip(values / full, 0, 1)) < 2e-7).all())
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from oracles import differing_faces, real, require, same, unix, whole
+from oracles import color_scale, differing_faces, real, require, same, unix, whole
 
 from pointloom.files.table import MeshTable
 
@@ -127,9 +127,9 @@ def _differences(
         full = {"u1": 255, "u2": 65535, "i1": 255, "i2": 255, "i4": 255, "u4": 255}
         if name == "colors":
             channels = ["red", "green", "blue", "alpha"][: values.shape[1]]
-            scale = full.get(_DTYPES[codes["face"]["red"]], 1)
-            expected = np.array([face[channel] for channel in channels], np.float64).T / scale
-            if not (np.abs(np.repeat(expected, lengths, axis=0) - values) <= 1.1e-3).all():
+            given = np.array([face[channel] for channel in channels], np.float64).T
+            scale = full.get(_DTYPES[codes["face"]["red"]]) or color_scale(given)
+            if not (np.abs(np.repeat(np.clip(given / scale, 0, 1), lengths, axis=0) - values) <= 2e-7).all():
                 return "the colours of faces differ"
         elif not same(values, np.repeat(np.array(face[name]).astype(_DTYPES[codes["face"][name]]), lengths)):
             return f"the values {name!r} of faces differ"

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_shape
 from ...pcd import boxes
-from ..held import as_array, ours
+from ..held import as_array, column, ours
 from ..vectors import Vector3dVector
 from .geometry import Geometry3D
 
@@ -29,8 +29,8 @@ class Value:
         return self if box is None else box._parts()[self.name]
 
     def __set__(self, box: BoundingBox, values: ArrayLike) -> None:
-        part = check_shape(self.name, values, self.shape).astype(np.float64)
-        box._edited = {**box._parts(), self.name: part}
+        part = column(self.name, values) if self.shape == (3,) else check_shape(self.name, values, self.shape)
+        box._edited = {**box._parts(), self.name: part.astype(np.float64)}
 
 
 class BoundingBox(Geometry3D):
@@ -98,7 +98,10 @@ class BoundingBox(Geometry3D):
 
 
 class AxisAlignedBoundingBox(BoundingBox):
-    """A box along the axes: `min_bound`, `max_bound` and `color` are assigned."""
+    """A box along the axes: `min_bound`, `max_bound` and `color` are assigned.
+
+    The corners that make one are sorted, as in Open3D.
+    """
 
     _kind, _fields = boxes.AxisAlignedBoundingBox, ("min_bound", "max_bound")
 
@@ -107,8 +110,9 @@ class AxisAlignedBoundingBox(BoundingBox):
 
     def __init__(self, min_bound: Any = (0, 0, 0), max_bound: ArrayLike = (0, 0, 0)):
         given = ours(min_bound)
-        self._held = given if isinstance(given, self._kind) else self._kind(given, max_bound)
-        self._out = {}
+        if not isinstance(given, self._kind):
+            given = self._kind(*np.sort([column("min_bound", given), column("max_bound", max_bound)], axis=0))
+        self._held, self._out = given, {}
 
     @classmethod
     def create_from_points(cls, points: Any) -> Self:
@@ -157,7 +161,8 @@ class OrientedBoundingBox(BoundingBox):
     def __init__(self, center: Any = (0, 0, 0), R: Any = None, extent: ArrayLike = (0, 0, 0)):
         given = ours(center)
         if not isinstance(given, self._kind):
-            given = self._kind(given, np.eye(3) if R is None else R, extent)
+            axes = np.eye(3) if R is None else R
+            given = self._kind(column("center", given), axes, column("extent", extent))
         self._held, self._out = given, {}
 
     @classmethod

@@ -8,7 +8,11 @@ from typing import Any, ClassVar, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..held import Held
+from ...core.checks import LARGEST_NUMBER, RIGID_TOLERANCE, check_number
+from ...core.plain_poses import is_plainly_rigid
+from ...kernels.linear_algebra import matmul
+from ...pcd.motion import map_about
+from ..held import Held, column
 from . import rotations
 
 
@@ -50,6 +54,8 @@ class Geometry2D(Geometry):
 class Geometry3D(Geometry):
     """Shapes in space: moved in place, each method returns the shape itself."""
 
+    _arrays: ClassVar[dict[str, str]] = {}  # vectors that a matrix maps: "points", "normals" or "covariances"
+
     get_rotation_matrix_from_xyz = staticmethod(rotations.get_rotation_matrix_from_xyz)
     get_rotation_matrix_from_yzx = staticmethod(rotations.get_rotation_matrix_from_yzx)
     get_rotation_matrix_from_zxy = staticmethod(rotations.get_rotation_matrix_from_zxy)
@@ -80,17 +86,57 @@ class Geometry3D(Geometry):
         return self._ours.get_center()
 
     def transform(self, arg0: ArrayLike) -> Self:
-        """Move by a 4x4 matrix."""
-        return self._become(self._ours.transform(arg0))
+        """Move by a 4x4 matrix; a projective or a singular one moves the points in float64."""
+        T = np.asarray(arg0)
+        if T.shape == (4, 4) and np.isfinite(T).all() and not is_affine(T):
+            return self._map_arrays(T.astype(np.float64))
+        return self._moved(self._ours.transform(arg0), T[:3, :3])
 
     def translate(self, translation: ArrayLike, relative: bool = True) -> Self:
         """Move by a vector; with `relative=False`, the middle there."""
-        return self._become(self._ours.translate(translation, relative))
+        return self._become(self._ours.translate(column("translation", translation), relative))
 
     def scale(self, scale: float, center: ArrayLike) -> Self:
-        """Scale about a point."""
-        return self._become(self._ours.scale(scale, center))
+        """Scale about a point; zero and negative factors move the points alone."""
+        factor, middle = check_number("scale", scale), column("center", center)
+        if factor > 0 or not self._arrays:
+            return self._become(self._ours.scale(scale, middle))
+        return self._map_arrays(map_about(factor * np.eye(3), middle), directions=False)
 
     def rotate(self, R: ArrayLike, center: Any = None) -> Self:
-        """Turn about a point, about the middle where none is given."""
-        return self._become(self._ours.rotate(R, center))
+        """Turn about a point, about the middle where none is given; other matrices than rotations are applied, too."""
+        A, middle = np.asarray(R), self.get_center() if center is None else column("center", center)
+        if self._arrays and A.shape == (3, 3) and not is_rotation(A):
+            return self.transform(map_about(A, middle))
+        return self._moved(self._ours.rotate(R, middle), A)
+
+    def _moved(self, new: Any, A: NDArray[np.float64]) -> Self:
+        """Replace ours by what a map with the 3x3 part A made of it."""
+        return self._become(new)
+
+    def _map_arrays(self, T: NDArray[np.float64], *, directions: bool = True) -> Self:
+        """Apply a 4x4 matrix to the vectors of points, and its 3x3 part to those of normals."""
+        A = T[:3, :3]
+        for name, kind in self._arrays.items():
+            values = np.array(getattr(self, name))
+            if kind == "points":
+                with np.errstate(divide="ignore", invalid="ignore"):
+                    values = (matmul(values, A.T) + T[:3, 3]) / (matmul(values, T[3, :3]) + T[3, 3])[:, None]
+            elif not directions:
+                continue
+            else:
+                values = matmul(values, A.T) if kind == "normals" else matmul(A, values, A.T)
+            self._assign(name, type(getattr(self, name))(values))
+        return self
+
+
+def is_affine(T: NDArray[Any]) -> bool:
+    """True for an affine map with an inverse."""
+    return np.array_equal(T[3], (0, 0, 0, 1)) and np.linalg.matrix_rank(T[:3, :3]) == 3
+
+
+def is_rotation(A: NDArray[Any]) -> bool:
+    """True for a rotation matrix within the rounding that ours accepts."""
+    T = np.eye(4)
+    T[:3, :3] = A
+    return is_plainly_rigid(T.tolist(), RIGID_TOLERANCE, LARGEST_NUMBER)

@@ -143,15 +143,15 @@ def pixels_of(image: Any, name: str = "image") -> NDArray[Any]:
     return np.asarray(image)
 
 
-def metres_of(depth: Any, depth_scale: float, *, bytes_too: bool = False) -> NDArray[Any]:
-    """Depth as ours takes it: 16 bits as they are, floats and bytes over the scale, which Open3D divides them by, too.
+def depth_of(depth: Any, *, bytes_too: bool = False) -> NDArray[Any]:
+    """The pixels of a depth image: 16 bits or floats, all to be divided by a scale.
 
-    Bytes are scaled to 0..1 before that where `bytes_too`, as Open3D does for RGBDImages; else ours refuses them.
+    Bytes are scaled to 0..1 where `bytes_too`, as Open3D does for RGBDImages; else pointloom refuses them.
     """
     pixels = pixels_of(depth, "depth")
     if pixels.dtype == np.uint16 or (pixels.dtype == np.uint8 and not bytes_too):
         return pixels
-    return Image(pixels)._floats() / np.float32(depth_scale)
+    return Image(pixels)._floats()
 
 
 def below(depth_trunc: float) -> float:

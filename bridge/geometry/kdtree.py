@@ -53,16 +53,20 @@ class KDTreeFlann(ToldNames):
         return self._nearest(query, check_count("knn", knn))
 
     def search_radius_vector_3d(self, query: ArrayLike, radius: float) -> Found:
-        """All nearer than a radius."""
+        """All points nearer than a radius; a point at exactly the radius is not one of them, as in Open3D."""
         tree, point = self._asked(query)
-        rows = np.array(tree.query_ball_point(point, check_positive("radius", radius)), np.int64)
+        reach = check_positive("radius", radius, allow_zero=True, allow_infinite=True)
+        rows = np.array(tree.query_ball_point(point, reach), np.int64)
         sqdists = ((tree.data[rows] - point) ** 2).sum(axis=1)
+        rows, sqdists = rows[sqdists < reach**2], sqdists[sqdists < reach**2]
         order = np.lexsort((rows, sqdists))
         return len(rows), IntVector(rows[order]), DoubleVector(sqdists[order])
 
     def search_hybrid_vector_3d(self, query: ArrayLike, radius: float, max_nn: int) -> Found:
         """The nearest `max_nn` that are nearer than a radius."""
-        return self._nearest(query, check_count("max_nn", max_nn), check_positive("radius", radius))
+        return self._nearest(
+            query, check_count("max_nn", max_nn), check_positive("radius", radius, allow_zero=True, allow_infinite=True)
+        )
 
     def search_vector_3d(self, query: ArrayLike, search_param: KDTreeSearchParam) -> Found:
         """As a search parameter says."""

@@ -2,23 +2,26 @@
 
 from __future__ import annotations
 
-from typing import Any, Self
+from typing import Any, ClassVar, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...pcd import boxes, line_set
 from ...pcd.cloud import PointCloud as OurCloud
-from ..held import Rows, ours
+from ..held import Rows, column, ours
+from ..indices import indices_of
 from ..vectors import Vector2iVector, Vector3dVector
 from .bounded import BoundedByBoxes
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
+from .point_cloud import PointCloud
 
 
 class LineSet(BoundedByBoxes):
     """Segments between points: `points`, `lines` and `colors` (one a line) are assigned."""
 
     _kind = line_set.LineSet
+    _arrays: ClassVar = {"points": "points"}
 
     points = Rows(Vector3dVector)
     lines = Rows(Vector2iVector)
@@ -57,14 +60,22 @@ class LineSet(BoundedByBoxes):
 
     @classmethod
     def create_from_triangle_mesh(cls, mesh: Any) -> Self:
-        """The edges of a mesh."""
-        return cls._of(cls._kind.create_from_triangle_mesh(ours(mesh)))
+        """The edges of a mesh, each once, as the first triangle that has it names it."""
+        surface = ours(mesh)
+        edges = surface.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
+        _, first = np.unique(np.sort(edges, axis=1), axis=0, return_index=True)
+        return cls(Vector3dVector(surface.vertices), Vector2iVector(edges[np.sort(first)]))
 
     @classmethod
     def create_from_point_cloud_correspondences(cls, cloud0: Any, cloud1: Any, correspondences: Any) -> Self:
-        """A line for each pair of points of two clouds."""
-        pairs = np.asarray(correspondences).reshape(-1, 2)
-        return cls._of(cls._kind.create_from_point_cloud_correspondences(ours(cloud0), ours(cloud1), pairs))
+        """A line for each pair of points of two clouds, between all points of both: first those of `cloud0`."""
+        pairs, ends, points = np.asarray(correspondences).reshape(-1, 2), [], []
+        for i, name in enumerate(("cloud0", "cloud1")):
+            cloud = ours((cloud0, cloud1)[i], PointCloud, name)
+            points.append(cloud.points)
+            ends.append(indices_of("correspondences", pairs[:, i], len(cloud), f"cloud of {len(cloud)} points, {name}"))
+        lines = np.column_stack([ends[0], ends[1] + len(points[0])])
+        return cls(Vector3dVector(np.concatenate(points)), Vector2iVector(lines))
 
     @classmethod
     def create_camera_visualization(cls, *args: Any, **kwargs: Any) -> Self:
@@ -99,7 +110,7 @@ class LineSet(BoundedByBoxes):
 
     def paint_uniform_color(self, color: ArrayLike) -> Self:
         """Give all lines one colour."""
-        return self._become(self._ours.paint_uniform_color(color))
+        return self._become(self._ours.paint_uniform_color(column("color", color)))
 
     def get_line_coordinate(self, line_index: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Both ends of a line."""

@@ -7,7 +7,7 @@ from typing import Any, Self
 from numpy.typing import ArrayLike
 
 from .. import geometry
-from ..held import Rows
+from ..held import Rows, column
 from ..vectors import Vector3dVector
 from .bounded import BoundedByBoxes
 
@@ -37,7 +37,7 @@ class MeshBase(BoundedByBoxes):
 
     def paint_uniform_color(self, color: ArrayLike) -> Self:
         """Give all vertices one colour."""
-        return self._become(self._ours.paint_uniform_color(color))
+        return self._become(self._ours.paint_uniform_color(column("color", color)))
 
     def normalize_normals(self) -> Self:
         """Bring normals to length 1."""

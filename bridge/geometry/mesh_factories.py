@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ...meshing.mesh import mesh
-from ..held import ours
+from ..held import column, ours
 from ..vectors import DoubleVector
 from .mesh_base import MeshBase
 from .point_cloud import PointCloud
@@ -106,7 +106,7 @@ class MeshFactories(MeshBase):
     @classmethod
     def create_coordinate_frame(cls, size: float = 1.0, origin: ArrayLike = (0.0, 0.0, 0.0)) -> Self:
         """Arrows along x (red), y (green) and z (blue)."""
-        return cls._of(Ours.create_coordinate_frame(size, origin))
+        return cls._of(Ours.create_coordinate_frame(size, column("origin", origin)))
 
     @classmethod
     def create_mobius(
@@ -160,10 +160,13 @@ class MeshFactories(MeshBase):
         samples_per_node: float = 1.5,
         point_weight: float = 2.0,
     ) -> tuple[Self, DoubleVector]:
-        """The closed surface that follows normals, and a density a vertex; threads and full_depth have no effect."""
+        """The closed surface that follows normals, and a density a vertex.
+
+        A width above 0 takes the place of the depth, which may be 0 then. Threads and full_depth have no effect.
+        """
         made, densities = Ours.create_from_point_cloud_poisson(
             ours(pcd, PointCloud, "pcd"),
-            depth,
+            8 if width > 0 else depth,
             width,
             scale,
             linear_fit,

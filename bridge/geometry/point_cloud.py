@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from typing import Any, Self
+from typing import Any, ClassVar, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...pcd import cloud
 from .. import geometry
-from ..held import Rows, ours
+from ..held import Rows, column, ours
+from ..indices import flagged
 from ..seeds import next_seed
 from ..vectors import DoubleVector, IntVector, Matrix3dVector, Vector3dVector
 from .bounded import BoundedByBoxes
-from .image import below, metres_of
+from .image import below, depth_of
 from .search_param import KDTreeSearchParam, KDTreeSearchParamHybrid, KDTreeSearchParamKNN, keywords_of
 
 KNN = KDTreeSearchParamKNN()
@@ -29,6 +30,7 @@ class PointCloud(BoundedByBoxes):
     """
 
     _kind = cloud.PointCloud
+    _arrays: ClassVar = {"points": "points", "normals": "normals", "covariances": "covariances"}
 
     points = Rows(Vector3dVector)
     normals = Rows(Vector3dVector)
@@ -116,7 +118,7 @@ class PointCloud(BoundedByBoxes):
         project_valid_depth_only: bool = True,
     ) -> Self:
         """The points that a depth image shows; `extrinsic` is world to camera."""
-        pixels, farthest = metres_of(depth, depth_scale), below(depth_trunc)
+        pixels, farthest = depth_of(depth), below(depth_trunc)
         made = cloud.PointCloud.create_from_depth_image(
             pixels, ours(intrinsic), extrinsic, depth_scale, farthest, stride, project_valid_depth_only
         )
@@ -136,7 +138,7 @@ class PointCloud(BoundedByBoxes):
 
     def paint_uniform_color(self, color: ArrayLike) -> Self:
         """Give all points one colour."""
-        return self._become(self._ours.paint_uniform_color(color))
+        return self._become(self._ours.paint_uniform_color(column("color", color)))
 
     def estimate_normals(self, search_param: KDTreeSearchParam = KNN, fast_normal_computation: bool = True) -> None:
         """Fit normals, to the side of earlier ones; there is one way to do it, fast and exact."""
@@ -147,16 +149,18 @@ class PointCloud(BoundedByBoxes):
         self._become(self._ours.estimate_covariances(**keywords_of(search_param)))
 
     def normalize_normals(self) -> Self:
-        """Bring normals to length 1."""
-        return self._become(self._ours.normalize_normals())
+        """Bring normals to length 1, if there are some."""
+        return self._become(self._ours.normalize_normals()) if self.has_normals() else self
 
     def orient_normals_to_align_with_direction(self, orientation_reference: ArrayLike = (0.0, 0.0, 1.0)) -> None:
         """Turn normals to the side of a direction."""
-        self._become(self._ours.orient_normals_to_align_with_direction(orientation_reference))
+        self._become(
+            self._ours.orient_normals_to_align_with_direction(column("orientation_reference", orientation_reference))
+        )
 
     def orient_normals_towards_camera_location(self, camera_location: ArrayLike = (0.0, 0.0, 0.0)) -> None:
         """Turn normals towards a point."""
-        self._become(self._ours.orient_normals_towards_camera_location(camera_location))
+        self._become(self._ours.orient_normals_towards_camera_location(column("camera_location", camera_location)))
 
     def orient_normals_consistent_tangent_plane(
         self, k: int, lambda_penalty: float = 0.0, cos_alpha_tol: float = 1.0
@@ -182,7 +186,8 @@ class PointCloud(BoundedByBoxes):
         self, voxel_size: float, min_bound: ArrayLike, max_bound: ArrayLike, approximate_class: bool = False
     ) -> tuple[PointCloud, NDArray[np.int32], list[IntVector]]:
         """As `voxel_down_sample`, with the points of each voxel."""
-        trace = self._ours.voxel_down_sample_and_trace(voxel_size, min_bound, max_bound, approximate_class)
+        corners = column("min_bound", min_bound), column("max_bound", max_bound)
+        trace = self._ours.voxel_down_sample_and_trace(voxel_size, *corners, approximate_class)
         return PointCloud._of(trace.cloud), trace.cubic_id, [IntVector(rows) for rows in trace.original_indices]
 
     def uniform_down_sample(self, every_k_points: int) -> PointCloud:
@@ -198,8 +203,10 @@ class PointCloud(BoundedByBoxes):
         return PointCloud._of(self._ours.farthest_point_down_sample(num_samples, start_index))
 
     def select_by_index(self, indices: Any, invert: bool = False) -> PointCloud:
-        """The points of these numbers, or the others."""
-        return PointCloud._of(self._ours.select_by_index(np.asarray(indices, np.int64), invert))
+        """The points with these indices, each once and in the order of the cloud, or the others."""
+        cloud = self._ours
+        flags = flagged("indices", indices, len(cloud), f"cloud of {len(cloud)} points")
+        return PointCloud._of(cloud.select_by_index(np.flatnonzero(flags != invert)))
 
     def crop(self, bounding_box: Any, invert: bool = False) -> PointCloud:
         """The points in a box, or the others."""
@@ -262,8 +269,8 @@ class PointCloud(BoundedByBoxes):
         return DoubleVector(self._ours.compute_mahalanobis_distance())
 
     def compute_mean_and_covariance(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Mean [3] and covariance [3, 3]."""
-        return self._ours.compute_mean_and_covariance()
+        """Mean [3] and covariance [3, 3]; zero and the identity without points."""
+        return self._ours.compute_mean_and_covariance() if self.has_points() else (np.zeros(3), np.eye(3))
 
     @staticmethod
     def estimate_point_covariances(input: PointCloud, search_param: KDTreeSearchParam = KNN) -> Matrix3dVector:
@@ -305,5 +312,5 @@ class PointCloud(BoundedByBoxes):
 
     def hidden_point_removal(self, camera_location: ArrayLike, radius: float) -> tuple[Any, list[int]]:
         """A mesh of the points that a camera sees, and their numbers."""
-        surface, rows = self._ours.hidden_point_removal(camera_location, radius)
+        surface, rows = self._ours.hidden_point_removal(column("camera_location", camera_location), radius)
         return geometry.TriangleMesh(surface.vertices, surface.triangles), rows.tolist()

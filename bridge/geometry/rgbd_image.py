@@ -13,7 +13,7 @@ from ...kernels.lang import float32, uint8
 from ...kernels.memory import upload
 from ..held import Rows
 from .geometry import Geometry2D
-from .image import Image, below, metres_of, pixels_of
+from .image import Image, below, depth_of, pixels_of
 
 
 class RGBDImage(Geometry2D):
@@ -52,11 +52,11 @@ class RGBDImage(Geometry2D):
         convert_rgb_to_intensity: bool = True,
     ) -> Self:
         """An image; depth of any type is divided by `depth_scale`, and 0 from `depth_trunc` on."""
-        pixels, metres = pixels_of(color, "color"), metres_of(depth, depth_scale, bytes_too=True)
+        pixels, numbers = pixels_of(color, "color"), depth_of(depth, bytes_too=True)
         is_grey = pixels.dtype == np.float32 and convert_rgb_to_intensity  # already, or colours that become so
-        taken = np.zeros(metres.shape, np.uint8) if is_grey else pixels
+        taken = np.zeros(numbers.shape, np.uint8) if is_grey else pixels
         made = images.RGBDImage.create_from_color_and_depth(
-            taken, metres, depth_scale, below(depth_trunc), convert_rgb_to_intensity
+            taken, numbers, depth_scale, below(depth_trunc), convert_rgb_to_intensity
         )
         image = cls._of(made)
         if is_grey:

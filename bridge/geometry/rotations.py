@@ -6,13 +6,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.spatial.transform import Rotation
 
-from ...core.checks import check_shape
+from ..held import column
 
 Matrix = NDArray[np.float64]
 
 
 def _euler(order: str, rotation: ArrayLike) -> Matrix:
-    return Rotation.from_euler(order, check_shape("rotation", rotation, (3,))).as_matrix()
+    return Rotation.from_euler(order, column("rotation", rotation)).as_matrix()
 
 
 def get_rotation_matrix_from_xyz(rotation: ArrayLike) -> Matrix:
@@ -47,10 +47,10 @@ def get_rotation_matrix_from_yxz(rotation: ArrayLike) -> Matrix:
 
 def get_rotation_matrix_from_axis_angle(rotation: ArrayLike) -> Matrix:
     """Of an axis whose length is the angle [rad]."""
-    return Rotation.from_rotvec(check_shape("rotation", rotation, (3,))).as_matrix()
+    return Rotation.from_rotvec(column("rotation", rotation)).as_matrix()
 
 
 def get_rotation_matrix_from_quaternion(rotation: ArrayLike) -> Matrix:
     """Of a quaternion (w, x, y, z)."""
-    w, x, y, z = check_shape("rotation", rotation, (4,))
+    w, x, y, z = column("rotation", rotation, 4)
     return Rotation.from_quat([x, y, z, w]).as_matrix()

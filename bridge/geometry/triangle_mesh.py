@@ -9,29 +9,27 @@ from numpy.typing import NDArray
 
 from ...meshing.mesh import mesh
 from ..held import Rows, as_array, ours
+from ..indices import indices_of
 from ..seeds import next_seed
 from ..vectors import DoubleVector, IntVector, Vector2dVector, Vector2iVector, Vector3dVector, Vector3iVector
 from .enums import DeformAsRigidAsPossibleEnergy, FilterScope, SimplificationContraction
 from .image import Image
-from .mesh_factories import MeshFactories
 from .point_cloud import PointCloud
+from .triangle_normals import TriangleNormals
 
 PARTS = ("vertex_normals", "vertex_colors", "triangle_uvs", "triangle_material_ids")  # and vertices and triangles
 
 
-class TriangleMesh(MeshFactories):
+class TriangleMesh(TriangleNormals):
     """Vertices and triangles: vectors that are assigned, and written to by `np.asarray`.
 
-    Methods that say so change the mesh, the others return a new one. Normals of triangles are there once they were
-    computed or assigned, as in Open3D; they are those of the triangles always.
+    Methods that say so change the mesh, the others return a new one.
     """
 
     _kind = mesh.TriangleMesh
-    _has_faces = False  # whether normals of triangles were computed
     _has_adjacency = False
 
     triangles = Rows(Vector3iVector)
-    triangle_normals = Rows(Vector3dVector)
     triangle_uvs = Rows(Vector2dVector)
     triangle_material_ids = Rows(IntVector)
 
@@ -45,31 +43,35 @@ class TriangleMesh(MeshFactories):
 
     def __copy__(self) -> Self:
         made = super().__copy__()
-        made._has_faces, made._has_adjacency = self._has_faces, self._has_adjacency
+        made._faces, made._has_adjacency = self._faces, self._has_adjacency
         return made
 
     def __getstate__(self) -> dict[str, Any]:
-        return super().__getstate__() | {"faces": self._has_faces}
+        state = super().__getstate__()
+        return state | {"faces": True if self._faces is state["ours"] else self._faces}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         super().__setstate__(state)
-        self._has_faces = state["faces"]
+        self._faces = self._held if state["faces"] is True else state["faces"]
 
     def _read(self, name: str) -> NDArray[Any]:
-        found = None if name == "triangle_normals" and not self._has_faces else getattr(self._held, name)
+        found = self._face_rows() if name == "triangle_normals" else getattr(self._held, name)
         kind = getattr(type(self), name).kind
         return np.zeros((0, *kind._row), kind._dtype) if found is None else found
 
     def _token(self, ours: Any, name: str) -> tuple[Any, ...] | None:
         arrays = ours.device_arrays
-        if name == "triangle_normals":
-            return (arrays["vertices"], arrays["triangles"]) if self._has_faces else None
+        if name == "triangle_normals":  # TriangleNormals fills that vector
+            return ()
         if name not in arrays:
             return None
         return arrays[name], ours.origin.tobytes() if name == "vertices" else b""
 
     def _made(self, changed: list[str]) -> Any:
-        held, counts = self._held, {name: self._count(name) for name in ("vertices", "triangles")}
+        if "triangle_normals" in changed:
+            self._faces = np.array(self.triangle_normals) if self._count("triangle_normals") else None
+        held, is_moved = self._held, bool({"vertices", "triangles"} & set(changed))
+        counts = {name: self._count(name) for name in ("vertices", "triangles")}
         if counts["vertices"] != len(held.vertices) or counts["triangles"] != len(held):
             for name in ("vertices", "triangles", *PARTS):
                 self._vector(name)  # of the old mesh
@@ -77,14 +79,11 @@ class TriangleMesh(MeshFactories):
             made = mesh.TriangleMesh(
                 *map(np.array, (self.vertices, self.triangles)), textures=held.textures, device=held.device
             )
-            self._has_faces = self._has_faces and counts["triangles"] == self._count("triangle_normals")
         else:
             made = held.copy()
             for name in ("vertices", "triangles"):
                 if name in changed:
                     setattr(made, name, np.array(self._vector(name)))
-        if "triangle_normals" in changed:
-            self._has_faces = self._count("triangle_normals") == counts["triangles"] > 0
         lengths: dict[str, int] = dict(
             zip(PARTS, (*[counts["vertices"]] * 2, 3 * counts["triangles"], counts["triangles"]), strict=True)
         )
@@ -93,22 +92,17 @@ class TriangleMesh(MeshFactories):
                 setattr(made, name, np.asarray(self._vector(name)))
             elif name in made.device_arrays:
                 made = made.with_arrays(**{name: None})
+        if self._faces is held and not is_moved:
+            self._faces = made
         return made
 
-    def _new(self, made: Any, *, faces: bool = True) -> TriangleMesh:
-        """Another mesh, with normals of triangles where this one has some and Open3D keeps them."""
-        other = TriangleMesh._of(made)
-        other._has_faces = faces and self._has_faces
-        return other
+    def _rows(self, kind: str, name: str, indices: Any) -> NDArray[np.int64]:
+        """Indices of vertices or of triangles."""
+        count = self._count(kind)
+        return indices_of(name, indices, count, f"mesh of {count} {kind}")
 
     def __repr__(self) -> str:
         return f"TriangleMesh with {self._count('vertices')} points and {self._count('triangles')} triangles."
-
-    def __add__(self, other: Any) -> TriangleMesh:
-        return self._new(self._ours + ours(other, TriangleMesh, "other"))
-
-    def __iadd__(self, other: Any) -> Self:
-        return self._become(self._ours + ours(other, TriangleMesh, "other"))
 
     @property
     def textures(self) -> list[Image]:
@@ -128,6 +122,11 @@ class TriangleMesh(MeshFactories):
             return []
         starts, neighbors = self._ours.compute_adjacency_list()
         return [set(part.tolist()) for part in np.split(neighbors, starts[1:-1])]
+
+    def clear(self) -> Self:
+        """Drop all that it holds."""
+        self._has_adjacency = False
+        return super().clear()._set_faces(None)
 
     def has_triangles(self) -> bool:
         """Whether there are vertices and triangles."""
@@ -155,19 +154,6 @@ class TriangleMesh(MeshFactories):
 
     # ---------------------------------------------------------------------------------------- that change the mesh
 
-    def compute_triangle_normals(self, normalized: bool = True) -> Self:
-        """Give each triangle its normal, of length 1."""
-        current = self._ours
-        self._has_faces = True
-        if "triangle_normals" in self._out:
-            self._out["triangle_normals"].vector._fill(current.triangle_normals.astype(np.float64))
-            self._out["triangle_normals"].keep()
-        return self
-
-    def compute_vertex_normals(self, normalized: bool = True) -> Self:
-        """Give each vertex a normal of length 1, and each triangle."""
-        return self._become(self._ours.compute_vertex_normals()).compute_triangle_normals()
-
     def compute_adjacency_list(self) -> Self:
         """Fill `adjacency_list`."""
         self._has_adjacency = True
@@ -175,11 +161,11 @@ class TriangleMesh(MeshFactories):
 
     def remove_degenerate_triangles(self) -> Self:
         """Drop triangles that name a vertex twice."""
-        return self._become(self._ours.remove_degenerate_triangles())
+        return self._keep(lambda mesh: mesh.remove_degenerate_triangles())
 
     def remove_duplicated_triangles(self) -> Self:
         """Keep one of equal triangles."""
-        return self._become(self._ours.remove_duplicated_triangles())
+        return self._keep(lambda mesh: mesh.remove_duplicated_triangles())
 
     def remove_duplicated_vertices(self) -> Self:
         """Keep one of equal vertices."""
@@ -187,7 +173,7 @@ class TriangleMesh(MeshFactories):
 
     def remove_non_manifold_edges(self) -> Self:
         """Drop the smallest triangles at edges of more than two."""
-        return self._become(self._ours.remove_non_manifold_edges())
+        return self._keep(lambda mesh: mesh.remove_non_manifold_edges())
 
     def remove_unreferenced_vertices(self) -> Self:
         """Drop vertices without triangles."""
@@ -195,23 +181,26 @@ class TriangleMesh(MeshFactories):
 
     def merge_close_vertices(self, eps: float) -> Self:
         """Make one of vertices nearer than `eps`."""
-        return self._become(self._ours.merge_close_vertices(eps))
+        made = self._ours.merge_close_vertices(eps)
+        return self._become(made)._set_faces(None if self._faces is None else made)
 
     def remove_triangles_by_index(self, triangle_indices: Any) -> None:
         """Drop triangles of these numbers."""
-        self._become(self._ours.remove_triangles_by_index(np.asarray(triangle_indices, np.int64)))
+        rows = self._rows("triangles", "triangle_indices", triangle_indices)
+        self._keep(lambda mesh: mesh.remove_triangles_by_index(rows))
 
     def remove_triangles_by_mask(self, triangle_mask: Any) -> None:
         """Drop the triangles that are marked."""
-        self._become(self._ours.remove_triangles_by_mask(np.asarray(triangle_mask, bool)))
+        self._keep(lambda mesh: mesh.remove_triangles_by_mask(np.asarray(triangle_mask, bool)))
 
     def remove_vertices_by_index(self, vertex_indices: Any) -> None:
         """Drop vertices of these numbers, and their triangles."""
-        self._become(self._ours.remove_vertices_by_index(np.asarray(vertex_indices, np.int64)))
+        rows = self._rows("vertices", "vertex_indices", vertex_indices)
+        self._keep(lambda mesh: mesh.remove_vertices_by_index(rows))
 
     def remove_vertices_by_mask(self, vertex_mask: Any) -> None:
         """Drop the vertices that are marked, and their triangles."""
-        self._become(self._ours.remove_vertices_by_mask(np.asarray(vertex_mask, bool)))
+        self._keep(lambda mesh: mesh.remove_vertices_by_mask(np.asarray(vertex_mask, bool)))
 
     def orient_triangles(self) -> bool:
         """Turn triangles alike; whether that can be done."""
@@ -223,53 +212,56 @@ class TriangleMesh(MeshFactories):
 
     def select_by_index(self, indices: Any, cleanup: bool = True) -> TriangleMesh:
         """The vertices of these numbers, and the triangles between them."""
-        return self._new(self._ours.select_by_index(np.asarray(indices, np.int64), cleanup))
+        rows = self._rows("vertices", "indices", indices)
+        made, faces = self._selected(lambda mesh: mesh.select_by_index(rows, cleanup))
+        return self._new(made, faces=faces)
 
     def crop(self, bounding_box: Any) -> TriangleMesh:
         """The vertices in a box, and the triangles between them."""
-        return self._new(self._ours.crop(ours(bounding_box)))
+        made, faces = self._selected(lambda mesh: mesh.crop(ours(bounding_box)))
+        return self._new(made, faces=faces)
 
     def subdivide_midpoint(self, number_of_iterations: int = 1) -> TriangleMesh:
         """Four triangles of each."""
-        return self._new(self._ours.subdivide_midpoint(number_of_iterations))
+        return self._recomputed(self._ours.subdivide_midpoint(number_of_iterations))
 
     def subdivide_loop(self, number_of_iterations: int = 1) -> TriangleMesh:
         """Four triangles of each, smoothed."""
-        return self._new(self._ours.subdivide_loop(number_of_iterations))
+        return self._recomputed(self._ours.subdivide_loop(number_of_iterations))
 
     def simplify_vertex_clustering(
         self, voxel_size: float, contraction: SimplificationContraction = SimplificationContraction.Average
     ) -> TriangleMesh:
         """One vertex a voxel."""
-        return self._new(self._ours.simplify_vertex_clustering(voxel_size, contraction.name.lower()))
+        return self._recomputed(self._ours.simplify_vertex_clustering(voxel_size, contraction.name.lower()))
 
     def simplify_quadric_decimation(
         self, target_number_of_triangles: int, maximum_error: float = np.inf, boundary_weight: float = 1.0
     ) -> TriangleMesh:
         """Fewer triangles, near the surface."""
         limits = target_number_of_triangles, maximum_error, boundary_weight
-        return self._new(self._ours.simplify_quadric_decimation(*limits))
+        return self._recomputed(self._ours.simplify_quadric_decimation(*limits))
 
     def filter_sharpen(
         self, number_of_iterations: int = 1, strength: float = 1, filter_scope: FilterScope = FilterScope.All
     ) -> TriangleMesh:
         """Details made stronger."""
         made = self._ours.filter_sharpen(number_of_iterations, strength, filter_scope.name.lower())
-        return self._new(made, faces=False)
+        return self._new(made)
 
     def filter_smooth_simple(
         self, number_of_iterations: int = 1, filter_scope: FilterScope = FilterScope.All
     ) -> TriangleMesh:
         """Each vertex the mean of itself and its neighbours."""
         made = self._ours.filter_smooth_simple(number_of_iterations, filter_scope.name.lower())
-        return self._new(made, faces=False)
+        return self._new(made)
 
     def filter_smooth_laplacian(
         self, number_of_iterations: int = 1, lambda_filter: float = 0.5, filter_scope: FilterScope = FilterScope.All
     ) -> TriangleMesh:
         """Each vertex towards its neighbours."""
         made = self._ours.filter_smooth_laplacian(number_of_iterations, lambda_filter, filter_scope.name.lower())
-        return self._new(made, faces=False)
+        return self._new(made)
 
     def filter_smooth_taubin(
         self,
@@ -280,7 +272,7 @@ class TriangleMesh(MeshFactories):
     ) -> TriangleMesh:
         """As `filter_smooth_laplacian`, without shrinking."""
         made = self._ours.filter_smooth_taubin(number_of_iterations, lambda_filter, mu, filter_scope.name.lower())
-        return self._new(made, faces=False)
+        return self._new(made)
 
     def deform_as_rigid_as_possible(
         self,
@@ -298,22 +290,22 @@ class TriangleMesh(MeshFactories):
             energy.name.lower(),
             smoothed_alpha,
         )
-        return self._new(made, faces=False)
+        return self._new(made)
 
     # ------------------------------------------------------------------------------------------------ that give clouds
 
     def sample_points_uniformly(self, number_of_points: int = 100, use_triangle_normal: bool = False) -> PointCloud:
         """Points on the surface, by `o3d.utility.random.seed`."""
-        return PointCloud._of(self._ours.sample_points_uniformly(number_of_points, use_triangle_normal, next_seed()))
+        surface, is_own = self._sampled(use_triangle_normal)
+        return PointCloud._of(surface.sample_points_uniformly(number_of_points, is_own, next_seed()))
 
     def sample_points_poisson_disk(
         self, number_of_points: int, init_factor: float = 5, pcl: Any = None, use_triangle_normal: bool = False
     ) -> PointCloud:
         """Points on the surface with room between them, by `o3d.utility.random.seed`."""
         given = None if pcl is None else ours(pcl, PointCloud, "pcl")
-        made = self._ours.sample_points_poisson_disk(
-            number_of_points, int(init_factor), given, use_triangle_normal, next_seed()
-        )
+        surface, is_own = self._sampled(use_triangle_normal)
+        made = surface.sample_points_poisson_disk(number_of_points, int(init_factor), given, is_own, next_seed())
         return PointCloud._of(made)
 
     # ------------------------------------------------------------------------------------------------ that answer
@@ -332,8 +324,10 @@ class TriangleMesh(MeshFactories):
         return self._ours.get_volume()
 
     def euler_poincare_characteristic(self) -> int:
-        """Vertices and triangles less edges."""
-        return self._ours.euler_poincare_characteristic()
+        """Vertices and triangles less edges; vertices without triangles count, as in Open3D."""
+        mesh = self._ours
+        unused = len(mesh.vertices) - len(np.unique(mesh.triangles))
+        return mesh.euler_poincare_characteristic() + unused
 
     def is_edge_manifold(self, allow_boundary_edges: bool = True) -> bool:
         """Whether no edge has more than two triangles."""

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...core.known_names import KnownNames
 from ...meshing.mesh import voxel_grid
-from ..held import as_array, ours
+from ..held import as_array, column, ours
 from ..vectors import Vector3dVector
 from .boxes import AxisAlignedBoundingBox
 from .enums import VoxelPoolingMode
@@ -62,7 +62,8 @@ class VoxelGrid(Geometry):
         cls, input: Any, voxel_size: float, min_bound: ArrayLike, max_bound: ArrayLike
     ) -> VoxelGrid:
         """The voxels between two corners that a mesh touches."""
-        return cls._around(ours(input, TriangleMesh, "input").voxelize(voxel_size, min_bound, max_bound))
+        corners = column("min_bound", min_bound), column("max_bound", max_bound)
+        return cls._around(ours(input, TriangleMesh, "input").voxelize(voxel_size, *corners))
 
     @classmethod
     def create_from_point_cloud(
@@ -98,17 +99,17 @@ class VoxelGrid(Geometry):
 
     def get_voxel(self, point: ArrayLike) -> NDArray[np.int32]:
         """The index of the voxel of a point, occupied or not."""
-        return self._held.get_voxel(point).astype(np.int32)
+        return self._held.get_voxel(column("point", point)).astype(np.int32)
 
     def get_voxel_center_coordinate(self, idx: ArrayLike) -> NDArray[np.float64]:
         """The middle of an occupied voxel; zero of another one."""
-        index = np.asarray(idx)
+        index = column("idx", idx)
         is_there = bool((self._held.coordinates == index).all(axis=1).any())
         return self.origin + (index + 0.5) * self.voxel_size if is_there else np.zeros(3)
 
     def get_voxel_bounding_points(self, index: ArrayLike) -> Vector3dVector:
         """The corners of a voxel."""
-        return Vector3dVector(self.origin + (np.asarray(index) + CORNERS) * self.voxel_size)
+        return Vector3dVector(self.origin + (column("index", index) + CORNERS) * self.voxel_size)
 
     def check_if_included(self, queries: Any) -> list[bool]:
         """Which points of a vector lie in occupied voxels."""

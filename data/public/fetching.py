@@ -6,11 +6,11 @@ import json
 import os
 import shutil
 import stat
-import tempfile
 import zipfile
 from pathlib import Path, PurePosixPath
 from typing import Any
 
+from ...core.atomic import part_name
 from ...core.checks import check_name
 from ...core.errors import FileError
 from ...core.known_names import nearest_name
@@ -74,7 +74,8 @@ def _bring(wanted: PublicSet, home: Path, place: Path) -> None:
     downloads = home / "downloads"
     try:
         downloads.mkdir(parents=True, exist_ok=True)
-        part = Path(tempfile.mkdtemp(prefix=f".{wanted.name}.", suffix=".part", dir=home))
+        part = part_name(home / wanted.name)
+        part.mkdir()
     except OSError as error:
         raise FileError(home, f"cannot be written: {error.strerror or error}", remedy="Give another folder") from error
     try:
@@ -87,7 +88,6 @@ def _bring(wanted: PublicSet, home: Path, place: Path) -> None:
         files = sorted(path for path in part.rglob("*") if path.is_file())
         sizes = {path.relative_to(part).as_posix(): path.stat().st_size for path in files}
         (part / LISTING).write_text(json.dumps(sizes, indent=0))
-        part.chmod(0o755)
         _settle(part, place)
     except OSError as error:
         raise FileError(place, f"cannot be written: {error.strerror or error}") from error

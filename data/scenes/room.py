@@ -12,7 +12,6 @@ import dataclasses
 import functools
 import os
 import shutil
-import tempfile
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -21,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic, write_pinhole_camera_intrinsic
+from ...core.atomic import part_name
 from ...core.checks import check_count, check_list, check_name, check_number, check_rigid, check_rows, check_share
 from ...core.devices import resolve_device
 from ...core.errors import FileError
@@ -359,7 +359,8 @@ def write_room_sequence(
         raise FileError(folder, f"the folder {folder.absolute().parent} does not exist", remedy="Make it first")
     sequence = room_sequence(frame_count, width=width, height=height, seed=seed, device=device)
     try:
-        part = Path(tempfile.mkdtemp(prefix=f".{folder.name}.", suffix=".part", dir=folder.absolute().parent))
+        part = part_name(folder)
+        part.mkdir()
     except OSError as error:
         raise FileError(folder, f"cannot be made: {error.strerror or error}") from error
     try:
@@ -372,7 +373,6 @@ def write_room_sequence(
             pose = check_rigid("T_world_camera", frame.T_world_camera)
             rows = ("\t".join(f"{value:.17g}" for value in row) for row in pose)
             (part / f"{frame.name}.pose.txt").write_text("\n".join(rows) + "\n")
-        part.chmod(0o755)
         part.rename(folder)
     except OSError as error:
         raise FileError(folder, f"cannot be written: {error.strerror or error}") from error

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import os
 import shutil
-import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -18,7 +17,7 @@ from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic, write_pinhole_camera_intrinsic
 from ...cameras.trajectory import Trajectory, write_trajectory
-from ...core.atomic import atomic_write, check_writable
+from ...core.atomic import atomic_write, check_writable, part_name
 from ...core.checks import check_count, check_positive, check_progress
 from ...core.errors import FileError
 from ...core.progress import ReportProgress
@@ -174,8 +173,8 @@ class _NewFolder:
             return None
         _check_new_folder(self._folder)
         try:
-            parent = self._folder.absolute().parent
-            self._part = Path(tempfile.mkdtemp(prefix=f".{self._folder.name}.", suffix=".part", dir=parent))
+            self._part = part_name(self._folder)
+            self._part.mkdir()
         except OSError as error:
             raise FileError(self._folder, f"cannot be made: {error.strerror or error}") from error
         return self._part
@@ -185,7 +184,6 @@ class _NewFolder:
             return
         try:
             if kind is None:
-                self._part.chmod(0o755)
                 self._part.rename(self._folder)
         except OSError as fault:
             raise FileError(self._folder, f"cannot be written: {fault.strerror or fault}") from fault

@@ -14,6 +14,8 @@ import re
 from collections.abc import Iterable
 from pathlib import Path
 
+from ...core.escaped_text import escaped
+
 FOLDER = Path(__file__).parent
 ENGINE = (
     *("matrices", "shaders", "buffers", "unit_shapes", "textures", "nodes", "camera", "views", "controls", "pace"),
@@ -64,7 +66,7 @@ def live_page(title: str) -> bytes:
         HTML that asks nobody for anything but its own websocket.
     """
     script, style = _live_parts()
-    texts = {"script": script, "style": style, "title": html.escape(title)}
+    texts = {"script": script, "style": style, "title": html.escape(escaped(title))}
     return re.sub(r"\{\{(\w+)\}\}", lambda gap: texts[gap[1]], read_source("live/live.html")).encode("utf-8", "replace")
 
 

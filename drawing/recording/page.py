@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write, check_writable
 from ...core.checks import check_finite, check_positive, check_rows, check_shape
+from ...core.escaped_text import escaped
 from ..page.sources import hash_of, player_script, player_style, read_source
 from ..render.view import Triple, View, fit_view
 from .timeline import Placed, Shape, Timeline
@@ -95,7 +96,7 @@ def _write(file: IO[bytes], description: dict[str, Any], arrays: list[NDArray[An
         "script-hash": hash_of(script),
         "style": style,
         "style-hash": hash_of(style),
-        "title": html.escape(name),
+        "title": html.escape(escaped(name)),
         "theme": "dark" if np.dot(description["background"], (0.299, 0.587, 0.114)) < 0.5 else "light",
         "description": _json_in_html(description),
     }

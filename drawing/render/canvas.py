@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_count, check_finite, check_number, check_positive, check_rows, check_shape, check_share
 from ...core.devices import resolve_device
+from ...core.masked_arrays import unmasked
 from ...kernels.drawing import canvas as strokes
 from ...kernels.drawing.canvas import MOST_STROKES, Paint, Sheet, clip_box
 from ...kernels.lang import uint8
@@ -293,7 +294,7 @@ def _color_bytes(name: str, color: Color) -> tuple[int, int, int]:
 
 
 def _check_image(image: Any) -> NDArray[np.uint8]:
-    values = np.asarray(image)
+    values = np.asarray(unmasked("image", image))
     if values.ndim != 3 or values.shape[2] != 3 or values.dtype != np.uint8 or not values.size:
         is_clear = values.ndim == 3 and values.shape[2] == 4
         remedy = "; draw it before a background of a colour, not a transparent one" if is_clear else ""

@@ -10,6 +10,7 @@ from typing import Any
 
 from ...core.checks import check_count, check_positive
 from ...core.errors import PointloomError
+from ...core.standard_streams import write_to_stderr
 from ...core.told_arguments import told_arguments
 from ..notebook_output import in_notebook
 from ..render.geometries import Named, named_geometries
@@ -164,7 +165,7 @@ def announce(viewer: Viewer) -> None:
         lines.append(f"listening on {viewer.server.host}: whoever has this address with its token sees the scene")
     if "SSH_CONNECTION" in os.environ:
         lines.append(f"from your own machine first: {viewer.ssh_line}")
-    print("\n".join(lines), file=sys.stderr, flush=True)
+    write_to_stderr("\n".join(lines))
 
 
 def open_page(viewer: Viewer) -> bool:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-import sys
 import threading
 import time
 from typing import TYPE_CHECKING
 
 from ...core.checks import check_positive
+from ...core.standard_streams import write_to_stderr
 
 if TYPE_CHECKING:
     from .viewer import Viewer
@@ -48,15 +48,13 @@ class Presence:
             if is_open or seen is None:
                 if self._told:
                     self._told = False
-                    _say("a page is open again")
+                    write_to_stderr("a page is open again")
                 return False
             over = time.monotonic() - seen >= linger
             if not self._told and linger > 0 and not over:
                 self._told = True
                 ending = "waiting for another" if math.isinf(linger) else f"ending in {linger:g} s"
-                _say(f"the last page has closed; {ending} (open {self._viewer.url} again to stay, Ctrl-C ends now)")
+                write_to_stderr(
+                    f"the last page has closed; {ending} (open {self._viewer.url} again to stay, Ctrl-C ends now)"
+                )
             return over
-
-
-def _say(line: str) -> None:
-    print(line, file=sys.stderr, flush=True)

@@ -8,7 +8,9 @@ import zipfile
 from pathlib import Path
 from typing import Any
 
-from ...cameras.trajectory import read_lines, read_trajectory
+from ...cameras.pose_text import read_lines
+from ...cameras.trajectory import read_trajectory
+from ...core.atomic import restore_folder
 from ...core.devices import resolve_device
 from ...core.errors import FileError
 from ...core.json_files import read_json_object
@@ -123,6 +125,7 @@ def read_geometry(path: str | os.PathLike[str], *, device: Any = None) -> Any:
         FileError: A file that is missing, damaged or of no kind that is shown.
     """
     path, suffix = path_of(path), Path(path).suffix.lower()
+    restore_folder(path)
     if path.is_dir():
         raise FileError(path, "is a folder", remedy="Give its files, as in pointloom view folder/*.ply")
     if not path.exists():

@@ -1,21 +1,175 @@
 """Bags of ROS 1, format 2.0: records walked by their heads, so that a bag without an index reads as well.
 
+The index behind a chunk is used only if it agrees with the list of chunks at the end of the file. Otherwise the chunk
+is unpacked and searched. Each message that is read is compared with its entry.
+
 Source: the rosbag format 2.0 of the ROS wiki.
 """
 
 from __future__ import annotations
 
-import functools
 import struct
+from collections import Counter
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from ...core.errors import FileError
 from ..source import open_source
 from .pieces import Channel, Contents, number, slice_of, unpack
 
 MAGIC = b"#ROSBAG V2.0\n"
-_MESSAGE, _INDEX, _CHUNK, _CONNECTION = 2, 4, 5, 7
+_MESSAGE, _HEADER, _INDEX, _CHUNK, _CHUNK_INFO, _CONNECTION = 2, 3, 4, 5, 6, 7
+_DAMAGED = (FileError, struct.error, KeyError, ValueError)
+
+Row = tuple[int, int, int]  # of a message: time [ns], connection, place in the chunk
+
+
+class _Info(NamedTuple):
+    """What the list at the end of a bag contains of a chunk: the first and last time [ns], messages by connection."""
+
+    start: int
+    end: int
+    counts: dict[int, int]
+
+
+@dataclass
+class _Chunk:
+    """A chunk, and the index behind it: whether that is consistent, and its rows."""
+
+    begin: int
+    piece: int
+    size: int
+    rows: list[Row] = field(default_factory=list)
+    connections: set[int] = field(default_factory=set)
+    is_consistent: bool = True
+
+
+class _Bag:
+    """The records of a bag."""
+
+    def __init__(self, path: Path, source: Any):
+        self.path, self.source = path, source
+        self.found = Contents(path, self.payload)
+        self.chunks: list[_Chunk] = []
+        self.infos: dict[int, _Info] = {}
+        self.announced = 0  # chunks, by the header of a bag that was closed
+
+    def walk(self) -> None:
+        """Take all records outside of chunks."""
+        place = len(MAGIC)
+        try:
+            while place < len(self.source):
+                op, fields, begin, length = _record(self.path, self.source, place)
+                if op == _CHUNK:
+                    self.take_chunk(place, fields, begin, length)
+                elif op == _INDEX:
+                    self.take_index(fields, slice_of(self.path, self.source, begin, length))
+                elif op == _CONNECTION:
+                    self.take_connection(fields, slice_of(self.path, self.source, begin, length))
+                elif op == _CHUNK_INFO:
+                    self.take_info(fields, slice_of(self.path, self.source, begin, length))
+                elif op == _HEADER and any(fields.get(b"index_pos", b"")):  # else the bag was not closed
+                    self.announced = number("I", fields[b"chunk_count"], 0)
+                elif op == _MESSAGE:
+                    self.found.note(f"has a message outside of its chunks at byte {place}")
+                place = begin + length
+        except _DAMAGED as error:
+            self.found.note(f"is cut off or damaged at byte {place} of {len(self.source)}: {error}")
+
+    def take_chunk(self, place: int, fields: dict[bytes, bytes], begin: int, length: int) -> None:
+        """A chunk, whose index may follow."""
+        form, size = fields[b"compression"].decode("ascii", "replace"), number("I", fields[b"size"], 0)
+        path, source = self.path, self.source
+        self.found.pieces.append(lambda: unpack(path, source[begin : begin + length], form, size))
+        self.chunks.append(_Chunk(place, len(self.found.pieces) - 1, size))
+
+    def take_index(self, fields: dict[bytes, bytes], data: bytes) -> None:
+        """The messages of one connection in the last chunk."""
+        if not self.chunks:
+            raise ValueError("an index record has no chunk")
+        chunk, connection = self.chunks[-1], number("I", fields[b"conn"], 0)
+        if len(data) != 12 * number("I", fields[b"count"], 0) or connection in chunk.connections:
+            chunk.is_consistent = False
+            return
+        chunk.connections.add(connection)
+        chunk.rows += [(sec * 10**9 + nsec, connection, at) for sec, nsec, at in struct.iter_unpack("<III", data)]
+
+    def take_info(self, fields: dict[bytes, bytes], data: bytes) -> None:
+        """An entry of the list of chunks."""
+        counts = dict(struct.iter_unpack("<II", data))
+        if len(counts) != number("I", fields[b"count"], 0) or len(data) != 8 * len(counts):
+            raise ValueError("the list of chunks is contradictory")
+        counts = {connection: count for connection, count in counts.items() if count}
+        info = _Info(_time(fields[b"start_time"]), _time(fields[b"end_time"]), counts)
+        self.infos[number("Q", fields[b"chunk_pos"], 0)] = info
+
+    def take_connection(self, fields: dict[bytes, bytes], data: bytes) -> None:
+        """A topic."""
+        told, at = {}, 0
+        while at < len(data):
+            size = number("I", data, at)
+            name, _, value = slice_of(self.path, data, at + 4, size).partition(b"=")
+            told[name] = value
+            at += 4 + size
+        topic = fields[b"topic"].decode("utf-8", "replace")
+        kind = told[b"type"].decode("ascii", "replace").replace("/", "/msg/", 1)
+        self.found.add_channel(number("I", fields[b"conn"], 0), Channel(topic, kind, "ros1"))
+
+    def settle(self) -> None:
+        """Choose the messages of each chunk: those of its index, or those that the chunk itself contains."""
+        if self.announced and (self.announced != len(self.chunks) or {*self.infos} - {c.begin for c in self.chunks}):
+            self.found.note(f"lists {max(self.announced, len(self.infos))} chunks, {len(self.chunks)} were found")
+        is_cut_off = self.found.damage is not None
+        for chunk in self.chunks:
+            info = self.infos.get(chunk.begin)
+            if not self.is_trusted(chunk, info, is_cut_off):
+                self.search(chunk, info)
+            self.found.entries += [(time, connection, chunk.piece, place) for time, connection, place in chunk.rows]
+
+    def is_trusted(self, chunk: _Chunk, info: _Info | None, is_cut_off: bool) -> bool:
+        """True if the index of a chunk is complete, as far as can be known without its messages.
+
+        A bag that ends properly without a list of chunks was not closed by its recorder. Nothing confirms its indexes.
+        """
+        rows = chunk.rows
+        if not rows or not chunk.is_consistent or not chunk.connections <= self.found.channels.keys():
+            return False
+        if len({place for _, _, place in rows}) < len(rows) or max(place for _, _, place in rows) >= chunk.size:
+            return False
+        if info is None:
+            return is_cut_off
+        is_in_time = all(info.start <= time <= info.end for time, _, _ in rows)
+        return is_in_time and Counter(connection for _, connection, _ in rows) == info.counts
+
+    def search(self, chunk: _Chunk, info: _Info | None) -> None:
+        """Take over the connections and messages of a chunk from its own records."""
+        rows: list[Row] = []
+        try:
+            data, place = self.found.pieces[chunk.piece](), 0
+            while place < len(data):
+                op, fields, begin, length = _record(self.path, data, place)
+                if op == _CONNECTION:
+                    self.take_connection(fields, data[begin : begin + length])
+                elif op == _MESSAGE:
+                    rows.append((_time(fields[b"time"]), number("I", fields[b"conn"], 0), place))
+                else:
+                    raise FileError(self.path, f"a chunk contains a record of kind {op}", where=f"byte {chunk.begin}")
+                place = begin + length
+        except _DAMAGED as error:
+            self.found.note(f"has a damaged chunk: {error}")
+        else:
+            is_other = not chunk.is_consistent or (chunk.connections and sorted(rows) != sorted(chunk.rows))
+            if is_other or (info is not None and Counter(connection for _, connection, _ in rows) != info.counts):
+                self.found.note(f"has an index that contradicts its messages, which were used, at byte {chunk.begin}")
+        chunk.rows = rows
+
+    def payload(self, data: bytes, place: int, connection: int, time: int) -> bytes:
+        """The message at a place in a chunk."""
+        op, fields, begin, length = _record(self.path, data, place)
+        if op != _MESSAGE or (_time(fields[b"time"]), number("I", fields[b"conn"], 0)) != (time, connection):
+            raise FileError(self.path, "the index names another message", where=f"byte {place} of a chunk")
+        return slice_of(self.path, data, begin, length)
 
 
 def read_bag1(path: Path) -> Contents:
@@ -27,29 +181,10 @@ def read_bag1(path: Path) -> Contents:
     source: Any = open_source(path)
     if source[: len(MAGIC)] != MAGIC:
         raise FileError(path, "is no bag of ROS 1, version 2.0", where="byte 0")
-    found = Contents(path, functools.partial(_payload, path))
-    chunk: int | None = None  # whose index has not been seen yet
-    place = len(MAGIC)
-    try:
-        while place < len(source):
-            op, fields, begin, length = _record(path, source, place)
-            if op == _CHUNK:
-                _scan_if_open(path, found, chunk)
-                chunk = _add_chunk(path, source, found, fields, begin, length)
-            elif op == _INDEX and found.pieces:
-                _take_index(found, fields, source, begin)
-                chunk = None
-            elif op == _CONNECTION:
-                _take_connection(found, fields, slice_of(path, source, begin, length))
-            place = begin + length
-    except (FileError, struct.error, KeyError, ValueError) as error:
-        found.damage = f"is cut off or damaged at byte {place} of {len(source)}: {error}"
-    for look in (lambda: _scan_if_open(path, found, chunk), lambda: _find_connections(path, found)):
-        try:  # each by itself: a last chunk that is damaged leaves those before it with their topics
-            look()
-        except (FileError, struct.error, KeyError, ValueError) as error:
-            found.damage = found.damage or f"has a damaged chunk: {error}"
-    return found
+    bag = _Bag(path, source)
+    bag.walk()
+    bag.settle()
+    return bag.found
 
 
 def _record(path: Path, data: Any, place: int) -> tuple[int, dict[bytes, bytes], int, int]:
@@ -68,59 +203,7 @@ def _record(path: Path, data: Any, place: int) -> tuple[int, dict[bytes, bytes],
     return number("B", fields[b"op"], 0), fields, begin, length
 
 
-def _add_chunk(path: Path, source: Any, found: Contents, fields: dict[bytes, bytes], begin: int, length: int) -> int:
-    form, size = fields[b"compression"].decode("ascii", "replace"), number("I", fields[b"size"], 0)
-    found.pieces.append(lambda: unpack(path, source[begin : begin + length], form, size))
-    return len(found.pieces) - 1
-
-
-def _take_connection(found: Contents, fields: dict[bytes, bytes], data: bytes) -> None:
-    told, at = {}, 0
-    while at < len(data):
-        size = number("I", data, at)
-        name, _, value = data[at + 4 : at + 4 + size].partition(b"=")
-        told[name] = value
-        at += 4 + size
-    topic = fields[b"topic"].decode("utf-8", "replace")
-    kind = told[b"type"].decode("ascii", "replace").replace("/", "/msg/", 1)
-    found.channels[number("I", fields[b"conn"], 0)] = Channel(topic, kind, "ros1")
-
-
-def _take_index(found: Contents, fields: dict[bytes, bytes], source: Any, begin: int) -> None:
-    connection, count = number("I", fields[b"conn"], 0), number("I", fields[b"count"], 0)
-    for seconds, nanoseconds, offset in struct.iter_unpack("<III", source[begin : begin + 12 * count]):
-        found.entries.append((seconds * 10**9 + nanoseconds, connection, len(found.pieces) - 1, offset))
-
-
-def _find_connections(path: Path, found: Contents) -> None:
-    """Look for connections in chunks where the list of all at the end of the file is missing."""
-    looked: set[int] = set()
-    for _, channel, piece, _ in found.entries:
-        if channel not in found.channels and piece not in looked:
-            looked.add(piece)
-            _scan(path, found, piece, messages=False)
-
-
-def _scan_if_open(path: Path, found: Contents, chunk: int | None) -> None:
-    """Look through a chunk that no index follows, as the last one of a recording that broke off."""
-    if chunk is not None:
-        _scan(path, found, chunk, messages=True)
-
-
-def _scan(path: Path, found: Contents, chunk: int, *, messages: bool) -> None:
-    """Take over the connections of a chunk, and its messages where they are not known."""
-    data, place = found.pieces[chunk](), 0
-    while place < len(data):
-        op, fields, begin, length = _record(path, data, place)
-        if op == _CONNECTION:
-            _take_connection(found, fields, data[begin : begin + length])
-        elif op == _MESSAGE and messages:
-            seconds, nanoseconds = struct.unpack("<II", fields[b"time"])
-            connection = number("I", fields[b"conn"], 0)
-            found.entries.append((seconds * 10**9 + nanoseconds, connection, chunk, place))
-        place = begin + length
-
-
-def _payload(path: Path, data: bytes, place: int) -> bytes:
-    _, _, begin, length = _record(path, data, place)
-    return slice_of(path, data, begin, length)
+def _time(value: bytes) -> int:
+    """A time [ns]."""
+    seconds, nanoseconds = struct.unpack("<II", value)
+    return seconds * 10**9 + nanoseconds

@@ -7,10 +7,12 @@ import sqlite3
 from pathlib import Path
 
 from ...core.errors import FileError
+from ...core.sqlite_files import ascending, check_tables, protect
 from ..source import open_source
 from .pieces import Channel, Contents
 
 MAGIC = b"SQLite format 3\0"
+_TABLES = ("topics", "messages")
 
 
 def read_db3(path: Path) -> Contents:
@@ -24,26 +26,63 @@ def read_db3(path: Path) -> Contents:
     try:
         database = sqlite3.connect(f"{path.resolve().as_uri()}?mode=ro&immutable=1", uri=True, check_same_thread=False)
         database.execute("PRAGMA writable_schema = ON")  # else a file with fewer pages than it says is not opened
-        topics = database.execute("SELECT id, name, type, serialization_format FROM topics").fetchall()
+        protect(database, path, is_bounded=True)
+        check_tables(database, path, _TABLES)
+        found = Contents(path, _Payload(path, database), pieces=[lambda: b""])
+        query = "SELECT rowid, id, name, type, serialization_format FROM topics NOT INDEXED"
+        for _, key, *texts in ascending(path, database.execute(query)):
+            found.add_channel(key, Channel(*map(str, texts)))
     except sqlite3.Error as error:
         raise FileError(path, f"is no bag of ROS 2, or damaged at its beginning: {error}") from error
-    found = Contents(path, lambda data, place: _payload(path, database, place), pieces=[lambda: b""])
-    found.channels = {key: Channel(str(topic), str(kind), str(form)) for key, topic, kind, form in topics}
-    try:
-        for row, channel, time in database.execute("SELECT id, topic_id, timestamp FROM messages NOT INDEXED"):
-            if isinstance(time, int) and isinstance(channel, int):
-                found.entries.append((time, channel, 0, row))
-    except sqlite3.Error as error:
-        found.damage = f"is cut off or damaged after {len(found.entries)} messages: {error}"
+    _find_messages(path, database, found)
+    database.set_progress_handler(None, 0)  # single rows are read from now on
     return found
 
 
-def _payload(path: Path, database: sqlite3.Connection, place: int) -> bytes:
-    with contextlib.closing(database.cursor()) as cursor:
-        try:
-            row = cursor.execute("SELECT data FROM messages WHERE id = ?", (place,)).fetchone()
-        except sqlite3.Error as error:
-            raise FileError(path, f"damaged: {error}", where=f"row {place}") from error
-    if row is None or not isinstance(row[0], bytes):
-        raise FileError(path, "a message is missing", where=f"row {place}")
-    return row[0]
+def _find_messages(path: Path, database: sqlite3.Connection, found: Contents) -> None:
+    unusable = 0
+    try:
+        query = "SELECT rowid, topic_id, timestamp FROM messages NOT INDEXED"
+        for row, channel, time in ascending(path, database.execute(query)):
+            if isinstance(time, int) and isinstance(channel, int):
+                found.entries.append((time, channel, 0, row))
+            else:
+                unusable += 1
+        if unusable:
+            found.note(f"has {unusable} rows without a time or topic, which were left out")
+        _compare_with_index(database, found)
+    except (sqlite3.Error, FileError) as error:
+        found.note(f"is cut off or damaged after {len(found.entries)} messages: {error}")
+
+
+def _compare_with_index(database: sqlite3.Connection, found: Contents) -> None:
+    """Compare the rows with the index of times, which ROS writes too: damaged pages can lose rows without an error."""
+    indexes = [row[1] for row in database.execute("PRAGMA main.index_list(messages)") if not row[4]]
+    for name in indexes:
+        if [row[2] for row in database.execute("SELECT * FROM pragma_index_info(?)", (name,))] != ["timestamp"]:
+            continue
+        quoted = '"' + name.replace('"', '""') + '"'
+        query = f"SELECT timestamp, rowid FROM messages INDEXED BY {quoted} WHERE timestamp IS NOT NULL"
+        count, check = 0, sum(hash((time, row)) for time, _, _, row in found.entries)
+        for time, row in database.execute(query):
+            count, check = count + 1, check - hash((time, row))
+        if count != len(found.entries) or check:
+            found.note(f"has an index of {count} messages that contradicts its {len(found.entries)} rows")
+
+
+class _Payload:
+    """Reads messages by row."""
+
+    def __init__(self, path: Path, database: sqlite3.Connection):
+        self._path, self._database = path, database
+
+    def __call__(self, _: bytes, place: int, channel: int, time: int) -> bytes:
+        query = "SELECT data FROM messages NOT INDEXED WHERE rowid = ? AND topic_id = ? AND timestamp = ?"
+        with contextlib.closing(self._database.cursor()) as cursor:
+            try:
+                row = cursor.execute(query, (place, channel, time)).fetchone()
+            except sqlite3.Error as error:
+                raise FileError(self._path, f"damaged: {error}", where=f"row {place}") from error
+        if row is None or not isinstance(row[0], bytes):
+            raise FileError(self._path, "a message is missing", where=f"row {place}")
+        return row[0]

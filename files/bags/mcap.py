@@ -1,13 +1,18 @@
 """MCAP files, walked by the heads of their records, so that one without a summary reads as well.
 
+The index behind a chunk is used only if it is consistent and the statistics at the end of the file agree. Otherwise the
+chunks are unpacked and searched. Each message that is read is compared with its entry.
+
 Source: the MCAP format specification, version 0.
 """
 
 from __future__ import annotations
 
-import functools
 import struct
 import zlib
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -16,46 +21,105 @@ from ..source import open_source
 from .pieces import Channel, Contents, number, slice_of, unpack
 
 MAGIC = b"\x89MCAP0\r\n"
-_SCHEMA, _CHANNEL, _MESSAGE, _CHUNK, _INDEX, _DATA_END = 3, 4, 5, 6, 7, 15
+_FOOTER, _SCHEMA, _CHANNEL, _MESSAGE, _CHUNK, _INDEX, _STATISTICS, _DATA_END = 2, 3, 4, 5, 6, 7, 11, 15
+_PRIVATE = 128  # records of this kind and above are for applications
+_MESSAGE_HEAD = 22  # [B] channel, sequence and two times
+_DAMAGED = (FileError, struct.error, ValueError)
+
+Row = tuple[int, int, int]  # of a message: time [ns], channel, place in the chunk
 
 
-class _Walk:
-    """What is known on the way through a file."""
+@dataclass
+class _Chunk:
+    """A chunk, its first and last time [ns], and the index behind it: whether that is consistent, and its rows."""
+
+    begin: int
+    piece: int
+    size: int
+    start: int
+    end: int
+    rows: list[Row] = field(default_factory=list)
+    channels: set[int] = field(default_factory=set)
+    is_consistent: bool = True
+    was_searched: bool = False
+
+
+class _File:
+    """The records of a file."""
 
     def __init__(self, path: Path, source: Any):
-        self.path, self.source, self.schemas = path, source, {0: ""}
-        self.found = Contents(path, functools.partial(_payload, path))
-        self.waiting: dict[int, list[tuple[int, int, int]]] = {}  # by piece: channel, time, place
+        self.path, self.source = path, source
+        self.schemas: dict[int, str] = {0: ""}
+        self.found = Contents(path, self.payload, pieces=[lambda: source])
+        self.chunks: list[_Chunk] = []
+        self.loose: list[Row] = []  # messages outside of chunks
+        self.has_end = False
+        self.statistics: tuple[int, dict[int, int]] | None = None  # messages, also by channel
 
-    def walk(self, data: Any, piece: int, place: int) -> bool:
-        """Take all records; of a chunk its messages too. Whether the end of the data was told."""
+    def records(self, data: Any, place: int) -> Iterator[tuple[int, int, int]]:
+        """Of each record its operation, and the begin and length of its content."""
         while place < len(data):
             op, length = number("B", data, place), number("Q", data, place + 1)
             begin = place + 9
             if begin + length > len(data):
                 raise FileError(self.path, f"a record of {length} bytes is cut off", where=f"byte {place}")
-            if op == _DATA_END:
-                return True
-            if op == _CHUNK:
-                self.close_chunk()
-                self.open_chunk(begin, length)
-            elif op == _INDEX and self.waiting:
-                self.take_index(slice_of(self.path, data, begin, length))
-            elif op == _SCHEMA:
-                self.take_schema(slice_of(self.path, data, begin, length))
-            elif op == _CHANNEL:
-                self.take_channel(slice_of(self.path, data, begin, length))
-            elif op == _MESSAGE:
-                channel, time = number("H", data, begin), number("Q", data, begin + 6)
-                self.found.entries.append((time, channel, piece, place))
+            yield op, begin, length
             place = begin + length
-        return False
 
-    def open_chunk(self, begin: int, length: int) -> None:
-        """A chunk whose index may follow."""
+    def walk(self) -> None:
+        """Take all records outside of chunks, with the statistics of the summary."""
+        try:
+            for op, begin, length in self.records(self.source, len(MAGIC)):
+                if op == _FOOTER:
+                    break
+                if op == _DATA_END:
+                    self.has_end = True
+                elif op == _STATISTICS and self.has_end:
+                    self.take_statistics(slice_of(self.path, self.source, begin, length))
+                elif not self.has_end:
+                    self.take(op, begin, length)
+        except _DAMAGED as error:
+            what = "has a damaged summary" if self.has_end else "is cut off or damaged"
+            self.found.note(f"{what}: {error}")
+        if not self.has_end:
+            self.found.note("is cut off: nothing tells the end of its data")
+
+    def take(self, op: int, begin: int, length: int) -> None:
+        """A record of the data section."""
+        if op == _CHUNK:
+            self.take_chunk(begin, length)
+        elif op == _INDEX:
+            self.take_index(slice_of(self.path, self.source, begin, length))
+        elif op == _MESSAGE:
+            self.loose.append(self.row_of(self.source, begin, length))
+        elif op:
+            self.take_definition(op, self.source, begin, length)
+        else:
+            raise FileError(self.path, "a record has no kind", where=f"byte {begin - 9}")
+
+    def take_definition(self, op: int, data: Any, begin: int, length: int) -> None:
+        """A type or a topic."""
+        if op == _SCHEMA:
+            content = slice_of(self.path, data, begin, length)
+            self.schemas[number("H", content, 0)] = _text(self.path, content, 2)[0]
+        elif op == _CHANNEL:
+            content = slice_of(self.path, data, begin, length)
+            topic, at = _text(self.path, content, 4)
+            kind, encoding = self.schemas.get(number("H", content, 2), ""), _text(self.path, content, at)[0]
+            kind = kind if "/msg/" in kind else kind.replace("/", "/msg/", 1)
+            self.found.add_channel(number("H", content, 0), Channel(topic, kind, encoding))
+
+    def row_of(self, data: Any, begin: int, length: int) -> Row:
+        """The entry of a message by its own head."""
+        if length < _MESSAGE_HEAD:
+            raise FileError(self.path, f"a message of {length} bytes has no head", where=f"byte {begin}")
+        return number("Q", data, begin + 6), number("H", data, begin), begin - 9
+
+    def take_chunk(self, begin: int, length: int) -> None:
+        """A chunk, whose index may follow."""
         form, at = _text(self.path, self.source, begin + 28)
-        size, check = number("Q", self.source, begin + 16), number("I", self.source, begin + 24)
-        stored = number("Q", self.source, at)
+        start, end, size = struct.unpack_from("<QQQ", self.source, begin)
+        check, stored = number("I", self.source, begin + 24), number("Q", self.source, at)
         if at + 8 + stored > begin + length:
             raise FileError(self.path, "a chunk is longer than its record", where=f"byte {begin}")
 
@@ -66,33 +130,92 @@ class _Walk:
             return data
 
         self.found.pieces.append(read)
-        self.waiting = {len(self.found.pieces) - 1: []}
-
-    def close_chunk(self) -> None:
-        """Take over the index of a chunk, or look through it where there is none or it names unknown channels."""
-        for piece, rows in self.waiting.items():
-            self.waiting = {}
-            if rows and all(channel in self.found.channels for channel, _, _ in rows):
-                self.found.entries += [(time, channel, piece, place) for channel, time, place in rows]
-            else:
-                self.walk(self.found.pieces[piece](), piece, 0)
+        self.chunks.append(_Chunk(begin, len(self.found.pieces) - 1, size, start, end))
 
     def take_index(self, data: bytes) -> None:
         """The messages of one channel in the last chunk."""
-        (rows,) = self.waiting.values()
-        channel, size = number("H", data, 0), number("I", data, 2)
-        rows += [(channel, time, place) for time, place in struct.iter_unpack("<QQ", data[6 : 6 + size])]
+        if not self.chunks:
+            raise ValueError("an index record has no chunk")
+        chunk, channel, size = self.chunks[-1], number("H", data, 0), number("I", data, 2)
+        if len(data) != 6 + size or size % 16 or channel in chunk.channels:
+            chunk.is_consistent = False
+            return
+        chunk.channels.add(channel)
+        chunk.rows += [(time, channel, place) for time, place in struct.iter_unpack("<QQ", data[6:])]
 
-    def take_schema(self, data: bytes) -> None:
-        """The name of a type."""
-        self.schemas[number("H", data, 0)] = _text(self.path, data, 2)[0]
+    def take_statistics(self, data: bytes) -> None:
+        """The numbers of messages."""
+        size = number("I", data, 42)
+        if len(data) < 46 + size or size % 10:
+            raise ValueError("the statistics are cut off")
+        self.statistics = number("Q", data, 0), dict(struct.iter_unpack("<HQ", data[46 : 46 + size]))
 
-    def take_channel(self, data: bytes) -> None:
-        """A topic."""
-        topic, at = _text(self.path, data, 4)
-        kind, encoding = self.schemas.get(number("H", data, 2), ""), _text(self.path, data, at)[0]
-        kind = kind if "/msg/" in kind else kind.replace("/", "/msg/", 1)
-        self.found.channels[number("H", data, 0)] = Channel(topic, kind, encoding)
+    def settle(self) -> None:
+        """Choose the messages of each chunk: those of its index, or those that the chunk itself contains.
+
+        The statistics confirm the indexes. A file that was cut off has none, and is reported as damaged anyway.
+        """
+        for chunk in self.chunks:
+            if not self.is_trusted(chunk):
+                self.search(chunk)
+        is_cut_off = self.found.damage is not None and self.statistics is None
+        if not self.is_confirmed() and not is_cut_off:
+            for chunk in self.chunks:
+                self.search(chunk)
+            if self.statistics is not None and not self.is_confirmed():
+                count = len(self.loose) + sum(len(chunk.rows) for chunk in self.chunks)
+                self.found.note(f"lists {self.statistics[0]} messages in its summary, {count} were found")
+        self.found.entries += [(time, channel, 0, place) for time, channel, place in self.loose]
+        for chunk in self.chunks:
+            self.found.entries += [(time, channel, chunk.piece, place) for time, channel, place in chunk.rows]
+
+    def is_trusted(self, chunk: _Chunk) -> bool:
+        """True if the index of a chunk is consistent, as far as can be known without its messages."""
+        rows = chunk.rows
+        if not rows or not chunk.is_consistent or not chunk.channels <= self.found.channels.keys():
+            return False
+        if len({place for _, _, place in rows}) < len(rows) or max(place for _, _, place in rows) >= chunk.size:
+            return False
+        return (min(rows)[0], max(rows)[0]) == (chunk.start, chunk.end)
+
+    def is_confirmed(self) -> bool:
+        """True if the messages found so far are as many as in the statistics, on each channel."""
+        if self.statistics is None:
+            return False
+        counts = Counter(channel for _, channel, _ in self.loose)
+        for chunk in self.chunks:
+            counts.update(channel for _, channel, _ in chunk.rows)
+        total, by_channel = self.statistics
+        by_channel = {channel: count for channel, count in by_channel.items() if count}
+        return total == counts.total() and by_channel in ({}, counts)
+
+    def search(self, chunk: _Chunk) -> None:
+        """Take over the channels and messages of a chunk from its own records, once."""
+        if chunk.was_searched:
+            return
+        chunk.was_searched, rows = True, []
+        try:
+            data = self.found.pieces[chunk.piece]()
+            for op, begin, length in self.records(data, 0):
+                if op == _MESSAGE:
+                    rows.append(self.row_of(data, begin, length))
+                elif op in (_SCHEMA, _CHANNEL):
+                    self.take_definition(op, data, begin, length)
+                elif op < _PRIVATE:
+                    raise FileError(self.path, f"a chunk contains a record of kind {op}", where=f"byte {chunk.begin}")
+        except _DAMAGED as error:
+            self.found.note(f"has a damaged chunk: {error}")
+        else:
+            if not chunk.is_consistent or (chunk.channels and sorted(rows) != sorted(chunk.rows)):
+                self.found.note(f"has an index that contradicts its messages, which were used, at byte {chunk.begin}")
+        chunk.rows = rows
+
+    def payload(self, data: bytes, place: int, channel: int, time: int) -> bytes:
+        """The message at a place in a chunk."""
+        length = number("Q", data, place + 1)
+        if number("B", data, place) != _MESSAGE or self.row_of(data, place + 9, length)[:2] != (time, channel):
+            raise FileError(self.path, "the index names another message", where=f"byte {place} of a chunk")
+        return slice_of(self.path, data, place + 9 + _MESSAGE_HEAD, length - _MESSAGE_HEAD)
 
 
 def read_mcap(path: Path) -> Contents:
@@ -104,27 +227,13 @@ def read_mcap(path: Path) -> Contents:
     source: Any = open_source(path)
     if source[: len(MAGIC)] != MAGIC:
         raise FileError(path, "is no MCAP file", where="byte 0")
-    walk = _Walk(path, source)
-    walk.found.pieces.append(lambda: source)
-    ended = False
-    try:
-        ended = walk.walk(source, 0, len(MAGIC))
-    except (FileError, struct.error, ValueError) as error:
-        walk.found.damage = f"is cut off or damaged: {error}"
-    try:
-        walk.close_chunk()
-    except (FileError, struct.error, ValueError) as error:
-        walk.found.damage = walk.found.damage or f"has a damaged chunk: {error}"
-    if not ended and walk.found.damage is None:
-        walk.found.damage = "is cut off: nothing tells the end of its data"
-    return walk.found
+    file = _File(path, source)
+    file.walk()
+    file.settle()
+    return file.found
 
 
 def _text(path: Path, data: Any, begin: int) -> tuple[str, int]:
     """A text, and where it ends."""
     size = number("I", data, begin)
     return slice_of(path, data, begin + 4, size).decode("utf-8", "replace"), begin + 4 + size
-
-
-def _payload(path: Path, data: bytes, place: int) -> bytes:
-    return slice_of(path, data, place + 31, number("Q", data, place + 1) - 22)

@@ -11,12 +11,13 @@ import struct
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from ...core.errors import FileError
 from ..foreign import foreign_errors, import_for
 
-MOST_CHUNK = 1 << 31  # [B] a chunk that says more when unpacked is damaged: writers part at 1 MB or so
+MAX_CHUNK = 1 << 31  # [B] unpacked; writers start a new chunk at about 1 MB
+_MAX_SMALL, _MAX_RATIO = 1 << 28, 1000  # larger chunks than that [B] are not packed more tightly than that
 
 
 class RecordingWarning(UserWarning):
@@ -53,49 +54,77 @@ class Contents:
         channels: By the file's own numbers.
         entries: Of each message its time [ns], channel, piece and place in that.
         pieces: Each gives its bytes.
-        payload: The message at a place in a piece.
-        damage: What ends the file before its time, or None.
+        payload: The message at a place in a piece, whose channel and time [ns] must be those of its entry.
+        damage: What is missing or contradictory in the file, or None.
     """
 
     path: Path
-    payload: Callable[[bytes, int], bytes]
+    payload: Callable[[bytes, int, int, int], bytes]
     channels: dict[int, Channel] = field(default_factory=dict)
     entries: list[tuple[int, int, int, int]] = field(default_factory=list)
     pieces: list[Callable[[], bytes]] = field(default_factory=list)
     damage: str | None = None
 
+    def note(self, damage: str) -> None:
+        """Record damage; of several kinds the first is reported."""
+        self.damage = self.damage or damage
+
+    def add_channel(self, key: int, channel: Channel) -> None:
+        """Add a topic. A file may repeat a definition, but not change it."""
+        if self.channels.setdefault(key, channel) != channel:
+            self.note(f"defines topic number {key} twice: as {self.channels[key].topic!r} and {channel.topic!r}")
+
 
 def unpack(path: Path, data: bytes, compression: str, size: int) -> bytes:
-    """The bytes of a chunk.
+    """The bytes of a chunk. Memory is bounded by the size in its header, and that by the size of the packed bytes.
 
     Raises:
         FileError: An unknown compression, a missing package, bytes that are no such stream or of another length.
     """
-    if size > MOST_CHUNK:
-        raise FileError(path, f"a chunk says that it holds {size} bytes", remedy="The file is damaged there")
-    with foreign_errors(path, f"a chunk that is packed by {compression or 'nothing'} is damaged"):
-        if compression in ("", "none"):
-            unpacked = bytes(data)
-        elif compression == "lz4":
-            unpacked = import_for(path, "lz4.frame", "ros").decompress(data)
-        elif compression == "bz2":
-            unpacked = bz2.decompress(data)
-        elif compression == "zstd":
-            unpacked = _unzstd(path, data, size)
-        else:
-            reason = f"has chunks packed by {compression!r}"
-            raise FileError(path, reason, remedy="Known are none, lz4, zstd and bz2; pack it again")
+    if size > min(MAX_CHUNK, max(_MAX_SMALL, _MAX_RATIO * len(data))):
+        reason = f"the header of a chunk of {len(data)} bytes claims {size} unpacked bytes"
+        raise FileError(path, reason, remedy="The file is damaged there")
+    if compression in ("", "none"):
+        unpacked = bytes(data)
+    elif compression in _DECOMPRESSORS:
+        new = _DECOMPRESSORS[compression](path)
+        with foreign_errors(path, f"a chunk that is packed by {compression} is damaged"):
+            unpacked = _unpack_bounded(new, bytes(data), size + 1)
+    else:
+        reason = f"has chunks packed by {compression!r}"
+        raise FileError(path, reason, remedy="Known are none, lz4, zstd and bz2; pack it again")
     if len(unpacked) != size:
-        raise FileError(path, f"a chunk is cut off: {len(unpacked)} bytes of {size}")
+        found = f"more than {size}" if len(unpacked) > size else str(len(unpacked))
+        raise FileError(path, f"a chunk is damaged: expected {size} unpacked bytes, got {found}")
     return unpacked
 
 
-def _unzstd(path: Path, data: bytes, size: int) -> bytes:
+def _unpack_bounded(new: Callable[[], Any], data: bytes, limit: int) -> bytes:
+    """Up to `limit` unpacked bytes of one or more streams."""
+    parts: list[bytes] = []
+    while data and limit:
+        stream, is_first = new(), True
+        while limit and not stream.eof and (is_first or not stream.needs_input):
+            parts.append(stream.decompress(data if is_first else b"", limit))
+            limit, is_first = limit - len(parts[-1]), False
+        if limit and not stream.eof:
+            raise EOFError("the stream has no end")
+        data = stream.unused_data or b""
+    return b"".join(parts)
+
+
+def _zstd(path: Path) -> Callable[[], Any]:
     try:
-        return import_for(path, "compression.zstd", "ros").decompress(data)  # Python 3.14
+        return import_for(path, "compression.zstd", "ros").ZstdDecompressor  # Python 3.14
     except FileError:
-        pass
-    return import_for(path, "backports.zstd", "ros").decompress(data)
+        return import_for(path, "backports.zstd", "ros").ZstdDecompressor
+
+
+_DECOMPRESSORS: dict[str, Callable[[Path], Callable[[], Any]]] = {
+    "lz4": lambda path: import_for(path, "lz4.frame", "ros").LZ4FrameDecompressor,
+    "bz2": lambda _: bz2.BZ2Decompressor,
+    "zstd": _zstd,
+}
 
 
 def slice_of(path: Path, data: bytes, begin: int, length: int) -> bytes:

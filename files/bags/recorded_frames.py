@@ -12,6 +12,7 @@ import numpy as np
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.errors import FileError
+from ...core.escaped_text import escaped
 from ..frames.dataset_layouts import associate
 from ..frames.datasets import Frame
 from ..frames.frame_checks import checked_frame
@@ -96,7 +97,7 @@ class RecordedFrames:
 
     def __repr__(self) -> str:
         topics = self.depth + (f" and {self.color}" if self.color else "")
-        return f"RecordedFrames({self._recording.path.name}, {len(self)} frames of {topics})"
+        return escaped(f"RecordedFrames({self._recording.path.name}, {len(self)} frames of {topics})")
 
     @property
     def frames(self) -> list[Any]:

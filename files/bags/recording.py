@@ -16,6 +16,7 @@ from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.trajectory import Trajectory
 from ...core.checks import check_count, check_positive
 from ...core.errors import FileError
+from ...core.escaped_text import escaped
 from ...core.paths import path_of
 from ...pcd.cloud import PointCloud
 from ..foreign import foreign_errors, import_for
@@ -33,7 +34,7 @@ from .transforms import TRANSFORMS, RecordedTransforms, transforms_of_messages
 
 CLOUD = "sensor_msgs/msg/PointCloud2"
 _READERS = {".bag": read_bag1, ".mcap": read_mcap, ".db3": read_db3}
-_KEPT = 4  # unpacked chunks: those of a recording overlap little in time
+_MAX_CHUNKS, _MAX_BYTES = 4, 1 << 28  # unpacked chunks that are kept: those of a recording overlap little in time
 
 
 @dataclass(frozen=True)
@@ -85,6 +86,9 @@ class Recording:
 
     def __init__(self, path: Path, parts: list[Contents]):
         self.path, self._parts = path, parts
+        for part in parts:
+            if orphans := sum(entry[1] not in part.channels for entry in part.entries):
+                part.note(f"has {orphans} messages of no topic, which were left out")
         self.damage = "; ".join(f"{part.path.name} {part.damage}" for part in parts if part.damage) or None
         rows = [(time, n, c, p, at) for n, part in enumerate(parts) for time, c, p, at in part.entries
                 if c in part.channels]  # fmt: skip
@@ -96,7 +100,7 @@ class Recording:
         return len(self._rows)
 
     def __repr__(self) -> str:
-        return f"Recording({self.path.name}, {len(self.topics)} topics, {len(self)} messages)"
+        return f"Recording({escaped(self.path.name)}, {len(self.topics)} topics, {len(self)} messages)"
 
     @cached_property
     def topics(self) -> list[Topic]:
@@ -284,16 +288,19 @@ class Recording:
             yield row, content
 
     def _payload(self, row: tuple[int, int, int, int, int]) -> bytes:
-        _, number, _, piece, place = row
+        time, number, channel, piece, place = row
         part = self._parts[number]
         if (number, piece) not in self._chunks:
             with foreign_errors(part.path, "damaged"):
                 self._chunks[number, piece] = part.pieces[piece]()
-            while len(self._chunks) > _KEPT:
+            while len(self._chunks) > _MAX_CHUNKS or (len(self._chunks) > 1 and self._kept_bytes() > _MAX_BYTES):
                 self._chunks.popitem(last=False)
         self._chunks.move_to_end((number, piece))
         with foreign_errors(part.path, "damaged"):
-            return part.payload(self._chunks[number, piece], place)
+            return part.payload(self._chunks[number, piece], place, channel, time)
+
+    def _kept_bytes(self) -> int:
+        return sum(len(chunk) for chunk in self._chunks.values() if isinstance(chunk, bytes))  # else a mapped file
 
     def _decode(self, kind: str, encoding: str, data: bytes) -> Any:
         if encoding not in ("ros1", "cdr"):
@@ -364,7 +371,7 @@ def open_recording(path: str | os.PathLike[str]) -> Recording:
     if not len(recording):
         raise FileError(place, f"holds no message{'; ' + recording.damage if recording.damage else ''}")
     if recording.damage:
-        warnings.warn(f"{place}: {recording.damage}; {len(recording)} messages are left", RecordingWarning, 2)
+        warnings.warn(escaped(f"{place}: {recording.damage}; {len(recording)} messages are left"), RecordingWarning, 2)
     return recording
 
 

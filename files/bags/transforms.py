@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_finite, check_name, check_numeric
 from ...core.errors import FileError
+from ...core.escaped_text import escaped
 from ...core.quaternions import quaternions_to_rotations
 from .motions import stamp_of_header
 
@@ -54,7 +55,7 @@ class RecordedTransforms:
 
     def __repr__(self) -> str:
         roots = [frame for frame in self.frames if frame not in self.parents]
-        return f"RecordedTransforms({len(self.frames)} frames below {', '.join(roots)})"
+        return f"RecordedTransforms({len(self.frames)} frames below {escaped(', '.join(roots))})"
 
     def span(self, frame: str) -> tuple[float, float] | None:
         """The first and the last time [s] at which a frame is known in its parent; None where it is fixed there.

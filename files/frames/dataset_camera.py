@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic, read_pinhole_camera_intrinsic
-from ...cameras.trajectory import parse_floats, read_lines
+from ...cameras.pose_text import parse_floats, read_lines
 from ...core.checks import check_positive
 from ...core.errors import DatasetError, FileError
 from ...core.json_files import read_json_object

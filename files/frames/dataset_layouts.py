@@ -16,7 +16,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from ...cameras.trajectory import parse_floats, read_lines, read_pose, read_trajectory
+from ...cameras.pose_text import LOST, parse_floats, pose_or_gap, read_lines, read_pose_or_gap
+from ...cameras.trajectory import read_poses_and_gaps
 from ...core.errors import DatasetError
 
 # How far apart in time [s] pictures and poses of a TUM folder may be: the bound of the benchmark's own tools.
@@ -54,11 +55,13 @@ class Demand:
     Args:
         poses: "needed" refuses frames without pose, "taken" takes the poses that are there, "ignored" reads none.
         skip_missing: Leave out frames that lack a part instead of refusing the folder.
+        keep_lost: Keep frames whose pose tracking lost, without pose, also where others are left out.
         left_out: What was left out, with the reason; grows while the folder is listed.
     """
 
     poses: str = "needed"
     skip_missing: bool = False
+    keep_lost: bool = False
     left_out: list[str] = dataclasses.field(default_factory=list)
 
     def miss(self, path: Path, reason: str, remedy: str) -> None:
@@ -66,6 +69,19 @@ class Demand:
         if not self.skip_missing:
             raise DatasetError(path, reason, remedy=remedy)
         self.left_out.append(f"{path.name}: {reason}")
+
+    def loses(self, path: Path, frame: str = "") -> bool:
+        """Whether a frame whose pose is inf or NaN is left out, which is listed; a frame that needs none is kept.
+
+        Raises:
+            DatasetError: It needs one, and nothing may be left out.
+        """
+        if self.poses != "needed" and (self.keep_lost or not self.skip_missing):
+            return False
+        if not self.skip_missing:
+            raise DatasetError(path, f"the pose{frame and f' of {frame}'} is inf or NaN", remedy=LOST)
+        self.left_out.append(f"{frame or path.name}: its pose is inf or NaN")
+        return True
 
 
 def list_seven_scenes(folder: Path, every: int, demand: Demand | None = None) -> list[FrameFiles]:
@@ -95,7 +111,9 @@ def list_seven_scenes(folder: Path, every: int, demand: Demand | None = None) ->
     frames = []
     for stem in whole[::every]:
         pose = found[stem].get("pose") if demand.poses != "ignored" else None
-        T_world_camera = None if pose is None else read_pose(pose)
+        T_world_camera = None if pose is None else read_pose_or_gap(pose)
+        if pose is not None and T_world_camera is None and demand.loses(pose):
+            continue
         time = None if times is None else times[stem]
         frames.append(FrameFiles(stem, found[stem]["depth"], found[stem].get("color"), T_world_camera, time))
     return frames
@@ -155,12 +173,18 @@ def list_redwood(folder: Path, demand: Demand | None = None) -> list[FrameFiles]
         remedy = "Each depth map needs a pose, camera to world; open_frames takes frames without"
         raise DatasetError(log, "missing", remedy=remedy)
     color_of: dict[Path, Path | None] = dict.fromkeys(depths) if colors is None else {**colors}
-    return [FrameFiles(path.stem, path, color, poses.get(path)) for path, color in color_of.items()]
+    frames = []
+    for path, color in color_of.items():
+        pose = poses.get(path)
+        known = None if pose is None else pose_or_gap(pose)
+        if pose is None or known is not None or not demand.loses(log, path.name):
+            frames.append(FrameFiles(path.stem, path, color, known))
+    return frames
 
 
 def _pair_poses(folder: Path, log: Path, depths: list[Path]) -> dict[Path, NDArray[np.float64]]:
     """The pose of each depth map, by the ids of the log."""
-    trajectory = read_trajectory(log)
+    trajectory = read_poses_and_gaps(log)
     assert trajectory.ids is not None
     if len(trajectory) != len(depths):
         raise DatasetError(
@@ -267,6 +291,10 @@ def list_tum(folder: Path, demand: Demand | None = None) -> tuple[list[FrameFile
         if T_world_camera is None and demand.poses == "needed":
             left_out.append(f"{name}: no pose within {TUM_TOLERANCE} s")
             continue
+        if T_world_camera is not None:
+            T_world_camera = pose_or_gap(T_world_camera)
+            if T_world_camera is None and demand.loses(truth, name):
+                continue
         if color_of is not None:
             if i not in color_of:
                 left_out.append(f"{name}: no colour within {TUM_TOLERANCE} s")
@@ -281,7 +309,7 @@ def list_tum(folder: Path, demand: Demand | None = None) -> tuple[list[FrameFile
 
 def _read_timed_poses(truth: Path) -> tuple[list[float], NDArray[np.float64]]:
     """Times in order and the poses at them."""
-    trajectory = read_trajectory(truth)
+    trajectory = read_poses_and_gaps(truth)
     if trajectory.timestamps is None:
         raise DatasetError(truth, "has no times", remedy="Expected timestamp tx ty tz qx qy qz qw")
     order = np.argsort(trajectory.timestamps, kind="stable")

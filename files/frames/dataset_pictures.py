@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from ...cameras.trajectory import parse_floats, read_lines, read_pose, read_timed_poses
+from ...cameras.pose_text import pose_or_gap, read_lines, read_pose_or_gap, timed_poses
 from ...core.errors import DatasetError
 from .dataset_layouts import Demand, FrameFiles
 
@@ -54,6 +54,8 @@ def list_pictures(folder: Path, demand: Demand) -> list[FrameFiles]:
             continue
         pose = poses.get(key) if demand.poses != "ignored" else None
         T_world_camera = None if pose is None else _read_any_pose(pose)
+        if pose is not None and T_world_camera is None and demand.loses(pose):
+            continue
         frames.append(FrameFiles(key or depths[key].stem, depths[key], colors.get(key), T_world_camera))
     return frames
 
@@ -68,10 +70,9 @@ def _without(word: re.Pattern[str], path: Path) -> str:
     return re.sub(r"[-_. ]+", "_", word.sub("", path.stem)).strip("_")
 
 
-def _read_any_pose(path: Path) -> NDArray[np.float64]:
-    """Four rows of a matrix, or `tx ty tz qx qy qz qw` as in a line of TUM's without its time."""
+def _read_any_pose(path: Path) -> NDArray[np.float64] | None:
+    """Four rows of a matrix, or `tx ty tz qx qy qz qw` as in a line of TUM's without its time; None if lost."""
     lines = read_lines(path)
     if len(lines) != 1:
-        return read_pose(path)
-    parse_floats(path, lines[0], 7)
-    return read_timed_poses(path, [(lines[0][0], ["0", *lines[0][1]])]).poses[0]
+        return read_pose_or_gap(path)
+    return pose_or_gap(timed_poses(path, [(lines[0][0], ["0", *lines[0][1]])], gaps=True)[0][0])

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
+from ...core.atomic import restore_folder
 from ...core.checks import check_count, check_name, check_positive
 from ...core.errors import DatasetError, FileError
 from ...core.paths import path_of
@@ -141,6 +142,7 @@ def open_dataset(
     layout: str = "auto",
     intrinsic: PinholeCameraIntrinsic | None = None,
     every: int = 1,
+    skip_missing: bool = False,
 ) -> RGBDDataset:
     """Open a folder of posed RGB-D frames.
 
@@ -166,6 +168,7 @@ def open_dataset(
         layout: "7scenes", "redwood", "tum", or "auto" to tell from the files present.
         intrinsic: The camera, if it is another than the folder says.
         every: Take every k-th frame, beginning with the first.
+        skip_missing: Leave out frames that lack a picture or whose pose is inf or NaN, each named in `left_out`.
 
     Raises:
         ValueError: An unknown layout.
@@ -187,7 +190,7 @@ def open_dataset(
         raise ValueError(f"layout: expected 'auto' or one of {LAYOUTS}, got {layout!r}")
     folder, every = _check_folder(folder), _check_every(folder, every)
     chosen = _detect_layout(folder, _layout_marks(folder)) if layout == "auto" else layout
-    return _open(folder, chosen, intrinsic, None, every, Demand(), False)
+    return _open(folder, chosen, intrinsic, None, every, Demand(skip_missing=bool(skip_missing)), False)
 
 
 def open_frames(
@@ -198,7 +201,7 @@ def open_frames(
     every: int = 1,
     depth_scale: float | None = None,
     poses: bool = True,
-    skip_missing: bool = False,
+    skip_missing: bool | str = False,
     resize_color: bool = False,
 ) -> RGBDDataset:
     """Open a folder of RGB-D frames, whether or not their poses are known.
@@ -215,7 +218,8 @@ def open_frames(
         every: Take every k-th frame, beginning with the first.
         depth_scale: Stored depth of one metre, if it is another than the folder says.
         poses: Take the poses that lie beside the frames; False does not open them.
-        skip_missing: Leave out frames that lack a picture, each named in `left_out`, instead of refusing the folder.
+        skip_missing: Leave out frames that lack a picture, each named in `left_out`, instead of refusing the folder;
+            frames whose pose is inf or NaN, too, which else have none. "pictures" keeps those.
         resize_color: Bring colour of another size to that of depth; the two must show the same view.
 
     Raises:
@@ -238,12 +242,13 @@ def open_frames(
     scale = None if depth_scale is None else check_positive("depth_scale", depth_scale)
     folder, every = _check_folder(folder), _check_every(folder, every)
     chosen = _detect_loosely(folder) if layout == "auto" else layout
-    demand = Demand("taken" if poses else "ignored", bool(skip_missing))
+    demand = Demand("taken" if poses else "ignored", bool(skip_missing), skip_missing == "pictures")
     return _open(folder, chosen, intrinsic, scale, every, demand, bool(resize_color))
 
 
 def _check_folder(folder: str | os.PathLike[str]) -> Path:
     folder = path_of(folder)
+    restore_folder(folder)
     if not folder.is_dir():
         reason = "is not a folder" if folder.exists() else "does not exist"
         raise DatasetError(folder, reason, remedy="Give the folder that holds the frames")

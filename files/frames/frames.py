@@ -100,7 +100,7 @@ def open_folder(
     """
     camera = None if intrinsic is None else read_pinhole_camera_intrinsic(intrinsic)
     options = {"layout": layout, "every": every, "depth_scale": depth_scale}
-    return open_frames(folder, intrinsic=camera, skip_missing=True, **options)
+    return open_frames(folder, intrinsic=camera, skip_missing="pictures", **options)
 
 
 def describe_folder(folder: FilePath, dataset: RGBDDataset, intrinsic: FilePath | None) -> dict[str, Any]:

@@ -5,8 +5,9 @@ default weights of its morph targets; primitives that share their vertices still
 attributes are taken where all have them. An attribute `_NAME` becomes NAME, the alpha of colours "alpha". Texture
 coordinates become those of corners, with v counted from below (glTF counts from above) and the material's texture
 transform applied; each material that triangles have becomes one picture: its base colour texture, else one pixel of its
-base colour factor. Numbers of vertices' colours are taken as they stand, as Open3D and trimesh do; factors are turned
-from linear to sRGB.
+base color factor. Vertex colors and factors are converted from linear light to sRGB. Vertex colors outside 0..1 are
+clamped with a warning. Vertex colors that are NaN or of an unknown type are left behind with a warning, and so are
+texture coordinates of an unknown type.
 
 What a mesh has no place for is left behind with one warning that lists it (gltf_left.py): points and lines, the factor
 of a material with a texture, everything else of materials, names of parts, animations, cameras and lights. Refused by

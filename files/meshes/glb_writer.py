@@ -1,12 +1,13 @@
 """A mesh as glTF 2.0: one node, one mesh, a primitive for each of its textures.
 
 A GLB holds all in one file, pictures as PNG inside; beside m.gltf, which is text, lie m.bin and m_0.png, m_1.png, ...
+A picture with an alpha other than 255 has the alphaMode MASK if its alphas are 0 and 255, else BLEND.
 Positions are float32 about the node's translation, so that coordinates far from zero stay exact. glTF has texture
 coordinates at vertices: a vertex whose corners have several is written several times. Triangles come in the order of
 their materials. An attribute NAME is written as _NAME, in its own type where glTF has it (float32, and whole numbers of
-up to 16 bits), else as float32 where that holds each value exactly; "alpha" beside colours is that of COLOR_0. Not
-held: other attributes and those of triangles (left out with a warning), material numbers of a mesh that has no
-textures, NaN.
+up to 16 bits), else as float32 where that holds each value exactly; "alpha" beside colors is that of COLOR_0. Vertex
+colors are converted from sRGB to linear light, which is what glTF stores. Not held: other attributes and those of
+triangles (left out with a warning), material numbers of a mesh that has no textures, NaN.
 
 Source: Khronos, "glTF 2.0 Specification".
 """
@@ -28,8 +29,10 @@ from numpy.typing import NDArray
 from ...core.atomic import atomic_write, check_writable
 from ...core.coordinates import quiet, split_origin
 from ...core.errors import FileError
+from ...core.escaped_text import escaped
+from ..color_space import srgb_to_linear
 from ..pictures.image_files import encode_png
-from ..pictures.texture_files import derived_name, picture_names, write_with
+from ..pictures.texture_files import alpha_mode, derived_name, picture_names, write_with
 from ..table import MeshTable
 from .glb_container import BINARY_CHUNK, JSON_CHUNK, MAGIC
 from .gltf_arrays import COMPONENTS
@@ -113,7 +116,7 @@ def _scene_of(path: Path, mesh: MeshTable) -> _Scene:
     mesh, left_out = held_by_gltf(mesh)
     if left_out:
         message = f"{path}: {', '.join(left_out)} left out, since glTF cannot hold that; .ply holds everything"
-        warnings.warn(message, UserWarning, stacklevel=4)
+        warnings.warn(escaped(message), UserWarning, stacklevel=4)
     if not len(mesh.triangles):
         raise FileError(path, "GLB cannot hold a mesh without triangles", remedy="Write .ply")
     with quiet():
@@ -132,10 +135,12 @@ def _scene_of(path: Path, mesh: MeshTable) -> _Scene:
 def _columns(mesh: MeshTable, positions: NDArray[Any]) -> dict[str, NDArray[Any]]:
     """The values at vertices by their names in the file, shape [m, c]."""
     colors, attributes = mesh.vertex_colors, dict(mesh.attributes)
-    if colors is not None and ALPHA in attributes:
-        alpha = attributes[ALPHA]
+    if colors is not None:
+        colors = srgb_to_linear(colors)
+        alpha = attributes.get(ALPHA, np.empty((0, 0)))
         if alpha.ndim == 1 and alpha.dtype.kind == "f" and ((alpha >= 0) & (alpha <= 1)).all():
-            colors = np.column_stack([colors, attributes.pop(ALPHA)]).astype(np.float32)
+            colors = np.column_stack([colors, attributes.pop(ALPHA)])
+        colors = colors.astype(np.float32)
     found = {"POSITION": positions, "NORMAL": mesh.vertex_normals, "COLOR_0": colors}
     found |= {f"_{name}": _column_of(values) for name, values in attributes.items()}
     return {name: values for name, values in found.items() if values is not None}
@@ -204,11 +209,13 @@ def _assemble(
     }
     images = list({id(picture): picture for picture in mesh.textures}.values())
     if images:
+        modes = {id(picture): alpha_mode(picture) for picture in images}
         places = {id(picture): number for number, picture in enumerate(images)}
         content |= {
             "textures": [{"source": number} for number in range(len(images))],
-            "materials": [_material(places[id(picture)], picture) for picture in mesh.textures],
+            "materials": [_material(places[id(picture)], modes[id(picture)]) for picture in mesh.textures],
         }
+        images = [picture[..., :3] if modes[id(picture)] == "OPAQUE" else picture for picture in images]
     return _Scene(content, body, images)
 
 
@@ -221,10 +228,10 @@ def _text(scene: _Scene, images: list[dict[str, Any]], buffer: dict[str, Any]) -
     return json.dumps(content, separators=(",", ":")).encode("ascii")
 
 
-def _material(texture: int, picture: NDArray[np.uint8]) -> dict[str, Any]:
+def _material(texture: int, mode: str) -> dict[str, Any]:
     look = {"baseColorTexture": {"index": texture}, "metallicFactor": 0.0, "roughnessFactor": 1.0}
     material: dict[str, Any] = {"pbrMetallicRoughness": look, "doubleSided": True}
-    return material | ({"alphaMode": "BLEND"} if picture.shape[2] == 4 else {})
+    return material | ({} if mode == "OPAQUE" else {"alphaMode": mode})
 
 
 class _Body:

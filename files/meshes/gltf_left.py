@@ -5,6 +5,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Hashable
 
+from ...core.escaped_text import escaped
 from .gltf_compression import DRACO, MESHOPT
 from .gltf_file import GltfFile
 
@@ -46,8 +47,6 @@ class LeftBehind:
             self.add("metallic-roughness maps", number)
         if (look.get("metallicFactor", 1.0), look.get("roughnessFactor", 1.0)) not in ((1, 1), (0, 1)):
             self.add("metallic and roughness factors", number)
-        if material.get("alphaMode", "OPAQUE") == "MASK":
-            self.add("alpha cutoffs", number)
 
     def add_scene(self, nodes: list[int], materials: list[int]) -> None:
         """Note what stands beside the meshes: names of parts, animations, cameras, extensions."""
@@ -72,7 +71,7 @@ class LeftBehind:
             return
         told = [f"{words} ({len(things)})" if things else words for words, things in self._words.items()]
         message = f"{self._file.path}: parts that a mesh has no place for are left behind: {', '.join(told)}"
-        warnings.warn(message, UserWarning, stacklevel=stacklevel + 1)
+        warnings.warn(escaped(message), UserWarning, stacklevel=stacklevel + 1)
 
 
 def check_required(file: GltfFile) -> None:

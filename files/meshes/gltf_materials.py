@@ -1,7 +1,8 @@
 """The materials of a glTF file as pictures: the texture of the base colour, else one pixel of its factor.
 
 Only materials that triangles have are looked at; a picture that several have is decoded once and shared. Factors are
-turned from linear light to sRGB.
+converted from linear light to sRGB. Alpha is kept where the material blends (alphaMode BLEND), becomes 0 or 1 by the
+cutoff where it masks (MASK), and is dropped where the material is opaque (OPAQUE, the default).
 
 Source: Khronos, "glTF 2.0 Specification", section 3.9, KHR_texture_transform and KHR_materials_pbrSpecularGlossiness.
 """
@@ -15,7 +16,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..pictures.texture_files import decode_textures
+from ...core.errors import FileError
+from ..color_space import linear_to_srgb
+from ..pictures.texture_files import decode_textures, drop_alpha
 from ..source import open_source
 from .gltf_arrays import GltfArrays
 from .gltf_left import SPECULAR, LeftBehind
@@ -39,12 +42,14 @@ class BaseColor:
         coordinates: Which texture coordinates it takes.
         transform: The affine transform of those, shape [2, 3], v counted from above; None for none.
         factor: Red, green, blue and alpha, linear.
+        cutoff: The least alpha of the texture, 0..1, that is shown; 0 shows all of it opaque, None blends it.
     """
 
     texture: Any = None
     coordinates: int = 0
     transform: NDArray[np.float64] | None = None
     factor: tuple[float, ...] = (1.0, 1.0, 1.0, 1.0)
+    cutoff: float | None = 0.0
 
 
 class Materials:
@@ -73,7 +78,12 @@ class Materials:
         if older is not None:
             look, names = older, ("diffuseFactor", "diffuseTexture")
         factor = file.numbers(look, names[0], what, [1.0] * 4)
-        if material.get("alphaMode", "OPAQUE") != "BLEND":
+        mode, cutoff = material.get("alphaMode", "OPAQUE"), 0.0
+        if mode == "MASK":
+            given = file.numbers({"alphaCutoff": [material.get("alphaCutoff", 0.5)]}, "alphaCutoff", what, [0.5])[0]
+            cutoff = given / factor[3] if factor[3] > 0 else np.inf if given > 0 else 0.0
+            factor[3] = 1 if names[1] in look or cutoff <= 1 else 0
+        elif mode != "BLEND":
             factor[3] = 1
         color = tuple(np.clip(factor, 0, 1).tolist())
         if names[1] not in look:
@@ -86,7 +96,7 @@ class Materials:
             transform = self._transform(moved, f"{_TRANSFORM} of {what}")
         if color != (1, 1, 1, 1):
             self._left.add("factors of base colours beside a texture", number)
-        return BaseColor(texture.get("index"), coordinates, transform, color)
+        return BaseColor(texture.get("index"), coordinates, transform, color, None if mode == "BLEND" else cutoff)
 
     def _transform(self, moved: dict[str, Any], what: str) -> NDArray[np.float64] | None:
         """Scale, then rotation, then offset; counter-clockwise as seen, so with v counted from above."""
@@ -100,10 +110,13 @@ class Materials:
         return None if np.array_equal(A, np.eye(2, 3)) else A
 
     def pictures(self, used: list[int]) -> tuple[tuple[NDArray[np.uint8], ...], list[int]]:
-        """One picture a material that is used, and the place of each use; none where all are plain white.
+        """One picture a material that is used, and the place of each use.
+
+        A picture has an alpha only where the material shows it. There are none where all materials are plain white, and
+        if a picture is damaged or all of them are too large together, which is noted as left behind.
 
         Raises:
-            FileError: A picture is damaged, or they are too large together.
+            FileError: A material or texture is damaged.
         """
         numbers = sorted(set(used), key=lambda number: (number < 0, number))
         colors = [self.base_color(number) for number in numbers]
@@ -121,10 +134,23 @@ class Materials:
                 return (), []
             keys.append(key)
             given.setdefault(key, (name, data))
-        decoded = decode_textures(self._file.path, given)
-        pictures = [
-            _pixel(color.factor) if key is None else decoded[key] for key, color in zip(keys, colors, strict=True)
-        ]
+        try:
+            decoded = decode_textures(self._file.path, given)
+        except FileError as error:
+            self._left.add(f"the textures, since {error}")
+            return (), []
+        made: dict[tuple[Hashable, float], NDArray[np.uint8]] = {}
+        pictures = []
+        for key, color in zip(keys, colors, strict=True):
+            if key is None:
+                pictures.append(_pixel(color.factor))
+                continue
+            picture = decoded[key]
+            if color.cutoff is not None and (picture.shape[2] == 4 or color.cutoff > 1):
+                if (key, color.cutoff) not in made:
+                    made[key, color.cutoff] = drop_alpha(picture, color.cutoff)
+                picture = made[key, color.cutoff]
+            pictures.append(picture)
         places = {number: place for place, number in enumerate(numbers)}
         return tuple(pictures), [places[number] for number in used]
 
@@ -151,8 +177,7 @@ class Materials:
 
 
 def _pixel(linear: tuple[float, ...]) -> NDArray[np.uint8]:
-    """A picture of one pixel, from linear light to sRGB (IEC 61966-2-1); with alpha where it is not whole."""
-    light = np.array(linear[:3])
-    curved = np.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055)
+    """A picture of one pixel, converted from linear light to sRGB; with alpha where it is not whole."""
+    curved = linear_to_srgb(np.array(linear[:3]))
     values = [*curved, linear[3]] if linear[3] < 1 else curved
     return np.rint(np.array(values) * 255).astype(np.uint8).reshape(1, 1, -1)

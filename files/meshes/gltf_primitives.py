@@ -15,6 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.coordinates import quiet
+from ...core.errors import FileError
+from ..color_space import linear_to_srgb
+from ..columns import fit_colors
 from .gltf_arrays import GltfArrays
 from .gltf_compression import DRACO, DracoMesh
 from .gltf_left import LeftBehind
@@ -152,14 +155,21 @@ class Primitive:
             raise self._file.error(f"POSITION of {self._what} {reason}", where=f"vertex {int(np.argmin(is_finite))}")
 
     def _colors(self, count: int) -> tuple[NDArray[Any] | None, dict[str, NDArray[Any]]]:
-        """Colours, and their alpha as an attribute where it is not 1 everywhere."""
+        """Colors in sRGB, and their alpha as an attribute where it is not 1 everywhere; none if one is not finite."""
         if "COLOR_0" not in self._attributes:
             return None, {}
-        values = self._array("COLOR_0", ("VEC3", "VEC4"), _COLOR, count)
-        if not ((values >= 0) & (values <= 1)).all():
-            raise self._file.error(f"COLOR_0 of {self._what}: a colour is outside 0..1")
-        has_alpha = values.shape[1] == 4 and not (values[:, 3] == 1).all()
-        return values[:, :3], {ALPHA: values[:, 3].astype(np.float32)} if has_alpha else {}
+        try:
+            clamped, note = fit_colors([*self._array("COLOR_0", ("VEC3", "VEC4"), _COLOR, count).T], 1)
+        except FileError as error:
+            clamped, note = None, error.reason
+        if clamped is None:
+            self._left.add(f"the colors of {self._what}, since {note}")
+            return None, {}
+        if note:
+            self._left.add(f"the exact colors of {self._what}, since {note}")
+        has_alpha = clamped.shape[1] == 4 and not (clamped[:, 3] == 1).all()
+        colors = linear_to_srgb(clamped[:, :3]).astype(np.float32)
+        return colors, {ALPHA: clamped[:, 3]} if has_alpha else {}
 
     def _custom(self, count: int, taken: dict[str, NDArray[Any]]) -> dict[str, NDArray[Any]]:
         """The attributes whose names begin with an underscore, without it; all else is noted as left behind."""
@@ -272,7 +282,11 @@ class Primitive:
                 self._left.add(f"the texture coordinates {other[:60]}")
         if name not in self._attributes:
             return None
-        uvs = self._array(name, ("VEC2",), _UV, count).astype(np.float32)
+        try:
+            uvs = self._array(name, ("VEC2",), _UV, count).astype(np.float32)
+        except FileError as error:
+            self._left.add(f"the texture coordinates {name} of {self._what}, since {error.reason}")
+            return None
         with quiet():
             if transform is not None:
                 uvs = (uvs.astype(np.float64) @ transform[:, :2].T + transform[:, 2]).astype(np.float32)

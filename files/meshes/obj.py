@@ -11,10 +11,11 @@ coordinates gets (0, 0) where others have them. Materials that faces have are nu
 that it lacks (a warning) and faces without a material behind them, white.
 
 Left behind with a warning, as the geometry is whole without them, are normals or texture coordinates where a corner
-names one that is not there, colours that some vertices lack or that are outside 0..1, textures and material numbers
+names one that is not there, colors that some vertices lack or that are not finite, textures and material numbers
 where the .mtl or a picture is missing or its name leads out of the folder, names of objects, groups and materials
-without textures, points and lines. Left behind in silence are smoothing groups and lines that begin with $. Free-form
-surfaces and rational vertices are refused. Files in UTF-16 are read where they begin with its mark.
+without textures, points and lines. Vertex colors outside 0..1 are scaled or clamped with a warning. Left behind in
+silence are smoothing groups and lines that begin with $. Free-form surfaces and rational vertices are refused. Files in
+UTF-16 are read where they begin with its mark.
 
 Source: Wavefront's "Object Files (.obj)", with the vertex colours that MeshLab and Blender added.
 """
@@ -34,6 +35,7 @@ from numpy.typing import NDArray
 from ...core.atomic import check_writable
 from ...core.coordinates import quiet
 from ...core.errors import FileError
+from ...core.escaped_text import escaped
 from ...core.paths import path_of
 from ..ascii_rows import AsciiRows, row_format, unix_lines, write_rows
 from ..columns import check_reach, colors_or_loss, stack_normals, warn_left_out, warn_of_loss
@@ -42,7 +44,7 @@ from ..pictures.texture_files import derived_name, find_beside, write_with
 from ..source import open_source
 from ..table import MeshTable
 from .obj_corners import read_corners
-from .obj_materials import Material, material_name, materials_of, mtl_of, pictures_of
+from .obj_materials import Material, material_name, materials_of, move_uvs, mtl_of, pictures_of
 
 _PASSED_OVER = frozenset(b"vp s mg usemap maplib lod bevel c_interp d_interp shadow_obj trace_obj".split())
 _KINDS = (b"v", b"vt", b"vn")
@@ -66,12 +68,12 @@ def read_obj(path: str | os.PathLike[str], *, outside_files: bool = False) -> Me
     Raises:
         FileError: Missing, no face, a statement that is not known, a line with another number of values, vertices too
             far apart for float32, a face of fewer than three corners, a corner that is none or names a vertex that is
-            not there; says the line. Or an .mtl or a picture that is damaged.
+            not there; says the line.
 
     Warns:
         UserWarning: The file has normals that are not one a vertex, normals, texture coordinates or colours that are
-            not whole, faces that cross themselves, names, points or lines, or it names an .mtl, a picture or a material
-            that is not there.
+            not complete, faces that cross themselves, names, points or lines, or it names an .mtl, a picture or a
+            material that is missing or damaged.
     """
     path = path_of(path)
     statements = _read_statements(path)
@@ -261,12 +263,14 @@ def _add_textures(
     lacking = [name for name in statements.material_names if name not in known]
     if lacking:
         message = f"{path}: the material {lacking[0][:60]!r} is in none of {', '.join(statements.libraries)}"
-        warnings.warn(f"{message}; it is taken for white", UserWarning, stacklevel=4)
+        warnings.warn(escaped(f"{message}; it is taken for white"), UserWarning, stacklevel=4)
     materials += [Material(name) for name in lacking]
     known = {material.name: number for number, material in enumerate(materials)}
     numbers = np.array([*(known[name] for name in statements.material_names), len(materials)])
     if (used < 0).any():
         materials.append(Material(""))
+    if mesh.triangle_uvs is not None:
+        mesh.triangle_uvs = move_uvs(mesh.triangle_uvs, materials, numbers[used])
     mesh.textures, ids = pictures_of(path, materials, numbers[used], outside_files=outside_files)
     if mesh.textures and ids.any():
         mesh.triangle_material_ids = ids

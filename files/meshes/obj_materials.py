@@ -1,7 +1,13 @@
-"""MTL, the materials of an OBJ file: names with the colour Kd and the picture map_Kd. All else is passed over.
+"""MTL, the materials of an OBJ file: names with the color Kd and the image map_Kd, in any case. All else is skipped.
 
-A material with a picture is that picture, whatever its Kd; one with a colour alone is a picture of one pixel; one that
-says neither is white. So a mesh has one picture a material.
+A material with an image is that image, whatever its Kd; one with a color alone is an image of one pixel; one without
+both is white. So a mesh has one image a material. The alpha of an image is kept if the material has a map_d or a d
+below 1, and dropped otherwise; another image of map_d is left behind. The options -s and -o of map_Kd scale and shift
+the texture coordinates.
+
+A fault of a material never refuses the mesh. One warning lists the faults: colors that are no numbers (left behind) or
+outside 0..1 (clamped), options that are not read, lines before any newmtl and names that are defined twice (the first
+counts).
 
 Source: Wavefront, "MTL material format" (1995).
 """
@@ -9,96 +15,138 @@ Source: Wavefront, "MTL material format" (1995).
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.errors import FileError
-from ..pictures.texture_files import find_beside, picture_names, read_textures, warn_left_behind, why_missing
+from ...core.coordinates import quiet
+from ..pictures.texture_files import (
+    alpha_mode,
+    drop_alpha,
+    find_beside,
+    picture_names,
+    read_textures,
+    warn_left_behind,
+    why_missing,
+)
 from ..source import open_source
 
-# How many words follow each option of a map, at most; those of _MOVING shift or scale it.
+# How many words follow each option of a map, at most; those of _MOVING are fewer if a word is no number.
 _OPTIONS = {
     "-blendu": 1, "-blendv": 1, "-cc": 1, "-clamp": 1, "-texres": 1, "-imfchan": 1, "-bm": 1, "-boost": 1,
     "-type": 1, "-mm": 2, "-o": 3, "-s": 3, "-t": 3,
 }  # fmt: skip
 _MOVING = {"-mm": (0.0, 1.0), "-o": (0.0,) * 3, "-s": (1.0,) * 3, "-t": (0.0,) * 3}
+_MAX_NOTES = 5
 
 WHITE = (1.0, 1.0, 1.0)
 
 
 @dataclass
 class Material:
-    """A material: its name, the name of its picture and its colour, None where it says none."""
+    """A material of an MTL file.
+
+    Attributes:
+        name: As in the file.
+        picture: The name of its image, or None.
+        color: Red, green and blue in 0..1, or None.
+        opacity: The name of the image of its map_d, with options, or None.
+        is_opaque: True if it has no map_d and no d below 1.
+        scale, offset: What its texture coordinates u and v are multiplied by, and what is added then.
+    """
 
     name: str
     picture: str | None = None
     color: tuple[float, ...] | None = None
+    opacity: str | None = None
+    is_opaque: bool = True
+    scale: tuple[float, float] = (1.0, 1.0)
+    offset: tuple[float, float] = (0.0, 0.0)
 
 
 def read_mtl(path: str | os.PathLike[str]) -> list[Material]:
-    """The materials of an MTL file, in its order.
+    """Read the materials of an MTL file, in its order.
 
     Raises:
-        FileError: Unreadable, a material that is named twice, a colour that is not three numbers in 0..1, or a picture
-            that is shifted or scaled; says the line.
+        FileError: The file cannot be read.
+
+    Warns:
+        UserWarning: Faults of materials, which are left behind or clamped.
     """
-    text = bytes(open_source(path)[:]).decode("utf-8", "surrogateescape")
-    found: list[Material] = []
+    text = bytes(open_source(path)[:]).decode("utf-8", "surrogateescape").removeprefix("\ufeff")
+    found: dict[str, Material] = {}
+    notes: list[str] = []
+    current: Material | None = None
     for number, line in enumerate(text.splitlines(), 1):
         kind, _, rest = line.strip().replace("\t", " ").partition(" ")
-        where = f"line {number}"
+        kind, rest, note = kind.lower(), rest.strip(), ""
         if kind == "newmtl":
-            if any(material.name == rest.strip() for material in found):
-                raise FileError(path, f"the material {rest.strip()[:60]!r} is there twice", where=where)
-            found.append(Material(rest.strip()))
-        elif kind in ("Kd", "map_Kd"):
-            if not found:
-                raise FileError(path, f"{kind} stands before any newmtl", where=where)
-            if kind == "Kd":
-                found[-1].color = _parse_color(path, rest.split(), where)
-            else:
-                found[-1].picture = _parse_map(path, rest.strip(), where)
-    return found
+            current = Material(rest)
+            if rest in found:
+                note = f"the material {rest[:60]!r} is defined twice"
+            found.setdefault(rest, current)
+        elif kind in ("kd", "map_kd", "d", "map_d"):
+            note = f"{kind} comes before any newmtl" if current is None else _take(current, kind, rest)
+        if note:
+            notes.append(f"line {number}: {note}")
+    for material in found.values():
+        if material.opacity is not None and not material.opacity.endswith(material.picture or "\0"):
+            notes.append(f"the opacity map {material.opacity[:60]!r} of {material.name[:60]!r} is left behind")
+    if notes:
+        more = f"; and {len(notes) - _MAX_NOTES} more" if len(notes) > _MAX_NOTES else ""
+        warnings.warn(f"{path}: {'; '.join(notes[:_MAX_NOTES])}{more}", UserWarning, stacklevel=5)
+    return [*found.values()]
 
 
-def _parse_color(path: Any, words: list[str], where: str) -> tuple[float, ...]:
-    try:
-        values = tuple(float(word) for word in words)
-    except ValueError:
-        values = ()
-    if len(values) not in (1, 3) or not all(0 <= value <= 1 for value in values):
-        raise FileError(path, f"Kd: expected three numbers in 0..1, found {' '.join(words)[:60]!r}", where=where)
-    return values * (3 // len(values))  # one number is grey
+def _take(material: Material, kind: str, rest: str) -> str:
+    """Give a material the value of a statement; what of it is left behind, empty if nothing is."""
+    if kind == "map_kd":
+        return _take_map(material, rest)
+    if kind == "map_d":
+        material.opacity, material.is_opaque = rest, False
+        return ""
+    words = rest.partition("#")[0].split()
+    values = [float(word) for word in words if _is_number(word)]
+    if kind == "d":
+        material.is_opaque = material.is_opaque and not (values and values[-1] < 1)
+        return ""
+    if len(values) != len(words) or len(values) not in (1, 3) or not np.isfinite(values).all():
+        return f"Kd: expected three numbers in 0..1, got {rest[:60]!r}; it is left behind"
+    material.color = tuple(min(max(value, 0.0), 1.0) for value in values) * (3 // len(values))  # one number is gray
+    return "" if all(0 <= value <= 1 for value in values) else f"Kd {rest[:60]} is clamped to 0..1"
 
 
-def _parse_map(path: Any, text: str, where: str) -> str:
-    """The picture's name behind the options of a map."""
+def _take_map(material: Material, text: str) -> str:
+    """Take the name of an image and the options before it; what of them is left behind, empty if nothing is."""
+    lost = []
     while text.startswith("-"):
         option, _, rest = text.partition(" ")
         if option not in _OPTIONS:
-            raise FileError(path, f"map_Kd has the unknown option {option[:40]!r}", where=where)
+            lost.append(f"the unknown option {option[:40]!r} of map_Kd")
+            text = rest.rpartition(" ")[2]  # how many values it has is not known; names with blanks are rare
+            break
         values: list[str] = []
         while len(values) < _OPTIONS[option]:
             word, _, after = rest.lstrip().partition(" ")
-            if values and option in _MOVING and not _is_number(word):
+            if option in _MOVING and not _is_number(word):
                 break
             values.append(word)
             rest = after
-        if option in _MOVING and any(
-            not _is_number(word) or float(word) != neutral
-            for word, neutral in zip(values, _MOVING[option], strict=False)
-        ):
-            reason = f"map_Kd {option} {' '.join(values)[:40]}: pictures that are shifted or scaled are not read"
-            raise FileError(path, reason, where=where)
+        if option in _MOVING:
+            numbers = [*map(float, values), *_MOVING[option][len(values) :]]
+            if option in ("-s", "-o") and np.isfinite(numbers).all():
+                setattr(material, "scale" if option == "-s" else "offset", (numbers[0], numbers[1]))
+            elif tuple(numbers) != _MOVING[option]:
+                lost.append(f"the option {option} of map_Kd")
         text = rest.lstrip()
+    material.picture = text or None
     if not text:
-        raise FileError(path, "map_Kd names no picture", where=where)
-    return text
+        lost.append("map_Kd, which names no image")
+    return f"{', '.join(lost)} is left behind" if lost else ""
 
 
 def _is_number(word: str) -> bool:
@@ -113,7 +161,7 @@ def materials_of(path: Path, libraries: Sequence[str], *, outside_files: bool = 
     """The materials of the MTL files that an OBJ names; None, with a warning, where a file is missing.
 
     Raises:
-        FileError: An MTL file that is damaged.
+        FileError: An MTL file that cannot be read.
     """
     found: list[Material] = []
     for library in libraries:
@@ -132,8 +180,8 @@ def pictures_of(
 ) -> tuple[tuple[NDArray[np.uint8], ...], NDArray[np.int64]]:
     """One picture for each material that triangles have, in their order, and which of them each triangle has.
 
-    There are none at all where no such material has a picture or a colour, or a picture is missing. Materials with one
-    picture share it.
+    There are none at all where no such material has a picture or a color, or, with a warning, where a picture is
+    missing or damaged. Materials with one picture share it.
 
     Args:
         path: The OBJ file.
@@ -141,25 +189,40 @@ def pictures_of(
         ids: The material of each triangle.
         outside_files: Whether names that lead out of the folder are followed.
 
-    Raises:
-        FileError: A picture is damaged, or they are too large together.
     """
     used, numbers = np.unique(ids, return_inverse=True)
     materials = [materials[number] for number in used]
     if all(material.picture is None and material.color is None for material in materials):
         return (), numbers
     named = [material.picture for material in materials if material.picture is not None]
+    opaque: dict[int, NDArray[np.uint8]] = {}
     pictures = iter(read_textures(path, named, outside_files=outside_files))
     found = []
     for material in materials:
         if material.picture is None:
             color = np.array(material.color or WHITE)
             found.append(np.rint(color * 255).astype(np.uint8).reshape(1, 1, 3))
-        elif (picture := next(pictures, None)) is None:
+            continue
+        picture = next(pictures, None)
+        if picture is None:
             return (), numbers
-        else:
-            found.append(picture)
+        if material.is_opaque and picture.shape[2] == 4:
+            if id(picture) not in opaque:
+                opaque[id(picture)] = drop_alpha(picture)
+            picture = opaque[id(picture)]
+        found.append(picture)
     return tuple(found), numbers
+
+
+def move_uvs(uvs: NDArray[np.float32], materials: list[Material], ids: NDArray[np.int64]) -> NDArray[np.float32]:
+    """Texture coordinates of corners, float32 [3 t, 2], scaled and shifted by the material of each triangle."""
+    scale = np.array([material.scale for material in materials])
+    offset = np.array([material.offset for material in materials])
+    if (scale == 1).all() and (offset == 0).all():
+        return uvs
+    corners = np.repeat(ids, 3)
+    with quiet():
+        return (uvs * scale[corners] + offset[corners]).astype(np.float32)
 
 
 def material_name(number: int) -> str:
@@ -182,5 +245,7 @@ def mtl_of(
         else:
             name = first.setdefault(id(picture), name)
             lines += ["Kd 1 1 1", f"map_Kd {name}"]
+            if alpha_mode(picture) != "OPAQUE":
+                lines.append(f"map_d {name}")
             named[name] = picture
     return "\n".join([*lines, ""]).encode("ascii"), named

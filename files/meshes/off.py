@@ -1,13 +1,13 @@
 """OFF, text: vertices, with normals (NOFF), colours (COFF) and texture coordinates (STOFF), and faces of any size.
 
 Read are the headers [ST][C][N]OFF, with the counts behind them in the same line or in the next, and comments from # on.
-Colours are 0..255 where one of the file's is above 1, else 0..1, those of vertices and of faces for themselves. An
-alpha of vertices becomes the attribute `alpha` (uint8 of 0..255, float32 of 0..1) where one is not opaque. Colours of
-faces are the triangles' attribute `colors`; they are left behind with a warning where some faces lack them or have
-others, numbers of a table of colours always. Written are the counts of edges as 0, colours as 0..255, those of vertices
-with an alpha of 255 or the attribute `alpha`, as Open3D has them. Not held, and left out with a warning: texture
-coordinates, since those of a mesh belong to corners, and other attributes. Binary OFF and the spaces of other
-dimensions (4OFF, nOFF) are refused.
+Colors of vertices, and separately those of faces, are 0..255 if one is above 2 or if all are whole numbers and one is
+above 1, else 0..1. Colors outside their range are clamped with a warning. An alpha of vertices becomes the attribute
+`alpha` (uint8 of 0..255, float32 of 0..1) where one is not opaque. Colors of faces are the triangles' attribute
+`colors`; they are left behind with a warning where some faces lack them or have others, numbers of a table of colors
+always. Written are the counts of edges as 0, colors as 0..255, those of vertices with an alpha of 255 or the attribute
+`alpha`, as Open3D has them. Not held, and left out with a warning: texture coordinates, since those of a mesh belong to
+corners, and other attributes. Binary OFF and the spaces of other dimensions (4OFF, nOFF) are refused.
 
 Source: Geomview, "OFF Files".
 """
@@ -16,6 +16,7 @@ from __future__ import annotations
 
 import os
 import re
+import warnings
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -27,15 +28,7 @@ from ...core.atomic import atomic_write, check_writable
 from ...core.coordinates import quiet
 from ...core.errors import FileError
 from ..ascii_rows import AsciiRows, row_format, unix_lines, write_rows
-from ..columns import (
-    check_reach,
-    colors_or_loss,
-    colors_to_bytes,
-    stack_colors,
-    stack_normals,
-    warn_left_out,
-    warn_of_loss,
-)
+from ..columns import check_reach, color_scale, colors_to_bytes, fit_colors, stack_normals, warn_left_out, warn_of_loss
 from ..fans import split_faces
 from ..source import open_source
 from ..table import MeshTable
@@ -56,7 +49,8 @@ def read_off(path: str | os.PathLike[str]) -> MeshTable:
             no vertex; says the line or face.
 
     Warns:
-        UserWarning: Colours that are not whole are left behind; faces cross themselves.
+        UserWarning: Colors are clamped to their range; colors that are not complete or not finite are left behind;
+            faces cross themselves.
     """
     path = Path(path)
     body = unix_lines(bytes(open_source(path)[:]))
@@ -122,33 +116,24 @@ def _vertex_colors(
     path: Path, channels: list[NDArray[np.float64]]
 ) -> tuple[NDArray[np.float32] | None, dict[str, NDArray[Any]]]:
     """Colours, and as an attribute the alpha where it says something."""
-    in_bytes = _are_bytes(channels[:3])
-    colors = _colors_of(path, channels[:3], in_bytes)
-    if colors is None or len(channels) < 4 or (channels[3] == (255 if in_bytes else 1)).all():
+    full = color_scale(channels[:3])
+    colors = _fit(path, channels[:3], full, "colors")
+    if colors is None or len(channels) < 4 or (channels[3] == full).all():
         return colors, {}
-    full, dtype = (255, np.uint8) if in_bytes else (1, np.float32)
-    alpha = channels[3]
-    if not ((alpha >= 0) & (alpha <= full)).all() or (in_bytes and (np.floor(alpha) != alpha).any()):
-        warn_of_loss(path, "alpha values", f"one is outside 0..{full}", stacklevel=4)
+    alpha = _fit(path, channels[3:], full, "alpha values")
+    if alpha is None:
         return colors, {}
-    return colors, {"alpha": alpha.astype(dtype)}
+    return colors, {"alpha": np.rint(alpha[:, 0] * 255).astype(np.uint8) if full > 1 else alpha[:, 0]}
 
 
-def _are_bytes(channels: list[NDArray[np.float64]]) -> bool:
-    return any(bool((channel > 1).any()) for channel in channels)
-
-
-def _colors_of(path: Path, channels: list[NDArray[np.float64]], in_bytes: bool) -> NDArray[np.float32] | None:
-    """Colours of 0..255 or 0..1; None, with a warning, where one is outside."""
-    if not in_bytes:
-        return colors_or_loss(path, channels, stacklevel=5)
-    for channel in channels:
-        wrong = np.flatnonzero(~((channel >= 0) & (channel <= 255) & (np.floor(channel) == channel)))
-        if len(wrong):
-            reason = f"{channel[wrong[0]]:g} is no whole number in 0..255 (row {wrong[0]})"
-            warn_of_loss(path, "colours", reason, stacklevel=5)
-            return None
-    return stack_colors(path, [channel.astype(np.uint8) for channel in channels])
+def _fit(path: Path, channels: list[NDArray[np.float64]], full: int, what: str) -> NDArray[np.float32] | None:
+    """Channels of 0..full as values in 0..1; clamped with a warning, or None with a warning if one is not finite."""
+    values, note = fit_colors(channels, full)
+    if values is None:
+        warn_of_loss(path, what, note, stacklevel=5)
+    elif note:
+        warnings.warn(f"{path}: {what}: {note}", UserWarning, stacklevel=5)
+    return values
 
 
 def _faces_of(
@@ -191,12 +176,7 @@ def _face_colors(
         warn_of_loss(path, "colours of faces", reason, stacklevel=5)
         return None
     channels = [values[first + k] for k in range(width)]
-    in_bytes = _are_bytes(channels)
-    colors = _colors_of(path, channels[:3], in_bytes)
-    if colors is None or width == 3:
-        return colors
-    alpha = _colors_of(path, [channels[3]] * 3, in_bytes)
-    return None if alpha is None else np.concatenate([colors, alpha[:, :1]], axis=1)
+    return _fit(path, channels, color_scale(channels[:3]), "colors of faces")
 
 
 def held_by_off(mesh: MeshTable) -> tuple[MeshTable, list[str]]:

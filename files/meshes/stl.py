@@ -1,17 +1,24 @@
 """STL: triangles alone, each with its own corners and facet normal in float32. Written is the binary form.
 
-Read are both forms. Corners at exactly the same place become one vertex; facet normals, which the corners tell, names
-and the two bytes that some programs put colours into are left behind.
+Read are both forms. Corners at exactly the same place become one vertex; facet normals, which follow from the corners,
+and names are left behind.
+
+Colors of facets are the triangles' attribute `colors`. In the binary form they are the two attribute bytes: 5 bits a
+channel with the flag 0x8000 (VisCAM, SolidView), or, if the header has a default color "COLOR=" (Materialise Magics), 5
+bits a channel in the opposite order, and the default color where the flag is set. In the text form they are lines
+"color r g b" or "color r g b a", inside a facet for that facet, outside for those that follow. Facets without a color
+are white, with a warning. Attribute bytes that are no colors are left behind with a warning.
 
 Not held: which triangles share a vertex, float64 positions (rounded), vertex normals (the format stores facet normals,
-which are computed from the corners), and, left out with a warning, colours, attributes and textures.
+which are computed from the corners), and, left out with a warning, colors, attributes and textures.
 
-Source: 3D Systems, "StereoLithography Interface Specification" (1989).
+Source: 3D Systems, "StereoLithography Interface Specification" (1989); Wikipedia, "STL (file format)", for colors.
 """
 
 from __future__ import annotations
 
 import os
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -20,7 +27,7 @@ from numpy.typing import NDArray
 from ...core.atomic import atomic_write, check_writable
 from ...core.errors import FileError
 from ..ascii_rows import CHUNK_ROWS, AsciiRows, unix_lines
-from ..columns import check_reach, warn_left_out
+from ..columns import check_reach, colors_or_loss, warn_left_out, warn_of_loss
 from ..source import Source, open_source
 from ..table import MeshTable
 
@@ -29,6 +36,8 @@ _FACET = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute
 # Must not begin with "solid", by which readers tell the text form.
 _HEADER = b"binary STL written by pointloom".ljust(80)
 _HEADER_BYTES = 84
+_FLAG = 0x8000
+_DEFAULT_COLOR = b"COLOR="
 
 # The lines of a facet in the text form: the words that each begins with, and how many numbers follow.
 _LINES = (
@@ -43,20 +52,26 @@ def read_stl(path: str | os.PathLike[str]) -> MeshTable:
 
     Returns:
         The mesh; vertices in the order in which the facets name them first, float32 of the binary form and float64 of
-        the text. Facets without area are kept.
+        the text. Facets without area are kept. If a facet has a color, `triangle_attributes["colors"]` has all colors.
 
     Raises:
         FileError: Missing, neither form, without facets, a size that does not fit the number of facets, a line that is
             not what the text form has there, a corner that is not finite, or corners too far apart for float32; says
             where.
+
+    Warns:
+        UserWarning: Some facets have no color, colors are out of range, or there are attribute bytes that are no
+            colors.
     """
     path = Path(path)
     source = open_source(path)
     count = int.from_bytes(source[80:_HEADER_BYTES], "little")
     if len(source) >= _HEADER_BYTES and len(source) == _HEADER_BYTES + count * _FACET.itemsize:
-        corners = np.frombuffer(source, _FACET, count, _HEADER_BYTES)["corners"].reshape(-1, 3).astype(np.float32)
+        facets = np.frombuffer(source, _FACET, count, _HEADER_BYTES)
+        corners = facets["corners"].reshape(-1, 3).astype(np.float32)
+        colors = _colors_of_bytes(path, bytes(source[:80]), facets["attribute_bytes"])
     elif source[:80].lstrip()[:5].lower() == b"solid":  # some binary files begin so too, but have the right size
-        corners = _read_text_corners(path, source)
+        corners, colors = _read_text(path, source)
     else:
         raise _wrong_size(path, source, count)
     wild = np.flatnonzero(~np.isfinite(corners).all(axis=1))
@@ -66,7 +81,35 @@ def read_stl(path: str | os.PathLike[str]) -> MeshTable:
         raise FileError(path, "holds no facets")
     check_reach(path, corners)
     vertices, triangles = _merge(corners)
-    return MeshTable(vertices, triangles.reshape(-1, 3)).checked()
+    values = {} if colors is None else {"colors": colors}
+    return MeshTable(vertices, triangles.reshape(-1, 3), triangle_attributes=values).checked()
+
+
+def _colors_of_bytes(path: Path, header: bytes, values: NDArray[np.uint16]) -> NDArray[np.float32] | None:
+    """The colors of facets by their attribute bytes, float32 [t, 3 or 4]; None if there are none."""
+    fives = (values[:, None] >> np.array([10, 5, 0], np.uint16)) & 31
+    colors, flagged = fives.astype(np.float32) / np.float32(31), (values & _FLAG) != 0
+    begin = header.find(_DEFAULT_COLOR)
+    if begin >= 0 and begin + 10 <= len(header):
+        default = np.frombuffer(header, np.uint8, 4, begin + 6) / np.float32(255)
+        found = np.hstack([colors[:, ::-1], np.full((len(values), 1), default[3])])
+        found[flagged] = default
+        return found if default[3] < 1 else np.ascontiguousarray(found[:, :3])
+    if not flagged.any():
+        if values.any():
+            warn_of_loss(path, "attribute bytes of facets", "they are no colors", stacklevel=4)
+        return None
+    return _with_white(path, colors, flagged)
+
+
+def _with_white(path: Path, colors: NDArray[np.float32], has_color: NDArray[np.bool_]) -> NDArray[np.float32]:
+    """Colors of facets, white where they have none; with a warning if there are such."""
+    if not has_color.all():
+        lacking = int(np.count_nonzero(~has_color))
+        message = f"{path}: {lacking} of {len(colors)} facets have no color; they are taken for white"
+        warnings.warn(message, UserWarning, stacklevel=5)
+        colors = np.where(has_color[:, None], colors, np.float32(1))
+    return colors
 
 
 def _wrong_size(path: Path, source: Source, count: int) -> FileError:
@@ -78,32 +121,68 @@ def _wrong_size(path: Path, source: Source, count: int) -> FileError:
     return FileError(path, reason, where=f"byte {min(len(source), expected)}", remedy="The file may be cut off")
 
 
-def _read_text_corners(path: Path, source: Source) -> NDArray[np.float64]:
-    """The corners of the text form, shape [3 t, 3], every line held against what the form has there."""
+def _read_text(path: Path, source: Source) -> tuple[NDArray[np.float64], NDArray[np.float32] | None]:
+    """The corners of the text form, shape [3 t, 3], and the colors of facets; each line is checked.
+
+    Colors, shape [t, 3 or 4], are None if no line gives one.
+    """
     body = bytes(source[:])
     lines = unix_lines(body).split(b"\n")
     numbers, place, is_open = [b""] * len(lines), 0, False
+    current, colors = b"", {}  # by facet
+    count = 0
     for k, line in enumerate(lines):
         words = line.split()
         if not words:
             continue
         word = words[0].lower()
-        if place == 0 and word in (b"solid", b"endsolid") and is_open == (word == b"endsolid"):
-            is_open = not is_open
+        if is_open and word == b"color":
+            if place:
+                colors[count] = b" ".join(words[1:])
+            else:
+                current = b" ".join(words[1:])
             continue
-        begin, count = _LINES[place]
+        if place == 0 and word in (b"solid", b"endsolid") and is_open == (word == b"endsolid"):
+            is_open, current = not is_open, b""
+            continue
+        begin, width = _LINES[place]
         named = begin.split()
-        right = is_open and [w.lower() for w in words[: len(named)]] == named and len(words) == len(named) + count
+        right = is_open and [w.lower() for w in words[: len(named)]] == named and len(words) == len(named) + width
         if not right:
-            expected = begin.decode() + " and three numbers" * (count > 0) if is_open else "solid"
+            expected = begin.decode() + " and three numbers" * (width > 0) if is_open else "solid"
             shown = line.strip()[:40].decode("ascii", "backslashreplace")
             raise FileError(path, f"expected {expected}, found {shown!r}", where=f"line {k + 1}")
         numbers[k] = b" ".join(words[len(named) :])
+        if not place and current:
+            colors[count] = current
         place = (place + 1) % len(_LINES)
+        count += not place
     if is_open:
         raise FileError(path, "truncated: ends without endsolid", where=f"line {len(lines)}")
     rows = AsciiRows(path, b"\n".join(numbers), 1)
-    return np.ascontiguousarray(rows.numbers().reshape(-1, 4, 3)[:, 1:].reshape(-1, 3))
+    corners = np.ascontiguousarray(rows.numbers().reshape(-1, 4, 3)[:, 1:].reshape(-1, 3))
+    return corners, _colors_of_lines(path, colors, count) if colors else None
+
+
+def _colors_of_lines(path: Path, lines: dict[int, bytes], count: int) -> NDArray[np.float32] | None:
+    """The colors of facets by the numbers in their color lines; None, with a warning, if some are no colors."""
+    values, width = np.ones((count, 4)), 4
+    for facet, line in lines.items():
+        try:
+            numbers = [float(word) for word in line.split()]
+        except ValueError:
+            numbers = []
+        if len(numbers) not in (3, 4):
+            shown = line[:40].decode("ascii", "backslashreplace")
+            warn_of_loss(path, "colors", f"a color is three or four numbers, found {shown!r}", stacklevel=5)
+            return None
+        values[facet, : len(numbers)], width = numbers, min(width, len(numbers))
+    found = colors_or_loss(path, [values[[*lines], k] for k in range(width)], stacklevel=5)
+    if found is None:
+        return None
+    colors, has_color = np.ones((count, width), np.float32), np.zeros(count, bool)
+    colors[[*lines]], has_color[[*lines]] = found, True
+    return _with_white(path, colors, has_color)
 
 
 def _merge(corners: NDArray[np.floating]) -> tuple[NDArray[np.floating], NDArray[np.int64]]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -10,7 +11,7 @@ from ...core.errors import FileError
 from ..columns import narrow_integers, warn_of_loss
 from ..points.e57 import read_frames
 from ..points.e57_writer import unstorable_in_e57
-from ..points.formats import READERS, with_fitting_names, write_table
+from ..points.formats import READERS, read_points, with_fitting_names, write_table
 from ..points.las import open_las
 from ..points.las_records import system_of
 from ..points.las_writer import unstorable_in_las
@@ -36,19 +37,24 @@ def is_mesh_file(path: str | os.PathLike[str]) -> bool:
     return any(element.name in ("face", STRIPS) and element.count > 0 for element in header.elements)
 
 
-def read_table(path: str | os.PathLike[str]) -> PointTable | MeshTable:
+def read_table(path: str | os.PathLike[str], columns: Sequence[str] | None = None) -> PointTable | MeshTable:
     """Read a file as a mesh where it has faces, as all formats of meshes but .ply always have, else as a cloud.
+
+    Args:
+        path: The file.
+        columns: The names of the columns of a cloud, as of `read_point_cloud`.
 
     Raises:
         FileError: A file that cannot be read, or an extension that is none of those read.
+        TypeError, ValueError: `columns` that do not suit.
     """
     suffix = Path(path).suffix.lower()
-    if suffix in MESH_READERS and (suffix != ".ply" or is_mesh_file(path)):
+    if columns is None and suffix in MESH_READERS and (suffix != ".ply" or is_mesh_file(path)):
         return MESH_READERS[suffix](path)
     if suffix not in READERS:
         remedy = f"Clouds are read from {' '.join(READERS)}, meshes from {' '.join(MESHES)}"
         raise FileError(path, f"unknown extension {suffix!r}", remedy=remedy)
-    return READERS[suffix](path)
+    return read_points(path, columns)
 
 
 def write_cloud_table(
@@ -73,6 +79,7 @@ def write_cloud_table(
         FileError: The place cannot be written, or the cloud lacks what the format needs.
     """
     suffix, left_out = Path(path).suffix.lower(), []
+    lost = ["viewpoint"] if table.viewpoint is not None and suffix != ".pcd" else []
     if suffix in _HELD:
         table, left_out = _as_text_holds(table, _HELD[suffix])
     elif suffix == ".e57":
@@ -91,7 +98,7 @@ def write_cloud_table(
         if beside:
             warn_of_loss(path, f"{' and the '.join(beside)} of the source", "E57 is written with points alone")
     write_table(path, table, ascii=as_text, overwrite=overwrite, like=like, frames=frames)
-    return left_out
+    return left_out + lost
 
 
 def write_mesh_table(

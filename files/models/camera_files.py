@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.camera_models import CameraModel
 from ...cameras.picture_names import number_of
-from ...cameras.trajectory import Trajectory, read_trajectory
+from ...cameras.trajectory import Trajectory, read_poses_and_gaps
 from ...core.checks import check_list, check_name
 from ...core.errors import FileError
 from ...core.json_files import read_json_object
@@ -87,8 +87,9 @@ def read_cameras(
     if pictures is None:
         raise ValueError("pictures: a trajectory names none; expected the names of its pictures")
     names = [check_name("pictures", name) for name in check_list("pictures", pictures, "names")]
-    trajectory = read_trajectory(place)
-    chosen = _poses_of(place, trajectory, names)
+    trajectory = read_poses_and_gaps(place)
+    lost = np.asarray(np.isnan(trajectory.poses).any(axis=(1, 2)))
+    chosen = [None if row is None or lost[row] else row for row in _poses_of(place, trajectory, names)]
     kept = [i for i, row in enumerate(chosen) if row is not None]
     if not kept:
         raise FileError(place, "holds the pose of none of the pictures", remedy=f"Their names are such as {names[0]}")

@@ -20,6 +20,7 @@ from ...cameras.camera_models import CameraModel
 from ...core.checks import check_rigid
 from ...core.errors import FileError
 from ...core.json_files import read_json_object
+from ...kernels.linear_algebra import inv
 from ..pictures.image_files import read_picture_header
 from .colmap_records import camera_of
 from .sfm_model import SfmModel
@@ -164,9 +165,7 @@ def _pose(path: Path, where: str, rows: NDArray[np.float64]) -> NDArray[np.float
         T = check_rigid("the pose", T) @ AXES
     except ValueError as error:
         raise FileError(path, str(error), where=where) from error
-    pose = np.eye(4)
-    pose[:3, :3], pose[:3, 3] = T[:3, :3].T, -T[:3, :3].T @ T[:3, 3]
-    return pose
+    return inv(T)
 
 
 def _model(
@@ -199,7 +198,7 @@ def _numbers(path: Path, where: str, values: Mapping[str, Any], name: str, count
         raise FileError(path, f"missing key {name}", where=where, remedy=_EXPORTED)
     try:
         array = np.array(values[name], np.float64)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         array = np.full(1, np.nan)
     if isinstance(values[name], str | bool) or not (np.abs(array) <= 1e100).all() or count not in (None, array.size):
         wanted = "numbers" if count is None else f"{count} finite number{'s' * (count != 1)}"

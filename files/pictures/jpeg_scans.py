@@ -27,7 +27,7 @@ _OTHER_FRAMES = {*range(0xC3, 0xD0)} - {0xC4, 0xC8, 0xCC}  # lossless, hierarchi
 _STANDALONE = {0x01, *range(0xD0, 0xD8)}
 
 # A scan ends at the first marker that is neither a stuffed zero nor a restart.
-_SCAN_END = re.compile(rb"\xff+[^\x00\xd0-\xd7\xff]")
+_SCAN_END = re.compile(rb"\xff(?=[^\x00\xd0-\xd7\xff])")
 _RESTART = re.compile(rb"\xff[\xd0-\xd7]")
 
 # libjpeg fills a register of 64 bits before each code. A run of ones is no code: a block takes at least 34 of them.
@@ -105,9 +105,10 @@ def _walk(path: Any, data: bytes) -> _Layout:
             if found is None:
                 reason = "cut off: the end of the JPEG is missing"
                 raise FileError(path, reason, where=f"byte {len(data)}", remedy=_REMEDY)
-            _check_scan(path, data[place : found.start()], place, layout, layout.unit_count(components))
-            layout.scans.append((place, found.start()))
-            place = found.start()
+            coded = data[place : found.start()].rstrip(b"\xff")  # a marker may have several bytes of 0xff before it
+            _check_scan(path, coded, place, layout, layout.unit_count(components))
+            layout.scans.append((place, place + len(coded)))
+            place += len(coded)
 
 
 def _check_scan(path: Any, coded: bytes, begin: int, layout: _Layout, units: int) -> None:

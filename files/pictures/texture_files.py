@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write
 from ...core.errors import FileError
+from ...core.escaped_text import escaped
 from ...core.paths import path_of
 from ..source import Source, open_source
 from .image_files import decode_texture, encode_png, parse_picture_header
@@ -62,12 +63,13 @@ def why_missing(name: str, *, outside_files: bool) -> str:
 def read_textures(
     path: str | os.PathLike[str], names: list[str], *, outside_files: bool = False
 ) -> tuple[NDArray[np.uint8], ...]:
-    """The pictures of these names beside a mesh file; none at all, with a warning, where one is missing.
+    """Read the pictures of these names beside a mesh file.
 
     A picture that several names mean is decoded once, and they share it.
 
-    Raises:
-        FileError: A picture is damaged, or no PNG or JPEG, or all of them are too large together.
+    Returns:
+        The pictures; none at all, with a warning, if one is missing, damaged or neither PNG nor JPEG, or if
+        all of them are too large together.
     """
     places = [find_beside(path, name, outside_files=outside_files) for name in names]
     missing = [name for name, place in zip(names, places, strict=True) if place is None]
@@ -77,7 +79,11 @@ def read_textures(
         return ()
     files = {place: place.resolve() for place in places if place is not None}
     given = {file: (place, open_source(place)) for place, file in reversed(files.items())}
-    pictures = decode_textures(path, {file: given[file] for file in dict.fromkeys(files.values())})
+    try:
+        pictures = decode_textures(path, {file: given[file] for file in dict.fromkeys(files.values())})
+    except FileError as error:
+        warn_left_behind(path, str(error))
+        return ()
     return tuple(pictures[files[place]] for place in places if place is not None)
 
 
@@ -105,9 +111,27 @@ def decode_textures(
     return pictures
 
 
+def alpha_mode(picture: NDArray[np.uint8]) -> str:
+    """The mode of glTF that shows the alpha of a picture: OPAQUE, MASK if it is 0 or 255 everywhere, else BLEND."""
+    if picture.shape[2] < 4 or (picture[..., 3] == 255).all():
+        return "OPAQUE"
+    return "MASK" if np.isin(picture[..., 3], (0, 255)).all() else "BLEND"
+
+
+def drop_alpha(picture: NDArray[np.uint8], cutoff: float = 0.0) -> NDArray[np.uint8]:
+    """A picture without alpha, read-only; or with an alpha of 0 and 255 if some alphas, of 0..1, are below a cutoff."""
+    alpha = picture[..., 3] if picture.shape[2] == 4 else np.full(picture.shape[:2], 255, np.uint8)
+    shown = alpha / np.float32(255) >= cutoff
+    found = np.ascontiguousarray(picture[..., :3])
+    if not shown.all():
+        found = np.dstack([found, np.where(shown, 255, 0).astype(np.uint8)])
+    found.flags.writeable = False
+    return found
+
+
 def warn_left_behind(path: Any, reason: str) -> None:
     """Warn that textures are left behind, for a reason."""
-    warnings.warn(f"{path}: the textures are left behind, since {reason}", UserWarning, stacklevel=5)
+    warnings.warn(escaped(f"{path}: the textures are left behind, since {reason}"), UserWarning, stacklevel=5)
 
 
 def derived_name(path: str | os.PathLike[str], ending: str) -> str:

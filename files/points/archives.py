@@ -51,17 +51,35 @@ def read_archive(
     arrays = _read_members(path, what)
     if arrays.get("format", np.zeros(0)).tobytes() != form:
         raise FileError(path, f"is no {form.decode()} file", remedy=f"Write one with {writer}")
-    expected = {"format": (np.uint8, (len(form),)), **expected_of(arrays)}
+    if reason := find_wrong_array(arrays, {"format": (np.uint8, (len(form),)), **expected_of(arrays)}):
+        raise FileError(path, reason)
+    if reason := find_fault(arrays):
+        raise FileError(path, reason, remedy="The file was changed after it was saved")
+    return arrays
+
+
+def find_wrong_array(arrays: Arrays, expected: Expected) -> str:
+    """The first array that is missing, unknown or of another type or shape than expected; empty if there is none."""
     if arrays.keys() != expected.keys():
         missing, extra = sorted(expected.keys() - arrays.keys()), sorted(arrays.keys() - expected.keys())
-        raise FileError(path, f"lacks {', '.join(missing)}" if missing else f"holds unknown arrays {', '.join(extra)}")
+        return f"lacks {', '.join(missing)}" if missing else f"holds unknown arrays {', '.join(extra)}"
     for name, (dtype, shape) in expected.items():
         found = arrays[name]
         if found.dtype != dtype or found.shape != shape:
             got = f"{found.dtype} {list(found.shape)}"
-            raise FileError(path, f"{name}: expected {np.dtype(dtype)} {list(shape)}, got {got}")
-    if reason := find_fault(arrays):
-        raise FileError(path, reason, remedy="The file was changed after it was saved")
+            return f"{name}: expected {np.dtype(dtype)} {list(shape)}, got {got}"
+    return ""
+
+
+def check_arrays(state: Any, expected_of: Callable[[Arrays], Expected], find_fault: Callable[[Arrays], str]) -> Arrays:
+    """Check the arrays of a pickle as those of an archive.
+
+    Raises:
+        ValueError: They are damaged.
+    """
+    arrays = {name: np.asarray(values) for name, values in dict(state).items()}
+    if reason := find_wrong_array(arrays, expected_of(arrays)) or find_fault(arrays):
+        raise ValueError(reason)
     return arrays
 
 

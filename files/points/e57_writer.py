@@ -197,13 +197,23 @@ def _write_scan(
     buffers = libe57.VectorSourceDestBuffer()
     for field, block in blocks.items():
         buffers.append(libe57.SourceDestBuffer(image, field, block, len(block), True, True))
-    writer = vector.writer(buffers)
-    for begin in range(0, count, BLOCK):
-        added = min(BLOCK, count - begin)
-        for field, values in columns.items():
-            blocks[field][:added] = values[begin : begin + added]
-        writer.write(added)
-    writer.close()
+    writer = None
+    try:
+        writer = vector.writer(buffers)
+        for begin in range(0, count, BLOCK):
+            added = min(BLOCK, count - begin)
+            for field, values in columns.items():
+                blocks[field][:added] = values[begin : begin + added]
+            writer.write(added)
+        writer.close()
+    except BaseException:
+        # libE57 crashes if the image is closed before its writer. No Python code may run first: Ctrl-C could end it.
+        try:
+            if writer is not None:
+                writer.close()
+        except Exception:  # the first error is the cause
+            pass
+        raise
 
 
 def _integer_range(values: NDArray[Any]) -> tuple[int, int]:

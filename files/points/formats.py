@@ -23,7 +23,7 @@ from .las import read_las
 from .las_header import LasHeader
 from .ptx import read_ptx
 from .text import read_text, write_text
-from .text_table import read_text_table
+from .text_table import SUFFIXES, check_columns, read_text_table
 
 _READERS: dict[str, Callable[..., PointTable]] = {
     ".ply": tells_unit(PLY)(ply.read_ply), ".pcd": tells_unit(PCD)(pcd.read_pcd), ".npz": npz.read_npz,
@@ -36,6 +36,27 @@ _READERS: dict[str, Callable[..., PointTable]] = {
 READERS = {extension: netted(reader) for extension, reader in _READERS.items()}
 
 COPC = ".copc.laz"
+
+_NAMED_COLUMNS: dict[str, Callable[..., PointTable]] = {
+    **dict.fromkeys(SUFFIXES, netted(read_text_table)), ".bin": READERS[".bin"],
+}  # fmt: skip
+
+
+def read_points(path: str | os.PathLike[str], columns: Sequence[str] | None = None) -> PointTable:
+    """Read a cloud by the reader of its extension, which is one of READERS, with the names of its columns if given.
+
+    Raises:
+        FileError: The file cannot be read.
+        TypeError: `columns` are no names.
+        ValueError: `columns` of a format that names its columns itself, without x, y and z, or with a name twice.
+    """
+    extension = Path(path).suffix.lower()
+    if columns is None:
+        return READERS[extension](path)
+    if extension not in _NAMED_COLUMNS:
+        raise ValueError(f"columns: only {', '.join(_NAMED_COLUMNS)} take them, got {Path(path).suffix}")
+    return _NAMED_COLUMNS[extension](path, check_columns(columns))
+
 
 #: The extensions that clouds are written to.
 WRITTEN = tuple(extension for extension in READERS if extension not in (".csv", ".txt", ".asc", ".bin", ".ptx"))

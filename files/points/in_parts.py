@@ -126,9 +126,11 @@ def open_in_parts(path: str | os.PathLike[str]) -> RowsInParts | LasInParts | No
             return None
         columns = _held(path, ply.vertex_columns(path, source))
         return RowsInParts(path, source, columns, ply.table_of, unit_in_header(source, PLY))
-    if read_pcd_header(path, source).encoding != "binary":
+    header = read_pcd_header(path, source)
+    pcd.warn_of_viewpoint(path, header.viewpoint)
+    if header.encoding != "binary":
         return None
-    fields, _ = pcd.point_fields(path, source)
+    fields = pcd.point_fields(path, source, header)
     return RowsInParts(path, source, fields, pcd.table_of, unit_in_header(source, PCD))
 
 

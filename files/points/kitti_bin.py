@@ -1,44 +1,117 @@
-"""LiDAR scans as KITTI stores them: float32 x, y, z, intensity, one point after another, without any header.
+"""LiDAR scans without a header: float32 columns, one point after another, as KITTI, nuScenes and others store them.
 
-Nothing in such a file says what it holds, so the reader can only refuse what cannot be one: a size that is no whole
-number of points, coordinates that no scanner measures.
+Without names of the columns the file is taken for a scan of KITTI: x, y, z, intensity. Nothing in the file says so.
+The reader therefore refuses a size that is not a whole number of points, coordinates that no scanner measures, and
+numbers that repeat with the period of another number of columns.
 
-Source: Geiger et al. 2012; the development kit of the KITTI odometry benchmark.
+Source: Geiger et al. 2012; the development kit of the KITTI odometry benchmark; Caesar et al. 2020 (nuScenes).
 """
 
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
+from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...core.errors import FileError
 from ..source import open_source
 from ..table import PointTable
+from .text_table import check_columns, table_of
 
-COLUMNS = 4
+KITTI = ("x", "y", "z", "intensity")
+LAYOUTS = {
+    3: "x y z",
+    4: "x y z intensity (KITTI)",
+    5: "x y z intensity ring (nuScenes)",
+    6: "x y z intensity ring time",
+    7: "x y z and four others",
+    8: "x y z and five others",
+}
 FARTHEST = 1e6  # [m] no scanner sees as far; other data read as float32 nearly always holds larger numbers
+MIN_POINTS = 64  # fewer points have no reliable statistics
+SAMPLE = 840 * 120  # numbers that the statistics are made of: whole points of each layout
+PERIOD_MARGIN = 0.1  # of the variance that another number of columns has to explain beside that of KITTI
 
 
-def read_kitti_bin(path: str | os.PathLike[str]) -> PointTable:
-    """Read one scan, with the attribute `intensity`.
+def read_kitti_bin(path: str | os.PathLike[str], columns: Sequence[str] | None = None) -> PointTable:
+    """Read one scan of float32 columns.
 
     Points that are not finite are kept.
 
+    Args:
+        path: The file.
+        columns: The names of the columns: x, y, z and attributes in any order. None for x, y, z, intensity.
+
     Raises:
-        FileError: Missing, empty, not a multiple of 16 bytes, or numbers that are no coordinates; says where.
+        FileError: Missing, empty, not a whole number of points, numbers that are no coordinates, or, without
+            `columns`, numbers of another layout; names the place and the layouts that fit.
+        TypeError, ValueError: `columns` without x, y and z, or with a name twice.
     """
+    names = [*KITTI] if columns is None else check_columns(columns)
     source = open_source(path)
-    step = COLUMNS * 4
+    step = len(names) * 4
     if len(source) % step:
-        reason = f"{len(source)} bytes are not a multiple of {step}: float32 x, y, z, intensity a point"
-        remedy = "The file may be cut off, or have other columns"
+        reason = f"{len(source)} bytes are not a multiple of {step}: float32 {', '.join(names)} a point"
+        remedy = f"The file may be cut off, or have other columns{_fitting(len(source))}"
         raise FileError(path, reason, where=f"byte {len(source) // step * step}", remedy=remedy)
-    rows = np.frombuffer(source, "<f4").reshape(-1, COLUMNS).astype(np.float32)
+    rows = np.frombuffer(source, "<f4").reshape(-1, len(names)).astype(np.float32)
+    if columns is None:
+        _check_layout(path, rows)
+    points = rows[:, [names.index(axis) for axis in ("x", "y", "z")]]
     with np.errstate(invalid="ignore"):
-        wild = np.isfinite(rows[:, :3]) & (np.abs(rows[:, :3]) > FARTHEST)
+        wild = np.isfinite(points) & (np.abs(points) > FARTHEST)
     if wild.any():
-        row, column = (int(v) for v in np.argwhere(wild)[0])
-        reason = f"point {row} has the coordinate {rows[row, column]}; this is no scan of float32 x, y, z, intensity"
-        raise FileError(path, reason, where=f"byte {row * step + 4 * column}")
-    return PointTable(np.ascontiguousarray(rows[:, :3]), attributes={"intensity": rows[:, 3].copy()})
+        row, axis = (int(v) for v in np.argwhere(wild)[0])
+        reason = f"point {row} has the coordinate {points[row, axis]}; this is no scan of float32 {', '.join(names)}"
+        byte = row * step + 4 * names.index("xyz"[axis])
+        raise FileError(path, reason, where=f"byte {byte}", remedy=f"Check the layout{_fitting(len(source))}")
+    return table_of(Path(path), dict(zip(names, np.ascontiguousarray(rows.T), strict=True)))
+
+
+def _fitting(size: int) -> str:
+    """The layouts that a number of bytes is a multiple of, for messages."""
+    layouts = [layout for width, layout in LAYOUTS.items() if not size % (4 * width)]
+    return f"; give columns= with all names. The size fits {'; '.join(layouts)}" if layouts else ""
+
+
+def _check_layout(path: str | os.PathLike[str], rows: NDArray[np.float32]) -> None:
+    """Raise a FileError if the numbers repeat with the period of another number of columns than four.
+
+    In the right layout each column has a distribution of its own, so the column explains a part of the variance. For
+    any other number of columns it explains no more than that.
+    """
+    if len(rows) < MIN_POINTS:
+        return
+    values = rows.ravel()
+    explained = {width: _explained(values, width) for width in LAYOUTS if values.size % width == 0 and width != 8}
+    gains = {width: float((part - explained[4]).max()) for width, part in explained.items()}
+    width = max(gains, key=lambda found: gains[found])
+    if gains[width] <= PERIOD_MARGIN:
+        if values.size % 8 or not _has_whole_column(values.reshape(-1, 8)[:SAMPLE]):
+            return
+        width = 8
+    raise FileError(
+        path,
+        f"is no scan of float32 x, y, z, intensity: its numbers repeat every {width}",
+        remedy=f"Give columns= with the names of all {width}, such as {LAYOUTS[width]}",
+    )
+
+
+def _explained(values: NDArray[np.float32], width: int) -> NDArray[np.float64]:
+    """The fraction of the variance that the column explains: of the size, the sign and whether a number is whole."""
+    rows = np.nan_to_num(values[:SAMPLE].astype(np.float64), posinf=0, neginf=0).reshape(-1, width)
+    features = np.stack([np.log1p(np.abs(rows)), rows < 0, rows == np.floor(rows)])
+    total = features.var(axis=(1, 2))
+    between = features.mean(axis=1).var(axis=1)
+    return np.divide(between, total, out=np.zeros(3), where=total > 1e-12)
+
+
+def _has_whole_column(rows: NDArray[np.float32]) -> bool:
+    """True if, of points of eight numbers, one of the last has whole numbers alone and the coordinates have none."""
+    with np.errstate(invalid="ignore"):
+        whole = (rows == np.floor(rows)) & (rows >= 0) & (rows <= 255)
+    varies = (rows != rows[0]).any(axis=0)
+    return bool((whole & varies).all(axis=0)[4:7].any() and not whole.all(axis=0)[:3].any())

@@ -13,6 +13,7 @@ import struct
 import warnings
 from typing import Any
 
+from ...core.escaped_text import escaped
 from .las_header import PROJECTION, LasHeader
 
 WKT, _KEYS, _ASCII = 2112, 34735, 34737
@@ -76,7 +77,7 @@ def warn_of_degrees(path: Any, is_lonlat: bool, *, stacklevel: int) -> None:
         message = (
             f"{path}: x and y are degrees of longitude and latitude, not lengths: project_to_utm(cloud) gives metres"
         )
-        warnings.warn(message, GeographicWarning, stacklevel=stacklevel)
+        warnings.warn(escaped(message), GeographicWarning, stacklevel=stacklevel)
 
 
 def find_text(header: LasHeader) -> str:

@@ -13,6 +13,7 @@ from dataclasses import replace
 from typing import Any
 
 from ...core.errors import FileError
+from ...core.escaped_text import escaped
 from ...core.units import LengthUnit
 from ..foreign import import_for
 from .las_crs import WKT, crs_name, find_keys, find_text
@@ -102,9 +103,5 @@ def _is_user_defined(keys: dict[int, tuple[int, ...]], key: int) -> bool:
 
 def _lost(header: LasHeader, reason: str) -> None:
     name = crs_name(header) or "of its keys"
-    warnings.warn(
-        f"the coordinate system {name} is written as GeoTIFF keys alone, which many readers pass over in point formats "
-        f"of LAS 1.4: {reason}",
-        LostSystemWarning,
-        stacklevel=2,
-    )
+    message = f"the coordinate system {name} is written as GeoTIFF keys alone, which many readers pass over in point "
+    warnings.warn(escaped(f"{message}formats of LAS 1.4: {reason}"), LostSystemWarning, stacklevel=2)

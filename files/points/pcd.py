@@ -3,7 +3,8 @@
 Roles of fields: x y z are positions; normal_x normal_y normal_z normals; rgb or rgba (4 bytes 0xAARRGGBB, declared F, U
 or I), or the three fields r g b, colours; every other field is an attribute, of shape [n, c] where its COUNT is c > 1.
 The alpha of an rgba field becomes the attribute `alpha` (uint8). Padding fields named "_" are skipped. Points of an
-organised cloud (HEIGHT > 1) are kept as they are, NaN rows included. VIEWPOINT is checked and not applied, as in PCL.
+organised cloud (HEIGHT > 1) are kept as they are, NaN rows included. VIEWPOINT is not applied, as in PCL; the table
+keeps it. Colours of a text whose field is "nan" are left out with a warning.
 
 Writing: positions in the table's own type, normals as F 4, colours rounded to 8 bits as rgb (U 4), or as rgba where
 there is an attribute `alpha` of type uint8, attributes in their own type with COUNT c for shape [n, c].
@@ -14,6 +15,7 @@ Source: the PCD v0.7 format description of the Point Cloud Library; pcl/io/src/p
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Container, Sequence
 from pathlib import Path
 from typing import IO, Any, Literal
@@ -30,12 +32,11 @@ from ..source import Source, open_source
 from ..table import PointTable
 from . import lzf
 from .header_units import unit_comment
-from .pcd_header import ENCODINGS, read_header
-from .pcd_payload import read_payload
+from .pcd_header import ENCODINGS, STANDING, PcdHeader, read_header
+from .pcd_payload import PACKED, read_payload
 
 _POINTS: tuple[str, ...] = ("x", "y", "z")
 _NORMALS: tuple[str, ...] = ("normal_x", "normal_y", "normal_z")
-_PACKED = ("rgb", "rgba")
 _CHANNELS = ("r", "g", "b")
 _TYPES = "i1 u1 i2 u2 i4 u4 i8 u8 f4 f8"
 _TYPE_REMEDY = "Convert it to an integer, float32 or float64, or write NPZ"
@@ -60,18 +61,17 @@ def read_pcd(path: str | os.PathLike[str]) -> PointTable:
     """
     path = Path(path)
     source = open_source(path)
-    fields, grid = point_fields(path, source)
-    table = table_of(path, fields)
-    table.grid = grid
+    header = read_header(path, source)
+    table = table_of(path, point_fields(path, source, header))
+    table.grid = (header.height, header.width) if header.height > 1 and header.point_count else None
+    table.viewpoint = header.viewpoint
     return table
 
 
-def point_fields(path: Path, source: Source) -> tuple[dict[str, NDArray[Any]], tuple[int, int] | None]:
-    """The fields of the points, once the file is held to its header, of the binary encoding views into it; the grid."""
-    header = read_header(path, source)
+def point_fields(path: Path, source: Source, header: PcdHeader) -> dict[str, NDArray[Any]]:
+    """The fields of the points, once the file is held to its header, of the binary encoding views into it."""
     _check_positions(path, {field.name: (field.dtype, field.count) for field in header.fields})
-    grid = (header.height, header.width) if header.height > 1 and header.point_count else None
-    return read_payload(path, source, header), grid
+    return read_payload(path, source, header)
 
 
 def table_of(path: Path, fields: dict[str, NDArray[Any]]) -> PointTable:
@@ -91,6 +91,17 @@ def table_of(path: Path, fields: dict[str, NDArray[Any]]) -> PointTable:
     elif "channels" in roles:
         colors = stack_colors(path, [fields.pop(name) for name in _CHANNELS])
     return PointTable(points, normals, colors, {name: own(values) for name, values in fields.items()})
+
+
+def warn_of_viewpoint(path: Any, viewpoint: tuple[float, ...] | None, stacklevel: int = 3) -> None:
+    """Warn of a sensor's pose that is not applied to the points."""
+    if viewpoint is not None:
+        numbers = " ".join(f"{value:g}" for value in viewpoint)
+        message = (
+            f"{path}: VIEWPOINT {numbers} (position, quaternion w x y z) is not applied: if the points are in the "
+            "sensor's frame, cloud.transform with this pose places them"
+        )
+        warnings.warn(message, UserWarning, stacklevel=stacklevel + 1)
 
 
 def write_pcd(
@@ -151,7 +162,7 @@ def _role_names(names: Container[str], dims: dict[str, int]) -> dict[str, tuple[
     roles: dict[str, tuple[str, ...]] = {}
     if all(name in single for name in _NORMALS):
         roles["normals"] = _NORMALS
-    packed = next((name for name in _PACKED if name in names), None)
+    packed = next((name for name in PACKED if name in names), None)
     if packed is not None:
         roles["packed"] = (packed,)
     elif all(name in single for name in _CHANNELS):
@@ -170,7 +181,7 @@ def _unpack_colors(path: Any, name: str, packed: NDArray[Any]) -> tuple[NDArray[
 
 def name_rules(table: PointTable) -> NameRules:
     """The names that attributes may have as fields."""
-    used = {*_POINTS, *_PACKED, "_", *(_NORMALS if table.normals is not None else ())}
+    used = {*_POINTS, *PACKED, "_", *(_NORMALS if table.normals is not None else ())}
     roles = [*([_NORMALS] if table.normals is None else []), *([_CHANNELS] if table.colors is None else [])]
     return NameRules(is_word, used, roles, in_parts=False)
 
@@ -209,6 +220,7 @@ def _fields(path: Any, table: PointTable) -> dict[str, NDArray[Any]]:
 
 def _header(table: PointTable, fields: dict[str, NDArray[Any]], encoding: str) -> bytes:
     height, width = table.grid or (1, len(table.points))
+    viewpoint = " ".join(np.format_float_positional(value, trim="-") for value in table.viewpoint or STANDING)
     counts = [1 if values.ndim == 1 else values.shape[1] for values in fields.values()]
     return "\n".join(
         [
@@ -221,7 +233,7 @@ def _header(table: PointTable, fields: dict[str, NDArray[Any]], encoding: str) -
             "COUNT " + " ".join(str(count) for count in counts),
             f"WIDTH {width}",
             f"HEIGHT {height}",
-            "VIEWPOINT 0 0 0 1 0 0 0",
+            f"VIEWPOINT {viewpoint}",
             f"POINTS {len(table.points)}",
             f"DATA {encoding}",
             "",

@@ -13,7 +13,10 @@ from typing import Any
 import numpy as np
 
 from ...core.errors import FileError
+from ...core.escaped_text import escaped
 from ..source import MAX_HEADER_BYTES, Source, parse_whole
+
+STANDING = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)  # a VIEWPOINT at the origin
 
 #: The encodings that a DATA line may name.
 ENCODINGS = ("ascii", "binary", "binary_compressed")
@@ -53,6 +56,7 @@ class PcdHeader:
         encoding: One of `ENCODINGS`.
         size: Bytes up to the payload.
         line_count: Lines up to the payload.
+        viewpoint: Position and quaternion w x y z of the sensor; None at the origin.
     """
 
     fields: list[Field]
@@ -61,6 +65,7 @@ class PcdHeader:
     encoding: str
     size: int
     line_count: int
+    viewpoint: tuple[float, ...] | None = None
 
     @property
     def point_count(self) -> int:
@@ -89,9 +94,9 @@ def read_header(path: Any, source: Source) -> PcdHeader:
     words, line = lines.get("VERSION", (["0.7"], 0))
     if len(words) != 1 or words[0] not in _VERSIONS:
         raise FileError(path, f"unknown version {' '.join(words)[:60]!r}; known are 0.5 to 0.7", where=f"line {line}")
-    _check_viewpoint(path, lines)
+    viewpoint = _parse_viewpoint(path, lines)
     width, height = _parse_extent(path, lines)
-    return PcdHeader(_parse_fields(path, lines), width, height, encoding, size, line_count)
+    return PcdHeader(_parse_fields(path, lines), width, height, encoding, size, line_count, viewpoint)
 
 
 def _header_lines(path: Any, source: Source) -> tuple[_Lines, int, int]:
@@ -164,7 +169,7 @@ def _parse_extent(path: Any, lines: _Lines) -> tuple[int, int]:
     points = numbers.get("POINTS", width * height)
     if width * height == 0 and points:  # as PCL where HEIGHT is 0, and Open3D
         message = f"{path}: WIDTH x HEIGHT is 0, so that the {points} points of POINTS are one row"
-        warnings.warn(message, UserWarning, stacklevel=5)
+        warnings.warn(escaped(message), UserWarning, stacklevel=5)
         return points, 1
     if points != width * height:
         raise FileError(
@@ -186,11 +191,14 @@ def _require(path: Any, lines: _Lines, key: str) -> tuple[list[str], int]:
     return lines[key]
 
 
-def _check_viewpoint(path: Any, lines: _Lines) -> None:
-    words, line = lines.get("VIEWPOINT", (["0"] * 7, 0))
+def _parse_viewpoint(path: Any, lines: _Lines) -> tuple[float, ...] | None:
+    if "VIEWPOINT" not in lines:
+        return None
+    words, line = lines["VIEWPOINT"]
     try:
-        good = len(words) == 7 and all(math.isfinite(float(word)) for word in words)
+        numbers = tuple(float(word) for word in words)
     except ValueError:
-        good = False
-    if not good:
+        numbers = ()
+    if len(numbers) != 7 or not all(map(math.isfinite, numbers)):
         raise FileError(path, f"VIEWPOINT: expected 7 numbers, found {' '.join(words)[:60]!r}", where=f"line {line}")
+    return None if numbers in (STANDING, (0.0,) * 7) else numbers

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,9 @@ from ..ascii_rows import AsciiRows
 from ..source import Source
 from . import lzf
 from .pcd_header import Field, PcdHeader
+
+PACKED = ("rgb", "rgba")  # fields of colours 0xAARRGGBB
+UNREADABLE = "the text of field {!r} is nan, as PCL wrote colours with red from 128 on; write the file as binary"
 
 # PCL up to 1.7 sizes a compressed file as if the payload began on the second memory page, and so leaves this many zero
 # bytes less the length of the header behind it.
@@ -111,6 +115,7 @@ def _read_ascii(path: Any, source: Source, header: PcdHeader) -> dict[str, NDArr
         )
     rows.check_width(0, count, width)
     table = rows.numbers().reshape(count, width)
+    unmeasured = _unmeasured(header, table)
     words: list[bytes] | None = None
     fields: dict[str, NDArray[Any]] = {}
     column = 0
@@ -118,14 +123,41 @@ def _read_ascii(path: Any, source: Source, header: PcdHeader) -> dict[str, NDArr
         if field.name != "_":
             parts = []
             for k in range(column, column + field.count):
-                if field.dtype.kind in "iu" and field.dtype.itemsize == 8:  # float64 holds 53 bits of these
+                if field.name in PACKED and field.dtype == np.float32:
+                    parts.append(_packed_floats(path, table[:, k], unmeasured))
+                elif field.dtype.kind in "iu" and field.dtype.itemsize == 8:  # float64 holds 53 bits of these
                     words = rows.words() if words is None else words
                     parts.append(_exact_integers(path, rows, words[k::width], field))
                 else:
                     parts.append(rows.cast(table[:, k], field.dtype, field.name, 0))
-            fields[field.name] = parts[0] if field.count == 1 else np.stack(parts, axis=1)
+            if any(part is None for part in parts):
+                message = f"{path}: colours are left out: {UNREADABLE.format(field.name)}"
+                warnings.warn(message, UserWarning, stacklevel=7)
+            else:
+                fields[field.name] = parts[0] if field.count == 1 else np.stack(parts, axis=1)
         column += field.count
     return fields
+
+
+def _unmeasured(header: PcdHeader, table: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Which points of a text have NaN for all of x, y and z, so that their colour does not matter."""
+    ends = np.cumsum([field.count for field in header.fields])
+    places = [end - 1 for field, end in zip(header.fields, ends, strict=True) if field.name in ("x", "y", "z")]
+    return np.asarray(np.isnan(table[:, places]).all(axis=1))
+
+
+def _packed_floats(path: Any, column: NDArray[np.float64], unmeasured: NDArray[np.bool_]) -> NDArray[np.float32] | None:
+    """Packed colours of a text as the floats that have their bits; None if "nan" stands for some of them.
+
+    Whole numbers are the packed number itself, as some programs write it: the float of a colour is none.
+    """
+    if (np.isnan(column) & ~unmeasured).any():
+        return None
+    known = np.where(np.isnan(column), 0.0, column)
+    if (np.abs(known) >= 1).any() and ((known >= -(2**31)) & (known < 2**32) & (known == np.floor(known))).all():
+        return known.astype("<i8").astype("<u4").view("<f4")
+    with np.errstate(over="ignore"):
+        return known.astype("<f4")
 
 
 def _exact_integers(path: Any, rows: AsciiRows, words: list[bytes], field: Field) -> NDArray[Any]:

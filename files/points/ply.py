@@ -75,11 +75,14 @@ def read_ply(path: str | os.PathLike[str]) -> PointTable:
     Raises:
         FileError: Missing, not PLY, truncated, longer than its header says, or inconsistent.
 
+    Warns:
+        UserWarning: Colors are out of range: they are scaled, clamped or left behind, as `colors_or_loss` has it.
+
     Notes:
         Memory: the result, and for text files about 25 bytes for each number in the file.
     """
     path = Path(path)
-    return table_of(path, vertex_columns(path, open_source(path)))
+    return _table_of(path, vertex_columns(path, open_source(path)), colors_or_loss)
 
 
 def vertex_columns(path: Path, source: Source) -> dict[str, NDArray[Any]]:
@@ -91,8 +94,14 @@ def vertex_columns(path: Path, source: Source) -> dict[str, NDArray[Any]]:
 
 
 def table_of(path: Path, columns: Mapping[str, Column]) -> PointTable:
-    """The points of columns, or of some of their rows, as arrays of their own."""
-    points, normals, colors, attributes = _assign_roles(path, columns)
+    """The points of columns, or of some of their rows, as arrays of their own; colors out of range are refused."""
+    return _table_of(path, columns, stack_colors)
+
+
+def _table_of(
+    path: Path, columns: Mapping[str, Column], colors_of: Callable[..., NDArray[np.float32] | None]
+) -> PointTable:
+    points, normals, colors, attributes = _assign_roles(path, columns, colors_of)
     return PointTable(points, normals, colors, attributes)
 
 
@@ -109,12 +118,12 @@ def read_ply_mesh(path: str | os.PathLike[str], *, outside_files: bool = False) 
 
     Raises:
         FileError: As `read_ply`; also no faces, a face of fewer than three corners, or a corner that is no vertex; a
-            face with another number of texture coordinates or a texture that no comment names; a damaged picture;
-            vertices too far apart for float32.
+            face with another number of texture coordinates or a texture that no comment names; vertices too far
+            apart for float32.
 
     Warns:
-        UserWarning: A picture that is named does not lie beside the file, and none is taken; colours outside their
-            range, lists and elements that no mesh has are left behind; faces cross themselves.
+        UserWarning: A picture that is named is missing or damaged, and none is taken; colors are out of range; lists
+            and elements that no mesh has are left behind; faces cross themselves.
     """
     path = Path(path)
     source = open_source(path)
@@ -137,7 +146,7 @@ def read_ply_mesh(path: str | os.PathLike[str], *, outside_files: bool = False) 
         return is_scalar or prop in taken.get(element.name, ())
 
     columns = read_rows(path, source, header, wanted)
-    vertices, normals, colors, attributes = _assign_roles(path, columns["vertex"], colors_of=colors_or_loss)
+    vertices, normals, colors, attributes = _assign_roles(path, columns["vertex"], colors_or_loss)
     check_reach(path, vertices)
     mesh = MeshTable(vertices, np.empty((0, 3), np.int64), normals, colors, attributes)
     if "face" in by_name:
@@ -295,7 +304,7 @@ def _role_names(path: Any, names: Sequence[str] | Mapping[str, Any]) -> list[tup
 
 
 def _assign_roles(
-    path: Any, columns: Mapping[str, Column], *, colors_of: Callable[..., NDArray[np.float32] | None] = stack_colors
+    path: Any, columns: Mapping[str, Column], colors_of: Callable[..., NDArray[np.float32] | None]
 ) -> tuple[NDArray[Any], NDArray[np.float32] | None, NDArray[np.float32] | None, dict[str, NDArray[Any]]]:
     arrays = {name: column for name, column in columns.items() if not isinstance(column, ListColumn)}
     roles = _role_names(path, arrays)

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from ...core.errors import FileError
 from ..attribute_names import NameRules, is_word
-from ..columns import check_name, check_type, colors_to_bytes, own, stack_colors, warn_of_loss
+from ..columns import check_name, check_type, colors_or_loss, colors_to_bytes, own, warn_of_loss
 from .ply_header import TYPE_NAMES, PlyHeader
 from .ply_rows import Column, ListColumn
 
@@ -59,7 +59,7 @@ def strip_triangles(path: Any, strips: ListColumn, vertex_count: int) -> NDArray
 def triangle_attributes(
     path: Any, columns: Mapping[str, Column], lengths: NDArray[np.int64]
 ) -> dict[str, NDArray[Any]]:
-    """The scalars of faces for their triangles; colours that are outside their range are left behind with a warning."""
+    """The scalars of faces for their triangles; colors outside their range as `colors_or_loss` handles them."""
     scalars = {
         name: column
         for name, column in columns.items()
@@ -67,11 +67,9 @@ def triangle_attributes(
     }
     found: dict[str, NDArray[Any]] = {}
     if all(name in scalars for name in _COLORS):
-        try:
-            found["colors"] = _colors_of(path, scalars)
-        except FileError as error:
-            reason = f"{error.reason} ({error.where})" if error.where else error.reason
-            warn_of_loss(path, "colours of faces", reason, stacklevel=4)
+        colors = colors_or_loss(path, _color_channels(scalars), what="colors of faces", stacklevel=4)
+        if colors is not None:
+            found["colors"] = colors
     if "colors" in scalars:
         warn_of_loss(path, "values 'colors' of faces", "a mesh calls something else so", stacklevel=4)
         del scalars["colors"]
@@ -81,14 +79,12 @@ def triangle_attributes(
     return {name: np.repeat(values, lengths - 2, axis=0) for name, values in found.items()}
 
 
-def _colors_of(path: Any, scalars: dict[str, NDArray[Any]]) -> NDArray[np.float32]:
-    """Colours, with the alpha that goes with them, taken out of the scalars."""
+def _color_channels(scalars: dict[str, NDArray[Any]]) -> list[NDArray[Any]]:
+    """Take the colors out of the scalars, with the alpha if it has their type."""
     channels = [scalars.pop(name) for name in _COLORS]
-    colors = stack_colors(path, channels)
-    if _ALPHA not in scalars or scalars[_ALPHA].dtype != channels[0].dtype:
-        return colors
-    alpha = stack_colors(path, [scalars.pop(_ALPHA)] * 3)[:, :1]
-    return np.concatenate([colors, alpha], axis=1)
+    if _ALPHA in scalars and scalars[_ALPHA].dtype == channels[0].dtype:
+        channels.append(scalars.pop(_ALPHA))
+    return channels
 
 
 def warn_of_rest(path: Any, header: PlyHeader, columns: Mapping[str, Mapping[str, Column]]) -> None:

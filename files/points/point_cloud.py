@@ -22,11 +22,11 @@ from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import VECTORS, check_cloud
 from ..attribute_names import NameRules, new_names, warn_of_names
 from ..table import PointTable
-from . import text_table
 from .copc import open_copc
-from .formats import READERS, WRITTEN, write_table
+from .formats import READERS, WRITTEN, read_points, write_table
 from .las import LasFile, iterate_las, open_las
 from .las_crs import is_geographic, warn_of_degrees
+from .pcd import warn_of_viewpoint
 
 
 def read_point_cloud(
@@ -41,8 +41,9 @@ def read_point_cloud(
 
     Columns of .csv, .txt, .asc and .xyz are what a first line of names says: x y z, nx ny nz, r g b (0..1, or whole
     numbers in 0..255), and attributes by any other name. Without names three columns are x y z, and more are refused:
-    give `columns`. A line with the number of points, as CloudCompare writes it, is checked. A .bin is a scan of KITTI,
-    float32 x, y, z, intensity.
+    give `columns`. A line with the number of points, as CloudCompare writes it, is checked. A .bin holds float32
+    columns without names: x, y, z, intensity as KITTI has them, unless `columns` names others, such as x, y, z,
+    intensity, ring of nuScenes. A .bin whose numbers repeat with another period is refused.
 
     LAS and LAZ come in the file's own unit and coordinate system, which may be feet: `cloud.unit` says so where the
     file does (docs/units.md). Their dimensions are attributes by laspy's names (intensity, classification, gps_time and
@@ -56,19 +57,20 @@ def read_point_cloud(
         path: The file.
         device: Where the cloud goes.
         scan: For .e57 and .ptx: the scan to read, from 0; None reads all, with the attribute `scan_index`.
-        columns: For .csv, .txt, .asc and .xyz: the names of the columns, in place of those that the file may have.
+        columns: For .csv, .txt, .asc, .xyz and .bin: the names of all columns, in place of those of the file.
 
     Raises:
         FileError: The file cannot be read; says which byte or line, and why; or the package for it is missing.
         DeviceError: No such device.
         IndexError: There is no such scan.
-        ValueError: A scan of a file that is no .e57 or .ptx, columns of one that is no table of text, or columns
-            without x, y and z.
+        ValueError: A scan of a file that is no .e57 or .ptx, columns of one that names its own, or columns without x,
+            y and z.
 
     Warns:
         GeographicWarning: x and y are degrees.
         UnitWarning: z is in another unit than x and y, or the file tells two units.
-        UserWarning: Missing values of an attribute are a number: LAS declares one for integers of 64 bits.
+        UserWarning: Missing values of an attribute are a number: LAS declares one for integers of 64 bits. Or a PCD has
+            a VIEWPOINT, the pose of its sensor, which is not applied, or colors that are "nan".
 
     Example:
         >>> import pointloom as loom
@@ -81,16 +83,13 @@ def read_point_cloud(
         [5.0, 6.0]
     """
     extension = _extension(path)
-    reader = READERS[extension]
-    if columns is not None:
-        if extension not in text_table.SUFFIXES:
-            raise ValueError(f"columns: only {', '.join(text_table.SUFFIXES)} take them, got {Path(path).suffix}")
-        return cloud_of(text_table.read_text_table(path, columns), path, device=device)
-    if scan is None:
-        return cloud_of(reader(path), path, device=device)
+    if columns is not None or scan is None:
+        table = read_points(path, columns)
+        warn_of_viewpoint(path, table.viewpoint)
+        return cloud_of(table, path, device=device)
     if extension not in (".e57", ".ptx"):
         raise ValueError(f"scan: only .e57 and .ptx have scans, got {Path(path).suffix}")
-    return cloud_of(reader(path, scan=check_count("scan", scan, minimum=0)), path, device=device)
+    return cloud_of(READERS[extension](path, scan=check_count("scan", scan, minimum=0)), path, device=device)
 
 
 def read_las_chunks(

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
+from ...core.atomic import restore_folder
 from ...core.errors import FileError
 from ...core.paths import path_of
 from ...pcd.cloud import PointCloud
@@ -30,6 +31,7 @@ def list_scans(folder: str | os.PathLike[str]) -> list[Path]:
         FileError: No folder, no scan in it, or scans of several kinds, whose order would be a guess.
     """
     place = path_of(folder)
+    restore_folder(place)
     if not place.is_dir():
         raise FileError(folder, "is no folder" if place.exists() else "does not exist", remedy="Give a folder of scans")
     files = [path for path in place.iterdir() if path.suffix.lower() in READERS and path.is_file()]
@@ -48,8 +50,13 @@ def natural_key(path: Path) -> tuple[list[tuple[int, int, str]], str]:
     return [(1, int(part), "") if part.isdigit() else (0, 0, part) for part in parts if part], path.name
 
 
-def read_scans(scans: Scans, *, device: Any = None) -> Iterator[PointCloud]:
+def read_scans(scans: Scans, *, device: Any = None, columns: Sequence[str] | None = None) -> Iterator[PointCloud]:
     """The scans of a folder, of a list of files, or clouds as they are; each file is read when it is asked for.
+
+    Args:
+        scans: The folder, files or clouds.
+        device: Where files are read to.
+        columns: The names of the columns of files, as of `read_point_cloud`.
 
     Raises:
         FileError: As list_scans and read_point_cloud.
@@ -65,6 +72,6 @@ def read_scans(scans: Scans, *, device: Any = None) -> Iterator[PointCloud]:
         if isinstance(scan, PointCloud):
             yield scan
         elif isinstance(scan, str | os.PathLike):
-            yield read_point_cloud(scan, device=device)
+            yield read_point_cloud(scan, device=device, columns=columns)
         else:
             raise TypeError(f"scans: expected files or clouds, got {type(scan).__name__}")

@@ -92,7 +92,7 @@ def read_text_table(path: str | os.PathLike[str], columns: Sequence[str] | None 
         ValueError: `columns` without x, y and z, or with a name twice.
         TypeError: `columns` that are no names.
     """
-    given = None if columns is None else _check_given(columns)
+    given = None if columns is None else check_columns(columns)
     path = Path(path)
     body = unix_lines(bytes(open_source(path)[:]).removeprefix(b"\xef\xbb\xbf"))
     head = read_head(path, body)
@@ -113,7 +113,13 @@ def wrong_count(path: Any, declared: int | None, count: int) -> FileError:
     return FileError(path, reason, remedy="It was cut off, or the number is wrong")
 
 
-def _check_given(columns: Sequence[str]) -> list[str]:
+def check_columns(columns: Sequence[str]) -> list[str]:
+    """The names of columns in the library's spelling.
+
+    Raises:
+        TypeError: No names.
+        ValueError: x, y or z is missing, or a name occurs twice.
+    """
     if isinstance(columns, str) or not all(isinstance(name, str) for name in columns):
         raise TypeError(f"columns: expected names such as ['x', 'y', 'z'], got {columns!r}")
     names = [_canonical(name) for name in columns]
@@ -284,14 +290,14 @@ def check_fields(path: Path, rows: AsciiRows, text: bytes, delimiter: bytes | No
     raise FileError(path, f"expected {width} values in each line", remedy=_PARTED)
 
 
-def table_of(path: Path, columns: dict[str, NDArray[np.float64]], full: float | None = None) -> PointTable:
+def table_of(path: Path, columns: dict[str, NDArray[Any]], full: float | None = None) -> PointTable:
     """The table of columns by their names; `full` is what a full colour is, 1 or 255, where that is known.
 
     Raises:
         FileError: Nothing tells what the colours are, or normals that are none.
     """
 
-    def taken(names: tuple[str, ...]) -> list[NDArray[np.float64]]:
+    def taken(names: tuple[str, ...]) -> list[NDArray[Any]]:
         return [columns.pop(name) for name in names if name in columns]
 
     points = np.ascontiguousarray(np.stack(taken(POSITION), axis=1))

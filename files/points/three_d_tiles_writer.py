@@ -2,9 +2,11 @@
 
 Where the coordinate system is known each point is brought to the globe by itself, so that neither the curve of the
 Earth nor the scale of the map shows; elsewhere points keep their coordinates. Positions are float32 about the middle of
-their node, which stands in the GLB as a translation, with y up as glTF wants it. Colours are 8 bits; intensity and
-classification are the attributes _INTENSITY and _CLASSIFICATION. A node adds to the coarser ones (refine: ADD); what is
-drawn without the finer ones is off by the spacing of its level. Large trees are JSON files of some levels each.
+their node, which stands in the GLB as a translation, with y up as glTF wants it. Colors are the upper 8 bits of those
+of LAS, converted from sRGB to linear light of 16 bits, since glTF stores linear light and 8 bits of it would merge dark
+colors. Intensity and classification are the attributes _INTENSITY and _CLASSIFICATION. A node adds to the coarser ones
+(refine: ADD); what is drawn without the finer ones is off by the spacing of its level. Large trees are JSON files of
+some levels each.
 
 Source: OGC 22-025r4, "3D Tiles Specification 1.1"; Khronos, "glTF 2.0 Specification".
 """
@@ -20,12 +22,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...kernels.sampling.detail_levels import NODE_BITS
+from ..color_space import srgb_to_linear
 from .geodetic import Geodesy
 from .las import COLORS, LasFile
 from .las_units import units_of
 
 MARKER = "tileset.json"
-_POINTS, _FLOAT, _BYTE = 0, 5126, 5121
+_POINTS = 0
+_TYPES = {np.dtype(np.float32): 5126, np.dtype(np.uint16): 5123}
+_LINEAR = np.rint(srgb_to_linear(np.arange(256) / 255) * 65535).astype(np.uint16)  # of each 8-bit channel
 _ARRAY_BUFFER = 34962
 _STEP = 5  # levels of one JSON file
 _MOST = 4096  # nodes that are one JSON file whatever their levels
@@ -72,8 +77,8 @@ class ThreeDTilesWriter:
         record = self._record(rows, self._file.layout)
         columns = {"POSITION": np.column_stack([near[:, 0], near[:, 2], -near[:, 1]])}
         if COLORS[0] in (rows.dtype.names or ()):
-            colors = [rows[name] >> 8 for name in COLORS]
-            columns["COLOR_0"] = np.column_stack([*colors, np.full(len(rows), 255)]).astype(np.uint8)
+            colors = [_LINEAR[rows[name] >> 8] for name in COLORS]
+            columns["COLOR_0"] = np.column_stack([*colors, np.full(len(rows), 65535, np.uint16)])
         columns |= {name: np.asarray(record[field], np.float32) for name, field in _VALUES.items()}
         x, y, z = middle.tolist()
         (self._folder / f"{_name((level, *cell))}.glb").write_bytes(_glb(columns, [x, z, -y]))
@@ -140,7 +145,7 @@ def _glb(columns: dict[str, NDArray[Any]], translation: list[float]) -> bytes:
         width = values.shape[1] if values.ndim > 1 else 1
         accessor: dict[str, Any] = {
             "bufferView": len(views),
-            "componentType": _FLOAT if values.dtype == np.float32 else _BYTE,
+            "componentType": _TYPES[values.dtype],
             "count": len(values),
             "type": "SCALAR" if width == 1 else f"VEC{width}",
         }

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.errors import FileError
+from ...core.escaped_text import escaped
 from ...core.paths import path_of
 from ...pcd.splats import GaussianSplats
 from ..points.point_cloud import cloud_of, table_of, write_point_cloud
@@ -117,7 +118,7 @@ def _only_sound(path: Any, table: PointTable, drop: bool) -> PointTable:
     told = f"{count:,} of {len(sound):,} splats have a NaN, an infinite number or a rotation of no length"
     if not drop:
         raise FileError(path, told, where=f"splat {first}", remedy="drop_invalid=True of read_splats leaves them out")
-    warnings.warn(f"{path}: {told}, the first is splat {first}; they are left out", UserWarning, stacklevel=3)
+    warnings.warn(escaped(f"{path}: {told}, the first is splat {first}; they are left out"), UserWarning, stacklevel=3)
     attributes = {name: values[sound] for name, values in table.attributes.items()}
     return PointTable(table.points[sound], attributes=attributes)
 

@@ -30,6 +30,7 @@ HEADER = struct.Struct("<IIIBBBB")
 COLOR_SCALE = 0.15  # of the byte's span a unit of f_dc
 FLIPS = (1, -1, -1)  # from right, up, back to right, down, forward, and back
 HAS_EXTENSIONS = 2  # a flag
+_FREE_BYTES, _MAX_RATIO = 1 << 28, 1000  # of unpacked columns, whose number the header contains
 _ENTRY = struct.Struct("<QQ")
 
 
@@ -116,6 +117,9 @@ def _of_streams(path: Path, source: Source) -> tuple[SpzHeader, dict[str, NDArra
     start = place + header.streams * _ENTRY.size
     if place < 32 or start > len(source):
         raise FileError(path, f"a table at byte {place} of {len(source)}", where="byte 16")
+    total = header.splats * sum(header.columns.values())
+    if total > max(_FREE_BYTES, _MAX_RATIO * len(source)):  # positions alone do not pack so tightly
+        raise FileError(path, f"{header.splats:,} splats cannot be in {len(source):,} bytes", where="byte 8")
     data = {}
     for number, (name, width) in enumerate(header.columns.items()):
         packed, size = _ENTRY.unpack_from(source, place + number * _ENTRY.size)

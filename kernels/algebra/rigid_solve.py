@@ -208,8 +208,10 @@ def factor_system(h: triangle) -> square:
         inverse = float64(0.0)
         if d > 1.0e-15 * largest:
             inverse = 1.0 / d
-        else:
+        elif d - d == 0.0:
             d = 0.0
+        else:
+            inverse = d  # a step of zeros would be taken for convergence
         a[j * UNKNOWNS + j] = d
         for i in range(6):
             if i > j:
@@ -222,7 +224,7 @@ def factor_system(h: triangle) -> square:
 
 @func
 def solve_factored(a: square, b: vec6d) -> vec6d:
-    """The x with L D L^T x = b; unknowns without a pivot stay 0."""
+    """The x with L D L^T x = b; unknowns without a pivot stay 0, all are NaN if a pivot is."""
     x = vec6d(0.0)
     for j in range(6):
         v = b[j]
@@ -230,10 +232,13 @@ def solve_factored(a: square, b: vec6d) -> vec6d:
             v -= a[j * UNKNOWNS + k] * x[k]
         x[j] = v
     for j in range(6):
-        if a[j * UNKNOWNS + j] > 0.0:
-            x[j] = x[j] / a[j * UNKNOWNS + j]
-        else:
+        pivot = a[j * UNKNOWNS + j]
+        if pivot > 0.0:
+            x[j] = x[j] / pivot
+        elif pivot - pivot == 0.0:
             x[j] = 0.0
+        else:
+            x[j] = pivot
     for step in range(6):
         j = UNKNOWNS - 1 - step
         v = x[j]

@@ -124,7 +124,7 @@ def insert_keys_kernel(new_keys: array(dtype=int64), table: HashTable):
     insert_key(new_keys[i], table)
 
 
-@kernel
+@kernel(for_cpu=True)
 def insert_in_turn_kernel(keys: array(dtype=int64), first: int, count: int, table: HashTable):
     """Insert keys one after the other, those that move with their positions: of one thread."""
     i = tid()

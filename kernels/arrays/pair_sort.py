@@ -16,14 +16,14 @@ FEWEST = 1 << 15  # pairs: below that launches cost more than the sort
 LONGEST = 64  # pairs of a run: insertion takes the square of them
 
 
-@kernel
+@kernel(for_cpu=True)
 def count_runs_of_pairs_kernel(keys: array(dtype=int64), bits: int, counts: array(dtype=int32)):
     """How many pairs have each first number; whole numbers add up to the same in any order."""
     i = tid()
     atomic_add(counts, int(keys[i] >> int64(bits)), 1)
 
 
-@kernel
+@kernel(for_cpu=True)
 def fill_runs_kernel(
     keys: array(dtype=int64),
     bits: int,
@@ -38,7 +38,7 @@ def fill_runs_kernel(
     order[starts[first] + place] = i
 
 
-@kernel
+@kernel(for_cpu=True)
 def order_runs_kernel(
     keys: array(dtype=int64), starts: array(dtype=int32), order: array(dtype=int32), ordered: array(dtype=int64)
 ):

@@ -89,7 +89,7 @@ def solve_symmetric(matrix: np.ndarray, right: np.ndarray) -> np.ndarray:
     return factor.solve(right)
 
 
-@kernel
+@kernel(for_cpu=True)
 def count_entries_kernel(factor: SparseFactor, count: int):
     """The elimination tree, and how many entries each column of L has."""
     thread = tid()
@@ -108,7 +108,7 @@ def count_entries_kernel(factor: SparseFactor, count: int):
                     i = factor.parents[i]
 
 
-@kernel
+@kernel(for_cpu=True)
 def factor_columns_kernel(factor: SparseFactor, count: int, values: array(dtype=float64)):
     """A row of L after the other: those of its entries, in the order of the tree, from a sparse triangular solve."""
     thread = tid()
@@ -155,7 +155,7 @@ def factor_columns_kernel(factor: SparseFactor, count: int, values: array(dtype=
             factor.failed[0] = 1
 
 
-@kernel
+@kernel(for_cpu=True)
 def substitute_kernel(factor: SparseFactor, count: int, x: array(dtype=float64, ndim=2)):
     """L D L^T x = b in each row, with b in it at first."""
     i = tid()

@@ -19,7 +19,7 @@ from .side_by_side import read_together
 from .sort import argsort_keys
 
 
-@kernel
+@kernel(for_cpu=True)
 def mark_run_starts_kernel(keys: array(dtype=int64), starts: array(dtype=uint8)):
     """1 where a sorted key differs from the one before."""
     i = tid()

@@ -1,12 +1,31 @@
 """Masks over points: which lie in a box, which are finite. 12 B read and 1 B written a point."""
 
+from collections.abc import Sequence
+from typing import Any
+
 import numpy as np
 
 from ..algebra.transform import widen
-from ..array_types import Indices, Mask, Points, Vectors
+from ..array_types import Array2, Indices, Mask, Points, Vectors
+from ..arrays.bounds import bound_points
 from ..arrays.select import positions_of
-from ..lang import array, isfinite, kernel, launch, mat33d, tid, uint8, vec3, vec3d
-from ..memory import empty
+from ..lang import (
+    NAN,
+    array,
+    atomic_add,
+    float32,
+    func,
+    int32,
+    isfinite,
+    kernel,
+    launch,
+    mat33d,
+    tid,
+    uint8,
+    vec3,
+    vec3d,
+)
+from ..memory import clone, download, empty, zeros
 
 
 @kernel
@@ -63,6 +82,32 @@ def mask_finite_kernel(points: array(dtype=vec3), drop_nan: int, drop_infinite: 
     mask[i] = uint8(keep)
 
 
+@func
+def is_finite_row(rows: array(dtype=float32, ndim=2), i: int) -> int:
+    """1 if all entries of a row are finite."""
+    finite = 1
+    for column in range(rows.shape[1]):
+        if not isfinite(rows[i, column]):
+            finite = 0
+    return finite
+
+
+@kernel
+def count_unusable_kernel(points: array(dtype=vec3), rows: array(dtype=float32, ndim=2), count: array(dtype=int32)):
+    """Count the finite points whose row of another array is not finite."""
+    i = tid()
+    if is_finite_row(rows, i) == 0 and isfinite(points[i]):
+        atomic_add(count, 0, 1)  # a count: the order does not matter
+
+
+@kernel
+def drop_unusable_kernel(rows: array(dtype=float32, ndim=2), points: array(dtype=vec3)):
+    """Make NaN of the points whose row of another array is not finite."""
+    i = tid()
+    if is_finite_row(rows, i) == 0:
+        points[i] = vec3(NAN, NAN, NAN)
+
+
 def mask_aligned_box(points: Points, origin: np.ndarray, low: np.ndarray, high: np.ndarray) -> Mask:
     """uint8 [n]; the bounds are world coordinates in float64, both inclusive.
 
@@ -88,6 +133,27 @@ def mask_finite(points: Points, drop_nan: bool | int, drop_infinite: bool | int)
     mask = empty(points.size, uint8, points.device)
     launch(mask_finite_kernel, points.size, [points, int(drop_nan), int(drop_infinite), mask])
     return mask
+
+
+def drop_unusable(points: Points, columns: Sequence[Array2[Any]]) -> tuple[Points, int]:
+    """Leave out points that have a NaN or an infinity in other arrays (one sync, or two).
+
+    Args:
+        points: Device array of vec3 [n].
+        columns: Device arrays of float32 [n, c], any number.
+
+    Returns:
+        (points, count): the same array if there is no such point, else a copy in which these are NaN; how many.
+    """
+    count = zeros(1, int32, points.device)
+    for rows in columns:
+        launch(count_unusable_kernel, points.size, [points, rows, count])
+    if not download(count)[0]:  # sync
+        return points, 0
+    kept = clone(points)
+    for rows in columns:
+        launch(drop_unusable_kernel, points.size, [rows, kept])
+    return kept, bound_points(points)[2] - bound_points(kept)[2]
 
 
 def usable_rows(points: Points, normals: Vectors) -> Indices:

@@ -16,6 +16,7 @@ from ..lang import (
     atan2,
     atomic_add,
     cos,
+    cross,
     dot,
     float64,
     func,
@@ -217,6 +218,11 @@ def judge_job(i: int, rules: StepRules, matches: Matches, progress: Progress) ->
     outcome = int(RUNNING)
     if count == 0.0:
         outcome = NO_PAIRS
+    total = float64(0.0)
+    for j in range(36):
+        total += sums[j]
+    if total - total != 0.0:
+        outcome = NOT_FINITE  # a step of zero would be taken for convergence
     if outcome == RUNNING and progress.iterations[i] > 0:
         least = rules.least_rmse + rules.least_share * moved_size(i, matches, progress)
         if abs(share - progress.fitness[i]) < rules.least_fitness and abs(error - progress.rmse[i]) < least:
@@ -254,16 +260,22 @@ def solve_job(i: int, rules: StepRules, progress: Progress) -> vec6d:
 
 
 @func
+def about_pivot(motion: mat44d, pivot: vec3d) -> mat44d:
+    """A motion of coordinates about a pivot, as one of coordinates about the origin."""
+    moved = move(motion, -pivot)
+    whole = motion
+    for axis in range(3):
+        whole[axis, 3] = moved[axis] + pivot[axis]
+    return whole
+
+
+@func
 def best_fit(sums: row_sums, pivot: vec3d, scaling: int) -> mat44d:
     """The motion that fits pairs best whose sums were taken about a pivot."""
     pairs = pair_sums(0.0)
     for j in range(18):
         pairs[j] = sums[j]
-    motion = fit_pose(pairs, scaling)
-    turned = move(motion, -pivot)
-    for axis in range(3):
-        motion[axis, 3] = turned[axis] + pivot[axis]
-    return motion
+    return about_pivot(fit_pose(pairs, scaling), pivot)
 
 
 @func
@@ -286,7 +298,11 @@ def motion_of_lanes(x: vec6d) -> mat44d:
 @func
 def motion_of(i: int, x: vec6d, rules: StepRules, progress: Progress) -> mat44d:
     """The motion that a job's step stands for."""
-    motion = motion_of_angles(x)
+    # A rotation by w is linearized: it misses by |w|^2 / 2 of the distance from its pivot, so that is among the pairs.
+    pivot = mean_source(progress.totals[i])
+    shift = cross(vec3d(x[0], x[1], x[2]), pivot)
+    about = vec6d(x[0], x[1], x[2], x[3] + shift[0], x[4] + shift[1], x[5] + shift[2])
+    motion = about_pivot(motion_of_angles(about), pivot)
     if rules.method == PAIRS:
         motion = best_fit(progress.totals[i], progress.pivots[i], rules.scaling)
     if rules.method == SYMMETRIC:

@@ -87,13 +87,18 @@ def scale_depth_kernel(
 
 @kernel
 def limit_depth_kernel(
-    raw: array(dtype=float32), runs: Runs, farthest: float, depth: array(dtype=float32), largest: array(dtype=int32)
+    raw: array(dtype=float32),
+    runs: Runs,
+    scale: float,
+    farthest: float,
+    depth: array(dtype=float32),
+    largest: array(dtype=int32),
 ):
-    """Depth in metres; 0 where there is no measurement (0, negative, NaN, infinite) or it is beyond the farthest."""
+    """Depth in metres of floats; 0 where there is no measurement (0, negative, NaN, infinite) or one too far."""
     i = tid()
     most = 0
     for j in elements_of(i, runs):
-        d = raw[j]
+        d = raw[j] / scale
         metres = 0.0
         if d > 0.0 and d <= farthest and isfinite(d):
             metres = d
@@ -226,7 +231,7 @@ def decode_depth(raw: Array1[uint16], layout: str) -> Array1[uint16]:
 
 
 def metric_depth(raw: Scalars | Array1[uint16], scale: float, farthest: float) -> tuple[Scalars, Integers]:
-    """Depth in metres from a uint16 (divided by `scale`) or float32 (metres) device array.
+    """Depth in metres from a uint16 or float32 device array, divided by `scale`.
 
     Returns:
         (depth, largest): float32 [pixels], 0 without measurement, and int32, bits of depths, the largest among them.
@@ -249,7 +254,7 @@ def scale_depth(
     if raw.dtype == uint16:
         launch(scale_depth_kernel, runs.threads, [raw, runs, float(scale), float(farthest), depth, largest])
     else:
-        launch(limit_depth_kernel, runs.threads, [raw, runs, float(farthest), depth, largest])
+        launch(limit_depth_kernel, runs.threads, [raw, runs, float(scale), float(farthest), depth, largest])
 
 
 def largest_depth(largest: Integers) -> float:

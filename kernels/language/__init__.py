@@ -1,1 +1,19 @@
 """The compiler front of the kernel language: rules, types, structures and loops, and the two compilers."""
+
+import linecache
+
+
+def _require_sources() -> None:
+    """Raise an error if the package consists of bytecode alone: kernels are compiled from their Python source.
+
+    Raises:
+        ImportError: The source of this module is missing.
+    """
+    if not linecache.getlines(_require_sources.__code__.co_filename, globals()):
+        raise ImportError(
+            "pointloom compiles its kernels from its .py files, and this installation has bytecode alone. Install it "
+            "with its .py files; with PyInstaller, pass module_collection_mode={'pointloom': 'py'} to Analysis"
+        )
+
+
+_require_sources()

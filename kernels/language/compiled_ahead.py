@@ -12,7 +12,6 @@ hash, since Warp counts only the low 32 bits of a whole-number constant.
 
 from __future__ import annotations
 
-import contextlib
 import functools
 import hashlib
 import importlib.util
@@ -29,7 +28,7 @@ from typing import Any, NamedTuple
 import warp as wp
 
 from ..array_types import Device
-from .cache_folders import temporary_cache
+from .cache_folders import is_intact, seal, temporary_cache, write_atomically
 
 VARIABLE = "POINTLOOM_CUDA_KERNELS"  # names the archive; empty: none is used, an installed one neither
 PACKAGE = "pointloom_cuda_kernels"
@@ -73,6 +72,9 @@ def made_from() -> dict[str, Any]:
     }
 
 
+_MANIFEST = {"made from": dict, "architectures": list, "modules": dict}
+
+
 class Archive:
     """Machine code of kernels in a file.
 
@@ -84,6 +86,11 @@ class Archive:
         self.path = path
         with zipfile.ZipFile(path) as file:
             manifest = json.loads(file.read(MANIFEST))
+        if not isinstance(manifest, dict):
+            raise ValueError(f"{MANIFEST}: expected an object, got a {type(manifest).__name__}")
+        for name, kind in _MANIFEST.items():
+            if not isinstance(manifest[name], kind):
+                raise ValueError(f"{MANIFEST}: {name}: expected a {kind.__name__}, got {str(manifest[name])[:80]}")
         self.made_from: dict[str, Any] = manifest["made from"]
         self.architectures: list[str] = manifest["architectures"]
         self.modules: dict[str, dict[str, Any]] = manifest["modules"]
@@ -112,7 +119,7 @@ class Archive:
         name = module.get_module_identifier(block_dim)
         folder = Path(wp.config.kernel_cache_dir or tempfile.gettempdir()) / name
         files = Placed(folder / f"{name}.{chosen}", folder / f"{name}.meta", _architecture(chosen))
-        if files.binary.exists() and files.meta.exists():
+        if is_intact(files.binary, files.meta):
             return files
         with zipfile.ZipFile(self.path) as file:
             code = lzma.decompress(file.read(member(key, chosen)))
@@ -156,23 +163,10 @@ def _is_written(files: Placed, code: bytes, meta: dict[str, int]) -> bool:
         files.binary.parent.mkdir(parents=True, exist_ok=True)
         write_atomically(files.meta, json.dumps(meta, sort_keys=True).encode())
         write_atomically(files.binary, code)
+        seal(files.binary, files.meta)
     except OSError:
         return False
     return True
-
-
-def write_atomically(path: Path, content: bytes) -> None:
-    """Write a file so that other processes see all of it or nothing."""
-    descriptor, name = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
-    try:
-        with os.fdopen(descriptor, "wb") as file:
-            file.write(content)
-        os.chmod(name, 0o644)  # noqa: PTH101  others may share the cache
-        os.replace(name, path)  # noqa: PTH105
-    except BaseException:
-        with contextlib.suppress(OSError):
-            os.unlink(name)  # noqa: PTH108
-        raise
 
 
 def archive_path() -> Path | None:
@@ -202,8 +196,8 @@ def archive() -> Archive | None:
                 opened = Archive(path)
                 problem = opened.misfit()
                 _Search.found = None if problem else opened
-            except (OSError, ValueError, KeyError, zipfile.BadZipFile) as error:
-                problem = f"cannot be read: {error}"
+            except Exception as error:  # zipfile raises some ten types on damaged archives
+                problem = f"cannot be read: {type(error).__name__}: {error}"
             if problem:
                 refuse(path, problem)
     return _Search.found
@@ -225,4 +219,4 @@ def described() -> str:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         found = archive()
-    return f"{found.path} for {', '.join(found.architectures)}" if found else f"none: {_Search.problem}"
+    return f"{found.path} for {', '.join(map(str, found.architectures))}" if found else f"none: {_Search.problem}"

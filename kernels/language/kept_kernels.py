@@ -16,7 +16,6 @@ import hashlib
 import json
 import os
 import shutil
-import tempfile
 from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -24,6 +23,7 @@ from typing import Any, NamedTuple
 import warp as wp
 
 from . import cpu_code
+from .cache_folders import is_intact, write_atomically
 from .compiled_ahead import digest_of_sources
 from .structs import Place
 
@@ -70,9 +70,7 @@ def keep(module: str, name: str, kept: Kept) -> None:
         if not path.parent.is_dir():
             path.parent.mkdir(parents=True)
             _forget_oldest(path.parent.parent)
-        with tempfile.NamedTemporaryFile("w", dir=path.parent, suffix=".new", delete=False) as file:
-            json.dump(entries, file)
-        Path(file.name).replace(path)
+        write_atomically(path, json.dumps(entries).encode())
     _read.cache_clear()
 
 
@@ -96,7 +94,7 @@ def machine_code_of(kernel: Any) -> str:
 @cache
 def _handle(machine_code: str) -> bytes:
     """The name by which Warp's loader knows a file, which it has loaded; empty where it does not take it."""
-    if not Path(machine_code).is_file():
+    if not is_intact(Path(machine_code)):
         return b""
     handle = f"pointloom_{Path(machine_code).stem}".encode()
     refused = wp._src.context.runtime.llvm.wp_load_obj(os.fsencode(machine_code), handle, wp.config.legacy_cpu_linker)

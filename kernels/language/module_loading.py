@@ -20,6 +20,7 @@ import warp as wp
 
 from ..array_types import Device
 from . import compiled_ahead
+from .cache_folders import ROOM, CacheError, discard, is_intact, is_writable, seal, temporary_cache
 from .notices import compiling
 
 try:
@@ -45,15 +46,43 @@ def load_module(module: Any, device: Device) -> None:
     place = "cpu" if device.is_cpu else f"sm{device.arch}"
     with turn_of(f"{module.get_module_identifier(block_dim)}.{place}"):
         if device.is_cpu or not _is_loaded_from_archive(module, device, block_dim):
-            if not _is_in_cache(module, device, block_dim):
-                compiling()
+            _load_or_compile(module, device, block_dim)
+
+
+def _load_or_compile(module: Any, device: Device, block_dim: int) -> None:
+    """Load what an earlier process has left of a module if it is intact, or compile the module.
+
+    Raises:
+        CacheError: It is not there, and cannot be written.
+    """
+    files = _files_of(module, device, block_dim)
+    if is_intact(*files):
+        try:
             module.load(device, block_dim)
+            return
+        except Exception as error:
+            if type(error) is not Exception:  # Warp's own has no other type
+                raise
+    named = wp.config.kernel_cache_dir
+    if not discard(*files) or not is_writable(named or ".", ROOM):
+        wp.config.kernel_cache_dir = temporary_cache()
+    compiling()
+    try:
+        module.load(device, block_dim)
+    except OSError as error:
+        places = " and ".join(dict.fromkeys(map(str, (named, wp.config.kernel_cache_dir))))
+        raise CacheError(
+            f"compiled kernels cannot be stored in {places}: {error.strerror or error}. Free some space, or set "
+            "XDG_CACHE_HOME and TMPDIR to folders that can be written to"
+        ) from error
+    seal(*_files_of(module, device, block_dim))
 
 
-def _is_in_cache(module: Any, device: Device, block_dim: int) -> bool:
-    """Whether an earlier process has left what Warp would make of a module."""
-    file = module._get_compile_output_name(device, block_dim=block_dim)
-    return Path(wp.config.kernel_cache_dir or ".", module.get_module_identifier(block_dim), file).exists()
+def _files_of(module: Any, device: Device, block_dim: int) -> tuple[Path, Path]:
+    """What Warp makes of a module, in its cache."""
+    folder = Path(wp.config.kernel_cache_dir or ".", module.get_module_identifier(block_dim))
+    name = module._get_compile_output_name(device, block_dim=block_dim)
+    return folder / name, folder / module._get_meta_name(block_dim=block_dim)
 
 
 def _is_loaded_from_archive(module: Any, device: Device, block_dim: int) -> bool:
@@ -70,7 +99,7 @@ def _is_loaded_from_archive(module: Any, device: Device, block_dim: int) -> bool
     try:
         module.load(device, block_dim, files.binary, files.architecture, files.meta)
     except Exception as error:  # Warp's own has no other type
-        files.binary.unlink(missing_ok=True)  # else Warp would take it for its own
+        discard(files.binary)  # else Warp would take it for its own
         compiled_ahead.refuse(found.path, f"{device.alias} does not take {files.binary.name}: {error}")
         return False
     return True

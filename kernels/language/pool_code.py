@@ -17,9 +17,9 @@ import numpy as np
 import warp as wp
 
 from . import cpu_code
+from .cache_folders import CacheError
 from .device_lock import lock
 from .module_loading import load_module
-from .quiet import kept_from_stderr
 
 TESTED = "1.19.0"  # the version of Warp that the header was last tried with
 
@@ -153,8 +153,7 @@ class PoolCode:
         kernels = [
             wp.kernel(f, enable_backward=False, module=module) for f in (_share_kernel, _serve_kernel, _try_kernel)
         ]
-        with kept_from_stderr():
-            load_module(module, wp.get_device("cpu"))
+        load_module(module, wp.get_device("cpu"))
         given = wp.array(np.arange(24, dtype=np.float32).reshape(8, 3), dtype=wp.vec3, device="cpu")
         out = wp.zeros(shape=(8, 2), dtype=wp.float32, device="cpu")
         self._commands: Any = [  # hold the machine code
@@ -184,6 +183,8 @@ def pool_code() -> PoolCode | None:
     try:
         with lock:
             return PoolCode()
+    except CacheError:  # no fault of Warp's or the header's
+        raise
     except Exception as error:  # Warp's own has no other type
         warnings.warn(
             f"pointloom uses one CPU core, and slower code: Warp {wp.config.version} does not take cpu_access.h "

@@ -2,32 +2,54 @@
 
 from __future__ import annotations
 
+import ctypes
 import linecache
 import os
 import sys
 import types
+import warnings
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import warp as wp
 
 from . import byte_products, cuda_code, pool_code
-from .cache_folders import cache_folder, is_writable, temporary_cache
-from .quiet import kept_from_stderr
+from .cache_folders import cache_folder, is_writable, other_writers, temporary_cache
+from .quiet import lines_removed_from_stderr
 from .register_limits import most_registers_of
 
 wp.config.log_level = wp.LOG_ERROR  # no banner on stdout: it belongs to the program
 
 
 def _start_quietly() -> None:
-    """Start Warp; a machine without an NVIDIA driver is no reason for a line on stderr."""
-    if "WARP_CACHE_PATH" not in os.environ and not is_writable(cache_folder() / "warp"):
+    """Start Warp without its line on stderr that there is no NVIDIA driver."""
+    named = os.environ.get("WARP_CACHE_PATH")
+    folder = Path(named) if named else cache_folder() / "warp"
+    if writers := other_writers(folder):
+        use = "are used, because WARP_CACHE_PATH names it" if named else "are not used, but compiled again"
+        warnings.warn(
+            f"{writers}. Compiled kernels are code that could be another user's. Those in the cache {use}. Remove the "
+            "rights of others (chmod go-w), or name a folder of your own in XDG_CACHE_HOME",
+            RuntimeWarning,
+            stacklevel=2,
+        )
+    if not named and (writers or not is_writable(folder)):
         wp.config.kernel_cache_dir = temporary_cache()
-    with kept_from_stderr() as lines:
+    if _has_driver():
         wp.init()
-    for line in lines:
-        if "NVIDIA CUDA driver" not in line:
-            print(line, file=sys.stderr)
+        return
+    with lines_removed_from_stderr("NVIDIA CUDA driver"):
+        wp.init()
+
+
+def _has_driver() -> bool:
+    """Whether the NVIDIA driver's library can be loaded, as Warp loads it."""
+    try:
+        ctypes.CDLL("nvcuda.dll" if sys.platform == "win32" else "libcuda.so.1")
+    except OSError:
+        return False
+    return True
 
 
 _start_quietly()

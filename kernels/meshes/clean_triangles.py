@@ -61,8 +61,6 @@ def list_turned_kernel(triangles: array(dtype=vec3i), turned: array(dtype=vec3i)
             less = 1
         if other[0] == best[0] and other[1] < best[1]:
             less = 1
-        if other[0] == best[0] and other[1] == best[1] and other[2] < best[2]:
-            less = 1
         if less == 1:
             best = other
     turned[i] = best

@@ -1,27 +1,13 @@
-"""Meshes changed: normals that turn with them, the other winding, fewer triangles, fewer vertices."""
+"""Meshes changed: the other winding, fewer triangles, fewer vertices."""
 
 from collections.abc import Iterable
 from typing import Any
 
-import numpy as np
-
-from ..algebra.transform import narrow, widen
 from ..array_types import Array1, Cells, Indices, Integers, Mask, Triangles, Vectors
 from ..arrays.prefix_sum import exclusive_scan, sum_counts
 from ..arrays.select import gather_rows, invert_mask, positions_of
-from ..lang import array, atomic_min, int32, kernel, launch, length, mat33d, tid, uint8, vec2, vec3, vec3i
+from ..lang import array, atomic_min, int32, kernel, launch, tid, uint8, vec2, vec3, vec3i
 from ..memory import empty, full, zeros
-
-
-@kernel
-def turn_normals_kernel(normals: array(dtype=vec3), A: mat33d, turned: array(dtype=vec3)):
-    """turned = A n, of unit length; a zero or NaN normal stays what it is."""
-    i = tid()
-    n = A @ widen(normals[i])
-    size = length(n)
-    if size > 0.0:
-        n = n / size
-    turned[i] = narrow(n)
 
 
 @kernel
@@ -192,13 +178,6 @@ def raise_numbers(numbers: Integers, step: int) -> Integers:
     raised = empty(numbers.size, int32, numbers.device)
     launch(raise_numbers_kernel, numbers.size, [numbers, step, raised])
     return raised
-
-
-def turn_normals(normals: Vectors, A: np.ndarray) -> Vectors:
-    """A n at unit length for a float64 matrix [3, 3]."""
-    turned = empty(normals.size, vec3, normals.device)
-    launch(turn_normals_kernel, normals.size, [normals, mat33d(*A.ravel()), turned])
-    return turned
 
 
 def flip_triangles(triangles: Triangles) -> Triangles:

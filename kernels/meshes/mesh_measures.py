@@ -8,6 +8,7 @@ that is not finite add nothing. Vertices are float32, 12 B; triangles three int3
 from ..algebra.transform import widen
 from ..array_types import Points, Triangles, Vectors
 from ..lang import (
+    NAN,
     array,
     cross,
     dot,
@@ -52,9 +53,13 @@ def unit_or_up(n: vec3d) -> vec3:
 def compute_triangle_normals_kernel(
     vertices: array(dtype=vec3), triangles: array(dtype=vec3i), normals: array(dtype=vec3)
 ):
-    """Unit normals of triangles by the right-hand rule."""
+    """Unit normals of triangles by the right-hand rule; NaN where a corner is not finite."""
     i = tid()
-    normals[i] = unit_or_up(triangle_cross(vertices, triangles[i]))
+    t = triangles[i]
+    normal = unit_or_up(triangle_cross(vertices, t))
+    if not (isfinite(vertices[t[0]]) and isfinite(vertices[t[1]]) and isfinite(vertices[t[2]])):
+        normal = vec3(NAN, NAN, NAN)
+    normals[i] = normal
 
 
 @kernel

@@ -288,7 +288,7 @@ def remove_peaks_kernel(samples: Elimination):
         remove_sample(i, samples)
 
 
-@kernel
+@kernel(for_cpu=True)
 def remove_in_turn_kernel(samples: Elimination):
     """All rounds by one thread, which removes a sample as soon as it outweighs its neighbours."""
     i = tid()

@@ -35,10 +35,14 @@ def measure_areas_kernel(vertices: array(dtype=vec3), triangles: array(dtype=vec
 
 
 @kernel
-def halve_areas_kernel(doubled: array(dtype=float64), areas: array(dtype=float64)):
-    """Half of each number."""
+def list_areas_kernel(vertices: array(dtype=vec3), triangles: array(dtype=vec3i), areas: array(dtype=float64)):
+    """The area of each triangle, NaN where a corner is not finite."""
     i = tid()
-    areas[i] = 0.5 * doubled[i]
+    t = triangles[i]
+    area = 0.5 * length(triangle_cross(vertices, t))
+    if not (isfinite(vertices[t[0]]) and isfinite(vertices[t[1]]) and isfinite(vertices[t[2]])):
+        area = float64(NAN)
+    areas[i] = area
 
 
 @func
@@ -135,10 +139,10 @@ def measure_areas(vertices: Points, triangles: Triangles) -> Doubles:
     return areas
 
 
-def halve_areas(doubled: Doubles) -> Doubles:
-    """The areas, of what `measure_areas` gives."""
-    areas = empty(doubled.size, float64, doubled.device)
-    launch(halve_areas_kernel, areas.size, [doubled, areas])
+def triangle_areas(vertices: Points, triangles: Triangles) -> Doubles:
+    """The area of each triangle, float64 [t]; NaN where a corner is not finite."""
+    areas = empty(triangles.size, float64, vertices.device)
+    launch(list_areas_kernel, areas.size, [vertices, triangles, areas])
     return areas
 
 

@@ -253,15 +253,18 @@ def step_pose_kernel(per_row: int, course: Course, rows: array(dtype=float64, nd
         for k in range(UNKNOWNS):
             b[k] = total[TRIANGLE + k]
         x = solve_system(h, b)
-        course.poses[i] = moved_by(x, course.poses[i])
         size = float64(0.0)
         for k in range(UNKNOWNS):
             size += x[k] * x[k]
-        if sqrt(size) < course.orders[leg, TOLERANCE]:
-            state = int(CONVERGED)
+        if size - size == 0.0:
+            course.poses[i] = moved_by(x, course.poses[i])
+            if sqrt(size) < course.orders[leg, TOLERANCE]:
+                state = int(CONVERGED)
+            else:
+                if taken >= leg_number(leg, TURNS, course):
+                    state = int(EXHAUSTED)
         else:
-            if taken >= leg_number(leg, TURNS, course):
-                state = int(EXHAUSTED)
+            state = int(LOST)
     if state != RUNNING:
         end_leg(leg, state, total, course)
 

@@ -227,7 +227,7 @@ def collapse_short_kernel(
                 triangles[i] = vec3i(a if t[0] == b else t[0], a if t[1] == b else t[1], a if t[2] == b else t[2])
 
 
-@kernel
+@kernel(for_cpu=True)
 def mask_left_kernel(triangles: array(dtype=vec3i), mask: array(dtype=uint8)):
     """1 for triangles that have not gone."""
     i = tid()
@@ -235,7 +235,7 @@ def mask_left_kernel(triangles: array(dtype=vec3i), mask: array(dtype=uint8)):
     mask[i] = uint8(1 if t[0] != t[1] else 0)
 
 
-@kernel
+@kernel(for_cpu=True)
 def gather_creases_kernel(creases: array(dtype=uint8), rows: array(dtype=int32), gathered: array(dtype=uint8)):
     """The flags of some triangles' half-edges."""
     i = tid()

@@ -148,7 +148,7 @@ def closest_leaf(bucket: int, a: vec3, b: vec3, boxes: array(dtype=float32)) -> 
     return bucket * FAN + nearest
 
 
-@kernel
+@kernel(for_cpu=True)
 def find_nearest_kernel(
     queries: array(dtype=vec3),
     query_order: array(dtype=int32),
@@ -281,7 +281,7 @@ def find_alone_kernel(
     nearest[row] = key
 
 
-@kernel
+@kernel(for_cpu=True)
 def pack_neighbor_kernel(
     indices: array(dtype=int32, ndim=2),
     sqdists: array(dtype=float32, ndim=2),

@@ -12,6 +12,7 @@ from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.undistortion import Undistortion
 from ...core.checks import check_list, check_name
 from ...core.errors import FileError
+from ...core.masked_arrays import unmasked
 from ...core.progress import ReportProgress
 from ...files.models.sfm_model import SfmModel
 from ...files.pictures.image_files import read_color
@@ -69,7 +70,8 @@ def _take_model(pictures: Any, model: SfmModel, device: Any, say: ReportProgress
     images, cameras = [], []
     for k, (picture, lens) in enumerate(zip(listed, model.cameras, strict=True)):
         say("pictures", k, len(listed))
-        image = read_color(picture) if isinstance(picture, str | os.PathLike) else np.asarray(picture)
+        is_file = isinstance(picture, str | os.PathLike)
+        image = read_color(picture) if is_file else np.asarray(unmasked(f"pictures[{k}]", picture))
         if lens in lenses:
             try:
                 image = lenses[lens].apply(image)

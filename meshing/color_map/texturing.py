@@ -13,6 +13,7 @@ from ...cameras.trajectory import Trajectory
 from ...core.checks import check_count, check_list, check_name, check_positive, check_progress, check_rigid, shown
 from ...core.progress import ReportProgress
 from ...files.frames.datasets import Frame
+from ...files.frames.frames import depth_unit
 from ...files.frames.rgbd_sources import RGBDSource
 from ...kernels.linear_algebra import inv
 from ..mesh.mesh import TriangleMesh
@@ -122,7 +123,7 @@ def _read_frames(
         if frame.color is None:
             raise ValueError(f"frames: {frame.name} has no colour, which is what a mesh would take from it")
         path.append(_pose_of(frame, i, given))
-        scale = {"depth_scale": frames.depth_scale, "depth_trunc": depth_max}
+        scale = {"depth_scale": depth_unit(frames, frame), "depth_trunc": depth_max}
         images.append(RGBDImage(frame.color, frame.depth, **scale, device=device))
         say("frames", i + 1, count)
     if not images:

@@ -14,6 +14,7 @@ from ...core.units import warn_of_units
 from ...kernels.arrays.prefix_sum import scan_together
 from ...kernels.arrays.quantiles import median_above_zero
 from ...kernels.arrays.select import gather_rows
+from ...kernels.extent.mean_covariance import mean_and_covariance
 from ...kernels.lang import int32, launch, vec3i
 from ...kernels.memory import download, empty
 from ...kernels.meshes.mesh_edits import keep_counted, list_rows_kernel, mark_referenced
@@ -28,6 +29,8 @@ ADVISED = 3.0  # such medians, for who gave an alpha that leaves nothing: detail
 AUTO = 10.0  # medians of the distance to the nearest point: the least at which the scanned bunny hangs together
 CORNERS = 4  # points of a tetrahedron
 SHORT = 0.02  # of the usual alpha, a fifth of the distance to the nearest: no tetrahedron is so small
+FLAT = 2e-7  # of the largest standard deviation: what rounding to float32 leaves of a plane's thickness
+FLAT_REMEDY = "ball pivoting makes a surface of a flat cloud with normals"
 MOST_ALPHAS = 1000  # a tetrahedron is asked about each
 
 
@@ -81,12 +84,15 @@ class AlphaShapes(MeshArrays):
             not kept, and come by their points. With `return_tetrahedra` (mesh, tetrahedra, point_map) in its place:
             int32 [k, 4] rows of the cloud with det(b - a, c - a, d - a) > 0, and int32 [m] the row of each vertex.
 
-            Where no tetrahedron is kept, as always with fewer than four points or all in one plane, the mesh is empty:
-            `len(mesh)` is 0.
+            Where no tetrahedron is kept the mesh is empty: `len(mesh)` is 0.
 
         Raises:
             TypeError: No cloud, or an alpha that is no number.
             ValueError: An alpha that is not above zero, no alpha at all, or more than 1,000.
+
+        Warns:
+            UserWarning: The mesh is empty whatever the alpha: fewer than four points, or all on one line or plane.
+            UnitWarning: The mesh is empty since alpha is far below the spacing of the points.
 
         Notes:
             Exact for the float32 coordinates that the cloud holds, at any distance from zero, as it keeps an origin:
@@ -124,7 +130,10 @@ class AlphaShapes(MeshArrays):
             if not triangles.size:
                 bare.append(size)
             answers.append((mesh, tetrahedra, _used_rows(mask, places, count)) if return_tetrahedra else mesh)
-        if bare and tree.count >= CORNERS and not isinstance(alpha, str):
+        flat = why_flat(cloud) if bare else None
+        if flat is not None:
+            warn_of_units(f"cloud: {flat}, so no alpha gives a surface; {FLAT_REMEDY}", UserWarning)
+        elif bare and not isinstance(alpha, str):
             usual = _choose_alpha(tree, unique.device_arrays["points"])
             if max(bare) < SHORT * usual:
                 told = ", ".join(f"{size:g}" for size in bare)
@@ -145,6 +154,19 @@ class AlphaShapes(MeshArrays):
         mesh = cls.from_device_arrays(triangles=corners, **rows, origin=cloud.origin, library=cloud.array_library)
         mesh.unit = cloud.unit
         return mesh
+
+
+def why_flat(cloud: PointCloud) -> str | None:
+    """Why no alpha shape of a cloud has a tetrahedron, as a clause of a sentence; None if some alpha gives one."""
+    points = cloud.device_arrays["points"]
+    distinct = cloud.select_rows(first_occurrences(points)).search_tree().count
+    if distinct < CORNERS:
+        return f"there are {distinct} distinct finite points, fewer than {CORNERS}"
+    _, _, covariance = mean_and_covariance(points)
+    deviations = np.sqrt(np.maximum(np.linalg.eigvalsh(covariance), 0))  # ascending
+    if deviations[1] <= FLAT * deviations[2]:
+        return "the points lie on one line"
+    return "the points lie in one plane" if deviations[0] <= FLAT * deviations[2] else None
 
 
 def _used_points(shapes: list[wp.array], count: int) -> Iterator[tuple[wp.array, wp.array, int]]:

@@ -52,7 +52,7 @@ class CleanedMesh(ChangedMesh):
         removed_parts: Small parts that went after that; `parts` are left.
         is_watertight, boundary_edges: Of the mesh without them.
         self_intersections: Pairs of triangles that cut through each other.
-        was_watertight, area_in: Whether the mesh was closed before, and its area [m^2].
+        was_watertight, area_in: Whether the mesh was closed before, and the area of its finite triangles [m^2].
         merge_distance, hole_size: As they were given [m].
         vertices_in, triangles_in: How many the other one had.
         poor: Why the mesh is not to be believed, with the remedy; None where it is.
@@ -191,8 +191,8 @@ def clean_mesh(
         is_watertight=left.is_watertight() if small else done.is_watertight,
         boundary_edges=len(left.get_boundary_edges()) if small else done.boundary_edges,
         self_intersections=len(left.get_self_intersecting_triangles()),
-        was_watertight=mesh.is_watertight(),
-        area_in=mesh.get_surface_area(),
+        was_watertight=mesh._is_closed(),
+        area_in=mesh._finite_area(),
         merge_distance=merge_distance,
         hole_size=hole_size,
     )

@@ -19,6 +19,7 @@ from ...kernels.reconstruction.sample_cells import MAX_DEPTH
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
 from ...pcd.search import NearestNeighborSearch
+from .alpha_shape import why_flat
 from .mesh import TriangleMesh
 from .mesh_metrics import points_about
 from .mesh_summary import describe_surface
@@ -109,7 +110,9 @@ def create_surface(
     plain = cloud.to(cloud.device, arrays="numpy").remove_non_finite_points()
     points, normals = _with_normals(plain, method, bool(new_normals))
     say(method, 0, 0)
-    made = _make(points, method, settings) if len(points) else _Made(TriangleMesh(device=cloud.device))
+    flat = why_flat(points) if method == "alpha" else None
+    empty = flat is not None or not len(points)
+    made = _Made(TriangleMesh(device=cloud.device)) if empty else _make(points, method, settings)
     made.mesh.unit = cloud.unit
     say("check", 0, 0)
     mesh, made_up = _without_made_up(points, made, method, settings)
@@ -124,6 +127,7 @@ def create_surface(
         summary=describe_surface(mesh),
         made_up=made_up,
         off=_find_off(points, mesh),
+        flat=flat,
     )
 
 

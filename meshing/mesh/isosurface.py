@@ -41,7 +41,7 @@ def marching_cubes(
         sample that is NaN or infinite makes no triangles.
 
         Unlike scikit-image's `marching_cubes`, ambiguous cells are not resolved by the values inside the cell
-        (Lewiner's method), `spacing` and `origin` apply to positions in float64 beyond 1e4 m, triangles wind the other
+        (Lewiner's method), `spacing` and `origin` apply to positions in float64 far from zero, triangles wind the other
         way than its default gives for distances that are negative inside, and a field that never passes the level is
         no error.
 

@@ -9,7 +9,7 @@ import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_finite, check_number, check_numeric, check_positive, check_shape, shown
-from ...core.coordinates import ORIGIN_LIMIT
+from ...core.coordinates import choose_origin
 from ...core.devices import check_same_device, resolve_device
 from ...kernels.language.device_lock import lock
 from ...kernels.memory import cast, contiguous, upload
@@ -79,9 +79,7 @@ def extract_level(
     far = corner + steps * (np.array(values.shape) - 1)
     if not np.isfinite(corner).all() or not max(np.abs(corner).max(), np.abs(far).max()) < _FLOAT_MAX:
         raise ValueError(f"origin, spacing: the grid from {corner.tolist()} to {far.tolist()} passes float32")
-    mesh_origin = np.zeros(3)
-    if max(np.abs(corner).max(), np.abs(far).max()) > ORIGIN_LIMIT:
-        mesh_origin = np.round((corner + far) / 2)
+    mesh_origin = choose_origin(np.array([corner, far]))
     rows = values.reshape((nx * ny, nz))
     vertices, triangles = extract_surface(rows, (nx, ny, nz), level, corner - mesh_origin, steps)
     return vertices, triangles, mesh_origin

@@ -33,6 +33,7 @@ from .mesh_extent import MeshExtent
 from .mesh_geodesics import MeshGeodesics
 from .mesh_intersections import MeshIntersections
 from .mesh_metrics import MeshMetrics
+from .mesh_pickling import MeshPickling
 from .mesh_remeshing import MeshRemeshing
 from .mesh_repair import MeshRepair
 from .mesh_round_shapes import MeshRoundShapes
@@ -66,6 +67,7 @@ class TriangleMesh(
     MeshAlbedo,
     MeshSimplification,
     MeshRemeshing,
+    MeshPickling,
     MeshSampling,
     MeshCutting,
     Poisson,
@@ -95,8 +97,8 @@ class TriangleMesh(
         vertex_attributes: Further values at vertices by name, of any type of number, shape [m] or [m, c].
         triangle_attributes: Further values of triangles, shape [t] or [t, c].
         device: "cpu", "cuda:N" or "auto"; None for the GPU that the vertices lie on, else the CPU.
-        origin: The point [3] that positions are stored relative to; None takes zero, or the middle of the box where a
-            coordinate passes 1e4 m.
+        origin: The point [3] that positions are stored relative to; None takes zero, or for vertices far
+            from zero for their extent a point near their median.
 
     Raises:
         TypeError: Not numeric, or triangles that are not whole numbers.

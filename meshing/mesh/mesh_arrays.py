@@ -15,13 +15,12 @@ from ...core.checks import check_colors, check_name, check_numeric, check_rows, 
 from ...core.devices import check_same_device, resolve_device
 from ...core.dropped_results import returns_new
 from ...core.gpu_arrays import take_colors, take_vectors
-from ...core.pickled_arrays import device_like, pickled, unpickled
 from ...kernels.arrays.select import gather_rows
 from ...kernels.lang import int32, vec2, vec3
 from ...kernels.memory import clone, download, move, upload
 from ...kernels.meshes.mesh_edits import gather_corners, gather_triangles
 from ...pcd.point_arrays import PointArrays, read_only
-from .mesh_attributes import MeshAttributes, each, rows_of
+from .mesh_attributes import MeshAttributes, each, listed, rows_of
 from .mesh_questions import MeshQuestions
 from .mesh_rows import ATTRIBUTES, PER_TRIANGLE, PER_VERTEX, TEXTURE, as_triples, check_attributes, kind_and_count
 from .mesh_up import Upright
@@ -105,9 +104,9 @@ class MeshArrays(Upright, MeshQuestions):
         kept: dict[str, Any] = {name: values for name, values in merged.items() if values is not None}
         for kind, of in ATTRIBUTES.items():
             if self._attributes[kind] and kind not in arrays and kept[of].size != self._arrays[of].size:
-                warnings.warn(f"{kind} {', '.join(kept.pop(kind))}: left behind, the {of} are others", stacklevel=3)
+                warnings.warn(f"{kind} {listed(kept.pop(kind))}: left behind, the {of} are others", stacklevel=3)
         place = self._origin if origin is None else origin
-        textures = self._textures if "triangle_uvs" in kept else ()
+        textures = () if "triangle_uvs" in self._arrays and "triangle_uvs" not in kept else self._textures
         mesh = self.from_device_arrays(**kept, textures=textures, origin=place, library=self._library)
         mesh._unit, mesh._up = self._unit, self._up
         return mesh
@@ -187,7 +186,7 @@ class MeshArrays(Upright, MeshQuestions):
 
     def __repr__(self) -> str:
         extras = "".join(f", {name}" for name in self._arrays if name not in ("vertices", "triangles"))
-        extras += "".join(f", {kind}[{', '.join(held)}]" for kind, held in self._attributes.items() if held)
+        extras += "".join(f", {kind}[{listed(held)}]" for kind, held in self._attributes.items() if held)
         sizes = f"{self._arrays['vertices'].size} vertices, {len(self)} triangles"
         return f"{type(self).__name__}({sizes}{extras}, {self._device})"
 
@@ -380,21 +379,3 @@ class MeshArrays(Upright, MeshQuestions):
         changed: dict[str, Any] = each(self._arrays, change)
         changed |= {kind: each(held, change) for kind, held in self._attributes.items()}
         return self.with_arrays(**changed)
-
-    def __getstate__(self) -> dict[str, Any]:
-        """The mesh as NumPy arrays and the name of its device, for pickle."""
-        state = {"arrays": pickled(self._arrays), "origin": self._origin, "device": str(self._device)}
-        attributes = {kind: pickled(held) for kind, held in self._attributes.items()}
-        state |= {"textures": self._textures, "library": self._library, "attributes": attributes}
-        return state | {"unit": self._unit, "up": self._up}
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        """The mesh on the device that it was on; on the first GPU where there is another number of them.
-
-        Raises:
-            DeviceError: It was on a GPU, and here is none.
-        """
-        self._device, self._origin = device_like("mesh", state["device"]), state["origin"]
-        self._arrays, self._textures = unpickled(state["arrays"], self._device), state["textures"]
-        self._library, self._unit, self._up = state["library"], state.get("unit"), state.get("up")
-        self._attributes = {kind: unpickled(state["attributes"][kind], self._device) for kind in ATTRIBUTES}

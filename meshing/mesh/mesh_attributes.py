@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, MutableMapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, MutableMapping
 from typing import Any
 
 import warp as wp
@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...core.array_libraries import NUMPY, library_of
 from ...core.checks import check_name, check_numeric, is_on_gpu, shown
+from ...core.escaped_text import escaped
 from ...core.gpu_arrays import take_column
 from ...kernels.arrays.select import gather_rows
 from ...kernels.memory import download, upload
@@ -105,3 +106,8 @@ def each(arrays: Arrays, change: Callable[[wp.array], Any]) -> dict[str, Any]:
 def rows_of(arrays: Arrays, rows: wp.array) -> dict[str, Any]:
     """The rows of all arrays, by an int32 device array."""
     return each(arrays, lambda values: gather_rows(values, rows))
+
+
+def listed(names: Iterable[str]) -> str:
+    """Names in one line of text, without control characters."""
+    return escaped(", ".join(names))

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from ...core.dropped_results import returns_new
 from ...core.units import common_unit
+from .finite_corners import REMEDY, find_wrong_corner
 from .flat_polygons import LIBRARY, load_manifold
 from .mesh_arrays import MeshArrays
 from .mesh_measures import MeshMeasures
@@ -125,8 +126,8 @@ class MeshBooleans(MeshMeasures):
 def _solid(library: Any, mesh: Any, origin: NDArray[np.float64], with_colors: bool, what: str) -> Any:
     """A mesh as manifold holds it, relative to an origin; refused where it is no solid."""
     if len(mesh):
-        if not np.isfinite(mesh.vertices[mesh.triangles]).all():
-            raise ValueError(f"{what} has corners that are not finite; repair() drops their triangles")
+        if (wrong := find_wrong_corner(mesh)) is not None:
+            raise ValueError(f"{what} has corners that are not finite: {wrong}; {REMEDY}")
         topology = mesh.edge_topology()
         if topology.has_boundary or topology.has_crowded_edge:
             raise ValueError(f"{what} is not closed, so it is no solid; repair(hole_size=...) closes holes")

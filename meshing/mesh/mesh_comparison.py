@@ -12,6 +12,7 @@ from ...core.checks import check_count, check_numeric, check_positive, check_see
 from ...core.reports import Fields, Report
 from ...core.units import LengthUnit, symbol_of
 from ...core.wording import format_share, plain
+from .finite_corners import check_finite_corners
 from .mesh import TriangleMesh
 from .mesh_intersections import check_mesh
 from .mesh_metrics import SurfaceMetrics
@@ -121,7 +122,8 @@ def compare_meshes(
 
     Raises:
         TypeError: No mesh, or no numbers.
-        ValueError: A mesh without area, or a number out of range.
+        ValueError: A mesh without area or with a triangle that has a corner which is not finite, or a number out of
+            range.
         DeviceError: The meshes are on different devices.
 
     Notes:
@@ -136,6 +138,7 @@ def compare_meshes(
     """
     for name, mesh in (("first", first), ("second", second)):
         check_mesh(name, mesh)
+        check_finite_corners(name, mesh)
         if not mesh.get_surface_area() > 0:
             raise ValueError(f"{name}: holds no triangle with an area, so no distance can be taken")
     given = [] if thresholds is None else check_numeric("thresholds", thresholds).reshape(-1).tolist()

@@ -10,6 +10,9 @@ from numpy.typing import NDArray
 from ...core.array_libraries import hand_out_host
 from ...core.checks import check_count, check_positive
 from ...core.dropped_results import returns_new
+from ...kernels.arrays.select import positions_of
+from ...kernels.memory import download
+from ...kernels.meshes.clean_triangles import mask_not_finite
 from ...kernels.meshes.mesh_components import Parts
 from .mesh_edits import MeshEdits
 
@@ -24,8 +27,8 @@ class MeshComponents(MeshEdits):
 
         Returns:
             (labels, counts, areas): the part of each triangle, int32 [t]; how many triangles each part has, int32 [c];
-            its area [m^2], float64 [c], to which triangles with a corner that is not finite add nothing. Parts are
-            numbered by their first triangles, as Open3D numbers them.
+            its area [m^2], float64 [c], NaN if a triangle of it has a corner that is not finite. Parts are numbered by
+            their first triangles, as Open3D numbers them.
 
         Notes:
             O(t) memory. Same bits from run to run and on every device.
@@ -39,7 +42,11 @@ class MeshComponents(MeshEdits):
             ([0, 1, 0], [2, 1], [1.0, 1.5])
         """
         parts = self._parts()
-        found = (hand_out_host(values, self._library, self._device) for values in parts.read())
+        counts, areas = parts.read()
+        broken = positions_of(mask_not_finite(self._arrays["vertices"], self._arrays["triangles"]))
+        if broken.size:
+            areas[download(parts.labels)[download(broken)]] = np.nan
+        found = (hand_out_host(values, self._library, self._device) for values in (counts, areas))
         return self.handed_out(parts.labels, dtype=np.int32), *found
 
     @returns_new

@@ -87,7 +87,7 @@ class MeshDeformation(MeshMeasures):
         reason = "by then nothing moves any more; take fewer"
         turns = check_count("max_iter", max_iter, minimum=0, maximum=MOST_TURNS, because=reason)
         alpha = check_positive("smoothed_alpha", smoothed_alpha, allow_zero=True)
-        likeness = alpha * self.get_surface_area() if _energy_of(energy) == "smoothed" else 0.0
+        likeness = alpha * self._finite_area() if _energy_of(energy) == "smoothed" else 0.0
         if turns == 0:
             return self.with_arrays()
         rows = upload(held, int32, self._device)

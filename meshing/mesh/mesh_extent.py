@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.dropped_results import returns_new
-from ...kernels.meshes.mesh_edits import turn_normals
+from ...kernels.surface.orientation import normalize_vectors
 from ...pcd.boxes import OrientedBoundingBox
 from ...pcd.cloud import PointCloud
 from .mesh_measures import MeshMeasures
@@ -82,7 +82,7 @@ class MeshExtent(MeshMeasures, MeshSelection):
         """
         if "vertex_normals" not in self._arrays:
             return self.copy()
-        return self.with_arrays(vertex_normals=turn_normals(self._arrays["vertex_normals"], np.eye(3)))
+        return self.with_arrays(vertex_normals=normalize_vectors(self._arrays["vertex_normals"]))
 
     @returns_new
     def select_faces_by_mask(self, mask: ArrayLike) -> Self:

@@ -13,6 +13,7 @@ from ...kernels.arrays.row_numbers import pair_up
 from ...kernels.meshes.mesh_edits import shift_triangles
 from ...kernels.rays.cutting_triangles import find_meeting_pairs
 from ...kernels.rays.triangle_tree import TriangleTree
+from .finite_corners import check_finite_corners
 from .mesh_arrays import MeshArrays
 
 if TYPE_CHECKING:
@@ -25,12 +26,15 @@ class MeshIntersections(MeshArrays):
     Corners and edges belong to their triangles, and what touches meets. It is decided exactly for the float32
     coordinates that a mesh stores, by float64 with a bound of its error and by whole numbers where that leaves it
     open, so that neither size nor place matter. Open3D reports triangles that lie apart in one plane (#5117, #5525) and
-    misses some that touch. Triangles without area count as the edges that they are; those with a corner that is not
-    finite meet nothing.
+    misses some that touch. Triangles without area count as the edges that they are. In lists of triangles those with a
+    corner that is not finite meet nothing; `is_self_intersecting` and `is_intersecting` raise ValueError for them.
     """
 
     def is_self_intersecting(self) -> bool:
         """Whether any two triangles without a common vertex have a point in common.
+
+        Raises:
+            ValueError: A triangle has a corner that is not finite.
 
         Notes:
             As of `get_self_intersecting_triangles`.
@@ -41,6 +45,7 @@ class MeshIntersections(MeshArrays):
             >>> loom.TriangleMesh(corners, [[0, 1, 2], [3, 4, 5]]).is_self_intersecting()
             True
         """
+        check_finite_corners("is_self_intersecting", self)
         return len(self.get_self_intersecting_triangles()) > 0
 
     def get_self_intersecting_triangles(self) -> NDArray[np.int32]:
@@ -80,7 +85,7 @@ class MeshIntersections(MeshArrays):
         Raises:
             TypeError: No mesh.
             DeviceError: The meshes are on different devices.
-            ValueError: 2^31 pairs of triangles or more.
+            ValueError: 2^31 pairs of triangles or more, or a triangle with a corner that is not finite.
 
         Example:
             >>> import pointloom as loom
@@ -91,6 +96,8 @@ class MeshIntersections(MeshArrays):
         """
         check_mesh("other", other)
         check_same_device("other", self._device, other.device)
+        check_finite_corners("is_intersecting", self)
+        check_finite_corners("is_intersecting: other", other)
         if not len(self) or not len(other):
             return False
         own = self._arrays["vertices"]

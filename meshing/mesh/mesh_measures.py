@@ -15,6 +15,7 @@ from ...kernels.meshes import mesh_measures
 from ...kernels.meshes.mesh_topology import Topology, examine
 from ...pcd.boxes import AxisAlignedBoundingBox
 from ...pcd.point_arrays import read_only
+from .finite_corners import check_finite_corners
 from .mesh_arrays import MeshArrays
 
 SAME_NORMAL = 1e-3  # what rounding makes of float32 normals
@@ -28,8 +29,8 @@ class MeshMeasures(MeshArrays):
         """Set the normal of each vertex to the mean of the triangles around it, weighted by their areas.
 
         Returns:
-            The mesh with unit normals [m, 3]; (0, 0, 1) at vertices without area around them, as Open3D has it, and NaN
-            at vertices that are not finite, whose triangles count nowhere.
+            The mesh with unit normals [m, 3]; (0, 0, 1) at vertices without area around them (Open3D: zero), and NaN at
+            vertices that are not finite, whose triangles count nowhere.
 
         Notes:
             O(m + t) memory. Sums run in float64 by ascending triangle: the same bits from run to run.
@@ -38,7 +39,9 @@ class MeshMeasures(MeshArrays):
         return self.with_arrays(vertex_normals=mesh_measures.vertex_normals(vertices, triangles))
 
     def compute_triangle_normals(self) -> NDArray[np.float32]:
-        """The unit normals of the triangles by the right-hand rule, shape [t, 3]; (0, 0, 1) for those without area.
+        """The unit normals of the triangles by the right-hand rule, shape [t, 3].
+
+        They are (0, 0, 1) for triangles without area, and NaN for those with a corner that is not finite.
 
         Open3D stores them in its mesh; here they are returned.
         """
@@ -56,15 +59,20 @@ class MeshMeasures(MeshArrays):
     @triangle_normals.setter
     def triangle_normals(self, values: ArrayLike) -> None:
         given = check_rows("triangle_normals", values, 3, rows=len(self), dtype=np.float64)
-        if len(given) and not np.abs(given - self.compute_triangle_normals()).max() < SAME_NORMAL:
+        if not np.allclose(given, self.compute_triangle_normals(), rtol=0, atol=SAME_NORMAL, equal_nan=True):
             raise ValueError(
                 "triangle_normals: these are not the triangles' own, which no mesh keeps apart from its triangles; "
                 "orient_triangles() turns triangles, vertex_normals shade"
             )
 
     def get_surface_area(self) -> float:
-        """The area [m^2] of all triangles; those with a corner that is not finite count as none."""
-        return mesh_measures.measure(self._arrays["vertices"], self._arrays["triangles"])[0]
+        """The area [m^2] of all triangles.
+
+        Raises:
+            ValueError: A triangle has a corner that is not finite.
+        """
+        check_finite_corners("get_surface_area", self)
+        return self._finite_area()
 
     def get_volume(self) -> float:
         """The volume [m^3] that a closed mesh encloses; 0 where there are no triangles.
@@ -75,9 +83,11 @@ class MeshMeasures(MeshArrays):
         wall looks into it, and parts beside each other should all look outwards (`orient_triangles(outward=True)`).
 
         Raises:
-            ValueError: The mesh is not watertight, or neighbouring triangles do not turn the same way. Open3D answers
-                for the latter, too: 0.667 for a unit box with one triangle flipped.
+            ValueError: A triangle has a corner that is not finite, the mesh is not watertight, or neighboring triangles
+                do not turn the same way. Open3D answers for the latter, too: 0.667 for a unit box with one triangle
+                flipped.
         """
+        check_finite_corners("get_volume", self)
         topology = self.edge_topology()
         if not is_closed(topology):
             raise ValueError("get_volume: the mesh is not watertight, so it encloses no volume")
@@ -90,7 +100,11 @@ class MeshMeasures(MeshArrays):
 
         Args:
             allow_boundary_edges: Whether edges of one triangle only are allowed.
+
+        Raises:
+            ValueError: A triangle has a corner that is not finite.
         """
+        check_finite_corners("is_edge_manifold", self)
         topology = self.edge_topology()
         return not topology.has_crowded_edge and (allow_boundary_edges or not topology.has_boundary)
 
@@ -101,13 +115,25 @@ class MeshMeasures(MeshArrays):
         the triangles at each vertex are one fan and that none cut through each other, neither of which lets water out:
         `is_vertex_manifold` and `is_self_intersecting` tell.
 
+        Raises:
+            ValueError: A triangle has a corner that is not finite.
+
         Example:
             >>> import pointloom as loom
             >>> box = loom.TriangleMesh.create_box()
             >>> box.is_watertight(), loom.TriangleMesh(box.vertices, box.triangles[1:]).is_watertight()
             (True, False)
         """
+        check_finite_corners("is_watertight", self)
+        return self._is_closed()
+
+    def _is_closed(self) -> bool:
+        """True if there are triangles and each edge has two of them; corners need not be finite."""
         return len(self) > 0 and is_closed(self.edge_topology())
+
+    def _finite_area(self) -> float:
+        """The area [m^2] of the triangles whose corners are finite."""
+        return mesh_measures.measure(self._arrays["vertices"], self._arrays["triangles"])[0]
 
     def _signed_volume(self) -> float:
         return mesh_measures.measure(self._arrays["vertices"], self._arrays["triangles"])[1]

@@ -26,6 +26,7 @@ from ...kernels.rays.surface_hausdorff import (
     sum_squares,
 )
 from ...kernels.rays.triangle_tree import TriangleTree, trees_over
+from .finite_corners import check_finite_corners
 from .mesh_intersections import check_mesh
 from .mesh_sampling import MeshSampling
 
@@ -88,7 +89,8 @@ class MeshMetrics(MeshSampling):
 
         Raises:
             TypeError: No mesh, or no numbers.
-            ValueError: A mesh without area, meshes 1.8e19 m apart, a radius that is not positive, a count below 1.
+            ValueError: A mesh without area or with a triangle that has a corner which is not finite, meshes 1.8e19 m
+                apart, a radius that is not positive, a count below 1.
             DeviceError: The meshes are on different devices.
 
         Notes:
@@ -139,7 +141,7 @@ class MeshMetrics(MeshSampling):
 
         Raises:
             TypeError: No mesh, or no number.
-            ValueError: A distance that is not positive.
+            ValueError: A distance that is not positive, or a triangle of `mesh2` has a corner that is not finite.
             DeviceError: The meshes are on different devices.
 
         Notes:
@@ -156,6 +158,7 @@ class MeshMetrics(MeshSampling):
         check_mesh("mesh2", mesh2)
         check_same_device("mesh2", self._device, mesh2.device)
         common_unit("mesh, mesh2", (self.unit, mesh2.unit))
+        check_finite_corners("compute_error_map: mesh2", mesh2)
         largest = None if max_distance is None else check_positive("max_distance", max_distance)
         points = points_about(self._arrays["vertices"], self._origin, mesh2.origin)
         tree = TriangleTree(mesh2.device_arrays["vertices"], mesh2.device_arrays["triangles"])
@@ -233,7 +236,7 @@ def _both_ways(one: Any, two: Any, radii: list[float], count: int, seed: int) ->
         surface.area = surface.area_of(found)
     ways = []
     for mesh, other, surface, tree in ((one, two, surfaces[0], trees[1]), (two, one, surfaces[1], trees[0])):
-        mesh._check_surface(surface, "sample_points_uniformly")
+        mesh._check_surface(surface, "compute_metrics")
         ways.append(_Measured(mesh, other, tree, surface, radii, count, seed))
     found = read_together([array for way in ways for array in way.arrays])  # sync
     parts = list(zip(found[::3], found[1::3], strict=True))

@@ -8,10 +8,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_color, check_transformation
-from ...core.coordinates import ORIGIN_LIMIT
+from ...core.coordinates import origin_under
 from ...core.dropped_results import returns_new
 from ...core.upward import up_under
-from ...kernels.algebra.transform import transform_points
+from ...kernels.algebra.transform import transform_directions, transform_points
+from ...kernels.arrays.bounds import bound_points
 from ...kernels.extent.mean_covariance import mean_and_covariance
 from ...kernels.lang import vec3
 from ...kernels.linear_algebra import det, inv, matmul
@@ -19,6 +20,7 @@ from ...kernels.memory import full
 from ...kernels.meshes import mesh_edits
 from ...pcd.motion import Movable
 from ...pcd.units import unit_under
+from .finite_corners import check_finite_corners
 from .mesh_arrays import MeshArrays
 
 
@@ -33,8 +35,8 @@ class MeshMotion(MeshArrays, Movable):
             transformation: A finite 4x4 matrix with last row (0, 0, 0, 1) and an inverse.
 
         Returns:
-            The moved mesh. Normals turn with the surface (by the inverse transpose, at unit length; Open3D turns them
-            as if they were directions), and a reflection reverses the triangles, so that their outside stays outside.
+            The moved mesh. Normals turn with the surface (by the inverse transpose; Open3D turns them as if they were
+            directions) and keep their lengths. A reflection reverses the triangles: their outside stays outside.
 
         Raises:
             ValueError: Another matrix.
@@ -47,10 +49,13 @@ class MeshMotion(MeshArrays, Movable):
         if determinant == 0:
             raise ValueError(f"{name}: expected a matrix with an inverse, got one that flattens space")
         target = matmul(A, self._origin) + T[:3, 3]
-        origin = np.round(target) if np.abs(target).max() > ORIGIN_LIMIT else np.zeros(3)
+        low, high, finite = bound_points(self._arrays["vertices"])  # sync
+        low, high = (low, high) if finite else (np.zeros(3), np.zeros(3))
+        middle, half = matmul(A, (low + high) / 2.0) + target, matmul(np.abs(A), (high - low) / 2.0)
+        origin = origin_under(target, np.stack([middle - half, middle + half]))
         arrays: dict[str, Any] = {"vertices": transform_points(self._arrays["vertices"], A, target - origin)}
-        if "vertex_normals" in self._arrays:
-            arrays["vertex_normals"] = mesh_edits.turn_normals(self._arrays["vertex_normals"], inv(A).T)
+        if "vertex_normals" in self._arrays and not np.array_equal(A, np.eye(3)):
+            arrays["vertex_normals"] = transform_directions(self._arrays["vertex_normals"], inv(A).T)
         if determinant < 0:
             arrays["triangles"] = mesh_edits.flip_triangles(self._arrays["triangles"])
             if "triangle_uvs" in self._arrays:
@@ -64,7 +69,12 @@ class MeshMotion(MeshArrays, Movable):
         return self.with_arrays(origin=self._origin * factor, vertices=vertices)
 
     def get_center(self) -> NDArray[np.float64]:
-        """The mean of the vertices [m], shape [3]; zeros where there is none."""
+        """The mean of the finite vertices [m], shape [3]; zeros where there is none.
+
+        Raises:
+            ValueError: A triangle has a corner that is not finite.
+        """
+        check_finite_corners("get_center", self)
         count, mean, _ = mean_and_covariance(self._arrays["vertices"])
         return mean + self._origin if count else np.zeros(3)
 

@@ -181,7 +181,7 @@ class MeshRepair(MeshTopology, MeshSelection):
             filled_holes=filled,
             added_triangles=added + found.halved,
             removed_vertices=found.unused,
-            lost_area=_difference(self.get_surface_area(), found.copied_area + area),
+            lost_area=_difference(self._finite_area(), found.copied_area + area),
             is_orientable=orientable,
             holes_left=left,
             **mesh._findings(),

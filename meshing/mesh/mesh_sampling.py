@@ -12,6 +12,7 @@ from ...kernels.meshes.poisson_disk import CrowdedError, eliminate_samples
 from ...kernels.meshes.surface_samples import SurfaceSamples
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
+from .finite_corners import check_finite_corners
 from .mesh_arrays import MeshArrays
 
 SAMPLE_BYTES = 64  # of a point that is drawn, with its triangle, weights, normal and colour
@@ -34,11 +35,11 @@ class MeshSampling(MeshArrays):
 
         Returns:
             The points, about the mesh's origin. Where the mesh has vertex normals or colours, with those between the
-            corners of their triangles; normals of unit length (Open3D leaves them shorter). Triangles without area
-            or with a corner that is not finite get no points.
+            corners of their triangles; normals of unit length (Open3D leaves them shorter). Triangles without area get
+            no points.
 
         Raises:
-            ValueError: A count below 1, no triangles, or none with an area.
+            ValueError: A count below 1, no triangles, none with an area, or one with a corner that is not finite.
             TypeError: No whole numbers.
             MemoryError: The device has no room for so many points.
 
@@ -81,8 +82,9 @@ class MeshSampling(MeshArrays):
             The points, in the order in which they were drawn (or stand in `pcl`), as of `sample_points_uniformly`.
 
         Raises:
-            ValueError: A count below 1, no triangles, none with an area, fewer finite points in `pcl` than wanted, more
-                than 2^24 to begin with, or more than 2^30 pairs of neighbours among them.
+            ValueError: A count below 1, no triangles, none with an area, one with a corner that is not finite, fewer
+                finite points in `pcl` than wanted, more than 2^24 to begin with, or more than 2^30 pairs of neighbors
+                among them.
             TypeError: No whole numbers, or a `pcl` that is no PointCloud.
             MemoryError: The device has no room for the points or their neighbours.
 
@@ -132,10 +134,11 @@ class MeshSampling(MeshArrays):
         """Refuse a surface that there is nothing to draw from."""
         if not len(self):
             raise ValueError(f"{operation}: the mesh has no triangles, so it has no surface to draw points from")
+        check_finite_corners(operation, self)
         if not surface.area > 0:
             raise ValueError(
                 f"{operation}: none of the mesh's {len(self)} triangles has an area; each has two corners at one "
-                "place, all three on a line, or one that is not finite"
+                "place, or all three on a line"
             )
 
     def _draw(self, surface: SurfaceSamples, count: int, use_triangle_normal: bool, seed: int) -> PointCloud:

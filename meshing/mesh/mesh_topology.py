@@ -17,8 +17,9 @@ from ...kernels.memory import download
 from ...kernels.meshes import mesh_edges, orientation
 from ...kernels.meshes.boundary_loops import Border, find_loops
 from ...kernels.meshes.mesh_edits import count_referenced
-from ...kernels.meshes.surface_samples import halve_areas, measure_areas
+from ...kernels.meshes.surface_samples import triangle_areas
 from ...kernels.meshes.vertex_neighbors import VertexNeighbors
+from .finite_corners import check_finite_corners
 from .mesh_measures import MeshMeasures
 
 MOST = 2**31 - 1
@@ -114,12 +115,16 @@ class MeshTopology(MeshMeasures):
     def is_vertex_manifold(self) -> bool:
         """Whether the triangles at each vertex hang together by edges at it; see `get_non_manifold_vertices`.
 
+        Raises:
+            ValueError: A triangle has a corner that is not finite.
+
         Example:
             >>> import pointloom as loom
             >>> corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0]]
             >>> loom.TriangleMesh(corners, [[0, 1, 2], [0, 3, 4]]).is_vertex_manifold()
             False
         """
+        check_finite_corners("is_vertex_manifold", self)
         return len(self.get_non_manifold_vertices()) == 0
 
     def is_orientable(self) -> bool:
@@ -128,12 +133,16 @@ class MeshTopology(MeshMeasures):
         Edges of three triangles or more ask for nothing here; Open3D's answer for them depends on a hash table. Whether
         the triangles are wound so already is another question: `orient_triangles` does it.
 
+        Raises:
+            ValueError: A triangle has a corner that is not finite.
+
         Example:
             >>> import pointloom as loom
             >>> mesh = loom.TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], [[0, 1, 2], [1, 2, 3]])
             >>> mesh.is_orientable()
             True
         """
+        check_finite_corners("is_orientable", self)
         return orientation.Orientation(self._arrays["triangles"], self._arrays["vertices"].size).orientable
 
     @returns_new
@@ -173,12 +182,16 @@ class MeshTopology(MeshMeasures):
 
         Vertices that no triangle uses do not count; in Open3D they do, so that a stray one changes the answer.
 
+        Raises:
+            ValueError: A triangle has a corner that is not finite.
+
         Example:
             >>> import pointloom as loom
             >>> mesh = loom.TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [5, 5, 5]], [[0, 1, 2]])
             >>> mesh.euler_poincare_characteristic()
             1
         """
+        check_finite_corners("euler_poincare_characteristic", self)
         used = count_referenced(self._arrays["triangles"], self._arrays["vertices"].size)
         return used - self._edges().count + len(self)
 
@@ -205,7 +218,7 @@ class MeshTopology(MeshMeasures):
         return self.handed_out(found.starts), self.handed_out(view_as(found.vertices, int32, (used,)))
 
     def compute_triangle_areas(self) -> NDArray[np.float64]:
-        """The area [m^2] of each triangle, shape [t]; 0 for those with a corner that is not finite.
+        """The area [m^2] of each triangle, shape [t]; NaN for those with a corner that is not finite.
 
         Open3D's tensor mesh stores them; here they are returned.
 
@@ -214,8 +227,7 @@ class MeshTopology(MeshMeasures):
             >>> loom.TriangleMesh([[0, 0, 0], [2, 0, 0], [0, 1, 0]], [[0, 1, 2]]).compute_triangle_areas().tolist()
             [1.0]
         """
-        doubled = measure_areas(self._arrays["vertices"], self._arrays["triangles"])
-        return self.handed_out(halve_areas(doubled))
+        return self.handed_out(triangle_areas(self._arrays["vertices"], self._arrays["triangles"]))
 
     def _edges(self, padded: bool = False) -> mesh_edges.UniqueKeys:
         return mesh_edges.find_edges(self._arrays["triangles"], self._arrays["vertices"].size, padded)

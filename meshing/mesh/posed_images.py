@@ -13,6 +13,7 @@ from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.images import RGBDImage, check_intrinsic, upload_color
 from ...core.checks import check_list, check_rigid
 from ...core.devices import check_same_device
+from ...core.masked_arrays import unmasked
 from ...kernels.arrays.concatenation import concatenate_rows
 from ...kernels.lang import uint8
 from ...kernels.linear_algebra import matmul
@@ -102,7 +103,7 @@ def _take(image: Any, camera: Any, device: Any) -> tuple[wp.array, wp.array | No
         if image.color_array.dtype != uint8:
             raise ValueError("brightness only; make the image with convert_rgb_to_intensity=False to keep its colours")
         return image.color_array, image.depth_array
-    pixels = np.asarray(image)
+    pixels = np.asarray(unmasked("image", image))
     if pixels.ndim not in (2, 3) or 0 in pixels.shape:
         raise ValueError(f"expected an RGBDImage or a uint8 picture [h, w, 3], got {_named(image, pixels)}")
     height, width = pixels.shape[:2]

@@ -13,6 +13,7 @@ from ...core.reports import Fields
 from ...core.units import symbol_of
 from ...core.wording import plain
 from .changed_mesh import ChangedMesh, sizes_before
+from .finite_corners import find_wrong_corner
 from .mesh import TriangleMesh
 from .mesh_intersections import check_mesh
 
@@ -182,7 +183,9 @@ def _one_of(triangles: Any, ratio: Any, voxel_size: Any) -> tuple[str, float]:
 
 
 def _shift_of(small: TriangleMesh, full: TriangleMesh) -> SurfaceShift | None:
-    """How far the full surface lies from the simplified one; None where either has no area."""
+    """How far the full surface lies from the simplified one; None where either has no area or corners not finite."""
+    if find_wrong_corner(small) or find_wrong_corner(full):
+        return None
     if not (small.get_surface_area() > 0 and full.get_surface_area() > 0):
         return None
     found = full.compute_metrics(small, n_sampled_points=SAMPLES)

@@ -46,7 +46,7 @@ class SmoothedMesh(ChangedMesh):
         method: "taubin", "laplacian", "simple" or "sharpen".
         iterations: How often.
         moved: How far the finite vertices moved; None where there is none.
-        area_in, area: Before and after [m^2].
+        area_in, area: Of the triangles with finite corners, before and after [m^2].
         vertices_in, triangles_in: How many the other one had.
         poor: Why the mesh is not to be believed, with the remedy; None where it is.
 
@@ -154,8 +154,8 @@ def smooth_mesh(
         method=method,
         iterations=count,
         moved=Movement(float(moved.mean()), float(moved.max())) if len(moved) else None,
-        area_in=mesh.get_surface_area(),
-        area=smooth.get_surface_area(),
+        area_in=mesh._finite_area(),
+        area=smooth._finite_area(),
     )
 
 

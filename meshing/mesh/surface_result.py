@@ -9,6 +9,7 @@ from ...core.audience import Audience, to_caller
 from ...core.reports import Fields, Report, in_columns, with_poor
 from ...core.units import LengthUnit, symbol_of
 from ...core.wording import format_bounds, format_share, plain
+from .alpha_shape import FLAT_REMEDY
 from .mesh import TriangleMesh
 from .mesh_summary import SurfaceSummary
 from .poisson import OPPOSED
@@ -112,6 +113,7 @@ class SurfaceResult(Report):
         summary: The surface in figures.
         made_up: How much of the surface lies far from all points; of Poisson's and of alpha shapes.
         off: How far the points lie from it.
+        flat: Why no alpha gives an alpha shape, such as that the points lie in one plane; None if one does.
         poor: Why the surface is not to be believed, with the remedy; None where it is.
 
     Example:
@@ -132,6 +134,7 @@ class SurfaceResult(Report):
     summary: SurfaceSummary
     made_up: MadeUp
     off: PointsOff = PointsOff()
+    flat: str | None = None
 
     def __str__(self) -> str:
         return in_columns(with_poor(self.fields(), self.poor))
@@ -184,6 +187,9 @@ class SurfaceResult(Report):
     def _why_empty(self, say: Audience) -> str | None:
         if not self.points:
             return "no point is finite, so there is no surface" + say("", "; nothing was written")
+        if self.flat is not None and not self.summary.triangles:
+            ball, written = say("method='ball'", "--method ball"), say("", ", and nothing was written")
+            return f"the mesh is empty{written}: {self.flat}, so no alpha gives a surface; {FLAT_REMEDY} ({ball})"
         if not self.summary.triangles:
             return f"the mesh is empty{say('', ', and nothing was written')}; take {say(*_LARGER[self.method])}"
         return None

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 from typing import Any, TypeVar
 
-import numpy as np
-
 from ...core.array_libraries import view_as
 from ...kernels.lang import float32, vec3
-from ...kernels.meshes.mesh_edits import turn_normals
 from ...kernels.rays.surface_places import SurfacePlaces, middles_of
 from ...kernels.rays.triangle_tree import TriangleTree
+from ...kernels.surface.orientation import normalize_vectors
 from .mesh_attributes import each, rows_of
 
 Mesh = TypeVar("Mesh", bound=Any)
@@ -49,5 +47,5 @@ def with_vectors_of(mesh: Mesh, source: Any, tree: TriangleTree | None = None) -
         table = mixed.of(view_as(rows, float32, (rows.size, 3)))
         arrays[name] = view_as(table, vec3, (mixed.count,))
     if "vertex_normals" in arrays:
-        arrays["vertex_normals"] = turn_normals(arrays["vertex_normals"], np.eye(3))
+        arrays["vertex_normals"] = normalize_vectors(arrays["vertex_normals"])
     return mesh.with_arrays(**arrays)

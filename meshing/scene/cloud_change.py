@@ -20,6 +20,7 @@ from ...kernels.surface.value_spreads import spread_values
 from ...pcd.change import LEAST_POINTS
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
+from ..mesh.finite_corners import check_finite_corners
 from ..mesh.mesh import TriangleMesh
 from ..mesh.mesh_intersections import check_mesh
 
@@ -80,7 +81,7 @@ def cloud_to_mesh(
 
     Raises:
         TypeError: No cloud, or no mesh.
-        ValueError: Lengths that are not above 0.
+        ValueError: Lengths that are not above 0, or a triangle of the mesh has a corner that is not finite.
         DeviceError: They are on different devices.
 
     Warns:
@@ -104,6 +105,7 @@ def cloud_to_mesh(
     check_cloud("cloud", cloud)
     check_mesh("mesh", mesh)
     check_same_device("mesh", cloud.device, mesh.device)
+    check_finite_corners("mesh", mesh)
     common_unit("cloud, mesh", (cloud.unit, mesh.unit))
     error = check_positive("registration_error", registration_error, allow_zero=True)
     within = None if radius is None else check_positive("radius", radius)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.checks import check_count, check_finite, check_number, check_shape, check_transformation
-from ...core.coordinates import ORIGIN_LIMIT
+from ...core.coordinates import NEAR_ZERO
 from ...kernels.linear_algebra import inv, matmul, norm
 
 MOST_PIXELS = 2**28  # of a picture: as many as a camera of clouds may have
@@ -70,7 +70,7 @@ def _unit(name: str, v: NDArray[np.float64], complaint: str) -> NDArray[np.float
 def _rays(K: NDArray[Any], T: NDArray[Any], width: int, height: int) -> NDArray[Any]:
     back = inv(T)
     to_scene = matmul(back[:3, :3], inv(K))
-    far = np.abs(back[:3, 3]).max() > ORIGIN_LIMIT
+    far = np.abs(back[:3, 3]).max() > NEAR_ZERO
     rays = np.empty((height, width, 6), np.float64 if far else np.float32)
     columns, rows = np.arange(width) + 0.5, np.arange(height) + 0.5
     rays[..., :3] = back[:3, 3] + 0.0  # no minus zero

@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...core.checks import check_count, check_rigid, check_rows
-from ...core.coordinates import ORIGIN_LIMIT
+from ...core.coordinates import NEAR_ZERO
 from ...core.devices import check_same_device, resolve_device
 from ...core.known_names import KnownNames
-from ...core.pickled_arrays import device_like
+from ...core.pickled_arrays import device_like, unpickling
 from ...kernels.linear_algebra import matmul
 from ...kernels.rays.scene_trees import SceneTrees
 from ...kernels.rays.triangle_tree import TriangleTree
+from ..mesh.finite_corners import find_wrong_corner
 from ..mesh.mesh import TriangleMesh
+from ..mesh.mesh_intersections import check_mesh
 
 
 class SceneGeometries(KnownNames):
@@ -66,10 +69,21 @@ class SceneGeometries(KnownNames):
         """The scene on the device that it was on; on the first GPU where there is another number of them.
 
         Raises:
+            ValueError: The state is damaged: no meshes, a geometry of a mesh that is not there, or a pose that is not
+                rigid.
             DeviceError: It was on a GPU, and here is none.
         """
-        self.__init__(device_like("scene", state["device"]))
-        self._meshes, self._mesh_of, self._poses = state["meshes"], state["mesh_of"], state["poses"]
+        with unpickling("scene"):
+            device, meshes, mesh_of = device_like("scene", state["device"]), state["meshes"], state["mesh_of"]
+            for mesh in meshes:
+                check_mesh("meshes", mesh)
+                check_same_device("meshes", device, mesh.device)
+            numbers = [check_count("mesh_of", number, minimum=0, maximum=len(meshes) - 1) for number in mesh_of]
+            poses = [check_rigid("poses", pose) for pose in state["poses"]]
+            if len(poses) != len(numbers):
+                raise ValueError(f"poses: expected one for each of {len(numbers)} geometries, got {len(poses)}")
+        self.__init__(device)
+        self._meshes, self._mesh_of, self._poses = [*meshes], numbers, poses
         self._trees = [TriangleTree(mesh.array("vertices"), mesh.array("triangles")) for mesh in self._meshes]
 
     @property
@@ -94,7 +108,8 @@ class SceneGeometries(KnownNames):
             DeviceError: The mesh is on another device.
 
         Notes:
-            Triangles with a corner that is not finite are left out; the numbers of the others stay theirs.
+            Triangles with a corner that is not finite are left out with a warning; the numbers of the others stay
+            theirs.
 
         Example:
             >>> import pointloom as loom
@@ -112,6 +127,9 @@ class SceneGeometries(KnownNames):
                 raise TypeError(f"mesh: expected a TriangleMesh, or vertices and triangles, got {type(mesh).__name__}")
             added = TriangleMesh(check_rows("mesh", mesh, 3), triangles, device=self._device)
         T = np.eye(4) if pose is None else check_rigid("pose", pose)
+        if (wrong := find_wrong_corner(added)) is not None:
+            message = f"mesh: {wrong}; such triangles are left out, so distances and occupancy are of an open surface"
+            warnings.warn(message, UserWarning, stacklevel=2)
         self._trees.append(TriangleTree(added.array("vertices"), added.array("triangles")))
         self._meshes.append(added)
         return self._place(len(self._meshes) - 1, T)
@@ -186,8 +204,9 @@ class SceneGeometries(KnownNames):
         """What the scene's float32 positions count from: zero, or where the first mesh's do if that is far away."""
         if not self._poses:
             return np.zeros(3)
-        place = matmul(self._poses[0][:3, :3], self._meshes[self._mesh_of[0]].origin) + self._poses[0][:3, 3]
-        return place if np.abs(place).max() > ORIGIN_LIMIT else np.zeros(3)
+        anchor = self._meshes[self._mesh_of[0]].origin
+        place = matmul(self._poses[0][:3, :3], anchor) + self._poses[0][:3, 3]
+        return place if anchor.any() or np.abs(place).max() > NEAR_ZERO else np.zeros(3)
 
     def _stored_poses(self) -> NDArray[np.float64]:
         """float64 [geometries, 4, 4], from the meshes' stored float32 vertices to positions about `_origin`."""

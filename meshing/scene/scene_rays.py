@@ -183,8 +183,8 @@ class SceneRays(SceneGeometries):
             up: The direction [3] that rows follow: as in Open3D the first row is the lowest.
 
         Returns:
-            Rays for `cast_rays`, shape [height_px, width_px, 6]; float32, or float64 where a coordinate of the camera
-            passes 1e4 m. Directions are not of unit length: the parameter t is the depth
+            Rays for `cast_rays`, shape [height_px, width_px, 6]; float32, or float64 if the camera is more than
+            128 m from zero. Directions are not of unit length: the parameter t is the depth
             along the camera's axis.
 
         Raises:

@@ -12,10 +12,10 @@ from numpy.typing import ArrayLike, NDArray
 from ...core.array_libraries import view_as
 from ...core.checks import check_finite, check_numeric, check_positive, check_rows, check_shape, is_on_gpu
 from ...core.devices import resolve_device
-from ...core.errors import FileError
+from ...core.errors import values_of_file
 from ...core.gpu_arrays import device_for, take_numbers
 from ...core.known_names import ToldNames
-from ...core.pickled_arrays import device_like
+from ...core.pickled_arrays import device_like, unpickling
 from ...core.told_arguments import told_arguments
 from ...kernels.array_types import Cells, Mask
 from ...kernels.arrays.bounds import bound_points
@@ -28,10 +28,19 @@ from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
 from ...pcd.raster_cells import check_lengths
 from ..mesh.voxel_grid import VoxelGrid
-from .distance_field_files import LARGEST, FieldSource, arrays_of, read_field, source_of, write_field
+from .distance_field_files import (
+    LARGEST,
+    FieldSource,
+    arrays_of,
+    check_field_arrays,
+    read_field,
+    source_of,
+    write_field,
+)
 from .distance_field_queries import FieldQueries
 from .distance_field_views import FieldViews
 from .occupancy import OccupancyGrid
+from .voxel_boxes import check_voxel_size
 
 
 class DistanceField(FieldQueries, FieldViews, ToldNames):
@@ -63,6 +72,7 @@ class DistanceField(FieldQueries, FieldViews, ToldNames):
         [False]
     """
 
+    _fixed = ("device", "voxel_size", "max_distance", "shape", "origin", "is_signed")
     device: Any
     voxel_size: float
     max_distance: float | None
@@ -87,7 +97,7 @@ class DistanceField(FieldQueries, FieldViews, ToldNames):
             voxel_size: Edge of a voxel [m].
             max_distance: How far distances are to be known [m], at most 16,383 voxels.
             origin: The lowest corner of voxel (0, 0, 0) [m], shape [3]; None takes the cloud's own `origin`, which is
-                zero or, for coordinates beyond 1e4 m, whole metres: voxels then lie at whole multiples of their size.
+                zero, or near the median of points that are far from zero for their extent.
 
         Raises:
             TypeError: No cloud.
@@ -110,7 +120,7 @@ class DistanceField(FieldQueries, FieldViews, ToldNames):
         """
         check_cloud("cloud", cloud)
         check_lengths(cloud)
-        edge = check_positive("voxel_size", voxel_size)
+        edge = check_voxel_size(voxel_size)
         place = cloud.origin if origin is None else check_finite("origin", check_shape("origin", origin, (3,)))
         points = cloud.device_array("points")
         x, y, z = (cloud.origin - place).tolist()
@@ -162,7 +172,7 @@ class DistanceField(FieldQueries, FieldViews, ToldNames):
             [1.0, -1.0, -1.0, 1.0]
         """
         mask, shape = _take_mask(occupied, device)
-        edge = check_positive("voxel_size", voxel_size)
+        edge = check_voxel_size(voxel_size)
         limit = None if max_distance is None else check_positive("max_distance", max_distance)
         corner = check_finite("origin", check_shape("origin", origin, (3,)))
         source = FieldSource(corner, edge, limit, shape, bool(signed))
@@ -230,7 +240,7 @@ class DistanceField(FieldQueries, FieldViews, ToldNames):
             raise TypeError(f"coordinates: expected whole numbers, got {cells.dtype}")
         if cells.size and not (cells.min() > -LARGEST and cells.max() < LARGEST):
             raise ValueError(f"coordinates: {cells.min()}..{cells.max()} are more than 30 bits hold")
-        edge, limit = check_positive("voxel_size", voxel_size), check_positive("max_distance", max_distance)
+        edge, limit = check_voxel_size(voxel_size), check_positive("max_distance", max_distance)
         corner = check_finite("origin", check_shape("origin", origin, (3,)))
         return cls.from_device_voxels(upload(cells, vec3i, resolve_device(device)), FieldSource(corner, edge, limit))
 
@@ -325,10 +335,8 @@ class DistanceField(FieldQueries, FieldViews, ToldNames):
             MemoryError: There is no room for it.
         """
         arrays, where = read_field(path), resolve_device(device)
-        try:
+        with values_of_file(path):
             return cls._of_arrays(arrays, where)
-        except ValueError as error:
-            raise FileError(path, str(error)) from error
 
     def _arrays(self) -> dict[str, NDArray[Any]]:
         return arrays_of(self._source, self.occupied_voxels)
@@ -345,10 +353,13 @@ class DistanceField(FieldQueries, FieldViews, ToldNames):
         """The field on the device that it was on; on the first GPU where there is another number of them.
 
         Raises:
+            ValueError: The state is damaged.
             DeviceError: It was on a GPU, and here is none.
         """
-        where = device_like("distance field", state["device"])
-        vars(self).update(vars(self._of_arrays(state["arrays"], where)))
+        with unpickling("distance field"):
+            where = device_like("distance field", state["device"])
+            made = self._of_arrays(check_field_arrays(state["arrays"]), where)
+        vars(self).update(vars(made))
 
 
 def _take_mask(occupied: Any, device: Any) -> tuple[Mask, tuple[int, int, int]]:

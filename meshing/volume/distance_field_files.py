@@ -8,12 +8,13 @@ occupied ones.
 from __future__ import annotations
 
 import os
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...files.points.archives import Arrays, Expected, read_archive, rows_of, write_archive
+from ...files.points.archives import Arrays, Expected, check_arrays, read_archive, rows_of, write_archive
+from .voxel_boxes import find_fault_of_voxel_size
 
 FORMAT = b"pointloom distance field 1"
 LARGEST = 2**29  # of coordinates of voxels; fewer are in reach
@@ -66,6 +67,15 @@ def read_field(path: str | os.PathLike[str]) -> Arrays:
     return read_archive(path, FORMAT, "distance field", "DistanceField.save", _expected, _find_fault)
 
 
+def check_field_arrays(arrays: Any) -> Arrays:
+    """The arrays of a pickled field, checked.
+
+    Raises:
+        ValueError: They are damaged.
+    """
+    return check_arrays(arrays, _expected, _find_fault)
+
+
 def _expected(arrays: Arrays) -> Expected:
     return {
         "origin": (np.float64, (3,)),
@@ -81,8 +91,10 @@ def _find_fault(arrays: Arrays) -> str:
     voxel_size, limit = arrays["sizes"].tolist()
     shape, voxels = arrays["shape"], arrays["voxels"]
     has_shape = bool((shape > 0).all())
-    if not (0 < voxel_size < np.inf and limit > 0):
-        return f"sizes: expected a voxel size and a distance above 0, got {voxel_size} and {limit}"
+    if fault := find_fault_of_voxel_size(voxel_size):
+        return f"sizes: {fault}"
+    if not limit > 0:
+        return f"sizes: expected a distance above 0, got {limit}"
     if not np.isfinite(arrays["origin"]).all():
         return "origin: not finite"
     if not has_shape and (shape.any() or limit == np.inf or arrays["is_signed"]):

@@ -9,11 +9,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_number, check_positive
-from ...core.coordinates import split_origin
+from ...core.coordinates import origin_of_sensor
 from ...core.devices import resolve_device
 from ...core.dropped_results import returns_new
+from ...core.errors import values_of_file
 from ...core.known_names import ToldNames
-from ...core.pickled_arrays import device_like
+from ...core.pickled_arrays import device_like, unpickling
 from ...core.told_arguments import told_arguments
 from ...kernels.lang import float32, int64, vec3
 from ...kernels.memory import download, upload
@@ -22,11 +23,10 @@ from ...kernels.volumes.occupancy_blocks import OUTERMOST, OddsBlocks
 from ...kernels.volumes.occupancy_rays import Lattice
 from ...kernels.volumes.tsdf_blocks import BLOCK_VOXELS
 from ...pcd.cloud import PointCloud
-from .occupancy_files import find_fault_of_model, log_odds_of, read_grid, write_grid
+from .occupancy_files import check_grid_arrays, find_fault_of_model, log_odds_of, read_grid, write_grid
 from .occupancy_questions import OccupancyQuestions
-from .voxel_boxes import places_of
+from .voxel_boxes import check_voxel_size, places_of
 
-SMALLEST = 1.0e-6  # [m] of a voxel, and the largest is 1 / this: float32 holds its half and its inverse
 FARTHEST = 3.0e38  # [m] of a scan without max_range
 
 
@@ -68,6 +68,7 @@ class OccupancyGrid(OccupancyQuestions, ToldNames):
 
     device: Any
     voxel_size: float
+    _fixed = ("device", "voxel_size")
 
     @told_arguments
     def __init__(
@@ -80,9 +81,7 @@ class OccupancyGrid(OccupancyQuestions, ToldNames):
         *,
         device: Any = None,
     ):
-        edge = check_positive("voxel_size", voxel_size)
-        if not SMALLEST <= edge <= 1 / SMALLEST:
-            raise ValueError(f"voxel_size: {edge:g} m; expected {SMALLEST:g} to {1 / SMALLEST:g} m")
+        edge = check_voxel_size(voxel_size)
         given = {"hit": hit, "miss": miss, "min": min, "max": max}
         self._model = tuple(check_number(name, value) for name, value in given.items())
         fault = find_fault_of_model(*self._model)
@@ -101,7 +100,7 @@ class OccupancyGrid(OccupancyQuestions, ToldNames):
 
     @property
     def origin(self) -> NDArray[np.float64]:
-        """Where the grid's coordinates start [m]: zero, or near the first scan where that is beyond 1e4 m."""
+        """Where the grid's coordinates start [m]: zero, or whole meters near the first scan if that is beyond 128 m."""
         return np.zeros(3) if self._origin is None else self._origin.copy()
 
     @property
@@ -161,7 +160,7 @@ class OccupancyGrid(OccupancyQuestions, ToldNames):
         longest = FARTHEST if max_range is None else check_positive("max_range", max_range)
         if not len(cloud):
             return 0
-        place = self._origin if self._origin is not None else split_origin(starts[:1])[1]
+        place = self._origin if self._origin is not None else origin_of_sensor(starts[0])
         local = starts - place
         if not np.abs(local).max() < OUTERMOST * self.voxel_size:
             raise ValueError(
@@ -202,7 +201,9 @@ class OccupancyGrid(OccupancyQuestions, ToldNames):
         Raises:
             FileError: The file is missing, damaged, or no occupancy grid.
         """
-        return cls._from_downloaded(read_grid(path), device)
+        arrays, where = read_grid(path), resolve_device(device)
+        with values_of_file(path):
+            return cls._from_downloaded(arrays, where)
 
     def _downloaded(self) -> dict[str, Any]:
         count = self.block_count
@@ -246,7 +247,10 @@ class OccupancyGrid(OccupancyQuestions, ToldNames):
         """The grid on the device that it was on; on the first GPU where there is another number of them.
 
         Raises:
+            ValueError: The state is damaged.
             DeviceError: It was on a GPU, and here is none.
         """
-        where = device_like("occupancy grid", state["device"])
-        vars(self).update(vars(self._from_downloaded(state["arrays"], where)))
+        with unpickling("occupancy grid"):
+            where = device_like("occupancy grid", state["device"])
+            made = self._from_downloaded(check_grid_arrays(state["arrays"]), where)
+        vars(self).update(vars(made))

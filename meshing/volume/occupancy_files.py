@@ -8,13 +8,15 @@ from __future__ import annotations
 
 import math
 import os
+from typing import Any
 
 import numpy as np
 
-from ...files.points.archives import Arrays, Expected, read_archive, rows_of, write_archive
+from ...files.points.archives import Arrays, Expected, check_arrays, read_archive, rows_of, write_archive
 from ...kernels.arrays.block_keys import BIAS
 from ...kernels.volumes.occupancy_blocks import UNKNOWN
 from ...kernels.volumes.tsdf_blocks import BLOCK_VOXELS, MAX_BLOCKS, block_box
+from .voxel_boxes import find_fault_of_voxel_size
 
 FORMAT = b"pointloom occupancy grid 1"
 
@@ -45,6 +47,15 @@ def read_grid(path: str | os.PathLike[str]) -> Arrays:
     return read_archive(path, FORMAT, "occupancy grid", "OccupancyGrid.save", _expected, _find_fault)
 
 
+def check_grid_arrays(arrays: Any) -> Arrays:
+    """The arrays of a pickled grid, checked against each other.
+
+    Raises:
+        ValueError: They are damaged.
+    """
+    return check_arrays(arrays, _expected, _find_fault)
+
+
 def _expected(arrays: Arrays) -> Expected:
     blocks = rows_of(arrays, "keys")
     return {
@@ -62,9 +73,8 @@ def _find_fault(arrays: Arrays) -> str:
     hit, miss, low, high = arrays["probabilities"].tolist()
     scans, keys, odds = int(arrays["scan_count"]), arrays["keys"], arrays["odds"]
     blocks = len(keys)
-    if not 0 < float(arrays["voxel_size"]) < np.inf:
-        return f"voxel_size: {float(arrays['voxel_size'])}"
-    fault = find_fault_of_model(hit, miss, low, high)
+    fault = find_fault_of_voxel_size(float(arrays["voxel_size"]))
+    fault = f"voxel_size: {fault}" if fault else find_fault_of_model(hit, miss, low, high)
     if fault:
         return fault
     if not np.isfinite(arrays["origin"]).all():

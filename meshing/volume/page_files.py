@@ -10,6 +10,7 @@ from __future__ import annotations
 import contextlib
 import weakref
 from collections.abc import Mapping
+from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -23,6 +24,7 @@ from ...core.work_folder import held
 from ...files.points.archives import Arrays, Expected, read_archive, rows_of, write_archive
 from ...kernels.arrays.block_keys import BIAS
 from ...kernels.volumes.tsdf_blocks import BLOCK_VOXELS, block_box, box_keys
+from .tsdf_files import find_fault_of_sizes
 
 LIST = "volume.npz"
 FORMAT, PAGE_FORMAT = b"pointloom paged TSDF volume 1", b"pointloom TSDF page 1"
@@ -116,14 +118,15 @@ class PageFolder:
         self._last = number
         return Page(number, np.array(arrays["keys"]))
 
-    def read(self, page: Page) -> Arrays:
+    def read(self, page: Page, *, has_colors: bool) -> Arrays:
         """The arrays of a page.
 
         Raises:
             FileError: It is missing, damaged, or of another volume.
         """
         path = self._place(page.number)
-        arrays = read_archive(path, PAGE_FORMAT, "page of a volume", "PagedTSDFVolume", _page_arrays, _fault_of_page)
+        expected = partial(_page_arrays, has_colors)
+        arrays = read_archive(path, PAGE_FORMAT, "page of a volume", "PagedTSDFVolume", expected, _fault_of_page)
         if not np.array_equal(arrays["keys"], page.keys):
             raise FileError(path, f"holds other blocks than {LIST} says", remedy="The file was changed")
         del arrays["format"]
@@ -164,7 +167,7 @@ class PageFolder:
         return Saved(told, int(arrays["side"]), {cube: Page(number, blocks) for cube, number, blocks in rows})
 
 
-def _page_arrays(arrays: Arrays) -> Expected:
+def _page_arrays(has_colors: bool, arrays: Arrays) -> Expected:
     blocks = rows_of(arrays, "keys")
     expected: dict[str, tuple[Any, tuple[int, ...]]] = {
         "keys": (np.int64, (blocks,)),
@@ -172,7 +175,7 @@ def _page_arrays(arrays: Arrays) -> Expected:
         "distances": (np.float32, (blocks, BLOCK_VOXELS)),
         "weights": (np.uint16, (blocks, BLOCK_VOXELS)),
     }
-    if "colors" in arrays:
+    if has_colors:
         expected["colors"] = (np.uint16, (blocks, BLOCK_VOXELS, 3))
     return expected
 
@@ -200,8 +203,8 @@ def _fault_of_list(arrays: Arrays) -> str:
     """What no list says, or nothing."""
     voxel_size, truncation = arrays["sizes"].tolist()
     keys, counts, side = arrays["keys"], arrays["counts"], int(arrays["side"])
-    if not (0 < voxel_size <= truncation < np.inf):
-        return f"sizes: expected 0 < voxel size <= truncation, got {voxel_size} and {truncation}"
+    if fault := find_fault_of_sizes(voxel_size, truncation):
+        return fault
     if not np.isfinite(arrays["origin"]).all() or int(arrays["frame_count"]) < 0:
         return "origin, frame_count: not finite, or negative"
     if not 1 <= side <= MOST_SIDE or (counts < 1).any() or counts.sum() != len(keys):

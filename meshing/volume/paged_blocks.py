@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.errors import FileError
 from ...kernels.lang import int64
 from ...kernels.memory import download, upload
 from ...kernels.volumes.scan_rays import ScanRays, passed_blocks
@@ -106,7 +105,7 @@ class PagedBlocks(TSDFVolume):
 
     def all_arrays(self) -> dict[str, NDArray[Any]]:
         """All blocks, in the order in which they came into the volume."""
-        parts = [self.arrays(), *(self.folder.read(page) for page in self._held.away.values())]
+        parts = [self.arrays(), *map(self.page, self._held.away)]
         together = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
         return _rows(together, np.argsort(together["ranks"]))
 
@@ -124,7 +123,10 @@ class PagedBlocks(TSDFVolume):
 
     def page(self, cube: int) -> dict[str, NDArray[Any]]:
         """The blocks of a cube that is on disk alone."""
-        return self.folder.read(self._held.away[cube])
+        return self._read(self._held.away[cube])
+
+    def _read(self, page: Page) -> dict[str, NDArray[Any]]:
+        return self.folder.read(page, has_colors=self.has_color and self._frames.colored)
 
     def is_away(self, cube: int) -> bool:
         """Whether a cube is on disk alone."""
@@ -200,9 +202,7 @@ class PagedBlocks(TSDFVolume):
         parts = [_rows(arrays, np.flatnonzero(~np.isin(cubes, leaving)))]
         for cube in coming:
             clean[cube] = away.pop(cube)
-            parts.append(self.folder.read(clean[cube]))
-            if parts[-1].keys() != arrays.keys():
-                raise FileError(self.folder.path, f"page {clean[cube].number} is of another volume")
+            parts.append(self._read(clean[cube]))
         together = {name: np.concatenate([part[name] for part in parts]) for name in arrays}
         blocks = blocks_of(together, self._held.blocks, self.max_blocks)
         self._held = _Held(blocks, together["ranks"], total, away, clean)

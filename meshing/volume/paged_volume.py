@@ -13,7 +13,8 @@ from numpy.typing import ArrayLike, NDArray
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.images import RGBDImage
 from ...core.checks import check_count, check_positive, check_rigid
-from ...core.errors import FilePath
+from ...core.devices import resolve_device
+from ...core.errors import FilePath, values_of_file
 from ...core.known_names import ToldNames
 from ...core.told_arguments import told_arguments
 from ...kernels.arrays.block_keys import BIAS
@@ -23,7 +24,7 @@ from ...kernels.memory import upload
 from ...kernels.volumes.tsdf_blocks import MAX_BLOCKS, SIDE, frame_box
 from ...pcd.cloud import PointCloud
 from ..mesh.mesh import TriangleMesh
-from .page_files import MOST_SIDE, PageFolder
+from .page_files import LIST, MOST_SIDE, PageFolder
 from .paged_blocks import PagedBlocks, blocks_of
 from .paged_surface import CubeReader, CubeSurface, joined
 from .tsdf import TSDFVolume
@@ -104,10 +105,11 @@ class PagedTSDFVolume(ToldNames):
         pages = PageFolder(folder, is_new=False)
         saved = pages.saved()
         voxel_size, truncation = saved.told["sizes"].tolist()
-        sizes: dict[str, Any] = {"voxel_size": voxel_size, "truncation": truncation, "device": device}
+        sizes: dict[str, Any] = {"voxel_size": voxel_size, "truncation": truncation, "device": resolve_device(device)}
         paged = cls.__new__(cls)
-        paged._volume = PagedBlocks(pages, saved.side, most, color=bool(saved.told["has_color"][0]), **sizes)
-        paged._volume.adopt(saved)
+        with values_of_file(pages.path / LIST):
+            paged._volume = PagedBlocks(pages, saved.side, most, color=bool(saved.told["has_color"][0]), **sizes)
+            paged._volume.adopt(saved)
         return paged
 
     def __enter__(self) -> Self:
@@ -186,7 +188,7 @@ class PagedTSDFVolume(ToldNames):
         intrinsic: PinholeCameraIntrinsic,
         extrinsic: ArrayLike,
         color: ArrayLike | None = None,
-        depth_scale: float = 1000.0,
+        depth_scale: float | None = None,
         depth_max: float | None = None,
     ) -> int:
         """Fold in one frame, as `TSDFVolume.integrate`.

@@ -11,14 +11,16 @@ import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
-from ...cameras.images import RGBDImage, check_intrinsic, upload_color, upload_raw_depth, warn_of_scale
+from ...cameras.depth_doubts import warn_of_scale
+from ...cameras.images import RGBDImage, check_intrinsic, upload_color, upload_raw_depth
 from ...core.array_libraries import NUMPY, library_of
 from ...core.checks import check_positive, check_rigid
-from ...core.coordinates import split_origin
+from ...core.coordinates import origin_of_sensor
 from ...core.devices import check_same_device, resolve_device
 from ...core.dropped_results import returns_new
+from ...core.errors import values_of_file
 from ...core.known_names import ToldNames
-from ...core.pickled_arrays import device_like
+from ...core.pickled_arrays import device_like, unpickling
 from ...core.told_arguments import told_arguments
 from ...core.watching import report
 from ...kernels.images import depth as depth_images
@@ -33,9 +35,10 @@ from ...kernels.volumes.voxel_blocks import VoxelBlocks
 from ...pcd.cloud import PointCloud
 from ..mesh.mesh import TriangleMesh
 from .block_count import BlockCount
-from .tsdf_files import VOXEL_ARRAYS, read_volume_arrays, write_volume_arrays
+from .tsdf_files import LARGEST_TRUNCATION, VOXEL_ARRAYS, check_volume_arrays, read_volume_arrays, write_volume_arrays
 from .tsdf_scans import ScanIntegration
 from .tsdf_views import RayCast, RenderedMaps, cast_view, check_view, render_colors, render_maps
+from .voxel_boxes import check_voxel_size
 
 OTHER_UNIT = 30.0  # times the farthest depth used: nothing of a place that is near lies beyond
 
@@ -59,7 +62,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
     Differences from Open3D. Like VoxelBlockGrid and unlike the legacy volume, voxels lie at whole multiples of
     `voxel_size`, distances are along z, and `weight_threshold` counts frames. Unlike both, the nearest pixel is
     looked up (VoxelBlockGrid truncates, which shifts the surface by half a pixel), the truncation is in metres, blocks
-    are found by walking rays exactly, and float depth is metres whatever `depth_scale` says.
+    are found by walking rays exactly, and float depth is metres where no `depth_scale` is given.
 
     A frame whose integration was interrupted (Ctrl-C, no memory) is in the volume or is not; `frame_count` tells.
 
@@ -84,11 +87,14 @@ class TSDFVolume(ScanIntegration, ToldNames):
 
     device: Any
     has_color: bool
+    _fixed = ("device", "has_color")
 
     @told_arguments
     def __init__(self, *, voxel_size: float, truncation: float | None = None, color: bool = True, device: Any = None):
-        edge = check_positive("voxel_size", voxel_size)
-        limit = 4 * edge if truncation is None else check_positive("truncation", truncation)
+        edge = check_voxel_size(voxel_size)
+        limit = 4 * edge
+        if truncation is not None:
+            limit = check_positive("truncation", truncation, maximum=LARGEST_TRUNCATION)
         if limit < edge:
             raise ValueError(f"truncation: {truncation} m is below one voxel ({edge} m); 4 voxels are usual")
         self.device, self.has_color = resolve_device(device), bool(color)
@@ -117,7 +123,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
 
     @property
     def origin(self) -> NDArray[np.float64]:
-        """Where the volume's coordinates start [m]: zero, or near the first camera where that is beyond 1e4 m."""
+        """Where the volume's coordinates start [m]: zero, or near the first camera if that is beyond 128 m."""
         origin = self._settled.origin
         return np.zeros(3) if origin is None else origin.copy()
 
@@ -138,18 +144,18 @@ class TSDFVolume(ScanIntegration, ToldNames):
         intrinsic: PinholeCameraIntrinsic,
         extrinsic: ArrayLike,
         color: ArrayLike | None = None,
-        depth_scale: float = 1000.0,
+        depth_scale: float | None = None,
         depth_max: float | None = None,
     ) -> int:
         """Fold in one frame: `volume.integrate(depth, camera, T, color)`, or Open3D's `integrate(rgbd, camera, T)`.
 
         Args:
-            depth: Shape [h, w]; integers are divided by `depth_scale`, floats are metres. 0, NaN and infinite mean no
+            depth: Shape [h, w]; integers of 16 bits and more, or floats. 0, NaN and infinite mean no
                 measurement. Or an RGBDImage on the volume's device, whose colours are taken where the volume keeps any.
             intrinsic: The camera, of the image's size.
             extrinsic: T_camera_world, shape [4, 4].
             color: uint8 [h, w, 3] of the same size; needed when the volume keeps colour, for every frame or for none.
-            depth_scale: Integer units a metre.
+            depth_scale: Units of depth a metre; None for 1000 of integers and 1 of floats.
             depth_max: Farthest depth used [m]; None for 3, and for all that an RGBDImage was left with.
 
         Returns:
@@ -193,7 +199,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
         """`integrate` for a frame that is on the volume's device: tracking uploads it once for both.
 
         Args:
-            depth: float32 [h * w] in metres, or uint16 in units of 1 / `depth_scale`.
+            depth: float32 or uint16 [h * w], in units of 1 / `depth_scale`.
             intrinsic: The camera, of the frame's size.
             T_world_camera: A rigid motion, not checked, float64 [4, 4].
             pixels: uint8 [h * w, 3], or None; must be as before where the volume keeps colour, see `_check_color`.
@@ -203,7 +209,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
         frames, T = self._settled, np.array(T_world_camera, np.float64)
         origin = frames.origin
         if origin is None:
-            _, origin = split_origin(T[None, :3, 3])
+            origin = origin_of_sensor(T[:3, 3])
         T[:3, 3] -= origin
         after = _Frames(frames.count + 1, origin, pixels is not None)
         self._next = (self._blocks.frame_count + 1, after)
@@ -382,7 +388,9 @@ class TSDFVolume(ScanIntegration, ToldNames):
         Raises:
             FileError: The file is missing, damaged, or no volume.
         """
-        return cls._from_downloaded(read_volume_arrays(path), device)
+        arrays, where = read_volume_arrays(path), resolve_device(device)
+        with values_of_file(path):
+            return cls._from_downloaded(arrays, where)
 
     @classmethod
     def _from_downloaded(cls, arrays: dict[str, Any], device: Any) -> TSDFVolume:
@@ -417,10 +425,13 @@ class TSDFVolume(ScanIntegration, ToldNames):
         """The volume on the device that it was on; on the first GPU where there is another number of them.
 
         Raises:
+            ValueError: The state is damaged.
             DeviceError: It was on a GPU, and here is none.
         """
-        where = device_like("volume", state["device"])
-        vars(self).update(vars(self._from_downloaded(state["arrays"], where)))
+        with unpickling("volume"):
+            where = device_like("volume", state["device"])
+            made = self._from_downloaded(check_volume_arrays(state["arrays"]), where)
+        vars(self).update(vars(made))
 
     # ------------------------------------------------------------------------------------------ internals
 

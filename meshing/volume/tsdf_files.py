@@ -11,12 +11,25 @@ from typing import Any
 
 import numpy as np
 
-from ...files.points.archives import Arrays, Expected, read_archive, rows_of, write_archive
+from ...files.points.archives import Arrays, Expected, check_arrays, read_archive, rows_of, write_archive
 from ...kernels.arrays.block_keys import BIAS
 from ...kernels.volumes.tsdf_blocks import BLOCK_VOXELS, MAX_BLOCKS, block_box
+from .voxel_boxes import find_fault_of_voxel_size
 
 FORMAT = b"pointloom TSDF volume 1"
+LARGEST_TRUNCATION = 1e9  # [m]
 VOXEL_ARRAYS = ("keys", "distances", "weights", "colors")
+
+
+def find_fault_of_sizes(voxel_size: float, truncation: float) -> str:
+    """What no voxel size and truncation are, or nothing."""
+    if fault := find_fault_of_voxel_size(voxel_size):
+        return f"sizes: {fault}"
+    if not voxel_size <= truncation <= LARGEST_TRUNCATION:
+        return (
+            f"sizes: expected a truncation of {voxel_size:g} (a voxel) to {LARGEST_TRUNCATION:g} m, got {truncation:g}"
+        )
+    return ""
 
 
 def write_volume_arrays(path: str | os.PathLike[str], arrays: Arrays, *, overwrite: bool) -> None:
@@ -27,6 +40,15 @@ def write_volume_arrays(path: str | os.PathLike[str], arrays: Arrays, *, overwri
 def read_volume_arrays(path: str | os.PathLike[str]) -> Arrays:
     """The arrays of a saved volume, checked against each other."""
     return read_archive(path, FORMAT, "volume", "TSDFVolume.save", _expected, _find_fault)
+
+
+def check_volume_arrays(arrays: Any) -> Arrays:
+    """The arrays of a pickled volume, checked against each other.
+
+    Raises:
+        ValueError: They are damaged.
+    """
+    return check_arrays(arrays, _expected, _find_fault)
 
 
 def _expected(arrays: Arrays) -> Expected:
@@ -52,8 +74,8 @@ def _find_fault(arrays: Arrays) -> str:
     has_color, colored = arrays["has_color"].tolist()
     frames, keys = int(arrays["frame_count"]), arrays["keys"]
     blocks = len(keys)
-    if not (0 < voxel_size <= truncation < np.inf):
-        return f"sizes: expected 0 < voxel size <= truncation, got {voxel_size} and {truncation}"
+    if fault := find_fault_of_sizes(voxel_size, truncation):
+        return fault
     if not np.isfinite(arrays["origin"]).all():
         return "origin: not finite"
     if frames < 0 or (frames == 0 and (blocks or colored or arrays["origin"].any())):

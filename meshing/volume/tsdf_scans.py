@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...core.array_libraries import library_of
 from ...core.checks import check_positive, check_rows
-from ...core.coordinates import split_origin
+from ...core.coordinates import origin_of_sensor
 from ...core.devices import check_same_device
 from ...core.told_arguments import told_arguments
 from ...core.watching import report
@@ -110,7 +110,7 @@ class ScanIntegration:
             self._check_color(has_colors)
         colors = cloud.device_array("colors") if has_colors and cloud is not None else None
         frames = self._settled
-        start = frames.origin if frames.origin is not None else split_origin(scanners)[1]
+        start = frames.origin if frames.origin is not None else origin_of_sensor(scanners[0])
         if cloud is not None:
             positions = add_origin(cloud.device_array("points"), cloud.origin - start)
         else:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_list, check_positive, check_rigid
-from ...core.coordinates import choose_origin
+from ...core.coordinates import origin_of_sensor
 from ...core.devices import check_same_device
 from ...kernels.linear_algebra import inv, matmul
 from ...kernels.memory import download
@@ -69,8 +69,8 @@ def fuse_volumes(
         color: Whether the result keeps colour; None where all volumes with frames have it.
 
     Returns:
-        The volume. Its `frame_count` is the sum of theirs; weights stop at 65535. Its origin is zero or, where the
-        poses put volumes beyond 1e4 m, near the first in the order of their poses. More frames can be integrated.
+        The volume. Its `frame_count` is the sum of theirs; weights stop at 65535. Its origin is zero or, if the
+        poses put volumes beyond 128 m, near the first in the order of their poses. More frames can be integrated.
 
     Raises:
         ValueError: No volumes, poses that are not as many or no rigid motions, sizes that are not positive, a
@@ -114,7 +114,7 @@ def fuse_volumes(
     if not filled:
         return result
     moved = _in_fixed_order([m for m in moved if m.volume.frame_count])
-    origin = choose_origin((matmul(moved[0].pose[:3, :3], moved[0].volume.origin) + moved[0].pose[:3, 3])[None])
+    origin = origin_of_sensor(matmul(moved[0].pose[:3, :3], moved[0].volume.origin) + moved[0].pose[:3, 3])
     if (moved[0].pose == np.eye(4)).all():
         origin = moved[0].volume.origin  # its grid stays
     backs = [_way_back(m, origin, size) for m in moved]

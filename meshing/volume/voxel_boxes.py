@@ -7,10 +7,32 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.checks import check_finite, check_numeric, check_shape
+from ...core.checks import check_finite, check_numeric, check_positive, check_shape
 from ...kernels.volumes.tsdf_blocks import SIDE, block_box
 
 Corners = tuple[NDArray[np.int64], NDArray[np.int64]]
+
+SMALLEST_VOXEL = 1.0e-9  # [m], and the largest is 1 / this: float32 holds its half and its inverse
+
+
+def find_fault_of_voxel_size(size: float) -> str:
+    """What no edge of a voxel is, or nothing."""
+    if SMALLEST_VOXEL <= size <= 1 / SMALLEST_VOXEL:
+        return ""
+    return f"expected a voxel size of {SMALLEST_VOXEL:g} to {1 / SMALLEST_VOXEL:g} m, got {size:g}"
+
+
+def check_voxel_size(value: Any) -> float:
+    """The edge of a voxel of a volume [m].
+
+    Raises:
+        TypeError: No number.
+        ValueError: Not above zero, or too small or large for float32.
+    """
+    size = check_positive("voxel_size", value)
+    if fault := find_fault_of_voxel_size(size):
+        raise ValueError(f"voxel_size: {fault}")
+    return size
 
 
 def voxels_of_blocks(keys: NDArray[np.int64]) -> Corners:

@@ -22,7 +22,7 @@ from ...cameras.camera_models import CameraModel
 from ...core.checks import check_list, check_name, check_share, check_transformation
 from ...core.devices import resolve_device
 from ...core.dropped_results import returns_new
-from ...core.errors import FileError, FilePath
+from ...core.errors import FileError, FilePath, values_of_file
 from ...core.paths import path_of
 from ...core.progress import ReportProgress
 from ...files.models.sfm_model import SfmModel
@@ -239,14 +239,15 @@ def _cameras(
         if not (np.isfinite(pose).all() and np.isfinite(k).all()):
             raise FileError(path, "a pose or a camera that is not finite", where=where)
         R = pose[:3, :3]
-        if np.abs(R @ R.T - np.eye(3)).max() > TURN or np.linalg.det(R) < 0:
+        if np.abs(R).max() > 2 or np.abs(R @ R.T - np.eye(3)).max() > TURN or np.linalg.det(R) < 0:
             raise FileError(path, f"{names['T']}: the rotation is none", where=where)
         rigid = np.eye(4)
         rigid[:3, :3], rigid[:3, 3] = nearest_rotation(R), pose[:3, 3]
         if k[0, 0] <= 0 or k[1, 1] <= 0 or np.abs(k[[0, 1, 2, 2], [1, 0, 0, 1]]).max() > 1e-3 * k[0, 0]:
             raise FileError(path, f"{names['K']}: expected focal lengths above 0 without skew", where=where)
-        intrinsic = PinholeCameraIntrinsic(width, height, k[0, 0], k[1, 1], k[0, 2], k[1, 2])
-        cameras.append(PosedCamera(intrinsic, rigid))
+        with values_of_file(path, where=where):
+            intrinsic = PinholeCameraIntrinsic(width, height, k[0, 0], k[1, 1], k[0, 2], k[1, 2])
+            cameras.append(PosedCamera(intrinsic, rigid))
     return cameras
 
 

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_count, check_finite, check_list, check_numeric, check_rigid, check_rows
+from ...kernels.linear_algebra import inv, matmul
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -47,7 +48,7 @@ class PosedCamera:
     @property
     def center(self) -> NDArray[np.float64]:
         """Where the camera stood in the world, shape [3] [unit of the poses]."""
-        return -self.T_camera_world[:3, :3].T @ self.T_camera_world[:3, 3] + 0.0
+        return matmul(-inv(self.T_camera_world[:3, :3]), self.T_camera_world[:3, 3]) + 0.0
 
 
 @dataclasses.dataclass(frozen=True, eq=False)

@@ -15,6 +15,7 @@ from typing import Any
 from urllib.parse import quote
 
 from ...core.errors import FileError
+from ...core.sqlite_files import check_no_code, protect
 from ...core.wording import format_bytes
 from .limited_process import LimitedProcess
 
@@ -129,6 +130,8 @@ def open_database(path: Path) -> Iterator[sqlite3.Connection]:
         raise FileError(path, reason, remedy="sfm.find_features makes one")
     try:
         with contextlib.closing(sqlite3.connect(f"file:{quote(os.fspath(path))}?mode=ro", uri=True)) as database:
+            protect(database, path)
+            check_no_code(database, path, remedy="sfm.find_features makes one")
             yield database
     except sqlite3.Error as error:
         reason = f"cannot be read as a database of COLMAP: {error}"

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from ...core.errors import DatasetError, FileError, FilePath
+from ...core.masked_arrays import unmasked
 from ...files.pictures.image_files import decode_texture, read_color, read_picture_header, write_png
 from ...files.pictures.photo_files import is_photo, read_alpha
 from .frame_choice import FrameChoice
@@ -220,7 +221,7 @@ def _of_function(
         raise ValueError(f"masks({name}): the function raised {type(error).__name__}: {error}") from error
     if given is None:
         return None
-    mask = np.asarray(given)
+    mask = np.asarray(unmasked(f"masks({name})", given))
     if mask.ndim != 2 or mask.dtype not in (np.bool_, np.uint8):
         raise TypeError(f"masks({name}): expected bool or uint8 [h, w], got {mask.dtype} {list(mask.shape)}")
     if mask.shape != (size[1], size[0]):

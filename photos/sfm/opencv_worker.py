@@ -5,13 +5,15 @@ this program imports cv2 and nothing of ours; it is run, never imported:
 
     python opencv_worker.py < job.json > frames.ppm
 
-A job is one JSON object on standard input: "path", and "probe": true for one JSON object that describes the video, or
-"max_size", "grey" and "numbers" (null for all) for frames as PGM or PPM pictures, one after the other.
+A job is one JSON object on standard input: "path" and "container" (ffmpeg's name of it), and "probe": true for one JSON
+object that describes the video, or "max_size", "grey" and "numbers" (null for all) for frames as PGM or PPM pictures,
+one after the other.
 """
 
 from __future__ import annotations
 
 import json
+import os
 import sys
 from typing import Any
 
@@ -24,6 +26,11 @@ def main() -> int:
     except ImportError as error:
         print(f"missing: {error}", file=sys.stderr)
         return 3
+    name = job["container"]  # neither guessed nor left for another file
+    if not name:
+        return 1
+    options = f"input_format;{name}|format_whitelist;{name}|protocol_whitelist;file"
+    os.environ["OPENCV_FFMPEG_CAPTURE_OPTIONS"] = options
     video = cv2.VideoCapture(job["path"], cv2.CAP_FFMPEG)
     if not video.isOpened():
         print("OpenCV cannot open it", file=sys.stderr)

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...core.atomic import restore_folder
 from ...core.checks import shown
 from ...core.errors import DatasetError, FileError, FilePath
 from ...core.paths import path_of
@@ -66,6 +67,7 @@ def list_pictures(folder: FilePath, suffixes: Sequence[str] = SUFFIXES) -> list[
         DatasetError: No folder, or no picture in it.
     """
     place = path_of(folder)
+    restore_folder(place)
     if not place.is_dir():
         reason = "is no folder" if place.exists() else "does not exist"
         raise DatasetError(folder, reason, remedy="Give a folder of pictures")

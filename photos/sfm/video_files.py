@@ -26,6 +26,7 @@ from numpy.typing import NDArray
 from ...core.errors import FileError
 from ...core.paths import path_of
 from .limited_process import LimitedProcess
+from .video_kinds import find_container
 
 READERS = ("auto", "ffmpeg", "opencv")
 
@@ -33,6 +34,8 @@ _OPENCV = Path(__file__).with_name("opencv_worker.py")
 _PROBE_SECONDS = 120.0  # to read the head of a file, or the whole of one without an index from a slow disk
 _MISSING = 3  # exit code of opencv_worker
 _INSTALL = "Install the program ffmpeg (with ffprobe), or pip install opencv-python-headless"
+_NO_CONTAINER = "its first bytes are those of no known container of videos"
+_CONVERT = "Convert it to MP4 or MKV. Playlists are not followed: give the video itself"
 _FIRST_FPS_MODE = (5, 1)  # version of ffmpeg that knows -fps_mode
 _MOST_PIXELS = 2**28
 
@@ -44,6 +47,7 @@ class VideoFile:
     Args:
         path: The file.
         reader: "ffmpeg" or "opencv".
+        container: ffmpeg's name of its container.
         promised: How many frames it says there are; None where it says nothing.
         is_counted: Whether that is a count, not a duration times a rate.
         fps: Frames a second, on average; 0 where it says nothing.
@@ -52,6 +56,7 @@ class VideoFile:
 
     path: Path
     reader: str
+    container: str
     promised: int | None
     is_counted: bool
     fps: float
@@ -73,19 +78,21 @@ def open_video(path: str | os.PathLike[str], *, reader: str = "auto") -> VideoFi
     if reader == "ffmpeg":
         if not _ffmpeg():
             raise FileError(path, "the programs ffmpeg and ffprobe are not on the path", remedy=_INSTALL)
-        return _probe_ffmpeg(place)
-    return _probe_opencv(place)
+        return _probe_ffmpeg(place, find_container(place))
+    return _probe_opencv(place, find_container(place))
 
 
 def _ffmpeg() -> bool:
     return shutil.which("ffmpeg") is not None and shutil.which("ffprobe") is not None
 
 
-def _probe_ffmpeg(path: Path) -> VideoFile:
+def _probe_ffmpeg(path: Path, container: str) -> VideoFile:
+    if not container:
+        raise FileError(path, f"no video can be read: {_NO_CONTAINER}", remedy=_CONVERT)
     stream = "nb_frames,avg_frame_rate,duration,sample_aspect_ratio"
     entries = f"stream={stream}:format=duration"
     command = ["ffprobe", "-v", "error", "-select_streams", "v:0", "-show_entries", entries, "-of", "json"]
-    said, words = _answer(path, [*command, f"file:{path}"])
+    said, words = _answer(path, [*command, *_input(path, container)])
     try:
         content = json.loads(said)
         head = (content.get("streams") or [{}])[0]
@@ -99,18 +106,21 @@ def _probe_ffmpeg(path: Path) -> VideoFile:
     seconds = _number(head.get("duration")) or _number(content.get("format", {}).get("duration"))
     promised = counted or round(seconds * fps)
     aspect = _number(str(head.get("sample_aspect_ratio", "1")).replace(":", "/")) or 1.0
-    return VideoFile(path, "ffmpeg", int(promised) or None, bool(counted), fps, aspect)
+    return VideoFile(path, "ffmpeg", container, int(promised) or None, bool(counted), fps, aspect)
 
 
-def _probe_opencv(path: Path) -> VideoFile:
+def _probe_opencv(path: Path, container: str) -> VideoFile:
     command = [sys.executable, "-P", str(_OPENCV)]
-    said, words = _answer(path, command, stdin=json.dumps({"path": os.fspath(path), "probe": True}))
+    said, words = _answer(
+        path, command, stdin=json.dumps({"path": os.fspath(path), "container": container, "probe": True})
+    )
     try:
         head = json.loads(said)
     except ValueError as error:
-        raise FileError(path, f"no video can be read: {words or 'OpenCV says nothing'}") from error
+        words = (words or "OpenCV says nothing") if container else _NO_CONTAINER
+        raise FileError(path, f"no video can be read: {words}", remedy="" if container else _CONVERT) from error
     promised = head["frames"] if head["frames"] > 0 else None
-    return VideoFile(path, "opencv", promised, True, _number(head["fps"]))
+    return VideoFile(path, "opencv", container, promised, True, _number(head["fps"]))
 
 
 def _answer(path: Path, command: Sequence[str], *, stdin: str = "") -> tuple[str, str]:
@@ -169,7 +179,7 @@ class VideoFrames:
             command, stdin = _ffmpeg_command(video, max_size, grey, numbers), ""
         else:
             command = [sys.executable, "-P", str(_OPENCV)]
-            job = {"path": os.fspath(video.path), "max_size": max_size, "grey": grey}
+            job = {"path": os.fspath(video.path), "container": video.container, "max_size": max_size, "grey": grey}
             stdin = json.dumps(job | {"numbers": None if numbers is None else list(numbers)})
         self._process = LimitedProcess(command, max_seconds=max_seconds, max_memory=max_memory, stdin=stdin)
 
@@ -217,12 +227,18 @@ def _ffmpeg_command(video: VideoFile, max_size: int | None, grey: bool, numbers:
         filters.append(f"scale={most}:force_original_aspect_ratio=decrease:flags=area")
     # as the file holds them: none twice, none left out
     rate = ["-fps_mode" if _ffmpeg_version() >= _FIRST_FPS_MODE else "-vsync", "passthrough"]
-    command = ["ffmpeg", "-nostdin", "-hide_banner", "-v", "error", "-i", f"file:{video.path}", "-map", "0:v:0", *rate]
+    command = ["ffmpeg", "-nostdin", "-hide_banner", "-v", "error"]
+    command += [*_input(video.path, video.container), "-map", "0:v:0", *rate]
     if filters:
         command += ["-vf", ",".join(filters)]
     if numbers is not None:
         command += ["-frames:v", str(len(numbers))]
     return [*command, "-f", "image2pipe", "-c:v", "pgm" if grey else "ppm", "pipe:1"]
+
+
+def _input(path: Path, container: str) -> list[str]:
+    """ffmpeg's arguments for a file of a container, from which no other file is opened."""
+    return ["-protocol_whitelist", "file", "-format_whitelist", container, "-f", container, "-i", f"file:{path}"]
 
 
 def _any_of(numbers: list[int]) -> str:

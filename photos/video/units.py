@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.picture_names import meant_pictures
-from ...cameras.trajectory import read_lines
+from ...cameras.pose_text import read_lines
 from ...core.checks import check_positive, shown
 from ...core.errors import FileError, FilePath
 from ...core.records import digest_of, digest_of_file

@@ -147,17 +147,17 @@ class ControlGrid:
         depth: ArrayLike,
         intrinsic: PinholeCameraIntrinsic,
         extrinsic: ArrayLike | None = None,
-        depth_scale: float = 1000.0,
+        depth_scale: float | None = None,
         depth_max: float = 3.0,
     ) -> NDArray[np.float32]:
         """A depth picture as a camera without the distortion would have taken it: each pixel's point, bent and seen.
 
         Args:
-            depth: Shape [h, w]; integers are divided by `depth_scale`, floats are metres.
+            depth: Shape [h, w]; integers of 16 bits and more, or floats.
             intrinsic: The camera, of the picture's size.
             extrinsic: T_camera_fragment, shape [4, 4]: where in the fragment the picture was taken; None where the
                 fragment began.
-            depth_scale: Integer units a metre.
+            depth_scale: Units of depth a metre; None for 1000 of integers and 1 of floats.
             depth_max: Farthest depth that is taken [m].
 
         Returns:

@@ -14,7 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write
-from ...core.errors import FileError
+from ...core.devices import resolve_device
+from ...core.errors import FileError, values_of_file
 from ...core.paths import path_of
 from ...files.points.npz import read_member
 from ...kernels.lang import int64
@@ -55,12 +56,15 @@ def read_control_grid(path: str | os.PathLike[str], *, device: Any = None) -> Co
         raise FileError(path, "is no control grid")
     cells, shifts, sizes, origin = (members[name] for name in ("cells", "shifts", "sizes", "origin"))
     sound = cells.ndim == 1 and cells.dtype == np.int64 and (np.diff(cells) > 0).all() and shifts.dtype == np.float64
-    if not sound or sizes.shape != (1,) or origin.shape != (3,) or not np.isfinite(shifts).all():
+    numbers = sizes.dtype == origin.dtype == np.float64 and all(np.isfinite(a).all() for a in (sizes, origin, shifts))
+    if not sound or not numbers or sizes.shape != (1,) or origin.shape != (3,):
         raise FileError(path, "holds arrays that are not those of a control grid")
-    grid = ControlGrid(float(sizes[0]), device=device)
-    grid._origin = origin.astype(np.float64)
-    if len(cells):
-        grid._lattice = ControlLattice(grid.grid_size, upload(cells, int64, grid.device))
+    where = resolve_device(device)
+    with values_of_file(path):
+        grid = ControlGrid(float(sizes[0]), device=where)
+        grid._origin = origin
+        if len(cells):
+            grid._lattice = ControlLattice(grid.grid_size, upload(cells, int64, grid.device))
     if shifts.shape != (len(grid), 3):
         raise FileError(path, f"has shifts of shape {list(shifts.shape)} for {len(grid)} anchors")
     if len(grid):

@@ -236,6 +236,8 @@ def _register(
     result = evaluate_registration(source, target, distance, T)
     result.iterations, result.converged = found.drawn, found.confident
     result.reason = "converged" if found.confident else "max_iteration"
+    if with_scaling:
+        result.check_scale()
     result.score = partial(rate_registration, source.copy(), target.copy(), T, distance)
     report("registration", source=source, target=target, result=result)
     return result

@@ -46,6 +46,7 @@ class TransformationEstimation:
     constrainable: ClassVar[bool] = True  # whether some motions may be fixed, and others held by a prior
     needs_normals: ClassVar[tuple[str, ...]] = ()  # of "source" and "target"
     needs_colors: ClassVar[bool] = False  # of both
+    in_sensor_frame: ClassVar[bool] = False  # True if the zero of coordinates has to be the sensor
 
     def __post_init__(self) -> None:
         for field in dataclasses.fields(self):
@@ -291,6 +292,7 @@ class TransformationEstimationForDopplerICP(TransformationEstimation):
     rows = sum_doppler_rows
     constrainable = False  # its speeds are those of the whole pose
     needs_normals = ("target",)
+    in_sensor_frame = True
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -304,7 +306,6 @@ class TransformationEstimationForDopplerICP(TransformationEstimation):
 
     def source_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
         """Speeds and directions."""
-        _check_sensor_frames(clouds, names)
         found = [doppler_measurements(c, n) for c, n in zip(clouds, names, strict=True)]
         return {
             "dopplers": [f.dopplers.reshape((f.dopplers.size, 1)) for f in found],
@@ -313,7 +314,6 @@ class TransformationEstimationForDopplerICP(TransformationEstimation):
 
     def target_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
         """Normals."""
-        _check_sensor_frames(clouds, names)
         return {"normals": normals_of(clouds, names, "Doppler ICP")}
 
     def geometry(self) -> Self:
@@ -349,9 +349,3 @@ class TransformationEstimationForDopplerICP(TransformationEstimation):
         )
         kernel = Loss(*self.geometric_kernel.parameters)
         return [kernel, source, target, loop.velocities, loop.progress.iterations, rule]
-
-
-def _check_sensor_frames(clouds: Sequence[PointCloud], names: Sequence[str]) -> None:
-    for cloud, name in zip(clouds, names, strict=True):
-        if cloud.origin.any():
-            raise ValueError(f"{name}: Doppler ICP takes scans in their sensor's own frame, within 10 km of zero")

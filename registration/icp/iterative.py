@@ -31,7 +31,7 @@ from ..result import Pairs, RegistrationResult
 from ..rigid import skew, symmetric_matrices, to_local, to_world
 from .constraint import Constraint, make_freedom
 from .estimation import Columns, TransformationEstimation
-from .preparation import normals_of, point_weights
+from .preparation import in_sensor_frame, normals_of, point_weights, usable_points
 
 REASONS = {
     CONVERGED: "converged",
@@ -87,9 +87,15 @@ class IterativeRegistration:
         device = self._sources[0].device
         for cloud in (*self._sources, *self._targets):
             check_same_device("clouds", device, cloud.device)
+        if estimation.in_sensor_frame:
+            self._sources = [in_sensor_frame(c, n) for c, n in zip(self._sources, self._names()[0], strict=True)]
+            self._targets = [in_sensor_frame(c, n) for c, n in zip(self._targets, self._names()[1], strict=True)]
         source_columns, target_columns = self._columns(max_normal_angle is not None)
+        points = _usable(self._sources, source_columns, self._names()[0])
+        self._target_points = _usable(self._targets, target_columns, self._names()[1])
         known = self._sources[0].known_search_tree if len(self._sources) == 1 else None
-        self.source_clouds = ManyClouds([c.device_array("points") for c in self._sources], known)
+        is_whole = points[0] is self._sources[0].device_array("points")
+        self.source_clouds = ManyClouds(points, known if is_whole else None)
         source = _place(self.source_clouds, source_columns)
         forest, gaussians, target = None, None, PointColumns()
         if estimation.target_voxel_size is None:
@@ -117,7 +123,7 @@ class IterativeRegistration:
 
     def _columns(self, with_normals: bool) -> tuple[Any, Any]:
         """What the estimator asks of the points on either side, with normals where pairs are judged by them."""
-        source_names, target_names = _names("source", self.source_of), _names("target", self.target_of)
+        source_names, target_names = self._names()
         source_columns = self.estimation.source_columns(self._sources, source_names, self.distance)
         target_columns = self.estimation.target_columns(self._targets, target_names, self.distance)
         if with_normals:
@@ -125,10 +131,16 @@ class IterativeRegistration:
             self._add_normals(target_columns, self._targets, target_names)
         return source_columns, target_columns
 
+    def _names(self) -> tuple[list[str], list[str]]:
+        """What errors call the distinct sources and targets."""
+        return _names("source", self.source_of), _names("target", self.target_of)
+
     def _grow_forest(self) -> PointForest:
         """The search trees of all targets: the one that a single target keeps, or a forest of new ones."""
-        tree = self._targets[0].search_tree() if len(self._targets) == 1 else None
-        forest = PointForest([c.device_array("points") for c in self._targets], tree)
+        first, points = self._targets[0], self._target_points
+        is_kept = len(points) == 1 and points[0] is first.device_array("points")
+        tree = first.search_tree() if is_kept else None
+        forest = PointForest(points, tree)
         if tree is None:
             clouds = forest.clouds
             check_extent("targets", clouds.low, clouds.high, clouds.points)
@@ -206,7 +218,7 @@ class IterativeRegistration:
         states = self.loop.states.download()  # sync
         outcomes, free_counts = states["outcomes"], states["free_counts"]
         told = self._told_of_freedom()
-        return [
+        results = [
             RegistrationResult(
                 self._world(job, states["poses"][job]),
                 float(states["fitness"][job]),
@@ -220,6 +232,9 @@ class IterativeRegistration:
             )
             for job in range(self.loop.jobs.count)
         ]
+        for result in results if self.estimation.scales else ():
+            result.check_scale()
+        return results
 
     def _told_of_freedom(self) -> list[dict[str, Any]]:
         """What results say of a constraint: of each job what was free, what the prior held, and its parameters."""
@@ -267,7 +282,7 @@ class IterativeRegistration:
             columns["normals"] = normals_of(clouds, names, "max_normal_angle")
 
     def _make_gaussians(self, covariances: list[Any], voxel_size: float) -> VoxelGaussians:
-        points = concatenate_rows([c.device_array("points") for c in self._targets])
+        points = concatenate_rows(self._target_points)
         sizes = [len(c) for c in self._targets]
         segments = upload(np.repeat(np.arange(len(sizes)), sizes), int32, points.device)
         return VoxelGaussians(
@@ -292,6 +307,14 @@ def _names(role: str, numbers: NDArray[np.int64]) -> list[str]:
     """What an error calls each distinct cloud: by the first job that it stands in."""
     _, firsts = np.unique(numbers, return_index=True)
     return [role] if len(firsts) == 1 else [f"{role}s[{i}]" for i in firsts]
+
+
+def _usable(clouds: Sequence[PointCloud], columns: Columns, names: Sequence[str]) -> list[Any]:
+    """The points of each cloud, NaN where what the estimator takes of them is not finite."""
+    return [
+        usable_points(cloud, {column: arrays[i] for column, arrays in columns.items()}, name)
+        for i, (cloud, name) in enumerate(zip(clouds, names, strict=True))
+    ]
 
 
 def _place(clouds: ManyClouds, columns: Columns) -> PointColumns:

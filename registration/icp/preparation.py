@@ -5,19 +5,23 @@ Normals and colours are never made up here: whoever lacks them is told what to c
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike
 
+from ...core.array_libraries import view_as
 from ...core.checks import check_numeric
+from ...core.coordinates import ORIGIN_LIMIT
 from ...core.exchange import share_vectors
+from ...core.units import NonFiniteWarning, warn_of_units
 from ...kernels.algebra.transform import transform_points
+from ...kernels.extent.masks import drop_unusable
 from ...kernels.icp.color_gradients import average_colors, estimate_color_gradients
 from ...kernels.icp.plane_covariances import plane_covariances, plane_covariances_from_normals
-from ...kernels.lang import float32
+from ...kernels.lang import float32, vec3
 from ...kernels.memory import cast, download, upload
 from ...kernels.surface.orientation import normalize_vectors
 from ...pcd.cloud import PointCloud
@@ -40,6 +44,40 @@ class DopplerMeasurements(NamedTuple):
 
     dopplers: wp.array
     directions: wp.array
+
+
+def in_sensor_frame(cloud: PointCloud, name: str) -> PointCloud:
+    """The cloud with its coordinates about zero, where the sensor is.
+
+    Raises:
+        ValueError: The cloud is not in the frame of its sensor: it is more than 10 km from zero.
+    """
+    if not cloud.origin.any():
+        return cloud
+    if np.abs(cloud.origin).max() > ORIGIN_LIMIT:
+        raise ValueError(f"{name}: expected a scan in the frame of its sensor, within 10 km of zero")
+    arrays = {n: cloud.device_array(n) for n in cloud.device_arrays} | {"points": cloud.points_about(np.zeros(3))}
+    return type(cloud).from_device_arrays(arrays, np.zeros(3), cloud.array_library)
+
+
+def usable_points(cloud: PointCloud, columns: Mapping[str, wp.array], name: str) -> wp.array:
+    """The points of a cloud, vec3 [n]; NaN, with a NonFiniteWarning, where one of the columns is not finite.
+
+    Args:
+        cloud: The cloud.
+        columns: The arrays that an estimator takes of its points by their names, vec3 [n] or float32 [n, c].
+        name: What the user's argument is called.
+    """
+    points = cloud.device_array("points")
+    flat = [view_as(c, float32, (len(cloud), 3)) if c.dtype == vec3 else c for c in columns.values()]
+    points, lost = drop_unusable(points, flat)
+    if lost:
+        warn_of_units(
+            f"{name}: {' or '.join(columns)} of {lost:,} of {len(cloud):,} points are not finite. "
+            "These points are not used.",
+            NonFiniteWarning,
+        )
+    return points
 
 
 def require_normals(cloud: PointCloud, name: str, method: str) -> wp.array:

@@ -9,16 +9,18 @@ import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_numeric, check_rigid
+from ...core.units import warn_of_units
 from ...kernels.lang import float64
 from ...kernels.linear_algebra import matmul, norm
-from ...kernels.memory import cast, upload
+from ...kernels.memory import cast, download, upload
 from ...kernels.odometry.deskewing import bound_times
 from ...kernels.odometry.deskewing import deskew_points as move_points
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
-from ..rigid import rotation_vector, skew
+from ..rigid import rotation_vector, skew, to_local
 
 TIME_NAMES = ("time", "timestamp", "timestamps", "t", "time_offset", "offset_time", "gps_time")
+MIN_TIMES = 8  # different times of a scan, below which it cannot be straightened
 SMALL_ANGLE = 1e-4  # [rad] below it series to fourth order are exact in float64
 
 
@@ -36,7 +38,7 @@ def deskew_point_cloud(cloud: PointCloud, T_start_end: ArrayLike, timestamps: Ar
             "time", "timestamp", "timestamps", "t", "time_offset", "offset_time" or "gps_time", whichever is there.
 
     Returns:
-        The cloud about origin zero, with all its attributes; a point whose time is NaN becomes NaN. Normals are left
+        The cloud with all its attributes; a point whose time is NaN becomes NaN. Normals are left
         as they are.
 
     Raises:
@@ -61,9 +63,13 @@ def deskew_point_cloud(cloud: PointCloud, T_start_end: ArrayLike, timestamps: Ar
         names = ", ".join(TIME_NAMES)
         raise ValueError(f"timestamps: the cloud has no attribute of the names {names}; give timestamps=")
     span = bound_times(cloud.device_array("points"), times)
-    moved = move_points(cloud.device_array("points"), times, cloud.origin, span, twist_of(T))
+    first, last = download(span)  # sync
+    if first == last and len(cloud) > MIN_TIMES:
+        warn_of_coarse_times(1, len(cloud))
+    twist = twist_of(to_local(T, cloud.origin, cloud.origin))
+    moved = move_points(cloud.device_array("points"), times, np.zeros(3), span, twist)
     arrays = {name: cloud.device_array(name) for name in cloud.device_arrays} | {"points": moved}
-    deskewed = type(cloud).from_device_arrays(arrays, np.zeros(3), cloud.array_library)
+    deskewed = type(cloud).from_device_arrays(arrays, cloud.origin, cloud.array_library)
     deskewed.grid = cloud.grid
     return deskewed
 
@@ -89,6 +95,15 @@ def point_times(cloud: PointCloud, timestamps: ArrayLike | None) -> wp.array | N
                 f"{name}: expected shape [{len(cloud)}], one time for each point, got {list(values.shape)}"
             )
     return None
+
+
+def warn_of_coarse_times(distinct: int, count: int) -> None:
+    """Warn that the times of a scan are too coarse to straighten it."""
+    warn_of_units(
+        f"timestamps: {count:,} points have {distinct} different times, so that the scan is not straightened. Seconds "
+        "since 1970 or of the week need float64. Leave the times out if all points were measured at once.",
+        UserWarning,
+    )
 
 
 def twist_of(T: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -26,7 +26,7 @@ from ..rigid import invert_pose
 from .deskewing import point_times
 from .lidar_steps import FIRST_SCAN, NO_POINTS, OdometryStep, OdometrySummary, summarize_steps
 from .lidar_track import Aside, Known, Next
-from .raw_scan import RawScan, Thinned
+from .raw_scan import RawScan, Thinned, part_of_interval
 from .scan_matching import (
     PLANE_VOXELS,
     START_RINGS,
@@ -60,6 +60,8 @@ class LidarOdometry:
         max_range, min_range: Points farther from or nearer to the sensor [m] do not count.
         max_points_per_voxel: Points that a voxel of the map keeps.
         deskew: Whether scans whose points have times are straightened.
+        interval: Time between scans in the unit of their times. None: if the azimuth grows steadily with time, as of a
+            spinning sensor, the scan's part of a turn is its part of the interval; else its times span the interval.
         initial_threshold: Standard deviation of the prediction's error [m] before any motion was seen.
         min_motion: Errors of the prediction below this [m] do not lower the threshold.
         device: Where the map lies; None takes that of the first scan.
@@ -110,6 +112,7 @@ class LidarOdometry:
         min_range: float = 5.0,
         max_points_per_voxel: int = 20,
         deskew: bool = True,
+        interval: float | None = None,
         initial_threshold: float = 2.0,
         min_motion: float = 0.1,
         device: Any = None,
@@ -127,6 +130,7 @@ class LidarOdometry:
             because="each takes 12 B in every voxel",
         )
         self.deskew = bool(deskew)
+        self.interval = None if interval is None else check_positive("interval", interval)
         initial = check_positive("initial_threshold", initial_threshold)
         least = check_positive("min_motion", min_motion)
         self.device = None if device is None else resolve_device(device)
@@ -179,8 +183,7 @@ class LidarOdometry:
         """The pose of the next scan.
 
         Args:
-            scan: Points in the sensor's frame. Scans come at a constant rate, and their times, where there are any,
-                span the interval between two.
+            scan: Points in the sensor's frame. Scans come at a constant rate.
             timestamps: Time of each point, shape [n], in any unit and from any start; None takes the scan's attribute
                 "time", "timestamp", "timestamps", "t", "time_offset", "offset_time" or "gps_time" where there is one.
             prior: The sensor's motion since the last scan, T_last_sensor, shape [4, 4], as wheels or an IMU give it:
@@ -204,7 +207,10 @@ class LidarOdometry:
         self._settle()
         known = self._known
         times = point_times(scan, timestamps) if self.deskew or timestamps is not None else None
-        raw = RawScan(scan.device_array("points"), scan.origin, times if self.deskew else None)
+        points, part = scan.device_array("points"), 1.0
+        if self.deskew and times is not None:
+            part = part_of_interval(points, times, scan.origin, self.interval)
+        raw = RawScan(points, scan.origin, times if self.deskew else None, part)
         voxel_map = self._empty_map(scan.device) if known.map is None else known.map
         motion, has_prior = (known.motion, False) if motion is None else (motion, True)
         predicted = matmul(self._last_pose(), motion)

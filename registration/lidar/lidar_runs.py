@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -15,13 +15,16 @@ from .lidar_odometry import LidarOdometry
 from .lidar_steps import OdometryStep
 
 
-def iterate_odometry(scans: Scans, *, device: Any = None, **options: Any) -> Iterator[OdometryStep]:
+def iterate_odometry(
+    scans: Scans, *, device: Any = None, columns: Sequence[str] | None = None, **options: Any
+) -> Iterator[OdometryStep]:
     """Register scans one by one, and hand each step out when it is done.
 
     Args:
         scans: A folder of scans, taken in natural order of their names (scan2 before scan10); or files (.bin as KITTI
             has them, .ply, .pcd, .npz, .las, ...); or clouds.
         device: Where files are read to, and the map lies; None for the CPU, or the device of the first cloud.
+        columns: The names of the columns of .bin, .csv, .txt and .xyz files, as of `read_point_cloud`.
         **options: As of LidarOdometry.
 
     Raises:
@@ -35,7 +38,7 @@ def iterate_odometry(scans: Scans, *, device: Any = None, **options: Any) -> Ite
         [(0, 'first scan'), (1, 'converged')]
     """
     odometry = LidarOdometry(device=device, **options)
-    for scan in read_scans(scans, device=device):
+    for scan in read_scans(scans, device=device, columns=columns):
         odometry.register(scan)
         yield odometry.steps[-1]
 
@@ -46,6 +49,7 @@ def run_odometry(
     timestamps: ArrayLike | None = None,
     progress: Callable[[OdometryStep], None] | None = None,
     device: Any = None,
+    columns: Sequence[str] | None = None,
     **options: Any,
 ) -> Trajectory:
     """The path of a scanner: the pose of each scan, T_world_sensor, the first at the identity.
@@ -54,7 +58,7 @@ def run_odometry(
         scans: As of iterate_odometry.
         timestamps: Time of each scan [s], which the trajectory then has.
         progress: Called after each scan with its OdometryStep, whose `is_predicted` tells where the scan did not.
-        device: As of iterate_odometry.
+        device, columns: As of iterate_odometry.
         **options: As of LidarOdometry.
 
     Returns:
@@ -71,7 +75,7 @@ def run_odometry(
         (2, 4, 4)
     """
     poses, tell = [], check_callback("progress", progress)
-    for step in iterate_odometry(scans, device=device, **options):
+    for step in iterate_odometry(scans, device=device, columns=columns, **options):
         poses.append(step.pose)
         if tell is not None:
             tell(step)

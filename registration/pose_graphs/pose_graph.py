@@ -13,12 +13,14 @@ from numpy.typing import NDArray
 from ...cameras.camera import LARGEST_NUMBER
 from ...core.checks import check_count, check_list, check_number, check_rigid, check_shape
 from ...kernels.linear_algebra import eigvalsh, matmul
+from ..rigid import skews
 
 if TYPE_CHECKING:
     from .reports import GlobalOptimizationReport, RefinementReport
 
 ROTATION_TOLERANCE = 0.02  # as in `check_rigid`: poses of real data sets are rounded to a few digits
 LAST_ROW_TOLERANCE = 1e-6
+FAR_FROM_DATA = 8.0  # times the extent of the data: below it a misfit of 1 degree is 0.1 % off
 # Share of the largest entry by which an information matrix may miss symmetry, or of its trace by which an eigenvalue
 # may fall below zero: sums over points of products that a file holds with 7 digits.
 INFORMATION_TOLERANCE = 1e-6
@@ -139,6 +141,49 @@ class GraphArrays:
         """The graph with these edges alone."""
         fields = ("source", "target", "transformations", "information", "uncertain", "confidences")
         return dataclasses.replace(self, **{name: getattr(self, name)[chosen] for name in fields})
+
+
+def center_frames(graph: GraphArrays) -> tuple[GraphArrays, NDArray[np.float64]]:
+    """Move the origin of nodes' coordinates to their data if it is far from them for their extent.
+
+    Residuals are rotations and translations at this origin. If the nodes' coordinates are those of the world, far from
+    the data, the translations would depend on the square of the rotations.
+
+    Args:
+        graph: The graph. The middle of an edge's correspondences is the point about which its information has no terms
+            of both rotation and translation; the information about it gives their extent.
+
+    Returns:
+        The same graph in the new coordinates, and the new origins in the old coordinates, [n, 3] [m].
+    """
+    R, t = graph.transformations[:, :3, :3], graph.transformations[:, :3, 3]
+    counts = np.trace(graph.information[:, 3:, 3:], axis1=1, axis2=2) / 3
+    known = counts > 0
+    counts = np.where(known, counts, 1)
+    mixed = graph.information[:, :3, 3:]
+    middles = (mixed - mixed.transpose(0, 2, 1))[:, (2, 0, 1), (1, 2, 0)] / (2 * counts[:, None])
+    about = _information_about(graph.information, middles)
+    sizes = np.sqrt(np.maximum(np.trace(about[:, :3, :3], axis1=1, axis2=2), 0) / (2 * counts))
+    across = matmul(R, middles[:, :, None])[:, :, 0] + t
+    ends = np.concatenate([graph.source[known], graph.target[known]])
+    sums = np.zeros((len(graph.poses), 4))
+    np.add.at(sums, ends, np.concatenate([np.c_[middles, sizes][known], np.c_[across, sizes][known]]))
+    sums /= np.maximum(np.bincount(ends, minlength=len(sums)), 1)[:, None]
+    centers, sizes = sums[:, :3], sums[:, 3]
+    centers[np.abs(centers).max(axis=1, initial=0) <= FAR_FROM_DATA * sizes] = 0
+    poses, transformations = graph.poses.copy(), graph.transformations.copy()
+    poses[:, :3, 3] += matmul(poses[:, :3, :3], centers[:, :, None])[:, :, 0]
+    at_source, at_target = centers[graph.source], centers[graph.target]
+    transformations[:, :3, 3] += matmul(R, at_source[:, :, None])[:, :, 0] - at_target
+    information = _information_about(graph.information, at_source)
+    return dataclasses.replace(graph, poses=poses, transformations=transformations, information=information), centers
+
+
+def _information_about(information: NDArray[np.float64], points: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Information matrices [m, 6, 6] of misfits as rotations and translations at other points, [m, 3]."""
+    shift = np.tile(np.eye(6), (len(points), 1, 1))
+    shift[:, 3:, :3] = skews(points)
+    return matmul(shift.transpose(0, 2, 1), matmul(information, shift))
 
 
 def check_pose_graph(graph: PoseGraph) -> GraphArrays:

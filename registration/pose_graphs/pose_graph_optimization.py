@@ -16,7 +16,7 @@ from ...core.quaternions import nearest_rotations
 from ...kernels.linear_algebra import matmul
 from ..icp.constraint import MOTIONS, check_free
 from ..rigid import nearest_rotation
-from .pose_graph import GraphArrays, PoseGraph, PoseGraphNode, check_pose_graph
+from .pose_graph import GraphArrays, PoseGraph, PoseGraphNode, center_frames, check_pose_graph
 from .pose_graph_descent import Pass, minimise, parts_of
 from .pose_graph_system import NodePoses
 from .reports import GlobalOptimizationReport
@@ -196,6 +196,9 @@ def global_optimization(
     reference = _check_optimisable(graph, option)
     if not len(graph.poses):
         return _with_report(PoseGraph(), graph, [], 0, np.empty(0, np.int64))
+    given, centers = graph.poses, np.zeros((len(graph.poses), 3))
+    if motions is None or motions[3:].all():  # else the nodes' own positions are what stays
+        graph, centers = center_frames(graph)
     pivot = graph.poses[reference, :3, 3]
     poses = NodePoses(nearest_rotations(graph.poses[:, :3, :3]), graph.poses[:, :3, 3] - pivot)
     kept, confidences, passes = np.arange(len(graph.source)), graph.confidences, []
@@ -207,6 +210,9 @@ def global_optimization(
         kept, confidences, poses = kept[believed], found.confidences[believed], found.poses
         passes.append(found)
     placed = _placed(graph.poses, poses, pivot, option.reference_node)
+    placed[:, :3, 3] -= matmul(placed[:, :3, :3], centers[:, :, None])[:, :, 0]
+    if option.reference_node >= 0:
+        placed[reference] = given[reference]
     edges = [
         dataclasses.replace(
             pose_graph.edges[i],
@@ -280,8 +286,6 @@ def _placed(given: Array, poses: NodePoses, pivot: Array, reference: int) -> Arr
         rotations, positions = _mean_undone(given[:, :3, :3], given[:, :3, 3] - pivot, rotations, positions)
     placed = np.tile(np.eye(4), (len(given), 1, 1))
     placed[:, :3, :3], placed[:, :3, 3] = rotations, positions + pivot
-    if reference >= 0:
-        placed[reference] = given[reference]
     return placed
 
 

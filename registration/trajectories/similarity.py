@@ -22,7 +22,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.picture_names import meant_pictures
-from ...cameras.trajectory import Trajectory, parse_floats, read_lines, read_trajectory
+from ...cameras.pose_text import parse_floats, read_lines
+from ...cameras.trajectory import Trajectory, read_trajectory
 from ...core.checks import check_finite, check_list, check_name, check_positive, check_seed, check_shape, shown
 from ...core.errors import FileError
 from ...core.known_names import nearest_name

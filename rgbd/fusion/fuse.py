@@ -119,15 +119,15 @@ class _AsGiven:
     refinement: PoseRefinement | None = None
 
     def __init__(self, frames: FrameSource | RGBDSource, depth_max: float, sizes: dict[str, Any]):
-        self._camera = frames.intrinsic, {"depth_scale": frames.depth_scale, "depth_max": depth_max}
-        self._sizes = sizes
+        self._frames, self._depth_max, self._sizes = frames, depth_max, sizes
 
     def __call__(self, frame: Any, T_world_camera: Pose) -> Pose:
         """Fold a frame in; gives the pose at which it was."""
         if not hasattr(self, "volume"):
             self.volume = TSDFVolume(color=frame.color is not None, **self._sizes)
-        camera, limits = self._camera
-        self.volume.integrate(frame.depth, camera, inv(T_world_camera), color=frame.color, **limits)
+        limits = {"depth_scale": depth_unit(self._frames, frame), "depth_max": self._depth_max}
+        T = inv(T_world_camera)
+        self.volume.integrate(frame.depth, self._frames.intrinsic, T, color=frame.color, **limits)
         return T_world_camera
 
 

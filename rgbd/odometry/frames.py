@@ -26,11 +26,11 @@ class OdometryFrame:
     """A frame's pyramid on a device, made once, used in each alignment with it.
 
     Args:
-        depth: Shape [h, w]; integers are divided by `depth_scale`, floats are metres; or an RGBDImage, which brings its
+        depth: Shape [h, w]; integers of 16 bits and more, or floats; or an RGBDImage, which brings its
             colours along. 0, NaN and what is beyond `depth_max` is no measurement.
         intrinsic: The camera, of the picture's size.
         color: 8-bit colours, shape [h, w, 3], or grey [h, w]; None for depth alone.
-        depth_scale: Integer units a metre.
+        depth_scale: Units of depth a metre; None for 1000 of integers and 1 of floats.
         depth_max: Farthest depth that counts [m].
         device: Where the frame goes; None for the GPU that the depth lies on, else the CPU.
 
@@ -60,7 +60,7 @@ class OdometryFrame:
         intrinsic: PinholeCameraIntrinsic,
         color: ArrayLike | None = None,
         *,
-        depth_scale: float = 1000.0,
+        depth_scale: float | None = None,
         depth_max: float = DEPTH_MAX,
         device: Any = None,
     ):

@@ -161,17 +161,17 @@ def compute_odometry_information_matrix(
     intrinsic: PinholeCameraIntrinsic | ArrayLike,
     source_to_target: ArrayLike,
     dist_threshold: float,
-    depth_scale: float = 1000.0,
+    depth_scale: float | None = None,
     depth_max: float = 3.0,
 ) -> NDArray[np.float64]:
     """The information of the pixels of two depth images that lie on each other, for a pose graph.
 
     Args:
-        source_depth, target_depth: Shape [h, w]; integers are divided by `depth_scale`, floats are metres.
+        source_depth, target_depth: Shape [h, w]; integers of 16 bits and more, or floats.
         intrinsic: The camera of both, or its matrix [3, 3].
         source_to_target: Their pose, 4x4.
         dist_threshold: Points farther apart do not count [m].
-        depth_scale: Integer units a metre.
+        depth_scale: Units of depth a metre; None for 1000 of integers and 1 of floats.
         depth_max: Depths from there on are no measurement [m].
 
     Returns:
@@ -246,7 +246,7 @@ def _check_camera(name: str, camera: Any, width: int, height: int) -> PinholeCam
     return camera
 
 
-def _upload(name: str, depth: ArrayLike, depth_scale: float, device: Any) -> tuple[Any, int, int]:
+def _upload(name: str, depth: ArrayLike, depth_scale: float | None, device: Any) -> tuple[Any, int, int]:
     """A depth image on a device; errors call it by its own name."""
     try:
         metric, _, height, width = upload_depth(depth, depth_scale, np.inf, device)

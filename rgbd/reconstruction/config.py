@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
+import re
 from collections.abc import Mapping
 from pathlib import PurePosixPath
 from typing import Any
@@ -248,13 +249,8 @@ def _check_place(name: str, text: str) -> None:
     path = PurePosixPath(text)
     if not path.parts or path.is_absolute() or ".." in path.parts:
         raise ValueError(f"{name}: expected a path within the job's folder, got {shown(text)}")
-    if name.startswith("template_fragment_"):
-        try:
-            is_one = text % 1 != text % 2
-        except (TypeError, ValueError):
-            is_one = False
-        if not is_one:
-            raise ValueError(f"{name}: expected one %03d for the fragment's number, got {shown(text)}")
+    if name.startswith("template_fragment_") and not re.fullmatch(r"[^%]*%(0?\d)?d[^%]*", text):
+        raise ValueError(f"{name}: expected one %03d for the fragment's number, got {shown(text)}")
 
 
 def _flat(names: Mapping[str, Any]) -> dict[str, Any]:

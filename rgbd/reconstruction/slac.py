@@ -41,7 +41,7 @@ def integrate_deformed(
     T_world_fragment: ArrayLike,
     T_fragment_camera: ArrayLike | None = None,
     color: ArrayLike | None = None,
-    depth_scale: float = 1000.0,
+    depth_scale: float | None = None,
     depth_max: float = 3.0,
 ) -> int:
     """Fold a frame into a volume, its depth bent straight by a control grid on the way.
@@ -49,12 +49,12 @@ def integrate_deformed(
     Args:
         volume: What it is folded into; on the grid's device.
         grid: As `run_slac_optimizer_for_fragments` gives it.
-        depth: Shape [h, w]; integers are divided by `depth_scale`, floats are metres.
+        depth: Shape [h, w]; integers of 16 bits and more, or floats.
         intrinsic: The camera, of the picture's size.
         T_world_fragment: Pose of the frame's fragment, shape [4, 4], as the optimiser gives it.
         T_fragment_camera: Where in its fragment the frame was taken; None where the fragment began.
         color: uint8 [h, w, 3]; as of `TSDFVolume.integrate`.
-        depth_scale: Integer units a metre.
+        depth_scale: Units of depth a metre; None for 1000 of integers and 1 of floats.
         depth_max: Farthest depth used [m], before and after.
 
     Returns:

@@ -19,7 +19,7 @@ from ...cameras.trajectory import Trajectory
 from ...core.checks import check_count, check_list, check_positive, check_rigid
 from ...core.devices import resolve_device
 from ...core.errors import FileError
-from ...files.frames.frames import DEPTH_MAX, FrameSource, can_read, check_frames
+from ...files.frames.frames import DEPTH_MAX, FrameSource, can_read, check_frames, depth_unit
 from ...files.frames.rgbd_sources import RGBDSource
 from ...kernels.linear_algebra import inv, matmul
 from ..odometry.alignment import align_frames
@@ -131,14 +131,14 @@ def check_focal(
     poses, numbers = _sure(path, doubtful)
     pairs = turned_pairs(Trajectory(poses))
     read = _reader(frames, {int(numbers[place]) for pair in pairs for place in pair})
-    options = {"depth_scale": frames.depth_scale, "depth_max": farthest, "device": where}
+    options = {"depth_max": farthest, "device": where}
     found = []
     for first, second in pairs:
         ends = [
             check_rigid(f"trajectory: the pose of frame {numbers[place]}", poses[place]) for place in (first, second)
         ]
         start = matmul(inv(ends[0]), ends[1])
-        residuals = _residuals(read, frames.intrinsic, (int(numbers[first]), int(numbers[second])), start, options)
+        residuals = _residuals(read, frames, (int(numbers[first]), int(numbers[second])), start, options)
         if residuals is not None:
             found.append(residuals)
     return _judged(found)
@@ -189,7 +189,7 @@ def _reader(frames: FrameSource | RGBDSource, numbers: set[int]) -> Callable[[in
 
 def _residuals(
     read: Callable[[int], Any],
-    intrinsic: PinholeCameraIntrinsic,
+    source: FrameSource | RGBDSource,
     pair: tuple[int, int],
     start: Any,
     options: dict[str, Any],
@@ -201,9 +201,12 @@ def _residuals(
         return None
     results = []
     for factor in (1.0, *FACTORS):
-        camera = _stretched(intrinsic, factor)
-        target, source = (OdometryFrame(frame.depth, camera, frame.color, **options) for frame in frames)
-        results.append(align_frames(source, target, start))
+        camera = _stretched(source.intrinsic, factor)
+        first, second = (
+            OdometryFrame(frame.depth, camera, frame.color, depth_scale=depth_unit(source, frame), **options)
+            for frame in frames
+        )
+        results.append(align_frames(second, first, start))
     if not any(result.success for result in results) or min(result.overlap for result in results) < LEAST_OVERLAP:
         return None
     return [_residual(result) for result in results]

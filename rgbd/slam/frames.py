@@ -10,7 +10,7 @@ import warp as wp
 from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
-from ...cameras.images import check_intrinsic, upload_color, upload_depth
+from ...cameras.images import check_intrinsic, integer_scale, upload_color, upload_depth
 from ...core.checks import check_number
 from ..odometry.frames import OdometryFrame
 
@@ -46,7 +46,8 @@ class SensorFrame:
         if not hasattr(frame, "depth"):
             kind = type(frame).__name__
             raise TypeError(f"frame: expected something with depth and color, such as a Frame, got {kind}")
-        self.depth, _, height, width = upload_depth(frame.depth, depth_scale, depth_max, device)
+        scale = integer_scale(frame.depth, depth_scale)
+        self.depth, _, height, width = upload_depth(frame.depth, scale, depth_max, device)
         self.intrinsic = check_intrinsic(intrinsic, width, height)
         color = getattr(frame, "color", None)
         if color is not None and np.issubdtype(getattr(color, "dtype", np.uint8), np.floating):

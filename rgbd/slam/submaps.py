@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.images import integer_scale
 from ...core.checks import check_count, check_list, check_numeric, check_positive, check_rigid, check_share
 from ...kernels.linear_algebra import matmul, norm
 from ...meshing.volume.surface_weights import least_weight
@@ -234,7 +235,8 @@ class SubmapRecorder:
 
     def _record(self, recording: _Recording, number: int, depth: ArrayLike, pose: Matrix, color: Any) -> None:
         extrinsic = matmul(invert_pose(pose), recording.T_world_submap)
-        recording.volume.integrate(depth, self._intrinsic, extrinsic, color, self._scale, self._depth_max)
+        scale = integer_scale(depth, self._scale)
+        recording.volume.integrate(depth, self._intrinsic, extrinsic, color, scale, self._depth_max)
         recording.way += way_between(recording.latest, pose)
         recording.latest = pose
         recording.numbers.append(number)

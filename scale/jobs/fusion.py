@@ -23,14 +23,14 @@ from ...core.atomic import atomic_write
 from ...core.checks import check_count, check_positive
 from ...core.coordinates import split_origin
 from ...core.errors import FileError, FilePath
-from ...core.paths import path_of
+from ...core.paths import path_of, plain_name
 from ...files.frames.datasets import Frame, RGBDDataset, open_frames
-from ...files.frames.frames import DEPTH_MAX, read_in_order
+from ...files.frames.frames import DEPTH_MAX, depth_unit, read_in_order
 from ...kernels.linear_algebra import inv
 from ...kernels.volumes.tsdf_blocks import SIDE, block_box
 from ...meshing.volume.surface_weights import least_weight
 from ...meshing.volume.volume_part import BlockFinder, PartSurface, VolumePart
-from ..manifest import hash_of
+from ..manifest import NAME, hash_of
 from .job import Done, Job, JobStatus, Task, make_job, stamp_of
 
 VOXEL_SIZE = 0.02  # [m] as of `fuse`
@@ -147,7 +147,7 @@ class FusionJob(Job):
 
     def _integrate(self, volume: Any, frame: Frame) -> None:
         camera, plan = self.frames.intrinsic, self.plan
-        limits = {"depth_scale": self.frames.depth_scale, "depth_max": plan["depth_max"]}
+        limits = {"depth_scale": depth_unit(self.frames, frame), "depth_max": plan["depth_max"]}
         color = frame.color if plan["color"] else None
         assert frame.T_world_camera is not None
         try:
@@ -286,7 +286,7 @@ def _runs(numbers: list[int]) -> list[list[int]]:
 
 def surface_path(folder: Path, name: str) -> Path:
     """The file of a cube's surface."""
-    return folder / CUBES / f"{name}.npz"
+    return folder / CUBES / f"{plain_name(folder / NAME, name)}.npz"
 
 
 def write_surface(path: Path, surface: PartSurface, low: NDArray[np.int64], high: NDArray[np.int64]) -> None:

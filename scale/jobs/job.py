@@ -17,19 +17,14 @@ from typing import Any, ClassVar, NamedTuple
 
 from ... import __version__  # pyright: ignore[reportMissingImports]
 from ...core.errors import FileError, FilePath
+from ...core.escaped_text import escaped
 from ...core.paths import path_of
 from ...core.wording import to_json
-from ..manifest import NAME, OVER, Manifest, a_new_manifest
-from ..plan import check_same_plan, make_folder
+from ..job_folder import make_folder
+from ..manifest import NAME, OVER, Manifest, a_new_manifest, damage_as_file_errors
+from ..plan import check_same_plan
+from ..schema import TASKS
 
-_TABLES = """
-CREATE TABLE meta (key TEXT PRIMARY KEY, value TEXT NOT NULL);
-CREATE TABLE tasks (
-    id INTEGER PRIMARY KEY, stage INTEGER NOT NULL, name TEXT NOT NULL, told TEXT NOT NULL, found TEXT,
-    state TEXT NOT NULL DEFAULT 'waiting', owner TEXT, attempts INTEGER NOT NULL DEFAULT 0,
-    seconds REAL NOT NULL DEFAULT 0, error TEXT);
-CREATE INDEX tasks_by_state ON tasks (stage, state, id);
-"""
 _STAGE = "stage"  # of meta: the one whose tasks are done now
 
 
@@ -124,8 +119,8 @@ class JobStatus:
         told = [f"{self.job}: {self.done} of {total} tasks done" + ("" if self.is_finished else f", at {self.stage}")]
         names = ("waiting", "running", "failed", "aside")
         told += [f"{count} {name}" for name in names if (count := getattr(self, name))]
-        lines = [f"\n  {name}: {error}" for name, error in self.troubles.items()]
-        return "; ".join(told) + "".join([*lines, *(f"\n  {remark}" for remark in self.remarks)])
+        lines = [*(f"{name}: {error}" for name, error in self.troubles.items()), *self.remarks]
+        return "; ".join(told) + "".join(f"\n  {escaped(line)}" for line in lines)
 
 
 def make_job(kind: type[Job], folder: FilePath, plan: dict[str, Any], tasks: Sequence[Task]) -> JobStatus:
@@ -137,7 +132,7 @@ def make_job(kind: type[Job], folder: FilePath, plan: dict[str, Any], tasks: Seq
     folder, plan = path_of(folder), {"job": kind.KIND} | plan
     if not (folder / NAME).exists():
         make_folder(folder)
-        with a_new_manifest(folder, plan, __version__, _TABLES) as base:
+        with a_new_manifest(folder, plan, __version__, TASKS) as base:
             base.execute("INSERT INTO meta VALUES (?, '0')", (_STAGE,))
             _insert(base, 0, tasks)
     with Manifest(folder, is_job=True) as manifest:
@@ -173,8 +168,9 @@ def open_manifest(folder: FilePath) -> Manifest:
 
 def stage_of(manifest: Manifest) -> int:
     """The stage whose tasks are done now."""
-    (row,) = manifest.rows("SELECT value FROM meta WHERE key = ?", _STAGE)
-    return int(row["value"])
+    rows = manifest.rows("SELECT value FROM meta WHERE key = ?", _STAGE)
+    with damage_as_file_errors(manifest.folder / NAME):
+        return int(rows[0]["value"])
 
 
 def done_in(manifest: Manifest, stage: int) -> Iterator[Done]:
@@ -186,13 +182,16 @@ def done_in(manifest: Manifest, stage: int) -> Iterator[Done]:
         if not rows:
             return
         for row in rows:
-            yield Done(row["name"], json.loads(row["told"]), json.loads(row["found"]))
+            with damage_as_file_errors(manifest.folder / NAME):
+                told, found = json.loads(row["told"]), json.loads(row["found"])
+            yield Done(row["name"], told, found)
         last = rows[-1]["id"]
 
 
 def advance(manifest: Manifest, job: Job, stage: int) -> None:
     """Begin the stage after one that is done, unless another process has."""
-    tasks = job.follow(stage, lambda earlier: done_in(manifest, earlier))
+    with damage_as_file_errors(manifest.folder / NAME):
+        tasks = job.follow(stage, lambda earlier: done_in(manifest, earlier))
     with manifest.change() as base:
         query = "UPDATE meta SET value = ? WHERE key = ? AND value = ?"
         if base.execute(query, (str(stage + 1), _STAGE, str(stage))).rowcount:
@@ -207,8 +206,12 @@ def _insert(base: sqlite3.Connection, stage: int, tasks: Sequence[Task]) -> None
 def status_of(manifest: Manifest, job: Job) -> JobStatus:
     """How far the job of an open manifest is."""
     counts, stage = manifest.counts("tasks"), stage_of(manifest)
+    if stage not in range(len(job.STAGES)):
+        raise FileError(manifest.folder / NAME, f"the manifest is damaged: there is no stage {stage}")
     left = sum(counts[state] for state in counts if state not in ("done", "empty"))
     bad = manifest.rows("SELECT name, error FROM tasks WHERE state IN ('failed', 'aside') ORDER BY id")
+    with damage_as_file_errors(manifest.folder / NAME):
+        remarks = tuple(job.remarks(lambda earlier: done_in(manifest, earlier)))
     return JobStatus(
         folder=str(manifest.folder),
         job=job.KIND,
@@ -216,7 +219,7 @@ def status_of(manifest: Manifest, job: Job) -> JobStatus:
         **{state: counts[state] for state in ("waiting", "running", "done", "failed", "aside")},
         is_finished=not left and stage == len(job.STAGES) - 1,
         troubles={row["name"]: row["error"] or "" for row in bad},
-        remarks=tuple(job.remarks(lambda earlier: done_in(manifest, earlier))),
+        remarks=remarks,
     )
 
 

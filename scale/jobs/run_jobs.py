@@ -16,7 +16,7 @@ from ...core.checks import check_count, check_progress
 from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress, say_nothing
 from ..gpus import held_gpus
-from ..manifest import Manifest, a_worker
+from ..manifest import NAME, Manifest, a_worker, damage_as_file_errors
 from ..runners import LOOK, check_part, oversee, start_worker
 from .fusion import FusionJob
 from .job import Job, JobStatus, advance, done_in, open_manifest, progress_of, stage_of, status_of
@@ -64,7 +64,8 @@ def run_job(
     report = check_progress(progress)
     manifest, job = open_job(folder)
     with manifest, ExitStack() as held:
-        job.check(partial(done_in, manifest))
+        with damage_as_file_errors(manifest.folder / NAME):
+            job.check(partial(done_in, manifest))
         gpus = held.enter_context(held_gpus(device, count or 1))
         manifest.give_back()
         tell = partial(_tell, manifest, job, report)
@@ -117,12 +118,17 @@ def open_job(folder: FilePath, kind: type[Job] | None = None) -> tuple[Manifest,
         FileError: There is none, or one of another kind or version.
     """
     manifest = open_manifest(folder)
-    found = KINDS.get(manifest.plan["job"])
+    found = KINDS.get(str(manifest.plan["job"]))
     if found is None or kind not in (None, found):
         manifest.base.close()
         wanted = "a job" if kind is None else f"a job of {kind.KIND}"
         raise FileError(manifest.folder, f"is of {manifest.plan['job']}, expected {wanted}")
-    return manifest, found(manifest.plan, manifest.folder)
+    try:
+        with damage_as_file_errors(manifest.folder / NAME):
+            return manifest, found(manifest.plan, manifest.folder)
+    except FileError:
+        manifest.base.close()
+        raise
 
 
 def finished_job(folder: FilePath, kind: type[Job]) -> tuple[Manifest, Any]:

@@ -11,10 +11,11 @@ from typing import Any
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_count
 from ...core.errors import FileError, FilePath
-from ...core.paths import path_of
+from ...core.paths import path_of, plain_name, refuse_link
 from ...files.frames.datasets import open_frames
 from ...rgbd.reconstruction.config import ReconstructionConfig
 from ...rgbd.reconstruction.job import run_system
+from ..manifest import NAME
 from .job import Done, Job, JobStatus, Task, make_job, stamp_of
 
 SEQUENCES = "sequences"  # the folder of what is made of them
@@ -39,8 +40,9 @@ class SequencesJob(Job):
         stamp = _stamp(frames)
         camera = None if plan["intrinsic"] is None else PinholeCameraIntrinsic(**plan["intrinsic"])
         options = {option: plan[option] for option in ("layout", "every", "depth_scale")}
-        source = open_frames(frames, intrinsic=camera, skip_missing=plan["leave_out"], **options)
-        folder = self.folder / SEQUENCES / name
+        missing = "pictures" if plan["leave_out"] else False
+        source = open_frames(frames, intrinsic=camera, skip_missing=missing, **options)
+        folder = refuse_link(self.folder / SEQUENCES / plain_name(self.folder / NAME, name))
         folder.parent.mkdir(exist_ok=True)
         config = ReconstructionConfig.from_names(plan["config"])
         how = {"resume": True, "refine": plan["refine"], "slac": plan["slac"], "device": self.device}

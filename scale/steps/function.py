@@ -1,9 +1,14 @@
-"""A user's own function."""
+"""User-defined functions as steps.
+
+A file never names code. A function is passed in Python as an object, or an installed package registered it as an entry
+point, and the step has its name. A steps file and a manifest hold names alone, and a name that is neither raises.
+"""
 
 from __future__ import annotations
 
 import importlib
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
+from importlib.metadata import entry_points
 from typing import Any, ClassVar
 
 import numpy as np
@@ -13,47 +18,60 @@ from ...pcd.cloud import PointCloud
 from ..exact_sums import ExactSums
 from .step import Part, Step
 
+GROUP = "pointloom.steps"  # of entry points
 ROW = "pointloom_row"  # the attribute by which a step that drops points tells which are left
+_TOP_LEVEL = "a function at the top of a module that workers can import"
+
+UserFunction = Callable[..., Any]
 
 
 class Function(Step):
-    """A function of a module, with its reach: it takes a cloud and gives one, of the same rows or fewer.
+    """A user's function with its radius: it takes a cloud and returns one with the same rows or fewer.
 
-    It must be a pure function of the points within its reach. It may change attributes and drop points, not move or
-    add any.
+    It must be a pure function of the points within its radius. It may change attributes and drop points, but not move
+    or add any. `call` is the function itself, or the name of an entry point in the group `pointloom.steps`.
     """
 
     name, required = "function", ("call", "reach")
     defaults: ClassVar[dict[str, Any]] = {"arguments": {}}
+    function: UserFunction | None = None
 
     def check(self) -> None:
-        """Set reach and neighbours by the parameters."""
+        """Check the parameters; the name of a function that was passed replaces it in them."""
         self.reach = check_positive("reach", self.params["reach"], allow_zero=True)
-        call = self.params["call"]
+        call, arguments = self.params["call"], self.params["arguments"]
+        if not isinstance(arguments, dict) or not all(isinstance(name, str) for name in arguments):
+            raise ValueError(f"steps: arguments: expected a dictionary of names and values, got {shown(arguments)}")
         if callable(call):
-            call = f"{getattr(call, '__module__', '')}:{getattr(call, '__qualname__', '')}"
-        if not isinstance(call, str) or call.count(":") != 1 or "<" in call or call.startswith("__main__:"):
-            remedy = "a function at the top of a module that workers can import, as 'module:function'"
-            raise ValueError(f"steps: call: expected {remedy}, got {shown(self.params['call'])}")
-        self.params["call"] = call
-        self.function()
+            self.params["call"], self.function = name_of(call), call
+        elif not isinstance(call, str) or not call:
+            raise ValueError(f"steps: call: expected a function or the name of an entry point, got {shown(call)}")
 
-    def function(self) -> Callable[..., Any]:
-        """The function itself."""
-        module, _, path = self.params["call"].partition(":")
-        try:
-            found: Any = importlib.import_module(module)
-            for name in path.split("."):
-                found = getattr(found, name)
-        except (ImportError, AttributeError) as error:
-            raise ValueError(f"steps: call: {self.params['call']!r} cannot be imported: {error}") from error
-        return found
+    @property
+    def is_passed(self) -> bool:
+        """True if the function was passed in Python, False if it is an entry point."""
+        return ":" in self.params["call"]
+
+    def resolve(self, passed: dict[str, UserFunction]) -> None:
+        """Set the function: one of those passed in Python, by `module:function`, or a registered entry point.
+
+        Raises:
+            ValueError: The name is neither of a passed function nor of an entry point.
+        """
+        call = self.params["call"]
+        if self.function is None:
+            self.function = passed.get(call) if self.is_passed else _registered(call)
+        if self.function is None:
+            remedy = f"Pass the function itself in Python, or register it as an entry point in the group {GROUP!r}"
+            raise ValueError(f"steps: call: {shown(call)}: a file cannot name a Python function. {remedy}")
 
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
-        """The step on a part."""
+        """Apply the function to a part."""
+        self.resolve({})
+        assert self.function is not None
         given = part.cloud.copy()
         given[ROW] = np.arange(len(given))
-        cloud = self.function()(given, **self.params["arguments"])
+        cloud = self.function(given, **self.params["arguments"])
         if not isinstance(cloud, PointCloud) or ROW not in cloud.attributes:
             raise ValueError(f"{self.params['call']}: expected a PointCloud of some of its rows, got {shown(cloud)}")
         rows = np.asarray(cloud[ROW])
@@ -63,3 +81,74 @@ class Function(Step):
         if not np.array_equal(part.cloud.points[rows], cloud.points):
             raise ValueError(f"{self.params['call']}: moved points, which a step of a function may not")
         return left
+
+
+def resolve_functions(steps: Iterable[Step], passed: Iterable[UserFunction | str] = ()) -> list[UserFunction]:
+    """Set the function of each `function` step.
+
+    Args:
+        steps: The parsed steps.
+        passed: Functions that the caller passed in Python. Worker processes pass their names, `module:function`.
+
+    Returns:
+        The functions that were passed in Python and are used.
+
+    Raises:
+        ValueError: A step names a function that was neither passed nor registered.
+    """
+    functions = [_imported(one) if isinstance(one, str) else one for one in passed]
+    by_name = {name_of(function): function for function in functions}
+    chosen = [step for step in steps if isinstance(step, Function)]
+    for step in chosen:
+        step.resolve(by_name)
+    return [step.function for step in chosen if step.is_passed and step.function is not None]
+
+
+def name_of(function: Any) -> str:
+    """The name by which a worker imports a function, `module:function`.
+
+    Raises:
+        ValueError: A worker cannot import it.
+    """
+    name = f"{getattr(function, '__module__', '')}:{getattr(function, '__qualname__', '')}"
+    if name.count(":") != 1 or "<" in name or name.startswith("__main__:"):
+        raise ValueError(f"steps: call: expected {_TOP_LEVEL}, got {shown(function)}")
+    if _imported(name) is not function:
+        raise ValueError(f"steps: call: expected {_TOP_LEVEL}, but {name!r} is another object than {shown(function)}")
+    return name
+
+
+def _imported(name: str) -> UserFunction:
+    """Import a function by `module:function`. The name must come from the caller, never from a file.
+
+    Raises:
+        ValueError: It cannot be imported.
+    """
+    module, _, path = name.partition(":")
+    try:
+        found: Any = importlib.import_module(module)
+        for part in path.split("."):
+            found = getattr(found, part)
+    except (ImportError, AttributeError, ValueError) as error:
+        raise ValueError(f"steps: call: {name!r} cannot be imported: {error}") from error
+    return found
+
+
+def _registered(name: str) -> UserFunction:
+    """The function of an entry point."""
+    known = entry_points(group=GROUP)
+    found = {point.value: point for point in known if point.name == name}
+    if not found:
+        names = ", ".join(sorted(known.names)) or "none is installed"
+        remedy = f"expected the name of an entry point in the group {GROUP!r} ({names}), or a function in Python"
+        raise ValueError(f"steps: call: {remedy}, got {shown(name)}")
+    if len(found) > 1:
+        raise ValueError(f"steps: call: several packages register {name!r}: {', '.join(sorted(found))}; remove one")
+    (point,) = found.values()
+    try:
+        function = point.load()
+    except (ImportError, AttributeError) as error:
+        raise ValueError(f"steps: call: the entry point {name!r} ({point.value}) cannot be loaded: {error}") from error
+    if not callable(function):
+        raise ValueError(f"steps: call: the entry point {name!r} is {shown(function)}, expected a function")
+    return function

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import json
+from collections.abc import Iterator
+from contextlib import contextmanager, nullcontext
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 from ...core.checks import shown
-from ...core.errors import FileError
+from ...core.errors import FileError, values_of_file
 from ...core.known_names import nearest_name
 from .clusters import ClusterDbscan, ClusterEuclidean
 from .comparison import Change, Distance
@@ -46,11 +49,21 @@ def parse_steps(steps: Any) -> list[Step]:
     """The steps of a list of dictionaries, or of a TOML file of [[step]] tables; "step" names each.
 
     Raises:
-        FileError: The file cannot be read.
+        FileError: The file cannot be read, or the steps in it are wrong.
         ValueError: No such step, one that needs the whole cloud, or a parameter that it does not have or take.
     """
-    if isinstance(steps, str | Path):
-        steps = read_toml(Path(steps))
+    with naming_file(steps):
+        return _parse(read_toml(Path(steps)) if isinstance(steps, str | Path) else steps)
+
+
+@contextmanager
+def naming_file(steps: Any) -> Iterator[None]:
+    """Turn errors about steps into a `FileError` if the steps came from a file."""
+    with values_of_file(steps) if isinstance(steps, str | Path) else nullcontext():
+        yield
+
+
+def _parse(steps: Any) -> list[Step]:
     if isinstance(steps, dict) or not hasattr(steps, "__iter__"):
         raise TypeError(f"steps: expected a list of dictionaries or a .toml file, got {shown(steps)}")
     parsed = []
@@ -64,11 +77,20 @@ def parse_steps(steps: Any) -> list[Step]:
         if name not in KNOWN:
             raise ValueError(f"steps: there is no step {name!r}{nearest_name(name, KNOWN)}; {', '.join(KNOWN)}")
         parsed.append(KNOWN[name](params))
+        _check_json(name, parsed[-1].params)
     names = [step.raster for step in parsed if isinstance(step, Rasterize)]
     if len({*names}) < len(names):
         raise ValueError(f"steps: rasters of one name: {', '.join(names)}; give each a 'name' of its own")
     _check_order(parsed)
     return parsed
+
+
+def _check_json(name: str, params: dict[str, Any]) -> None:
+    """Check that a manifest can hold parameters."""
+    try:
+        json.dumps(params, allow_nan=False)
+    except (ValueError, TypeError, RecursionError) as error:
+        raise ValueError(f"steps: {name}: expected numbers, strings, lists and tables of them: {error}") from error
 
 
 def _check_order(steps: list[Step]) -> None:
@@ -90,11 +112,12 @@ def read_toml(path: Path) -> list[Any]:
     import tomllib
 
     try:
-        content = tomllib.loads(path.read_text())
+        content = tomllib.loads(path.read_text("utf-8"))
     except OSError as error:
         raise FileError(path, f"cannot be read: {error.strerror or error}") from error
     except (ValueError, RecursionError) as error:
         raise FileError(path, f"not TOML: {error}") from error
-    if set(content) != {"step"} or not isinstance(content["step"], list):
+    tables = content.get("step")
+    if len(content) != 1 or not isinstance(tables, list) or not all(isinstance(table, dict) for table in tables):
         raise FileError(path, "expected [[step]] tables and nothing else")
-    return [dict(table, step=table.pop("name", table.get("step"))) for table in content["step"]]
+    return [table if "step" in table else {"step": table.pop("name", None), **table} for table in tables]

@@ -114,6 +114,7 @@ from .files.frames.datasets import open_frames as open_frames
 from .files.pictures.image_files import read_color as read_color
 from .files.pictures.image_files import read_depth as read_depth
 from .core.units import LengthUnit as LengthUnit
+from .core.units import NonFiniteWarning as NonFiniteWarning
 from .core.units import UnitWarning as UnitWarning
 from .files.points.las_crs import GeographicWarning as GeographicWarning
 from .files.points.las_wkt import LostSystemWarning as LostSystemWarning

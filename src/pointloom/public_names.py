@@ -13,6 +13,7 @@ if TYPE_CHECKING:
 _homes: dict[str, dict[str, str]] = {}  # what `_read` has read
 
 SHORT_NAME = "loom"  # what users import the package as
+OPEN3D = f"{__name__.partition('.')[0]}.open3d"  # the package of Open3D's names
 
 
 def attach(package: str) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
@@ -49,8 +50,53 @@ def _no_name(package: str, name: str, known: Iterable[str]) -> str:
     from .core.known_names import nearest_name
     from .core.open3d_names import row_of, told
 
+    if package == OPEN3D or package.startswith(f"{OPEN3D}."):
+        other, row = _in_open3d(name), told(row_of(name))
+        return message + (f"; it is {other}" if other else row or _also(package, name) or nearest_name(name, known))
+    return message + (_also(package, name) or told(row_of(name)) or nearest_name(name, known))
+
+
+def _also(package: str, name: str) -> str:
+    """`; it is loom.registration` where another module has a name; empty where none has."""
     other = _elsewhere(package, name)
-    return message + (f"; it is {other}" if other else told(row_of(name)) or nearest_name(name, known))
+    return f"; it is {other}" if other else ""
+
+
+def _in_open3d(name: str) -> str:
+    """Where the package of Open3D's names has a name: `o3d.pipelines.registration`; empty where it has none."""
+    from importlib.util import find_spec
+
+    waiting = [OPEN3D]
+    while waiting:
+        package = waiting.pop(0)
+        homes = _read(package)
+        if name in homes:
+            return f"o3d{package.removeprefix(OPEN3D)}.{name}"
+        modules = [home for name, home in homes.items() if home == f"{package}.{name}"]
+        waiting += [home for home in modules if (spec := find_spec(home)) and spec.submodule_search_locations]
+    return ""
+
+
+class _UnknownModules:
+    """A finder behind all others: importing a module that Open3D has and the package of its names has not fails with
+    the message that its attribute has.
+    """
+
+    @staticmethod
+    def find_spec(fullname: str, path: Any = None, target: Any = None) -> None:
+        """Raise ModuleNotFoundError for a module of the package; find nothing else.
+
+        The error has no `name`: with one, `from package import module` would replace it by another error.
+        """
+        package, _, name = fullname.rpartition(".")
+        if package == OPEN3D or package.startswith(f"{OPEN3D}."):
+            raise ModuleNotFoundError(_no_name(package, name, _read(package)))
+
+
+def tell_unknown_modules() -> None:
+    """Append the finder once."""
+    if _UnknownModules not in sys.meta_path:
+        sys.meta_path.append(_UnknownModules)
 
 
 def _elsewhere(package: str, name: str) -> str:
@@ -85,8 +131,15 @@ def _read(package: str) -> dict[str, str]:
     import ast
     import pkgutil
 
-    stub = pkgutil.get_data(package, "__init__.pyi")
-    assert stub is not None
+    try:
+        stub = pkgutil.get_data(package, "__init__.pyi")
+    except OSError:
+        stub = None
+    if stub is None:
+        raise ImportError(
+            f"{package}/__init__.pyi is missing: it lists the public names. Reinstall pointloom; a program packed by "
+            "PyInstaller needs --collect-data pointloom"
+        )
     homes = {}
     for node in ast.parse(stub).body:
         if isinstance(node, ast.ImportFrom):

@@ -67,6 +67,10 @@ def test_the_errors_are_those_of_the_vertices(tmp_path):
     assert report["errors"]["within_half_voxel"] == pytest.approx(np.mean(errors <= 0.04), abs=1e-3)
 
 
+def test_vertices_within_half_a_voxel_are_counted():
+    assert SurfaceErrors.of(np.array([0, 0.03, 0.05, np.nan]), 0.08).within_half_voxel == pytest.approx(2 / 3)
+
+
 @pytest.mark.slow
 def test_without_noise_the_error_is_below_three_tenths_of_a_voxel(tmp_path):
     report = run_demo(tmp_path / "demo", frame_count=60, voxel_size=0.03, noise=False)

@@ -32,6 +32,19 @@ def test_info_tells_what_a_cloud_holds(tmp_path):
     assert "[500000.0000, 5000000.0000, 1.0000] to" in shown
 
 
+def test_info_shows_control_characters(tmp_path):
+    path, evil = tmp_path / "a.ply", "a\x1b]0;owned\x07\x1b[2Kb"
+    lines = [
+        "ply",
+        "format ascii 1.0",
+        "element vertex 1",
+        *(f"property float {name}" for name in ("x", "y", "z", evil)),
+    ]
+    path.write_text("\n".join([*lines, "end_header", "0 0 0 1", ""]))
+    told = [run("info", path), run("info", path, "--json"), run("convert", path, tmp_path / "b.pcd"), run("info", evil)]
+    assert all("owned" in one.output and "\x1b" not in one.output and "\x07" not in one.output for one in told)
+
+
 def test_info_knows_every_kind(mesh, frames, tmp_path):
     pose, K = frames / "frame-000000.pose.txt", tmp_path / "K.txt"
     K.write_text("525 0 80\n0 525 60\n0 0 1\n")

@@ -99,6 +99,17 @@ def test_loops_move_all_frames_between(walked, tmp_path, made_up, colored):
     assert all(len(mesh) > 1000 for mesh in meshes)
 
 
+def test_without_loops_the_surface_is_not_made_anew():
+    slam = SimpleNamespace(volume="tracked", model=SimpleNamespace(frame_count=1))
+
+    def close_loops(progress):
+        slam.volume = "made anew"
+        return SimpleNamespace(T_world_submap=[0], refused=[], loops=[])
+
+    slam.close_loops = close_loops
+    assert looped_model._close_loops(slam, None, None)[0] == "tracked"
+
+
 @pytest.mark.slow
 def test_without_loops_the_surface_is_the_tracked_one(walked, tmp_path, made_up):
     """Not the one that is made anew from the submaps, in which frames that two of them share count twice."""

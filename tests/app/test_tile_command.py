@@ -26,6 +26,7 @@ from ..test_imports import ROOT
 from .commands import answer, names_in, refusal, run
 
 RADIUS = [{"step": "remove_radius_outlier", "nb_points": 4, "radius": 0.9}]
+OWN = ["own_steps-1.0.dist-info", "own_steps.py"]
 FAILING = """
 import time
 
@@ -51,11 +52,16 @@ def job(tmp_path, monkeypatch):
     survey(tmp_path / "survey", count=2000)
     (tmp_path / "steps.toml").write_text('[[step]]\nstep = "remove_radius_outlier"\nnb_points = 4\nradius = 0.9\n')
     (tmp_path / "own_steps.py").write_text(FAILING)
+    package = tmp_path / OWN[0]  # as an installed package that registers two entry points
+    package.mkdir()
+    (package / "METADATA").write_text("Metadata-Version: 2.1\nName: own_steps\nVersion: 1.0\n")
+    points = [f"{name} = own_steps:{name}" for name in ("fails_once", "is_slow")]
+    (package / "entry_points.txt").write_text("\n".join(["[pointloom.steps]", *points]))
     return tmp_path
 
 
 def plan_with(job, call):
-    (job / "own.toml").write_text(f'[[step]]\nstep = "function"\ncall = "own_steps:{call}"\nreach = 0\n')
+    (job / "own.toml").write_text(f'[[step]]\nstep = "function"\ncall = "{call}"\nreach = 0\n')
     assert run("tile", "plan", "survey", "--steps", "own.toml", "-o", "job", "--size", "20").exit_code == 0
 
 
@@ -113,7 +119,7 @@ def test_finish_refuses_names_of_other_formats(job):
         ("-o out.xyz", "is no name of a LAS or LAZ file. End it in .laz or .las or .copc.laz"),
     ):
         assert said in " ".join(refusal("tile", "finish", "job", *words.split()).split())
-    assert names_in(job) == ["job", "own_steps.py", "steps.toml", "survey"]
+    assert names_in(job) == ["job", *OWN, "steps.toml", "survey"]
 
 
 @pytest.mark.slow
@@ -122,7 +128,7 @@ def test_an_estimate_plans_nothing(job):
     report = answer(*words, "--workers", "2")
     assert (report["points"], report["tiles"], report["workers"]) == (2050, 9, 2)
     assert 0 < report["seconds"]["low"] <= report["seconds"]["value"] <= report["seconds"]["high"]
-    assert names_in(job) == ["own_steps.py", "steps.toml", "survey"]
+    assert names_in(job) == [*OWN, "steps.toml", "survey"]
     shown = run(*words).stdout
     for label in ("time", "CPU time", "memory", "temporary", "output", "measured"):
         assert f"\n  {label} " in shown

@@ -58,6 +58,9 @@ def test_points_that_were_assigned_keep_their_digits(cloud):
     cloud.points = V(values)
     cloud.paint_uniform_color([1, 0, 0])
     assert (np.asarray(cloud.points) == values).all()
+    cloud.normals = V(values)
+    cloud.translate([1, 0, 0])
+    assert (np.asarray(cloud.normals) == values).all()
 
 
 def test_ours_shares_no_memory_with_vectors(cloud):
@@ -162,6 +165,7 @@ def test_vectors_grow_like_lists():
         (lambda: V(np.zeros((3, 4))), ValueError, "array.T"),
         (lambda: o3d.utility.IntVector([0.5]), TypeError, "whole numbers"),
         (lambda: o3d.geometry.PointCloud() + loom, TypeError, "expected a PointCloud, got module"),
+        (lambda: o3d.geometry.TriangleMesh() + loom, TypeError, "expected a TriangleMesh, got module"),
         (lambda: o3d.geometry.PointCloud().estimate_normals(0.1), TypeError, "KDTreeSearchParamHybrid"),
         (lambda: o3d.io.read_point_cloud("nowhere.ply"), loom.FileError, "nowhere.ply"),
         (lambda: o3d.geometry.KDTreeFlann(o3d.geometry.PointCloud()), ValueError, "got none"),
@@ -181,3 +185,4 @@ def test_objects_of_the_real_package_are_told_apart(to_open3d):
 def test_objects_of_ours_are_taken(cloud):
     assert len(cloud.compute_point_cloud_distance(loom.PointCloud(np.eye(3)))) == 50
     assert o3d.geometry.PointCloud(loom.PointCloud(np.eye(3))).has_points()
+    assert len((o3d.geometry.TriangleMesh.create_box() + loom.TriangleMesh.create_box()).triangles) == 24

@@ -33,7 +33,16 @@ def test_the_page_of_all_names_is_fresh(o3d):
         ("o3d.visualization.draw_geometries_with_editing", "the tools of the page that loom.draw opens: polygon"),
         ("o3d.visualization.rendering", "loom.render, loom.draw, loom.Viewer"),
         ("o3d.pipelines.odometry.compute_correspondence", "inliers counts them"),
-        ("o3d.pipelines.registration.PointCloud", "it is loom.PointCloud"),
+        ("o3d.pipelines.registration.PointCloud", "it is o3d.geometry.PointCloud"),
+        ("o3d.visualization.Viewer", "it is loom.Viewer"),
+        *[
+            (f"o3d.{old}", f"it is o3d.pipelines.{old}")
+            for old in ("registration", "integration", "odometry", "color_map")
+        ],
+        ("o3d.read_point_cloud", "it is o3d.io.read_point_cloud"),
+        ("o3d.PoseGraph", "it is o3d.pipelines.registration.PoseGraph"),
+        ("o3d.data.BunnyMesh", r"loom\.data\.object_mesh"),
+        ("o3d.utility.Debug", r"o3d\.utility\.VerbosityLevel"),
         ("o3d.visualization.Visualizer().register_mouse_move_callback", "not here"),
         ("o3d.pipelines.registration.ICPConvergenceCriteria().max_iterations", "did you mean 'max_iteration'"),
     ],
@@ -41,3 +50,26 @@ def test_the_page_of_all_names_is_fresh(o3d):
 def test_a_name_that_is_not_there_names_our_way(line, message):
     with pytest.raises(AttributeError, match=message):
         eval(line, {"o3d": pointloom.open3d})
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        ("import pointloom.open3d.core as o3c", "here: arrays of NumPy"),
+        ("from pointloom.open3d.core import Tensor", "here: arrays of NumPy"),
+        ("import pointloom.open3d.t.geometry", "here: loom itself"),
+        ("import pointloom.open3d.visualization.rendering as rendering", "not here: loom.render"),
+        ("from pointloom.open3d.visualization import draw, gui", "not here: loom.render"),
+        ("import pointloom.open3d.cpu.pybind", "not here: Open3D's binaries"),
+        ("from pointloom.open3d import registration", "it is o3d.pipelines.registration"),
+        ("from pointloom.open3d.geometry import PointClod", "did you mean 'PointCloud'"),
+    ],
+)
+def test_a_module_that_is_not_there_names_our_way(line, message):
+    with pytest.raises(ImportError, match=message):
+        exec(line)
+
+
+def test_modules_that_are_there_are_imported():
+    exec("import pointloom.open3d.pipelines.registration, pointloom.open3d.geometry.keypoint")
+    exec("from pointloom.open3d.visualization import draw_geometries")

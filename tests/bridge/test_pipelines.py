@@ -17,7 +17,8 @@ USUAL = 1e-6  # positions are float32 about an origin here, float64 there
 TOLERANCES = {
     "icp_registration": {},
     "colored_icp": {},
-    "robust_kernels": {},
+    # noise of 0.1 m: the fixed points of ICP are close to each other, and other steps end in another one
+    "robust_kernels": dict.fromkeys(("tukey", "huber", "cauchy", "gm"), 1e-3),
     # the misfit of a turn is 2 sin(a / 2) here and sin(a) there; a last step that still helps is taken
     "multiway_registration": {"poses": 1e-5, "again": 1e-5, "moved by": 1e-5, "confidence": 1e-5, "middle": 1e-5},
     # what brightness alone leaves nearly open is found by 35 steps of other sums

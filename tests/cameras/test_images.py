@@ -131,10 +131,11 @@ def test_depth_that_is_no_measurement_gives_no_point(device):
 @pytest.mark.parametrize("dtype", [np.int16, np.int32, np.int64, np.uint16, np.float64, np.float16])
 def test_depth_of_any_type_is_taken(device, dtype):
     depth = np.array([[0, 50, 100], [120, 0, 7]], dtype)
-    scale = 1.0 if np.dtype(dtype).kind == "f" else 10.0
-    cloud = loom.PointCloud.from_depth_image(**small(depth=depth, depth_scale=10.0), device=device)
-    expected = depth[depth > 0].astype(np.float32) / np.float32(scale)
-    np.testing.assert_array_equal(cloud.points[:, 2], expected)
+    is_float = np.dtype(dtype).kind == "f"
+    for given, scale in ((10.0, 10.0), (None, 1.0 if is_float else 1000.0)):
+        cloud = loom.PointCloud.from_depth_image(**small(depth=depth, depth_scale=given), device=device)
+        expected = depth[depth > 0].astype(np.float32) / np.float32(scale)
+        np.testing.assert_array_equal(cloud.points[:, 2], expected)
 
 
 def test_a_camera_at_utm_coordinates_keeps_millimetres(device, frame, tolerances):

@@ -34,6 +34,7 @@ def test_a_radius_that_finds_nobody_is_told(ball):
     [
         (np.full((48, 64), 1500, np.uint16), {"depth_scale": 1.0}, "3,072 of uint16 .* taken for 1 units a metre"),
         (np.full((48, 64), 1500.0, np.float32), {}, "taken for metres, lie beyond 3 m"),
+        (np.full((48, 64), 1.5, np.float32), {"depth_scale": 1000.0}, "within 0.05 m: .* 1.5..1.5, divided by 1000"),
         (
             np.full((48, 64), 1500, np.uint16),
             {"depth_trunc": 1.0},
@@ -46,7 +47,7 @@ def test_a_scale_that_cuts_all_is_told(depth, options, told):
     with pytest.warns(loom.UnitWarning, match=told) as caught:
         loom.RGBDImage.from_color_and_depth(color, depth, **options)
     assert caught[0].filename == __file__
-    depth[5, 5] = 1  # a pixel that the first look does not see
+    depth[5, 5] = 1 if depth.min() > 100 else 100  # a pixel that the first look does not see
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         loom.RGBDImage.from_color_and_depth(color, depth, **options)
@@ -63,9 +64,10 @@ def test_balls_and_alphas_that_touch_nothing_are_told(ball):
         assert len(loom.TriangleMesh.from_point_cloud_alpha_shape(ball, 1e-6)) == 0
     assert caught[0].filename == __file__
     flat = loom.PointCloud(ball.points * [1, 1, 0], normals=np.tile([0.0, 0, 1], (800, 1)), device=ball.device)
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        assert len(loom.TriangleMesh.from_point_cloud_alpha_shape(flat, 2.0)) == 0  # no unit gives a plane a volume
+    with pytest.warns(UserWarning, match="the points lie in one plane, so no alpha gives a surface") as caught:
+        assert len(loom.TriangleMesh.from_point_cloud_alpha_shape(flat, 2.0)) == 0
+    assert [each.category for each in caught] == [UserWarning]  # no unit gives a plane a volume
+    assert caught[0].filename == __file__
 
 
 def test_icp_without_correspondences_says_where_both_are(ball):

@@ -8,7 +8,6 @@ import sys
 import pytest
 
 import pointloom as loom
-from pointloom.core import verbosity
 from pointloom.core.checks import check_progress
 
 SCRIPT = """
@@ -95,7 +94,7 @@ def test_progress_that_is_asked_for_is_printed(capsys):
 
 def test_a_closed_stderr_is_nobody_to_tell(monkeypatch, capsys):
     cloud = loom.PointCloud([[0, 0, 0]])
-    monkeypatch.setattr(verbosity.sys, "stderr", None)
+    monkeypatch.setattr(sys, "stderr", None)
     cloud.cluster_dbscan(2.0, 2, print_progress=True)
     assert capsys.readouterr().out == ""
 

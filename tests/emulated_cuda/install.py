@@ -17,6 +17,7 @@ from .driver import Driver, is_driver
 from .findings import CudaFault, Findings
 from .gcc import EmulationError, check_machine
 from .graphs import Graphs
+from .kernel_coverage import mark_kernels
 from .launches import Launches
 from .memory import Memory
 from .properties import Properties
@@ -148,4 +149,6 @@ def install() -> None:
     def load_driver(name: str) -> Any:
         return installed().driver if installed() and is_driver(name) else load_library(name)
 
+    if settings.coverage:
+        mark_kernels()
     ctypes.cdll.LoadLibrary = load_driver  # type: ignore[method-assign]

@@ -14,6 +14,7 @@ from typing import Any
 
 from . import counters, gcc, ptx
 from .findings import FAULTS, NOTES, Findings, caller
+from .kernel_coverage import Marks
 from .memory import SPAN, Memory
 from .properties import OPT_IN_SHARED, STATIC_SHARED
 from .settings import Order, settings
@@ -48,6 +49,7 @@ class State(ctypes.Structure):
         ("note_address", ctypes.c_uint64 * len(NOTES)),
         *((name, ctypes.c_uint32 * len(NOTES)) for name in ("note_statement", "note_thread", "note_other")),
         ("jump", ctypes.c_void_p * 5),
+        ("covered", ctypes.c_void_p),
     )
 
 
@@ -73,9 +75,14 @@ class LoadedKernel:
         return self.argument_names[position] if position < len(self.argument_names) else f"argument {position}"
 
 
+def _cuda_source(ptx_path: str) -> Path:
+    """The CUDA source that Warp leaves beside the PTX."""
+    return Path(re.sub(r"\.sm\d+\w*\.ptx$", ".cu", ptx_path))
+
+
 def _argument_names(ptx_path: str, kernel: str) -> list[str]:
-    """The names of a kernel's parameters, from the CUDA source that Warp leaves beside the PTX."""
-    source = Path(re.sub(r"\.sm\d+\w*\.ptx$", ".cu", ptx_path))
+    """The names of a kernel's parameters, from the CUDA source."""
+    source = _cuda_source(ptx_path)
     if not source.exists():
         return []
     pattern = rf"__global__ void (?:\w+\([^)]*\)\s*)?{re.escape(kernel)}\(\s*(.*?)\)\s*\{{"
@@ -100,6 +107,8 @@ class Launches:
         self.state.bytes, self.state.valid = memory.bytes, memory.valid
         self.state.written = memory.written
         self.state.tracks, self.state.byte_tracks = memory.tracks, memory.byte_tracks
+        self.marks = Marks(Path(settings.coverage)) if settings.coverage else None
+        self.state.covered = self.marks.address if self.marks else None
         self.counters = findings.counters = counters.Counters(self.runtime)
 
     # ------------------------------------------------------------------------------------------ modules
@@ -136,6 +145,8 @@ class Launches:
             self.findings.error = "the emulated device loads PTX only: leave wp.config.cuda_output alone"
             return None
         library, module, tables = self._compile(Path(name).read_bytes().decode(errors="replace"))
+        if self.marks:
+            self.marks.note_module(_cuda_source(name))
         kernels = {}
         for kernel in module.kernels:
             entry = ctypes.cast(getattr(library, kernel.symbol), ctypes.c_void_p).value or 0

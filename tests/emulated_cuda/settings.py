@@ -32,6 +32,7 @@ class Settings:
     memory: int = 8 << 30  # bytes of the device
     devices: int = 1  # how many; they share the memory, and none reaches another's
     compiler: bool = True  # 0: a kernel of pointloom's that would be compiled is a fault
+    coverage: str = ""  # a file of marks that kernels set: kernel_coverage.py
     report: str = ""  # a file for faults, notes and launches as JSON; %p is the process
     cache: str = ""  # where compiled modules are kept, if not in the user's cache folder
 

@@ -68,6 +68,9 @@ def test_lenses_of_transforms_are_those_of_colmap(tmp_path, more, expected):
         ({"transform_matrix": (2 * ARKIT).tolist()}, {}, r"frames\[0\]"),
         ({"transform_matrix": [[1, 2], [3, 4]]}, {}, "expected 4 rows"),
         ({"file_path": 3}, {}, "file_path"),
+        ({"file_path": "\ud800.png"}, {}, "surrogates not allowed"),
+        ({}, {"fl_x": 10**400}, "too large"),
+        ({"transform_matrix": [[10**400, 0, 0, 0], *np.eye(4).tolist()[1:]]}, {}, "too large"),
     ],
 )
 def test_transforms_that_make_no_sense_are_refused(tmp_path, frame, more, said):

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import struct
+import subprocess
+import sys
 import tracemalloc
 
 import numpy as np
@@ -324,3 +326,39 @@ def test_a_copy_warns_of_what_it_leaves_behind(tmp_path, rng):
         scan.set("sensorModel", libe57.StringNode(file.image_file, "X 7"))
     with pytest.warns(UserWarning, match="the scanner data of the source are left behind"):
         write_cloud_table(tmp_path / "b.e57", read_table(tmp_path / "a.e57"), source=tmp_path / "a.e57")
+
+
+INTERRUPTED = """
+import sys, numpy as np
+from pointloom.files.points import e57_writer
+from pointloom.files.table import PointTable
+def trace(frame, event, argument):
+    if frame.f_code.co_name != "_write_scan":
+        return trace if frame.f_code.co_name in ("write_e57", "write_scans", "_write_image", "<module>") else None
+    frame.f_trace_opcodes = True
+    if event == "opcode":
+        trace.left -= 1
+        if not trace.left:
+            raise ERROR
+    return trace
+table, ends, step = PointTable(np.random.default_rng(0).random((9, 3))), set(), 250
+while "done" not in ends:
+    trace.left, step = step, step + 1
+    try:
+        sys.settrace(trace)
+        e57_writer.write_e57(sys.argv[1], table)
+        ends.add("done")
+    except BaseException as error:
+        ends.add(type(error).__name__)
+    finally:
+        sys.settrace(None)
+print(sorted(ends))
+"""
+
+
+@pytest.mark.parametrize("error", ["KeyboardInterrupt", "MemoryError"])
+def test_an_exception_at_any_point_of_the_writing_leaves_the_process_alive(tmp_path, error):
+    code = INTERRUPTED.replace("ERROR", error)
+    done = subprocess.run([sys.executable, "-c", code, tmp_path / "a.e57"], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout) == (0, f"{sorted([error, 'done'])}\n")
+    assert [path.name for path in tmp_path.iterdir()] == ["a.e57"]

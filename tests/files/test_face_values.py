@@ -58,11 +58,18 @@ def test_values_of_a_face_go_to_all_its_triangles(tmp_path, kind):
     np.testing.assert_array_equal(read.triangle_attributes["label"], np.int32([7, 7, -8]))
 
 
-def test_colours_of_faces_out_of_range_are_left_behind_and_told(tmp_path):
-    element = f"element face 1\n{CORNERS}property float red\nproperty float green\nproperty float blue\n"
-    with pytest.warns(UserWarning, match=r"colours of faces are left behind, since a colour is outside 0\.\.1"):
-        read = read_ply_mesh(ply(tmp_path / "m.ply", element, "3 0 1 2 1.5 0 0\n"))
-    assert (len(read.triangles), read.triangle_attributes) == (1, {})
+@pytest.mark.parametrize(
+    ("values", "wanted"), [("1.5 0 0 1", [1, 0, 0, 1]), ("255 0 51 102", [1, 0, 0.2, 0.4]), ("0 0 nan 1", None)]
+)
+def test_colors_of_faces_out_of_range_are_scaled_clamped_or_left_behind_with_a_warning(tmp_path, values, wanted):
+    names = "".join(f"property float {name}\n" for name in ("red", "green", "blue", "alpha"))
+    with pytest.warns(UserWarning, match="colors of faces"):
+        read = read_ply_mesh(ply(tmp_path / "m.ply", f"element face 1\n{CORNERS}{names}", f"3 0 1 2 {values}\n"))
+    assert len(read.triangles) == 1
+    if wanted is None:
+        assert read.triangle_attributes == {}
+    else:
+        np.testing.assert_allclose(read.triangle_attributes["colors"], [wanted], atol=1e-7)
 
 
 @pytest.mark.parametrize(

@@ -13,8 +13,9 @@ import pytest
 from pointloom.core.errors import FileError
 
 FOLDER = Path(__file__).resolve().parents[2] / "benchmarks" / "fuzz"
-NAMES = ("run", "cases", "mutations", "oracles", "ply_oracle")
+NAMES = ("run", "cases", "job_cases", "mutations", "oracles", "other_cases", "ply_oracle")
 CASES = ("OBJ", "OBJ corners", "OFF", "STL", "PLY mesh, text", "PLY mesh, binary", "PCD")
+JOBS = ("area", "steps", "transforms.json", "configuration", "depth bundle", "occupancy grid", "control grid")
 
 
 @pytest.fixture(scope="module")
@@ -35,7 +36,7 @@ def case_of(fuzz, name):
     return next(case for case in fuzz.CASES if case.name == name)
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", [*CASES, *JOBS, pytest.param("plan of a manifest", marks=pytest.mark.slow)])
 def test_damaged_files_are_refused_or_read_as_they_are(fuzz, name, tmp_path):
     found = fuzz.fuzz(case_of(fuzz, name), range(60), 0, tmp_path)
     assert [entry for entry in found if entry[1] not in ("refused", "read")] == []

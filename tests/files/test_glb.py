@@ -91,7 +91,7 @@ def test_numbers_of_every_type_and_step_are_taken_for_what_they_are(tmp_path):
         })  # fmt: skip
         names[name] = len(scene.accessors) - 1
     mesh = read_glb(scene.write(tmp_path / "m.glb"))
-    np.testing.assert_array_equal(mesh.vertex_colors, np.float32([[1, 0, 0.2]] * 3))
+    np.testing.assert_allclose(mesh.vertex_colors, [[1, 0, 0.484529]] * 3, atol=1e-6)  # 0.2 of linear light
     np.testing.assert_array_equal(mesh.triangle_uvs, [[1, 1], [0, 1], [0, 0]])
 
 
@@ -225,9 +225,6 @@ def test_indices_beyond_the_vertices_are_refused(tmp_path):
     scene = one_triangle(NORMAL=np.array(Z[:2], "f4"))
     with pytest.raises(FileError, match="NORMAL of meshes 0 has 2 elements, POSITION 3"):
         read_glb(scene.write(tmp_path / "m.glb"))
-    scene = one_triangle(COLOR_0=np.array([[2, 0, 0]] * 3, "f4"))
-    with pytest.raises(FileError, match=r"a colour is outside 0\.\.1"):
-        read_glb(scene.write(tmp_path / "m.glb"))
 
 
 @pytest.mark.parametrize(
@@ -238,7 +235,6 @@ def test_indices_beyond_the_vertices_are_refused(tmp_path):
         ([look(baseColorFactor=[1, 1])], {}, "baseColorFactor is not 4 numbers"),
         ([look(baseColorTexture={"index": 0})], {"textures": [{}]}, "source is None"),
         ([look(baseColorTexture={"index": 0})], {"images": [{"uri": 7}]}, "uri is 7, expected a text"),
-        ([look(baseColorTexture={"index": 0})], {"images": [{"bufferView": 0}]}, "neither PNG nor JPEG"),
     ],
 )
 def test_materials_that_lie_are_refused(tmp_path, materials, more, reason):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import json
 import re
 import sys
 
@@ -14,7 +15,7 @@ from pointloom.core.checks import check_textures
 from pointloom.core.errors import FileError
 from pointloom.files.meshes import gltf_file
 from pointloom.files.meshes.glb import read_glb
-from pointloom.files.meshes.glb_writer import write_glb
+from pointloom.files.meshes.glb_writer import write_glb, write_gltf
 from pointloom.files.pictures.image_files import encode_png
 from pointloom.files.source import netted
 from pointloom.files.table import MeshTable
@@ -314,8 +315,8 @@ def test_pictures_have_a_budget_together(tmp_path, monkeypatch, name):
     monkeypatch.setattr(texture_files, "TOTAL_PIXELS", 129)  # two of 8 x 8, and a pixel
     assert len(loom.read_triangle_mesh(tmp_path / name).textures) == 3
     monkeypatch.setattr(texture_files, "TOTAL_PIXELS", 127)
-    with pytest.raises(FileError, match=r"pictures come to 12\d pixels together, more than 127.*smaller"):
-        loom.read_triangle_mesh(tmp_path / name)
+    with pytest.warns(UserWarning, match=r"pictures come to 12\d pixels together, more than 127.*smaller"):
+        assert loom.read_triangle_mesh(tmp_path / name).textures == ()
 
 
 def test_a_factor_with_alpha_is_a_pixel_with_alpha_where_it_blends(tmp_path):
@@ -324,6 +325,47 @@ def test_a_factor_with_alpha_is_a_pixel_with_alpha_where_it_blends(tmp_path):
         scene = one_triangle(extra={"material": 0})
         scene.more = {"materials": [look | {"alphaMode": mode}]}
         assert read_glb(scene.write(tmp_path / "m.glb")).textures[0].reshape(-1).tolist() == pixel
+
+
+@pytest.mark.parametrize(
+    ("mode", "alphas", "again", "kept"),
+    [
+        (None, [0, 80, 255], None, None),
+        ("OPAQUE", [80, 80, 80], None, None),
+        ("BLEND", [0, 80, 255], "BLEND", [0, 80, 255]),
+        ("BLEND", [255, 255, 255], None, None),
+        ("MASK", [0, 127, 128], "MASK", [0, 0, 255]),
+        ("MASK", [128, 200, 255], None, None),
+    ],
+)
+@pytest.mark.parametrize("suffix", [".glb", ".gltf"])
+def test_the_alpha_of_a_texture_is_kept_as_its_material_shows_it(tmp_path, suffix, mode, alphas, again, kept):
+    picture = np.zeros((1, 3, 4), np.uint8)
+    picture[0, :, 3] = alphas
+    scene = one_triangle(TEXCOORD_0=np.zeros((3, 2), "f4"), extra={"material": 0})
+    view = scene.bytes(encode_png(picture))
+    look = {"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}} | ({"alphaMode": mode} if mode else {})
+    scene.more = {
+        "images": [{"bufferView": view, "mimeType": "image/png"}],
+        "textures": [{"source": 0}],
+        "materials": [look],
+    }
+    source, target = scene.write(tmp_path / "m.glb"), tmp_path / f"again{suffix}"
+    loom.write_triangle_mesh(target, loom.read_triangle_mesh(source))
+    mesh = read_glb(target)
+    assert [kept] == ([mesh.textures[0][0, :, 3].tolist()] if mesh.textures[0].shape[2] == 4 else [None])
+    raw = target.read_bytes()
+    content = json.loads(raw if suffix == ".gltf" else raw[20 : 20 + int.from_bytes(raw[12:16], "little")])
+    assert content["materials"][0].get("alphaMode") == again
+
+
+@pytest.mark.parametrize(("alpha", "shown"), [(0.4, 0), (0.6, None)])
+def test_a_masked_factor_is_shown_or_not_by_its_cutoff(tmp_path, alpha, shown):
+    scene = one_triangle(extra={"material": 0})
+    look = {"pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, alpha]}, "alphaMode": "MASK"}
+    scene.more = {"materials": [look]}
+    pixel = read_glb(scene.write(tmp_path / "m.glb")).textures[0].reshape(-1).tolist()
+    assert pixel == [255, 0, 0] + ([] if shown is None else [shown])
 
 
 def test_the_older_materials_of_specular_and_glossiness_have_a_colour(tmp_path):
@@ -362,7 +404,7 @@ def test_all_that_is_left_behind_is_told_of_once(tmp_path):
     assert len(mesh.triangles) == 4
     (message,) = [str(each.message) for each in caught]
     for words in (
-        "normal maps (2)", "occlusion maps (2)", "emissive maps (2)", "alpha cutoffs (2)",
+        "normal maps (2)", "occlusion maps (2)", "emissive maps (2)",
         "metallic-roughness maps (2)",
         "metallic and roughness factors (2)", "factors of base colours beside a texture (2)",
         "the texture coordinates TEXCOORD_1", "names of nodes (2)", "names of materials (2)", "animations (2)",
@@ -389,7 +431,35 @@ def test_attributes_and_alpha_survive_a_round_trip(tmp_path):
     assert kinds["label"] == np.uint8
     assert kinds["pair"] == np.int16
     assert kinds["id"] == np.float32
-    np.testing.assert_array_equal(again.vertex_colors[back], mesh.vertex_colors[at])
+    np.testing.assert_array_max_ulp(again.vertex_colors[back], mesh.vertex_colors[at], 1)
+
+
+@pytest.mark.parametrize("kind", ["f4", "u2", "u1"])
+@pytest.mark.parametrize("name", ["m.glb", "m.gltf"])
+def test_vertex_colors_are_linear_light_and_alpha_is_not_converted(tmp_path, name, kind):
+    full = 1 if kind == "f4" else np.iinfo(kind).max
+    scene = one_triangle()
+    linear = np.array([[0.2158605, 1, 0, 0.5]] * 3)  # sRGB 128, 255, 0
+    values = np.rint(linear * full).astype(kind) if full > 1 else linear.astype(kind)
+    scene.primitives[0]["attributes"]["COLOR_0"] = scene.array(values, normalized=full > 1)
+    mesh = read_glb(scene.write(tmp_path / name))
+    np.testing.assert_array_equal(np.rint(mesh.vertex_colors * 255), [[128, 255, 0]] * 3)
+    np.testing.assert_allclose(mesh.attributes["alpha"], 0.5, atol=0.5 / min(full, 2**20))
+
+
+def test_vertex_colors_of_8_bits_are_written_as_linear_light_and_come_back(tmp_path):
+    grays = np.arange(256).repeat(3).reshape(-1, 3)
+    colors = np.float32(grays / 255)
+    mesh = MeshTable(np.zeros((256, 3)), [[0, 1, 2]], vertex_colors=colors, attributes={"alpha": colors[:, 0]})
+    write_gltf(tmp_path / "m.gltf", mesh)
+    content = json.loads((tmp_path / "m.gltf").read_text())
+    number = content["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"]
+    view = content["bufferViews"][content["accessors"][number]["bufferView"]]
+    linear = np.frombuffer((tmp_path / "m.bin").read_bytes(), "<f4", 1024, view["byteOffset"]).reshape(-1, 4)
+    assert linear[128, :3] == pytest.approx(0.2158605) and linear[128, 3] == np.float32(128 / 255)
+    assert linear[2, 0] == pytest.approx(2 / 255 / 12.92)
+    again = read_glb(tmp_path / "m.gltf")
+    np.testing.assert_array_equal(np.rint(again.vertex_colors * 255), grays)
 
 
 def test_trimesh_finds_our_attributes(tmp_path):

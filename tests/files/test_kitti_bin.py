@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+import pointloom as loom
+from pointloom.app.shell.cli import cli
 from pointloom.core.errors import FileError
 from pointloom.files.points.kitti_bin import read_kitti_bin
 
@@ -43,3 +45,67 @@ def test_no_file_and_no_byte_are_named(tmp_path):
     (tmp_path / "a.bin").touch()
     with pytest.raises(FileError, match="is empty"):
         read_kitti_bin(tmp_path / "a.bin")
+
+
+def turn_of_scanner(points=1200, rings=40, seed=0):
+    """x y z intensity ring time of a scanner in a street: columns of rings, one after another."""
+    rng = np.random.default_rng(seed)
+    ring, azimuth = np.arange(points) % rings, np.arange(points) // rings * 0.2
+    elevation = np.radians(-25 + 40 * (ring * 7 % rings) / rings)  # not in the order of the angles
+    reach = np.minimum(np.where(elevation < 0, -1.7 / np.sin(elevation - 1e-3), 90), rng.uniform(4, 60, points))
+    x, y = (reach * np.cos(elevation) * f(azimuth) for f in (np.cos, np.sin))
+    rows = [x, y, reach * np.sin(elevation), rng.integers(0, 256, points), ring, np.linspace(0, 0.1, points)]
+    return np.column_stack(rows).astype("<f4")
+
+
+NAMES = {
+    3: ["x", "y", "z"],
+    5: ["x", "y", "z", "intensity", "ring"],
+    6: ["x", "y", "z", "intensity", "ring", "time"],
+    8: ["x", "y", "z", "intensity", "ring", "time", "range", "label"],
+}
+
+
+@pytest.mark.parametrize("width", NAMES)
+@pytest.mark.parametrize("scale", [1, 1 / 255])
+def test_other_layouts_are_refused_without_columns_and_read_with_them(tmp_path, width, scale):
+    rows = turn_of_scanner()
+    rows[:, 3] *= scale
+    rows = np.ascontiguousarray(np.column_stack([rows, np.abs(rows[:, :2])])[:, :width])
+    rows.tofile(tmp_path / "a.bin")
+    with pytest.raises(FileError, match=r"a\.bin.*columns="):
+        loom.read_point_cloud(tmp_path / "a.bin")
+    cloud = loom.read_point_cloud(tmp_path / "a.bin", columns=NAMES[width])
+    np.testing.assert_array_equal(cloud.points.astype("f4"), rows[:, :3])
+    for name, values in zip(NAMES[width][3:], rows[:, 3:].T, strict=True):
+        np.testing.assert_array_equal(cloud[name], values)
+
+
+@pytest.mark.parametrize("rings", [1, 5, 16, 32, 40, 60])
+@pytest.mark.parametrize("scale", [1, 1 / 255, 0])
+def test_scans_of_kitti_s_layout_need_no_columns(tmp_path, rings, scale):
+    rows = np.ascontiguousarray(turn_of_scanner(12_600, rings)[:, :4])
+    rows[:, 3] *= scale
+    rows.tofile(tmp_path / "a.bin")
+    np.testing.assert_array_equal(loom.read_point_cloud(tmp_path / "a.bin").points.astype("f4"), rows[:, :3])
+
+
+def test_runs_of_scans_and_commands_take_columns(tmp_path, capsys):
+    wall = np.array([[10, 0.5 * i, 0.5 * j, 7, j] for i in range(-20, 20) for j in range(20)], "<f4")
+    folder = tmp_path / "scans"
+    folder.mkdir()
+    for name in ("0.bin", "1.bin"):
+        wall.tofile(folder / name)
+    assert len(loom.registration.run_odometry(folder, columns=NAMES[5])) == 2
+    names = ["--columns", ",".join(NAMES[5])]
+    scan, copy = str(folder / "0.bin"), str(tmp_path / "copy.ply")
+    for words in (
+        ["info", scan],
+        ["convert", scan, copy],
+        ["sample", scan, copy, "--voxel", "0.1", "--force"],
+        ["odometry", str(folder), "-o", str(tmp_path / "poses.kitti")],
+    ):
+        with pytest.raises(SystemExit) as leaving:
+            cli([*words, *names])
+        assert leaving.value.code in (0, 3), capsys.readouterr().err  # 3: one wall is poor for odometry
+    assert loom.read_point_cloud(copy).attributes.keys() == {"intensity", "ring"}

@@ -10,12 +10,14 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from pointloom.cameras.picture_names import number_of
 from pointloom.core.errors import FileError
 from pointloom.files.meshes.glb import read_glb
 from pointloom.files.meshes.glb_writer import write_glb
 from pointloom.files.meshes.obj import read_obj, write_obj
 from pointloom.files.meshes.off import read_off, write_off
 from pointloom.files.meshes.stl import read_stl, write_stl
+from pointloom.files.pictures.image_files import read_color
 from pointloom.files.points.npz import read_npz, write_npz
 from pointloom.files.points.pcd import read_pcd, write_pcd
 from pointloom.files.points.ply import read_ply, read_ply_mesh, write_ply, write_ply_mesh
@@ -139,8 +141,9 @@ TEXT = (
 COUNTED = ["ascii.ply", "ascii_mesh.ply", "ascii.pcd", "cloud.pts", "scans.ptx", "text.stl", "mesh.off"]
 
 pytestmark = [
-    pytest.mark.filterwarnings("ignore:.*are left behind"),
-    pytest.mark.filterwarnings("ignore:.*it is taken for white"),
+    pytest.mark.filterwarnings("ignore:.*(are|is) left behind"),
+    pytest.mark.filterwarnings("ignore:.*(clamped|divided by 255|defined twice|before any newmtl)"),
+    pytest.mark.filterwarnings("ignore:.*taken for white"),
     pytest.mark.filterwarnings("ignore:.*such are fans"),
     pytest.mark.filterwarnings("ignore:.*WIDTH x HEIGHT is 0"),
 ]
@@ -246,3 +249,20 @@ def test_random_bytes_are_a_file_error(name, valid_files):
         path.write_bytes(b"\0" + rng.bytes(size))
         with pytest.raises(FileError):
             MAKERS[name][1](path)
+
+
+RUNS = {
+    "digits.xyz": (lambda run: b"1 2 3\n" + b"1" * run + b"x 2 3\n", read_text),
+    "ones.jpg": (lambda run: SCAN + b"\xff" * run + b"\0", read_color),
+}
+SCAN = b"\xff\xd8\xff\xc0\0\x0b\x08\0\x08\0\x08\x01\x01\x11\0\xff\xda\0\x08\x01\x01\0\0\x3f\0"  # one of 8 x 8 pixels
+
+
+@pytest.mark.parametrize("name", RUNS)
+def test_a_long_run_takes_linear_time(tmp_path, name):
+    """A quadratic search would take an hour."""
+    content, read = RUNS[name]
+    (tmp_path / name).write_bytes(content(1_000_000))
+    with pytest.raises(FileError, match=name):
+        read(tmp_path / name)
+    assert number_of("1" * 1_000_000 + "x") is None

@@ -41,7 +41,7 @@ def attempt(operation, *args, **kwargs):
     """The result, or None where it is refused; a warning is neither, nor is one that became a refusal's reason."""
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        warnings.filterwarnings("ignore", ".*under other names", UserWarning)  # of values that LAS has no intensity for
+        warnings.simplefilter("ignore", UserWarning)  # of attributes with other names
         try:
             return operation(*args, **kwargs)
         except (ValueError, TypeError) as error:

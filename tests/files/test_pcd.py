@@ -9,6 +9,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+import pointloom as loom
+from pointloom.app.shell.cli import cli
 from pointloom.core.errors import FileError
 from pointloom.files.points import lzf
 from pointloom.files.points.pcd import read_pcd, write_pcd
@@ -251,3 +253,62 @@ def test_lzf_crosses_its_blocks_and_shrinks_what_repeats(monkeypatch):
 def test_a_damaged_lzf_stream_is_refused(stream, size, reason):
     with pytest.raises(lzf.LzfError, match=reason):
         lzf.decompress(stream, size)
+
+
+def text_with(fields, types, rows, viewpoint="0 0 0 1 0 0 0"):
+    names = fields.split()
+    lines = ["VERSION 0.7", f"FIELDS {fields}", "SIZE" + " 4" * len(names), f"TYPE {types}", f"WIDTH {len(rows)}"]
+    return "\n".join([*lines, "HEIGHT 1", f"VIEWPOINT {viewpoint}", f"POINTS {len(rows)}", "DATA ascii", *rows, ""])
+
+
+@pytest.mark.parametrize("name", ["rgb", "rgba"])
+@pytest.mark.parametrize("rows", [["0 0 0 nan", "1 0 0 nan"], ["0 0 0 2.3418052e-38", "1 0 0 -nan"]])
+def test_colors_that_are_nan_in_a_text_are_left_out_with_a_warning(tmp_path, name, rows):
+    (tmp_path / "a.pcd").write_text(text_with(f"x y z {name}", "F F F F", rows))
+    with pytest.warns(UserWarning, match=r"a\.pcd: colours are left out"):
+        cloud = loom.read_point_cloud(tmp_path / "a.pcd")
+    assert len(cloud) == 2 and not cloud.has_colors
+
+
+@pytest.mark.parametrize("kind", ["F", "signed F", "U", "I"])
+@pytest.mark.parametrize("alpha", [0, 255])
+def test_packed_colors_as_whole_numbers_of_a_text_are_read(tmp_path, kind, alpha):
+    colors = [(255, 0, 0), (0, 255, 0), (0, 0, 255), (0, 0, 0)]
+    numbers = np.array([(alpha << 24) + (r << 16) + (g << 8) + b for r, g, b in colors], np.uint32)
+    written = numbers if kind in "FU" else numbers.view(np.int32)
+    rows = [f"{i} 0 0 {number}" for i, number in enumerate(written)]
+    (tmp_path / "a.pcd").write_text(text_with("x y z rgb", f"F F F {kind[-1]}", rows))
+    cloud = loom.read_point_cloud(tmp_path / "a.pcd")
+    np.testing.assert_array_equal(np.rint(cloud.colors * 255), colors)
+
+
+def test_colors_of_points_that_were_not_measured_do_not_matter(tmp_path):
+    (tmp_path / "a.pcd").write_text(text_with("x y z rgb", "F F F F", ["nan nan nan nan", "1 0 0 2.3418052e-38"]))
+    assert np.rint(loom.read_point_cloud(tmp_path / "a.pcd").colors[1] * 255).tolist() == [255, 0, 0]
+
+
+POSE = "10 20.5 -30 0.70710678 0 0 0.70710678"
+
+
+def test_a_viewpoint_is_told_and_stays_in_copies(tmp_path, capsys):
+    source, copy = tmp_path / "a.pcd", tmp_path / "b.pcd"
+    source.write_text(text_with("x y z", "F F F", ["1 0 0", "2 0 0", "3 0 0"], POSE))
+    with pytest.warns(UserWarning, match=r"a\.pcd: VIEWPOINT 10 20\.5 -30"):
+        np.testing.assert_array_equal(loom.read_point_cloud(source).points[:, 0], [1, 2, 3])
+    for words in (["convert"], ["sample", "--every", "2"], ["convert", "--ascii"]):
+        with pytest.raises(SystemExit):
+            cli([*words, str(source), str(copy), "--force"])
+        assert f"VIEWPOINT {POSE}\n".encode() in copy.read_bytes()
+    capsys.readouterr()
+    with pytest.raises(SystemExit):
+        cli(["convert", str(source), str(tmp_path / "b.ply")])
+    assert "viewpoint" in capsys.readouterr().out
+    with pytest.raises(SystemExit):
+        cli(["info", str(source)])
+    assert "10 20.5 -30" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("viewpoint", ["0 0 0 1 0 0 0", "0 0 0 0 0 0 0"])
+def test_a_viewpoint_at_the_origin_is_no_news(tmp_path, viewpoint):
+    (tmp_path / "a.pcd").write_text(text_with("x y z", "F F F", ["1 0 0"], viewpoint))
+    assert len(loom.read_point_cloud(tmp_path / "a.pcd")) == 1

@@ -128,9 +128,11 @@ def test_every_cut_is_refused(tmp_path, extension):
             loom.read_splats(tmp_path / f"b{extension}")
 
 
-def test_a_count_that_lies_takes_no_memory(tmp_path):
-    head = struct.pack("<IIIBBBB", 0x5053474E, 3, 0xFFFFFFFF, 3, 12, 0, 0)
-    (tmp_path / "a.spz").write_bytes(gzip.compress(head + bytes(100)))
+@pytest.mark.parametrize("version", [3, 4])
+def test_a_count_that_lies_takes_no_memory(tmp_path, version):
+    head = struct.pack("<IIIBBBB", 0x5053474E, version, 0xFFFFFFFF, 3, 12, 0, 6)
+    content = head + struct.pack("<I", 32) + bytes(200)
+    (tmp_path / "a.spz").write_bytes(gzip.compress(content) if version == 3 else content)
     with pytest.raises(FileError, match="4,294,967,295 splats cannot be in"):
         loom.read_splats(tmp_path / "a.spz")
 

@@ -143,7 +143,7 @@ def test_columns_take_the_place_of_names(tmp_path):
         with pytest.raises(error, match=r"^columns: "):
             loom.read_point_cloud(path, columns=columns)
     loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(POINTS))
-    with pytest.raises(ValueError, match=r"columns: only \.xyz, \.csv, \.txt, \.asc take them"):
+    with pytest.raises(ValueError, match=r"^columns: "):
         loom.read_point_cloud(tmp_path / "a.ply", columns=["x", "y", "z"])
 
 

@@ -7,6 +7,7 @@ from contextlib import nullcontext
 
 import numpy as np
 import pytest
+from PIL import Image
 
 import pointloom as loom
 from pointloom.core.errors import FileError
@@ -217,26 +218,81 @@ def test_a_material_that_is_not_defined_is_white_with_a_warning(tmp_path):
 @pytest.mark.parametrize(
     ("text", "where", "reason"),
     [
-        ("Kd 1 1 1\n", "line 1", "Kd stands before any newmtl"),
-        ("newmtl a\nnewmtl a\n", "line 2", "the material 'a' is there twice"),
-        ("newmtl a\nKd nan 0 0\n", "line 2", "expected three numbers in 0..1"),
-        ("newmtl a\nmap_Kd\n", "line 2", "map_Kd names no picture"),
-        ("newmtl a\nmap_Kd -s 2 2 p.png\n", "line 2", "shifted or scaled"),
-        ("newmtl a\nmap_Kd -q 2 p.png\n", "line 2", "unknown option '-q'"),
         ("vt 0 0 0 0\nf 1/5 2/5 3/5\n", "line 10", "a vt has 1 to 3 values, found 4"),
         ("vt 1e60 0\nf 1/5 2/5 3/5\n", "line 10", "beyond the range of float32"),
         ("vt x 0\nf 1/5 2/5 3/5\n", "line 10", "not a number: 'x'"),
     ],
 )
-def test_a_damaged_mtl_or_vt_is_refused_with_its_line(tmp_path, text, where, reason):
-    faces = (text,) if text.startswith("vt") else ("usemtl a\n" + FACE, text)
+def test_a_damaged_vt_is_refused_with_its_line(tmp_path, text, where, reason):
     with pytest.raises(FileError, match=re.escape(reason)) as caught:
-        read_obj(obj(tmp_path, *faces))
+        read_obj(obj(tmp_path, text))
     assert caught.value.where == where
 
 
+@pytest.mark.parametrize(
+    ("mtl", "told", "seen"),
+    [
+        ("Kd 1 1 1\nnewmtl a\nKd 0 0 1\n", "line 1: kd comes before any newmtl", [0, 0, 255]),
+        ("newmtl a\nKd 0 0 1\nnewmtl a\nKd 1 1 1\n", "line 3: the material 'a' is defined twice", [0, 0, 255]),
+        ("newmtl a\nKd nan 0 0\n", "line 2: Kd: expected three numbers", None),
+        ("newmtl a\nKd spectral f.rfl\n", "line 2: Kd: expected three numbers", None),
+        ("newmtl a\nKd 1.5 -1 0.2\n", "line 2: Kd 1.5 -1 0.2 is clamped", [255, 0, 51]),
+        ("newmtl a\nKd 0 0 1\nmap_Kd\n", "line 3: map_Kd, which names no image", [0, 0, 255]),
+        ("newmtl a\nmap_Kd -q 2 p.png\n", "line 2: the unknown option '-q' of map_Kd", PICTURE),
+        ("newmtl a\nmap_Kd -mm 0 2 -t 1 p.png\n", "line 2: the option -mm of map_Kd, the option -t", PICTURE),
+        ("\ufeffNEWMTL a\nKD 0 0 1 # blue\n", None, [0, 0, 255]),
+        ("newmtl a\nmap_kd p.png\n", None, PICTURE),
+        ("newmtl a\nmap_Kd p.png\nmap_d o.png\n", "the opacity map 'o.png' of 'a' is left behind", PICTURE),
+    ],
+)
+def test_faults_of_an_mtl_are_warned_of_and_the_mesh_is_read(tmp_path, mtl, told, seen):
+    path = obj(tmp_path, "usemtl a\n" + FACE)
+    (tmp_path / "m.mtl").write_text(mtl, encoding="utf-8")
+    with pytest.warns(UserWarning, match=re.escape(told)) if told else nullcontext():
+        mesh = read_obj(path)
+    assert len(mesh.triangles) == 2
+    assert len(mesh.textures) == (seen is not None)
+    if seen is not None:
+        np.testing.assert_array_equal(mesh.textures[0], np.reshape(seen, (-1, 8 if seen is PICTURE else 1, 3)))
+
+
+def test_scales_and_shifts_of_a_picture_are_in_the_texture_coordinates_of_its_material(tmp_path):
+    faces = f"usemtl a\n{FACE}usemtl b\n{FACE}"
+    mesh = read_obj(obj(tmp_path, faces, "newmtl a\nmap_Kd -s 2 3 1 -o 0.5 p.png\nnewmtl b\nmap_Kd -s 4 p.png\n"))
+    plain = square().triangle_uvs
+    np.testing.assert_array_equal(mesh.triangle_uvs, [*(plain * [2, 3] + [0.5, 0]), *(plain * [4, 1])])
+
+
+@pytest.mark.parametrize("kind", ["BMP", "TIFF", "TGA", "text"])
+@pytest.mark.parametrize("suffix", [".obj", ".ply"])
+def test_a_picture_of_another_kind_leaves_textures_behind_with_a_warning(tmp_path, suffix, kind):
+    FORMATS[suffix][0](tmp_path / f"m{suffix}", square())
+    if kind == "text":
+        (tmp_path / "m_0.png").write_text("no picture")
+    else:
+        Image.new("RGB", (8, 8)).save(tmp_path / "m_0.png", kind)
+    with pytest.warns(UserWarning, match="the textures are left behind.*neither PNG nor JPEG"):
+        mesh = FORMATS[suffix][1](tmp_path / f"m{suffix}")
+    assert (len(mesh.triangles), mesh.textures) == (2, ())
+
+
+@pytest.mark.parametrize(
+    ("look", "kept"),
+    [("", False), ("d 1\n", False), ("d 0.5\n", True), ("map_d p.png\n", True), ("map_D p.png\nd 1\n", True)],
+)
+def test_the_alpha_of_a_picture_counts_where_the_material_of_an_obj_shows_it(tmp_path, look, kept):
+    path = obj(tmp_path, "usemtl a\n" + FACE, f"newmtl a\nmap_Kd p.png\n{look}")
+    picture = np.dstack([PICTURE, np.full(PICTURE.shape[:2], 80, np.uint8)])
+    (tmp_path / "p.png").write_bytes(encode_png(picture))
+    for _ in range(2):
+        mesh = read_obj(path)
+        np.testing.assert_array_equal(mesh.textures[0], picture if kept else PICTURE)
+        path = tmp_path / "again.obj"
+        write_obj(path, mesh)
+
+
 @pytest.mark.parametrize("suffix", FORMATS)
-def test_a_damaged_picture_is_refused(tmp_path, suffix):
+def test_a_damaged_picture_leaves_textures_behind_with_a_warning(tmp_path, suffix):
     path = tmp_path / f"m{suffix}"
     FORMATS[suffix][0](path, square())
     place = path if suffix == ".glb" else tmp_path / "m_0.png"
@@ -244,8 +300,9 @@ def test_a_damaged_picture_is_refused(tmp_path, suffix):
     at = data.index(b"IDAT") + 6
     data[at] ^= 1
     place.write_bytes(data)
-    with pytest.raises(FileError, match="checksum does not fit"):
-        FORMATS[suffix][1](path)
+    with pytest.warns(UserWarning, match="the textures.*checksum does not fit"):
+        mesh = FORMATS[suffix][1](path)
+    assert (len(mesh.triangles), mesh.textures) == (2, ())
 
 
 HEAD = (

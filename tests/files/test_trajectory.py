@@ -10,7 +10,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from pointloom.cameras.camera import PinholeCameraIntrinsic
-from pointloom.cameras.trajectory import Trajectory, read_pose, read_trajectory, write_trajectory
+from pointloom.cameras.pose_text import read_pose
+from pointloom.cameras.trajectory import Trajectory, read_trajectory, write_trajectory
 from pointloom.core.errors import FileError
 
 CAMERA = PinholeCameraIntrinsic.prime_sense_default()

@@ -57,6 +57,16 @@ def test_a_gpu_gets_code_that_it_runs_or_none(binaries, found, chosen):
     assert choose(binaries, found) == chosen
 
 
+@pytest.mark.parametrize("manifest", [[], {"made from": 1, "architectures": [], "modules": {}}, {"made from": {}}])
+def test_a_damaged_archive_is_not_used_and_doctor_names_it(manifest, tmp_path, monkeypatch):
+    path = tmp_path / "kernels.zip"
+    with zipfile.ZipFile(path, "w") as file:
+        file.writestr("manifest.json", json.dumps(manifest))
+    monkeypatch.setenv(compiled_ahead.VARIABLE, str(path))
+    monkeypatch.setattr(compiled_ahead, "_Search", type("_Search", (), {"done": False, "found": None}))
+    assert compiled_ahead.described().startswith(f"none: {path}: cannot be read")
+
+
 @pytest.fixture
 def built():
     code = cuda_cache.Code(7, lzma.compress(b"machine"), 1.5)

@@ -62,7 +62,7 @@ def euler(mesh: TriangleMesh) -> int:
 
 def rms_from(mesh: TriangleMesh, points: NDArray[np.float64]) -> float:
     """The root of the mean squared distance of points from a mesh."""
-    scene = RaycastingScene()
+    scene = RaycastingScene(mesh.device)
     scene.add_triangles(mesh)
     return float(np.sqrt((scene.compute_distance(points).astype(np.float64) ** 2).mean()))
 

@@ -8,6 +8,7 @@ import warp as wp
 
 import pointloom as loom
 from pointloom.app.jobs.mesh import mesh_file
+from pointloom.core.audience import to_caller, to_shell
 from pointloom.core.wording import to_json
 
 
@@ -58,6 +59,16 @@ def test_without_a_finite_point_there_is_no_surface_and_no_error(method, device)
         assert len(found.mesh) == 0 and found.poor == "no point is finite, so there is no surface"
         assert (found.points_in, found.points, found.to_json()["bounds"]) == (len(points), 0, None)
         assert found.mesh.device == loom.PointCloud(points, device=device).device
+
+
+@pytest.mark.parametrize("tilt", [0, 0.3])
+def test_no_alpha_is_advised_for_a_flat_cloud(tilt, recwarn):
+    x, y = np.mgrid[0:1:12j, 0:1:12j].reshape(2, -1)
+    found = loom.create_surface(loom.PointCloud(np.column_stack([x, y, tilt * x])), "alpha")
+    assert len(found.mesh) == 0 and not recwarn.list
+    for say in (to_caller, to_shell):
+        said = str(found.why_poor(say))
+        assert "one plane" in said and "larger" not in said and "ball" in said
 
 
 def test_the_mesh_has_the_arrays_of_the_cloud():

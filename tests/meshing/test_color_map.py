@@ -105,8 +105,8 @@ def test_the_residual_is_not_worse_than_open3ds_after_as_many_turns(device, orac
 
 
 def test_the_start_is_never_left_for_a_worse_place(device):
-    scene = make_scene(device)
-    far = perturb(scene.poses, 6.0, 0.15, seed=1)
+    scene = make_scene(device, rows=15, width=64, height=48)
+    far = perturb(scene.poses, 3.0, 0.08, seed=1)
     for form in FORMS:
         result = color(scene, far, 15, form)
         assert result.residual <= result.residual_before

@@ -10,6 +10,7 @@ import pytest
 import warp as wp
 from scipy.spatial.transform import Rotation
 
+import pointloom as loom
 from pointloom import TriangleMesh, marching_cubes, read_triangle_mesh, write_triangle_mesh
 from pointloom.core.errors import DeviceError, FileError
 
@@ -100,9 +101,43 @@ def test_vertices_without_area_point_up_and_vertices_that_are_not_finite_have_no
     mesh = TriangleMesh(vertices, [[0, 1, 2], [3, 3, 3], [0, 1, 5]], device=device).compute_vertex_normals()
     np.testing.assert_array_equal(mesh.vertex_normals[:5], [[1, 0, 0]] * 3 + [[0, 0, 1]] * 2)
     assert np.isnan(mesh.vertex_normals[5]).all()
-    assert mesh.get_surface_area() == 0.5
-    np.testing.assert_array_equal(mesh.compute_triangle_normals(), [[1, 0, 0], [0, 0, 1], [0, 0, 1]])
+    np.testing.assert_array_equal(mesh.compute_triangle_normals(), [[1, 0, 0], [0, 0, 1], [np.nan] * 3])
     np.testing.assert_array_equal([*mesh.get_axis_aligned_bounding_box()], [[0, 0, 0], [5, 5, 5]])
+
+
+MEASURES = {
+    "get_surface_area": (), "get_volume": (), "get_center": (), "euler_poincare_characteristic": (),
+    "is_watertight": (), "is_edge_manifold": (), "is_vertex_manifold": (), "is_orientable": (),
+    "is_self_intersecting": (), "is_intersecting": (TriangleMesh.create_box(),),
+    "sample_points_uniformly": (9,), "sample_points_poisson_disk": (9,),
+    "compute_metrics": (TriangleMesh.create_box(),),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("value", [np.nan, np.inf])
+@pytest.mark.parametrize(("measure", "args"), MEASURES.items())
+def test_a_triangle_with_a_corner_that_is_not_finite_has_no_measures(measure, args, value):
+    box = TriangleMesh.create_box()
+    vertices = np.vstack([box.vertices, [[value, 0, 0]]])
+    assert getattr(TriangleMesh(vertices, box.triangles), measure)(*args) is not None  # no triangle has vertex 8
+    vertices[7, 1] = value
+    with pytest.raises(ValueError, match=f"{measure}: .* the vertex 7"):
+        getattr(TriangleMesh(vertices, box.triangles), measure)(*args)
+
+
+def test_distances_from_a_mesh_with_a_corner_that_is_not_finite_are_refused_or_warned_of(device):
+    box = TriangleMesh.create_box(device=device)
+    broken = TriangleMesh(np.where(np.arange(8)[:, None] == 7, np.nan, box.vertices), box.triangles, device=device)
+    for distances in (
+        lambda: box.compute_metrics(broken),
+        lambda: box.compute_error_map(broken),
+        lambda: loom.compare_meshes(box, broken),
+        lambda: loom.change.cloud_to_mesh(loom.PointCloud(np.eye(3), device=device), broken),
+    ):
+        with pytest.raises(ValueError, match="the vertex 7"):
+            distances()
+    with pytest.warns(UserWarning, match="the vertex 7"):
+        loom.RaycastingScene(device).add_triangles(broken)
 
 
 @pytest.mark.parametrize("scale", [1e-18, 1e-3, 1e12])

@@ -50,6 +50,14 @@ def test_a_torus_does_not_meet_itself_until_it_is_moved_into_itself(device, orac
     assert len(pairs) > len(theirs) > 100
 
 
+@pytest.mark.parametrize(
+    ("last", "pairs"), [([1, 0, 0], [[0, 1]]), ([0, 0, 0], [[0, 1]]), ([1, -1, 0], []), ([-1, 0, 0], [])]
+)
+def test_triangles_that_touch_in_one_point_meet(device, last, pairs):
+    corners = [[0, 0, 0], [4, 0, 0], [0, 4, 0], [-1, -3, -1], [-1, -3, 1], last]  # an edge of the first, a corner, none
+    assert pairs_of(corners, [[0, 1, 2], [3, 4, 5]], device) == pairs
+
+
 SMALL = st.integers(-2, 2)
 
 

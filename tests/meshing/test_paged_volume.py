@@ -175,6 +175,19 @@ def test_damaged_pages_and_lists_are_named(device, tmp_path):
         loom.PagedTSDFVolume.load(tmp_path / "v")
 
 
+def test_a_page_without_the_colors_of_the_others_is_named(device, tmp_path):
+    with walk(paged(tmp_path / "v", device)) as volume:
+        volume.save()
+    page = sorted((tmp_path / "v").glob("0*.npz"))[1]
+    with np.load(page) as file:
+        np.savez(page, **{name: file[name] for name in file.files if name != "colors"})
+    volume = loom.PagedTSDFVolume.load(tmp_path / "v", device=device)
+    for call in (volume.to_volume, volume.extract_triangle_mesh):
+        with pytest.raises(loom.FileError, match=rf"{page.name}: lacks colors"):
+            call()
+    volume.close()
+
+
 def test_folders_are_kept(device, tmp_path):
     (tmp_path / "mine").mkdir()
     (tmp_path / "mine" / "note.txt").write_text("mine")

@@ -197,6 +197,7 @@ def test_edges_and_corners_are_crossed_once(device):
     found = scene.list_intersections(rays)
     assert found["primitive_ids"][:4].tolist() == [0, 4, 0, 4]
     assert found["t_hit"].tolist() == [2, 4, 2.25, 3.75, 2.5, 3.5, 3, 2, 4, 3]
+    assert set(found["primitive_uvs"][[2, 3, 6]].ravel().tolist()) <= {0, 0.25, 0.5, 0.75}  # whole numbers' own
 
 
 def test_of_equal_triangles_the_smallest_number_is_met(device):
@@ -313,7 +314,9 @@ def test_limits_are_included(device):
 
 def test_scenes_without_triangles_are_missed(device):
     nothing = RaycastingScene(device)
-    flat, spoilt = scene_of(([], []), device=device), scene_of(([[np.nan] * 3] * 3, [[0, 1, 2]]), device=device)
+    flat = scene_of(([], []), device=device)
+    with pytest.warns(UserWarning, match="which is NaN or infinite"):
+        spoilt = scene_of(([[np.nan] * 3] * 3, [[0, 1, 2]]), device=device)
     thin = scene_of(([[0, 0, 0], [1, 0, 0], [2, 0, 0]], [[0, 1, 2], [0, 0, 1]]), device=device)
     rays = np.tile(np.array([0.5, 0, 1, 0, 0, -1], np.float32), (2, 3, 1))
     for scene in (nothing, flat, spoilt, thin):
@@ -333,7 +336,8 @@ def test_scenes_without_triangles_are_missed(device):
 
 def test_triangles_that_are_not_finite_keep_the_others_numbers(device):
     vertices = [*SQUARE[0], [np.nan, 0, 0]]
-    scene = scene_of((vertices, [[0, 1, 4], *SQUARE[1]]), device=device)
+    with pytest.warns(UserWarning, match="triangle 0 has the vertex 4"):
+        scene = scene_of((vertices, [[0, 1, 4], *SQUARE[1]]), device=device)
     assert scene.cast_rays([[0.25, 0.5, 1, 0, 0, -1]])["primitive_ids"].tolist() == [2]
 
 

@@ -101,6 +101,9 @@ def test_colour_for_a_volume_without_is_refused(device):
     [
         ({"voxel_size": 0}, ValueError, "voxel_size"),
         ({"voxel_size": np.nan}, ValueError, "voxel_size"),
+        ({"voxel_size": 1e300}, ValueError, "voxel_size"),
+        ({"voxel_size": 5e-324}, ValueError, "voxel_size"),
+        ({"voxel_size": 0.02, "truncation": 1e300}, ValueError, "truncation"),
         ({"voxel_size": "2 cm"}, TypeError, "voxel_size"),
         ({"voxel_size": 0.02, "truncation": 0.019}, ValueError, "truncation"),
         ({"voxel_size": 0.02, "truncation": np.nan}, ValueError, "truncation"),

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.cameras.images import upload_depth
-from pointloom.kernels.images.depth import largest_depth
+from pointloom.cameras.images import upload_raw_depth
+from pointloom.kernels.images.depth import largest_depth, metric_depth
 from pointloom.kernels.volumes.tsdf_blocks import block_box, touched_blocks
 
 from .tsdf_scenes import SMALL, TRUNCATION, VOXEL, fingerprint, fuse, look_at, set_voxels, small_frames, voxels_of
@@ -18,7 +18,8 @@ class Reference:
         self.voxel_size, self.truncation, self.blocks = voxel_size, truncation, {}
 
     def integrate(self, depth, camera, T, color=None):
-        metric, largest, height, width = upload_depth(depth, 1000.0, 3.0, None)
+        raw, scale, farthest, height, width = upload_raw_depth(depth, None, 3.0, None)
+        metric, largest = metric_depth(raw, scale, farthest)
         keys = touched_blocks(metric, largest_depth(largest), camera, T, self.truncation, self.voxel_size)
         grid = np.moveaxis(np.mgrid[:8, :8, :8], 0, -1)
         for key, block in zip(keys.numpy().tolist(), block_box(keys.numpy()), strict=True):
@@ -100,7 +101,7 @@ def test_integers_with_a_scale_are_floats_in_metres(device, rng):
     raw = np.round(depth * 5000).astype(np.uint16)
     a, b, c = (loom.TSDFVolume(voxel_size=VOXEL, truncation=TRUNCATION, color=False, device=device) for _ in range(3))
     a.integrate(raw, SMALL, np.linalg.inv(T), depth_scale=5000.0)
-    b.integrate(raw.astype(np.float32) / np.float32(5000), SMALL, np.linalg.inv(T), depth_scale=123.0)
+    b.integrate(raw.astype(np.float32) / np.float32(5000), SMALL, np.linalg.inv(T))
     c.integrate(raw.astype(np.int64), SMALL, np.linalg.inv(T), depth_scale=5000.0)
     assert fingerprint(a) == fingerprint(b) == fingerprint(c)
     assert a.block_count > 10

@@ -128,21 +128,34 @@ def test_a_camera_beyond_the_limit_is_refused(device):
         view_from(volume, look_at((1e6, 0, 0)))
 
 
-@pytest.mark.parametrize("side", [1, -1])
-def test_normals_beside_unseen_voxels_are_those_of_the_surface(device, side):
-    """A tilted plane in exact distances, of which half is unseen: the last hits have a slope to one side only."""
-    normal, offset = np.array([-0.5, 0, -np.sqrt(0.75)]), 0.013
+def partly_seen_plane(device, normal, offset, is_seen):
+    """A plane in exact distances, seen from below where `is_seen(x, z)` [voxels]."""
     volume = fuse([(plane_depth(FINE, T, normal, offset), T) for T in [look_at((0, 0, -1.2))]], device, camera=FINE)
     count, cells = volume.block_count, volume.block_count * SIDE**3
     blocks = block_box(volume._blocks.keys.numpy()[:count])
-    x, y, z = ((blocks[:, :, None] * SIDE).T.reshape(3, -1, 1) + np.indices([SIDE] * 3).reshape(3, 1, -1)) * VOXEL
-    inward = (np.stack([x, y, z], axis=-1) @ normal - offset).reshape(-1) / TRUNCATION
+    x, y, z = (blocks[:, :, None] * SIDE).T.reshape(3, -1, 1) + np.indices([SIDE] * 3).reshape(3, 1, -1)
+    inward = (np.stack([x, y, z], axis=-1) @ normal * VOXEL - offset).reshape(-1) / TRUNCATION
     distances, weights = (getattr(volume._blocks, name).numpy().copy() for name in ("distances", "weights"))
     distances[:cells] = np.clip(inward, -1, 1)
-    weights[:cells] = (np.abs(inward) < 1) & (side * x.reshape(-1) <= 1e-6)
+    weights[:cells] = (np.abs(inward) < 1) & is_seen(x, z).reshape(-1)
     set_voxels(volume, "distances", distances)
     set_voxels(volume, "weights", weights)
-    view = view_from(volume, look_at((0, 0, -0.9)), FINE)
+    return volume
+
+
+def test_a_ray_past_an_unseen_voxel_meets_the_surface(device):
+    """It enters a cell beside a voxel before the surface, passes the unseen one, and leaves beside one behind."""
+    volume = partly_seen_plane(device, np.array([0, 0, -1.0]), -VOXEL / 2, lambda x, z: (z != 0) | (x % 2 == 0))
+    entry, camera = np.array([0.1, 0.3, 0]) * VOXEL, loom.PinholeCameraIntrinsic(2, 2, 1000, 1000, 0.5, 0.5)
+    view = view_from(volume, look_at(entry - [0.4, 0, 0.4], entry), camera)
+    assert (view.depth > 0).all() and np.abs(view.points - entry).max() < VOXEL
+
+
+@pytest.mark.parametrize("side", [1, -1])
+def test_normals_beside_unseen_voxels_are_those_of_the_surface(device, side):
+    """A tilted plane, of which half is unseen: the last hits have a slope to one side only."""
+    normal = np.array([-0.5, 0, -np.sqrt(0.75)])
+    view = view_from(partly_seen_plane(device, normal, 0.013, lambda x, z: side * x <= 0), look_at((0, 0, -0.9)), FINE)
     hit = view.depth > 0
     beside = hit & (side * view.points[..., 0] > -0.45 * VOXEL)
     known = np.isfinite(view.normals).all(axis=-1)  # a hit in a corner between unseen voxels has no normal

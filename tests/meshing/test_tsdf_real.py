@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.cameras.images import upload_depth
+from pointloom.cameras.images import upload_raw_depth
 from pointloom.data.scenes.room import room_sequence, surface_errors
 from pointloom.files.frames.datasets import open_dataset
-from pointloom.kernels.images.depth import largest_depth
+from pointloom.kernels.images.depth import largest_depth, metric_depth
 from pointloom.kernels.volumes.tsdf_blocks import SIDE, block_box, touched_blocks
 
 from .tsdf_scenes import SMALL, TRUNCATION, VOXEL, small_frames
@@ -28,7 +28,7 @@ def open3d_voxels(o3d, frames, camera, depth_scale, stride=1):
     K[:2, 2] += 0.5
     for depth, color, T in frames:
         images = (o3d.t.geometry.Image(tensor(np.ascontiguousarray(image))) for image in (depth, color))
-        metric, largest, *_ = upload_depth(depth, depth_scale, DEPTH_MAX, None)
+        metric, largest = metric_depth(*upload_raw_depth(depth, depth_scale, DEPTH_MAX, None)[:3])
         blocks = block_box(touched_blocks(metric, largest_depth(largest), camera, T, TRUNCATION, VOXEL).numpy())
         E = tensor(np.ascontiguousarray(np.linalg.inv(T)))
         sizes = depth_scale, DEPTH_MAX, TRUNCATION / VOXEL

@@ -12,6 +12,7 @@ where not, 2 where the list or the tests themselves are wrong: then nothing is s
 from __future__ import annotations
 
 import argparse
+import ast
 import os
 import queue
 import shutil
@@ -104,9 +105,11 @@ def check_list(tree: Path, mutants: Sequence[Mutant]) -> None:
     wrong = []
     for mutant in mutants:
         try:
-            mutated(tree, mutant)
+            ast.parse(mutated(tree, mutant))  # any test would notice a file that cannot be read
         except ListError as error:
             wrong.append(str(error))
+        except SyntaxError as error:
+            wrong.append(f"{mutant.name}: the new text is no Python: {error}")
         missing = [test for test in mutant.tests if not (tree / test.partition("::")[0]).is_file()]
         wrong += [f"{mutant.name}: there is no test file {test}" for test in missing]
         if not mutant.tests:

@@ -82,6 +82,7 @@ def test_a_mutant_that_slow_tests_alone_notice_is_noticed_with_all_tests(tree, c
         ({"old": "median(x)"}, "no lower limit: pcd/clamp.py holds the old text 0 times"),
         ({"old": "low"}, "no lower limit: pcd/clamp.py holds the old text 2 times"),
         ({"new": "max(x, low)"}, "another text than the new one"),
+        ({"new": "max(x"}, "no lower limit: the new text is no Python"),
         ({"file": "pcd/limits.py"}, "no lower limit: there is no file pcd/limits.py"),
         ({"tests": ["tests/test_limits.py::test_low"]}, "no lower limit: there is no test file tests/test_limits.py"),
         ({"tests": []}, "no lower limit: names no tests"),

@@ -211,6 +211,11 @@ def test_every_16_bit_depth_comes_back(device):
         cloud = loom.PointCloud.from_depth_image(raw, intrinsic, depth_scale=scale, device=device)
         back = cloud.project_to_depth_image(256, 256, intrinsic, None, scale, 100.0)
         np.testing.assert_array_equal(np.rint(back).astype(np.uint16), raw)
+        again = loom.PointCloud.from_depth_image(back, intrinsic, depth_scale=scale, device=device)
+        np.testing.assert_allclose(again.points, cloud.points, rtol=1e-6)
+        metres = cloud.project_to_depth_image(256, 256, intrinsic, depth_max=100.0)
+        again = loom.PointCloud.from_depth_image(metres, intrinsic, device=device)
+        np.testing.assert_array_equal(again.points, cloud.points)
 
 
 def test_an_rgbd_image_comes_back_from_its_cloud(device, redwood):

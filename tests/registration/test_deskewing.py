@@ -11,6 +11,8 @@ from scipy.linalg import expm, logm
 
 import pointloom as loom
 from pointloom.registration import deskew_point_cloud
+from pointloom.registration.lidar.deskewing import point_times
+from pointloom.registration.lidar.raw_scan import part_of_interval
 
 small = st.floats(-1.5, 1.5, allow_subnormal=False)
 
@@ -73,6 +75,31 @@ def test_a_rotation_just_below_half_a_turn_keeps_its_axis_and_its_sense(rng, gap
     axes = np.concatenate([rng.normal(size=(50, 3)), np.eye(3), -np.eye(3)])
     for vector in axes / np.linalg.norm(axes, axis=1, keepdims=True) * (np.pi - gap):
         np.testing.assert_allclose(rotation_vector(Rotation.from_rotvec(vector).as_matrix()), vector, atol=1e-8)
+
+
+@pytest.mark.parametrize(
+    ("sweep", "interval", "expected"),
+    [(180, None, 0.5), (-90, None, 0.25), (359, None, 1.0), (0, None, 1.0), (180, 0.2, 0.25), (359, 0.1, 0.5)],
+)
+def test_the_part_of_the_interval_that_a_scan_spans(device, rng, sweep, interval, expected):
+    """From the part of a turn that a spinning sensor sees, unless the interval is given; beams differ by 5 degrees."""
+    share = np.sort(rng.random(2000))
+    azimuth = np.radians(sweep * share - 50 + rng.choice([-2.5, 2.5], 2000)) if sweep else rng.uniform(0, 6.28, 2000)
+    points = rng.uniform(5, 50, (2000, 1)) * np.c_[np.cos(azimuth), np.sin(azimuth), rng.uniform(-0.3, 0.3, 2000)]
+    points[::7] = np.nan
+    cloud, order = loom.PointCloud(points, device=device), rng.permutation(2000)
+    cloud, times = cloud.select_by_index(order), (100 + 0.05 * share)[order]
+    part = part_of_interval(cloud.device_array("points"), point_times(cloud, times), cloud.origin, interval)
+    assert part == pytest.approx(expected, rel=0.03)
+
+
+@pytest.mark.parametrize("times", [np.float32(1.7e9 + np.arange(50) / 500), np.zeros(50)], ids=["epoch", "equal"])
+def test_times_that_straighten_nothing_are_reported(device, rng, times):
+    scan = loom.PointCloud(rng.uniform(5, 9, (50, 3)), device=device)
+    with pytest.warns(UserWarning, match="^timestamps: 50 points have 1 different times"):
+        deskew_point_cloud(scan, np.eye(4), times)
+    with pytest.warns(UserWarning, match="^timestamps: "):
+        loom.registration.LidarOdometry(min_range=1.0, device=device).register(scan, times)
 
 
 def test_attributes_and_order_travel(device):

@@ -11,7 +11,7 @@ from .estimator_steps import ours_after, tensor_after, tensor_cloud, tensor_kern
 from .poses import as_pose
 
 reg = loom.registration
-STEPS = (3, 12)
+STEPS = (20, 40)
 
 
 @pytest.fixture(scope="module")

@@ -1,4 +1,7 @@
-"""Every estimator with every kernel takes Open3D's steps: the first one, and where all of them have led."""
+"""Every estimator with every kernel takes Open3D's steps: the first one, and where all of them have led.
+
+Open3D turns a step about the origin, pointloom about the middle of the pairs: the scenes have that at the origin.
+"""
 
 from types import SimpleNamespace
 
@@ -44,7 +47,16 @@ def pair():
         loom.PointCloud(p, normals=n, colors=c)
         for p, n, c in zip((back(source, T), target), normals, colors, strict=True)
     ]
-    return SimpleNamespace(source=made[0], target=made[1], T=T)
+    return about_pairs(SimpleNamespace(source=made[0], target=made[1], T=T), np.eye(4))[0]
+
+
+def about_pairs(pair, init):
+    """The clouds and a pose of them, moved so that the source points with a pair under it have their middle at 0."""
+    found = reg.evaluate_registration(pair.source, pair.target, DISTANCE, init).correspondence_set
+    shift = as_pose([0, 0, 0], -(pair.source.points[found[:, 0]] @ init[:3, :3].T + init[:3, 3]).mean(axis=0))
+    source, target = (cloud.transform(shift) for cloud in (pair.source, pair.target))
+    T, init = (shift @ pose @ np.linalg.inv(shift) for pose in (pair.T, init))
+    return SimpleNamespace(source=source, target=target, T=T), init
 
 
 def method_of(module, name, arguments):
@@ -111,16 +123,16 @@ def test_colors_of_no_share_leave_point_to_plane(device, pair, loss, tolerances)
 
 def steps_from(o3d, pair, init):
     clouds = [legacy_cloud(o3d, cloud) for cloud in (pair.source, pair.target)]
-    return {name: legacy_after(o3d, clouds, name, (), 3, init) for name in ESTIMATORS}
+    return {name: legacy_after(o3d, clouds, name, (), 1, init) for name in ESTIMATORS}
 
 
 def test_an_initial_pose_is_stepped_on_from_as_by_open3d(device, pair, oracle, tolerances):
     """Source normals and covariances turn with it."""
-    init = as_pose([0.05, 0.1, 0.3], [0.05, 0, 0.02]) @ pair.T
+    pair, init = about_pairs(pair, as_pose([0.05, 0.1, 0.3], [0.05, 0, 0.02]) @ pair.T)
     for name, expected in oracle("registration/estimation/initial_pose", steps_from, pair, init).items():
         tolerance = tolerances.icp_pose_colored if name == "ForColoredICP" else tolerances.icp_pose_float32
         assert expected[1] > 0.5
-        assert_same(ours_after(device, pair, method_of(reg, name, ()), 3, init), expected, tolerance)
+        assert_same(ours_after(device, pair, method_of(reg, name, ()), 1, init), expected, tolerance)
 
 
 def steps_with(o3d, pair, covariances):

@@ -39,6 +39,24 @@ def test_every_estimator_finds_the_pose(device, full_pair, kind, degrees, angle_
 
 
 @EACH
+def test_a_step_far_from_the_origin_of_coordinates_is_one_near_it(device, full_pair, kind):
+    """Rotations are linearized about the pairs: about the origin, 500 m off, a step of 1 degree would miss by 8 cm."""
+    if kind == "doppler":
+        pytest.skip("the origin is the sensor")
+    clouds, o = on(device, *full_pair[:2]), np.array([512.0, -256, 64])
+    far = [
+        loom.PointCloud(c.points + o, origin=[0, 0, 0], normals=c.normals, colors=c.colors, device=device)
+        for c in clouds
+    ]
+    rules = reg.ICPConvergenceCriteria(0, 0, 3)
+    near, moved = (reg.registration_icp(*pair, 0.15, None, KINDS[kind], rules) for pair in (clouds, far))
+    shift = as_pose([0, 0, 0], o)
+    expected = shift @ near.transformation @ np.linalg.inv(shift)
+    # positions and voxels are rounded to 3e-5 m at 512 m
+    np.testing.assert_allclose((expected @ np.append(o, 1)), moved.transformation @ np.append(o, 1), atol=2e-3)
+
+
+@EACH
 def test_a_cloud_lies_on_itself(device, full_pair, kind):
     target = on(device, full_pair[1])[0]
     result = reg.registration_icp(target, target, 0.1, None, KINDS[kind])
@@ -61,6 +79,20 @@ def test_a_scale_is_found_again(device, rng, scale):
     result = reg.registration_icp(source, target, 0.3, init, KINDS["scaled"], rules)
     np.testing.assert_allclose(result.transformation, T, atol=1e-6)
     assert_rigid(reg.registration_icp(source, target, 0.3, None, KINDS["point"], rules).transformation)
+
+
+def test_a_scale_that_collapses_is_not_converged(device, rng):
+    """Every point of a ball that shrinks to a point of a plane has a partner there."""
+    ball, plane = rng.normal(size=(600, 3)), np.c_[rng.uniform(-2, 2, (900, 2)), np.zeros(900)]
+    ball /= np.linalg.norm(ball, axis=1)[:, None]
+    source, target = (loom.PointCloud(p, device=device) for p in (ball + np.array([0, 0, 3.0]), plane))
+    method = reg.TransformationEstimationPointToPoint(with_scaling=True)
+    wrong = np.c_[np.arange(600), rng.integers(0, 900, 600)]
+    for result in (
+        reg.registration_icp(source, target, 5.0, None, method, reg.ICPConvergenceCriteria(max_iteration=200)),
+        reg.registration_ransac_based_on_correspondence(source, target, wrong, 0.15, method, seed=1),
+    ):
+        assert result.fitness == 1 and not result.converged and "scale" in result.reason
 
 
 @EACH

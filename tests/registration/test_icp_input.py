@@ -1,6 +1,6 @@
 """Bad input to ICP: empty clouds, clouds without pairs, few points, NaN, arguments out of range."""
 
-import contextlib
+from contextlib import nullcontext as nothing
 
 import numpy as np
 import pytest
@@ -39,7 +39,7 @@ def test_clouds_without_pairs_leave_the_initial_pose(device, kind, nans, rng):
     init = as_pose([0.1, 0.2, 0.3], [1, 2, 3])
     source = rng.random((20, 3)) + 50
     clouds = full_cloud(np.full((20, 3), np.nan) if nans else source, device), full_cloud(rng.random((30, 3)), device)
-    with contextlib.nullcontext() if nans else pytest.warns(loom.UnitWarning, match=r"middles 9\d\.?\d* m apart"):
+    with nothing() if nans else pytest.warns(loom.UnitWarning, match=r"middles 9\d\.?\d* m apart"):
         result = reg.registration_icp(*clouds, 1.0, init, KINDS[kind])
     np.testing.assert_allclose(result.transformation, init, atol=1e-14)
     assert (result.fitness, result.converged, result.reason) == (0.0, False, "no correspondences")
@@ -62,6 +62,32 @@ def test_few_points_give_finite_poses(device, kind, rng):
         assert np.isfinite(result.transformation).all() and 0 <= result.fitness <= 1
         if kind != "scaled":
             assert_rigid(result.transformation)
+
+
+@pytest.mark.parametrize("side", [0, 1], ids=["source", "target"])
+@pytest.mark.parametrize(
+    ("kind", "column"),
+    [(k, "normals") for k in ("plane", "robust", "symmetric", "generalised", "voxelised", "coloured", "doppler")]
+    + [("generalised", "covariances"), ("doppler", "dopplers")],
+)
+def test_a_point_with_a_value_that_is_not_finite_is_left_out(device, full_pair, kind, column, side):
+    """The pose is that of the clouds without the point, and a warning counts it."""
+    clouds, rows = list(on(device, *full_pair[:2])), [5, 77]
+    whole = clouds[side]
+    if column == "covariances":
+        whole = whole.estimate_covariances(max_nn=20)
+    spoiled, values = whole.copy(), np.array(whole[column])
+    values[rows] = np.nan
+    spoiled[column] = values
+    found = []
+    is_used = kind in ("symmetric", "generalised", "voxelised") or side == (column == "normals")
+    for cloud in (spoiled, whole.select_by_index(rows, invert=True) if is_used else whole):
+        clouds[side] = cloud
+        with pytest.warns(loom.NonFiniteWarning, match="2 of") if cloud is spoiled and is_used else nothing():
+            found.append(reg.registration_icp(*clouds, 0.1, None, KINDS[kind]))
+    limit = 1e-6 if kind == "coloured" else 1e-9  # the color of the point still counts in the gradients beside it
+    np.testing.assert_allclose(found[0].transformation, found[1].transformation, rtol=0, atol=limit)
+    assert found[0].fitness == found[1].fitness and found[0].converged
 
 
 @EACH

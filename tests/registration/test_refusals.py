@@ -67,7 +67,7 @@ target: .* assign cloud.colors | reg.registration_icp(source, shaded, 1, None, r
 target: .* call .*estimate_normals | reg.registration_icp(source, bare, 1, None, reg.TransformationEstimationForColoredICP())
 source: .* assign cloud\['dopplers'\] | reg.registration_icp(bare, target, 1, None, reg.TransformationEstimationForDopplerICP())
 target: .* call .*estimate_normals | reg.registration_icp(source, bare, 1, None, reg.TransformationEstimationForDopplerICP())
-source: Doppler .* sensor | reg.registration_icp(far, target, 1, None, reg.TransformationEstimationForDopplerICP())
+source: expected a scan in the frame of its sensor | reg.registration_icp(far, target, 1, None, reg.TransformationEstimationForDopplerICP())
 free: expected at least one | reg.registration_icp(source, target, 1, free=())
 free: .*did you mean 'yaw' | reg.registration_icp(source, target, 1, free=("x", "yav"))
 free: .*did you mean 'x' | reg.registration_icp(source, target, 1, free=("X",))

@@ -1,5 +1,6 @@
 """What a job of tiles will take, held against what it takes."""
 
+import math
 import shutil
 import subprocess
 import sys
@@ -52,7 +53,7 @@ def uneven(folder, count, *, files=2):
 def in_this_process(monkeypatch):
     """A calibration whose tasks start no process."""
 
-    def measured(folder, what, threads):
+    def measured(folder, what, threads, functions):
         manifest, plan = open_plan(folder)
         manifest.base.close()
         told = calibration._lay(plan, folder) if what == "files" else calibration._work(plan, folder, int(what), 0.0)
@@ -157,7 +158,7 @@ def test_costs_follow_the_points_of_tiles():
 
 @pytest.mark.slow
 def test_what_fails_in_a_calibration_is_told(tmp_path):
-    steps = [{"step": "function", "call": "math:sqrt", "reach": 1.0}]
+    steps = [{"step": "function", "call": math.sqrt, "reach": 1.0}]
     with pytest.raises(ValueError, match=r"the calibration failed at tile \d+: .*TypeError"):
         loom.scale.estimate_tiles(survey(tmp_path, count=500), steps)
     with pytest.raises(FileError, match="missing"):

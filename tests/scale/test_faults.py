@@ -13,7 +13,7 @@ import pointloom as loom
 from pointloom.core.errors import FileError
 from pointloom.files.points.las_writer import write_las
 from pointloom.files.table import PointTable
-from pointloom.scale import runners
+from pointloom.scale import plan, runners
 from pointloom.scale.manifest import Manifest, a_worker
 
 from .scenes import CORNER, RADIUS, SIDE, STEP, finished, kill_runner, plan_of, rows_of, survey, tiled
@@ -30,7 +30,9 @@ from .scenes import CORNER, RADIUS, SIDE, STEP, finished, kill_runner, plan_of, 
         ([{"step": "segment_plane", "distance": 1}], "whole cloud"),
         ([{"step": "cluster_dbscan", "eps": 1}], "min_points"),
         ([{"step": "function", "call": lambda cloud: cloud, "reach": 1}], "top of a module"),
-        ([{"step": "function", "call": "no.such:thing", "reach": 1}], "no.such"),
+        ([{"step": "function", "call": "no.such:thing", "reach": 1}], "call: 'no.such:thing'"),
+        ([{"step": "function", "call": "no_such", "reach": 1}], "call: .*'no_such'"),
+        ([{"step": "function", "call": os.getenv, "reach": 1, "arguments": [1]}], "arguments"),
         (["voxel_down_sample"], "dictionary"),
     ],
 )
@@ -45,6 +47,27 @@ def test_steps_may_stand_in_a_file(files, job, tmp_path):
     told.write_text('[[step]]\nname = "remove_radius_outlier"\nnb_points = 4\nradius = 0.9\n')
     loom.scale.plan_tiles(files, told, job, size=30.0)
     assert plan_of(job) == plan
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "step = [1, 2]",
+        "[[step]]\nstep = 1",
+        '[[step]]\nstep = "shell"',
+        '[[step]]\nstep = "voxel_down_sample"\nvoxel_size = "1"',
+        '[[step]]\nstep = "voxel_down_sample"\nvoxel_size = 1e999',
+        '[[step]]\nstep = "rasterize"\ncell = 1\nname = "../a"',
+        '[[step]]\nstep = "function"\ncall = "x"\nreach = 0\narguments = {day = 2020-01-01}',
+        "x = " + "[" * 100_000,
+        "\xff",
+    ],
+)
+def test_wrong_steps_in_a_file_are_an_error_that_names_it(files, tmp_path, text):
+    told = tmp_path / "steps.toml"
+    told.write_text(text, "latin-1")
+    with pytest.raises(FileError, match=r"steps\.toml"):
+        loom.scale.plan_tiles(files, told, tmp_path / "job")
 
 
 @pytest.mark.parametrize("what", ["scale", "attributes", "unit"])
@@ -172,6 +195,25 @@ def test_a_step_that_raises_fails_its_tile_alone(files, tmp_path, monkeypatch):
     monkeypatch.delenv("POINTLOOM_TEST_FAILS")
     loom.scale.retry_tiles(job)
     assert loom.scale.run_tiles(job).is_finished
+
+
+def test_a_file_names_no_function(files, tmp_path):
+    called = tmp_path / "called"
+    told = tmp_path / "steps.toml"
+    told.write_text(f'[[step]]\nstep = "function"\ncall = "os:mkdir"\nreach = 0\narguments = {{path = "{called}"}}\n')
+    with pytest.raises(FileError, match=r"steps\.toml: steps: call: 'os:mkdir'"):
+        loom.scale.plan_tiles(files, told, tmp_path / "job")
+    assert not called.exists() and not (tmp_path / "job").exists()
+
+
+@pytest.mark.parametrize("workers", [0, pytest.param(1, marks=pytest.mark.slow)])
+def test_a_manifest_allows_no_function(files, tmp_path, monkeypatch, workers):
+    job = tmp_path / "job"
+    loom.scale.plan_tiles(files, [{"step": "function", "call": fails_in_the_east, "reach": 0}], job, size=20.0)
+    monkeypatch.setattr(plan, "_passed", {})  # as in another process
+    with pytest.raises(FileError, match=r"plan\.sqlite: steps: call: .*fails_in_the_east'"):
+        loom.scale.run_tiles(job)
+    assert loom.scale.run_tiles(job, functions=[fails_in_the_east], workers=workers).is_finished
 
 
 def test_empty_tiles_and_a_halo_larger_than_tiles(tmp_path):

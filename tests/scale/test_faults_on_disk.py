@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import contextlib
+import json
 import os
 import shutil
+import sqlite3
 import subprocess
 import sys
 from functools import partial
@@ -15,7 +17,7 @@ import pytest
 import pointloom as loom
 from pointloom.core.errors import FileError
 from pointloom.scale import buckets, finish, runners, sources
-from pointloom.scale.manifest import NAME, Manifest, only_one
+from pointloom.scale.manifest import NAME, Manifest, canonical, hash_of, only_one
 
 from .scenes import RADIUS, finished, rows_of
 
@@ -299,3 +301,69 @@ def test_a_worker_whose_parent_is_gone_ends_after_its_tile(job, monkeypatch):
     monkeypatch.setattr(sys, "argv", ["-c", str(job), "1", "1", "1", "cpu"])
     runners.main()
     assert not runs and loom.scale.tile_status(job).running == 0
+
+
+def rewritten(job, change):
+    """Change the plan of a manifest and its hash, as a stranger's program can."""
+    with contextlib.closing(sqlite3.connect(job / NAME)) as base, base:
+        plan = json.loads(base.execute("SELECT value FROM meta WHERE key = 'plan'").fetchone()[0])
+        change(plan)
+        told = {"plan": canonical(plan), "hash": hash_of(plan)}
+        base.executemany("UPDATE meta SET value = ? WHERE key = ?", [(value, key) for key, value in told.items()])
+
+
+PLANS = {
+    "no points": lambda plan: plan["sources"][0].pop("points"),
+    "a number for a path": lambda plan: plan["sources"][0].update(path=5),
+    "NUL in a path": lambda plan: plan["sources"][0].update(path="a\0b"),
+    "no origin": lambda plan: plan.pop("origin"),
+    "a list for a source": lambda plan: plan["sources"].append([]),
+    "a huge number": lambda plan: plan.update(slack=10**400),
+    "a side of zero": lambda plan: plan.update(size=0.0),
+    "an unknown step": lambda plan: (plan["steps"].append({"step": "shell"}), plan["guesses"].append(0.0)),
+    "steps without names": lambda plan: plan.update(steps=[1]),
+    "more tiles than memory": lambda plan: plan.update(shape=[2**31, 2**31]),
+}
+
+
+@pytest.mark.parametrize("change", PLANS.values(), ids=PLANS)
+def test_a_plan_of_wrong_values_is_an_error_that_names_the_manifest(job, change):
+    rewritten(job, change)
+    for call in (loom.scale.tile_status, loom.scale.run_tiles, loom.scale.finish_tiles):
+        with pytest.raises(FileError, match=r"plan\.sqlite"):
+            call(job)
+
+
+FOREIGN = {
+    "the owner": "UPDATE tiles SET state = 'running', owner = '{path}'",
+    "the owner, from the folder": "UPDATE tiles SET state = 'running', owner = '../../kept.txt'",
+    "a trigger": "CREATE TRIGGER t AFTER UPDATE ON tiles BEGIN DELETE FROM meta; END",
+    "an endless view": "DROP TABLE joins; CREATE VIEW joins AS "
+    "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) SELECT i AS id, '' AS state FROM n",
+    "another table": "DROP TABLE checksums; ALTER TABLE tiles ADD COLUMN more",
+}
+
+
+@pytest.mark.parametrize("change", FOREIGN.values(), ids=FOREIGN)
+def test_a_manifest_of_somebody_else_removes_and_runs_nothing(job, tmp_path, change):
+    kept = tmp_path / "kept.txt"
+    kept.write_text("mine")
+    with contextlib.closing(sqlite3.connect(job / NAME)) as base:
+        base.executescript(change.format(path=kept))
+    with pytest.raises(FileError, match=r"plan\.sqlite"):
+        loom.scale.run_tiles(job)
+    assert kept.read_text() == "mine"
+
+
+@pytest.mark.parametrize("name", ["locks", "tiles", "buckets", NAME])
+def test_a_job_writes_through_no_link(job, tmp_path, name):
+    elsewhere = tmp_path / "elsewhere"
+    if (job / name).exists():
+        (job / name).rename(elsewhere)
+    else:
+        elsewhere.mkdir()
+        (elsewhere / ("0" * 32)).write_text("mine")
+    (job / name).symlink_to(elsewhere)
+    with pytest.raises(FileError, match=rf"{name}: is a symbolic link"):
+        loom.scale.run_tiles(job)
+    assert elsewhere.is_file() or [*elsewhere.iterdir()] == [elsewhere / ("0" * 32)]

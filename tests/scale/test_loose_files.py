@@ -168,6 +168,11 @@ def test_an_index_stands_for_its_files(tmp_path):
         (lambda one: one["assets"]["data"].update(href="https://x/y.laz"), "which is no file on this machine"),
         (lambda one: one["assets"]["data"].update(href="index.vpc"), "neither .las nor .laz"),
         (lambda one: one.pop("assets"), "is no virtual point cloud"),
+        (lambda one: one.update(assets=[]), "is no virtual point cloud"),
+        (lambda one: one.update(properties=[1]), "expected an object of properties"),
+        (lambda one: one["properties"].update({"proj:bbox": [10**400, 0, 0, 1, 1, 1]}), "too large"),
+        (lambda one: one["assets"]["data"].update(href="\ud800.las"), "surrogates not allowed"),
+        (lambda one: one["assets"]["data"].update(href="a\0.las"), "which is no file on this machine"),
     ]:
         changed = json.loads(json.dumps(items))
         change(changed["features"][0])

@@ -146,3 +146,45 @@ def test_areas_in_degrees_are_brought_to_the_survey_when_that_is_said(tmp_path):
         loom.scale.plan_tiles(tmp_path / "none.laz", [step], tmp_path / "x")
     with pytest.raises(ValueError, match="only_crs: it is that of polygons"):
         loom.scale.plan_tiles(tmp_path / "a.laz", [], tmp_path / "x", only=(0, 0, 1, 1), only_crs="EPSG:4326")
+
+
+def nested(count, inner):
+    for _ in range(count):
+        inner = {"type": "GeometryCollection", "geometries": [inner]}
+    return inner
+
+
+SQUARE = {"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1]]]}
+DAMAGED = {
+    "a ring of a number": '{"type": "Polygon", "coordinates": [[1.5]]}',
+    "a corner of a word": '{"type": "Polygon", "coordinates": [[[0, 0], ["x", 1], [1, 1]]]}',
+    "corners of two lengths": '{"type": "Polygon", "coordinates": [[[0, 0], [1], [1, 1]]]}',
+    "coordinates of a number": '{"type": "Polygon", "coordinates": 7}',
+    "a number of 400 digits": '{"type": "Polygon", "coordinates": [[[0, 0], [1%s, 1], [1, 1]]]}' % ("0" * 400),
+    "a list for a type": '{"type": [], "coordinates": []}',
+    "features of a number": '{"type": "FeatureCollection", "features": 1}',
+    "a feature of nothing": '{"type": "FeatureCollection", "features": [null]}',
+    "a corner of one number": "POLYGON((0 0, 1, 1 1))",
+    "brackets in each other": "POLYGON(" + "(" * 100_000 + ")" * 100_000 + ")",
+    "lists in each other": "[" * 100_000,
+    "collections in each other": json.dumps(nested(300, SQUARE)),
+}
+
+
+@pytest.mark.parametrize("text", DAMAGED.values(), ids=DAMAGED)
+def test_a_damaged_area_is_an_error_that_names_the_file(tmp_path, text):
+    path = tmp_path / "area.geojson"
+    path.write_text(text)
+    with pytest.raises(loom.FileError, match=r"area\.geojson"):
+        parse_area("only", path)
+    with pytest.raises(ValueError, match="only"):
+        parse_area("only", text)
+
+
+@pytest.mark.parametrize("before", ["", "SRID=1;", "POLYGON", "MULTIPOLYGON Z"])
+def test_an_area_is_read_in_linear_time(before):
+    """A quadratic parser would take minutes."""
+    blanks = " " * 1_000_000
+    with pytest.raises(ValueError, match="only"):
+        parse_area("only", f"{blanks}{before}{blanks}x{blanks}")
+    assert len(parse_area("only", blanks + json.dumps(nested(50, SQUARE)) + blanks)) == 1

@@ -1,6 +1,8 @@
 """A queue of sequences makes of each what the system makes of it alone; those that fail are named."""
 
+import contextlib
 import shutil
+import sqlite3
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +12,7 @@ import pointloom as loom
 from pointloom.core.errors import FileError
 from pointloom.data.scenes.room import write_room_sequence
 from pointloom.scale.jobs import sequences
+from pointloom.scale.manifest import NAME
 
 SIZES = {"n_frames_per_fragment": 3, "tsdf_voxel_size": 0.04, "depth_max": 4.0}
 CONFIG = loom.reconstruction.ReconstructionConfig(**SIZES)
@@ -99,3 +102,14 @@ def test_workers_share_the_queue(walks, tmp_path):
     loom.scale.plan_sequences(walks, tmp_path / "job", config=CONFIG)
     assert loom.scale.run_job(tmp_path / "job", workers=2).is_finished
     assert np.all([(tmp_path / "job" / "sequences" / name).is_dir() for name in ("kitchen", "kitchen_2")])
+
+
+@pytest.mark.parametrize("name", ["../../outside", "/tmp/outside", "..", "a/b", "a\0b"])
+def test_the_name_of_a_task_is_no_path(walks, tmp_path, name):
+    job = tmp_path / "job"
+    loom.scale.plan_sequences(walks[1:], job, config=CONFIG)
+    with contextlib.closing(sqlite3.connect(job / NAME)) as base, base:
+        base.execute("UPDATE tasks SET name = ?", (name,))
+    status = loom.scale.run_job(job)
+    assert status.failed == 1 and "expected a plain file name" in str(status)
+    assert not (job / "sequences").exists() and not (tmp_path / "outside").exists()

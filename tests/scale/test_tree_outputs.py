@@ -14,6 +14,7 @@ from scipy.spatial import cKDTree
 
 import pointloom as loom
 from pointloom.core.errors import FileError
+from pointloom.files.color_space import linear_to_srgb
 from pointloom.files.points import three_d_tiles_writer
 from pointloom.files.points.copc import open_copc
 from pointloom.files.points.las import read_las
@@ -144,7 +145,7 @@ def glb_points(path):
     assert raw[:4] == b"glTF" and struct.unpack_from("<I", raw, 8) == (len(raw),)
     (size,) = struct.unpack_from("<I", raw, 12)
     told, data = json.loads(raw[20 : 20 + size]), raw[28 + size :]
-    types = {5126: np.float32, 5121: np.uint8}
+    types = {5126: np.float32, 5123: np.uint16}
     found = {}
     for name, number in told["meshes"][0]["primitives"][0]["attributes"].items():
         accessor = told["accessors"][number]
@@ -201,7 +202,8 @@ def test_three_d_tiles_hold_the_points_on_the_globe(job, merged, has_crs, tmp_pa
     assert len({*nearest.tolist()}) == len(wanted) == len(points) and distances.max() < 1e-4
     np.testing.assert_array_equal(intensity[nearest], merged.attributes["intensity"])
     colors = np.concatenate([columns["COLOR_0"] for _, columns in parts])[nearest, :3]
-    np.testing.assert_array_equal(colors, np.rint(merged.colors * 65535).astype(int) >> 8)
+    shown = linear_to_srgb(colors / 65535)  # glTF stores linear light
+    np.testing.assert_array_equal(np.rint(shown * 255), np.rint(merged.colors * 65535).astype(int) >> 8)
 
 
 def test_tiles_have_an_index_and_an_overview(job, merged, has_crs, tmp_path):

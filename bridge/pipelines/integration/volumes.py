@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ....core.checks import check_count, check_positive, check_shape
+from ....core.checks import check_count, check_positive
 from ....meshing.volume import tsdf
 from ....pcd import boxes
 from ...camera import PinholeCameraIntrinsic
 from ...geometry import PointCloud, RGBDImage, TriangleMesh
-from ...held import Held, ours
+from ...held import Held, column, ours
 
 SEEN = 0.0  # a voxel that one frame saw makes surface
 
@@ -116,7 +116,7 @@ class UniformTSDFVolume(TSDFVolume):
             vars(self).update(vars(length.__copy__()))
             return
         self._length, self._resolution = check_positive("length", length), check_count("resolution", resolution)
-        self._corner = check_shape("origin", origin, (3,)).copy()
+        self._corner = column("origin", origin).copy()
         super().__init__(self._length / self._resolution, sdf_trunc, color_type)
 
     length = property(lambda self: self._length, doc="Edge of the cube [m].")

@@ -7,7 +7,7 @@ from typing import Any
 
 from ....registration.globally import checkers
 from ...geometry import PointCloud
-from ...held import as_array, ours
+from ...held import as_array, column, ours
 from ...settings import Settings
 
 
@@ -63,6 +63,10 @@ class CorrespondenceCheckerBasedOnSourceRotation(CorrespondenceChecker):
 
     _kind = checkers.CorrespondenceCheckerBasedOnSourceRotation
     rotation_threshold: Any
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        is_angles = name == "rotation_threshold" and not isinstance(value, CorrespondenceChecker)
+        super().__setattr__(name, column(name, value) if is_angles else value)
 
     def __repr__(self) -> str:
         angles = ", ".join(f"{angle:f}" for angle in self.rotation_threshold)

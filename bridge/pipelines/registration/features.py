@@ -14,6 +14,7 @@ from ....registration import matching
 from ...geometry import PointCloud
 from ...geometry.search_param import keywords_of
 from ...held import ours
+from ...indices import flagged
 from ...vectors import Vector2iVector
 
 
@@ -57,11 +58,9 @@ class Feature(KnownNames):
         self._data = np.zeros((check_count("dim", dim, minimum=0), check_count("n", n, minimum=0)))
 
     def select_by_index(self, indices: Any, invert: bool = False) -> Feature:
-        """Those of some points, or of the others."""
-        chosen = np.zeros(self.num(), bool)
-        rows = np.asarray(indices, np.int64)
-        chosen[rows] = True
-        return Feature._of_rows(self._data.T[~chosen] if invert else self._data.T[rows])
+        """The features of these points, each once and in their order, or of the others."""
+        flags = flagged("indices", indices, self.num(), f"Feature of {self.num()} points")
+        return Feature._of_rows(self._data.T[flags != invert])
 
     def __repr__(self) -> str:
         size = f"dimension = {self.dimension()} and num = {self.num()}"
@@ -80,9 +79,10 @@ def rows_of(feature: Any, name: str) -> NDArray[np.float32]:
 
 
 def compute_fpfh_feature(input: Any, search_param: Any, indices: Any = None) -> Feature:
-    """FPFH, 33 numbers a point; the cloud needs normals. With `indices`, of these points alone."""
+    """FPFH, 33 numbers a point; the cloud needs normals. With `indices`, of these points alone, each once."""
     rows = np.asarray(features.compute_fpfh_feature(ours(input, PointCloud, "input"), **keywords_of(search_param)))
-    return Feature._of_rows(rows if indices is None else rows[np.asarray(indices, np.int64)])
+    made = Feature._of_rows(rows)
+    return made if indices is None else made.select_by_index(indices)
 
 
 def correspondences_from_features(

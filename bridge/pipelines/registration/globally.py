@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from ....core.checks import check_number
 from ....registration.globally import fast_global, ransac
 from ...held import as_array, ours
 from ...seeds import next_seed
@@ -17,11 +18,21 @@ from .icp import clouds_of
 
 @dataclass(eq=False, repr=False)
 class RANSACConvergenceCriteria(Settings):
-    """When to stop drawing hypotheses."""
+    """When to stop drawing hypotheses.
+
+    A confidence outside 0..1 is the nearest of both, as in Open3D: before 0.12 the second number was a count.
+    """
 
     _kind = ransac.RANSACConvergenceCriteria
     max_iteration: Any = 100000
     confidence: float = 0.999
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        self.confidence = _as_confidence(self.confidence)
+
+    def _keywords(self) -> dict[str, Any]:
+        return super()._keywords() | {"confidence": _as_confidence(self.confidence)}
 
     def __repr__(self) -> str:
         return f"RANSACConvergenceCriteria(max_iteration={self.max_iteration}, confidence={self.confidence:e})"
@@ -114,6 +125,10 @@ def registration_fgr_based_on_correspondence(
         *clouds_of(source, target), as_array(corres), _option(option), seed=next_seed()
     )
     return RegistrationResult._of(found)
+
+
+def _as_confidence(value: Any) -> float:
+    return min(max(check_number("confidence", value, allow_infinite=True), 0.0), 1.0)
 
 
 def _option(option: Any) -> Any:

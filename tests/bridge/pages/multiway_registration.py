@@ -4,6 +4,7 @@ import numpy as np
 import open3d as o3d
 
 voxel_size = 0.047  # no multiple of two millimetres, on which depths lie: voxels' faces go between them
+to_the_end = o3d.pipelines.registration.ICPConvergenceCriteria(1e-12, 1e-12, 300)
 camera = o3d.io.read_pinhole_camera_intrinsic("camera.json")
 
 
@@ -32,6 +33,7 @@ def pairwise_registration(source, target):
         max_correspondence_distance_coarse,
         np.identity(4),
         o3d.pipelines.registration.TransformationEstimationPointToPlane(),
+        to_the_end,
     )
     icp_fine = o3d.pipelines.registration.registration_icp(
         source,
@@ -39,6 +41,7 @@ def pairwise_registration(source, target):
         max_correspondence_distance_fine,
         icp_coarse.transformation,
         o3d.pipelines.registration.TransformationEstimationPointToPlane(),
+        to_the_end,
     )
     transformation_icp = icp_fine.transformation
     information_icp = o3d.pipelines.registration.get_information_matrix_from_point_clouds(

@@ -65,6 +65,12 @@ def nothing(f: FunctionTranslator, i: Instruction) -> str | None:
     return ";"
 
 
+@translates("covered")
+def cover(f: FunctionTranslator, i: Instruction) -> str | None:
+    """A mark of kernel_coverage.py: its number, and 0 or 1."""
+    return f"EMULATOR.covered[4 * {i.operands[0]} + {f.value(i.operands[1], 'u32')}] = 1;"
+
+
 # ------------------------------------------------------------------------------------------------ meetings
 
 

@@ -115,6 +115,7 @@ typedef struct Emulator {
     u64 note_count[NOTES], note_address[NOTES];
     u32 note_statement[NOTES], note_thread[NOTES], note_other[NOTES];
     void *jump[5];
+    u8 *covered; /* 4 bytes a mark: kernel_coverage.py */
 } Emulator;
 
 extern Emulator EMULATOR;

@@ -116,6 +116,16 @@ def symmetric(rng, values, count):
     return (A + A.transpose(0, 2, 1)) / 2
 
 
+def test_a_system_that_is_not_finite_has_no_step_of_zeros(device):
+    """Which would be taken for convergence."""
+    systems = np.tile(np.eye(6), (21 + 3, 1, 1))
+    for k, (i, j) in enumerate(np.argwhere(np.triu(np.ones((6, 6))))):
+        systems[k, i, j] = systems[k, j, i] = np.nan
+    systems[21, 2, 2], systems[22, 3, 4] = np.inf, -np.inf
+    found = solve(device, systems, np.ones((24, 6)))
+    assert not np.isfinite(found[:23]).all(axis=1).any() and (found[23] == 1).all()
+
+
 SIZES = (1e-150, 1e-6, 1.0, 1e9, 1e150)
 
 

@@ -32,10 +32,11 @@ def test_raw_depth_is_divided_and_cut_behind_the_farthest(device):
 def test_depth_in_metres_is_kept_where_it_is_a_measurement(device):
     raw = np.array([0, -1, np.nan, np.inf, -np.inf, 0.5, 3.0, 3.0001, 1e-30], np.float32)
     expected = np.array([0, 0, 0, 0, 0, 0.5, 3.0, 0, 1e-30], np.float32)
-    np.testing.assert_array_equal(metres(device, raw, float32, 1000.0, 3.0), expected)
+    np.testing.assert_array_equal(metres(device, raw, float32, 1.0, 3.0), expected)
+    np.testing.assert_array_equal(metres(device, raw, float32, 4.0, 0.75), expected / 4)
     expected[7] = raw[7]
     for farthest in (1e30, np.inf):
-        np.testing.assert_array_equal(metres(device, raw, float32, 1000.0, farthest), expected)
+        np.testing.assert_array_equal(metres(device, raw, float32, 1.0, farthest), expected)
 
 
 @pytest.mark.parametrize("count", [1, RUN - 1, RUN, RUN + 1, 3 * RUN + 5])

@@ -12,7 +12,7 @@ import pytest
 import warp as wp
 
 from pointloom.kernels import lang
-from pointloom.kernels.language import module_loading
+from pointloom.kernels.language import cache_folders, module_loading
 
 pytestmark = pytest.mark.both_compilers
 
@@ -157,3 +157,120 @@ def test_a_module_that_is_loaded_takes_no_turn(monkeypatch, write_kernels):
     monkeypatch.setattr(module_loading, "turn_of", lambda name: pytest.fail(f"waits for {name}"))
     module_loading.load_module(module.count_kernel.cpu.module, wp.get_device("cpu"))
     assert out.numpy().tolist() == [0, 1, 2, 3]
+
+
+SMALL = """
+@kernel
+def small_kernel(out: array(dtype=int32)):
+    i = tid()
+    out[i] = 3 * i
+"""
+
+
+@pytest.fixture
+def loaded(monkeypatch, write_kernels, tmp_path):
+    """A module in a cache of its own, its two files, and a function that loads it anew and counts what is compiled."""
+    import warp._src.build as build
+
+    monkeypatch.setattr(wp.config, "kernel_cache_dir", str(tmp_path / "cache"))
+    kernel = write_kernels(f"small_{tmp_path.name}", SMALL).small_kernel.cpu
+    module, device = kernel.module, wp.get_device("cpu")
+    compiled, real = [], build.build_cpu
+    monkeypatch.setattr(
+        build, "build_cpu", lambda path, *rest, **options: (compiled.append(path), real(path, *rest, **options))[1]
+    )
+
+    def load():
+        before = len(compiled)
+        module.unload()
+        module_loading.load_module(module, device)
+        out = wp.zeros(4, dtype=int, device="cpu")
+        wp.launch(kernel, 4, [out], device="cpu")
+        assert out.numpy().tolist() == [0, 3, 6, 9]
+        return len(compiled) - before
+
+    assert (load(), load()) == (1, 0)
+    return load, module_loading._files_of(module, device, 1)
+
+
+@pytest.mark.parametrize(
+    ("file", "harm", "has_digest"),
+    [(0, "cut off", True), (0, "zeros", True), (0, "gone", True), (0, "cut off", False), (1, "cut off", True)],
+)
+def test_a_file_that_is_not_intact_is_compiled_again(loaded, file, harm, has_digest):
+    load, files = loaded
+    path = files[file]
+    content = path.read_bytes()
+    path.write_bytes(content[:-8] if harm == "cut off" else content[:9] + bytes(len(content) - 9))
+    if harm == "gone":
+        path.unlink()
+    if not has_digest:
+        path.with_name(f"{path.name}.sha256").unlink()
+    assert (load(), load()) == (1, 0)
+    assert len([*path.parent.glob("*.sha256")]) == 2
+
+
+def test_files_of_an_earlier_version_are_used_and_get_their_digests(loaded):
+    load, files = loaded
+    for path in files[0].parent.glob("*.sha256"):
+        path.unlink()
+    assert load() == 0
+
+
+@pytest.mark.parametrize("mode", [0o666, 0o664])
+def test_a_file_that_others_can_write_is_compiled_again(loaded, mode, monkeypatch):
+    monkeypatch.setattr(cache_folders, "_is_own_group", lambda group: False)
+    load, files = loaded
+    files[0].chmod(mode)
+    assert (load(), load()) == (1, 0)
+
+
+def test_a_cache_without_room_is_replaced_by_a_temporary_one(loaded, monkeypatch):
+    load, files = loaded
+    files[0].unlink()
+    folder = wp.config.kernel_cache_dir
+    monkeypatch.setattr(module_loading, "is_writable", lambda place, size: place != folder)
+    assert load() == 1 and wp.config.kernel_cache_dir != folder and not files[0].exists()
+
+
+def test_an_error_names_the_folders_that_have_no_room(loaded, monkeypatch):
+    load, files = loaded
+    files[0].unlink()
+
+    def full(*rest):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(wp._src.context.Module, "_write_meta", full)
+    with pytest.raises(cache_folders.CacheError, match=wp.config.kernel_cache_dir):
+        load()
+
+
+@pytest.mark.parametrize(
+    ("mode", "part", "writers"),
+    [(0o755, "", ""), (0o700, "", ""), (0o777, "", "all users"), (0o777, "1.0", "all users"), (0o775, "", "group")],
+)
+def test_a_cache_that_other_users_can_write_is_found(tmp_path, monkeypatch, mode, part, writers):
+    monkeypatch.setattr(cache_folders, "_is_own_group", lambda group: False)
+    (tmp_path / "warp" / "1.0").mkdir(parents=True)
+    for folder in (tmp_path / "warp", tmp_path / "warp" / "1.0"):
+        folder.chmod(0o755)
+    (tmp_path / "warp" / part).chmod(mode)
+    found = cache_folders.other_writers(tmp_path / "warp")
+    assert writers in found and bool(found) == bool(writers)
+    monkeypatch.setattr(os, "getuid", lambda: 12345)
+    assert tmp_path.stat().st_uid == 0 or "belongs to user" in cache_folders.other_writers(tmp_path / "warp")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("is_named", [True, False])
+def test_kernels_that_others_could_have_written_are_not_used_silently(tmp_path, is_named):
+    warp = tmp_path / "warp"
+    warp.mkdir()
+    warp.chmod(0o777)
+    environment = os.environ | {"XDG_CACHE_HOME": str(tmp_path), "PYTHONPATH": SRC, "POINTLOOM_CPU": "warp"}
+    environment.pop("WARP_CACHE_PATH", None)
+    if is_named:
+        environment["WARP_CACHE_PATH"] = str(warp)
+    done = subprocess.run([sys.executable, "-c", PROGRAM], env=environment, capture_output=True, text=True, check=True)
+    assert "RuntimeWarning" in done.stderr and str(warp) in done.stderr
+    assert bool([*warp.rglob("*.o")]) == is_named

@@ -78,6 +78,20 @@ def test_coarser_levels_are_smaller_and_keep_what_holds_them(device):
         assert rows.sum() == pytest.approx(across, rel=1e-9)
 
 
+def test_vertices_without_springs_move_by_their_own_weights(device, rng):
+    """More vertices than a matrix is inverted for, and none to make a coarser level of."""
+    system = System(device)
+    place, weights = system.solution.device, rng.uniform(1, 2, (system.count, 1))
+    free, springs = upload(np.ones(system.count, np.int32), int32, place), zeros(system.edges.count, float64, place)
+    solver = LaplacianSolver(
+        Level(system.edges, springs, upload(weights, float64, place), free), system.solution, 1e-24
+    )
+    assert solver.preconditioner.inverse is None
+    solver.solve(system.sides)
+    np.testing.assert_allclose(system.solution.numpy(), system.right / weights, rtol=0, atol=1e-12)
+    solver.check()
+
+
 def test_a_limit_that_is_never_reached_is_an_error(device):
     system = System(device)
     solver = LaplacianSolver(system.level, system.solution, -1.0, most=7)

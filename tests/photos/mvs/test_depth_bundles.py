@@ -100,6 +100,8 @@ def test_poses_that_contradict_the_depth_are_an_error(tmp_path):
         ({"extrinsic": np.zeros((COUNT, 3, 4))}, "extrinsic: the rotation is none"),
         ({"extrinsic": np.full((COUNT, 3, 4), np.nan)}, "not finite"),
         ({"extrinsic": np.zeros((2, 3, 4))}, "expected poses"),
+        ({"extrinsic": np.tile(np.column_stack([np.eye(3), np.full(3, 1e300)]), (COUNT, 1, 1))}, "T_camera_world"),
+        ({"extrinsic": np.full((COUNT, 3, 4), 1e200)}, "extrinsic: the rotation is none"),
         ({"intrinsic": np.zeros((COUNT, 3, 3))}, "focal lengths above 0"),
         ({"depth_conf": np.full((COUNT, HEIGHT, WIDTH), -1.0)}, "depth_conf: expected finite numbers"),
         ({"depth_conf": np.full((COUNT, HEIGHT, WIDTH), np.inf)}, "depth_conf: expected finite numbers"),

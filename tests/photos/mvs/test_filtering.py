@@ -85,6 +85,9 @@ def test_grains_that_all_pictures_show_go_and_surfaces_two_pixels_wide_stay(devi
     kept = loom.mvs.filter_depth_maps(maps, device=device)[0].depth
     whole = loom.mvs.filter_depth_maps(maps, min_support=0, device=device)[0].depth
     np.testing.assert_allclose(whole, depth)
+    for least, stays in ((3, True), (3.1, False)):  # each pixel of the large grain has three beside it
+        grain = loom.mvs.filter_depth_maps(maps, min_support=least / 24, device=device)[0].depth[4:6, 20:22]
+        assert (grain > 0).all() == stays
     expected = depth.copy()
     expected[4:6, 20:22], expected[15, 25], expected[20:23, 30] = 0, 0, 0
     expected[[5, 24], 8:10] = 0  # the ends of the post

@@ -13,6 +13,8 @@ from PIL import Image
 import pointloom as loom
 from pointloom.photos.sfm import frame_picker, picture_writing, video_files
 from pointloom.photos.sfm.frame_picker import FramePicker, movement, spaced
+from pointloom.photos.sfm.video_files import VideoFile, VideoFrames, open_video
+from pointloom.photos.sfm.video_kinds import find_container
 
 from .conftest import write_pictures
 
@@ -174,6 +176,49 @@ def test_what_is_no_video_is_refused(tmp_path, reader, content):
     (tmp_path / "junk.mp4").write_bytes(content)
     with pytest.raises(loom.FileError, match=r"junk.mp4: no (video|frame) can be"):
         loom.sfm.choose_frames(tmp_path / "junk.mp4", tmp_path / "out", reader=reader)
+
+
+HLS = "#EXTM3U\n#EXT-X-TARGETDURATION:2\n#EXTINF:1,\n{}\n#EXT-X-ENDLIST\n"
+DASH = (
+    '<?xml version="1.0"?><MPD xmlns="urn:mpeg:dash:schema:mpd:2011" type="static" '
+    'profiles="urn:mpeg:dash:profile:isoff-on-demand:2011"><Period><AdaptationSet mimeType="video/mp4">'
+    '<Representation id="1" bandwidth="1"><BaseURL>{}</BaseURL></Representation></AdaptationSet></Period></MPD>'
+)
+CONCAT = "ffconcat version 1.0\nfile {}\n"
+
+
+@READERS
+@pytest.mark.parametrize("text", [HLS, DASH, CONCAT], ids=["HLS", "DASH", "concat"])
+def test_a_playlist_is_no_video_and_is_not_followed(make_video, panned, tmp_path, reader, text):
+    other, given = make_video("other.mp4", panned[:3]), tmp_path / "given.mp4"
+    given.write_text(text.format(other))
+    with pytest.raises(loom.FileError, match=r"given\.mp4"):
+        open_video(given, reader=reader)
+    for container in ("mov", "matroska", "mpegts"):  # the decoders do not guess either
+        video = VideoFile(given, reader, container, None, False, 0.0)
+        with pytest.raises(loom.FileError, match=r"given\.mp4"), VideoFrames(video, max_size=64) as frames:
+            next(iter(frames))
+
+
+@pytest.mark.parametrize(
+    ("head", "container"),
+    [
+        (b"\0\0\0\x20ftypisom", "mov"),
+        (b"\0\0\0\x08wide", "mov"),
+        (b"\x1a\x45\xdf\xa3", "matroska"),
+        (b"RIFF\0\0\0\0AVI LIST", "avi"),
+        (b"cut" + (b"\x47" + bytes(187)) * 6, "mpegts"),
+        ((bytes(4) + b"\x47" + bytes(187)) * 6, "mpegts"),
+        (b"\0\0\0\x01\x67\x42", "h264"),
+        (b"\0\0\0\x01\x40\x01", "hevc"),
+        (b"RIFF\0\0\0\0WAVE", ""),
+        (b"#EXTM3U\n", ""),
+    ],
+)
+def test_containers_are_found_by_their_first_bytes(tmp_path, head, container):
+    path = tmp_path / "a.mp4"
+    path.write_bytes(head)
+    assert find_container(path) == container
 
 
 def turned(video: Path) -> Path:

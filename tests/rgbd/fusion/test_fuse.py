@@ -75,6 +75,16 @@ def test_poses_that_contradict_each_other_are_told_and_right_ones_are_not(walk):
     assert loom.fuse(Wall(1), voxel_size=VOXEL).share_off is None  # one frame contradicts nobody
 
 
+@pytest.mark.parametrize(("depth", "share"), [(1000, 0), (1250, 1), (750, 1)])
+def test_what_frames_see_beyond_noise_lies_off_the_surface(depth, share):
+    wall, volume = Wall(1), loom.TSDFVolume(voxel_size=VOXEL)
+    volume.integrate(wall.read(0).depth, wall.intrinsic, np.eye(4))
+    check = PoseCheck(wall.intrinsic, 1000.0, 4.0)
+    for _ in range(2):
+        check.add(Wall(1, depth=depth).read(0).depth, np.eye(4))
+    assert check.share_off(volume) == share
+
+
 def test_of_a_long_sequence_some_frames_spread_over_it_are_held_against_the_surface(walk):
     check = PoseCheck(walk.intrinsic, 1000.0, 4.0)
     for k in range(200):

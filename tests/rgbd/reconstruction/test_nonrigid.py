@@ -79,7 +79,6 @@ def test_the_surface_is_written_as_points_where_that_is_asked(whole, job):
     assert str(job / "slac" / "output_slac_pointcloud.ply") in again.files
 
 
-@pytest.mark.slow
 def test_frames_go_through_the_grid(whole):
     folder, report, _ = whole
     settings, walk = SETTINGS, bent_walk()

@@ -1,0 +1,40 @@
+"""Lists of indices as Open3D takes them: they flag elements, so repeats and the order have no effect."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..core.checks import check_indices
+
+
+def indices_of(name: str, values: Any, count: int, of: str) -> NDArray[np.int64]:
+    """Indices of some of `count` elements, in the order given: a list, a set, a range, an IntVector or an array.
+
+    Args:
+        name: Name of the argument.
+        values: The indices.
+        count: Number of elements.
+        of: The owner of the elements, for the message.
+
+    Raises:
+        TypeError: Not integers. A boolean mask is refused, because Open3D reads it as the indices 0 and 1.
+        IndexError: A negative index, or one beyond the elements.
+    """
+    listed = list(values) if isinstance(values, Iterable) and not hasattr(values, "__array__") else values
+    given = np.asarray(listed)
+    hint = "; np.flatnonzero(mask) makes indices of a mask" if given.dtype == bool else ""
+    rows = check_indices(name, listed, count, of=of, hint=hint)
+    if given.size and given.min() < 0:
+        raise IndexError(f"{name}: expected indices from 0 to {count - 1}, got {given.min()}")
+    return rows.astype(np.int64)
+
+
+def flagged(name: str, values: Any, count: int, of: str) -> NDArray[np.bool_]:
+    """True for each of `count` elements that the indices contain; errors as in `indices_of`."""
+    flags = np.zeros(count, bool)
+    flags[indices_of(name, values, count, of)] = True
+    return flags

@@ -1,0 +1,39 @@
+"""The check that all corners of a mesh's triangles are finite, for measures that no part of the triangles can give."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ...kernels.arrays.select import gather_rows, positions_of
+from ...kernels.memory import download
+from ...kernels.meshes.clean_triangles import mask_not_finite
+
+if TYPE_CHECKING:
+    from .mesh_arrays import MeshArrays
+
+REMEDY = "repair() drops such triangles"
+
+
+def find_wrong_corner(mesh: MeshArrays) -> str | None:
+    """The first triangle with a corner that is NaN or infinite, as a clause of a sentence; None if there is none."""
+    vertices, triangles = mesh.device_arrays["vertices"], mesh.device_arrays["triangles"]
+    rows = positions_of(mask_not_finite(vertices, triangles))  # sync
+    if not rows.size:
+        return None
+    corners = download(gather_rows(triangles, rows[:1])).reshape(3)
+    places = download(vertices).reshape(-1, 3)[corners]
+    lost = corners[~np.isfinite(places).all(axis=1)][0]
+    return f"triangle {int(download(rows[:1])[0])} has the vertex {lost}, which is NaN or infinite"
+
+
+def check_finite_corners(operation: str, mesh: MeshArrays) -> None:
+    """Check that no triangle has a corner that is NaN or infinite. Vertices without triangles may be.
+
+    Raises:
+        ValueError: One has.
+    """
+    found = find_wrong_corner(mesh)
+    if found is not None:
+        raise ValueError(f"{operation}: expected triangles with finite corners, but {found}; {REMEDY}")

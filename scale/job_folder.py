@@ -1,0 +1,57 @@
+"""The folder of a job: created, checked, and cleared if planning failed."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from ..core.errors import FileError
+from .loose_files import is_made
+from .manifest import NAME
+
+
+@contextmanager
+def nothing_left(folder: Path) -> Iterator[None]:
+    """Take away what was written over in the folder of a job, and a new folder, where no plan comes of it."""
+    is_new = not folder.exists()
+    try:
+        yield
+    except BaseException:
+        if folder.is_dir() and not (folder / NAME).exists():
+            for made in filter(is_made, folder.iterdir()):
+                shutil.rmtree(made, ignore_errors=True)
+            if is_new and not any(folder.iterdir()):
+                folder.rmdir()
+        raise
+
+
+def make_folder(folder: Path) -> None:
+    """Make the folder of a run, which may be there and empty.
+
+    Raises:
+        FileError: It holds something, or cannot be made.
+    """
+    check_folder(folder)
+    try:
+        folder.mkdir(exist_ok=True)
+    except OSError as error:
+        raise FileError(folder, f"cannot be made: {error.strerror or error}") from error
+
+
+def check_folder(folder: Path) -> None:
+    """Hold that a folder is missing, empty, or holds what an interrupted plan left.
+
+    Raises:
+        FileError: It holds something else.
+    """
+    if folder.exists() and not folder.is_dir():
+        raise FileError(folder, "is not a folder", remedy="Give the name of a folder")
+    try:
+        inside = folder.iterdir() if folder.exists() else ()
+        other = [path for path in inside if path.suffix != ".part" and not is_made(path)]
+    except OSError as error:
+        raise FileError(folder, f"cannot be made: {error.strerror or error}") from error
+    if other:
+        raise FileError(folder, "holds other files than those of a run", remedy="Give another folder")

@@ -1,0 +1,61 @@
+"""No text from a file reaches a terminal with characters that control it."""
+
+import json
+import pickle
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.core import html_tables, reports, verbosity, wording
+from pointloom.core.errors import FileError
+from pointloom.core.escaped_text import escaped
+from pointloom.files.bags.recording import Recording
+from pointloom.files.columns import warn_of_loss
+from pointloom.scale.jobs.job import JobStatus
+
+EVIL = "a\x1b]0;owned\x07\x9b2K\x7f\u202e\ud800\r\x00b"
+SHOWN = r"a\x1b]0;owned\x07\x9b2K\x7f\u202e\ud800\x0d\x00b"
+
+
+def warned(text):
+    with pytest.warns(UserWarning) as caught:
+        warn_of_loss(text, text, text)
+    return str(caught[0].message)
+
+
+def logged(text, capsys):
+    verbosity._print(text)
+    return capsys.readouterr().err
+
+
+TEXTS = {
+    "an error": lambda text, _: str(FileError(text, text, where=text, remedy=text)),
+    "an error from another process": lambda text, _: str(pickle.loads(pickle.dumps(FileError(text, text)))),
+    "a warning": lambda text, _: warned(text),
+    "a report": lambda text, _: reports.in_columns([(text, text)]),
+    "a table in a notebook": lambda text, _: html_tables.html_table(text, [(text, text)]),
+    "a log": logged,
+    "a job": lambda text, _: str(JobStatus("", "", "", 0, 0, 0, 0, 0, False, {text: text}, (text,))),
+    "a cloud": lambda text, _: repr(loom.PointCloud(np.zeros((1, 3)), **{text: np.zeros(1)})),
+    "a recording": lambda text, _: repr(Recording(Path(text.replace("\0", "")), [])),
+}
+
+
+@pytest.mark.parametrize("text_of", TEXTS.values(), ids=TEXTS)
+def test_control_characters_are_shown(text_of, capsys):
+    found = text_of(EVIL, capsys)
+    assert r"a\x1b]0;owned\x07\x9b2K\x7f\u202e\ud800\x0d" in found
+    assert escaped(found, lines=True) == found
+
+
+def test_one_line_stays_one(capsys):
+    assert "\n" not in str(FileError("a\nerror: none", "b\nc"))
+    assert escaped("a\nb", lines=True) == "a\nb" and escaped(EVIL) == SHOWN
+    assert reports.in_columns([("size", "1\nmesh  none")]) == "  size  1\n        mesh  none"
+
+
+def test_json_keeps_what_it_escapes():
+    text = wording.to_json({EVIL: EVIL, "line": "é\n\t"})
+    assert escaped(text, lines=True) == text and json.loads(text) == {EVIL: EVIL, "line": "é\n\t"}

@@ -1,0 +1,89 @@
+"""The library works in programs that have no standard streams, and in packages that were cut down."""
+
+import compileall
+import os
+import shutil
+import subprocess
+import sys
+import threading
+from pathlib import Path
+
+import pytest
+
+import pointloom
+from pointloom.core.standard_streams import is_terminal, write_to_stderr
+from pointloom.kernels.language.quiet import lines_removed_from_stderr
+
+PROGRAM = """
+import io, os, sys, traceback
+class Console:
+    def write(self, text): return len(text)
+closed = io.StringIO()
+closed.close()
+{begin}
+try:
+    import pointloom as loom
+    cloud = loom.PointCloud([[0.0, 0.0, 0.0]])
+    cloud.cluster_dbscan(1.0, 1, print_progress=True)
+    said = str(len(cloud.voxel_down_sample(1.0)))
+except BaseException:
+    said = traceback.format_exc()
+open({path!r}, "w").write(said)
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "begin",
+    [
+        "sys.stdin = sys.stdout = sys.stderr = None",
+        "sys.stdout = sys.stderr = Console()",
+        "sys.stdout = sys.stderr = closed",
+        "os.closerange(0, 3)",
+        "os.close(2)",
+    ],
+)
+def test_programs_without_standard_streams_import_and_run(tmp_path, begin):
+    path = tmp_path / "said"
+    subprocess.run([sys.executable, "-c", PROGRAM.format(begin=begin, path=str(path))], capture_output=True)
+    assert path.read_text() == "1"
+
+
+class Console:
+    """A stream with write() alone."""
+
+    def __init__(self):
+        self.text = ""
+
+    def write(self, text):
+        self.text += text
+
+
+def test_a_stream_with_write_alone_gets_the_line_and_is_no_terminal(monkeypatch):
+    console = Console()
+    monkeypatch.setattr(sys, "stderr", console)
+    write_to_stderr("a line")
+    assert console.text == "a line\n" and not is_terminal(console) and not is_terminal(None)
+
+
+def test_lines_of_others_reach_stderr(capfd):
+    with lines_removed_from_stderr("no driver"):
+        os.write(2, b"no driver here\n")
+        other = threading.Thread(target=os.write, args=(2, b"a line of another thread\n"))
+        other.start()
+        other.join()
+    assert capfd.readouterr().err == "a line of another thread\n"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("removed", "name"), [(".py", ".py files"), (".pyi", "__init__.pyi")])
+def test_a_package_without_sources_or_stubs_is_an_import_error(tmp_path, removed, name):
+    package = tmp_path / "pointloom"
+    shutil.copytree(Path(pointloom.__file__).parent, package, ignore=shutil.ignore_patterns("__pycache__"))
+    compileall.compile_dir(package, quiet=2, legacy=True)
+    for path in package.rglob(f"*{removed}"):
+        path.unlink()
+    program = f"import sys; sys.path.insert(0, {str(tmp_path)!r}); import pointloom; pointloom.PointCloud"
+    run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    last = run.stderr.splitlines()[-1]
+    assert last.startswith("ImportError") and name in last

@@ -1,0 +1,75 @@
+"""Triangles without area, triangles that name a vertex twice, and vertices that are not finite."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from pointloom.core.devices import resolve_device
+from pointloom.kernels.lang import float64, int32, uint8, vec3, vec3i
+from pointloom.kernels.memory import download, upload
+from pointloom.kernels.meshes.clean_triangles import join_masks, mask_repeats
+from pointloom.kernels.meshes.mesh_edges import MeshEdges, count_sharers
+from pointloom.kernels.meshes.mesh_edits import turn_normals
+from pointloom.kernels.meshes.mesh_measures import measure
+from pointloom.kernels.meshes.mixed_rows import in_triangles
+from pointloom.kernels.meshes.open_edges import OpenEdges
+from pointloom.kernels.meshes.pseudonormals import volume_of_shell
+
+CORNERS = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
+FACES = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+
+
+@pytest.fixture
+def put(device):
+    """A function that uploads an array of a given type to the device."""
+    place = resolve_device(device)
+    return lambda values, kind: upload(np.asarray(values), kind, place)
+
+
+def test_normals_without_length_stay_zero_or_nan(put):
+    normals = put([[0, 0, 0], [np.nan, 0, 1], [0, 0, 1]], vec3)
+    turned = download(turn_normals(normals, np.diag([1.0, 1.0, 5.0])))
+    np.testing.assert_array_equal(turned, [[0, 0, 0], [np.nan] * 3, [0, 0, 1]])
+
+
+def test_triangles_that_name_a_vertex_twice_repeat_their_rotations(put):
+    triangles = [[1, 2, 1], [1, 1, 2], [2, 1, 1], [2, 2, 1], [3, 3, 3], [3, 3, 3], [0, 1, 2], [0, 2, 1]]
+    assert download(mask_repeats(put(triangles, vec3i), 4)).tolist() == [0, 1, 1, 0, 0, 1, 0, 0]
+
+
+def test_a_triangle_that_has_an_edge_twice_counts_once(put):
+    edges = MeshEdges(put([[0, 1, 0], [0, 1, 2]], vec3i), 3)
+    found = {(a, b): n for a, b, n in zip(*map(download, (edges.lows, edges.highs, count_sharers(edges))), strict=True)}
+    assert found == {(0, 0): 1, (0, 1): 2, (1, 2): 1, (0, 2): 1}
+
+
+def test_open_half_edges_without_length_belong_to_no_edge(put):
+    found = OpenEdges(put([[0, 1, 1], [0, 1, 2]], vec3i), 3, put([0, 1, 0, 1, 1, 1], uint8))
+    assert found.count == 3 and sorted(download(found.halves)[: download(found.starts)[3]]) == [3, 4, 5]
+
+
+def test_masks_are_joined(put):
+    joined = join_masks(put([1, 0, 0, 0], uint8), put([0, 1, 0, 0], uint8), put([0, 1, 1, 0], uint8))
+    assert download(joined).tolist() == [1, 1, 1, 0]
+
+
+def test_vertices_in_triangles_are_mixed_from_the_corners_and_whole_numbers_are_of_the_nearest(put):
+    uvs = [[0.2, 0.1], [0.6, 0.2], [0.1, 0.7], [0.5, 0.5], [0.0, 0.5]]
+    made = in_triangles(put(FACES, vec3i), put([0, 0, 0, 1, 3], int32), put(uvs, float64))
+    assert download(made.nearest()).tolist() == [0, 2, 1, 1, 1]
+    expected = [[0.1, 0.2, 0], [0.2, 0.6, 0], [0.7, 0.1, 0], [0.5, 0, 0.5], [0.5, 0, 0.5]]
+    np.testing.assert_allclose(download(made.of(put(CORNERS.astype(float), float64))), expected, atol=1e-15)
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf])
+def test_a_triangle_with_a_corner_that_is_not_finite_adds_no_volume(put, bad):
+    """The tetrahedron alone encloses a volume; with a bad triangle beside it, it still has it but encloses none."""
+    corners, faces = np.vstack([CORNERS, [[bad, 0, 0]]]), np.vstack([FACES, [[1, 2, 4]]])
+    assert measure(put(corners, vec3), put(faces, vec3i))[1] == pytest.approx(1 / 6)
+    assert volume_of_shell(put(corners, vec3), put(faces, vec3i)) is None
+    assert volume_of_shell(put(CORNERS, vec3), put(FACES, vec3i)) == pytest.approx(1 / 6)
+
+
+def test_a_closed_mesh_without_area_encloses_no_volume(put):
+    assert volume_of_shell(put(CORNERS * [1, 0, 0], vec3), put(FACES, vec3i)) is None

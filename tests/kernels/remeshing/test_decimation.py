@@ -1,0 +1,27 @@
+"""Triangles that share no edge, triangles that are listed twice, and triangles that name a vertex twice."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from pointloom.core.devices import resolve_device
+from pointloom.kernels.lang import vec3, vec3i
+from pointloom.kernels.memory import download, upload
+from pointloom.kernels.remeshing.decimation import Decimation
+
+
+@pytest.mark.parametrize("target", [1, 2, 3])
+def test_the_smallest_of_lone_triangles_go_first(device, target):
+    """Four lone triangles, one of them without area. One is repeated, and one more names a vertex twice."""
+    place, sizes = resolve_device(device), np.array([3.0, 1.0, 0.0, 2.0])
+    corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]])
+    points = np.concatenate([corners * size + [10 * k, 0, 0] for k, size in enumerate(sizes)])
+    triangles = np.vstack([np.arange(12).reshape(4, 3), [[1, 2, 0]], [[3, 4, 3]]])
+    arrays = [upload(points, vec3, place)]
+    decimation = Decimation(upload(triangles, vec3i, place), arrays, [], None, None, target, np.inf, 1.0)
+    decimation.run()
+    found, (positions, *_), _, _ = decimation.result()
+    edges = download(positions)[download(found)]
+    areas = np.linalg.norm(np.cross(edges[:, 1] - edges[:, 0], edges[:, 2] - edges[:, 0]), axis=1)
+    np.testing.assert_allclose(np.sort(areas), np.sort(sizes**2)[-target:], rtol=1e-6)
