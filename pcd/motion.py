@@ -25,6 +25,10 @@ class Movable(ToldNames):
         """The middle [m], shape [3]."""
         raise NotImplementedError
 
+    def _finite_center(self) -> NDArray[np.float64]:
+        """The middle of what is finite [m], which motions start from."""
+        return self.get_center()
+
     def _mapped(self, name: str, T: NDArray[np.float64]) -> Self:
         """What it becomes under an affine map; errors call it by the argument that it was made of."""
         raise NotImplementedError
@@ -42,7 +46,7 @@ class Movable(ToldNames):
             [[-1.0, 0.0, 5.0], [1.0, 0.0, 5.0]]
         """
         step = check_finite("translation", check_shape("translation", translation, (3,)))
-        way = step if relative else step - self.get_center()
+        way = step if relative else step - self._finite_center()
         return self._mapped("translation", map_about(np.eye(3), np.zeros(3), way))
 
     @returns_new
@@ -75,7 +79,7 @@ class Movable(ToldNames):
         return self._mapped("scale, center", map_about(factor * np.eye(3), self._middle(center)))
 
     def _middle(self, center: ArrayLike | None) -> NDArray[np.float64]:
-        return self.get_center() if center is None else check_finite("center", check_shape("center", center, (3,)))
+        return self._finite_center() if center is None else check_finite("center", check_shape("center", center, (3,)))
 
 
 class Motion(Bounding, Movable):

@@ -100,7 +100,7 @@ def read_color(path: str | os.PathLike[str]) -> NDArray[np.uint8]:
 
 
 def decode_texture(path: str | os.PathLike[str], data: bytes) -> NDArray[np.uint8]:
-    """The bytes of a PNG or JPEG file as RGB, or RGBA where it has a channel of transparency; grey is replicated.
+    """The bytes of a PNG or JPEG file as RGB, or RGBA if it has transparency, by a channel or tRNS; gray is replicated.
 
     Args:
         path: The file, for errors.
@@ -114,7 +114,8 @@ def decode_texture(path: str | os.PathLike[str], data: bytes) -> NDArray[np.uint
     """
     header = _parse_header(path, io.BytesIO(data))
     check_color_header(path, header)
-    return _decode(path, data, header, "RGBA" if header.kind == "png" and header.channels in (2, 4) else "RGB")
+    has_alpha = header.kind == "png" and (header.channels in (2, 4) or b"tRNS" in data[: data.find(b"IDAT")])
+    return _decode(path, data, header, "RGBA" if has_alpha else "RGB")
 
 
 def encode_png(array: NDArray[np.uint8] | NDArray[np.uint16]) -> bytes:
@@ -230,7 +231,8 @@ def _decode_pixels(path: str | os.PathLike[str], data: bytes, header: PictureHea
         try:
             picture.load()
             if mode in ("RGB", "RGBA"):
-                picture.info.pop("transparency", None)  # a colour key or palette of alphas, dropped like any alpha
+                if mode == "RGB":
+                    picture.info.pop("transparency", None)  # a color key or palette of alphas, dropped like any alpha
                 pixels = np.array(picture if picture.mode == mode else picture.convert(mode))
             else:
                 pixels = np.array(picture).astype(np.uint16, copy=False)  # int32 in Pillow 10

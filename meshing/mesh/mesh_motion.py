@@ -75,6 +75,9 @@ class MeshMotion(MeshArrays, Movable):
             ValueError: A triangle has a corner that is not finite.
         """
         check_finite_corners("get_center", self)
+        return self._finite_center()
+
+    def _finite_center(self) -> NDArray[np.float64]:
         count, mean, _ = mean_and_covariance(self._arrays["vertices"])
         return mean + self._origin if count else np.zeros(3)
 

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import base64
+import io
 import json
 import re
 import sys
 
 import numpy as np
 import pytest
+from PIL import Image
 
 import pointloom as loom
 from pointloom.core.checks import check_textures
@@ -357,6 +359,20 @@ def test_the_alpha_of_a_texture_is_kept_as_its_material_shows_it(tmp_path, suffi
     raw = target.read_bytes()
     content = json.loads(raw if suffix == ".gltf" else raw[20 : 20 + int.from_bytes(raw[12:16], "little")])
     assert content["materials"][0].get("alphaMode") == again
+
+
+@pytest.mark.parametrize(("mode", "shape"), [("BLEND", (2, 2, 4)), ("OPAQUE", (2, 2, 3))])
+def test_transparency_of_a_palette_is_an_alpha(tmp_path, mode, shape):
+    picture = Image.new("P", (2, 2), 1)
+    picture.putpalette([255, 0, 0, 0, 0, 255])
+    file = io.BytesIO()
+    picture.save(file, "PNG", transparency=bytes([255, 80]))
+    scene = one_triangle(TEXCOORD_0=np.zeros((3, 2), "f4"), extra={"material": 0})
+    view = scene.bytes(file.getvalue())
+    look = {"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}, "alphaMode": mode}
+    scene.more = {"images": [{"bufferView": view}], "textures": [{"source": 0}], "materials": [look]}
+    (texture,) = read_glb(scene.write(tmp_path / "m.glb")).textures
+    assert texture.shape == shape and texture[0, 0].tolist() == [0, 0, 255, 80][: shape[2]]
 
 
 @pytest.mark.parametrize(("alpha", "shown"), [(0.4, 0), (0.6, None)])

@@ -125,6 +125,13 @@ def test_a_triangle_with_a_corner_that_is_not_finite_has_no_measures(measure, ar
         getattr(TriangleMesh(vertices, box.triangles), measure)(*args)
 
 
+def test_a_mesh_with_a_corner_that_is_not_finite_moves_about_its_finite_vertices(device):
+    mesh = TriangleMesh([[0, 0, 0], [2, 0, 0], [np.nan, 0, 0]], [[0, 1, 2]], device=device)
+    np.testing.assert_allclose(mesh.scale(2).vertices[:2], [[-1, 0, 0], [3, 0, 0]])
+    np.testing.assert_allclose(mesh.rotate(np.diag([-1, -1, 1])).vertices[:2], [[2, 0, 0], [0, 0, 0]], atol=1e-6)
+    np.testing.assert_allclose(mesh.translate([0, 0, 5], relative=False).vertices[:2], [[-1, 0, 5], [1, 0, 5]])
+
+
 def test_distances_from_a_mesh_with_a_corner_that_is_not_finite_are_refused_or_warned_of(device):
     box = TriangleMesh.create_box(device=device)
     broken = TriangleMesh(np.where(np.arange(8)[:, None] == 7, np.nan, box.vertices), box.triangles, device=device)
