@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_count, check_name, check_positive
 from ...core.errors import DatasetError, FileError
-from ...core.paths import path_of
+from ...core.paths import is_file, path_of
 from ..pictures.image_files import (
     PictureHeader,
     check_color_header,
@@ -299,7 +299,7 @@ def _open(
 def _is_whole(frame: FrameFiles, demand: Demand) -> bool:
     """Whether all pictures of a frame are there, which a list of names does not tell."""
     for path in (frame.depth, frame.color):
-        if path is not None and not path.is_file():
+        if path is not None and not is_file(path):
             demand.miss(path, "missing", "Bring it back, or take it off the list")
             return False
     return True
