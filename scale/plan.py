@@ -244,7 +244,10 @@ def allow_functions(manifest: Manifest, plan: Plan, functions: Iterable[UserFunc
 
     Raises:
         FileError: The plan names another function.
+        TypeError: `functions` is no list of functions.
     """
+    if callable(functions) or isinstance(functions, str):
+        raise TypeError(f"functions: expected a list of functions, got {shown(functions)}")
     try:
         resolve_functions(plan.steps, [*functions, *_passed.get(hash_of(manifest.plan), ())])
     except ValueError as error:
