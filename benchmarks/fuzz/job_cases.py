@@ -258,9 +258,7 @@ def _copy(path: Path) -> Any:
     try:
         yield folder
     except FileError as error:
-        if str(folder) in str(error) or "in.laz" in str(error) or "passwd" in str(error):
-            raise FileError(path, str(error)) from error
-        raise
+        raise FileError(path, str(error)) from error  # which names the manifest, a source of it, or a file of the job
 
 
 def _work_off(folder: Path) -> Path:
