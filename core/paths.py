@@ -48,3 +48,11 @@ def plain_name(path: Path, name: Any) -> str:
     if not isinstance(name, str) or name in ("", ".", "..") or any(sign in name for sign in "/\\\0"):
         raise FileError(path, f"expected a plain file name, got {name!r}")
     return name
+
+
+def is_file(path: Path) -> bool:
+    """True if the file exists; False for a name that no file can have, which a list of names may contain."""
+    try:
+        return path.is_file()
+    except (OSError, ValueError):
+        return False

@@ -292,7 +292,7 @@ class PointArrays(InUnit, CloudQuestions):
             ValueError: The cloud has no such attribute; the message ends in the remedy.
         """
         if name not in self._arrays:
-            raise ValueError(f"the cloud has no {name}: {remedy}")
+            raise ValueError(escaped(f"the cloud has no {name}: {remedy}"))
         return self._arrays[name]
 
     def search_tree(self) -> PointTree:

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from ..core.atomic import atomic_write
 from ..core.errors import FileError
+from ..core.paths import refuse_link
 from .manifest import DAMAGE
 
 LEFT, JOINED = "left", "joined"
@@ -41,7 +42,7 @@ def write_left(folder: Path, step: int, tile: int, arrays: dict[str, NDArray[Any
     """
     path = folder / LEFT / str(step) / f"{tile}.npy"
     try:
-        path.parent.mkdir(parents=True, exist_ok=True)
+        refuse_link(path.parent).mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise FileError(path.parent, f"cannot be made: {error.strerror or error}") from error
     with atomic_write(path) as file:

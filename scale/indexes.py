@@ -37,12 +37,16 @@ def files_of_index(path: Path) -> list[Path]:
         if not isinstance(href, str) or "://" in href or "\0" in href:
             remedy = "Download it, and make the index anew"
             raise FileError(path, f"lists {href!r}, which is no file on this machine", where=where, remedy=remedy)
-        file = (path.parent / href).resolve()
-        if not file.is_file():
-            file = (path.parent / unquote(href)).resolve()
+        try:
+            file = (path.parent / href).resolve()
+            if not file.is_file():
+                file = (path.parent / unquote(href)).resolve()
+            is_there = file.is_file()
+        except (OSError, ValueError) as error:  # a name that is too long, or has NUL once it is unquoted
+            raise FileError(path, f"lists {shown(href)}: {error}", where=where) from error
         if file.suffix.lower() not in SUFFIXES:
             raise FileError(path, f"lists {href}, which is neither .las nor .laz", where=where)
-        if not file.is_file():
+        if not is_there:
             raise FileError(path, f"lists {href}, which is not there", where=where, remedy=f"It should be at {file}")
         _check_item(path, items[number], file, where)
         files.append(file)

@@ -295,7 +295,7 @@ def told_as_file_errors(path: Path) -> Iterator[None]:
     """Turn what SQLite and the system raise over a file into a FileError."""
     try:
         yield
-    except sqlite3.Error as error:
+    except (sqlite3.Error, UnicodeDecodeError) as error:  # of a damaged schema, which SQLite quotes
         raise FileError(path, f"the manifest cannot be used: {error}") from error
     except FileError:
         raise

@@ -22,7 +22,7 @@ from .epochs import describe_epochs
 from .halos import far_files
 from .job_folder import check_folder, make_folder, nothing_left
 from .manifest import NAME, Manifest, canonical, damage_as_file_errors, files_of, hash_of, read_plan, write_manifest
-from .plan_check import MOST_TILES
+from .plan_check import MOST_TILES, OUTPUTS
 from .polygons import boxes_that_meet, in_survey, parse_area, to_json
 from .sources import check_alike, check_same, describe_all, given_as, list_files, warn_of_lost_records
 from .status import TileStatus, status_of
@@ -31,7 +31,6 @@ from .steps.parse import naming_file, parse_steps
 from .steps.step import Step
 
 POINTS = 2_000_000  # a tile, where nothing is said
-OUTPUTS = ("laz", "copc")
 MOST_POINTS = 8  # times the points of a usual tile that one may hold with its halo, and at least
 LEAST_POINTS = 4_000_000
 LEAST_LEVELS = 12  # of the search tree's curve, which order points that are equally near: 2^26 points a tile
@@ -245,7 +244,10 @@ def allow_functions(manifest: Manifest, plan: Plan, functions: Iterable[UserFunc
 
     Raises:
         FileError: The plan names another function.
+        TypeError: `functions` is no list of functions.
     """
+    if callable(functions) or isinstance(functions, str):
+        raise TypeError(f"functions: expected a list of functions, got {shown(functions)}")
     try:
         resolve_functions(plan.steps, [*functions, *_passed.get(hash_of(manifest.plan), ())])
     except ValueError as error:

@@ -9,6 +9,7 @@ from typing import Any
 from ..core.checks import shown
 
 MOST_TILES = 1 << 22
+OUTPUTS = ("laz", "copc")
 LARGEST = 1e300  # of all numbers, so that sums of them are finite
 
 Check = Callable[[Any], bool]
@@ -74,7 +75,7 @@ _PLAN: dict[str, Check] = {
     "most": _is_count,
     "levels": _is_count,
     "only": lambda value: value is None or (isinstance(value, list) and len(value) > 0),
-    "output": _is_text,
+    "output": lambda value: value in OUTPUTS,
 }
 _EPOCH: dict[str, Check] = {
     "paths": lambda value: isinstance(value, list) and all(map(_is_text, value)),

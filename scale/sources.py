@@ -51,6 +51,8 @@ def list_files(sources: Any) -> list[Path]:
     given: Iterable[Any] = [sources] if isinstance(sources, str | os.PathLike) else sources
     found: dict[Path, None] = {}
     for path in map(path_of, given):
+        if "\0" in str(path):
+            raise FileError(path, "is no path: it contains NUL")
         restore_folder(path)
         try:
             names = sorted(path.iterdir()) if path.is_dir() else None

@@ -20,7 +20,7 @@ from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.atomic import restore_folder
 from ...core.checks import check_count, check_name, check_positive
 from ...core.errors import DatasetError, FileError
-from ...core.paths import path_of
+from ...core.paths import is_file, path_of
 from ..pictures.image_files import (
     PictureHeader,
     check_color_header,
@@ -304,7 +304,7 @@ def _open(
 def _is_whole(frame: FrameFiles, demand: Demand) -> bool:
     """Whether all pictures of a frame are there, which a list of names does not tell."""
     for path in (frame.depth, frame.color):
-        if path is not None and not path.is_file():
+        if path is not None and not is_file(path):
             demand.miss(path, "missing", "Bring it back, or take it off the list")
             return False
     return True

@@ -30,6 +30,12 @@ def logged(text, capsys):
     return capsys.readouterr().err
 
 
+def missing(name):
+    with pytest.raises(ValueError, match="other") as caught:
+        loom.PointCloud(np.zeros((1, 3)), **{name: np.zeros(1)})["other"]
+    return str(caught.value)
+
+
 TEXTS = {
     "an error": lambda text, _: str(FileError(text, text, where=text, remedy=text)),
     "an error from another process": lambda text, _: str(pickle.loads(pickle.dumps(FileError(text, text)))),
@@ -39,6 +45,7 @@ TEXTS = {
     "a log": logged,
     "a job": lambda text, _: str(JobStatus("", "", "", 0, 0, 0, 0, 0, False, {text: text}, (text,))),
     "a cloud": lambda text, _: repr(loom.PointCloud(np.zeros((1, 3)), **{text: np.zeros(1)})),
+    "an attribute that is missing": lambda text, _: missing(text),
     "a recording": lambda text, _: repr(Recording(Path(text.replace("\0", "")), [])),
 }
 

@@ -246,3 +246,11 @@ def test_a_folder_of_frames_says_itself_in_one_line(tmp_path):
     dataset = open_dataset(make_tum(tmp_path / "set"), intrinsic=SMALL)
     size = f"{SMALL.width} x {SMALL.height}"
     assert repr(dataset) == f"RGBDDataset(tum, {len(dataset)} frames with poses, {size}, depth_scale 5000)"
+
+
+def test_a_list_with_a_name_that_no_file_can_have_is_an_error_that_names_it(tmp_path):
+    folder = make_tum(tmp_path / "set")
+    lines = (folder / "depth.txt").read_text().splitlines()
+    (folder / "depth.txt").write_text("\n".join([*lines[:-1], f"{lines[-1].split()[0]} {'n' * 5000}.png", ""]))
+    with pytest.raises(DatasetError, match=r"n\.png: missing"):
+        open_dataset(folder, intrinsic=SMALL)

@@ -319,6 +319,7 @@ PLANS = {
     "no origin": lambda plan: plan.pop("origin"),
     "a list for a source": lambda plan: plan["sources"].append([]),
     "a huge number": lambda plan: plan.update(slack=10**400),
+    "an unknown output": lambda plan: plan.update(output="x"),
     "a side of zero": lambda plan: plan.update(size=0.0),
     "an unknown step": lambda plan: (plan["steps"].append({"step": "shell"}), plan["guesses"].append(0.0)),
     "steps without names": lambda plan: plan.update(steps=[1]),

@@ -173,6 +173,7 @@ def test_an_index_stands_for_its_files(tmp_path):
         (lambda one: one["properties"].update({"proj:bbox": [10**400, 0, 0, 1, 1, 1]}), "too large"),
         (lambda one: one["assets"]["data"].update(href="\ud800.las"), "surrogates not allowed"),
         (lambda one: one["assets"]["data"].update(href="a\0.las"), "which is no file on this machine"),
+        (lambda one: one["assets"]["data"].update(href="a" * 5000 + ".las"), "too long"),
     ]:
         changed = json.loads(json.dumps(items))
         change(changed["features"][0])
