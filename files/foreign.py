@@ -60,7 +60,7 @@ def foreign_errors(path: Any, what: str, *, remedy: str = "") -> Iterator[None]:
             raise
         if stopped is not None:
             raise stopped from None
-        reason = str(error).split("\n")[0] or type(error).__name__
+        reason = str(error).split("\n")[0][:300] or type(error).__name__
         raise FileError(path, f"{what}: {reason}", remedy=remedy) from error
 
 

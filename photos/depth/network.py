@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import warnings
 from typing import Any
 
 import numpy as np
@@ -145,9 +144,7 @@ def _open_session(path: str, device: Any, threads: int) -> Any:
     options.log_severity_level = SILENT
     options.intra_op_num_threads = threads
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # of providers that fell away: looked at below
-            session = _start(ort, path, options, providers)
+        session = _start(ort, path, options, providers)
     except MemoryError:
         raise
     except Exception as error:
