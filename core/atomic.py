@@ -5,11 +5,12 @@ from __future__ import annotations
 import contextlib
 import errno
 import io
+import json
 import os
 import re
 import secrets
 import shutil
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import IO, Any
 
@@ -18,6 +19,7 @@ from .interrupts import signal_exception
 from .paths import path_of
 
 _REPLACE = "Give another name, or overwrite=True to replace it"
+_COMMITTED, _LIST = ".files.new", ".list.json"  # of files that are replaced together
 _MAX_ATTEMPTS = 5  # to replace a folder while another process restores the previous one
 
 
@@ -222,3 +224,68 @@ def _old_folders(path: Path) -> list[Path]:
     except OSError:
         return []
     return [Path(name) for _, name in sorted(found)]
+
+
+@contextlib.contextmanager
+def atomic_files(folder: Path, known: Sequence[str]) -> Iterator[Path]:
+    """A hidden folder whose files take their places in `folder` together when the block ends without an error.
+
+    All other `known` files of the folder are removed. If the process is killed meanwhile, `finish_files` goes on.
+
+    Args:
+        folder: An existing folder, which may contain other files too.
+        known: Names of the files that belong together. The last one is removed first and replaced last, so other
+            programs that need it never find files of two writers.
+
+    Raises:
+        FileError: A file cannot be written.
+    """
+    finish_files(folder, known)
+    part = part_name(folder / "files")
+    try:
+        part.mkdir()
+        yield part
+        names = sorted(path.name for path in part.iterdir())
+        for name in names:
+            if (mode := _mode_of(folder / name)) is not None:
+                (part / name).chmod(mode)
+        (part / _LIST).write_text(json.dumps(names), encoding="utf-8")
+        part.rename(folder / _COMMITTED)
+        try:
+            _finish_files(folder, known)
+        except FileNotFoundError:  # a reader finishes it too
+            if (folder / _COMMITTED).exists():
+                raise
+    except BaseException as error:
+        shutil.rmtree(part, ignore_errors=True)
+        if isinstance(error, OSError) and error.strerror:
+            raise FileError(folder, f"cannot be written: {error.strerror}") from error
+        raise
+
+
+def finish_files(folder: Path, known: Sequence[str]) -> None:
+    """Finish the replacement of files by a process that was killed. Call it before the files are looked for.
+
+    Nothing but files of the `known` names is touched, whatever the folder contains.
+    """
+    with contextlib.suppress(OSError, ValueError):  # a folder that is read-only, or another process is faster
+        _finish_files(folder, known)
+
+
+def _finish_files(folder: Path, known: Sequence[str]) -> None:
+    committed = folder / _COMMITTED
+    if not committed.is_dir():
+        return
+    listing = committed / _LIST
+    names = json.loads(listing.read_text(encoding="utf-8")) if listing.is_file() else []
+    if not isinstance(names, list) or not all(name in known for name in names):
+        raise ValueError(f"{listing}: expected names among {', '.join(known)}")
+    moved = [name for name in known if name in names and not (committed / name).is_file()]
+    for name in reversed(known) if names else ():
+        if name not in moved:
+            (folder / name).unlink(missing_ok=True)
+    for name in known:
+        if name in names and name not in moved:
+            (committed / name).replace(folder / name)
+    listing.unlink(missing_ok=True)
+    committed.rmdir()
