@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import contextlib
 import errno
+import functools
 import io
+import json
 import os
 import re
 import secrets
 import shutil
-from collections.abc import Iterator
+import sys
+from collections.abc import Generator, Iterator, Sequence
 from pathlib import Path
 from typing import IO, Any
 
@@ -18,6 +21,7 @@ from .interrupts import signal_exception
 from .paths import path_of
 
 _REPLACE = "Give another name, or overwrite=True to replace it"
+_COMMITTED, _LIST = ".files.new", ".list.json"  # of files that are replaced together
 _MAX_ATTEMPTS = 5  # to replace a folder while another process restores the previous one
 
 
@@ -47,15 +51,10 @@ def atomic_write(path: str | os.PathLike[str], *, overwrite: bool = True) -> Ite
     A new file gets the permissions that `open` would give it. A replaced file keeps its own.
     """
     path = check_writable(path, overwrite=overwrite)
-    handle, part = _create_part(path)
+    handled, mode, part, file = sys.exception(), _mode_of(path), part_name(path), None
+    opener = functools.partial(os.open, mode=0o666 if mode is None else mode)
     try:
-        file = _Written(io.FileIO(handle, "wb"))
-    except BaseException:
-        os.close(handle)
-        part.unlink(missing_ok=True)
-        raise
-    try:
-        with file:
+        with (file := _Written(io.FileIO(os.fspath(part), "x", opener=opener))):
             yield file
             file.flush()
         if file.failed is not None:  # a package caught it and went on
@@ -72,32 +71,24 @@ def atomic_write(path: str | os.PathLike[str], *, overwrite: bool = True) -> Ite
         raise FileError(path, "exists already", remedy=_REPLACE) from error
     except BaseException as error:
         part.unlink(missing_ok=True)
-        _raise_cause(path, error, file.failed)
+        failed = None if file is None else file.failed
+        for each in (error, failed):  # Ctrl-C or a time limit, although another error followed from it
+            stopped = None if each is None else signal_exception(each, handled)
+            if stopped is error:
+                raise
+            if stopped is not None and isinstance(error, Exception):
+                raise stopped from None
+        _raise_write_error(path, error, failed)
         raise
 
 
-def _raise_cause(path: Path, error: BaseException, failed: BaseException | None) -> None:
-    """Raise what stopped the writing, where `error` is another package's error that followed from it."""
-    if failed is not None and (not isinstance(failed, Exception) or signal_exception(failed) is failed):
-        if error is not failed and isinstance(error, Exception):
-            raise failed  # Ctrl-C or a time limit during a write
-        return
+def _raise_write_error(path: Path, error: BaseException, failed: BaseException | None) -> None:
+    """Raise what the system said, where `error` is another package's error that followed from it."""
+    if failed is not None and not isinstance(failed, Exception) and isinstance(error, Exception):
+        raise failed
     told = error if isinstance(error, OSError) else failed
     if isinstance(told, OSError) and told.strerror:
         raise FileError(path, f"cannot be written: {told.strerror}") from error
-
-
-def _create_part(path: Path) -> tuple[int, Path]:
-    """Create a temporary file beside a file, with that file's permissions or those that `open` gives to a new one.
-
-    `tempfile.mkstemp` gives other permissions, and the umask can be read only by changing it for all threads.
-    """
-    mode, part = _mode_of(path), part_name(path)
-    try:
-        flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)
-        return os.open(part, flags, 0o666 if mode is None else mode), part
-    except OSError as error:
-        raise FileError(path, f"cannot be written: {error.strerror or error}") from error
 
 
 def part_name(path: Path, ending: str = "part") -> Path:
@@ -113,16 +104,33 @@ def _mode_of(path: Path) -> int | None:
         return None
 
 
+_write = io.BufferedWriter.write
+
+
 class _Written(io.BufferedWriter):
-    """A file that stores the first exception of a write. Packages that write to it may raise another, or none."""
+    """A file that stores the exception that ended a write. Packages that write to it may raise another, or none."""
 
     failed: BaseException | None = None
 
-    def write(self, data: Any, /) -> int:
+    def __init__(self, raw: Any):
+        super().__init__(raw)
+        writing = self._writing()
+        next(writing)
+        self.write = writing.send  # type: ignore[method-assign, assignment]
+
+    def _writing(self) -> Generator[int, Any, None]:
+        """Writes of what is sent. A generator goes on inside of its try block, where a method would begin before it.
+
+        Signals are handled when a function begins, too.
+        """
         try:
-            return super().write(data)
+            count = 0
+            while True:
+                data = yield count
+                count = _write(self, data)
+                self.flush()  # handles signals, so a later `seek` of the package must not have to do it
         except BaseException as error:
-            self.failed = self.failed or error
+            self.failed = error
             raise
 
 
@@ -222,3 +230,68 @@ def _old_folders(path: Path) -> list[Path]:
     except OSError:
         return []
     return [Path(name) for _, name in sorted(found)]
+
+
+@contextlib.contextmanager
+def atomic_files(folder: Path, known: Sequence[str]) -> Iterator[Path]:
+    """A hidden folder whose files take their places in `folder` together when the block ends without an error.
+
+    All other `known` files of the folder are removed. If the process is killed meanwhile, `finish_files` goes on.
+
+    Args:
+        folder: An existing folder, which may contain other files too.
+        known: Names of the files that belong together. The last one is removed first and replaced last, so other
+            programs that need it never find files of two writers.
+
+    Raises:
+        FileError: A file cannot be written.
+    """
+    finish_files(folder, known)
+    part = part_name(folder / "files")
+    try:
+        part.mkdir()
+        yield part
+        names = sorted(path.name for path in part.iterdir())
+        for name in names:
+            if (mode := _mode_of(folder / name)) is not None:
+                (part / name).chmod(mode)
+        (part / _LIST).write_text(json.dumps(names), encoding="utf-8")
+        part.rename(folder / _COMMITTED)
+        try:
+            _finish_files(folder, known)
+        except FileNotFoundError:  # a reader finishes it too
+            if (folder / _COMMITTED).exists():
+                raise
+    except BaseException as error:
+        shutil.rmtree(part, ignore_errors=True)
+        if isinstance(error, OSError) and error.strerror:
+            raise FileError(folder, f"cannot be written: {error.strerror}") from error
+        raise
+
+
+def finish_files(folder: Path, known: Sequence[str]) -> None:
+    """Finish the replacement of files by a process that was killed. Call it before the files are looked for.
+
+    Nothing but files of the `known` names is touched, whatever the folder contains.
+    """
+    with contextlib.suppress(OSError, ValueError):  # a folder that is read-only, or another process is faster
+        _finish_files(folder, known)
+
+
+def _finish_files(folder: Path, known: Sequence[str]) -> None:
+    committed = folder / _COMMITTED
+    if not committed.is_dir():
+        return
+    listing = committed / _LIST
+    names = json.loads(listing.read_text(encoding="utf-8")) if listing.is_file() else []
+    if not isinstance(names, list) or not all(name in known for name in names):
+        raise ValueError(f"{listing}: expected names among {', '.join(known)}")
+    moved = [name for name in known if name in names and not (committed / name).is_file()]
+    for name in reversed(known) if names else ():
+        if name not in moved:
+            (folder / name).unlink(missing_ok=True)
+    for name in known:
+        if name in names and name not in moved:
+            (committed / name).replace(folder / name)
+    listing.unlink(missing_ok=True)
+    committed.rmdir()

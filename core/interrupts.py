@@ -19,13 +19,15 @@ def signal_exception(error: BaseException, handled: BaseException | None = None)
         handled: An exception that was being handled before the operation began. It is not searched.
 
     Returns:
-        The exception whose traceback contains a current signal handler, or None.
+        The exception whose traceback contains a current signal handler, a KeyboardInterrupt or SystemExit, or None.
     """
     handlers = _handler_codes()
     seen: set[int] = set()
     link: BaseException | None = error
     while link is not None and link is not handled and id(link) not in seen:
         seen.add(id(link))
+        if isinstance(link, KeyboardInterrupt | SystemExit):
+            return link
         trace = link.__traceback__
         while trace is not None:
             if trace.tb_frame.f_code in handlers:

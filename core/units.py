@@ -8,17 +8,20 @@ Source: EPSG register, units 9001 (metre), 9002 (foot), 9003 (US survey foot), 9
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 import math
 import sys
 import warnings
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextvars import ContextVar
 from typing import Any
 
 from .checks import check_positive, shown
 from .escaped_text import escaped
 
 SAME_SHARE = 1e-7  # by which a length may be rounded and still is that of a known unit: the two feet differ by 2e-6
+_silenced: ContextVar[tuple[type[Warning], ...]] = ContextVar("silenced", default=())
 _NEAR_SHARE = 1e-5  # by which a length of few digits may differ from that of the unit which the same place names
 
 
@@ -214,9 +217,23 @@ def common_unit(name: str, units: Iterable[LengthUnit | None]) -> LengthUnit | N
     return None
 
 
+@contextlib.contextmanager
+def without_warnings(category: type[Warning]) -> Iterator[None]:
+    """Silence a category of `warn_of_units` in the block, for this thread only.
+
+    `warnings.catch_warnings` would change the filters of all threads.
+    """
+    token = _silenced.set((*_silenced.get(), category))
+    try:
+        yield
+    finally:
+        _silenced.reset(token)
+
+
 def warn_of_units(message: str, category: type[Warning] = UnitWarning) -> None:
-    """Warn, at the line of the user's that led here."""
-    warnings.warn(escaped(message), category, stacklevel=_user_level())
+    """Warn, at the line of the user's that led here, unless `without_warnings` encloses the call."""
+    if not issubclass(category, _silenced.get()):
+        warnings.warn(escaped(message), category, stacklevel=_user_level())
 
 
 def asked_by_user() -> bool:

@@ -7,7 +7,6 @@ line, one parses all of them at once; only a file that fails is walked line by l
 from __future__ import annotations
 
 import re
-import warnings
 from collections.abc import Sequence
 from itertools import chain
 from typing import IO, Any
@@ -100,12 +99,10 @@ class AsciiRows:
         if not len(self._tokens):
             return np.empty(0)
         try:
-            with warnings.catch_warnings():
-                warnings.simplefilter("error")  # NumPy before 2.3 warns and stops at the first bad token
-                values = np.fromstring(self._body, dtype=np.float64, sep=" ")
+            values = np.fromstring(self._body, dtype=np.float64, sep=" ")
         except (ValueError, DeprecationWarning):
             raise self._bad_token() from None
-        if len(values) != len(self._tokens):  # "1-2" parses as two numbers
+        if len(values) != len(self._tokens):  # "1-2" parses as two numbers; NumPy before 2.3 stops at a bad token
             raise self._bad_token()
         self._check_infinities(values)
         return values

@@ -60,8 +60,24 @@ def foreign_errors(path: Any, what: str, *, remedy: str = "") -> Iterator[None]:
             raise
         if stopped is not None:
             raise stopped from None
-        reason = str(error).split("\n")[0] or type(error).__name__
+        reason = str(error).split("\n")[0][:300] or type(error).__name__
         raise FileError(path, f"{what}: {reason}", remedy=remedy) from error
+
+
+@contextlib.contextmanager
+def ignored_errors() -> Iterator[None]:
+    """Ignore the errors that another package raises for a part of a file that is not needed.
+
+    As with `foreign_errors`, a MemoryError and what a signal handler raised pass.
+    """
+    handled = sys.exception()
+    try:
+        yield
+    except MemoryError:
+        raise
+    except Exception as error:
+        if (stopped := signal_exception(error, handled)) is not None:
+            raise stopped from None
 
 
 def _is_panic(error: BaseException) -> bool:

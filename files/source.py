@@ -7,11 +7,13 @@ import functools
 import mmap
 import os
 import stat
+import sys
 from collections.abc import Callable, Iterator
 from typing import Any, ParamSpec, TypeVar
 
 from ..core.atomic import restore_folder
 from ..core.errors import FileError, PointloomError
+from ..core.interrupts import signal_exception
 from ..core.paths import path_of
 
 # A header without an end would otherwise be searched through gigabytes of payload; real ones stay below 100 KiB.
@@ -33,6 +35,7 @@ def content_errors(path: Any) -> Iterator[None]:
     The readers say themselves what is wrong and where; this is the net below them. A bug shows as it is: an IndexError
     or a TypeError passes.
     """
+    handled = sys.exception()
     try:
         yield
     except PointloomError:
@@ -41,6 +44,7 @@ def content_errors(path: Any) -> Iterator[None]:
         remedy = "Part it into smaller files, or read it on a machine with more"
         raise FileError(path, "needs more memory than there is", remedy=remedy) from error
     except (ValueError, ArithmeticError, RecursionError) as error:
+        _pass_signals(error, handled)
         reason = str(error).split("\n")[0] or type(error).__name__
         raise FileError(path, f"cannot be read: {reason}"[:300]) from error
 
@@ -67,6 +71,7 @@ def open_source(path: str | os.PathLike[str]) -> Source:
     """
     path = path_of(path)
     restore_folder(path.parent)
+    handled = sys.exception()
     try:
         status = path.stat()
         if stat.S_ISDIR(status.st_mode):
@@ -85,7 +90,14 @@ def open_source(path: str | os.PathLike[str]) -> Source:
     except (OSError, ValueError) as error:
         if isinstance(error, FileError):
             raise
+        _pass_signals(error, handled)
         raise FileError(path, f"cannot be read: {getattr(error, 'strerror', None) or error}") from error
+
+
+def _pass_signals(error: BaseException, handled: BaseException | None) -> None:
+    """Raise what a signal handler raised, if an error follows from that."""
+    if (stopped := signal_exception(error, handled)) is not None:
+        raise stopped from None
 
 
 def parse_whole(path: Any, text: str, what: str, line: int, *, maximum: int = 10**_MAX_DIGITS) -> int:

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import os
-import warnings
 from collections.abc import Iterable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
@@ -18,7 +17,7 @@ from ...core.errors import FilePath
 from ...core.progress import ReportProgress
 from ...core.reports import Fields, Report, values_of
 from ...core.timing import Clock
-from ...core.units import LengthUnit, UnitWarning, symbol_of
+from ...core.units import LengthUnit, UnitWarning, symbol_of, without_warnings
 from ...core.wording import plain
 from ...files.meshes import tables
 from ...files.meshes.mesh_formats import UPRIGHT, turned_up
@@ -203,9 +202,7 @@ class Job:
         if told:
             self.tell(name, 0, 0)
         self.clock.restart()
-        with warnings.catch_warnings():
-            if judged:
-                warnings.simplefilter("ignore", UnitWarning)
+        with without_warnings(UnitWarning) if judged else nullcontext():
             yield
         self.clock.stop(name)
 

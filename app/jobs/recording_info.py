@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import dataclasses
-import warnings
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from ...core.reports import Fields
-from ...files.bags.recording import RecordingWarning, open_recording
+from ...files.bags.recording import read_recording
 from .facts import Facts
 
 
@@ -37,7 +36,5 @@ class RecordedTopics(Facts):
 
 def describe_recording(path: Path) -> RecordedTopics:
     """The topics; that it is damaged stands among the facts."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", RecordingWarning)
-        recording = open_recording(path)
+    recording = read_recording(path)
     return RecordedTopics(len(recording), [dataclasses.asdict(topic) for topic in recording.topics], recording.damage)

@@ -14,6 +14,7 @@ from typing import Any
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.trajectory import Trajectory
+from ...core.atomic import restore_folder
 from ...core.checks import check_count, check_positive
 from ...core.errors import FileError
 from ...core.escaped_text import escaped
@@ -355,7 +356,17 @@ def open_recording(path: str | os.PathLike[str]) -> Recording:
         ...
         pointloom.core.errors.FileError: run.mcap: does not exist
     """
+    recording = read_recording(path)
+    if recording.damage:
+        message = f"{recording.path}: {recording.damage}; {len(recording)} messages are left"
+        warnings.warn(message, RecordingWarning, stacklevel=2)
+    return recording
+
+
+def read_recording(path: str | os.PathLike[str]) -> Recording:
+    """As `open_recording`, without a warning of damage."""
     place = path_of(path)
+    restore_folder(place)
     files = [place]
     if place.is_dir():
         files = sorted((file for file in place.iterdir() if file.suffix in (".db3", ".mcap")), key=natural_key)
@@ -370,8 +381,6 @@ def open_recording(path: str | os.PathLike[str]) -> Recording:
     recording = Recording(place, [_READERS[file.suffix.lower()](file) for file in files])
     if not len(recording):
         raise FileError(place, f"holds no message{'; ' + recording.damage if recording.damage else ''}")
-    if recording.damage:
-        warnings.warn(escaped(f"{place}: {recording.damage}; {len(recording)} messages are left"), RecordingWarning, 2)
     return recording
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import importlib
 import os
+import sys
 from collections.abc import Iterator
 from typing import Any, Self
 
@@ -13,6 +14,7 @@ import numpy as np
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_positive, shown
 from ...core.errors import CameraError
+from ...core.interrupts import signal_exception
 from .datasets import Frame
 from .frame_checks import checked_frame
 from .frame_times import TimeWatch
@@ -45,12 +47,15 @@ def recording_path(file: Any) -> str | None:
 
 @contextlib.contextmanager
 def driver_errors(what: str, remedy: str) -> Iterator[None]:
-    """Turn whatever a driver raises into a CameraError."""
+    """Turn whatever a driver raises into a CameraError, but not what a signal handler raises meanwhile."""
+    handled = sys.exception()
     try:
         yield
     except (CameraError, MemoryError, TypeError):
         raise
     except Exception as error:
+        if (stopped := signal_exception(error, handled)) is not None:
+            raise stopped from None
         reason = (str(error).split("\n")[0] or type(error).__name__).rstrip(".")
         raise CameraError(f"{what}: {reason}. {remedy}") from error
 

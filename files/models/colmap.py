@@ -6,14 +6,12 @@ Read are COLMAP's own files since version 3, and those of programs that write it
 
 from __future__ import annotations
 
-import contextlib
 import os
 from pathlib import Path
 from types import ModuleType
-from typing import Any
 
 from ...cameras.camera_models import MODELS
-from ...core.atomic import atomic_write
+from ...core.atomic import atomic_files, atomic_write, finish_files
 from ...core.checks import check_name
 from ...core.errors import FileError
 from ...core.paths import path_of
@@ -24,6 +22,7 @@ from .sfm_model import SfmModel
 FORMS: dict[str, ModuleType] = {"bin": colmap_binary, "txt": colmap_text}
 FILES = ("cameras", "images", "points3D")
 BESIDE = ("rigs", "frames")  # of COLMAP 4: true of the model that they were written with alone
+_KNOWN = tuple(f"{name}.{form}" for name in ("cameras", "points3D", *BESIDE, "images") for form in FORMS)
 PLACES = ("sparse/0", "sparse", "0", "dense/sparse")  # where a project keeps its model
 
 
@@ -98,6 +97,7 @@ def _numbered(folder: Path) -> list[Path]:
 
 
 def _files_of(folder: Path) -> list[str]:
+    finish_files(folder, _KNOWN)
     return [f"{name}.{form}" for form in FORMS for name in FILES if (folder / f"{name}.{form}").is_file()]
 
 
@@ -138,8 +138,8 @@ def write_colmap_model(
         FileError: The place cannot be written, or holds a model that may not be replaced.
 
     Notes:
-        Whole or not at all: all files are written beside their places first; images.* goes first from an old model and
-        comes last to the new one, and a folder without it is none. Pictures, cameras and points are numbered from 1
+        Atomic: all files are written to a hidden folder first and then take their places. If the process is killed
+        meanwhile, the next read or write of the folder finishes that. Pictures, cameras and points are numbered from 1
         in their order here. All digits are kept; rotations, quaternions there, come back within 1e-15.
 
     Example:
@@ -158,19 +158,14 @@ def write_colmap_model(
     folder = path_of(folder)
     is_new = _prepare(folder, overwrite)
     write, records = FORMS[format], records_of(model)
-    stale = [folder / f"{name}.{form}" for name in ("images", *FILES, *BESIDE) for form in FORMS]
+    writers = {"cameras": write.write_cameras, "images": write.write_pictures, "points3D": write.write_points}
     try:
-        with contextlib.ExitStack() as parts:
-            files: dict[str, Any] = {}
-            for name in ("images", "points3D", "cameras"):  # they take their names from the last to the first
-                files[name] = parts.enter_context(atomic_write(folder / f"{name}.{format}"))
-            write.write_cameras(files["cameras"], records)
-            write.write_pictures(files["images"], records)
-            write.write_points(files["points3D"], records)
-            for file in files.values():
-                file.flush()
-            for path in stale:
-                path.unlink(missing_ok=True)
+        with atomic_files(folder, _KNOWN) as part:
+            for name, write_file in writers.items():
+                with atomic_write(part / f"{name}.{format}") as file:
+                    write_file(file, records)
+    except FileError as error:
+        raise FileError(folder, error.reason, remedy=error.remedy) from error
     except OSError as error:
         raise FileError(folder, f"cannot be written: {error.strerror or error}") from error
     finally:

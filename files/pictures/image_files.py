@@ -21,6 +21,8 @@ from PIL import Image, ImageFile, JpegImagePlugin, PngImagePlugin
 from ...core.atomic import atomic_write, check_writable
 from ...core.errors import FileError
 from ...core.paths import path_of
+from ..foreign import foreign_errors
+from ..npy_header import read_npy_header
 from ..source import Source
 from .jpeg_scans import JPEG_MAGIC, testable_jpegs
 from .png_stream import PNG_MAGIC, parse_png_header, whole_png
@@ -227,19 +229,14 @@ def _decode(path: str | os.PathLike[str], data: bytes, header: PictureHeader, mo
 
 def _decode_pixels(path: str | os.PathLike[str], data: bytes, header: PictureHeader, mode: str) -> NDArray:
     plugin = PngImagePlugin.PngImageFile if header.kind == "png" else JpegImagePlugin.JpegImageFile
-    with _open_picture(path, io.BytesIO(data), plugin) as picture:
-        try:
-            picture.load()
-            if mode in ("RGB", "RGBA"):
-                if mode == "RGB":
-                    picture.info.pop("transparency", None)  # a color key or palette of alphas, dropped like any alpha
-                pixels = np.array(picture if picture.mode == mode else picture.convert(mode))
-            else:
-                pixels = np.array(picture).astype(np.uint16, copy=False)  # int32 in Pillow 10
-        except MemoryError:
-            raise
-        except Exception as error:  # decoders raise what they like on bad data
-            raise FileError(path, f"damaged picture: {error}"[:300]) from error
+    with _open_picture(path, io.BytesIO(data), plugin) as picture, foreign_errors(path, "damaged picture"):
+        picture.load()
+        if mode in ("RGB", "RGBA"):
+            if mode == "RGB":
+                picture.info.pop("transparency", None)  # a color key or palette of alphas, dropped like any alpha
+            pixels = np.array(picture if picture.mode == mode else picture.convert(mode))
+        else:
+            pixels = np.array(picture).astype(np.uint16, copy=False)  # int32 in Pillow 10
     expected = (header.height, header.width, *({"RGB": (3,), "RGBA": (4,)}.get(mode, ())))
     if pixels.shape != expected:
         raise FileError(path, f"damaged picture: decodes to shape {list(pixels.shape)}, expected {list(expected)}")
@@ -250,24 +247,14 @@ def _open_picture(
     path: str | os.PathLike[str], file: IO[bytes], plugin: type[ImageFile.ImageFile]
 ) -> ImageFile.ImageFile:
     """The picture by its own class: `Image.open` would guess the kind and warn of sizes that are allowed here."""
-    try:
+    with foreign_errors(path, "damaged picture"):
         return plugin(file)
-    except MemoryError:
-        raise
-    except Exception as error:  # decoders raise what they like on bad data
-        raise FileError(path, f"damaged picture: {error}"[:300]) from error
 
 
 def _decode_npy(path: str | os.PathLike[str], data: bytes) -> NDArray[np.float32]:
     file = io.BytesIO(data)
-    try:
-        version = np.lib.format.read_magic(file)
-        read = np.lib.format.read_array_header_1_0 if version == (1, 0) else np.lib.format.read_array_header_2_0
-        shape, fortran_order, dtype = read(file)
-    except MemoryError:
-        raise
-    except Exception as error:  # the header is Python source, with all that may go wrong there
-        raise FileError(path, f"damaged .npy header: {error}"[:300]) from error
+    with foreign_errors(path, "damaged .npy header", remedy="Save the array again"):
+        shape, fortran_order, dtype = read_npy_header(file)
     if any(isinstance(extent, bool) for extent in shape):  # Python takes True for 1
         raise FileError(path, f"damaged .npy header: its shape is {shape}", remedy="Save the array again")
     if len(shape) != 2 or dtype.kind != "f" or dtype.itemsize != 4:

@@ -21,7 +21,7 @@ from PIL import Image, TiffImagePlugin, WebPImagePlugin
 
 from ...core.errors import FileError, FilePath
 from ...core.paths import path_of
-from ..foreign import foreign_errors, import_for
+from ..foreign import foreign_errors, ignored_errors, import_for
 from .image_files import PIXEL_LIMIT, PictureHeader
 from .raw_extents import check_extents
 
@@ -103,7 +103,7 @@ def read_exif(path: FilePath) -> Image.Exif:
     kind = KINDS.get(Path(path).suffix.lower())
     exif = Image.Exif()
     # EXIF is written by all sorts of programs; what makes no sense says nothing
-    with contextlib.suppress(Exception):
+    with ignored_errors():
         if kind in ("dng", "tiff"):  # what EXIF is made of
             exif.load(b"Exif\0\0" + path_of(path).read_bytes())
             exif.get_ifd(_INNER)
@@ -122,7 +122,7 @@ def read_exif(path: FilePath) -> Image.Exif:
 
 def orientation_of(exif: Image.Exif) -> int:
     """How a picture lies: 1 upright, or unknown."""
-    with contextlib.suppress(Exception):
+    with ignored_errors():
         orientation = int(exif.get(_ORIENTATION, 1))
         return orientation if 1 <= orientation <= 8 else 1
     return 1

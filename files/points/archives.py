@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from ...core.atomic import atomic_write
 from ...core.errors import FileError
 from ...core.paths import path_of
+from ..foreign import foreign_errors
 from .npz import read_member
 
 Arrays = dict[str, NDArray[Any]]
@@ -90,9 +91,11 @@ def rows_of(arrays: Arrays, name: str) -> int:
 
 def _read_members(path: str | os.PathLike[str], what: str) -> Arrays:
     """The arrays of an NPZ archive, none of which is allocated before its sizes are known to be true."""
+    remedy = "The file may be truncated"
     try:
         arrays = {}
-        with path_of(path).open("rb") as file, zipfile.ZipFile(file) as archive:
+        errors = foreign_errors(path, f"cannot be read as a {what}", remedy=remedy)
+        with path_of(path).open("rb") as file, errors, zipfile.ZipFile(file) as archive:
             if min((info.header_offset for info in archive.infolist()), default=0) or not _ends_archive(file):
                 raise FileError(path, "bytes stand before or behind the archive", remedy="Copy the file again")
             for info in archive.infolist():
@@ -101,14 +104,12 @@ def _read_members(path: str | os.PathLike[str], what: str) -> Arrays:
                     raise FileError(path, f"member {name!r} is there twice")
                 arrays[name] = read_member(path, archive, info, name)
         return arrays
-    except FileError:
-        raise
     except FileNotFoundError as error:
         raise FileError(path, "no such file") from error
+    except OSError as error:
+        raise FileError(path, f"cannot be read as a {what}: {error.strerror or error}", remedy=remedy) from error
     except MemoryError as error:
         raise MemoryError(f"{path}: the memory does not hold the {what}") from error
-    except Exception as error:  # zipfile raises some ten types on damaged archives, not all of them documented
-        raise FileError(path, f"cannot be read as a {what}: {error}", remedy="The file may be truncated") from error
 
 
 def _ends_archive(file: IO[bytes]) -> bool:

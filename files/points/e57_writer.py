@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import os
 import shutil
-import tempfile
 import uuid
 from collections.abc import Sequence
 from pathlib import Path
@@ -20,7 +19,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.atomic import atomic_write, check_writable
+from ...core.atomic import atomic_write, check_writable, part_name
 from ...core.coordinates import quiet
 from ...core.errors import FileError
 from ...core.quaternions import rotations_to_quaternions
@@ -79,12 +78,16 @@ def _in_scan(columns: dict[str, NDArray[Any]], pose: NDArray[np.float64]) -> dic
 def write_scans(path: Path, scans: Sequence[Scan], *, overwrite: bool) -> None:
     """Write scans, each of a name, columns by E57's names and a pose or None; the file appears whole or not at all."""
     libe57 = import_for(path, "pye57.libe57", "e57")
-    with tempfile.TemporaryDirectory(prefix=".pointloom-", dir=path.parent) as folder:  # libE57 opens files by name
-        part = Path(folder, "part.e57")
+    folder = part_name(path)
+    part = folder / "part.e57"  # libE57 opens files by name
+    try:
         with foreign_errors(path, "cannot be written"):
+            folder.mkdir(0o700)
             _write_image(libe57, part, scans)
         with atomic_write(path, overwrite=overwrite) as file, part.open("rb") as source:
             shutil.copyfileobj(source, file, 1 << 20)
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
 
 
 def check_e57(path: Any, table: PointTable) -> PointTable:

@@ -13,7 +13,6 @@ from __future__ import annotations
 
 import math
 import os
-import warnings
 import zipfile
 from collections.abc import Collection
 from pathlib import Path
@@ -29,6 +28,8 @@ from ...core.paths import path_of
 from ...core.units import KNOWN, LengthUnit, text_of, unit_of_text
 from ..attribute_names import NameRules
 from ..columns import stack_colors, stack_normals
+from ..foreign import foreign_errors
+from ..npy_header import read_npy_header
 from ..source import open_source
 from ..table import PointTable
 
@@ -75,7 +76,7 @@ def read_arrays(path: Path, wanted: Collection[str] | None = None) -> dict[str, 
         where = f"byte {len(source)}"
         raise FileError(path, "is no NPZ archive, or is truncated, or bytes follow its end", where=where)
     try:
-        with zipfile.ZipFile(path) as archive:
+        with foreign_errors(path, "is no intact NPZ archive"), zipfile.ZipFile(path) as archive:
             arrays = {}
             for info in archive.infolist():
                 name = info.filename.removesuffix(".npy")
@@ -87,12 +88,8 @@ def read_arrays(path: Path, wanted: Collection[str] | None = None) -> dict[str, 
             begin = min((info.header_offset for info in archive.infolist()), default=0)
             if begin:
                 raise FileError(path, f"{begin} bytes stand before the archive", where="byte 0")
-    except FileError:
-        raise
     except MemoryError as error:
         raise MemoryError(f"{path}: the memory does not hold its arrays; read it on a machine with more") from error
-    except Exception as error:  # zipfile raises some ten types on damaged archives, not all of them documented
-        raise FileError(path, f"is no intact NPZ archive: {error}") from error
     return arrays
 
 
@@ -167,19 +164,8 @@ def read_member(path: Any, archive: zipfile.ZipFile, info: zipfile.ZipInfo, name
 
 
 def _read_array_header(path: Any, stream: IO[bytes], name: str) -> tuple[tuple[int, ...], bool, np.dtype[Any]]:
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # the header is a Python literal; damaged ones can warn as such
-            version = np.lib.format.read_magic(stream)
-            if version == (1, 0):
-                return np.lib.format.read_array_header_1_0(stream)
-            if version == (2, 0):
-                return np.lib.format.read_array_header_2_0(stream)
-    except (zipfile.BadZipFile, MemoryError):
-        raise
-    except Exception as error:  # whatever evaluating a damaged literal may raise
-        raise FileError(path, f"{name}: the array's header is damaged: {error}") from error
-    raise FileError(path, f"{name}: unknown version {version} of the .npy format")
+    with foreign_errors(path, f"{name}: the array's header is damaged"):
+        return read_npy_header(stream)
 
 
 def _table(path: Any, arrays: dict[str, NDArray[Any]]) -> PointTable:

@@ -186,7 +186,7 @@ class _Search:
     problem = "none is installed"
 
 
-def archive() -> Archive | None:
+def archive(*, warns: bool = True) -> Archive | None:
     """The archive that fits what is installed; one that does not is named in a warning, once."""
     if not _Search.done:
         _Search.done = True
@@ -199,13 +199,15 @@ def archive() -> Archive | None:
             except Exception as error:  # zipfile raises some ten types on damaged archives
                 problem = f"cannot be read: {type(error).__name__}: {error}"
             if problem:
-                refuse(path, problem)
+                refuse(path, problem, warns=warns)
     return _Search.found
 
 
-def refuse(path: Path, problem: str) -> None:
+def refuse(path: Path, problem: str, *, warns: bool = True) -> None:
     """Use no archive from now on, and say why."""
     _Search.done, _Search.found, _Search.problem = True, None, f"{path}: {problem}"
+    if not warns:
+        return
     warnings.warn(
         f"kernels compiled ahead are not used: {path}: {problem}. They are compiled here when first needed, which "
         f"takes seconds each; install those that belong to this pointloom, or set {VARIABLE} to nothing",
@@ -216,7 +218,5 @@ def refuse(path: Path, problem: str) -> None:
 
 def described() -> str:
     """Which archive this process uses, or why none."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        found = archive()
+    found = archive(warns=False)
     return f"{found.path} for {', '.join(map(str, found.architectures))}" if found else f"none: {_Search.problem}"

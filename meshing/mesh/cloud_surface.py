@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -12,6 +11,7 @@ import numpy as np
 
 from ...core.checks import check_count, check_name, check_positive, check_progress, check_share
 from ...core.progress import ReportProgress
+from ...core.units import without_warnings
 from ...kernels.memory import download
 from ...kernels.rays.surface_hausdorff import distances_to
 from ...kernels.rays.triangle_tree import TriangleTree
@@ -176,8 +176,7 @@ def _make(points: PointCloud, method: str, settings: dict[str, Any]) -> _Made:
         return _Made(TriangleMesh.from_point_cloud_ball_pivoting(points, settings["radii"]))
     if method == "alpha":
         return _Made(TriangleMesh.from_point_cloud_alpha_shape(points, settings["alpha"]))
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", NormalsWarning)  # the verdict says so
+    with without_warnings(NormalsWarning):  # the verdict says so
         mesh, densities = TriangleMesh.from_point_cloud_poisson(points, depth=settings["depth"])
 
     def cut(quantile: float) -> TriangleMesh:

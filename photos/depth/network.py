@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-import warnings
+import sys
 from typing import Any
 
 import numpy as np
@@ -13,6 +13,7 @@ from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_count, shown
 from ...core.devices import resolve_device
 from ...core.errors import DeviceError, FileError
+from ...core.interrupts import signal_exception
 from ...files.foreign import import_for
 from ...files.source import content_errors, open_source
 from .inputs import Map, Placement, place, prepare
@@ -122,9 +123,12 @@ class DepthModel:
         batch = values[(None,) * (2 if signature.has_views else 1)].astype(TYPES[signature.type])
         numbers = {name: np.array(number, np.int64).reshape(shape) for name, number, shape in signature.numbers}
         roles, names = zip(*signature.outputs.items(), strict=True)
+        handled = sys.exception()
         try:
             given = self._session.run(list(names), {signature.input: batch, **numbers})
         except Exception as error:  # onnxruntime's own classes, one a kind of failure
+            if (stopped := signal_exception(error, handled)) is not None:
+                raise stopped from None
             reason = f"fails on an input of {list(batch.shape)}: {_first_line(error)}"
             raise FileError(self.path, reason, remedy=NOT_THE_MODEL) from error
         outputs = dict(zip(roles, given, strict=True))
@@ -144,13 +148,14 @@ def _open_session(path: str, device: Any, threads: int) -> Any:
     options.use_deterministic_compute = True
     options.log_severity_level = SILENT
     options.intra_op_num_threads = threads
+    handled = sys.exception()
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # of providers that fell away: looked at below
-            session = _start(ort, path, options, providers)
+        session = _start(ort, path, options, providers)
     except MemoryError:
         raise
     except Exception as error:
+        if (stopped := signal_exception(error, handled)) is not None:
+            raise stopped from None
         text = str(error)
         remedy = next((remedy for part, remedy in _REMEDIES if part in text), "Fetch or export the file again")
         raise FileError(path, f"no ONNX model that can be used: {_first_line(error)}", remedy=remedy) from error
@@ -166,7 +171,7 @@ def _start(ort: Any, path: str, options: Any, providers: list[Any]) -> Any:
     """A session; on the CPU where the first provider fails, as onnxruntime has it, but without its banner on stdout."""
     try:
         return ort.InferenceSession(path, options, providers=providers, enable_fallback=0)
-    except (ValueError, RuntimeError):
+    except (ValueError, RuntimeError, Warning):  # a warning where the program makes errors of them
         if providers == [CPU]:
             raise
         return ort.InferenceSession(path, options, providers=[CPU], enable_fallback=0)

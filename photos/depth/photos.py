@@ -15,6 +15,7 @@ from PIL import JpegImagePlugin, PngImagePlugin
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_numeric, shown
 from ...core.paths import path_of
+from ...files.foreign import ignored_errors
 from ...files.pictures.image_files import PIXEL_LIMIT, read_color, read_depth, read_picture_header
 
 SUFFIXES = (".png", ".jpg", ".jpeg")
@@ -97,14 +98,10 @@ def _read_photo(path: str | os.PathLike[str]) -> Photo:
 def _exif_tags(path: Any, kind: str) -> dict[int, Any]:
     """What a camera wrote into a picture; nothing where that is damaged, since the pixels are right without it."""
     plugin = PngImagePlugin.PngImageFile if kind == "png" else JpegImagePlugin.JpegImageFile
-    try:
-        with path_of(path).open("rb") as file, plugin(file) as picture:
-            exif = picture.getexif()
-            return {**exif, **exif.get_ifd(_EXIF_IFD)}
-    except MemoryError:
-        raise
-    except Exception:  # parsers of it raise what they like on bad data
-        return {}
+    with ignored_errors(), path_of(path).open("rb") as file, plugin(file) as picture:
+        exif = picture.getexif()
+        return {**exif, **exif.get_ifd(_EXIF_IFD)}
+    return {}
 
 
 def _exif_focal(tags: dict[int, Any], width: int, height: int) -> float | None:

@@ -9,7 +9,6 @@ the scale of the world.
 from __future__ import annotations
 
 import dataclasses
-import warnings
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -25,6 +24,7 @@ from ...core.dropped_results import returns_new
 from ...core.errors import FileError, FilePath, values_of_file
 from ...core.paths import path_of
 from ...core.progress import ReportProgress
+from ...core.units import without_warnings
 from ...files.models.sfm_model import SfmModel
 from ...files.points.npz import read_arrays
 from ...kernels.images.depth import PixelGrid, pixel_normals
@@ -130,8 +130,7 @@ class DepthBundle:
         least = check_share("min_confidence", min_confidence)
         maps = self.maps
         if len(maps) > 1:
-            with warnings.catch_warnings():
-                warnings.filterwarnings("ignore", "hardly any depth is confirmed")
+            with without_warnings(UserWarning):  # an error follows
                 maps = filter_depth_maps(
                     self.maps, min_views=1, max_relative=max_relative, min_confidence=least, device=device
                 )

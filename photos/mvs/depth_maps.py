@@ -22,6 +22,7 @@ from ...core.checks import check_finite, check_numeric
 from ...core.errors import FileError, FilePath
 from ...core.json_files import check_keys, read_json_object
 from ...core.paths import path_of
+from ...files.foreign import foreign_errors
 from ...files.points.npz import read_member
 from .posed_pictures import PosedCamera, check_cameras, check_sources
 
@@ -230,21 +231,19 @@ def _write_map(path: Path, each: DepthMap) -> None:
 def _read_map(path: Path, intrinsic: PinholeCameraIntrinsic) -> DepthMap:
     arrays = {}
     try:
-        with zipfile.ZipFile(path) as archive:
+        with (
+            path.open("rb") as file,
+            foreign_errors(path, "is no intact archive", remedy=AGAIN),
+            zipfile.ZipFile(file) as archive,
+        ):
             names = [info.filename for info in archive.infolist()]
             if names != [f"{name}.npy" for name in _MEMBERS]:
                 raise FileError(path, f"expected the arrays {', '.join(_MEMBERS)}, found {names}", remedy=AGAIN)
             for info in archive.infolist():
                 name = info.filename.removesuffix(".npy")
                 arrays[name] = read_member(path, archive, info, name)
-    except FileError:
-        raise
     except OSError as error:
         raise FileError(path, f"cannot be read: {error.strerror or error}", remedy=AGAIN) from error
-    except MemoryError:
-        raise
-    except Exception as error:  # zipfile raises some ten types on damaged archives, not all of them documented
-        raise FileError(path, f"is no intact archive: {error}", remedy=AGAIN) from error
     size = (intrinsic.height, intrinsic.width)
     shapes = (size, (size[0] * size[1], 3), size)
     for (name, values), shape in zip(arrays.items(), shapes, strict=True):

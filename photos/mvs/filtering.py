@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import warnings
 from collections.abc import Iterator
 from typing import Any
 
@@ -15,6 +14,7 @@ from ...core.checks import check_count, check_positive, check_progress, check_sh
 from ...core.devices import resolve_device
 from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
+from ...core.units import warn_of_units
 from ...kernels.lang import float32, vec3
 from ...kernels.memory import download, upload
 from ...kernels.stereo.depth_checks import NEIGHBORS, DepthChecks, Pair, support_depth
@@ -112,7 +112,7 @@ def filter_depth_maps(
         message = (
             f"hardly any depth is confirmed ({share}) within {within}; is T_camera_world the inverse of your poses?"
         )
-        warnings.warn(message, UserWarning, stacklevel=2)
+        warn_of_units(message, UserWarning)
     return found
 
 

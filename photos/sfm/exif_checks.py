@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import contextlib
 import math
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
 from ...core.errors import FilePath
+from ...files.foreign import ignored_errors
 from ...files.pictures.photo_files import plain_number, read_exif
 from .picture_folder import ORIENTATION, read_header
 from .picture_writing import counted, some_of
@@ -70,7 +70,7 @@ def doubts_of_orientation(paths: Iterable[Path]) -> list[str]:
         if not isinstance(value, int) or not 0 <= value <= 8:
             unknown.append(path.name)
         elif value in _TURNED:
-            with contextlib.suppress(Exception):
+            with ignored_errors():
                 inner, header = _inner(path), read_header(path)
                 told = _number(inner, _WIDTH), _number(inner, _HEIGHT)
                 if told == (header.height, header.width) and header.width != header.height:
@@ -87,7 +87,7 @@ def doubts_of_orientation(paths: Iterable[Path]) -> list[str]:
 
 def _inner(path: FilePath) -> dict[int, Any]:
     """EXIF's table of the lens; empty where it makes no sense."""
-    with contextlib.suppress(Exception):
+    with ignored_errors():
         return dict(read_exif(path).get_ifd(_EXIF))
     return {}
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import os
 from collections import Counter
 from pathlib import Path
@@ -13,6 +12,7 @@ from PIL import Image
 
 from ...core.errors import FileError
 from ...core.progress import ReportProgress
+from ...files.foreign import ignored_errors
 from ...files.pictures.image_files import PictureHeader
 from ...files.pictures.photo_files import is_photo, read_exif
 from .exif_checks import doubts_of_orientation
@@ -135,7 +135,7 @@ def _exif_upright(path: Path) -> bytes:
     exif.pop(ORIENTATION, None)
     for tag in (tag for tag in exif if tag in _TOLD or not is_photo(path)):  # the rest of a DNG lays out its pixels
         kept[tag] = exif.get_ifd(tag) if tag in _TABLES else exif[tag]
-    with contextlib.suppress(Exception):  # EXIF that makes no sense is no loss
+    with ignored_errors():  # EXIF that makes no sense is no loss
         told = kept.tobytes() if len(kept) else b""
         return told if len(told) <= _LONGEST_EXIF else b""
     return b""

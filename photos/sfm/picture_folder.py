@@ -17,6 +17,7 @@ from ...core.atomic import restore_folder
 from ...core.checks import shown
 from ...core.errors import DatasetError, FileError, FilePath
 from ...core.paths import path_of
+from ...files.foreign import ignored_errors
 from ...files.pictures.image_files import PictureHeader, read_color, read_depth, read_picture_header
 from ...files.pictures.photo_files import (
     KINDS,
@@ -123,7 +124,7 @@ def read_lens(path: FilePath) -> tuple[str, ...]:
     Pictures of one size with the same are taken for those of one camera.
     """
     exif = read_exif(path)
-    with contextlib.suppress(Exception):  # EXIF that makes no sense says nothing
+    with ignored_errors():  # EXIF that makes no sense says nothing
         inner = exif.get_ifd(_EXIF)
         names = [str(exif.get(tag, "")).strip("\0 ") for tag in (_MAKE, _MODEL)]
         return (*names, *(plain_number(inner.get(tag)) for tag in (_FOCAL, _FOCAL_35, _DIGITAL_ZOOM)))

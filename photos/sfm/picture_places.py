@@ -5,7 +5,6 @@ What makes no sense is left out and named, with the reason; nothing is guessed. 
 
 from __future__ import annotations
 
-import contextlib
 import math
 import os
 from collections.abc import Iterable
@@ -19,6 +18,7 @@ from PIL import Image
 
 from ...core.checks import check_list
 from ...core.errors import FileError, FilePath
+from ...files.foreign import ignored_errors
 from ...pcd.geodesy import WorldFrame
 from .picture_folder import ORIENTATION, UPRIGHT, check_place, list_pictures
 from .picture_writing import counted, some_of
@@ -180,11 +180,11 @@ def _read_head(path: Path) -> tuple[dict[int, Any], Xmp, bool]:
     """GPS of EXIF, XMP, and whether EXIF says that the picture is to be turned."""
     if not path.is_file():
         raise FileError(path, "does not exist")
-    with contextlib.suppress(Exception), Image.open(path) as picture:  # what cannot be read says nothing
+    with ignored_errors(), Image.open(path) as picture:  # what cannot be read says nothing
         xmp = next((picture.info[key] for key in _XMP_KEYS if picture.info.get(key)), None)
         exif = picture.getexif()
         gps: dict[int, Any] = {}
-        with contextlib.suppress(Exception):
+        with ignored_errors():
             gps = dict(exif.get_ifd(_GPS))
         return gps, parse_xmp(xmp), exif.get(ORIENTATION, UPRIGHT) not in (UPRIGHT, 0, None)
     return {}, Xmp(), False

@@ -17,6 +17,7 @@ from ...core.atomic import atomic_write
 from ...core.devices import resolve_device
 from ...core.errors import FileError, values_of_file
 from ...core.paths import path_of
+from ...files.foreign import foreign_errors
 from ...files.points.npz import read_member
 from ...kernels.lang import int64
 from ...kernels.memory import download, upload, write
@@ -75,11 +76,10 @@ def read_control_grid(path: str | os.PathLike[str], *, device: Any = None) -> Co
 def _read_members(path: str | os.PathLike[str]) -> dict[str, NDArray[Any]]:
     names = ("format", "sizes", "origin", "cells", "shifts")
     try:
-        with path_of(path).open("rb") as file, zipfile.ZipFile(file) as archive:
+        errors = foreign_errors(path, "cannot be read as a control grid")
+        with path_of(path).open("rb") as file, errors, zipfile.ZipFile(file) as archive:
             return {name: read_member(path, archive, archive.getinfo(f"{name}.npy"), name) for name in names}
-    except FileError:
-        raise
     except FileNotFoundError as error:
         raise FileError(path, "no such file") from error
-    except Exception as error:  # zipfile raises some ten types on damaged archives, not all of them documented
-        raise FileError(path, f"cannot be read as a control grid: {error}") from error
+    except OSError as error:
+        raise FileError(path, f"cannot be read as a control grid: {error.strerror or error}") from error

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import dataclasses
-import warnings
 from typing import Any, ClassVar
 
 import numpy as np
 
 from ...core.checks import check_count, check_finite, check_positive, check_shape
-from ...core.units import UnitWarning
+from ...core.units import UnitWarning, without_warnings
 from ...pcd.ground import CELL, SCALING, THRESHOLD, WINDOW, classify_ground
 from ...pcd.raster_cells import GROUND, NoGroundError, check_classes
 from ...pcd.terrain import ground_reach, height_above_ground
@@ -37,8 +36,7 @@ class ClassifyGround(Step):
 
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
         """The step on a part."""
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", UnitWarning)  # a plan has all lengths in the unit of the files
+        with without_warnings(UnitWarning):  # a plan has all lengths in the unit of the files
             ground = np.asarray(classify_ground(part.cloud, **self.params))
         cloud = part.cloud.copy()
         before = np.asarray(cloud["classification"]) if "classification" in cloud else np.zeros(len(cloud), np.uint8)

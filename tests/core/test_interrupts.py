@@ -8,10 +8,12 @@ import signal
 import pytest
 
 import pointloom as loom
-from pointloom.files.foreign import foreign_errors
+from pointloom.files.foreign import foreign_errors, ignored_errors
+from pointloom.files.frames.depth_cameras import driver_errors
+from pointloom.files.source import content_errors
 
 
-class Late(Exception):  # noqa: N818
+class Late(ValueError):  # noqa: N818
     """A time limit of the program."""
 
 
@@ -62,14 +64,23 @@ def test_errors_of_packages_become_file_errors_and_nothing_else_does(error, expe
     assert type(caught.value) is expected
 
 
+GUARDS = {
+    "foreign": lambda: foreign_errors("cloud.laz", "damaged"),
+    "ignored": ignored_errors,
+    "driver": lambda: driver_errors("camera", "Plug it in"),
+    "content": lambda: content_errors("cloud.ply"),
+}
+
+
+@pytest.mark.parametrize("guard", GUARDS)
 @pytest.mark.parametrize("wraps", [False, True])
-def test_exceptions_of_signal_handlers_pass_through_packages(handler, wraps):
-    with pytest.raises(Late), foreign_errors("cloud.laz", "damaged"):
+def test_exceptions_of_signal_handlers_pass_through_packages(handler, wraps, guard):
+    with pytest.raises(Late), GUARDS[guard]():
         try:
             signal.raise_signal(signal.SIGUSR1)
         except Late as error:
             if wraps:
-                raise RuntimeError("cannot decode") from error
+                raise ArithmeticError("cannot decode") from error
             raise
 
 

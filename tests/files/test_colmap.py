@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import json
 import struct
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -303,3 +306,60 @@ def test_text_in_another_encoding_is_told(tmp_path):
     (tmp_path / "images.txt").write_bytes(IMAGES.replace("a b", "größe").encode("latin-1"))
     with pytest.raises(loom.FileError, match="not a text file"):
         loom.read_colmap_model(tmp_path)
+
+
+KILLED = """
+import os, sys
+from pathlib import Path
+import numpy as np
+import pointloom as loom
+
+def write(folder, name, form):
+    camera = loom.CameraModel("PINHOLE", 640, 480, [500, 500, 320, 240])
+    loom.write_colmap_model(folder, loom.SfmModel([name], [camera], np.eye(4)[None]), format=form)
+
+def counted(function):
+    def call(*args, **kwargs):
+        left[0] -= 1
+        if not left[0]:
+            os._exit(9)
+        return function(*args, **kwargs)
+    return call
+
+step, status = 0, 9
+while status:
+    step += 1
+    folder = Path(sys.argv[1], str(step))
+    write(folder, "old.png", sys.argv[2])
+    (folder / "rigs.bin").write_bytes(b"of the old model")
+    (folder / "notes.txt").write_text("another file")
+    if not (child := os.fork()):
+        left = [step]
+        os.rename, os.replace, os.unlink, os.rmdir = map(counted, (os.rename, os.replace, os.unlink, os.rmdir))
+        write(folder, "new.png", "bin")
+        os._exit(0)
+    status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("form", ["bin", "txt"])
+def test_a_model_survives_a_kill_at_each_step_of_its_replacement(tmp_path, form):
+    subprocess.run([sys.executable, "-c", KILLED, tmp_path, form], check=True)
+    ends = []
+    for folder in sorted(tmp_path.iterdir(), key=lambda path: int(path.name)):
+        ends += [*loom.read_colmap_model(folder).names]
+        assert (folder / "rigs.bin").exists() == (ends[-1] == "old.png") and (folder / "notes.txt").exists()
+    assert ends == sorted(ends, reverse=True) and {*ends} == {"old.png", "new.png"} and len(ends) > 8
+
+
+def test_a_folder_that_claims_to_be_half_replaced_removes_no_other_file(tmp_path):
+    folder, other = tmp_path / "sparse", tmp_path / "other.txt"
+    other.write_text("kept")
+    camera = loom.CameraModel("PINHOLE", 640, 480, [500, 500, 320, 240])
+    loom.write_colmap_model(folder, loom.SfmModel(["a.png"], [camera], np.eye(4)[None]))
+    (folder / ".files.new").mkdir()
+    (folder / ".files.new" / ".list.json").write_text(json.dumps(["../other.txt", "../../other.txt", "notes.txt"]))
+    (folder / "notes.txt").write_text("kept")
+    assert loom.read_colmap_model(folder).names[0] == "a.png"
+    assert other.exists() and (folder / "notes.txt").exists()

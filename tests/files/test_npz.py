@@ -175,3 +175,21 @@ def test_memory_that_runs_out_is_called_so_with_the_file(path, monkeypatch):
             patch.setattr(place, refuse)
             with pytest.raises(MemoryError, match=re.escape(f"{path}: the memory does not hold")):
                 read_npz(path)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        r"{'descr': '\z', 'fortran_order': False, 'shape': (3,), }",  # Python warns of both
+        "{'descr': '<f8', 'fortran_order': False, 'shape': (1or 3,), }",
+        "(" * 5000,
+        "{'descr': '<f8'}",
+    ],
+    ids=["escape", "number", "nest", "entries"],
+)
+def test_a_damaged_header_is_an_error_and_no_warning(path, text):
+    header = text.encode() + b" \n"
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr("points.npy", b"\x93NUMPY\1\0" + len(header).to_bytes(2, "little") + header + bytes(72))
+    with pytest.raises(FileError, match=re.escape(str(path))):
+        read_npz(path)
