@@ -32,6 +32,7 @@ STAGES: dict[str, tuple[list[str], dict[str, str]]] = {
     "emulated-order-0": (["make", "test-cuda-emulated"], {"EMULATED_CUDA_ORDER": "0"}),
     "emulated-order-2": (["make", "test-cuda-emulated"], {"EMULATED_CUDA_ORDER": "2"}),
     "emulated-order-3": (["make", "test-cuda-emulated"], {"EMULATED_CUDA_ORDER": "3"}),
+    "kernel-coverage": (["make", "kernel-coverage", "TESTS=full"], {"EMULATED_CUDA_ORDER": "0"}),
 }
 
 

@@ -40,7 +40,7 @@ def mark_unknowns_kernel(level: OctreeLevel, blocks: int, mask: array(dtype=uint
     mask[i] = uint8(unknown)
 
 
-@kernel
+@kernel(for_cpu=True)
 def name_corners_kernel(places: array(dtype=int32), blocks: int, corners: array(dtype=int32)):
     """The slots of corners that are listed by colour and block."""
     i = tid()

@@ -10,7 +10,8 @@ this file, so nothing has to be merged.
 
 A branch is one outcome of `if`, `elif`, `while`, `x if c else y`, or of `for` over a `range` (no iteration, or at least
 one). Constant conditions have no branches. Loops that always run have none: `range(3)`, `range(i, i + N)`, and loops
-over a chunk, `range(i, min(i + N, count))`. A line is a statement. Functions that CUDA does not compile do not count.
+over a chunk, `range(i, min(i + N, count))`, or window, `range(max(i - n, 0), min(i + n + 1, count))`. A line is a
+statement. Functions that CUDA does not compile do not count.
 """
 
 from __future__ import annotations
@@ -47,10 +48,8 @@ def _files() -> list[Path]:
 
 
 def _is_device_code(node: ast.stmt) -> bool:
-    if not isinstance(node, ast.FunctionDef):
-        return False
-    called = [each.func if isinstance(each, ast.Call) else each for each in node.decorator_list]
-    return any((e.attr if isinstance(e, ast.Attribute) else getattr(e, "id", "")) in DECORATORS for e in called)
+    decorators = node.decorator_list if isinstance(node, ast.FunctionDef) else []
+    return any(re.match(r"(\w+\.)*(\w+)", ast.unparse(each))[2] in DECORATORS for each in decorators)  # type: ignore[index]
 
 
 @functools.cache
@@ -175,7 +174,7 @@ def _put_marks(source: Any, role: str, compiled: Any) -> None:
     definition: Any = copy.deepcopy(source.definition)
     scope = source.function.__globals__
     marker = _Marker(scope)
-    definition.body = [found for s in definition.body for found in _listed(marker.visit(s))]
+    marker.generic_visit(definition)
     if hasattr(definition, "mark"):
         start = len(definition.body) - len(source.body) + (role in ("kernel", "reduction"))  # behind `i = tid()`
         definition.body.insert(start, ast.Expr(marker.call(definition.mark, "start")))
@@ -185,10 +184,6 @@ def _put_marks(source: Any, role: str, compiled: Any) -> None:
     source.function = compiled(definition, function.__annotations__, scope | marker.names, function)
     if role == "reduction":
         source.definition = definition  # of which Warp gets the text
-
-
-def _listed(found: Any) -> list[ast.stmt]:
-    return found if isinstance(found, list) else [found]
 
 
 def mark_kernels() -> None:
@@ -330,18 +325,18 @@ class _Number:
                     self.assigned.setdefault(ast.unparse(target), []).append(value)
 
     def of(self, node: ast.expr, seed: int) -> int:
-        """The value; `min` is that of its first argument: a chunk's end, of which there is one or more elements."""
+        """The value; `min` and `max`, which cut a chunk or window at the ends of an array, are their first argument."""
         if isinstance(node, ast.Constant):
             return int(node.value)  # type: ignore[arg-type]
         if isinstance(node, ast.BinOp) and type(node.op) in _ARITHMETIC:
             return _ARITHMETIC[type(node.op)](self.of(node.left, seed), self.of(node.right, seed))
-        if isinstance(node, ast.Call) and ast.unparse(node.func) in ("int", "min"):
-            return self.of(node.args[0], seed)
         text = ast.unparse(node)
+        if isinstance(node, ast.Call) and (text.startswith(("int(", "min(")) or re.match(r"max\(.*, [01]\)$", text)):
+            return self.of(node.args[0], seed)
         values = self.assigned.get(text, [])
         if len(values) == 1 and not isinstance(values[0], ast.Name):
             return self.of(values[0], seed)
-        return random.Random(f"{seed} {text}").randint(1 if text.isupper() else -50, 50)
+        return random.Random(f"{seed} {text}").choice((0, 1, 3)) + text.isupper()
 
     def always_runs(self, node: ast.AST) -> bool:
         """Whether a loop has an iteration whatever its variables are: `range(3)`, `range(i * N, (i + 1) * N)`."""
@@ -380,7 +375,11 @@ def table(found: list[FileCoverage]) -> list[str]:
     incomplete = [f for f in found if f.missed_lines or f.missed_branches]
     rows = [row(str(f.path.relative_to(ROOT)), [f]) for f in incomplete]
     whole = f"{len(found) - len(incomplete)} files without a miss are not listed."
-    return [head, *rows, whole, row(f"total of {len(found)} files", found)]
+    kinds: dict[str, list[bool]] = {}
+    for (_, _, text), taken in (branch for f in found for branch in f.branches.items()):
+        kinds.setdefault(text.replace("never ", ""), []).append(taken)
+    shares = ", ".join(f"{kind} {sum(taken) / len(taken):.1%}" for kind, taken in sorted(kinds.items()))
+    return [head, *rows, whole, shares, row(f"total of {len(found)} files", found)]
 
 
 def main() -> int:

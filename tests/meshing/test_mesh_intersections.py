@@ -70,6 +70,23 @@ def test_touching_is_decided_exactly(points):
     assert pairs_of(vertices, triangles) == meeting_pairs(vertices, triangles)
 
 
+def test_triangles_without_area_meet_where_their_segments_do(device):
+    """Differences of these coordinates have more bits than a float32, so that float64 leaves many signs open."""
+    axes = np.array([[1398101, 699051, 466033], [-466033, 1398101, 699051], [3, -5, 7]])
+    flat = [
+        *([-5, 0, 0], [1, 0, 0], [3, 0, 0]),
+        *([3, 0, 0], [4, 0, 0], [5, 0, 0]),
+        *([-4, 0, 0], [-4, 0, 0], [-4, 0, 0]),
+        *([0, -2, 0], [0, 1, 0], [0, 3, 0]),
+        *([1, 1, 0], [2, 1, 0], [3, 1, 0]),
+        *([-2, -1, 0], [2, -1, 0], [0, 2, 0]),
+        *([-1, -2, 1], [-1, 1, 1], [-1, 3, 1]),
+    ]
+    vertices, triangles = np.array(flat) @ axes, np.arange(len(flat)).reshape(-1, 3)
+    pairs = TriangleMesh(vertices, triangles, device=device, origin=[0, 0, 0]).get_self_intersecting_triangles()
+    assert pairs.tolist() == meeting_pairs(vertices, triangles) and 3 < len(pairs) < 15
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("scale", [2.0**-20, 1.0, 2.0**20])
 def test_touching_is_decided_exactly_in_slanted_planes_at_all_scales(device, scale):

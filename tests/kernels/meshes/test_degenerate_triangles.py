@@ -65,7 +65,7 @@ def test_vertices_in_triangles_are_mixed_from_the_corners_and_whole_numbers_are_
 @pytest.mark.parametrize("bad", [np.nan, np.inf])
 def test_a_triangle_with_a_corner_that_is_not_finite_adds_no_volume(put, bad):
     """The tetrahedron alone encloses a volume; with a bad triangle beside it, it still has it but encloses none."""
-    corners, faces = np.vstack([CORNERS, [[bad, 0, 0]]]), np.vstack([FACES, [[1, 2, 4]]])
+    corners, faces = np.vstack([CORNERS, [[bad, 0, 0]]]), np.vstack([FACES, [[4, 1, 2]]])
     assert measure(put(corners, vec3), put(faces, vec3i))[1] == pytest.approx(1 / 6)
     assert volume_of_shell(put(corners, vec3), put(faces, vec3i)) is None
     assert volume_of_shell(put(CORNERS, vec3), put(FACES, vec3i)) == pytest.approx(1 / 6)

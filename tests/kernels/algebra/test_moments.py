@@ -1,0 +1,25 @@
+"""Steps in which moments are whole numbers."""
+
+import numpy as np
+import pytest
+
+from pointloom.core.devices import resolve_device
+from pointloom.kernels.algebra.moments import MOST_WHOLE, steps_for
+from pointloom.kernels.lang import array, float32, int32, kernel, launch, tid
+from pointloom.kernels.memory import download, empty, upload
+
+
+@kernel
+def measure_steps_kernel(sqdist: float, counts: array(dtype=int32), steps: array(dtype=float32)):
+    i = tid()
+    steps[i] = steps_for(sqdist, counts[i])
+
+
+@pytest.mark.parametrize("sqdist", [1e-6, 1.0, 3.99, 4.0, 1e8])
+def test_products_of_any_number_of_differences_fit_into_64_bits(device, sqdist):
+    place, counts = resolve_device(device), np.array([1, MOST_WHOLE, MOST_WHOLE + 1, 2**31 - 1])
+    steps = empty(len(counts), float32, place)
+    launch(measure_steps_kernel, len(counts), [sqdist, upload(counts, int32, place), steps])
+    found = download(steps).astype(float)
+    assert (counts * (np.sqrt(sqdist) * found + 0.5) ** 2 < 2.0**63).all()
+    assert found[0] == found[1] > found[2] == found[3] and np.sqrt(sqdist) * found[2] >= 2**14
