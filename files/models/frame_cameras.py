@@ -39,8 +39,8 @@ def read_transforms(path: str | os.PathLike[str]) -> SfmModel:
 
     Args:
         path: The file: `fl_x`, `fl_y`, `cx`, `cy`, `w`, `h`, distortion and `camera_model` for all frames or for each,
-            and `frames` with `file_path` and `transform_matrix`. Without `w` and `h`, as in NeRF's synthetic scenes, the
-            size is that of the picture at `file_path`, which may lack its ending.
+            and `frames` with `file_path` and `transform_matrix`. Without `w` and `h`, as in NeRF's synthetic scenes,
+            the size is that of the picture at `file_path`, which may lack its ending.
 
     Returns:
         A model without points. Its names are those of the pictures, with their folders.
