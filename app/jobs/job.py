@@ -224,11 +224,11 @@ class Job:
         """The points of the source as its file has them; of a mesh the vertices, which leaves its triangles out."""
         table = self.read_table()
         self.unit = table.unit
-        self._viewpoint = None if isinstance(table, MeshTable) else table.viewpoint
         if isinstance(table, MeshTable):
             self.left_out.append("triangles")
             return tables.points_of(table)
-        return table
+        self._viewpoint = table.viewpoint  # which is written again, as the points stay where they are
+        return replace(table, viewpoint=None)
 
     def read_cloud(self) -> PointCloud:
         """The points of the source with all their attributes, on the device."""

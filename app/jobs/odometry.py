@@ -10,6 +10,7 @@ from typing import Any
 
 from ...cameras.pose_files import FORMATS as POSE_FORMATS
 from ...cameras.trajectory import Trajectory, read_trajectory, write_trajectory
+from ...core.audience import to_shell
 from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
 from ...core.reports import Fields, values_of
@@ -132,7 +133,8 @@ def odometry_of_folder(
         job.wrote(output)
         if true_path is not None and truth is not None:
             errors = compare(path, true_path, folder, truth, "se3")
-    done = job.done(_why_poor(found, max_range, min_range))
+    other_sensor = None if errors is None else errors.why_poor(to_shell)
+    done = job.done(_why_poor(found, max_range, min_range) or other_sensor)
     sizes = odometry.voxel_size, max_range, min_range
     return OdometryReport(done, form, str(job.device), *sizes, found, points, errors)
 

@@ -258,10 +258,18 @@ def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: 
     show_default=True,
     help="How POSES are brought onto TRUTH.",
 )
+@click.option(
+    "--extrinsic",
+    type=FILE,
+    metavar="FILE",
+    help="T_truth_estimate of two sensors of one body: a 4x4 matrix, or KITTI's calib.txt (Tr).",
+)
 @click.option("--picture", type=FILE, metavar="PNG", help="Draw both paths, and the error along the way.")
 @json_option()
 @force_option()
-def evaluate(poses: Path, truth: Path, align: str, picture: Path | None, as_json: bool, force: bool) -> int:
+def evaluate(
+    poses: Path, truth: Path, align: str, extrinsic: Path | None, picture: Path | None, as_json: bool, force: bool
+) -> int:
     """Print how far the trajectory POSES lies from TRUTH: .log, .tum, .kitti, .json, or .txt (TUM or KITTI by columns).
 
     Poses belong together by time where both files have times (.tum), else by number. They are aligned not at all, by
@@ -272,12 +280,16 @@ def evaluate(poses: Path, truth: Path, align: str, picture: Path | None, as_json
       RPE       errors of the motions from each pose to the next
       segments  errors over 100 to 800 m of the path as KITTI has them, for those lengths that the path has
 
+    The exit code is 3 where POSES and TRUTH are the paths of two sensors of one body, such as a LiDAR and a camera:
+    their motions differ by a fixed offset, which --extrinsic takes.
+
     \b
     pointloom evaluate poses.txt truth.txt --alignment first --picture path.png
+    pointloom evaluate lidar.kitti 00.txt --extrinsic calib.txt
     """
     from ..jobs.evaluate import evaluate_files
 
-    report = evaluate_files(poses, truth, align=align, picture=picture, overwrite=force)
+    report = evaluate_files(poses, truth, align=align, extrinsic=extrinsic, picture=picture, overwrite=force)
     return answer_with(report, f"{poses} against {truth}", as_json)
 
 

@@ -133,8 +133,8 @@ def plan(
 ) -> int:
     """Plan the tiles of SOURCES in the folder DIR: .las and .laz files, folders of them, a .vpc that lists them.
 
-    Of these only headers are read. .ply, .pcd, .e57, .ptx and text (.xyz, .pts, .csv ...) are written over as LAZ into DIR
-    first.
+    Of these only headers are read. .ply, .pcd, .e57, .ptx and text (.xyz, .pts, .csv ...) are written over as LAZ into
+    DIR first.
 
     With --estimate nothing is planned: some tiles are worked off in a temporary folder, and what all of them would
     take in time, memory, disk and output is said, each with a range. DIR is not needed then.

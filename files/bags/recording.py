@@ -358,7 +358,7 @@ def open_recording(path: str | os.PathLike[str]) -> Recording:
     """
     recording = read_recording(path)
     if recording.damage:
-        message = f"{recording.path}: {recording.damage}; {len(recording)} messages are left"
+        message = escaped(f"{recording.path}: {recording.damage}; {len(recording)} messages are left")
         warnings.warn(message, RecordingWarning, stacklevel=2)
     return recording
 

@@ -40,7 +40,8 @@ def read_transforms(path: str | os.PathLike[str]) -> SfmModel:
 
     Args:
         path: The file: `fl_x`, `fl_y`, `cx`, `cy`, `w`, `h`, distortion and `camera_model` for all frames or for each,
-            and `frames` with `file_path` and `transform_matrix`.
+            and `frames` with `file_path` and `transform_matrix`. Without `w` and `h`, as in NeRF's synthetic scenes,
+            the size is that of the picture at `file_path`, which may lack its ending.
 
     Returns:
         A model without points. Its names are those of the pictures, with their folders.
@@ -50,8 +51,9 @@ def read_transforms(path: str | os.PathLike[str]) -> SfmModel:
             are not rigid, numbers that make no sense; says where.
 
     Notes:
-        Matrices are camera to world, with the camera's y up and z back (OpenGL). `camera_angle_x` [rad] stands for
-        `fl_x` where that is missing.
+        Matrices are camera to world, with the camera's y up and z back (OpenGL). `camera_angle_x` and
+        `camera_angle_y` [rad] stand for `fl_x` and `fl_y` where those are missing. `is_fisheye` without a
+        `camera_model` is OPENCV_FISHEYE, as in instant-ngp.
     """
     path, content = Path(path), read_json_object(path)
     frames = content.get("frames")
@@ -62,8 +64,14 @@ def read_transforms(path: str | os.PathLike[str]) -> SfmModel:
         where = f"frames[{i}]"
         if not isinstance(frame, dict) or not isinstance(frame.get("file_path"), str) or not frame["file_path"]:
             raise FileError(path, "expected an object with the picture's file_path", where=where)
-        names.append(os.path.normpath(frame["file_path"]))
-        cameras.append(_lens_of(path, where, {**content, **frame}))
+        values, name = {**content, **frame}, frame["file_path"]
+        if "w" not in values or "h" not in values:
+            picture = _picture_of(path, where, name)
+            header = read_picture_header(picture)
+            values = {"w": header.width, "h": header.height} | values
+            name += picture.name.removeprefix(Path(name).name)
+        names.append(os.path.normpath(name))
+        cameras.append(_lens_of(path, where, values))
         rows = _numbers(path, where, frame, "transform_matrix", None)
         if rows.shape not in ((4, 4), (3, 4)):
             raise FileError(path, "transform_matrix: expected 4 rows of 4 numbers", where=where)
@@ -128,18 +136,38 @@ def _camera_files(folder: Path) -> Iterator[tuple[Path, dict[str, Any]]]:
             yield path, content
 
 
+def _picture_of(path: Path, where: str, name: str) -> Path:
+    """The picture of a frame, by its name with or without the ending.
+
+    Raises:
+        FileError: There is none.
+    """
+    place = path.parent / name
+    beside = (place.with_name(place.name + suffix) for ending in PICTURES for suffix in (ending, ending.upper()))
+    picture = next((p for p in (place, *beside) if p.is_file()), None)
+    if picture is None:
+        reason = f"w and h are missing, and there is no picture {name} to take them from"
+        raise FileError(path, reason, where=where, remedy="Put the pictures there, or add w and h in pixels")
+    return picture
+
+
 def _lens_of(path: Path, where: str, values: Mapping[str, Any]) -> CameraModel:
-    kind = values.get("camera_model", "OPENCV")
-    if kind not in LENSES or (values.get("is_fisheye") is True and kind != "OPENCV_FISHEYE"):
+    is_fisheye = values.get("is_fisheye") is True
+    kind = values.get("camera_model", "OPENCV_FISHEYE" if is_fisheye else "OPENCV")
+    if kind not in LENSES:
         remedy = f"Read are {', '.join(LENSES)}; undistort the pictures of others first"
         raise FileError(path, f"camera_model is {str(kind)[:40]!r}", where=where, remedy=remedy)
+    if is_fisheye and kind != "OPENCV_FISHEYE":
+        reason = f"is_fisheye is true, but camera_model is {kind!r}"
+        raise FileError(path, reason, where=where, remedy="Remove one of them; the fisheye is OPENCV_FISHEYE")
     width, height = (_side(path, where, values, name) for name in ("w", "h"))
-    if "fl_x" in values:
-        fx = _number(path, where, values, "fl_x")
-    else:
-        angle = _number(path, where, values, "camera_angle_x")
-        fx = 0.5 * width / np.tan(0.5 * angle) if 0 < angle < np.pi else 0.0
-    fy = _number(path, where, values, "fl_y") if "fl_y" in values else fx
+    fx = _focal_length(path, where, values, "x", width)
+    fy = _focal_length(path, where, values, "y", height)
+    if fx is None and fy is None:
+        reason = "there is no focal length: none of fl_x, camera_angle_x, fl_y, camera_angle_y"
+        raise FileError(path, reason, where=where, remedy=_EXPORTED)
+    fx, fy = (fy if fx is None else fx), (fx if fy is None else fy)
+    assert fx is not None and fy is not None
     cx = _number(path, where, values, "cx") if "cx" in values else width / 2
     cy = _number(path, where, values, "cy") if "cy" in values else height / 2
     k = {name: _number(path, where, values, name) if name in values else 0.0 for name in DISTORTION}
@@ -155,6 +183,19 @@ def _lens_of(path: Path, where: str, values: Mapping[str, Any]) -> CameraModel:
             path, "k4 to k6 of a lens that is no fisheye are not read", where=where, remedy="Undistort first"
         )
     return camera_of(path, where, "FULL_OPENCV", width, height, [*numbers, k["k3"], 0.0, 0.0, 0.0])
+
+
+def _focal_length(path: Path, where: str, values: Mapping[str, Any], axis: str, side: int) -> float | None:
+    """The focal length of an axis [px], as it stands or from the angle of view; None if neither is there."""
+    if f"fl_{axis}" in values:
+        return _number(path, where, values, f"fl_{axis}")
+    name = f"camera_angle_{axis}"
+    if name not in values:
+        return None
+    angle = _number(path, where, values, name)
+    if not 0 < angle < np.pi:
+        raise FileError(path, f"{name}: expected an angle of view above 0 and below pi, got {angle:g}", where=where)
+    return float(0.5 * side / np.tan(0.5 * angle))
 
 
 def _pose(path: Path, where: str, rows: NDArray[np.float64]) -> NDArray[np.float64]:

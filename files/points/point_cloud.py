@@ -84,9 +84,7 @@ def read_point_cloud(
     """
     extension = _extension(path)
     if columns is not None or scan is None:
-        table = read_points(path, columns)
-        warn_of_viewpoint(path, table.viewpoint)
-        return cloud_of(table, path, device=device)
+        return cloud_of(read_points(path, columns), path, device=device)
     if extension not in (".e57", ".ptx"):
         raise ValueError(f"scan: only .e57 and .ptx have scans, got {Path(path).suffix}")
     return cloud_of(READERS[extension](path, scan=check_count("scan", scan, minimum=0)), path, device=device)
@@ -202,6 +200,7 @@ def cloud_of(
     Warns:
         UserWarning: An attribute has the name of an array that every cloud has, and is read under another.
     """
+    warn_of_viewpoint(path, table.viewpoint, stacklevel=3)
     try:
         origin = origin_of(table, path, stacklevel=5) if origin is None else origin
         cloud = PointCloud(table.points, normals=table.normals, colors=table.colors, device=device, origin=origin)

@@ -14,6 +14,7 @@ from ...core.paths import path_of
 from ...pcd.cloud import PointCloud
 from .formats import READERS
 from .point_cloud import read_point_cloud
+from .text_table import check_columns
 
 # Tables beside scans are poses, times and notes; where there is nothing else they are the scans.
 _TABLES = (".csv", ".txt")
@@ -62,6 +63,8 @@ def read_scans(scans: Scans, *, device: Any = None, columns: Sequence[str] | Non
         FileError: As list_scans and read_point_cloud.
         TypeError: Neither files nor clouds.
     """
+    if columns is not None:
+        check_columns(columns)
     if isinstance(scans, PointCloud):
         raise TypeError("scans: expected a folder, files or clouds, got one PointCloud; put it into a list")
     try:

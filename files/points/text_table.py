@@ -26,6 +26,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from ...core.checks import check_list, shown
 from ...core.errors import FileError
 from ..ascii_rows import AsciiRows, is_number, unix_lines
 from ..columns import stack_colors, stack_normals
@@ -120,11 +121,12 @@ def check_columns(columns: Sequence[str]) -> list[str]:
         TypeError: No names.
         ValueError: x, y or z is missing, or a name occurs twice.
     """
-    if isinstance(columns, str) or not all(isinstance(name, str) for name in columns):
-        raise TypeError(f"columns: expected names such as ['x', 'y', 'z'], got {columns!r}")
-    names = [_canonical(name) for name in columns]
+    given = check_list("columns", columns, "names such as ['x', 'y', 'z']")
+    if not all(isinstance(name, str) for name in given):
+        raise TypeError(f"columns: expected names such as ['x', 'y', 'z'], got {shown(given)}")
+    names = [_canonical(name) for name in given]
     if reason := _why_wrong(names):
-        raise ValueError(f"columns: {reason}, got {list(columns)}")
+        raise ValueError(f"columns: {reason}, got {given}")
     return names
 
 

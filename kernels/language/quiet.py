@@ -16,7 +16,8 @@ def lines_removed_from_stderr(phrase: str) -> Iterator[None]:
     """Drop the lines with a phrase that the block writes to file descriptor 2; all others are written after it.
 
     The descriptor belongs to the whole process, so the block has to be short. Python's own stream, which may be None,
-    closed or of any class, is not used. Nothing is removed if the descriptor is closed or no file can be made.
+    closed or of any class, is not used. If the descriptor is closed or no temporary file can be made, nothing is
+    dropped.
     """
     captured = _redirected()
     if captured is None:

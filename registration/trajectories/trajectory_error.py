@@ -13,15 +13,17 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.trajectory import Trajectory
-from ...core.checks import check_count, check_list, check_positive, shown
+from ...core.audience import Audience, to_caller
+from ...core.checks import check_count, check_list, check_positive, check_rigid, shown
 from ...core.quaternions import nearest_rotations
 from ...core.reports import Fields, Report
 from ...core.wording import plain
-from ...kernels.linear_algebra import eigh, elementwise, matmul
-from ..rigid import fit_pose, make_pose, nearest_rotation, rotation_of, scale_of
+from ...kernels.linear_algebra import eigh, elementwise, inv, matmul, norm
+from ..rigid import fit_pose, make_pose, nearest_rotation, rotation_of, rotation_vector, scale_of
+from .sensor_offset import find_sensor_offset, inverse_poses
 
 Matrix = NDArray[np.float64]
 
@@ -87,6 +89,8 @@ class TrajectoryError(Report):
         segment_translation: Mean error over all segments [%], NaN without any: KITTI's figure.
         segment_rotation: Likewise [degrees/m].
         aligned_by: How the estimate was brought onto the truth: "none", "first", "se3" or "sim3" (with a scale).
+        sensor_offset: A fixed T_truth_estimate between two sensors of one body that explains most of the relative
+            errors; None if none does. To compare the same sensor, pass it as `extrinsic`.
     """
 
     pairs: NDArray[np.int64]
@@ -100,6 +104,24 @@ class TrajectoryError(Report):
     segment_translation: float
     segment_rotation: float
     aligned_by: str = "se3"
+    sensor_offset: Matrix | None = None
+
+    @property
+    def poor(self) -> str | None:
+        """Why the relative errors do not measure the estimate: the two paths are of two sensors; or None."""
+        return self.why_poor(to_caller)
+
+    def why_poor(self, say: Audience) -> str | None:
+        """As `poor`, in the words of an audience."""
+        if self.sensor_offset is None:
+            return None
+        angle = math.degrees(float(norm(rotation_vector(self.sensor_offset[:3, :3]))))
+        arm = float(norm(self.sensor_offset[:3, 3]))
+        return (
+            "the two paths are in the frames of two sensors of one body: a fixed offset between them, a rotation by "
+            f"{angle:.1f} degrees and {arm:.2f} m, explains most of the relative errors; give it as "
+            f"{say('extrinsic=', '--extrinsic, such as calib.txt of KITTI')}"
+        )
 
     def to_json(self) -> dict[str, Any]:
         """All of it in JSON's types, with the unit in each name; figures that there are none of are None."""
@@ -117,6 +139,7 @@ class TrajectoryError(Report):
                 ],
                 "segment_percent": self.segment_translation,
                 "segment_deg_per_m": self.segment_rotation,
+                "sensor_offset": self.sensor_offset,
             }
         )
 
@@ -151,6 +174,7 @@ def evaluate_trajectory(
     delta: int = 1,
     lengths: Sequence[float] = KITTI_LENGTHS,
     max_time_difference: float = 0.02,
+    extrinsic: ArrayLike | None = None,
 ) -> TrajectoryError:
     """The errors of an estimated trajectory.
 
@@ -166,9 +190,12 @@ def evaluate_trajectory(
         delta: Poses between the two ends of a relative motion.
         lengths: Lengths of segments [m]; they start at every tenth pose.
         max_time_difference: Poses farther apart in time [s] do not belong together.
+        extrinsic: T_truth_estimate between the two sensors, shape [4, 4], where the estimate is the path of another
+            sensor of the same body than the truth: the `Tr` of KITTI's calib.txt for a LiDAR against its camera.
 
     Returns:
-        A TrajectoryError. Statistics without any error (too few poses for `delta`) are NaN with count 0.
+        A TrajectoryError; `poor` names paths of two sensors whose `extrinsic` was not given. Statistics without any
+        error (too few poses for `delta`) are NaN with count 0.
 
     Raises:
         TypeError: No trajectories.
@@ -207,8 +234,11 @@ def evaluate_trajectory(
     limit = check_positive("max_time_difference", max_time_difference, allow_zero=True)
     pairs = associate_poses(estimate, truth, limit)
     P, Q = _rigid_poses(estimate.poses[pairs[:, 0]]), _rigid_poses(truth.poses[pairs[:, 1]])
+    if extrinsic is not None:
+        P = matmul(P, inv(check_rigid("extrinsic", extrinsic)))
     T, scale = _alignment(P, Q, align, with_scale)
     P[:, :3, 3] *= scale
+    offset = find_sensor_offset(P, Q)
     R = T[:3, :3] / scale
     aligned = matmul(R, P[:, :3, :3])
     gaps = matmul(P[:, :3, 3], R.T) + T[:3, 3] - Q[:, :3, 3]
@@ -219,6 +249,7 @@ def evaluate_trajectory(
         _statistics(np.linalg.norm(gaps, axis=1)), _statistics(_angles(matmul(_transposed(Q[:, :3, :3]), aligned))),
         _statistics(np.linalg.norm(moved[:, :3, 3], axis=1)), _statistics(_angles(moved[:, :3, :3])),
         segments, translation, rotation, _name_of(align, with_scale),
+        None if offset is None else inv(offset.T_estimate_truth),
     )  # fmt: skip
 
 
@@ -323,7 +354,8 @@ def _turned_about(axis: NDArray[np.float64], wanted: Matrix, turned: Matrix) -> 
 
 def _relative_errors(P: Matrix, Q: Matrix, first: NDArray[np.int64], last: NDArray[np.int64]) -> Matrix:
     """(Q_i^-1 Q_j)^-1 (P_i^-1 P_j), Sturm et al. 2012, eq. 1."""
-    return matmul(_inverses(matmul(_inverses(Q[first]), Q[last])), matmul(_inverses(P[first]), P[last]))
+    true, moved = (matmul(inverse_poses(poses[first]), poses[last]) for poses in (Q, P))
+    return matmul(inverse_poses(true), moved)
 
 
 def _segment_errors(P: Matrix, Q: Matrix, lengths: list[float]) -> tuple[tuple[SegmentError, ...], float, float]:
@@ -353,14 +385,6 @@ def _angles(R: Matrix) -> NDArray[np.float64]:
 
 def _transposed(R: Matrix) -> Matrix:
     return R.transpose(0, 2, 1)
-
-
-def _inverses(T: Matrix) -> Matrix:
-    """The inverses of poses [n, 4, 4]."""
-    inverse = np.tile(np.eye(4), (len(T), 1, 1))
-    inverse[:, :3, :3] = _transposed(T[:, :3, :3])
-    inverse[:, :3, 3] = -np.einsum("nij,nj->ni", inverse[:, :3, :3], T[:, :3, 3])
-    return inverse
 
 
 def _statistics(errors: NDArray[np.float64]) -> ErrorStatistics:

@@ -10,7 +10,7 @@ from pointloom.cameras.trajectory import Trajectory, read_trajectory, write_traj
 from pointloom.drawing.render.trajectory_plot import trajectory_plot
 from pointloom.files.pictures.image_files import read_color
 
-from .commands import answer, refusal, run
+from .commands import answer, poor_answer, refusal, run
 from .surface_poses import path_of, turned
 
 
@@ -97,3 +97,66 @@ def test_where_a_picture_cannot_be_written_is_told_before_the_work(paths, tmp_pa
     (tmp_path / "mine.png").write_text("mine")
     assert "--force" in refusal("evaluate", *paths, "--picture", tmp_path / "mine.png")
     assert (tmp_path / "mine.png").read_text() == "mine"
+
+
+KITTI_TR = np.array([[0, -1, 0, 0.02], [0, 0, -1, -0.07], [1, 0, 0, -0.27], [0, 0, 0, 1.0]])
+
+
+def drive(count=400, step=1.0, seed=0, noise=0.0):
+    """The path of a car that steers, and of a sensor of it whose motions have some noise."""
+    rng = np.random.default_rng(seed)
+    poses = [np.eye(4)]
+    for i in range(count - 1):
+        move = turned(np.degrees(0.004 * np.sin(i / 30)), step, 0, 0)
+        move[:3, 3] += rng.normal(0, noise, 3)
+        poses.append(poses[-1] @ move)
+    return np.array(poses)
+
+
+@pytest.mark.parametrize("Tr", [KITTI_TR, np.linalg.inv(KITTI_TR), turned(30, 0, 0, 0)])
+@pytest.mark.parametrize("noise", [0.0, 0.02])
+def test_paths_of_two_sensors_are_told_and_compared_with_their_offset(Tr, noise):
+    lidar = drive(noise=noise)
+    camera = Trajectory(Tr @ drive() @ np.linalg.inv(Tr))
+    error = loom.registration.evaluate_trajectory(Trajectory(lidar), camera)
+    assert "--extrinsic" not in error.poor and "two sensors" in error.poor
+    for extrinsic in (Tr, error.sensor_offset):
+        better = loom.registration.evaluate_trajectory(Trajectory(lidar), camera, extrinsic=extrinsic)
+        assert better.poor is None and better.sensor_offset is None
+        assert better.relative_translation.rmse < max(2 * noise, 0.01) < error.relative_translation.rmse
+
+
+@pytest.mark.parametrize(
+    "spoil",
+    [
+        lambda poses: poses,
+        lambda poses: turned(40, 5, 6, 7) @ poses,
+        lambda poses: poses @ turned(0, 0, 0, 0),
+        lambda poses: np.array([*poses[:200], *(turned(20, 3, 0, 0) @ poses[200:])]),
+        lambda poses: np.where(np.arange(16).reshape(4, 4) % 4 == 3, poses * [[1.2], [1.2], [1.2], [1]], poses),
+        lambda poses: drive(seed=3, noise=0.3),
+        lambda poses: np.tile(np.eye(4), (len(poses), 1, 1)),
+    ],
+    ids=["same", "moved", "itself", "jump", "too long", "noise", "resting"],
+)
+def test_other_errors_are_not_taken_for_a_second_sensor(spoil):
+    truth = drive()
+    assert loom.registration.evaluate_trajectory(Trajectory(spoil(truth)), Trajectory(truth)).poor is None
+
+
+@pytest.mark.parametrize("key", ["Tr:", "Tr_velo_to_cam:", None])
+def test_evaluate_takes_the_extrinsic_of_kitti(tmp_path, key):
+    lidar = drive(120)
+    files = tmp_path / "lidar.kitti", tmp_path / "camera.kitti"
+    for path, poses in zip(files, (lidar, KITTI_TR @ lidar @ np.linalg.inv(KITTI_TR)), strict=True):
+        write_trajectory(path, Trajectory(poses))
+    poor = poor_answer("evaluate", *files)["poor"]
+    assert "two sensors" in poor and "--extrinsic" in poor
+    calib = tmp_path / "calib.txt"
+    if key is None:
+        np.savetxt(calib, KITTI_TR)
+    else:
+        row = " ".join(map(str, KITTI_TR[:3].ravel()))
+        calib.write_text(f"P0: 1 0 0 0 0 1 0 0 0 0 1 0\n{key} {row}\n")
+    report = answer("evaluate", *files, "--extrinsic", calib, "--picture", tmp_path / "a.png")
+    assert report["segment_percent"] == pytest.approx(0, abs=1e-6) and report["poor"] is None

@@ -51,6 +51,8 @@ def test_transforms_have_y_up_and_z_back(tmp_path):
         ({"k1": 0.1, "p2": 0.01}, ("OPENCV", [60, 61, 32.5, 24, 0.1, 0, 0, 0.01])),
         ({"k1": 0.1, "k3": 0.2}, ("FULL_OPENCV", [60, 61, 32.5, 24, 0.1, 0, 0, 0, 0.2, 0, 0, 0])),
         ({"camera_model": "OPENCV_FISHEYE", "k4": 0.1}, ("OPENCV_FISHEYE", [60, 61, 32.5, 24, 0, 0, 0, 0.1])),
+        ({"is_fisheye": True, "k1": 0.1}, ("OPENCV_FISHEYE", [60, 61, 32.5, 24, 0.1, 0, 0, 0])),
+        ({"is_fisheye": False, "k1": 0.1}, ("OPENCV", [60, 61, 32.5, 24, 0.1, 0, 0, 0])),
     ],
 )
 def test_lenses_of_transforms_are_those_of_colmap(tmp_path, more, expected):
@@ -63,6 +65,7 @@ def test_lenses_of_transforms_are_those_of_colmap(tmp_path, more, expected):
     [
         ({}, {"camera_model": "EQUIRECTANGULAR"}, "EQUIRECTANGULAR"),
         ({}, {"k4": 0.1}, "k4 to k6"),
+        ({}, {"is_fisheye": True, "camera_model": "OPENCV"}, "is_fisheye"),
         ({}, {"w": 63.5}, "w: expected whole pixels"),
         ({}, {"fl_x": "60"}, "fl_x: expected 1 finite number"),
         ({"transform_matrix": (2 * ARKIT).tolist()}, {}, r"frames\[0\]"),
@@ -78,11 +81,41 @@ def test_transforms_that_make_no_sense_are_refused(tmp_path, frame, more, said):
         loom.read_cameras(transforms(tmp_path, frame, **more))
 
 
-def test_transforms_without_a_size_are_refused(tmp_path):
-    frame = {"file_path": "r_0", "transform_matrix": ARKIT.tolist()}
-    path = write(tmp_path / "t.json", {"camera_angle_x": 0.7, "frames": [frame]})
-    with pytest.raises(FileError, match="missing key w"):
+@pytest.mark.parametrize(
+    ("name", "file"), [("./train/r_0", "train/r_0.png"), ("r_0.JPG", "r_0.JPG"), ("r.0", "r.0.png")]
+)
+def test_transforms_without_a_size_take_that_of_the_picture(tmp_path, name, file):
+    frame = {"file_path": name, "transform_matrix": ARKIT.tolist()}
+    path = write(tmp_path / "t.json", {"camera_angle_x": 0.7, "camera_angle_y": 0.5, "frames": [frame]})
+    with pytest.raises(FileError, match="w and h are missing, and there is no picture"):
         loom.read_cameras(path)
+    (tmp_path / file).parent.mkdir(exist_ok=True)
+    Image.new("RGB", (80, 60)).save(tmp_path / file)
+    model = loom.read_cameras(path)
+    assert model.names == (file,)
+    expected = [40 / np.tan(0.35), 30 / np.tan(0.25), 40, 30]
+    assert model.cameras[0].params == pytest.approx(expected) and model.cameras[0].model == "PINHOLE"
+
+
+@pytest.mark.parametrize(
+    ("angles", "expected"),
+    [
+        ({"camera_angle_x": 0.7}, (32 / np.tan(0.35), 32 / np.tan(0.35))),
+        ({"camera_angle_y": 0.7}, (24 / np.tan(0.35), 24 / np.tan(0.35))),
+        ({"fl_x": 60, "camera_angle_x": 0.1, "camera_angle_y": 0.7}, (60, 24 / np.tan(0.35))),
+        ({}, "focal length"),
+        ({"camera_angle_x": 0}, "camera_angle_x"),
+        ({"fl_x": 60, "camera_angle_y": 3.2}, "camera_angle_y"),
+    ],
+)
+def test_angles_of_view_stand_for_focal_lengths(tmp_path, angles, expected):
+    frame = {"file_path": "a.png", "transform_matrix": ARKIT.tolist()}
+    path = write(tmp_path / "t.json", {"w": 64, "h": 48, **angles, "frames": [frame]})
+    if isinstance(expected, str):
+        with pytest.raises(FileError, match=expected):
+            loom.read_cameras(path)
+    else:
+        assert loom.read_cameras(path).cameras[0].params[:2] == pytest.approx(expected)
 
 
 def polycam(**more):

@@ -293,8 +293,9 @@ POSE = "10 20.5 -30 0.70710678 0 0 0.70710678"
 def test_a_viewpoint_is_told_and_stays_in_copies(tmp_path, capsys):
     source, copy = tmp_path / "a.pcd", tmp_path / "b.pcd"
     source.write_text(text_with("x y z", "F F F", ["1 0 0", "2 0 0", "3 0 0"], POSE))
-    with pytest.warns(UserWarning, match=r"a\.pcd: VIEWPOINT 10 20\.5 -30"):
+    with pytest.warns(UserWarning, match=r"a\.pcd: VIEWPOINT 10 20\.5 -30") as caught:
         np.testing.assert_array_equal(loom.read_point_cloud(source).points[:, 0], [1, 2, 3])
+    assert caught[0].filename == __file__
     for words in (["convert"], ["sample", "--every", "2"], ["convert", "--ascii"]):
         with pytest.raises(SystemExit):
             cli([*words, str(source), str(copy), "--force"])
