@@ -29,7 +29,7 @@ def test_a_new_file_has_the_mode_that_the_users_mask_says(tmp_path, mask, mode):
     assert (tmp_path / "a").stat().st_mode & 0o777 == mode
 
 
-@pytest.mark.parametrize("mode", [0o600, 0o640, 0o444])
+@pytest.mark.parametrize("mode", [0o600, 0o640, 0o444, 0o666])
 def test_a_file_that_is_replaced_keeps_its_mode(tmp_path, mode):
     path = tmp_path / "a"
     path.write_bytes(b"old")
