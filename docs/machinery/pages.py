@@ -18,13 +18,14 @@ PLACE = PROJECT["tool"]["hatch"]["metadata"]["hooks"]["custom"]
 BROUGHT = {
     "CHANGELOG.md": "project/changelog",
     "CONTRIBUTING.md": "project/contributing",
+    "SECURITY.md": "project/security",
     "kernels/README.md": "project/kernels",
     "benchmarks/README.md": "project/benchmarks",
     "tests/emulated_cuda/README.md": "project/emulated-cuda",
 }
 # What the site has in another form.
 REPLACED = {"README.md": "index", "docs/README.md": "guides"}
-PROJECT_PAGES = ("changelog", "contributing", "kernels", "benchmarks", "emulated-cuda")
+PROJECT_PAGES = ("changelog", "contributing", "security", "kernels", "benchmarks", "emulated-cuda")
 
 _LINK = re.compile(r"(!?)\[([^\]]*)\]\((?![a-z]+:|#)([^)\s#]*)(#[^)\s]*)?\)")
 _BLOCK = re.compile(r"(```.*?```)", re.DOTALL)
