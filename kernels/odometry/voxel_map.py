@@ -256,7 +256,7 @@ def encode_points_kernel(
     places[i] = place
 
 
-@kernel
+@kernel(for_cpu=True)
 def widen_keys_kernel(groups: UniqueKeys, cells: LocalCells, keys: array(dtype=int64)):
     """Keys of voxels near the scanner as keys of the map."""
     i = tid()
@@ -300,7 +300,7 @@ def take_points(
     voxel_map.counts[voxel] = count
 
 
-@kernel
+@kernel(for_cpu=True)
 def insert_points_kernel(
     voxels: array(dtype=int32), groups: UniqueKeys, new_places: array(dtype=vec3), known: int, voxel_map: VoxelMap
 ):

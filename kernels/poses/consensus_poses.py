@@ -97,7 +97,7 @@ def fit_seeds_kernel(
     scores[i] = 0
 
 
-@kernel
+@kernel(for_cpu=True)
 def sum_truncated_kernel(
     pairs: PairCoordinates,
     poses: array(dtype=mat44d),

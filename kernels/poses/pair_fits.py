@@ -295,7 +295,7 @@ def sum_weighted(
     return joined_sums(sums_of_pair(p, q, w), w * sqdist)
 
 
-@kernel
+@kernel(for_cpu=True)
 def sum_pairs_kernel(
     pairs: PairCoordinates,
     poses: array(dtype=mat44d),

@@ -125,7 +125,7 @@ def encode_world_points_kernel(points: array(dtype=vec3d), cube: Cube, keys: Sor
     put_key(i, key_of_cell(cell_along(p[0], cube, 0), cell_along(p[1], cube, 1), cell_along(p[2], cube, 2)), keys)
 
 
-@kernel
+@kernel(for_cpu=True)
 def halve_keys_kernel(
     points: array(dtype=vec3), cube: Cube, shift: int64, words: array(dtype=int64), highs: array(dtype=int32)
 ):
@@ -136,7 +136,7 @@ def halve_keys_kernel(
     highs[i] = int(key >> int64(LOW_BITS))
 
 
-@kernel
+@kernel(for_cpu=True)
 def pack_highs_kernel(words: array(dtype=int64), highs: array(dtype=int32), shift: int64, places: array(dtype=int64)):
     """The upper half of the key of each word's point, above the word's place."""
     i = tid()
@@ -144,7 +144,7 @@ def pack_highs_kernel(words: array(dtype=int64), highs: array(dtype=int32), shif
     places[i] = (int64(highs[index]) << shift) | int64(i)
 
 
-@kernel
+@kernel(for_cpu=True)
 def join_halves_kernel(words: array(dtype=int64), shift: int64, places: array(dtype=int64), order: array(dtype=int32)):
     """The key in place of an upper half above the place of the word that holds the lower; and the word's point."""
     i = tid()
