@@ -107,14 +107,19 @@ def hostile_clouds() -> dict[str, loom.PointCloud]:
     }
 
 
+def ignore_true_warnings() -> None:
+    """Ignore the warnings that are right for hostile clouds: random or NaN normals, huge sizes, flat or NaN shapes."""
+    for category in (loom.DroppedResultWarning, loom.NormalsWarning, loom.NonFiniteWarning, loom.UnitWarning):
+        warnings.simplefilter("ignore", category)
+    warnings.filterwarnings("ignore", "cloud: .* so no alpha gives a surface")
+    warnings.filterwarnings("ignore", "mesh: triangle .* NaN or infinite")
+
+
 def warnings_of(call: Callable[[], Any]) -> list[str]:
     """What a call warns of, and what it raises beside the errors that users are promised."""
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
-        warnings.simplefilter("ignore", loom.DroppedResultWarning)
-        warnings.simplefilter("ignore", loom.NormalsWarning)  # true of clouds whose normals are random
-        warnings.simplefilter("ignore", loom.NonFiniteWarning)  # true of clouds with normals that are NaN
-        warnings.simplefilter("ignore", loom.UnitWarning)  # true of clouds that are a million times as large
+        ignore_true_warnings()
         try:
             result = call()
             if inspect.isgenerator(result):
@@ -165,8 +170,7 @@ def faults_of(
         where = f"{name} = {title}"
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
-            warnings.simplefilter("ignore", loom.NormalsWarning)
-            warnings.simplefilter("ignore", loom.UnitWarning)  # which is right of the least float
+            ignore_true_warnings()
             warnings.filterwarnings("ignore", "geometries: nothing to draw")  # right of no points
             warnings.filterwarnings("ignore", "hardly any depth is confirmed")  # right of a limit of next to nothing
             try:

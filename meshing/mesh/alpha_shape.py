@@ -16,6 +16,7 @@ from ...kernels.arrays.quantiles import median_above_zero
 from ...kernels.arrays.select import gather_rows
 from ...kernels.extent.mean_covariance import mean_and_covariance
 from ...kernels.lang import int32, launch, vec3i
+from ...kernels.linear_algebra import eigvalsh
 from ...kernels.memory import download, empty
 from ...kernels.meshes.mesh_edits import keep_counted, list_rows_kernel, mark_referenced
 from ...kernels.reconstruction.alpha_faces import TOGETHER, find_alpha_shapes
@@ -163,7 +164,7 @@ def why_flat(cloud: PointCloud) -> str | None:
     if distinct < CORNERS:
         return f"there are {distinct} distinct finite points, fewer than {CORNERS}"
     _, _, covariance = mean_and_covariance(points)
-    deviations = np.sqrt(np.maximum(np.linalg.eigvalsh(covariance), 0))  # ascending
+    deviations = np.sqrt(np.maximum(eigvalsh(covariance), 0))  # ascending
     if deviations[1] <= FLAT * deviations[2]:
         return "the points lie on one line"
     return "the points lie in one plane" if deviations[0] <= FLAT * deviations[2] else None

@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ...kernels.linear_algebra import eigh, matmul, norm
+from ...kernels.linear_algebra import eigh, matmul, norm, solve
 from ..rigid import make_pose, nearest_rotation, rotation_vector
 
 Matrix = NDArray[np.float64]
@@ -101,5 +101,5 @@ def _solve(A: Matrix, B: Matrix) -> Matrix:
         wanted = matmul(B[:, :3, 3], R.T) - A[:, :3, 3]
         gradient = matmul(known.T, np.einsum("nki,nk->i", turned, wanted))
         inner = matmul(matmul(known.T, normal), known)
-        arm = matmul(known, np.linalg.solve(inner, gradient)) if known.shape[1] else arm
+        arm = matmul(known, solve(inner, gradient)) if known.shape[1] else arm
     return make_pose(R, arm)

@@ -171,7 +171,7 @@ def test_a_picture_shows_itself(shapes, tmp_path):
 def test_a_volume_takes_an_image_as_open3d_does(device):
     rgbd = loom.RGBDImage(COLOR, DEPTH * 4, depth_trunc=10, device=device)
     volume, other = (loom.TSDFVolume(voxel_size=0.1, device=device) for _ in range(2))
-    assert volume.integrate(rgbd, CAMERA, np.eye(4)) == other.integrate(DEPTH * 4, CAMERA, np.eye(4), COLOR, 1000.0, 10)
+    assert volume.integrate(rgbd, CAMERA, np.eye(4)) == other.integrate(DEPTH * 4, CAMERA, np.eye(4), COLOR, None, 10)
     mine, same = (one.extract_point_cloud(weight_threshold=0) for one in (volume, other))
     np.testing.assert_array_equal(mine.points, same.points)
     np.testing.assert_array_equal(mine.colors, same.colors)

@@ -10,7 +10,6 @@ from pointloom.kernels.lang import float64, int32, uint8, vec3, vec3i
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.meshes.clean_triangles import join_masks, mask_repeats
 from pointloom.kernels.meshes.mesh_edges import MeshEdges, count_sharers
-from pointloom.kernels.meshes.mesh_edits import turn_normals
 from pointloom.kernels.meshes.mesh_measures import measure
 from pointloom.kernels.meshes.mixed_rows import in_triangles
 from pointloom.kernels.meshes.open_edges import OpenEdges
@@ -25,12 +24,6 @@ def put(device):
     """A function that uploads an array of a given type to the device."""
     place = resolve_device(device)
     return lambda values, kind: upload(np.asarray(values), kind, place)
-
-
-def test_normals_without_length_stay_zero_or_nan(put):
-    normals = put([[0, 0, 0], [np.nan, 0, 1], [0, 0, 1]], vec3)
-    turned = download(turn_normals(normals, np.diag([1.0, 1.0, 5.0])))
-    np.testing.assert_array_equal(turned, [[0, 0, 0], [np.nan] * 3, [0, 0, 1]])
 
 
 def test_triangles_that_name_a_vertex_twice_repeat_their_rotations(put):
