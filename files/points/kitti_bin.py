@@ -88,7 +88,8 @@ def _check_layout(path: str | os.PathLike[str], rows: NDArray[np.float32]) -> No
     values = rows.ravel()
     explained = {width: _explained(values, width) for width in LAYOUTS if values.size % width == 0 and width != 8}
     gains = {width: float((part - explained[4]).max()) for width, part in explained.items()}
-    width = max(gains, key=lambda found: gains[found])
+    most = max(gains.values())
+    width = min(found for found, gain in gains.items() if gain >= 0.9 * most)  # its multiples explain as much
     if gains[width] <= PERIOD_MARGIN:
         if values.size % 8 or not _has_whole_column(values.reshape(-1, 8)[:SAMPLE]):
             return
