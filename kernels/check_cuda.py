@@ -124,6 +124,8 @@ def check_module(
         if may_be_empty and name not in lang.LAUNCHED:
             return 0, [], ""
         lang.settle(name)
+        if name in lang.LAUNCHED and not modules_for_cuda(name):
+            return 0, [f"{name}: kernels for the CPU alone"], ""
         compiled = compile_module(name, architectures)
     except Exception as error:  # a rule of the language, NVRTC, a name that is no module: all are findings
         return 0, [], f"{name}: FAILED\n{type(error).__name__}: {error}"
