@@ -16,6 +16,7 @@ from .checks import LARGEST_NUMBER
 
 ORIGIN_LIMIT = 1.0e4  # coordinates beyond this always move the origin: below it float32 resolves 1 mm
 MEDIAN_SAMPLE = 4096  # points whose median becomes the origin
+SPREAD_SAMPLE = 128  # of these, that decide whether zero is far for their spread
 FAR_FROM_ZERO = 32.0  # times the spread: about 8 times the extent of a uniform cloud, which costs 3 of 24 bits
 _MOST_DECIMALS = 12  # of an origin: more would be float64's own rounding
 NEAR_ZERO = 128.0  # [m] positions of sensors within this keep the origin at zero: float32 resolves 8 um there
@@ -64,16 +65,20 @@ def choose_origin(points: NDArray[Any], steps: NDArray[np.float64] | None = None
     """
     if not points.size:
         return np.zeros(3)
-    sample = sample_points(points)
-    if points.min() >= -ORIGIN_LIMIT and points.max() <= ORIGIN_LIMIT:
-        origin = origin_of_sample(sample)
-    else:
+    is_near = points.min() >= -ORIGIN_LIMIT and points.max() <= ORIGIN_LIMIT
+    if not is_near:
         low, high = finite_box(points)
         reach = max(np.abs(low).max(), np.abs(high).max())
         if reach > LARGEST_NUMBER:
             found = f"{low.tolist()}..{high.tolist()}"
             raise ValueError(f"points: {found} reach beyond float32 about their middle, and {LARGEST_NUMBER:g} m")
-        origin = origin_of_sample(sample, is_far=reach > ORIGIN_LIMIT)
+        is_near = reach <= ORIGIN_LIMIT
+    sample = sample_points(points)
+    if is_near and not is_far_from_zero(sample_points(points, SPREAD_SAMPLE)):
+        origin = np.zeros(3)
+    else:
+        origin = origin_of_sample(sample)
+        low, high = finite_box(points)
         if max((high - origin).max(), (origin - low).max()) > FLOAT32_MAX:
             origin = np.round(low / 2 + high / 2)
         if max((high - origin).max(), (origin - low).max()) > FLOAT32_MAX:
@@ -82,24 +87,28 @@ def choose_origin(points: NDArray[Any], steps: NDArray[np.float64] | None = None
 
 
 @quiet()
-def origin_of_sample(sample: NDArray[np.float64], *, is_far: bool = False) -> NDArray[np.float64]:
-    """The origin for points of which a finite sample is given: zero, or near the median of the sample.
+def origin_of_sample(sample: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The origin for points far from zero, of which a finite sample is given, shape [n, 3].
 
-    The spread is the median deviation along each axis, which strays do not change. Zero is the origin if the median is
-    within 32 times the largest spread; else the median, rounded to whole meters, or along axes of small extent to a
-    power of two of about 4 times the extent.
-
-    Args:
-        sample: Shape [n, 3].
-        is_far: True if zero cannot be the origin.
+    The median, rounded to whole meters, or along axes of small extent to a power of two of about 4 times the extent.
     """
+    return _rounded(*_spread_of(sample))
+
+
+def _spread_of(sample: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """The median, and the median deviation from it along each axis; the extent if most points are at one position."""
     middle = np.median(sample, axis=0)
     spread = np.median(np.abs(sample - middle), axis=0)
-    if not spread.any():
-        spread = np.ptp(sample, axis=0)
-    if not is_far and (not spread.any() or np.abs(middle).max() <= FAR_FROM_ZERO * spread.max()):
-        return np.zeros(3)
-    return _rounded(middle, spread)
+    return middle, spread if spread.any() else np.ptp(sample, axis=0)
+
+
+def is_far_from_zero(sample: NDArray[np.float64]) -> bool:
+    """True if the median of a finite sample of points is more than 32 times their spread from zero.
+
+    The spread is the largest median deviation of an axis, which strays do not change.
+    """
+    middle, spread = _spread_of(sample)
+    return bool(spread.any() and np.abs(middle).max() > FAR_FROM_ZERO * spread.max())
 
 
 def _rounded(place: NDArray[np.float64], spread: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -168,12 +177,12 @@ def _refine(
     return refined
 
 
-def sample_points(points: NDArray[Any]) -> NDArray[np.float64]:
+def sample_points(points: NDArray[Any], size: int = MEDIAN_SAMPLE) -> NDArray[np.float64]:
     """The finite points, or a sample where they are many; one at zero where there are none.
 
     Points at zero do not count, which many scanners write where they measured nothing.
     """
-    for step in (len(points) // MEDIAN_SAMPLE | 1, 1):  # odd, so that it does not fall in step with an image's rows
+    for step in (len(points) // size | 1, 1):  # odd, so that it does not fall in step with an image's rows
         part = points[::step].astype(np.float64)
         part = part[np.isfinite(part).all(axis=1) & part.any(axis=1)]
         if len(part):

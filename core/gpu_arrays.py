@@ -20,7 +20,7 @@ from ..kernels.lang import float32, float64, int32, int64, uint8, vec3, vec3d, v
 from ..kernels.memory import cast, contiguous, download, empty, upload
 from .array_libraries import view_as
 from .checks import check_rows, is_on_gpu, remedy_of_shape
-from .coordinates import MEDIAN_SAMPLE, ORIGIN_LIMIT, origin_of_sample, sample_points
+from .coordinates import MEDIAN_SAMPLE, ORIGIN_LIMIT, SPREAD_SAMPLE, is_far_from_zero, origin_of_sample, sample_points
 from .devices import check_same_device, resolve_device
 from .exchange import share
 
@@ -109,12 +109,12 @@ def take_points(
     count = int(array.shape[0])
     is_float32 = array.dtype == float32
     points = view_as(array if is_float32 else _as(array, float64), vec3 if is_float32 else vec3d, (count,))
-    start = _choose_origin(points) if origin is None else origin
+    start, is_far = (origin, False) if origin is not None else _choose_origin(points)
     if is_float32 and not start.any():
         return points, start
     wide = points if points.dtype == vec3d else view_as(_as(array, float64), vec3d, (count,))
     local, lost = subtract_origin(wide, start)
-    if origin is None and start.any() and download(lost)[0]:  # sync
+    if is_far and download(lost)[0]:  # sync
         raise ValueError(f"{name}: they reach beyond float32 about their middle, {start.tolist()}")
     return local, start
 
@@ -234,15 +234,21 @@ def _as(array: wp.array, dtype: Any) -> wp.array:
     return array if array.dtype == dtype else cast(array, dtype)
 
 
-def _choose_origin(points: wp.array) -> NDArray[np.float64]:
-    """The origin of an array of vec3 or vec3d, as `choose_origin` chooses it.
+def _choose_origin(points: wp.array) -> tuple[NDArray[np.float64], bool]:
+    """The origin of an array of vec3 or vec3d, as `choose_origin` chooses it; True if a coordinate exceeds 10 km.
 
-    Only a sample goes to the host, some 4,096 points; all do where none of it is finite.
+    Some 128 points go to the host, and some 4,096 if the origin is not zero; all if none of these is finite.
     """
     if not points.size:
-        return np.zeros(3)
+        return np.zeros(3), False
+    is_far, sample = reaches_beyond(points, ORIGIN_LIMIT, points.size // SPREAD_SAMPLE | 1)  # sync
+    if not is_far and not is_far_from_zero(_usable(sample, points)):
+        return np.zeros(3), False
     sample = download(contiguous(points[:: points.size // MEDIAN_SAMPLE | 1]))  # sync
+    return origin_of_sample(_usable(sample, points)), is_far
+
+
+def _usable(sample: NDArray[Any], points: wp.array) -> NDArray[np.float64]:
+    """The finite points of a sample that are not at zero; those of all points if there is none."""
     usable = np.isfinite(sample).all(axis=1) & sample.any(axis=1)
-    sample = sample_points(sample if usable.any() else download(points))
-    origin = origin_of_sample(sample)
-    return origin if origin.any() else origin_of_sample(sample, is_far=reaches_beyond(points, ORIGIN_LIMIT))
+    return sample[usable].astype(np.float64) if usable.any() else sample_points(download(points))

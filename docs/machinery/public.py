@@ -100,7 +100,7 @@ def _homes(module: str, value: types.ModuleType) -> dict[str, str]:
     package = value.__name__
     try:
         return public_names._read(package)
-    except (AssertionError, OSError):
+    except ImportError:
         own = vars(importlib.import_module(package))
         return {
             name: package

@@ -8,7 +8,8 @@ import numpy as np
 from ..algebra.transform import narrow, widen
 from ..array_types import AnyArray, Doubles, Integers, Points, Positions, Scalars
 from ..lang import array, atomic_max, float32, float64, int32, isfinite, kernel, launch, tid, vec3, vec3d
-from ..memory import download, empty, zeros
+from ..memory import contiguous, empty, zeros
+from .side_by_side import read_together
 
 
 @kernel
@@ -67,11 +68,21 @@ def shift_rays_kernel(rays: array(dtype=float64), origin: vec3d, out: array(dtyp
     out[i] = float(value)
 
 
-def reaches_beyond(points: AnyArray, limit: float) -> bool:
-    """Whether a finite point of an array of vec3 or vec3d has a coordinate beyond a limit (one sync)."""
+def reaches_beyond(points: AnyArray, limit: float, step: int) -> tuple[bool, np.ndarray]:
+    """Look for a finite point with a coordinate beyond a limit, and take a sample (one sync).
+
+    Args:
+        points: Device array of vec3 or vec3d.
+        limit: The limit.
+        step: Every such point is in the sample.
+
+    Returns:
+        (True if there is such a point, the sample [m, 3]).
+    """
     flag = zeros(1, int32, points.device)
     launch(find_far_kernel if points.dtype == vec3 else find_far_wide_kernel, points.size, [points, limit, flag])
-    return bool(download(flag)[0])  # sync
+    far, sample = read_together([flag, contiguous(points[::step])])  # sync
+    return bool(far[0]), sample
 
 
 def subtract_origin(points: Positions, origin: np.ndarray) -> tuple[Points, Integers]:

@@ -4,10 +4,10 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..algebra.transform import widen
 from ..array_types import Array2, Indices, Mask, Points, Vectors
-from ..arrays.bounds import bound_points
 from ..arrays.select import positions_of
 from ..lang import (
     NAN,
@@ -93,11 +93,13 @@ def is_finite_row(rows: array(dtype=float32, ndim=2), i: int) -> int:
 
 
 @kernel
-def count_unusable_kernel(points: array(dtype=vec3), rows: array(dtype=float32, ndim=2), count: array(dtype=int32)):
-    """Count the finite points whose row of another array is not finite."""
+def count_unusable_kernel(
+    points: array(dtype=vec3), rows: array(dtype=float32, ndim=2), cloud: int, counts: array(dtype=int32)
+):
+    """Count the finite points of a cloud whose row of another array is not finite."""
     i = tid()
     if is_finite_row(rows, i) == 0 and isfinite(points[i]):
-        atomic_add(count, 0, 1)  # a count: the order does not matter
+        atomic_add(counts, cloud, 1)  # a count: the order does not matter
 
 
 @kernel
@@ -135,25 +137,31 @@ def mask_finite(points: Points, drop_nan: bool | int, drop_infinite: bool | int)
     return mask
 
 
-def drop_unusable(points: Points, columns: Sequence[Array2[Any]]) -> tuple[Points, int]:
-    """Leave out points that have a NaN or an infinity in other arrays (one sync, or two).
+def drop_unusable(
+    clouds: Sequence[Points], columns: Sequence[Sequence[Array2[Any]]]
+) -> tuple[list[Points], NDArray[np.int32]]:
+    """Leave out points that have a NaN or an infinity in other arrays (one sync if there are other arrays).
 
     Args:
-        points: Device array of vec3 [n].
-        columns: Device arrays of float32 [n, c], any number.
+        clouds: Device arrays of vec3 [n], on one device.
+        columns: Device arrays of float32 [n, c] of each, any number.
 
     Returns:
-        (points, count): the same array if there is no such point, else a copy in which these are NaN; how many.
+        (points, counts): of each cloud the same array if it has no such point, else a copy in which these are NaN; and
+        how many entries of each are not finite.
     """
-    count = zeros(1, int32, points.device)
-    for rows in columns:
-        launch(count_unusable_kernel, points.size, [points, rows, count])
-    if not download(count)[0]:  # sync
-        return points, 0
-    kept = clone(points)
-    for rows in columns:
-        launch(drop_unusable_kernel, points.size, [rows, kept])
-    return kept, bound_points(points)[2] - bound_points(kept)[2]
+    kept, counts = list(clouds), np.zeros(len(clouds), np.int32)
+    if any(columns):
+        found = zeros(len(clouds), int32, clouds[0].device)
+        for k, (points, arrays) in enumerate(zip(clouds, columns, strict=True)):
+            for rows in arrays:
+                launch(count_unusable_kernel, points.size, [points, rows, k, found])
+        counts = download(found)  # sync
+    for k in np.flatnonzero(counts).tolist():
+        kept[k] = clone(clouds[k])
+        for rows in columns[k]:
+            launch(drop_unusable_kernel, kept[k].size, [rows, kept[k]])
+    return kept, counts
 
 
 def usable_rows(points: Points, normals: Vectors) -> Indices:

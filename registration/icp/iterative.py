@@ -84,8 +84,7 @@ class IterativeRegistration:
         self.estimation, self.distance, self.degeneracy = estimation, distance, degeneracy
         self._take_clouds(sources, targets)
         source_columns, target_columns = self._columns(max_normal_angle is not None)
-        points = _usable(self._sources, source_columns, self._names()[0])
-        self._target_points = _usable(self._targets, target_columns, self._names()[1])
+        points, self._target_points = self._usable_points(source_columns, target_columns)
         known = self._sources[0].known_search_tree if len(self._sources) == 1 else None
         is_whole = points[0] is self._sources[0].device_array("points")
         self.source_clouds = ManyClouds(points, known if is_whole else None)
@@ -138,6 +137,16 @@ class IterativeRegistration:
     def _names(self) -> tuple[list[str], list[str]]:
         """What errors call the distinct sources and targets."""
         return _names("source", self.source_of), _names("target", self.target_of)
+
+    def _usable_points(self, source_columns: Columns, target_columns: Columns) -> tuple[list[Any], list[Any]]:
+        """The points of sources and targets, NaN where what the estimator takes of them is not finite."""
+        sides = (self._sources, source_columns), (self._targets, target_columns)
+        columns = [
+            {name: arrays[i] for name, arrays in side.items()} for clouds, side in sides for i in range(len(clouds))
+        ]
+        names = [name for side in self._names() for name in side]
+        points = usable_points([*self._sources, *self._targets], columns, names)
+        return points[: len(self._sources)], points[len(self._sources) :]
 
     def _grow_forest(self) -> PointForest:
         """The search trees of all targets: the one that a single target keeps, or a forest of new ones."""
@@ -311,14 +320,6 @@ def _names(role: str, numbers: NDArray[np.int64]) -> list[str]:
     """What an error calls each distinct cloud: by the first job that it stands in."""
     _, firsts = np.unique(numbers, return_index=True)
     return [role] if len(firsts) == 1 else [f"{role}s[{i}]" for i in firsts]
-
-
-def _usable(clouds: Sequence[PointCloud], columns: Columns, names: Sequence[str]) -> list[Any]:
-    """The points of each cloud, NaN where what the estimator takes of them is not finite."""
-    return [
-        usable_points(cloud, {column: arrays[i] for column, arrays in columns.items()}, name)
-        for i, (cloud, name) in enumerate(zip(clouds, names, strict=True))
-    ]
 
 
 def _place(clouds: ManyClouds, columns: Columns) -> PointColumns:

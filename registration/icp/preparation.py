@@ -18,6 +18,7 @@ from ...core.coordinates import ORIGIN_LIMIT
 from ...core.exchange import share_vectors
 from ...core.units import NonFiniteWarning, warn_of_units
 from ...kernels.algebra.transform import transform_points
+from ...kernels.arrays.bounds import bound_points
 from ...kernels.extent.masks import drop_unusable
 from ...kernels.icp.color_gradients import average_colors, estimate_color_gradients
 from ...kernels.icp.plane_covariances import plane_covariances, plane_covariances_from_normals
@@ -60,20 +61,26 @@ def in_sensor_frame(cloud: PointCloud, name: str) -> PointCloud:
     return type(cloud).from_device_arrays(arrays, np.zeros(3), cloud.array_library)
 
 
-def usable_points(cloud: PointCloud, columns: Mapping[str, wp.array], name: str) -> wp.array:
-    """The points of a cloud, vec3 [n]; NaN, with a NonFiniteWarning, where one of the columns is not finite.
+def usable_points(
+    clouds: Sequence[PointCloud], columns: Sequence[Mapping[str, wp.array]], names: Sequence[str]
+) -> list[wp.array]:
+    """The points of clouds, vec3 [n]; NaN, with a NonFiniteWarning, where one of the columns is not finite.
 
     Args:
-        cloud: The cloud.
-        columns: The arrays that an estimator takes of its points by their names, vec3 [n] or float32 [n, c].
-        name: What the user's argument is called.
+        clouds: The clouds.
+        columns: The arrays that an estimator takes of the points of each by their names, vec3 [n] or float32 [n, c].
+        names: What the user's arguments are called.
     """
-    points = cloud.device_array("points")
-    flat = [view_as(c, float32, (len(cloud), 3)) if c.dtype == vec3 else c for c in columns.values()]
-    points, lost = drop_unusable(points, flat)
-    if lost:
+    flat = [
+        [view_as(c, float32, (len(cloud), 3)) if c.dtype == vec3 else c for c in arrays.values()]
+        for cloud, arrays in zip(clouds, columns, strict=True)
+    ]
+    points, counts = drop_unusable([cloud.device_array("points") for cloud in clouds], flat)
+    for k in np.flatnonzero(counts).tolist():
+        lost = len(clouds[k]) - bound_points(points[k])[2]
+        lost -= len(clouds[k]) - bound_points(clouds[k].device_array("points"))[2]
         warn_of_units(
-            f"{name}: {' or '.join(columns)} of {lost:,} of {len(cloud):,} points are not finite. "
+            f"{names[k]}: {' or '.join(columns[k])} of {lost:,} of {len(clouds[k]):,} points are not finite. "
             "These points are not used.",
             NonFiniteWarning,
         )

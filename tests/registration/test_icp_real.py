@@ -152,13 +152,15 @@ def test_icp_of_a_room_is_open3ds(device, scan_set, room, o3d, to_open3d, kind, 
         assert angle_between(result.transformation, room.T) > 0.5
 
 
-def test_coloured_frames_of_a_desk_are_open3ds(device, desk, o3d, to_open3d, tolerances):
-    rules = reg.ICPConvergenceCriteria(0, 0, 20)
+def test_coloured_frames_of_a_desk_end_where_open3d_passes(device, desk, o3d, to_open3d, angle_between):
+    """Open3D's steps, about the origin, do not come to rest here: they are 0.05 degrees off after 200."""
     method = reg.TransformationEstimationForColoredICP()
-    result = run(device, desk, method, rules=rules)
-    expected = run_open3d(o3d, to_open3d, desk, "coloured", rules=rules)
-    np.testing.assert_allclose(result.transformation, expected.transformation, atol=tolerances.icp_pose_colored)
-    assert result.fitness > 0.99
+    first, rest = (run(device, desk, method, rules=reg.ICPConvergenceCriteria(0, 0, n)) for n in (20, 40))
+    np.testing.assert_allclose(first.transformation, rest.transformation, rtol=0, atol=1e-9)
+    expected = run_open3d(o3d, to_open3d, desk, "coloured", rules=reg.ICPConvergenceCriteria(0, 0, 20))
+    assert angle_between(rest.transformation, expected.transformation) < 0.01
+    assert shift_between(rest.transformation, expected.transformation) < 1e-4
+    assert rest.fitness > 0.99
 
 
 def test_scales_bring_a_room_from_farther_away(device, room_pair, angle_between):

@@ -154,6 +154,7 @@ def test_the_kitchen_lies_closer_under_the_pose_found_than_under_the_published_o
 
 
 @pytest.mark.slow
+@pytest.mark.filterwarnings("ignore:.*VIEWPOINT")
 def test_kinect_views_close_ways_round(real_file, angle_between, tolerances):
     folder = real_file("pcl-data-tutorials/pairwise")
     views = [finite_points(folder / f"capture000{k}.pcd") for k in (1, 2, 3)]

@@ -16,12 +16,13 @@ def test_a_coordinate_beyond_a_limit_is_seen_and_one_that_is_not_finite_is_none(
     points[7] = np.nan, 1e9, 0
     points[8] = np.inf, 0, 1e9
     kind = vec3 if dtype == np.float32 else vec3d
-    assert not reaches_beyond(upload(points, kind, device), 1.0)
+    far, sample = reaches_beyond(upload(points, kind, device), 1.0, 3)
+    assert not far
+    np.testing.assert_array_equal(sample, points[::3])
     for axis in range(3):
         far = points.copy()
         far[[399, 400], axis] = 1.5, -1.5
-        assert reaches_beyond(upload(far, kind, device), 1.0)
-    assert not reaches_beyond(upload(points[:0], kind, device), 1.0)
+        assert reaches_beyond(upload(far, kind, device), 1.0, 3)[0]
 
 
 def test_points_are_rounded_once_and_come_back(rng, device):
