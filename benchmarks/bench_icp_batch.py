@@ -91,9 +91,9 @@ def poses_of(results: Any) -> np.ndarray:
 
 
 def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
-    """The same poses; a pair tied in float32 may stop a job one step earlier or later."""
+    """The same poses; steps about the pairs and not the origin may stop a job one step earlier or later."""
     off = np.abs(ours - theirs).max(axis=(1, 2))
-    assert (off < 1e-6).mean() > 0.98, f"{(off >= 1e-6).mean():.1%} of the poses are not {peer}'s"
+    assert (off < 1e-6).mean() > 0.9, f"{(off >= 1e-6).mean():.1%} of the poses are not {peer}'s"
     assert off.max() < 5e-3, f"a pose lies {off.max():.2e} from {peer}'s"
 
 

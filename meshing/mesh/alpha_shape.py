@@ -131,7 +131,7 @@ class AlphaShapes(MeshArrays):
             if not triangles.size:
                 bare.append(size)
             answers.append((mesh, tetrahedra, _used_rows(mask, places, count)) if return_tetrahedra else mesh)
-        flat = why_flat(cloud) if bare else None
+        flat = _flat_reason(tree.count, unique.device_arrays["points"]) if bare else None
         if flat is not None:
             warn_of_units(f"cloud: {flat}, so no alpha gives a surface; {FLAT_REMEDY}", UserWarning)
         elif bare and not isinstance(alpha, str):
@@ -160,7 +160,10 @@ class AlphaShapes(MeshArrays):
 def why_flat(cloud: PointCloud) -> str | None:
     """Why no alpha shape of a cloud has a tetrahedron, as a clause of a sentence; None if some alpha gives one."""
     points = cloud.device_arrays["points"]
-    distinct = cloud.select_rows(first_occurrences(points)).search_tree().count
+    return _flat_reason(cloud.select_rows(first_occurrences(points)).search_tree().count, points)
+
+
+def _flat_reason(distinct: int, points: wp.array) -> str | None:
     if distinct < CORNERS:
         return f"there are {distinct} distinct finite points, fewer than {CORNERS}"
     _, _, covariance = mean_and_covariance(points)

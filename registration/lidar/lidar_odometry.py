@@ -43,6 +43,7 @@ MOST_IN_VOXEL = 1024  # points
 MAP_VOXELS = 0.5  # alpha of section III-B: the map takes one point a voxel of half the edge
 SCAN_VOXELS = 1.5  # beta: registration takes one point a voxel of one and a half
 START_VOXELS = 3.0  # the same for the second scan, to choose with among many places
+MIN_POINTS = 100  # of a scan that tells which part of the interval scans span
 START_TURNS = 2  # registrations of the second scan after its first one, each with a better motion to straighten by
 DOUBTED_DISAGREEMENT = 0.2  # above which a scan is looked for again, farther off
 PRUNE_SHARE = 0.1  # of max_range that the sensor goes between two prunings of the map
@@ -131,6 +132,7 @@ class LidarOdometry:
         )
         self.deskew = bool(deskew)
         self.interval = None if interval is None else check_positive("interval", interval)
+        self._part: float | None = None  # of the interval that a scan spans, as the first scan with times does
         initial = check_positive("initial_threshold", initial_threshold)
         least = check_positive("min_motion", min_motion)
         self.device = None if device is None else resolve_device(device)
@@ -207,10 +209,10 @@ class LidarOdometry:
         self._settle()
         known = self._known
         times = point_times(scan, timestamps) if self.deskew or timestamps is not None else None
-        points, part = scan.device_array("points"), 1.0
-        if self.deskew and times is not None:
-            part = part_of_interval(points, times, scan.origin, self.interval)
-        raw = RawScan(points, scan.origin, times if self.deskew else None, part)
+        points = scan.device_array("points")
+        if self.deskew and times is not None and self._part is None and len(scan) > MIN_POINTS:
+            self._part = part_of_interval(points, times, scan.origin, self.interval)
+        raw = RawScan(points, scan.origin, times if self.deskew else None, self._part or 1.0)
         voxel_map = self._empty_map(scan.device) if known.map is None else known.map
         motion, has_prior = (known.motion, False) if motion is None else (motion, True)
         predicted = matmul(self._last_pose(), motion)
