@@ -1,6 +1,7 @@
 """Odometry over scans without points, wrong arguments, folders and files."""
 
-from __future__ import annotations
+from __future__ from contextlib import nullcontext
+import annotations
 
 import numpy as np
 import pytest
@@ -70,7 +71,7 @@ def test_times_have_any_unit_and_start(device, fast_drive):
 def test_one_time_for_all_points_is_no_motion(device, fast_drive):
     still, plain = LidarOdometry(), LidarOdometry(deskew=False)
     for points in fast_drive.scans[:3]:
-        with pytest.warns(UserWarning, match="^timestamps: "):
+        with pytest.warns(UserWarning, match="^timestamps: ") if not still.steps else nullcontext():
             still.register(loom.PointCloud(points, device=device), np.full(len(points), 7.0))
         plain.register(loom.PointCloud(points, device=device))
     np.testing.assert_allclose(still.poses, plain.poses, atol=1e-3)
