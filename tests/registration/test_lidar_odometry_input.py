@@ -1,7 +1,8 @@
 """Odometry over scans without points, wrong arguments, folders and files."""
 
-from __future__ from contextlib import nullcontext
-import annotations
+from __future__ import annotations
+
+from contextlib import nullcontext
 
 import numpy as np
 import pytest
