@@ -230,7 +230,7 @@ def test_empty_tiles_and_a_halo_larger_than_tiles(tmp_path):
 @pytest.mark.slow
 def test_workers_that_are_killed_at_random_lose_and_double_nothing(files, tmp_path, expected, monkeypatch):
     job, started, start = tmp_path / "job", [], runners._start
-    monkeypatch.setattr(runners, "_start", lambda *args: started.append(start(*args)) or started[-1])
+    monkeypatch.setattr(runners, "_start", lambda *a, **k: started.append(start(*a, **k)) or started[-1])
     loom.scale.plan_tiles(files, RADIUS, job, size=4.0)
     chance, results = random.Random(5), []
     run = threading.Thread(target=lambda: results.append(loom.scale.run_tiles(job, workers=2)))

@@ -42,7 +42,7 @@ soup = np.concatenate([corners, twice, crumbs, nothing])
 broken = loom.TriangleMesh(soup.reshape(-1, 3), np.arange(len(soup) * 3).reshape(-1, 3))
 
 parts = broken.cluster_connected_triangles()[1]
-print(f"broken: {len(broken.triangles)} triangles in {len(parts)} parts, watertight: {broken.is_watertight()}")
+print(f"broken: {len(broken.triangles)} triangles in {len(parts)} parts")
 
 # %%
 # Mend it
