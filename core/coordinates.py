@@ -65,6 +65,7 @@ def choose_origin(points: NDArray[Any], steps: NDArray[np.float64] | None = None
     """
     if not points.size:
         return np.zeros(3)
+    low = high = np.zeros(3)
     is_near = points.min() >= -ORIGIN_LIMIT and points.max() <= ORIGIN_LIMIT
     if not is_near:
         low, high = finite_box(points)
@@ -73,17 +74,15 @@ def choose_origin(points: NDArray[Any], steps: NDArray[np.float64] | None = None
             found = f"{low.tolist()}..{high.tolist()}"
             raise ValueError(f"points: {found} reach beyond float32 about their middle, and {LARGEST_NUMBER:g} m")
         is_near = reach <= ORIGIN_LIMIT
-    sample = sample_points(points)
-    if is_near and not is_far_from_zero(sample_points(points, SPREAD_SAMPLE)):
-        origin = np.zeros(3)
-    else:
-        origin = origin_of_sample(sample)
-        low, high = finite_box(points)
+    origin = np.zeros(3)
+    if not is_near or is_far_from_zero(sample_points(points, SPREAD_SAMPLE)):
+        origin = origin_of_sample(sample_points(points))
+    if not is_near:
         if max((high - origin).max(), (origin - low).max()) > FLOAT32_MAX:
             origin = np.round(low / 2 + high / 2)
         if max((high - origin).max(), (origin - low).max()) > FLOAT32_MAX:
             raise ValueError(f"points: {low.tolist()}..{high.tolist()} reach beyond float32 about their middle")
-    return origin if steps is None else _refine(origin, sample, steps)
+    return origin if steps is None else _refine(origin, sample_points(points), steps)
 
 
 @quiet()
