@@ -38,7 +38,7 @@ CHECK_NEEDS := { $(PIP) check --quiet || $(PIP) check; }
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: gpu-kit gpu-run help setup setup-test setup-runtime test test-all test-cuda-emulated test-cuda-emulated-quick kernel-coverage test-browser oracle flakes mutants nightly lint format types check-cuda cuda-cache trust bench docs docs-clean demo clean distclean
+.PHONY: api gpu-kit gpu-run help setup setup-test setup-runtime test test-all test-cuda-emulated test-cuda-emulated-quick kernel-coverage test-browser oracle flakes mutants nightly lint format types check-cuda cuda-cache trust bench docs docs-clean demo clean distclean
 
 help: ## Print the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-24s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -96,9 +96,13 @@ mutants: $(FULL) ## Small changes of behaviour, one at a time: do the tests noti
 nightly: $(BENCH) $(EMULATION) $(BROWSER) ## Everything that is too slow for CI, with a table of results (many hours)
 	@$(BIN)/python scripts/nightly.py $(ARGS)
 
-lint: $(FULL) ## Check style and format
+lint: $(FULL) ## Check style, format and docs/api.txt
 	@$(BIN)/ruff check .
 	@$(BIN)/ruff format --check .
+	@$(BIN)/python scripts/write_api.py --check
+
+api: $(FULL) ## Write docs/api.txt, the list of public names
+	@$(BIN)/python scripts/write_api.py
 
 format: $(FULL) ## Mend style and format
 	@$(BIN)/ruff check --fix .

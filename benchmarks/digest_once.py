@@ -13,6 +13,7 @@ from bench_pose_graph import DISTANCE
 from digest_depth_maps import estimated_depth_maps, plain_depth_maps
 from digest_drawing import DRAWN
 from digest_fields import FIELDS
+from digest_files import WRITTEN
 from digest_keypoints import found_and_matched
 from digest_mvs import filtered_depth_maps, fused_depth_maps
 from digest_occupancy import OCCUPANCY
@@ -737,5 +738,5 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "evaluate_trajectory, scale": lambda d: reg().evaluate_trajectory(d.path, d.true_path, with_scale=True, delta=2),
 } | DRAWN
 ONCE |= FIELDS | SHAPES
-ONCE |= OCCUPANCY
+ONCE |= OCCUPANCY | WRITTEN
 ONCE |= VOLUMES

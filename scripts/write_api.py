@@ -1,0 +1,119 @@
+"""Write docs/api.txt: each public name with its signature, from the stubs.
+
+    python scripts/write_api.py            # write the file
+    python scripts/write_api.py --check    # print the difference, exit code 1 if there is one
+
+The file makes each change of the public interface visible in a diff. Names of `pointloom.open3d` are Open3D's and are
+left out.
+"""
+
+from __future__ import annotations
+
+import argparse
+import difflib
+import importlib
+import inspect
+import re
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+ROOT = Path(__file__).resolve().parent.parent
+FILE = ROOT / "docs" / "api.txt"
+PACKAGE = "pointloom"
+
+
+def parameters(call: Any) -> str:
+    """The parameters of a callable in one line, without their types."""
+    try:
+        signature = inspect.signature(call)
+    except (TypeError, ValueError):
+        return "(...)"
+    plain = [each.replace(annotation=each.empty) for each in signature.parameters.values()]
+    text = str(signature.replace(parameters=plain, return_annotation=signature.empty))
+    return re.sub(r" at 0x[0-9a-f]+", "", text)
+
+
+def is_own(cls: type) -> bool:
+    """True if a class is defined in this package and not private."""
+    return cls.__module__.split(".")[0] == PACKAGE
+
+
+def members(cls: type) -> Iterator[str]:
+    """Each public method, property and field of a class, with inherited ones of this package."""
+    own: dict[str, Any] = {}
+    for base in reversed([each for each in cls.__mro__ if is_own(each)]):
+        fields = {name: None for name in inspect.get_annotations(base)}
+        own |= {name: value for name, value in {**fields, **vars(base)}.items() if not name.startswith("_")}
+    for name, value in sorted(own.items()):
+        if isinstance(value, staticmethod | classmethod):
+            yield f"{name}{parameters(getattr(cls, name))}"
+        elif inspect.isfunction(value):
+            yield f"{name}{parameters(value)}"
+        else:
+            yield name
+
+
+def lines_of(name: str, value: Any) -> Iterator[str]:
+    """A public function or constant in one line, a class with its members below it."""
+    if not inspect.isclass(value):
+        yield f"{name}{parameters(value)}" if callable(value) else name
+        return
+    is_error = issubclass(value, BaseException)
+    yield f"class {name}" if is_error else f"class {name}{parameters(value)}"
+    yield from (f"    {member}" for member in (() if is_error else members(value)))
+
+
+def packages(name: str) -> Iterator[tuple[str, ModuleType]]:
+    """A package and its public subpackages."""
+    package = importlib.import_module(name)
+    yield "loom", package
+    for each in package.__all__:
+        value = getattr(package, each)
+        if inspect.ismodule(value):
+            yield f"loom.{each}", value
+
+
+def names_of(module: ModuleType) -> list[str]:
+    """The public classes and functions that a module without a list of names defines."""
+    named = {name: value for name, value in vars(module).items() if not name.startswith("_") and callable(value)}
+    return [name for name, value in named.items() if getattr(value, "__module__", "") == module.__name__]
+
+
+def api() -> str:
+    """The text of the file."""
+    lines: list[str] = []
+    names, member_count = 0, 0
+    for title, package in packages(PACKAGE):
+        lines += ["", title]
+        listed = getattr(package, "__all__", None) or names_of(package)
+        for name in sorted(listed):
+            value = getattr(package, name)
+            if inspect.ismodule(value):
+                continue
+            found = list(lines_of(name, value))
+            names, member_count = names + 1, member_count + len(found) - 1
+            lines += [f"    {line}" for line in found]
+    return "\n".join([f"{names} public classes and functions, {member_count} members", *lines, ""])
+
+
+def main() -> int:
+    """The command."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--check", action="store_true", help="print the difference instead of writing")
+    text = api()
+    if not parser.parse_args().check:
+        FILE.write_text(text)
+        return 0
+    stored = FILE.read_text() if FILE.exists() else ""
+    change = list(
+        difflib.unified_diff(stored.splitlines(), text.splitlines(), "docs/api.txt", "public names", lineterm="")
+    )
+    print("\n".join(change))
+    return bool(change)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
