@@ -27,7 +27,6 @@ CALLS = [
     ("normals a.ply b.ply --towards 0 0 0 --direction 0 0 1", "give one"),
     ("change a.ply b.ply --towards 0 0 0", "expected a direction"),
     ("demo --seed -1", "--seed"),
-    ("demo video --voxel 0.02", "--voxel"),
     ("reconstruct frames -o a.ply --resume", "--resume goes with --method fragments"),
     ("reconstruct frames -o a.ply --work a", "--work goes with --method fragments"),
     ("reconstruct frames -o a.ply --slac", "--slac goes with --method fragments"),
