@@ -1,10 +1,9 @@
-"""What is written from the octree over the tiles: one COPC file, or a folder of COPC tiles, of 3D Tiles, for Potree."""
+"""What is written from the octree over the tiles: one COPC file, or a folder of COPC tiles or of 3D Tiles."""
 
 from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -13,9 +12,8 @@ from ..core.coordinates import quiet
 from ..core.errors import FileError
 from ..core.progress import ReportProgress, say_nothing
 from ..files.foreign import foreign_errors
-from ..files.points import potree_writer, three_d_tiles_writer
+from ..files.points import three_d_tiles_writer
 from ..files.points.copc_writer import CopcWriter
-from ..files.points.geodetic import Geodesy
 from ..files.points.las import LasFile, open_las, table_of
 from ..files.points.las_records import describe_together
 from ..files.points.las_writer import lay_out
@@ -25,7 +23,7 @@ from .crew import Crew
 from .tile_tree import TileTree
 
 INDEX, OVERVIEW = "index.vpc", "overview.copc.laz"
-FOLDERS = {"tiles": INDEX, "3dtiles": three_d_tiles_writer.MARKER, "potree": potree_writer.MARKER}
+FOLDERS = {"tiles": INDEX, "3dtiles": three_d_tiles_writer.MARKER}
 OVERVIEW_POINTS = 1_000_000  # of a square of points, about, where no spacing is given
 _BLOCK = 1 << 18
 Parts = list[tuple[Path, int]]
@@ -75,13 +73,7 @@ def write_folder(
             _write_tiles(folder, parts, spacing, report, crew)
             return
         tree, file = tree_of(parts, report, crew), open_las(parts[0][0])
-        writer: Any
-        if output == "potree":
-            system = Geodesy(file.path, file.header).system
-            projection = "" if system is None else system.to_wkt()
-            writer = potree_writer.PotreeWriter(folder, file, tree.corner, tree.side, path.name, projection)
-        else:
-            writer = three_d_tiles_writer.ThreeDTilesWriter(folder, file, tree.side)
+        writer = three_d_tiles_writer.ThreeDTilesWriter(folder, file, tree.side)
         try:
             for node in tree.nodes():
                 writer.add(*node[:3])

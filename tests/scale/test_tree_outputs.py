@@ -1,4 +1,4 @@
-"""Folders made of one octree: COPC tiles with an index, 3D Tiles, Potree; each read back by its own rules."""
+"""Folders made of one octree: COPC tiles with an index, 3D Tiles; each read back by its own rules."""
 
 from __future__ import annotations
 
@@ -71,72 +71,6 @@ def in_order(points):
 @pytest.fixture(scope="module")
 def merged(job, tmp_path_factory):
     return read_las(loom.scale.finish_tiles(job, tmp_path_factory.mktemp("merged") / "all.laz"))
-
-
-def potree_nodes(folder):
-    """All nodes of a Potree folder as its viewer walks them: name, entry; by parts of the hierarchy."""
-    told = json.loads((folder / "metadata.json").read_text())
-    raw = (folder / "hierarchy.bin").read_bytes()
-    found, parts, proxies = {}, [("r", 0, told["hierarchy"]["firstChunkSize"])], 0
-    while parts:
-        root, begin, size = parts.pop()
-        names, at = [root], begin
-        while names:
-            name = names.pop(0)
-            kind, mask, count, first, length = struct.unpack_from("<BBIQQ", raw, at)
-            at += 22
-            if kind == 2:
-                parts.append((name, first, length))
-                proxies += 1
-                continue
-            assert (kind == 1) == (mask == 0)
-            assert name not in found
-            found[name] = (count, first, length)
-            names += [f"{name}{octant}" for octant in range(8) if mask >> octant & 1]
-        assert at == begin + size
-    return told, found, proxies
-
-
-def test_potree_holds_the_points_in_the_cubes_of_its_nodes(job, merged, tmp_path):
-    folder = loom.scale.finish_tiles(job, tmp_path / "potree", output="potree")
-    told, nodes, proxies = potree_nodes(folder)
-    sizes = {"int": "i", "uint": "u", "float": "f", "double": "f"}
-    row = np.dtype([
-        (a["name"], f"<{sizes[a['type'].rstrip('0123456789')]}{a['elementSize']}", (a["numElements"],))
-        for a in told["attributes"]
-    ])  # fmt: skip
-    assert told["points"] == sum(count for count, *_ in nodes.values()) == len(merged.points)
-    assert (folder / "octree.bin").stat().st_size == len(merged.points) * row.itemsize and proxies > 0
-    corner = np.array(told["boundingBox"]["min"])
-    side = told["boundingBox"]["max"][0] - corner[0]
-    every = []
-    for name, (count, first, length) in nodes.items():
-        rows = np.fromfile(folder / "octree.bin", row, count, offset=first)
-        assert rows.nbytes == length
-        low, width = corner.copy(), side
-        for octant in name[1:]:
-            width /= 2
-            low += width * np.array([int(octant) >> 2 & 1, int(octant) >> 1 & 1, int(octant) & 1])
-        points = rows["position"] * told["scale"] + told["offset"]
-        assert (points >= low - 1e-6).all() and (points <= low + width + 1e-6).all()
-        every.append((points, rows))
-    points = np.concatenate([points for points, _ in every])
-    rows = np.concatenate([rows for _, rows in every])
-    columns = [
-        points,
-        rows["intensity"],
-        rows["classification"],
-        rows["return number"],
-        rows["height"],
-        rows["gps-time"],
-    ]
-    names = ("intensity", "classification", "return_number", "height", "gps_time")
-    wanted = [merged.points, *(merged.attributes[name][:, None] for name in names)]
-    np.testing.assert_array_equal(in_order(np.hstack(columns)), in_order(np.hstack(wanted)))
-    ours = np.column_stack([points, rows["rgb"] / 65535])
-    np.testing.assert_allclose(in_order(ours), in_order(np.hstack([merged.points, merged.colors])), atol=1e-6)
-    (intensity,) = (a for a in told["attributes"] if a["name"] == "intensity")
-    assert intensity["min"] == [rows["intensity"].min()] and intensity["max"] == [rows["intensity"].max()]
 
 
 def glb_points(path):
@@ -233,7 +167,7 @@ def test_tiles_have_an_index_and_an_overview(job, merged, has_crs, tmp_path):
     assert 0 < len(coarse.read().points) < len(merged.points) and finest <= 0.2 < 2 * finest
 
 
-@pytest.mark.parametrize("output", ["tiles", "3dtiles", "potree"])
+@pytest.mark.parametrize("output", ["tiles", "3dtiles"])
 def test_a_folder_appears_whole_or_not_at_all(job, tmp_path, output, monkeypatch):
     (tmp_path / "mine").mkdir()
     (tmp_path / "mine" / "letter.txt").write_text("dear")
@@ -259,10 +193,10 @@ def _full(*_, **__):
 
 
 def test_outputs_that_there_are_not_are_refused(job, tmp_path):
-    with pytest.raises(ValueError, match="'potree', got 'ept'"):
+    with pytest.raises(ValueError, match="'3dtiles', got 'ept'"):
         loom.scale.finish_tiles(job, tmp_path / "x", output="ept")
     with pytest.raises(ValueError, match="path"):
-        loom.scale.finish_tiles(job, output="potree")
+        loom.scale.finish_tiles(job, output="tiles")
     with pytest.raises(ValueError, match="overview"):
         loom.scale.finish_tiles(job, tmp_path / "x", output="tiles", overview=0)
 
@@ -288,11 +222,7 @@ def test_tiles_keep_missing_values_apart_and_the_records_of_a_single_file(tmp_pa
         (record,) = found.vlrs.get("ExtraBytesVlr")[0].extra_bytes_structs
         assert (record.min, record.max, record.description) == (1.01, 1 + 2.99, b"above ground")
         assert bool(found.vlrs.get_by_id("mine")) == (found.header.file_source_id == 9) == (count == 1)
-    folders = {
-        name: loom.scale.finish_tiles(tmp_path / "job", tmp_path / name, output=name) for name in ("potree", "tiles")
-    }
-    told = json.loads((folders["potree"] / "metadata.json").read_text())["attributes"]
-    assert [(a["min"], a["max"]) for a in told if a["name"] == "height"] == [([1.01], [1 + 2.99])]
-    items = json.loads((folders["tiles"] / "index.vpc").read_text())["features"]
+    folder = loom.scale.finish_tiles(tmp_path / "job", tmp_path / "tiles", output="tiles")
+    items = json.loads((folder / "index.vpc").read_text())["features"]
     told = [s for item in items for s in item["properties"]["pc:statistics"] if s["name"] == "height"]
     assert (sum(s["count"] for s in told), max(s["maximum"] for s in told)) == (200 * count, 1 + 2.99)
