@@ -48,9 +48,8 @@ def finish_tiles(
         path: The file, an octree where it ends in .copc.laz; None takes `result.laz`, or `result.copc.laz` where the
             plan says "copc", in the folder.
         output: What to make. "laz", "las" and "copc" are one file; None takes the one that the name says, or else the
-            plan. The others are folders: "tiles" are COPC files with an index `index.vpc`, which QGIS and PDAL open
-            as one cloud, and a coarse version of all of them, `overview.copc.laz`. "3dtiles" are 3D Tiles 1.1
-            (`tileset.json`), on the globe where the coordinate system is known.
+            plan. "tiles" is a folder: COPC files with an index `index.vpc`, which QGIS and PDAL open
+            as one cloud, and a coarse version of all of them, `overview.copc.laz`.
         overview: Spacing of the points of the overview beside "tiles"; None takes the level of which a square of
             points has a million.
         workers: Processes that make an octree, 1 GB of memory each; 0 makes it in this one. The result has the same

@@ -1,4 +1,4 @@
-"""What is written from the octree over the tiles: one COPC file, or a folder of COPC tiles or of 3D Tiles."""
+"""What is written from the octree over the tiles: one COPC file, or a folder of COPC tiles."""
 
 from __future__ import annotations
 
@@ -12,7 +12,6 @@ from ..core.coordinates import quiet
 from ..core.errors import FileError
 from ..core.progress import ReportProgress, say_nothing
 from ..files.foreign import foreign_errors
-from ..files.points import three_d_tiles_writer
 from ..files.points.copc_writer import CopcWriter
 from ..files.points.las import LasFile, open_las, table_of
 from ..files.points.las_records import describe_together
@@ -23,7 +22,7 @@ from .crew import Crew
 from .tile_tree import TileTree
 
 INDEX, OVERVIEW = "index.vpc", "overview.copc.laz"
-FOLDERS = {"tiles": INDEX, "3dtiles": three_d_tiles_writer.MARKER}
+FOLDERS = {"tiles": INDEX}
 OVERVIEW_POINTS = 1_000_000  # of a square of points, about, where no spacing is given
 _BLOCK = 1 << 18
 Parts = list[tuple[Path, int]]
@@ -69,17 +68,7 @@ def write_folder(
         FileError: A tile is gone or damaged, or the folder cannot be written.
     """
     with atomic_folder(path, FOLDERS[output], overwrite=overwrite) as folder:
-        if output == "tiles":
-            _write_tiles(folder, parts, spacing, report, crew)
-            return
-        tree, file = tree_of(parts, report, crew), open_las(parts[0][0])
-        writer = three_d_tiles_writer.ThreeDTilesWriter(folder, file, tree.side)
-        try:
-            for node in tree.nodes():
-                writer.add(*node[:3])
-            writer.finish()
-        finally:
-            writer.close()
+        _write_tiles(folder, parts, spacing, report, crew)
 
 
 def _write_tiles(folder: Path, parts: Parts, spacing: float | None, report: ReportProgress, crew: Crew | None) -> None:

@@ -17,7 +17,7 @@ from .options import FILE, LENGTH, DeviceName, force_option, json_option, refuse
 # The names of scale/plan.py, which would load NumPy; a test holds the two together.
 OUTPUTS = ("laz", "copc")
 AREAS = (".geojson", ".json", ".wkt")  # of scale/polygons.py
-FILES, FOLDERS = ("laz", "las", "copc"), ("tiles", "3dtiles")  # of scale/finish.py, likewise
+FILES, FOLDERS = ("laz", "las", "copc"), ("tiles",)  # of scale/finish.py, likewise
 _EPILOG = """\b
 What earlier runs have done stays: the same plan and run again go on where they ended, after Ctrl-C too. Another plan,
 files that have changed and another version are refused, and what differs is said.
@@ -259,7 +259,7 @@ def retry(folder: Path, as_json: bool) -> int:
     "--output", type=click.Choice(FILES + FOLDERS), help="What to make; else what OUT's name says, or the plan."
 )
 @click.option("--overview", type=LENGTH, metavar="M", help="With tiles: distance of the overview's points [m].")
-@click.option("--workers", type=COUNT, metavar="N", help="Processes that make copc, tiles, 3dtiles; 1 GB each.")
+@click.option("--workers", type=COUNT, metavar="N", help="Processes that make copc and tiles; 1 GB each.")
 @json_option()
 @force_option()
 def finish(
@@ -273,14 +273,14 @@ def finish(
 ) -> int:
     """Make one file of all tiles of DIR, once all are done, and remove what lay there beside them.
 
-    laz, las and copc are one file, whose name ends so. The others are a folder OUT: tiles are COPC files with an
-    index.vpc for QGIS and PDAL and an overview of all; 3dtiles are 3D Tiles 1.1 for web maps.
+    laz, las and copc are one file, whose name ends so. tiles is a folder OUT of COPC files with an
+    index.vpc for QGIS and PDAL and an overview of all.
     OUT appears whole or not at all, after Ctrl-C too.
 
     \b
     pointloom tile finish job -o thinned.laz
     pointloom tile finish job -o thinned.copc.laz
-    pointloom tile finish job --output 3dtiles -o web/
+    pointloom tile finish job --output tiles -o web/
     """
     if output in FOLDERS and path is None:
         refuse(f"missing option '-o'; --output {output} makes a folder, give its name")

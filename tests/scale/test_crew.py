@@ -55,7 +55,7 @@ def test_what_a_dead_process_had_is_done_by_another(tmp_path):
         [*crew.map(partial(die, tmp_path / "again", 99), ((k,) for k in range(5)))]
 
 
-@pytest.mark.parametrize("output", ["copc", "tiles", "3dtiles"])
+@pytest.mark.parametrize("output", ["copc", "tiles"])
 def test_any_number_of_workers_writes_the_same_bytes(tmp_path, output, monkeypatch):
     monkeypatch.setattr(tile_tree, "MOST", 900)
     monkeypatch.setattr(tile_tree, "LEAST", 30)

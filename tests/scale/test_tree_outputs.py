@@ -1,21 +1,17 @@
-"""Folders made of one octree: COPC tiles with an index, 3D Tiles; each read back by its own rules."""
+"""A folder of COPC tiles with an index, read back."""
 
 from __future__ import annotations
 
 import json
-import struct
 from contextlib import nullcontext
 
 import laspy
 import numpy as np
 import pyproj
 import pytest
-from scipy.spatial import cKDTree
 
 import pointloom as loom
 from pointloom.core.errors import FileError
-from pointloom.files.color_space import linear_to_srgb
-from pointloom.files.points import three_d_tiles_writer
 from pointloom.files.points.copc import open_copc
 from pointloom.files.points.las import read_las
 from pointloom.scale import tile_tree
@@ -73,73 +69,6 @@ def merged(job, tmp_path_factory):
     return read_las(loom.scale.finish_tiles(job, tmp_path_factory.mktemp("merged") / "all.laz"))
 
 
-def glb_points(path):
-    """Positions of a GLB as a viewer of 3D Tiles places them (z up), and its other attributes."""
-    raw = path.read_bytes()
-    assert raw[:4] == b"glTF" and struct.unpack_from("<I", raw, 8) == (len(raw),)
-    (size,) = struct.unpack_from("<I", raw, 12)
-    told, data = json.loads(raw[20 : 20 + size]), raw[28 + size :]
-    types = {5126: np.float32, 5123: np.uint16}
-    found = {}
-    for name, number in told["meshes"][0]["primitives"][0]["attributes"].items():
-        accessor = told["accessors"][number]
-        view = told["bufferViews"][accessor["bufferView"]]
-        begin, kind = view["byteOffset"], types[accessor["componentType"]]
-        values = np.frombuffer(data[begin : begin + view["byteLength"]], kind)
-        found[name] = values.reshape(accessor["count"], -1)
-    x, y, z = (found.pop("POSITION").astype(np.float64) + told["nodes"][0]["translation"]).T
-    return np.column_stack([x, -z, y]), found
-
-
-def walk_tiles(folder, tile, above=None):
-    half = np.array(tile["boundingVolume"]["box"]).reshape(4, 3)
-    low, high = half[0] - half[1:].sum(axis=0), half[0] + half[1:].sum(axis=0)
-    if above is not None:
-        assert (low >= above[0] - 1e-6).all() and (high <= above[1] + 1e-6).all()
-        assert tile["geometricError"] <= above[2]
-    uri = tile.get("content", {}).get("uri", "")
-    if uri.endswith(".json"):
-        outer = json.loads((folder / uri).read_text())
-        yield from walk_tiles(folder, outer["root"], (low, high, tile["geometricError"]))
-        return
-    if uri:
-        points, columns = glb_points(folder / uri)
-        assert (points >= low - 1e-6).all() and (points <= high + 1e-6).all()
-        yield points, columns
-    for child in tile.get("children", ()):
-        yield from walk_tiles(folder, child, (low, high, tile["geometricError"]))
-
-
-@pytest.mark.parametrize("most", [4096, 3])
-def test_three_d_tiles_hold_the_points_on_the_globe(job, merged, has_crs, tmp_path, monkeypatch, most):
-    monkeypatch.setattr(three_d_tiles_writer, "_MOST", most)
-    monkeypatch.setattr(three_d_tiles_writer, "_STEP", 2)
-    folder = loom.scale.finish_tiles(job, tmp_path / "tiles", output="3dtiles")
-    told = json.loads((folder / "tileset.json").read_text())
-    assert told["asset"]["version"] == "1.1" and told["root"]["refine"] == "ADD"
-    assert len([*folder.glob("*.json")]) == 1 if most > 3 else len([*folder.glob("*.json")]) > 1
-    parts = [*walk_tiles(folder, told["root"])]
-    points = np.concatenate([points for points, _ in parts])
-    wanted = merged.points
-    if has_crs:
-        way = pyproj.Transformer.from_crs(UTM, 4326, always_xy=True)
-        lon, lat = way.transform(*wanted.T[:2])
-        a, e2 = 6_378_137.0, 6.69437999014e-3
-        lon, lat = np.radians(lon), np.radians(lat)
-        n = a / np.sqrt(1 - e2 * np.sin(lat) ** 2)
-        reach = (n + wanted[:, 2]) * np.cos(lat)
-        wanted = np.column_stack(
-            [reach * np.cos(lon), reach * np.sin(lon), (n * (1 - e2) + wanted[:, 2]) * np.sin(lat)]
-        )
-    intensity = np.concatenate([columns["_INTENSITY"] for _, columns in parts])[:, 0]
-    distances, nearest = cKDTree(points).query(wanted)
-    assert len({*nearest.tolist()}) == len(wanted) == len(points) and distances.max() < 1e-4
-    np.testing.assert_array_equal(intensity[nearest], merged.attributes["intensity"])
-    colors = np.concatenate([columns["COLOR_0"] for _, columns in parts])[nearest, :3]
-    shown = linear_to_srgb(colors / 65535)  # glTF stores linear light
-    np.testing.assert_array_equal(np.rint(shown * 255), np.rint(merged.colors * 65535).astype(int) >> 8)
-
-
 def test_tiles_have_an_index_and_an_overview(job, merged, has_crs, tmp_path):
     folder = loom.scale.finish_tiles(job, tmp_path / "tiles", output="tiles", overview=0.2)
     index = json.loads((folder / "index.vpc").read_text())
@@ -167,8 +96,8 @@ def test_tiles_have_an_index_and_an_overview(job, merged, has_crs, tmp_path):
     assert 0 < len(coarse.read().points) < len(merged.points) and finest <= 0.2 < 2 * finest
 
 
-@pytest.mark.parametrize("output", ["tiles", "3dtiles"])
-def test_a_folder_appears_whole_or_not_at_all(job, tmp_path, output, monkeypatch):
+def test_a_folder_appears_whole_or_not_at_all(job, tmp_path, monkeypatch):
+    output = "tiles"
     (tmp_path / "mine").mkdir()
     (tmp_path / "mine" / "letter.txt").write_text("dear")
     with pytest.raises(FileError, match="holds other files"):
@@ -193,7 +122,7 @@ def _full(*_, **__):
 
 
 def test_outputs_that_there_are_not_are_refused(job, tmp_path):
-    with pytest.raises(ValueError, match="'3dtiles', got 'ept'"):
+    with pytest.raises(ValueError, match="'tiles', got 'ept'"):
         loom.scale.finish_tiles(job, tmp_path / "x", output="ept")
     with pytest.raises(ValueError, match="path"):
         loom.scale.finish_tiles(job, output="tiles")
