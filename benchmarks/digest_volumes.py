@@ -49,7 +49,4 @@ def paged_scans(d: Any) -> list[Any]:
             return [touched, volume.extract_triangle_mesh(0)]
 
 
-VOLUMES: dict[str, Callable[[Any], Any]] = {
-    "tsdf, paged": paged_volume,
-    "tsdf, paged, integrate_points": paged_scans,
-}
+VOLUMES: dict[str, Callable[[Any], Any]] = {"tsdf, paged": paged_volume, "tsdf, paged, integrate_points": paged_scans}

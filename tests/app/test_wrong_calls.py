@@ -109,9 +109,7 @@ CALLS = [
     ("tile run job --part 0/2", "such as 17/400"),
     ("tile run job --tile 0,0", "such as 3_4"),
     ("tile runs job", "did you mean run?"),
-    ("tile finish job --output gltf", "'gltf' is not one of 'laz', 'las', 'copc', 'tiles'"),
-    ("tile finish job --output tiles", "missing option '-o'; --output tiles makes a folder"),
-    ("tile finish job --overview 2", "--overview goes with --output tiles"),
+    ("tile finish job --output gltf", "'gltf' is not one of 'laz', 'las', 'copc'"),
 ]
 
 
