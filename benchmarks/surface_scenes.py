@@ -152,7 +152,10 @@ def made_sofa() -> Scene:
     """The sofa of the made-up room: 60,000 points with 3 mm of noise, and the normals fitted to 30 neighbors."""
     solids = sofa().solids(resolve_device("cpu"))
     cloud = scan_of(solids)
-    errors = lambda points: np.abs(distances_from(np.asarray(points, np.float64), solids))  # noqa: E731
+
+    def errors(points: Any) -> Array:
+        return np.abs(distances_from(np.asarray(points, np.float64), solids))
+
     return _scene("sofa, scanned", cloud.points.copy(), cloud.normals.astype(np.float64), errors, None)
 
 
