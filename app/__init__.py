@@ -1,1 +1,1 @@
-"""The command line: what it parses, runs and prints; its demos and made-up scenes."""
+"""The command line: what it parses, runs and prints."""

@@ -136,9 +136,12 @@ def tracked_walk(d: Any) -> Any:
 
 def filmed_room(d: Any) -> Any:
     """A picture of the textured room with the noise of a sensor, and its depth."""
-    from pointloom.data.scenes.room_video import room_video_frames
+    from pointloom.data.scenes.room import room_views
+    from pointloom.data.scenes.room_paths import film_pose
 
-    frame = room_video_frames(30, width=80, height=60, seed=1, device=d.device).read(7)
+    camera = loom().PinholeCameraIntrinsic(80, 60, 65.625, 65.625, 39.5, 29.5)
+    poses = np.array([film_pose(k / 30) for k in range(30)])
+    frame = room_views(poses, camera, seed=1, device=d.device).read(7)
     return [frame.color, frame.depth]
 
 
@@ -582,7 +585,7 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "slam, DenseSLAM": tracked_walk,
     "mvs, estimate_depth_maps": estimated_depth_maps,
     "mvs, estimate_depth_maps, plain wall": plain_depth_maps,
-    "demo, video": filmed_room,
+    "room, film": filmed_room,
     "sfm.detect_keypoints, match_keypoints": found_and_matched,
     "mvs, filter_depth_maps": filtered_depth_maps,
     "mvs, fuse": fused_depth_maps,

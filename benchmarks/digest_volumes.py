@@ -1,4 +1,4 @@
-"""The operations of digests.py on volumes that are paged to disk, and on files of OpenVDB."""
+"""The operations of digests.py on volumes that are paged to disk."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from digest_fields import field_of
 from digest_scenes import UTM, loom
 
 
@@ -50,21 +49,4 @@ def paged_scans(d: Any) -> list[Any]:
             return [touched, volume.extract_triangle_mesh(0)]
 
 
-def vdb_files(d: Any) -> list[Any]:
-    """Files of a volume, a distance field and an occupancy grid, byte by byte."""
-    grid = loom().OccupancyGrid(0.2, device=d.device)
-    grid.insert_scan(d.ball.vertices, [0.0, 0.0, 0.0])
-    found = []
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "volume.vdb"
-        for volume in (d.volume, field_of(d), grid):
-            loom().write_vdb(path, volume)
-            found.append(np.frombuffer(path.read_bytes(), np.uint8))
-    return found
-
-
-VOLUMES: dict[str, Callable[[Any], Any]] = {
-    "tsdf, paged": paged_volume,
-    "tsdf, paged, integrate_points": paged_scans,
-    "write_vdb": vdb_files,
-}
+VOLUMES: dict[str, Callable[[Any], Any]] = {"tsdf, paged": paged_volume, "tsdf, paged, integrate_points": paged_scans}

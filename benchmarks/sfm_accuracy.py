@@ -1,7 +1,7 @@
 """How far cameras are off that structure from motion finds, with time and memory by stage.
 
-    python benchmarks/sfm_accuracy.py room WORK           30 pictures of the demo's room
-    python benchmarks/sfm_accuracy.py room-video WORK     the same round as a video of 120 frames
+    python benchmarks/sfm_accuracy.py room WORK           30 pictures of the made-up room
+    python benchmarks/sfm_accuracy.py room-video WORK     the same round as a video of 240 frames
     python benchmarks/sfm_accuracy.py fountain WORK $POINTLOOM_DATA/mvs-fountain-p11             with K given
     python benchmarks/sfm_accuracy.py redkitchen WORK $POINTLOOM_DATA/rgbd-7scenes-redkitchen    each 5th frame
 
@@ -16,13 +16,15 @@ import argparse
 import json
 import shutil
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+from PIL import Image
 
 import pointloom as loom
 
 STRIDE = 5  # of the kitchen's frames
-ROOM_FRAMES = 30
+ROOM_FRAMES, VIDEO_FRAMES = 30, 240
 
 
 def fit_similarity(source: np.ndarray, target: np.ndarray) -> tuple[float, np.ndarray, np.ndarray]:
@@ -57,22 +59,34 @@ def camera_errors(model: loom.SfmModel, truth: dict[str, np.ndarray]) -> dict[st
     }
 
 
+def round_frames(count: int) -> Any:
+    """Frames of one round through the made-up room, 640 x 480 pixels."""
+    from pointloom.data.scenes.room import room_views
+    from pointloom.data.scenes.room_paths import film_pose
+
+    camera = loom.PinholeCameraIntrinsic(640, 480, 525.0, 525.0, 319.5, 239.5)
+    return room_views(np.array([film_pose(k / count) for k in range(count)]), camera)
+
+
 def room(work: Path, data: Path | None) -> tuple[Path, dict[str, np.ndarray], dict, dict]:
     """30 pictures of one round, 12 degrees and 10 cm from one to the next."""
-    from pointloom.data.scenes.room_video import room_video_frames, room_video_poses, write_room_video
-
-    write_room_video(work / "pictures", room_video_frames(ROOM_FRAMES))
-    names = sorted(path.name for path in (work / "pictures").iterdir())
-    return work / "pictures", dict(zip(names, room_video_poses(ROOM_FRAMES), strict=True)), {}, {}
+    frames, folder = round_frames(ROOM_FRAMES), work / "pictures"
+    folder.mkdir()
+    names = [f"{frame.name}.jpg" for frame in frames]
+    for name, frame in zip(names, frames, strict=True):
+        Image.fromarray(frame.color).save(folder / name, quality=95, subsampling=0)
+    return folder, dict(zip(names, frames.poses, strict=True)), {}, {}
 
 
 def room_video(work: Path, data: Path | None) -> tuple[Path, dict[str, np.ndarray], dict, dict]:
-    """The same round as a video of 120 frames, from which frames are chosen."""
-    from pointloom.data.scenes.room_video import room_video_poses, write_room_video
+    """The same round as a video of 240 frames, from which frames are chosen."""
+    from pointloom.drawing.recording.video import write_mp4
 
-    write_room_video(work / "room.mp4")
-    choice = loom.sfm.choose_frames(work / "room.mp4", work / "pictures")
-    poses = room_video_poses()
+    frames, path = round_frames(VIDEO_FRAMES), work / "room.mp4"
+    with path.open("wb") as file:
+        write_mp4(file, (frame.color for frame in frames), 20.0, path)
+    choice = loom.sfm.choose_frames(path, work / "pictures")
+    poses = frames.poses
     truth = {name: poses[number] for name, number in zip(choice.names, choice.numbers, strict=True)}
     return work / "pictures", truth, {}, {"frames": choice.to_json()}
 

@@ -115,7 +115,7 @@ def media_output(text: str, kind: str, data: bytes, notes: list[str], picture: N
 
     Args:
         text: For terminals.
-        kind: "image/gif", "image/webp" or "video/mp4".
+        kind: "image/gif" or "video/mp4".
         data: The file.
         notes: What is to be said below.
         picture: Of one frame, shape [h, w, 3], uint8.

@@ -1,4 +1,4 @@
-"""The tiles of a finished job as one file or one folder."""
+"""The tiles of a finished job as one file."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from ..core.atomic import atomic_write, check_writable
-from ..core.checks import check_count, check_positive, check_progress, shown
+from ..core.checks import check_count, check_progress, shown
 from ..core.errors import FileError, FilePath
 from ..core.paths import path_of
 from ..core.progress import ReportProgress, say_nothing
@@ -23,7 +23,7 @@ from .rasters import mosaics_of, write_mosaics
 from .schema import CHECKSUMS
 from .status import status_of
 from .tasks import lay_again
-from .tree_outputs import FOLDERS, tree_of, write_folder, write_tree
+from .tree_outputs import tree_of, write_tree
 from .work_tile import FOLDER as TILES
 from .work_tile import checksum_of, tile_path
 
@@ -36,34 +36,27 @@ def finish_tiles(
     path: FilePath | None = None,
     *,
     output: str | None = None,
-    overview: float | None = None,
     workers: int = 0,
     overwrite: bool = True,
     progress: ReportProgress = say_nothing,
 ) -> Path:
-    """Make one file, or one folder, of all tiles, and remove what the job held beside its tiles.
+    """Make one file of all tiles, and remove what the job held beside its tiles.
 
     Args:
         folder: Of `plan_tiles`, all tiles done.
         path: The file, an octree where it ends in .copc.laz; None takes `result.laz`, or `result.copc.laz` where the
             plan says "copc", in the folder.
-        output: What to make. "laz", "las" and "copc" are one file; None takes the one that the name says, or else the
-            plan. The others are folders: "tiles" are COPC files with an index `index.vpc`, which QGIS and PDAL open
-            as one cloud, and a coarse version of all of them, `overview.copc.laz`. "3dtiles" are 3D Tiles 1.1
-            (`tileset.json`), on the globe where the coordinate system is known; "potree" is Potree 2.0
-            (`metadata.json`).
-        overview: Spacing of the points of the overview beside "tiles"; None takes the level of which a square of
-            points has a million.
+        output: The format: "laz", "las" or "copc". None takes the format of the name, or else of the plan.
         workers: Processes that make an octree, 1 GB of memory each; 0 makes it in this one. The result has the same
             bits. A LAZ file is packed by threads of this process, whatever the workers.
-        overwrite: Whether an existing file may be replaced, or a folder of the same kind.
+        overwrite: Whether an existing file may be replaced.
         progress: Called with "points", how many are read, and how many there are to read, twice for an octree.
 
     Returns:
-        The file or folder; the first raster where the steps left no point but `rasterize` is among them.
+        The file; the first raster where the steps left no point but `rasterize` is among them.
 
     Raises:
-        ValueError: An output that there is not, a folder without a path, or an overview of no tiles.
+        ValueError: An output that there is not.
         FileError: Tiles wait, failed or were set aside; points are missing; a tile is gone or damaged; for an octree,
             millions of points lie in one place; the name is not that of such a file; the file cannot be written.
 
@@ -72,8 +65,8 @@ def finish_tiles(
         points, in their order; it is made from the tiles on disk, which are read twice. Memory: 1 GB whatever their
         number; no disk but for the file.
     """
-    report, spacing = check_progress(progress), None if overview is None else check_positive("overview", overview)
-    _check_output(path, output, spacing)
+    report = check_progress(progress)
+    _check_output(path, output)
     count = check_count("workers", workers, minimum=0)
     manifest, plan = open_plan(folder)
     with manifest, only_one(manifest.folder, "finish"):
@@ -91,9 +84,6 @@ def finish_tiles(
         _clear_parts(path)
         if not parts:
             path = mosaics[0]
-        elif output in FOLDERS:
-            with Crew(count, path) as crew:
-                write_folder(path, parts, output, spacing, overwrite, report, crew)
         elif path.name.lower().endswith(".copc.laz"):
             check_writable(path, overwrite=overwrite)
             with Crew(count, path) as crew:
@@ -109,17 +99,10 @@ def finish_tiles(
         return path
 
 
-def _check_output(path: FilePath | None, output: Any, overview: float | None) -> None:
+def _check_output(path: FilePath | None, output: Any) -> None:
     """Refuse what cannot be made, and a name that says something else."""
-    known = [*FILES, *FOLDERS]
-    if output is not None and output not in known:
-        raise ValueError(f"output: expected None or one of {', '.join(map(repr, known))}, got {shown(output)}")
-    if overview is not None and output != "tiles":
-        raise ValueError(f"overview: goes with output='tiles', not with {shown(output)}")
-    if output in FOLDERS:
-        if path is None:
-            raise ValueError(f"path: {shown(output)} is a folder of files; give the folder that is to be made")
-        return
+    if output is not None and output not in FILES:
+        raise ValueError(f"output: expected None or one of {', '.join(map(repr, FILES))}, got {shown(output)}")
     if path is None:
         return
     name = path_of(path).name.lower()
@@ -133,12 +116,9 @@ def _check_output(path: FilePath | None, output: Any, overview: float | None) ->
 
 
 def _clear_parts(path: Path) -> None:
-    """Remove what killed processes left of a file or folder that they made."""
+    """Remove partial files of killed processes."""
     for part in path.parent.glob(f".{path.name}.*.part"):
-        if part.is_dir():
-            shutil.rmtree(part, ignore_errors=True)
-        else:
-            part.unlink(missing_ok=True)
+        part.unlink(missing_ok=True)
 
 
 def _check_finished(manifest: Manifest, plan: Plan) -> None:

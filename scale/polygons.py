@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from ..core.checks import check_finite, check_numeric, shown
 from ..core.errors import FileError
 from ..files.foreign import foreign_errors, import_for
-from ..files.points.geodetic import Geodesy, system_named
+from ..files.points.geodetic import system_named, system_of
 from ..files.points.las import open_las
 from ..pcd.polygon_volume import MIN_CORNERS
 
@@ -191,7 +191,7 @@ def in_survey(name: str, area: Area, crs: str | None, sources: list[dict[str, An
 
 def _transformed(name: str, area: Area, crs: str, path: Path) -> Area:
     pyproj: Any = import_for(path, "pyproj", "geo")
-    system = Geodesy(path, open_las(path).header).system
+    system = system_of(path, open_las(path).header)
     if system is None:
         remedy = "Give the area in the coordinates of the survey, without a system"
         raise FileError(path, "tells no coordinate system that an area could be brought to", remedy=remedy)

@@ -42,8 +42,7 @@ ROW_BITS = 40  # of a point's key, for its row in the file; what is above is the
 def list_files(sources: Any) -> list[Path]:
     """The files that paths of files, folders and indexes stand for, absolute and without repeats, in their order.
 
-    Of a folder these are the files that its `index.vpc` lists (an overview beside them has the same points again);
-    without one its LAS and LAZ files; where it has none, its other files of points.
+    Of a folder these are its LAS and LAZ files; where it has none, its other files of points.
 
     Raises:
         FileError: One is not there or cannot be read, is no file of points, or a folder or an index holds none.
@@ -59,9 +58,7 @@ def list_files(sources: Any) -> list[Path]:
         except OSError as error:
             raise FileError(path, f"cannot be read: {error.strerror or error}") from error
         suffix = path.suffix.lower()
-        if names is not None and (path / f"index{INDEX}").is_file():
-            found |= dict.fromkeys(files_of_index(path / f"index{INDEX}"))
-        elif names is not None:
+        if names is not None:
             kinds = ([name for name in names if name.suffix.lower() in kind] for kind in (SUFFIXES, IN_FOLDERS))
             chosen = next(filter(None, kinds), None)
             if chosen is None:

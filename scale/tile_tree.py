@@ -1,5 +1,6 @@
-"""One octree over the points of many LAZ files, made from the disk in bounded memory; the formats that hold such trees
-are written from its nodes (files/points/copc_writer.py and others).
+"""One octree over the points of many LAZ files, made from the disk in bounded memory.
+
+files/points/copc_writer.py writes its nodes as COPC.
 
 The tree is the one of `write_copc` over all points in the order of the files: the same cube, the same level of each
 point, the same nodes. A point's level depends on the points of its voxel at the coarsest level alone, 1/128 of the
@@ -179,12 +180,11 @@ class TileTree:
             stack += [(at + 1, code * 8 + octant) for octant in range(7, -1, -1)]
         return leaves
 
-    def nodes(self, pack: Pack | None = None, most: int = DEPTH) -> Iterator[Node]:
+    def nodes(self, pack: Pack | None = None) -> Iterator[Node]:
         """The nodes that have points, those of a cell before those around it; each once.
 
         Args:
             pack: What makes the chunks of nodes, from the rows of each.
-            most: The deepest level.
 
         Raises:
             FileError: A file is gone or damaged, or has changed meanwhile.
@@ -192,7 +192,7 @@ class TileTree:
         champions = self._champions()
         pending: dict[int, list[tuple[NDArray[Any], NDArray[np.int64]]]] = {}
         done = 0
-        tasks = ((leaf, champions.get(leaf), pack, most) for leaf in self.leaves)
+        tasks = ((leaf, champions.get(leaf), pack) for leaf in self.leaves)
         for k, (nodes, above) in enumerate(self._crew.map(self.cell, tasks)):
             leaf = self.leaves[k]
             for level, chosen in above.items():
@@ -204,11 +204,10 @@ class TileTree:
             shared = -1 if following is None else _shared_depth(leaf, following)
             for level in sorted((level for level in pending if level > shared), reverse=True):
                 node = _joined(level, leaf.code >> 3 * (leaf.depth - level), pending.pop(level))
-                if level <= most:
-                    yield from _packed([node], pack)
+                yield from _packed([node], pack)
 
-    def cell(self, leaf: Leaf, champion: int | None, pack: Pack | None, most: int) -> tuple[list[Node], Above]:
-        """The nodes in a cell, down to a level, and what is above it; `champion` as of `_champions`."""
+    def cell(self, leaf: Leaf, champion: int | None, pack: Pack | None) -> tuple[list[Node], Above]:
+        """The nodes in a cell, and what is above it; `champion` as of `_champions`."""
         rows, numbers = self._gather(leaf)
         keys, order, levels = self._levels_of(leaf, rows, numbers)
         if champion is not None:
@@ -219,7 +218,7 @@ class TileTree:
             chosen = np.sort(order[levels == level])
             if len(chosen):
                 above[level] = rows[chosen], numbers[chosen]
-        return _packed([node for node in _nodes_of(table, rows) if node.level <= most], pack), above
+        return _packed([*_nodes_of(table, rows)], pack), above
 
     def _levels_of(self, leaf: Leaf, rows: NDArray[Any], numbers: NDArray[np.int64]) -> Any:
         points = upload(self.positions(rows), vec3d, "cpu")

@@ -53,7 +53,7 @@ ROOMS = {
     "photos": ["sfm", "mvs", "depth", "video"],
     "data": ["scenes", "made", "public"],
     "scale": ["steps", "jobs"],
-    "app": ["jobs", "demos", "shell"],
+    "app": ["jobs", "shell"],
     "bridge": ["utility", "camera", "geometry", "pipelines", "io", "visualization"],
 }
 

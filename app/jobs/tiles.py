@@ -95,7 +95,7 @@ def report_of(command: str, status: TileStatus, *, is_part: bool = False) -> Til
 
 
 def finish_job(folder: Path, path: Path | None, **options: Any) -> TileReport:
-    """Make one file, or one folder, of all tiles, with the options of `finish_tiles`; what is said of it."""
+    """Make one file of all tiles, with the options of `finish_tiles`; what is said of it."""
     made = finish_tiles(folder, path, **options)
     return TileReport("finish", tile_status(folder), files=(str(made),))
 

@@ -270,10 +270,7 @@ def normals(source: Path, output: Path, **options: Any) -> Answer:
     return estimate_normals_of_file(source, output, **options)
 
 
-@cli.command(short_help="Fuse or reconstruct a made-up room; needs no data.")
-@click.argument(
-    "form", type=click.Choice(["fuse", "reconstruct", "video"]), default="fuse", metavar="[fuse|reconstruct|video]"
-)
+@cli.command(short_help="Fuse frames of a made-up room; needs no data.")
 @click.option(
     "-o",
     "--output",
@@ -288,15 +285,13 @@ def normals(source: Path, output: Path, **options: Any) -> Answer:
     "--frames",
     "frame_count",
     type=click.IntRange(min=1),
+    default=120,
+    show_default=True,
     metavar="N",
-    help="Length of the walk; 120, 300 to reconstruct, and 240 of a video, if not given.",
+    help="Number of frames.",
 )
 @click.option(
-    "--voxel",
-    "voxel_size",
-    type=LENGTH,
-    metavar="M",
-    help="Edge of a voxel [m]; 0.02 if not given. A video has its own.",
+    "--voxel", "voxel_size", type=LENGTH, default=0.02, show_default=True, metavar="M", help="Edge of a voxel [m]."
 )
 @click.option(
     "--seed", type=click.IntRange(min=0), default=0, show_default=True, metavar="N", help="Chooses the noise."
@@ -305,35 +300,18 @@ def normals(source: Path, output: Path, **options: Any) -> Answer:
 @device_option()
 @json_option()
 @force_option()
-def demo(form: str, folder: Path, device: str, as_json: bool, force: bool, **options: Any) -> int:
-    """Render a furnished room, make a mesh of the pictures, and hold it against the true surface.
+def demo(folder: Path, as_json: bool, force: bool, **options: Any) -> int:
+    """Render a furnished room as RGB-D frames, fuse them, and compare the mesh with the true surface.
 
-    \b
-    fuse         with their poses; then scan the sofa, and make a surface of the points. Leaves room.ply, room.png,
-                 sofa.ply, sofa.png and report.json in the folder, which is made
-    reconstruct  without their poses: the camera is tracked along a walk that comes back to where it began, and how far
-                 it drifted is told. Leaves room.ply, room.png, poses.log, truth.log and report.json
-    video        without depth and poses: a video of the room goes through `pointloom video`. Leaves room.mp4, mesh.ply,
-                 mesh.png, poses.log, truth.log and report.json
+    Writes room.ply, room.png and report.json to the folder, which is created if missing.
 
     \b
     pointloom demo -o demo --frames 60
-    pointloom demo reconstruct -o walk
-    pointloom demo video -o filmed
     """
-    given = {name: value for name, value in options.items() if value is not None}
-    if form == "video" and "voxel_size" in given:
-        refuse("--voxel is for depth frames: of a video the voxels follow from the pictures")
-    if form == "video":
-        from ..demos.demo_video import VideoTrial as Trial
-    elif form == "reconstruct":
-        from ..demos.demo_reconstruct import ReconstructTrial as Trial
-    else:
-        from ..demos.demo import FuseTrial as Trial
-    from ..demos.trial import TITLE, run_trial
+    from ..jobs.demo import TITLE, run_demo
 
     with Progress() as progress:
-        report = run_trial(folder, Trial(**given), device=device, overwrite=force, progress=progress)
+        report = run_demo(folder, **options, overwrite=force, progress=progress)
     return answer_with(report, TITLE, as_json)
 
 

@@ -171,7 +171,7 @@ def picture_option() -> Decorator:
 
 def record_option(what: str) -> Decorator:
     """`--record`."""
-    text = f"Record {what}: .html (a page that plays), .gif, .webp or .mp4."
+    text = f"Record {what}: .html (a page that plays), .gif or .mp4."
     return click.option("--record", "record_as", type=RecordingFile(), metavar="FILE", help=text)
 
 

@@ -17,7 +17,7 @@ from .options import FILE, LENGTH, DeviceName, force_option, json_option, refuse
 # The names of scale/plan.py, which would load NumPy; a test holds the two together.
 OUTPUTS = ("laz", "copc")
 AREAS = (".geojson", ".json", ".wkt")  # of scale/polygons.py
-FILES, FOLDERS = ("laz", "las", "copc"), ("tiles", "3dtiles", "potree")  # of scale/finish.py, likewise
+FILES = ("laz", "las", "copc")  # of scale/finish.py, likewise
 _EPILOG = """\b
 What earlier runs have done stays: the same plan and run again go on where they ended, after Ctrl-C too. Another plan,
 files that have changed and another version are refused, and what differs is said.
@@ -252,43 +252,25 @@ def retry(folder: Path, as_json: bool) -> int:
     return answer_with(report_of("retry", retry_tiles(folder)), str(folder), as_json)
 
 
-@tile.command("finish", short_help="Make one file, or one folder, of all tiles.")
+@tile.command("finish", short_help="Make one file of all tiles.")
 @FOLDER
-@click.option("-o", "path", type=FILE, metavar="OUT", help="The file or folder; result.laz in DIR if not given.")
-@click.option(
-    "--output", type=click.Choice(FILES + FOLDERS), help="What to make; else what OUT's name says, or the plan."
-)
-@click.option("--overview", type=LENGTH, metavar="M", help="With tiles: distance of the overview's points [m].")
-@click.option("--workers", type=COUNT, metavar="N", help="Processes that make copc, tiles, 3dtiles, potree; 1 GB each.")
+@click.option("-o", "path", type=FILE, metavar="OUT", help="The file; result.laz in DIR if not given.")
+@click.option("--output", type=click.Choice(FILES), help="The format; else what OUT's name says, or the plan.")
+@click.option("--workers", type=COUNT, metavar="N", help="Processes that make copc; 1 GB each.")
 @json_option()
 @force_option()
-def finish(
-    folder: Path,
-    path: Path | None,
-    output: str | None,
-    overview: float | None,
-    workers: int | None,
-    as_json: bool,
-    force: bool,
-) -> int:
+def finish(folder: Path, path: Path | None, output: str | None, workers: int | None, as_json: bool, force: bool) -> int:
     """Make one file of all tiles of DIR, once all are done, and remove what lay there beside them.
 
-    laz, las and copc are one file, whose name ends so. The others are a folder OUT: tiles are COPC files with an
-    index.vpc for QGIS and PDAL and an overview of all; 3dtiles are 3D Tiles 1.1 for web maps; potree is Potree 2.0.
     OUT appears whole or not at all, after Ctrl-C too.
 
     \b
     pointloom tile finish job -o thinned.laz
     pointloom tile finish job -o thinned.copc.laz
-    pointloom tile finish job --output 3dtiles -o web/
     """
-    if output in FOLDERS and path is None:
-        refuse(f"missing option '-o'; --output {output} makes a folder, give its name")
-    if overview is not None and output != "tiles":
-        refuse("--overview goes with --output tiles")
     from ..jobs.tiles import finish_job
 
-    options: dict[str, Any] = {"output": output, "overview": overview, "workers": workers or 0}
+    options: dict[str, Any] = {"output": output, "workers": workers or 0}
     with Progress() as progress:
         told = finish_job(folder, path, overwrite=force, progress=progress, **options)
     return answer_with(told, str(folder), as_json)

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from ..render.view import View
     from .recorder import Recorder
 
-MEDIA = {".gif": "image/gif", ".webp": "image/webp", ".mp4": "video/mp4"}
+MEDIA = {".gif": "image/gif", ".mp4": "video/mp4"}
 BESIDE = 120  # [px] of a page's height for what stands around the picture
 
 

@@ -58,7 +58,7 @@ def record(
     frames by themselves; others are made by hand: `add`, `update`, `set_pose`, `plot`, `step`.
 
     Args:
-        path: .html (one file that plays from disk, with plots), .gif, .webp, or .mp4 (by an ffmpeg program).
+        path: .html (one file that plays from disk, with plots), .gif, or .mp4 (by an ffmpeg program).
         fps: Frames a second; a .gif holds up to 50.
         size: Width and height of an animation [px]; a video's are made even.
         max_points: Clouds of more points are sampled, meshes of more vertices simplified; the title says so.

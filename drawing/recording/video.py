@@ -32,7 +32,7 @@ def find_ffmpeg(path: str | Path) -> str:
     """
     found = shutil.which("ffmpeg")
     if found is None:
-        remedy = "Install ffmpeg, or give a name that ends in .html, .gif or .webp"
+        remedy = "Install ffmpeg, or give a name that ends in .html or .gif"
         raise FileError(path, "videos are made by the program ffmpeg, which is not on the path", remedy=remedy)
     return found
 

@@ -21,7 +21,6 @@ from .page import write_page
 from .shapes import spread_rows
 from .timeline import Timeline
 from .video import find_ffmpeg, write_mp4
-from .webp_writer import write_webp
 
 FASTEST_GIF = 50.0  # [frames a second]: viewers slow down shorter delays than 2 hundredths
 PALETTE_FRAMES = 12  # that a GIF's colours come from
@@ -39,7 +38,7 @@ def check_recording(path: str | Path, *, fps: float, background: Any, overwrite:
         remedy = f"Give a name that ends in {', '.join(RECORDINGS[:-1])} or {RECORDINGS[-1]}"
         raise FileError(path, f"recordings are not written as {suffix or 'files without a suffix'}", remedy=remedy)
     if suffix == ".gif" and fps > FASTEST_GIF:
-        raise ValueError(f"fps: a .gif holds up to {FASTEST_GIF:g} frames a second, got {fps:g}; take .webp or .mp4")
+        raise ValueError(f"fps: a .gif holds up to {FASTEST_GIF:g} frames a second, got {fps:g}; take .mp4")
     check_color("background", background)
     check_writable(path, overwrite=overwrite)
     if suffix == ".mp4":
@@ -71,7 +70,6 @@ def write_recording(
     ground = tuple(np.rint(255 * np.array(background)).astype(int).tolist())
     writers: dict[str, Callable[[IO[bytes]], int]] = {
         ".gif": lambda file: write_gif(file, film.frames(say), _palette_of(film, ground), timeline.fps),
-        ".webp": lambda file: write_webp(file, film.frames(say), ground, timeline.fps),
         ".mp4": lambda file: write_mp4(file, film.frames(say), timeline.fps, path),
     }
     with atomic_write(path, overwrite=overwrite) as file:

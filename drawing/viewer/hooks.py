@@ -287,7 +287,7 @@ class Hooks:
         It is seen from where a page looks, or `set_view` said; without either all of it is seen at all times.
 
         Args:
-            path: .html (one file that plays from disk), .gif, .webp or .mp4.
+            path: .html (one file that plays from disk), .gif or .mp4.
             **options: fps, size, max_points, max_frames, title, background, overwrite, as of `loom.record`.
 
         Raises:

@@ -43,7 +43,7 @@ def write_history(
 
     Args:
         viewer: The viewer.
-        path: .html, .gif, .webp or .mp4.
+        path: .html, .gif or .mp4.
         fps: Frames a second.
         size: Width and height of an animation [px].
         max_points: Clouds of more points are sampled, meshes of more vertices simplified.

@@ -1,73 +1,30 @@
-"""Where a LAS file's coordinates lie on the Earth, by pyproj: its system, degrees of WGS 84, and geocentric places.
-
-Heights of a system that tells none of its own count from the ellipsoid, in the unit of the plane. Where the grid of a
-height system is not installed, pyproj takes the nearest way that it has.
-"""
+"""The coordinate system of a LAS file, or of a name, as pyproj's CRS."""
 
 from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 from ...core.checks import shown
 from ..foreign import foreign_errors, import_for
 from .las_crs import find_keys, find_text
 from .las_header import LasHeader
-from .las_units import units_of
 
-_GEOCENTRIC, _DEGREES = "EPSG:4978", "EPSG:4979"
 _PROJECTED_KEY, _GEOGRAPHIC_KEY = 3072, 2048
 
 
-class Geodesy:
-    """The coordinate system of a file.
-
-    Args:
-        path: The file, for errors.
-        header: What its header says.
-
-    Attributes:
-        system: pyproj's CRS; None where the file tells none.
+def system_of(path: Any, header: LasHeader) -> Any:
+    """pyproj's CRS of a file; None if the file has none, or none on the Earth, such as one that gives the unit alone.
 
     Raises:
-        FileError: The system cannot be read, or pyproj is missing.
+        FileError: The system cannot be read, or pyproj is missing; `path` is the file's.
     """
-
-    def __init__(self, path: Any, header: LasHeader):
-        self._path, told = path, _told(header)
-        self.system: Any = None
-        if told is None:
-            return
-        pyproj = import_for(path, "pyproj", "geo")
-        with foreign_errors(path, "its coordinate system cannot be read"):
-            self.system = pyproj.CRS.from_user_input(told)
-            if self.system.is_geographic or self.system.is_projected or self.system.is_compound:
-                whole = self.system if self.system.is_compound else self.system.to_3d()
-                self._ways = {
-                    name: pyproj.Transformer.from_crs(whole, name, always_xy=True) for name in (_GEOCENTRIC, _DEGREES)
-                }
-            else:  # no place on the Earth, such as a system that tells the unit alone
-                self.system = None
-                return
-        plane = units_of(header).plane
-        metres = plane.metres if plane is not None and plane.metres else 1.0
-        self._height_scale = 1.0 if self.system.is_compound else metres
-
-    def to_geocentric(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Metres from the middle of the Earth, [n, 3]."""
-        return self._by(_GEOCENTRIC, points)
-
-    def to_degrees(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Longitude, latitude and height of WGS 84, [n, 3]."""
-        return self._by(_DEGREES, points)
-
-    def _by(self, name: str, points: NDArray[np.float64]) -> NDArray[np.float64]:
-        with foreign_errors(self._path, "its coordinates cannot be transformed"):
-            x, y, z = points.T
-            found = self._ways[name].transform(x, y, z * self._height_scale, errcheck=True)
-        return np.column_stack(found)
+    told = _told(header)
+    if told is None:
+        return None
+    pyproj = import_for(path, "pyproj", "geo")
+    with foreign_errors(path, "its coordinate system cannot be read"):
+        system = pyproj.CRS.from_user_input(told)
+    return system if system.is_geographic or system.is_projected or system.is_compound else None
 
 
 def system_named(name: str, value: Any) -> Any:

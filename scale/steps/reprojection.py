@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from ...core.checks import shown
 from ...core.errors import FileError
 from ...files.foreign import import_for
-from ...files.points.geodetic import Geodesy, system_named
+from ...files.points.geodetic import system_named, system_of
 from ...files.points.las import open_las
 from ..exact_sums import ExactSums
 from .step import Part, Step
@@ -47,7 +47,7 @@ class Reproject(Step):
         pyproj: Any = import_for(path, "pyproj", "geo")
         target = system_named("steps: reproject: to_crs", self.params["to_crs"])
         if self.params["from_crs"] is None:
-            source = Geodesy(path, open_las(path).header).system
+            source = system_of(path, open_las(path).header)
             if source is None:
                 remedy = "Say which one it is: from_crs='EPSG:25832' of the step, or --from-crs"
                 raise FileError(path, "tells no coordinate system to reproject from", remedy=remedy)

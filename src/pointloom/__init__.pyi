@@ -57,7 +57,6 @@ from .meshing.volume.occupancy import OccupancyGrid as OccupancyGrid
 from .meshing.volume.paged_volume import PagedTSDFVolume as PagedTSDFVolume
 from .meshing.volume.splat_fusion import fuse_splats as fuse_splats
 from .meshing.volume.tsdf import TSDFVolume as TSDFVolume
-from .meshing.volume.vdb_files import write_vdb as write_vdb
 from .meshing.volume.volume_fusion import fuse_volumes as fuse_volumes
 from .meshing.mesh.voxel_grid import VoxelGrid as VoxelGrid
 from .pcd.boxes import AxisAlignedBoundingBox as AxisAlignedBoundingBox

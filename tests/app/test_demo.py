@@ -1,4 +1,4 @@
-"""The trial run: what it leaves, and how true it is."""
+"""`pointloom demo`: the files that it writes, and the errors of the mesh."""
 
 import json
 
@@ -7,10 +7,7 @@ import pytest
 from click.testing import CliRunner
 from PIL import Image
 
-from pointloom.app.demos import demo_object
-from pointloom.app.demos.demo import LARGEST_RMSE, FuseTrial, _why_poor
-from pointloom.app.demos.demo_results import SurfaceErrors
-from pointloom.app.demos.trial import run_trial
+from pointloom.app.jobs.demo import LARGEST_RMSE, SurfaceErrors, _why_poor, run_demo
 from pointloom.app.shell.cli import cli
 from pointloom.core.errors import DeviceError, FileError
 from pointloom.data.scenes.room import surface_errors
@@ -18,14 +15,8 @@ from pointloom.meshing.mesh.mesh_files import read_triangle_mesh
 
 from .commands import names_in
 
-OUTPUTS = ["report.json", "room.ply", "room.png", "sofa.ply", "sofa.png"]
+OUTPUTS = ["report.json", "room.ply", "room.png"]
 SMALL = {"frame_count": 6, "voxel_size": 0.08}
-
-
-def run_demo(folder, *, device="auto", overwrite=False, progress=None, **options):
-    """The report of a trial run, in JSON's types."""
-    trial = FuseTrial(**options)
-    return run_trial(folder, trial, device=device, overwrite=overwrite, progress=progress).to_json()
 
 
 def errors_of(rmse):
@@ -33,17 +24,9 @@ def errors_of(rmse):
     return SurfaceErrors(0.0, rmse, 0.0, 0.0, 1.0, voxel_size=1.0)
 
 
-@pytest.fixture(autouse=True)
-def small_sofa(monkeypatch):
-    """A scan of the sofa that takes no time."""
-    for name, value in (("POINTS", 6000), ("CELL", 0.06), ("DEPTH", 5)):
-        monkeypatch.setattr(demo_object, name, value)
-    monkeypatch.setattr(demo_object, "LARGEST_RMSE", 0.02)
-
-
 @pytest.mark.slow
 def test_the_demo_leaves_a_mesh_a_picture_and_a_report(device, tmp_path):
-    report = run_demo(tmp_path / "demo", **SMALL, device=device)
+    report = run_demo(tmp_path / "demo", **SMALL, device=device).to_json()
     assert names_in(tmp_path / "demo") == OUTPUTS
     assert json.loads((tmp_path / "demo" / "report.json").read_text()) == json.loads(json.dumps(report))
     mesh = read_triangle_mesh(tmp_path / "demo" / "room.ply")
@@ -51,16 +34,13 @@ def test_the_demo_leaves_a_mesh_a_picture_and_a_report(device, tmp_path):
     assert mesh.vertex_colors is not None
     picture = np.asarray(Image.open(tmp_path / "demo" / "room.png"))
     assert picture.std() > 20
-    stages = "build", "render", "integrate", "extract", "check", "scan", "poisson", "measure", "picture"
+    stages = "build", "render", "integrate", "extract", "check", "measure", "picture"
     assert tuple(report["seconds"]) == stages
-    sofa = read_triangle_mesh(tmp_path / "demo" / "sofa.ply")
-    assert len(sofa) == report["sofa"]["triangles"] > 1000
-    assert np.asarray(Image.open(tmp_path / "demo" / "sofa.png")).std() > 20
 
 
 @pytest.mark.slow
 def test_the_errors_are_those_of_the_vertices(tmp_path):
-    report = run_demo(tmp_path / "demo", **SMALL)
+    report = run_demo(tmp_path / "demo", **SMALL).to_json()
     errors = surface_errors(read_triangle_mesh(tmp_path / "demo" / "room.ply").vertices)
     assert report["errors"]["rmse"] == pytest.approx(np.sqrt(np.mean(errors**2)), rel=1e-6)
     assert report["errors"]["median_voxels"] == pytest.approx(np.median(errors) / 0.08, rel=1e-6)
@@ -73,7 +53,7 @@ def test_vertices_within_half_a_voxel_are_counted():
 
 @pytest.mark.slow
 def test_without_noise_the_error_is_below_three_tenths_of_a_voxel(tmp_path):
-    report = run_demo(tmp_path / "demo", frame_count=60, voxel_size=0.03, noise=False)
+    report = run_demo(tmp_path / "demo", frame_count=60, voxel_size=0.03, noise=False).to_json()
     assert report["errors"]["rmse_voxels"] < 0.3
     assert report["poor"] is None
     assert LARGEST_RMSE["no noise"] == 0.3
@@ -137,16 +117,7 @@ def test_the_command_prints_a_table_or_one_json_object(tmp_path):
     words = ["demo", "-o", str(tmp_path / "demo"), "--frames", "6", "--voxel", "0.08"]
     shown = CliRunner().invoke(cli, words)
     assert shown.exit_code == 0, shown.stderr
-    for label in (
-        "frames",
-        "mesh",
-        "seconds",
-        "median",
-        "root mean square",
-        "95 % below",
-        "within half a voxel",
-        "sofa",
-    ):
+    for label in ("frames", "mesh", "seconds", "median", "root mean square", "95 % below", "within half a voxel"):
         assert label in shown.stdout
     again = CliRunner().invoke(cli, [*words, "--force", "--json"])
     assert again.exit_code == 0, again.stderr

@@ -42,7 +42,6 @@ def folder(tmp_path, monkeypatch):
 def test_commands_options_and_choices_are_completed(folder):
     assert completed("pointloom cle") == [("plain", "clean"), ("plain", "clean-mesh")]
     assert ("plain", "--device") in completed("pointloom clean --de")
-    assert completed("pointloom demo rec") == [("plain", "reconstruct")]
     assert completed("pointloom completion z") == [("plain", "zsh")]
     assert completed("pointloom normals --max-") == []  # an earlier name
 

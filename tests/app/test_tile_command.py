@@ -16,7 +16,7 @@ from pointloom.app.shell import tile_command
 from pointloom.app.shell.cli import cli
 from pointloom.files.points.copc import open_copc
 from pointloom.files.points.las import open_las
-from pointloom.scale import finish, tree_outputs
+from pointloom.scale import finish
 from pointloom.scale import plan as planning
 from pointloom.scale.manifest import Manifest
 from pointloom.scale.status import TileStatus
@@ -91,7 +91,7 @@ def test_planning_takes_an_area_points_and_copc(job):
     assert answer("tile", "finish", "b", "--force")["is_finished"]
 
 
-def test_finish_makes_the_file_or_folder_that_is_asked_for(job, monkeypatch):
+def test_finish_makes_the_file_that_is_asked_for(job):
     answer("tile", "plan", "survey", "--steps", "steps.toml", "-o", "job", "--size", "25")
     answer("tile", "run", "job")
     count = answer("tile", "status", "job")["points_out"]
@@ -100,14 +100,6 @@ def test_finish_makes_the_file_or_folder_that_is_asked_for(job, monkeypatch):
     assert not open_las(job / "job/result.las").header.is_compressed
     assert answer("tile", "finish", "job", "-o", "out.copc.laz", "--output", "copc")["files"] == ["out.copc.laz"]
     assert len(open_copc(job / "out.copc.laz").read().points) == count
-    for kind, marker in tree_outputs.FOLDERS.items():
-        report = answer("tile", "finish", "job", "--output", kind, "-o", kind)
-        assert report["files"] == [kind] and (job / kind / marker).is_file()
-        assert "exists already" in refusal("tile", "finish", "job", "--output", kind, "-o", kind)
-    given = {}
-    monkeypatch.setattr(told_by, "finish_tiles", lambda *_, **options: given.update(options))
-    answer("tile", "finish", "job", "--output", "tiles", "-o", "coarse", "--overview", "0.5")
-    assert (given["output"], given["overview"], given["overwrite"]) == ("tiles", 0.5, False)
 
 
 def test_finish_refuses_names_of_other_formats(job):
@@ -226,7 +218,7 @@ def test_long_lists_of_names_are_cut():
 
 def test_the_options_are_those_of_the_library():
     assert planning.OUTPUTS == tile_command.OUTPUTS
-    assert (*finish.FILES,) == tile_command.FILES and (*tree_outputs.FOLDERS,) == tile_command.FOLDERS
+    assert (*finish.FILES,) == tile_command.FILES
     commands = cli.commands["tile"].commands
     assert sorted(commands) == ["finish", "plan", "retry", "run", "status"]
     for name in commands:

@@ -6,6 +6,7 @@ import pytest
 from pointloom.core.errors import FileError
 from pointloom.data.scenes.furniture import SIZE, furnished_room
 from pointloom.data.scenes.room import room_pose, room_sequence, surface_errors, write_room_sequence
+from pointloom.data.scenes.room_paths import film_pose
 from pointloom.files.frames.datasets import open_dataset
 from pointloom.kernels.scenes.primitives import CYLINDER
 
@@ -90,6 +91,17 @@ def test_the_camera_keeps_clear_of_the_furniture_and_moves_smoothly():
     angles = np.degrees(np.arccos(np.clip((np.trace(turns, axis1=1, axis2=2) - 1) / 2, -1, 1)))
     assert angles.max() < 16
     assert np.allclose(np.linalg.det(poses[:, :3, :3]), 1)
+
+
+def test_the_round_for_a_film_is_one_turn_as_smooth_as_a_hand():
+    poses = np.array([film_pose(k / 240) for k in range(240)])
+    forward, eyes = poses[:, :3, 2], poses[:, :3, 3]
+    turn = np.degrees(np.arccos((forward[1:] * forward[:-1]).sum(axis=1)))
+    assert turn.min() > 0.8 and turn.max() < 2.2
+    assert 0.02 < np.linalg.norm(np.diff(eyes, axis=0), axis=1).max() < 0.06
+    assert surface_errors(eyes).min() > 0.35
+    yaw = np.unwrap(np.arctan2(forward[:, 1], forward[:, 0]))
+    assert np.degrees(yaw[-1] - yaw[0]) == pytest.approx(358.5, abs=0.5)
 
 
 def test_the_written_folder_is_a_data_set(tmp_path):

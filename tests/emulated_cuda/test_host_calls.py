@@ -22,7 +22,7 @@ MORE = {
     "the line of the digests reads points, vertices or triangles as NumPy": (
         *("knn_search, array", "points picked", "mesh, cluster", "mesh, deform", "mesh, metrics", "mesh, remove_"),
         *("mesh, sample_points_uniformly", "mesh, topology", "mesh, triangles that meet", "mesh, trim"),
-        *("demo, video", "run_system", "slam, DenseSLAM", "splats", "occupancy, asked", "occupancy, cast_rays"),
+        *("room, film", "run_system", "slam, DenseSLAM", "splats", "occupancy, asked", "occupancy, cast_rays"),
     ),
     "samples of features, rows of matches and of what agrees, up to a number": (
         *("correspondences_from_features", "ransac, ", "fast global", "robust registration", "register_"),
@@ -44,7 +44,7 @@ MORE = {
     "a step of a field of k Gaussians is solved on the host, 8 k^2 bytes each": ("coherent_point_drift",),
     "covariances of pairs come of float64 rows of thinned matches, on the host": ("register_stations",),
     "what pages are sent": ("detail tree",),
-    "blocks on their way to a disk and back, and into a file": ("tsdf, paged", "write_vdb"),
+    "blocks on their way to a disk and back": ("tsdf, paged",),
     "up to 20,000 colours, of which a legend shows the mean": ("render, values",),
     "which part of a mesh lies in which is asked of NumPy": ("mesh, repair", "mesh, sheets"),
     "vertices are projected on the host, in float64": ("orthophoto",),

@@ -1,5 +1,8 @@
 """COPC from tiles on disk: the octree of one machine, whatever is held at once; faults are named and leave no file."""
 
+from contextlib import nullcontext
+
+import laspy
 import numpy as np
 import pytest
 from laspy.copc import Bounds, CopcReader
@@ -168,3 +171,32 @@ def test_a_target_that_is_not_to_be_replaced_is_refused_at_once(job, tmp_path):
     with pytest.raises(FileError, match="exists already"):
         loom.scale.finish_tiles(job, tmp_path / "a.copc.laz", overwrite=False)
     assert (tmp_path / "a.copc.laz").read_bytes() == b"mine"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("count", [1, 2])
+def test_tiles_keep_missing_values_apart_and_the_records_of_a_single_file(tmp_path, count):
+    header = laspy.LasHeader(point_format=6, version="1.4")
+    header.scales, header.file_source_id = np.full(3, 0.001), 9
+    more = {"scales": [0.01], "offsets": [1.0], "no_data": [-9999]}
+    header.add_extra_dim(laspy.ExtraBytesParams("height", "i2", "above ground", **more))
+    header.vlrs.append(laspy.VLR("mine", 7, "calibration", b"abc"))
+    las, rng = laspy.LasData(header), np.random.default_rng(0)
+    las.x, las.y, las.z = rng.random((3, 300)) * 20
+    las.points.array["height"] = np.where(np.arange(300) % 3, np.arange(300), -9999)
+    for k in range(count):
+        las.write(tmp_path / f"{k}.las")
+    with pytest.warns(UserWarning, match="records mine 7") if count > 1 else nullcontext():
+        loom.scale.plan_tiles([tmp_path / f"{k}.las" for k in range(count)], [], tmp_path / "job", size=10.0)
+    assert loom.scale.run_tiles(tmp_path / "job").is_finished
+    for name in ("a.laz", "a.copc.laz"):
+        found = laspy.read(loom.scale.finish_tiles(tmp_path / "job", tmp_path / name))
+        assert np.isnan(found["height"]).sum() == 100 * count
+        (record,) = found.vlrs.get("ExtraBytesVlr")[0].extra_bytes_structs
+        assert (record.min, record.max, record.description) == (1.01, 1 + 2.99, b"above ground")
+        assert bool(found.vlrs.get_by_id("mine")) == (found.header.file_source_id == 9) == (count == 1)
+
+
+def test_outputs_that_there_are_not_are_refused(tmp_path):
+    with pytest.raises(ValueError, match="'copc', got 'ept'"):
+        loom.scale.finish_tiles(tmp_path, tmp_path / "x", output="ept")

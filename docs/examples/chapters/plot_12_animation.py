@@ -61,8 +61,8 @@ assert page.stat().st_size < 5e6
 # %%
 # As an animation
 # ---------------
-# The suffix says what is written: ``.html``, ``.gif``, ``.webp``, or ``.mp4`` where the program ffmpeg is installed.
-# For slides a .webp is small and has full colours. Its view is chosen beforehand.
+# The suffix says what is written: ``.html``, ``.gif``, or ``.mp4`` where the program ffmpeg is installed.
+# A .gif plays in slides. Its view is chosen beforehand.
 
 small = loom.View.from_open3d(
     (target.get_min_bound(), target.get_max_bound()),
@@ -72,10 +72,10 @@ small = loom.View.from_open3d(
     width=320,
     height=240,
 )
-with loom.record(folder / "icp.webp", fps=5, size=(320, 240), view=small):
+with loom.record(folder / "icp.gif", fps=5, size=(320, 240), view=small):
     reg.registration_icp(source, target, 0.02, np.eye(4), reg.TransformationEstimationPointToPlane())
-print("icp.webp:", (folder / "icp.webp").stat().st_size // 1000, "kB")
-assert (folder / "icp.webp").stat().st_size > 1000
+print("icp.gif:", (folder / "icp.gif").stat().st_size // 1000, "kB")
+assert (folder / "icp.gif").stat().st_size > 1000
 
 # %%
 # By hand

@@ -3,7 +3,7 @@ Record what an algorithm does, and send it
 ==========================================
 
 A fusion, a registration or a track as one page that plays offline: turn it, scrub it, no server and no install. The
-same as .gif, .webp or .mp4 for slides. And a viewer's scene saved as a page for others.
+same as .gif or .mp4 for slides. And a viewer's scene saved as a page for others.
 """
 
 import tempfile

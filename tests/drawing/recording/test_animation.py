@@ -16,7 +16,6 @@ from pointloom.core.errors import FileError
 from pointloom.drawing.recording.film import Film, view_frames
 from pointloom.drawing.recording.gif_writer import changed_box, make_palette, write_gif
 from pointloom.drawing.recording.timeline import Frame, Placed, Shape, Timeline
-from pointloom.drawing.recording.webp_writer import write_webp
 
 WHITE = (255, 255, 255)
 ORANGE, BLUE = (255, 180, 0), (0, 166, 237)
@@ -81,17 +80,6 @@ def test_a_gif_has_every_frame_also_equal_ones_and_takes_as_long_as_it_should(fp
         assert (seen == 255).all(axis=2).sum() == (picture == 255).all(axis=2).sum()
 
 
-@pytest.mark.parametrize(("fps", "total"), [(7, 1714), (60, 200)])
-def test_a_webp_has_every_frame_also_equal_ones_and_takes_as_long_as_it_should(fps, total):
-    drawn, file = pictures(), io.BytesIO()
-    assert write_webp(file, drawn, WHITE, fps) == 12
-    frames, durations = read_back(file.getvalue())
-    assert len(frames) == 12
-    assert abs(sum(durations) - total) <= 1
-    for seen, picture in zip(frames, drawn, strict=True):
-        assert np.abs(seen.astype(int) - picture).mean() < 2
-
-
 def test_what_changed_is_found_to_the_pixel():
     before = np.zeros((20, 30, 3), np.uint8)
     after = before.copy()
@@ -133,9 +121,8 @@ def test_frames_without_anything_and_values_that_are_not_finite_are_drawn():
         assert [film.draw(k).shape for k in range(2)] == [(size[1], size[0], 3)] * 2
 
 
-@pytest.mark.parametrize("suffix", ["gif", "webp"])
-def test_a_recording_has_as_many_frames_as_steps(tmp_path, suffix):
-    path = tmp_path / f"walk.{suffix}"
+def test_a_recording_has_as_many_frames_as_steps(tmp_path):
+    path = tmp_path / "walk.gif"
     told: list[tuple[str, int, int]] = []
     with loom.record(path, size=(160, 120), fps=20, progress=lambda *step: told.append(step)) as r:
         r.add("cloud", np.random.default_rng(0).random((100, 3)))

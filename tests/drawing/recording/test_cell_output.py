@@ -45,7 +45,6 @@ def test_a_page_lies_in_the_notebook_over_its_last_frame(tmp_path):
     ("suffix", "start"),
     [
         (".gif", '<img alt="" src="data:image/gif;base64,'),
-        (".webp", '<img alt="" src="data:image/webp;base64,'),
         pytest.param(
             ".mp4", '<video controls loop src="data:video/mp4;base64,',
             marks=pytest.mark.skipif(shutil.which("ffmpeg") is None, reason="no ffmpeg here"),

@@ -7,8 +7,7 @@ import pytest
 from PIL import Image
 
 import pointloom as loom
-from pointloom.data.scenes.room_paths import look_along
-from pointloom.data.scenes.room_video import room_video_poses
+from pointloom.data.scenes.room_paths import film_pose, look_along
 from pointloom.photos.sfm.sphere_pictures import with_all_faces
 from pointloom.photos.video import motion
 
@@ -85,7 +84,7 @@ def off_truth(model, centers) -> np.ndarray:
 @pytest.mark.slow
 @pytest.mark.skipif(not has_pycolmap(), reason="pycolmap is not installed")
 def test_pictures_of_all_directions_are_placed_where_they_were_taken(tmp_path):
-    centers = room_video_poses(30)[:10, :3, 3]
+    centers = np.array([film_pose(k / 30)[:3, 3] for k in range(10)])
     spheres = spheres_from([look_along(center, (1.0, 0.15, 0.0)) for center in centers], 384)
     source = write_pictures(tmp_path / "in", spheres, [f"{k}.png" for k in range(10)])
     (tmp_path / "out").mkdir()
@@ -103,7 +102,7 @@ def test_pictures_of_all_directions_are_placed_where_they_were_taken(tmp_path):
 @pytest.mark.skipif(not has_pycolmap(), reason="pycolmap is not installed")
 @pytest.mark.parametrize("mapper", ["incremental", "global"])
 def test_pictures_of_a_fisheye_that_nobody_measured_are_placed_and_it_is_found(tmp_path, mapper):
-    poses = room_video_poses(60)[:10]
+    poses = np.array([film_pose(k / 60) for k in range(10)])
     lens = loom.CameraModel("OPENCV_FISHEYE", 320, 240, [160, 160, 160, 120, 0.02, -0.01, 0, 0])
     pictures = write_pictures(tmp_path / "in", fisheye_pictures(poses, lens), [f"{k}.png" for k in range(10)])
     result = loom.sfm.reconstruct(pictures, tmp_path / "work", camera_model="OPENCV_FISHEYE", mapper=mapper)

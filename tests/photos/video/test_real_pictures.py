@@ -8,8 +8,7 @@ from PIL import Image
 
 import pointloom as loom
 from pointloom.cameras.camera import PinholeCameraIntrinsic
-from pointloom.data.scenes.room import room_views
-from pointloom.data.scenes.room_errors import camera_errors, room_mesh_errors
+from pointloom.data.scenes.room import room_views, surface_errors
 from pointloom.data.scenes.room_paths import look_along
 
 from ...app.commands import answer
@@ -65,9 +64,11 @@ def true_points(views):
 
 
 def errors_of_cameras(folder, views):
+    """Errors of the cameras after the similarity that fits them best to the true ones."""
     path = loom.read_trajectory(folder / "poses.log")
     assert path.ids[:, 0].tolist() == list(range(COUNT))  # the numbers in the photos' names
-    return camera_errors(path.poses, np.array([views.read(k).T_world_camera for k in range(COUNT)]))
+    truth = loom.Trajectory(views.poses)
+    return loom.evaluate_trajectory(loom.Trajectory(path.poses), truth, with_scale=True)
 
 
 @pytest.mark.slow
@@ -76,12 +77,13 @@ def test_photos_alone_show_where_they_were_taken_and_what_they_show(made, views)
     assert (report["model"]["registered_count"], report["units"], report["poor"]) == (COUNT, "arbitrary", None)
     assert report["fused"]["share"] > 0.6
     errors = errors_of_cameras(folder, views)
-    assert errors.percent.rmse < 0.5
-    mesh = loom.read_triangle_mesh(folder / "mesh.ply").transform(np.array(errors.transformation))
-    surface = room_mesh_errors(mesh, true_points(views))
-    assert surface.median < 0.01
-    assert surface.within > 0.9
-    assert surface.covered > 0.6
+    assert errors.absolute_translation.rmse < 0.005 * np.linalg.norm(np.ptp(views.poses[:, :3, 3], axis=0))
+    mesh = loom.read_triangle_mesh(folder / "mesh.ply").transform(errors.transformation)
+    away, scene = surface_errors(mesh.vertices), loom.RaycastingScene()
+    scene.add_triangles(mesh)
+    assert np.median(away) < 0.01
+    assert np.mean(away <= 0.02) > 0.9
+    assert np.mean(scene.compute_distance(true_points(views).astype(np.float32)) <= 0.02) > 0.6
 
 
 @pytest.mark.slow

@@ -1,1 +1,0 @@
-"""Demos that measure themselves against the truth."""
