@@ -1,4 +1,4 @@
-"""What was used last, within a budget: where something new wants room, what was not used for longest makes it."""
+"""A cache with a capacity that evicts the least recently used values: host code, used by all layers."""
 
 from __future__ import annotations
 
@@ -9,48 +9,77 @@ from typing import Any, Generic, TypeVar
 Value = TypeVar("Value")
 
 
-class LastUsed(Generic[Value]):
-    """Things by their keys, those used last.
+class LruCache(Generic[Value]):
+    """Values by key within a capacity. The newest value is kept even if it is larger than the capacity.
 
     Args:
-        room: That all of them may take, such as bytes.
-        dropped: Called with each thing that makes room.
+        capacity: Maximum total size of the values, in the unit of their sizes.
+        on_evict: Called with each value that is evicted or cleared.
 
     Example:
-        >>> from pointloom.photos.mvs.last_used import LastUsed
-        >>> pictures = LastUsed(100, dropped=print)
+        >>> from pointloom.kernels.lru_cache import LruCache
+        >>> images = LruCache(100, on_evict=print)
         >>> for key in (1, 2, 1, 3):
-        ...     name = pictures.get(key, 40, lambda: f"picture {key}")
-        picture 2
+        ...     name = images.get(key, 40, lambda: f"image {key}")
+        image 2
     """
 
-    def __init__(self, room: int, *, dropped: Callable[[Value], Any] | None = None):
-        self._room, self._dropped = room, dropped
-        self._kept: OrderedDict[Hashable, tuple[Value, int]] = OrderedDict()  # the one used last stands last
+    def __init__(self, capacity: int, *, on_evict: Callable[[Value], Any] | None = None):
+        self._capacity, self._on_evict = capacity, on_evict
+        self._entries: OrderedDict[Hashable, tuple[Value, int]] = OrderedDict()  # the last is the last one used
+
+    @property
+    def size(self) -> int:
+        """Total size of the values."""
+        return sum(size for _, size in self._entries.values())
+
+    def find(self, key: Hashable) -> Value | None:
+        """The value of a key, marked as used; None if there is none."""
+        if key not in self._entries:
+            return None
+        self._entries.move_to_end(key)
+        return self._entries[key][0]
 
     def get(self, key: Hashable, size: int, make: Callable[[], Value], *, beside: Hashable = None) -> Value:
-        """The thing of this key, which is made where it is not kept.
+        """The value of a key. If there is none, make and insert it, after room was made for it.
 
         Args:
-            key: Of the thing.
-            size: Of the room that it takes; one that is larger than all the room is kept alone.
-            make: Makes it, once there is room. Where it raises, nothing is kept.
-            beside: Key of another that is in use meanwhile, and makes no room.
+            key: Key of the value.
+            size: Its size.
+            make: Makes it. If it raises, nothing is inserted.
+            beside: Key of another value that is in use, and is not evicted.
         """
-        for used in (beside, key):
-            if used in self._kept:
-                self._kept.move_to_end(used)
-        if key not in self._kept:
+        self.find(beside)
+        if key not in self._entries:
             self._make_room(size, beside)
-            self._kept[key] = make(), size
-        return self._kept[key][0]
+            self._entries[key] = make(), size
+        self._entries.move_to_end(key)
+        return self._entries[key][0]
+
+    def put(self, key: Hashable, value: Value, size: int = 1) -> None:
+        """Insert a value, or replace that of its key."""
+        self._entries.pop(key, None)
+        self._make_room(size, None)
+        self._entries[key] = value, size
+
+    def pop(self, key: Hashable) -> Value | None:
+        """Remove and return the value of a key; None if there is none."""
+        return self._entries.pop(key, (None, 0))[0]
+
+    def clear(self) -> None:
+        """Evict all values."""
+        while self._entries:
+            self._evict(next(iter(self._entries)))
 
     def _make_room(self, size: int, beside: Hashable) -> None:
-        left = self._room - size - sum(taken for _, taken in self._kept.values())
-        for key in [key for key in self._kept if key != beside]:
+        left = self._capacity - size - self.size
+        for key in [key for key in self._entries if key != beside]:
             if left >= 0:
                 return
-            value, taken = self._kept.pop(key)
-            left += taken
-            if self._dropped is not None:
-                self._dropped(value)
+            left += self._evict(key)
+
+    def _evict(self, key: Hashable) -> int:
+        value, size = self._entries.pop(key)
+        if self._on_evict is not None:
+            self._on_evict(value)
+        return size
