@@ -2,8 +2,7 @@
 
 The kernel is the package's own and is launched as the package does; the peers' are written out here, as their guides
 write such loops: `prange` over float32 [n, 3] and a loop over an ndarray of vectors. All write into arrays that are
-there before, so a size of 1000 tells what a launch costs and one of a million what the code does. Quadrants is the
-successor of Taichi.
+there before, so a size of 1000 tells what a launch costs and one of a million what the code does.
 """
 
 from __future__ import annotations

@@ -1,15 +1,13 @@
-"""What a launch costs on the CPU before a thread runs: a kernel of nine arguments, beside the compilers' own launches.
+"""What a launch costs on the CPU before a thread runs: a kernel of nine arguments, beside Warp's own launch.
 
 Times are per launch, of a thousand in a row over the same arrays, with one array exchanged each time. The kernel is the
 one that straightens a scan: three arrays, five numbers and vectors, an array that it writes. A launch of one thread is
-the caller's; one of 4096 is shared by all cores, and its work is in the time, on one core some 60 us. The peers are
-what the compilers offer for the same source: `wp.launch` of our machine code, on one core, and the call of a Taichi
-kernel with NumPy arrays, where Taichi is installed.
+the caller's; one of 4096 is shared by all cores, and its work is in the time, on one core some 60 us. The peer is
+`wp.launch` of our machine code, on one core.
 """
 
 from __future__ import annotations
 
-import importlib.util
 from collections.abc import Callable
 from typing import Any
 
@@ -41,7 +39,7 @@ class Scan:
         return [self.points[k % 2], self.times, self.origin, self.motion, self.out]
 
     def flat(self, k: int) -> list[Any]:
-        """As the compilers take them."""
+        """As Warp takes them."""
         m = self.motion
         motion = [m.span, m.axis, m.angle, m.velocity]
         return [self.points[k % 2], self.times, self.origin, *motion, self.out]
@@ -74,23 +72,6 @@ def prepare_warp(count: int, device: str) -> Any:
     return scan.repeat(lambda k: wp.launch(kernel, scan.count, scan.flat(k), device=device))
 
 
-def prepare_taichi(count: int, device: str) -> Any:
-    if importlib.util.find_spec("taichi") is None:
-        raise ModuleNotFoundError("No module named 'taichi'", name="taichi")
-    import warp as wp
-
-    from pointloom.kernels.language.taichi_compiler import start
-    from pointloom.kernels.odometry.deskewing import deskew_points_kernel
-
-    scan, taichi, kernel = Scan(count, device), start(), deskew_points_kernel.taichi
-
-    def call(k: int) -> None:
-        given = (v.numpy() if isinstance(v, wp.array) else v for v in scan.flat(k))
-        kernel(*(np.array(v) if hasattr(v, "_shape_") else v for v in given), *taichi.chunks(scan.count))
-
-    return scan.repeat(call)
-
-
 def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
     """The same machine code: the same bits."""
     assert np.array_equal(ours, theirs), f"{peer} gave other numbers"
@@ -108,9 +89,8 @@ def launching(name: str, scenes: dict[str, Callable[[], int]], *peers: Contestan
 
 
 WARP = Contestant("warp", prepare_warp, lambda out: out)
-TAICHI = Contestant("taichi", prepare_taichi, lambda out: out)
-ONE = launching("launch_of_one_thread", {"1 thread": lambda: 1}, WARP, TAICHI)
-SHARED = launching("launch_shared", {"4096 threads": lambda: 4096}, WARP, TAICHI)
+ONE = launching("launch_of_one_thread", {"1 thread": lambda: 1}, WARP)
+SHARED = launching("launch_shared", {"4096 threads": lambda: 4096}, WARP)
 OPERATIONS = (ONE, SHARED)
 
 

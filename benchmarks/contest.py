@@ -15,7 +15,7 @@ from typing import Any
 
 OURS = "pointloom"
 PACKAGES = (
-    "pointloom", "numpy", "warp-lang", "taichi", "open3d", "small_gicp", "pykdtree", "scipy", "scikit-image", "vtk",
+    "pointloom", "numpy", "warp-lang", "open3d", "small_gicp", "pykdtree", "scipy", "scikit-image", "vtk",
     "PyMCubes", "scikit-learn", "kiss-matcher", "kiss-icp", "opencv-python-headless",
     "embreex", "fast-simplification", "pyfqmr", "meshoptimizer", "fpsample", "genz-icp", "rko-lio", "numba",
     "quadrants", "py4dgeo", "pyransac3d", "pycpd",

@@ -14,7 +14,6 @@ from digest_depth_maps import estimated_depth_maps, plain_depth_maps
 from digest_drawing import DRAWN
 from digest_fields import FIELDS
 from digest_files import WRITTEN
-from digest_keypoints import found_and_matched
 from digest_mvs import filtered_depth_maps, fused_depth_maps
 from digest_occupancy import OCCUPANCY
 from digest_on_clouds import SIZE, cloud_file, depth_lens, icp, there_and_back
@@ -587,6 +586,7 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "mvs, estimate_depth_maps, plain wall": plain_depth_maps,
     "room, film": filmed_room,
     "sfm.detect_keypoints, match_keypoints": found_and_matched,
+    "demo, video": filmed_room,
     "mvs, filter_depth_maps": filtered_depth_maps,
     "mvs, fuse": fused_depth_maps,
     "tsdf, integrate_points": scanned_volume,

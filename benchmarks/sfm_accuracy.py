@@ -122,13 +122,10 @@ def main() -> None:
     arguments.add_argument("set", choices=SETS)
     arguments.add_argument("work", type=Path)
     arguments.add_argument("data", type=Path, nargs="?")
-    arguments.add_argument(
-        "--finder", default="colmap", choices=["colmap", "pointloom"], help="of features and matches"
-    )
     given = arguments.parse_args()
     given.work.mkdir(parents=True)
     pictures, truth, options, report = SETS[given.set](given.work, given.data)
-    result = loom.sfm.reconstruct(pictures, given.work / "sfm", finder=given.finder, **options)
+    result = loom.sfm.reconstruct(pictures, given.work / "sfm", **options)
     report |= {"set": given.set, **result.to_json()}
     if result.model is not None:
         report |= {"errors": camera_errors(result.model, truth), "camera": list(result.model.cameras[0].params)}

@@ -115,8 +115,6 @@ TARGETS = (
     Target("segment_cylinder", "15k", 20, ("pyransac3d",)),
     Target("segment_cylinder", "150k", 20, ("pyransac3d",)),
     Target("launch_of_one_thread", "1 thread", 2, ("warp",)),
-    Target("launch_of_one_thread", "1 thread", 5, ("taichi",)),
-    Target("launch_shared", "4096 threads", 1, ("taichi",)),
 )
 
 

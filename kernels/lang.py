@@ -106,7 +106,6 @@ outer, transpose, floor, ceil, sqrt = (Builtin(n) for n in ("outer", "transpose"
 sin, cos, tan, acos, asin, atan2 = (Builtin(n) for n in ("sin", "cos", "tan", "acos", "asin", "atan2"))
 exp, log, pow = (Builtin(n) for n in ("exp", "log", "pow"))
 isfinite, bit_count = Builtin("isfinite"), Builtin("bit_count")
-sixteen_products = Builtin("sixteen_products")  # see language/byte_products.py
 float_bits, bits_float = Builtin("float_bits"), Builtin("bits_float")
 partial = Builtin("partial")  # partial(function, first, arguments), as an argument for a `callback`
 atomic_add, atomic_min, atomic_max = (Builtin(n) for n in ("atomic_add", "atomic_min", "atomic_max"))

@@ -19,10 +19,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.checks import check_finite, check_numeric, shown
+from ..core.devices import resolve_device
 from ..core.errors import FileError
 from ..files.foreign import foreign_errors, import_for
 from ..files.points.geodetic import system_named, system_of
 from ..files.points.las import open_las
+from ..kernels.extent.polygons import mask_polygon
+from ..kernels.lang import vec2d, vec3d
+from ..kernels.memory import download, upload
 from ..pcd.polygon_volume import MIN_CORNERS
 
 Ring = NDArray[np.float64]
@@ -204,19 +208,26 @@ def _transformed(name: str, area: Area, crs: str, path: Path) -> Area:
     return moved
 
 
+def mask_area(area: Area, points: Any, origin: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """True for the points inside an area, shape [n]; the points are a device array as `mask_polygon` takes it."""
+    found = np.zeros(points.size, np.bool_)
+    for polygon in area:
+        inside = np.zeros(points.size, np.bool_)
+        for ring in polygon:
+            corners = upload(ring, vec2d, points.device)
+            inside ^= download(mask_polygon(points, origin, corners, (0, 1, 2), -np.inf, np.inf)) != 0
+        found |= inside
+    return found
+
+
 def boxes_that_meet(area: Area, lows: Ring, highs: Ring) -> NDArray[np.bool_]:
     """Which boxes [n, 2] an area has a place in common with."""
-    meets = np.zeros(len(lows), np.bool_)
+    corners = upload(np.pad(lows, ((0, 0), (0, 1))), vec3d, resolve_device("cpu"))
+    meets = mask_area(area, corners, np.zeros(3))
     for polygon in area:
-        inside = np.zeros(len(lows), np.bool_)
         for ring in polygon:
             for a, b in zip(np.roll(ring, 1, axis=0), ring, strict=True):
                 meets |= _edge_meets(a, b, lows, highs)
-                rises = ((a[1] < lows[:, 1]) & (b[1] >= lows[:, 1])) | ((b[1] < lows[:, 1]) & (a[1] >= lows[:, 1]))
-                with np.errstate(all="ignore"):
-                    at = a[0] + (lows[:, 1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0])
-                inside ^= rises & (at < lows[:, 0])
-        meets |= inside
     return meets
 
 

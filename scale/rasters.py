@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections import OrderedDict
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -20,6 +19,7 @@ from ..core.errors import FileError
 from ..core.paths import refuse_link
 from ..files.foreign import foreign_errors, import_for
 from ..files.points.las_crs import find_keys, find_text
+from ..kernels.lru_cache import LruCache
 from ..pcd.cloud import PointCloud
 from ..pcd.geotiff import geotiff
 from ..pcd.raster_cells import NoGroundError
@@ -173,25 +173,23 @@ class _Tiles:
 
     def __init__(self, folder: Path, step: Rasterize, held: dict[Any, Any]):
         self.folder, self.step, self.held = folder, step, held
-        self.files: OrderedDict[Any, Any] = OrderedDict()
+        self.files: LruCache[Any] = LruCache(MOST_OPEN, on_evict=lambda file: file.close())
 
     def __enter__(self) -> _Tiles:
         return self
 
     def __exit__(self, *_: object) -> None:
-        for file in self.files.values():
-            file.close()
+        self.files.clear()
 
     def lay(self, place: tuple[int, int], own: Any, box: Any, out: NDArray[np.float32]) -> None:
         """Lay what a tile has in a box of cells; a tile without points near it has no file, and no values."""
         path = raster_path(self.folder, self.step.raster, place)
-        if place not in self.files and not path.exists():
+        if self.files.find(place) is None and not path.exists():
             return
         low, high = np.maximum(own[:2], box[:2]), np.minimum(own[2:], box[2:])
         rasterio: Any = import_for(path, "rasterio", "geo")
         with foreign_errors(path, "cannot be read"):
-            file = self.files.pop(place, None) or rasterio.open(path)
-            self.files[place] = file
+            file = self.files.get(place, 1, lambda: rasterio.open(path))
             if (file.width, file.height) != (own[2] - own[0], own[3] - own[1]):
                 raise FileError(path, "is not the raster that was written", remedy="Plan the job anew")
             rows = (int(own[3] - high[1]), int(own[3] - low[1]))
@@ -199,5 +197,3 @@ class _Tiles:
             out[:, box[3] - high[1] : box[3] - low[1], low[0] - box[0] : high[0] - box[0]] = file.read(
                 window=(rows, columns)
             )
-        if len(self.files) > MOST_OPEN:
-            self.files.popitem(last=False)[1].close()

@@ -17,7 +17,6 @@ Memory: 150 B a point of a cell, 256 MiB of chunks, one open node a level.
 
 from __future__ import annotations
 
-from collections import OrderedDict
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -30,6 +29,7 @@ from ..core.errors import FileError
 from ..core.progress import ReportProgress, say_nothing
 from ..files.points.laz_chunks import LazChunks, is_alike
 from ..kernels.lang import vec3d
+from ..kernels.lru_cache import LruCache
 from ..kernels.memory import download, upload
 from ..kernels.sampling.detail_levels import DEPTH, LAST_CELL, LEVELS, NODE_BITS, Cube, find_levels, sort_by_cell
 from ..pcd.detail_nodes import NodeTable, cells_of, make_nodes
@@ -116,7 +116,7 @@ class TileTree:
         self.corner = self.low
         self.side = max(float((self.high - self.corner).max()), float(self.scales.max()))
         self.count = sum(counts)
-        self._kept: OrderedDict[int, NDArray[Any]] = OrderedDict()
+        self._kept: LruCache[NDArray[Any]] = LruCache(_KEPT_BYTES)
         depth, cells, held = self._survey()
         self.leaves = self._split(depth, cells, held)
 
@@ -126,7 +126,7 @@ class TileTree:
 
     def __getstate__(self) -> dict[str, Any]:
         """What processes of a crew need."""
-        return self.__dict__ | {"_crew": None, "_report": say_nothing, "_kept": OrderedDict()}
+        return self.__dict__ | {"_crew": None, "_report": say_nothing, "_kept": LruCache(_KEPT_BYTES)}
 
     def _survey(self) -> tuple[int, NDArray[np.int64], NDArray[np.int64]]:
         """(halvings, codes, counts) of cells with points; the box of each chunk is kept."""
@@ -275,14 +275,11 @@ class TileTree:
         return high
 
     def _chunk(self, k: int) -> NDArray[Any]:
-        if k in self._kept:
-            self._kept.move_to_end(k)
-            return self._kept[k]
-        chunks = self._chunks
-        rows = self.files[int(chunks.files[k])].rows(chunks.chunks[k : k + 1])
-        self._kept[k] = rows
-        while len(self._kept) > 1 and sum(kept.nbytes for kept in self._kept.values()) > _KEPT_BYTES:
-            self._kept.popitem(last=False)
+        rows = self._kept.find(k)
+        if rows is None:
+            chunks = self._chunks
+            rows = self.files[int(chunks.files[k])].rows(chunks.chunks[k : k + 1])
+            self._kept.put(k, rows, rows.nbytes)
         return rows
 
 

@@ -43,7 +43,7 @@ ROOMS = {
         *("language", "algebra", "arrays", "search", "extent", "surface", "features", "sampling", "segmentation"),
         "terrain",
         *("poses", "icp", "volumes", "odometry", "meshes", "bending", "remeshing", "rays", "reconstruction", "images"),
-        *("keypoints", "stereo", "drawing", "rgbd", "textures", "splats", "scenes"),
+        *("stereo", "drawing", "rgbd", "textures", "splats", "scenes"),
     ],
     "files": ["pictures", "points", "splats", "meshes", "frames", "models", "bags"],
     "registration": ["icp", "globally", "lidar", "pose_graphs", "stations", "deformable", "trajectories"],
@@ -70,7 +70,6 @@ TAICHI_NAMES = {"taichi", "quadrants"}  # quadrants is Taichi's successor under 
 WARP_FILES = {
     "kernels/array_types.py",
     "kernels/language/arguments.py",
-    "kernels/language/byte_products.py",
     "kernels/launches.py",
     "kernels/lang.py",
     "kernels/language/casts.py",

@@ -43,7 +43,7 @@ _SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 110}
 _EPILOG = """\b
 Lengths are in metres; for a file whose unit is another one (`pointloom info` says which) in that unit.
 Exit codes: 0 done, 1 error, 2 wrong call, 3 done with a poor result, 130 interrupted.
-POINTLOOM_CPU_THREADS=N shares CPU kernels by N threads; POINTLOOM_CPU=taichi|warp chooses their compiler.
+POINTLOOM_CPU_THREADS=N shares CPU kernels by N threads.
 POINTLOOM_TRACEBACK=1 shows where an error arose.
 """
 

@@ -1,4 +1,4 @@
-"""Whether pointloom is well on this machine: versions, cores, devices, threads, and a trial of each compiler."""
+"""Whether pointloom is well on this machine: versions, cores, devices, threads, and a trial of each device."""
 
 from __future__ import annotations
 
@@ -19,15 +19,14 @@ from ...core.threads import get_num_threads
 from ...core.timing import Clock
 from ...core.wording import format_bytes
 from ...kernels.arrays.bounds import bound_points
-from ...kernels.lang import cpu_compiler, current_cpu_compiler, vec3
+from ...kernels.lang import current_cpu_compiler, vec3
 from ...kernels.language import compiled_ahead, cpu_pool, pool_code
 from ...kernels.memory import upload
 
-_PACKAGES = ("numpy", "scipy", "warp-lang", "taichi", "click", "rich", "Pillow")
-_OPTIONAL = ("taichi",)
+_PACKAGES = ("numpy", "scipy", "warp-lang", "click", "rich", "Pillow")
 _TRIAL_POINTS = 100_000
 
-NO_COMPILER, NOT_INSTALLED = "none", "not installed"
+NO_COMPILER = "none"
 
 
 @dataclass(frozen=True)
@@ -73,15 +72,14 @@ class Cuda:
 
 @dataclass(frozen=True)
 class Trial:
-    """A small kernel by one compiler on one device, twice: the first run may compile it.
+    """A small kernel on one device, twice: the first run may compile it.
 
     Attributes:
-        compiler, device: Which.
+        device: Which.
         seconds: Of the runs that came to their end, "first_seconds" and "again_seconds".
         error: What went wrong, or None.
     """
 
-    compiler: str
     device: str
     seconds: dict[str, float]
     error: str | None
@@ -93,13 +91,13 @@ class Trial:
 
     def to_json(self) -> dict[str, Any]:
         """All of it on one level; "error" only where there is one."""
-        told: dict[str, Any] = {"compiler": self.compiler, "device": self.device, "ok": self.ok, **self.seconds}
+        told: dict[str, Any] = {"device": self.device, "ok": self.ok, **self.seconds}
         return told if self.ok else {**told, "error": self.error}
 
     def __str__(self) -> str:
         first, again = self.seconds.get("first_seconds", 0.0), self.seconds.get("again_seconds", 0.0)
         outcome = self.error if self.error is not None else f"{first:.2f} s the first time, {again * 1000:.1f} ms again"
-        return f"{self.compiler} on {self.device}: {outcome}"
+        return f"{self.device}: {outcome}"
 
 
 @dataclass(frozen=True)
@@ -107,12 +105,12 @@ class Diagnosis(Report):
     """How the machine is.
 
     Attributes:
-        versions: Of pointloom and of what it stands on, by name; "missing", or "not installed" where it is optional.
+        versions: Of pointloom and of what it stands on, by name, or "missing".
         machine: Where this runs.
         cuda: What there is of CUDA.
         cpu_compiler: Which one CPU kernels go through, or "none".
         why: By how many threads, and what decides that; or why that compiler, or none.
-        trials: Of each compiler that is installed on each device that it serves.
+        trials: Of each device.
         poor: Why CPU kernels run on one core or fail, or why no GPU serves though there is a driver for one, or None.
     """
 
@@ -150,12 +148,12 @@ def diagnose() -> Diagnosis:
     """Look at the machine.
 
     Notes:
-        Every compiler runs a small kernel on every device that it serves, twice: the first run may compile it.
+        A small kernel runs on every device, twice: the first run may compile it.
     """
     versions, gpus = _versions(), _gpus()
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", "pointloom uses one CPU core")  # which `why` says
-        trials = _trials(versions, gpus)
+        trials = [_try(device) for device in ("cpu", *(gpu.name for gpu in gpus))]
         chosen, why = _choose()
     return Diagnosis(
         versions=versions,
@@ -181,26 +179,20 @@ def diagnose() -> Diagnosis:
     )
 
 
-def _trials(versions: dict[str, str], gpus: list[Gpu]) -> list[Trial]:
-    trials = [_try("warp", "cpu"), *(_try("warp", gpu.name) for gpu in gpus)]
-    return trials if versions["taichi"] == NOT_INSTALLED else [*trials, _try("taichi", "cpu")]
-
-
-def _try(compiler: str, device: str) -> Trial:
-    """Bound a cloud twice by one compiler on one device, and hold the answer against NumPy's."""
+def _try(device: str) -> Trial:
+    """Bound a cloud twice on one device, and hold the answer against NumPy's."""
     points = np.random.default_rng(0).random((_TRIAL_POINTS, 3), np.float32)
     clock = Clock()
     try:
-        with cpu_compiler(compiler):
-            for stage in ("first_seconds", "again_seconds"):
-                clock.restart()
-                low, high, count = bound_points(upload(points, vec3, resolve_device(device)))
-                clock.stop(stage)
+        for stage in ("first_seconds", "again_seconds"):
+            clock.restart()
+            low, high, count = bound_points(upload(points, vec3, resolve_device(device)))
+            clock.stop(stage)
         right = count == len(points) and (low == points.min(axis=0)).all() and (high == points.max(axis=0)).all()
         fault = None if right else "ran, but gave a wrong result"
     except Exception as error:  # whatever is broken on this machine is what the user wants to read
         fault = str(error) or type(error).__name__
-    return Trial(compiler, device, clock.seconds, fault)
+    return Trial(device, clock.seconds, fault)
 
 
 def _choose() -> tuple[str, str]:
@@ -239,18 +231,13 @@ def _why_one_core() -> str | None:
 def _why_poor(chosen: str, why: str, trials: list[Trial]) -> str | None:
     if chosen == NO_COMPILER:
         return f"CPU kernels do not run: {why}"
-    failed = [trial for trial in trials if not trial.ok and not _is_unused(trial, chosen)]
     slow = _why_one_core() if chosen == "warp" else None
-    return all_of(slow, *(f"{trial.compiler} on {trial.device}: {trial.error}" for trial in failed))
+    return all_of(slow, *(f"{trial.device}: {trial.error}" for trial in trials if not trial.ok))
 
 
 def _why_gpu_is_idle(gpus: list[Gpu]) -> str | None:
     """Why no GPU serves though the machine has a driver for one."""
     return None if gpus or installed_driver() is None else f"no GPU serves: {why_no_gpu()}"
-
-
-def _is_unused(trial: Trial, chosen: str) -> bool:
-    return trial.device == "cpu" and trial.compiler != chosen
 
 
 def _versions() -> dict[str, str]:
@@ -261,7 +248,7 @@ def _versions() -> dict[str, str]:
         try:
             versions[package] = importlib.metadata.version(package)
         except importlib.metadata.PackageNotFoundError:
-            versions[package] = NOT_INSTALLED if package in _OPTIONAL else "missing"
+            versions[package] = "missing"
     return versions
 
 

@@ -102,13 +102,6 @@ CAMERAS = "Known poses: Metashape's .xml, COLMAP's folder, transforms.json, Poly
     help="How pictures are placed: one by one, or all at once.",
 )
 @click.option(
-    "--finder",
-    type=click.Choice(("colmap", "pointloom")),
-    default="colmap",
-    show_default=True,
-    help="Who finds and matches features: COLMAP, or our own kernels.",
-)
-@click.option(
     "--max-features",
     type=click.IntRange(min=64),
     default=4096,
@@ -188,7 +181,7 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
 
     units = Units(**{name: options.pop(name) for name in ("scale", "known", "align", "control", "scale_bars")})
     names = ("max_frames", "max_size", "intrinsic", "seed", "cameras")
-    names += ("masks", "camera_model", "pairs", "max_features", "panorama", "mapper", "finder")
+    names += ("masks", "camera_model", "pairs", "max_features", "panorama", "mapper")
     settings = Settings(units=units, **{name: options.pop(name) for name in names})
     points_alone = output.suffix.lower() in set(WRITTEN) - set(MESHES) and options["cloud"] is None
     if points_alone:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import struct
 import warnings
-from collections import OrderedDict
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
@@ -19,6 +18,7 @@ from ...core.checks import check_count, check_positive
 from ...core.errors import FileError
 from ...core.escaped_text import escaped
 from ...core.paths import path_of
+from ...kernels.lru_cache import LruCache
 from ...pcd.cloud import PointCloud
 from ..foreign import foreign_errors, import_for
 from ..points.point_cloud import cloud_of
@@ -94,7 +94,7 @@ class Recording:
         rows = [(time, n, c, p, at) for n, part in enumerate(parts) for time, c, p, at in part.entries
                 if c in part.channels]  # fmt: skip
         self._rows = sorted(rows, key=lambda row: row[0])
-        self._chunks: OrderedDict[tuple[int, int], bytes] = OrderedDict()
+        self._chunks: LruCache[bytes] = LruCache(_MAX_BYTES)
         self._stores: dict[str, Any] = {}
 
     def __len__(self) -> int:
@@ -291,17 +291,13 @@ class Recording:
     def _payload(self, row: tuple[int, int, int, int, int]) -> bytes:
         time, number, channel, piece, place = row
         part = self._parts[number]
-        if (number, piece) not in self._chunks:
-            with foreign_errors(part.path, "damaged"):
-                self._chunks[number, piece] = part.pieces[piece]()
-            while len(self._chunks) > _MAX_CHUNKS or (len(self._chunks) > 1 and self._kept_bytes() > _MAX_BYTES):
-                self._chunks.popitem(last=False)
-        self._chunks.move_to_end((number, piece))
+        chunk = self._chunks.find((number, piece))
         with foreign_errors(part.path, "damaged"):
-            return part.payload(self._chunks[number, piece], place, channel, time)
-
-    def _kept_bytes(self) -> int:
-        return sum(len(chunk) for chunk in self._chunks.values() if isinstance(chunk, bytes))  # else a mapped file
+            if chunk is None:
+                chunk = part.pieces[piece]()
+                size = len(chunk) if isinstance(chunk, bytes) else 0  # else a mapped file
+                self._chunks.put((number, piece), chunk, max(size, _MAX_BYTES // _MAX_CHUNKS))
+            return part.payload(chunk, place, channel, time)
 
     def _decode(self, kind: str, encoding: str, data: bytes) -> Any:
         if encoding not in ("ros1", "cdr"):

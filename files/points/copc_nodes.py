@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import collections
 import os
 import threading
 from pathlib import Path
@@ -14,6 +13,7 @@ from numpy.typing import NDArray
 from ...core.checks import check_count
 from ...core.errors import FileError
 from ...core.units import LengthUnit
+from ...kernels.lru_cache import LruCache
 from ..foreign import foreign_errors, import_for
 from ..source import netted, open_source
 from ..table import PointTable
@@ -49,20 +49,19 @@ class CopcNodes:
     """
 
     def __init__(self, path: str | os.PathLike[str], *, memory: int = MEMORY):
-        self._memory = check_count("memory", memory, minimum=0)
+        self._rows: LruCache[NDArray[Any]] = LruCache(check_count("memory", memory, minimum=0))
         self.octree = _open(Path(path))
         self.path, self._header = self.octree.path, self.octree.file.header
         self.unit: LengthUnit | None = units_of(self._header).plane
         self.row: np.dtype[Any] = self.octree.file.layout.dtype()
-        self.nodes_read = self.bytes_read = self._held = 0
-        self._rows: collections.OrderedDict[int, NDArray[Any]] = collections.OrderedDict()
+        self.nodes_read = self.bytes_read = 0
         self._lock = threading.Lock()
         self._stamp = _stamp_of(self.path)
 
     @property
     def held(self) -> int:
         """Bytes of unpacked points that are kept now."""
-        return self._held
+        return self._rows.size
 
     def table(self, k: int, full: int) -> PointTable:
         """The points of a node.
@@ -82,18 +81,11 @@ class CopcNodes:
     def rows(self, k: int) -> NDArray[Any]:
         """The points of a node as they lie in an uncompressed file; see `table`."""
         with self._lock:
-            rows = self._rows.get(k)
-            if rows is not None:
-                self._rows.move_to_end(k)
-                return rows
-        rows = self._read(k)
-        with self._lock:
-            if k not in self._rows:
-                self._held += rows.nbytes
-            self._rows[k] = rows
-            self._rows.move_to_end(k)
-            while self._held > self._memory and len(self._rows) > 1:
-                self._held -= self._rows.popitem(last=False)[1].nbytes
+            rows = self._rows.find(k)
+        if rows is None:
+            rows = self._read(k)
+            with self._lock:
+                self._rows.put(k, rows, rows.nbytes)
         return rows
 
     def name_of(self, k: int) -> str:

@@ -1,6 +1,6 @@
 """Products of matrices, a product and a sum at a time.
 
-The language refuses `@` between two matrices: Warp fuses its products with its sums, and Taichi does not.
+The language refuses `@` between two matrices: Warp fuses its products with its sums.
 """
 
 from ..lang import func, mat33d, mat44d

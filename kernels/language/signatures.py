@@ -82,10 +82,6 @@ def check_builtin(fail: Callable[..., Any], node: ast.Call, name: str, kinds: li
         if kinds != [ArrayType(element, 1), INT]:
             fail(node, f"{name} takes an array of {element} and an int32")
         return Type("float32", (count,))
-    if name == "sixteen_products":
-        if kinds != [ArrayType(Type("uint8"), 2), INT, ArrayType(Type("int8"), 2), INT]:
-            fail(node, f"{name} takes rows of uint8 and an int32, blocks of int8 and an int32")
-        return Type("int32", (16,))
     if name in LANES:
         return _check_lanes(fail, node, name, kinds)
     arity = 0 if name == "tid" else 2 if name in {"min", "max", "dot", "cross", "outer", *TWO_FLOATS} else 1

@@ -20,7 +20,6 @@ from typing import Any
 import warp as wp
 
 from .arguments import taichi_arguments
-from .byte_products import sixteen_products_for
 from .cache_folders import cache_folder, is_writable, temporary_cache
 from .cpu_pool import default_thread_count
 from .device_lock import lock
@@ -371,7 +370,7 @@ def _builtins(ti: Any) -> dict[str, Any]:
         return ti.math.popcnt(x)
 
     own = (*_by_kind(ti), dot, cross, outer, transpose, length, normalize, float_bits, bits_float, bit_count)
-    named = {f.__name__: ti.func(f) for f in (*own, sixteen_products_for(ti))}
+    named = {f.__name__: ti.func(f) for f in own}
     same = "floor ceil sqrt sin cos tan acos asin atan2 exp log pow".split()
     return named | {name: getattr(ti, name) for name in same}
 

@@ -14,7 +14,7 @@ from typing import Any
 
 import warp as wp
 
-from . import byte_products, cuda_code, pool_code
+from . import cuda_code, pool_code
 from .cache_folders import cache_folder, is_writable, other_writers, temporary_cache
 from .quiet import lines_removed_from_stderr
 from .register_limits import most_registers_of
@@ -146,7 +146,6 @@ def _load_nine(numbers: wp.array(dtype=wp.float32), first: wp.int32) -> wp.types
 
 
 OWN = {
-    "sixteen_products": byte_products.sixteen_products,
     "float_bits": _float_bits,
     "bits_float": _bits_float,
     "lane": _lane,

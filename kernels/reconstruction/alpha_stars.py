@@ -298,7 +298,7 @@ def grow_star(
     """The star of the point at place a, from its `near` nearest points in lists[head:] and a walk; its triangles.
 
     NO_ROOM where it has more of them than a thread holds. The list and each leaf are one batch a turn, so that there is
-    one place where a point is taken in: Taichi writes every call out.
+    one place where a point is taken in: a compiler that inlines calls would write each out.
     """
     p = tree.points[a]
     first = thread * stars.room

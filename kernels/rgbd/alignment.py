@@ -8,7 +8,6 @@ graph is kept, with arrays of its own, which frames of the same sizes are copied
 import contextlib
 import dataclasses
 import threading
-from collections import OrderedDict
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -17,6 +16,7 @@ import numpy as np
 from ..arrays.segment_blocks import SegmentBlocks
 from ..arrays.side_by_side import SideBySide
 from ..lang import DeviceLoop, array, float32, int32, kernel, launch, mat44d, reduce, reduce_segments, tid, vec4
+from ..lru_cache import LruCache
 from ..memory import empty, on_give_back
 from .alignment_rows import AlignmentRules, AlignmentState, row_sums, sum_alignment_rows
 from .alignment_step import begin_alignment_kernel, step_alignment_kernel
@@ -141,7 +141,7 @@ class Descent:
         self._loop.run()
 
 
-_descents: OrderedDict[Any, Descent] = OrderedDict()  # on GPUs, by the sizes of the frames and the rules
+_descents: LruCache[Descent] = LruCache(MOST_KEPT)  # on GPUs, by the sizes of the frames and the rules
 _turn = threading.Lock()
 
 
@@ -166,14 +166,12 @@ def _descent_of(
     sizes = [tuple(levels.sizes.reshape(-1).tolist()) for levels in (source, target)]
     key = (device.alias, *sizes, *vars(rules).values())
     with _turn:
-        descent = _descents.pop(key, None)
+        descent = _descents.pop(key)
     if descent is None:
         descent = Descent(source, target, rules, begin, is_kept=True)
     yield descent
     with _turn:
-        _descents[key] = descent
-        while len(_descents) > MOST_KEPT:
-            _descents.popitem(last=False)
+        _descents.put(key, descent)
 
 
 def align_levels(

@@ -6,13 +6,13 @@ triangle to a cell: by the number of their block and their place in it they are 
 
 from __future__ import annotations
 
-from collections import OrderedDict
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...kernels.lru_cache import LruCache
 from ...kernels.memory import download
 from ...kernels.volumes.block_rows import SeenBlocks
 from ...kernels.volumes.block_surface import EDGES, BlockSurface
@@ -56,7 +56,7 @@ class CubeReader:
         self._volume, self._threshold, self._as_points = volume, threshold, as_points
         self._here = volume.arrays()
         self._cubes_here = cubes_of(self._here["keys"], volume.side)
-        self._pages: OrderedDict[int, dict[str, NDArray[Any]]] = OrderedDict()
+        self._pages: LruCache[dict[str, NDArray[Any]]] = LruCache(volume.max_blocks)
         self._all = set(volume.cubes)
 
     def __iter__(self) -> Iterator[CubeSurface]:
@@ -109,13 +109,11 @@ class CubeReader:
         if not self._volume.is_away(cube):
             rows = np.flatnonzero(self._cubes_here == cube)
             return {name: values[rows] for name, values in self._here.items()}
-        if cube not in self._pages:
-            self._pages[cube] = self._volume.page(cube)
-            held = sum(len(page["keys"]) for page in self._pages.values())
-            while held > self._volume.max_blocks and len(self._pages) > 1:
-                held -= len(self._pages.popitem(last=False)[1]["keys"])
-        self._pages.move_to_end(cube)
-        return self._pages[cube]
+        page = self._pages.find(cube)
+        if page is None:
+            page = self._volume.page(cube)
+            self._pages.put(cube, page, len(page["keys"]))
+        return page
 
 
 def joined(surfaces: Iterator[CubeSurface]) -> CubeSurface:

@@ -16,10 +16,10 @@ from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
 from ...core.units import warn_of_units
 from ...kernels.lang import float32, vec3
+from ...kernels.lru_cache import LruCache
 from ...kernels.memory import download, upload
 from ...kernels.stereo.depth_checks import NEIGHBORS, DepthChecks, Pair, support_depth
 from .depth_maps import DepthMap, DepthMaps
-from .last_used import LastUsed
 from .posed_pictures import PosedCamera
 
 FEWEST_CONFIRMED = 0.02  # of the depth, below which poses are asked for
@@ -142,7 +142,7 @@ class _DepthsOnDevice:
 
     def __init__(self, maps: DepthMaps, device: Any):
         self._maps, self._device = maps, device
-        self._kept: LastUsed[wp.array] = LastUsed(KEPT_BYTES)
+        self._kept: LruCache[wp.array] = LruCache(KEPT_BYTES)
 
     def get(self, i: int, each: DepthMap | None = None, *, beside: int | None = None) -> wp.array:
         """The depth of a map, or of `each` where that is the map; `beside` is the one that it is compared with."""

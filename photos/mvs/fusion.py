@@ -18,6 +18,7 @@ from ...files.pictures.image_files import read_color, resize_color
 from ...kernels.arrays.concatenation import concatenate_rows
 from ...kernels.arrays.select import gather_rows, positions_of
 from ...kernels.lang import float32, int32, uint8, vec3
+from ...kernels.lru_cache import LruCache
 from ...kernels.memory import empty, upload
 from ...kernels.stereo.depth_fusion import Agreement, DepthPixels, Gathered, gather_pixels, make_points
 from ...meshing.mesh.mesh import TriangleMesh
@@ -25,7 +26,6 @@ from ...meshing.volume.tsdf import TSDFVolume
 from ...pcd.cloud import PointCloud
 from .depth_maps import DepthMaps
 from .filtering import KEPT_BYTES, check_maps, pair_of, pixel_count
-from .last_used import LastUsed
 from .posed_pictures import PosedCamera
 
 KINDS = ("points", "tsdf", "poisson")
@@ -175,7 +175,7 @@ class _MapsOnDevice:
 
     def __init__(self, maps: DepthMaps, colors: Colors, device: Any):
         self._maps, self._colors, self._device = maps, colors, device
-        self._kept: LastUsed[DepthPixels] = LastUsed(KEPT_BYTES)
+        self._kept: LruCache[DepthPixels] = LruCache(KEPT_BYTES)
 
     def get(self, i: int, *, beside: int | None = None) -> DepthPixels:
         """The map of a picture; `beside` is the one that it is compared with, which stays."""

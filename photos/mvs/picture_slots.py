@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 from ...core.errors import FileError
 from ...kernels.lang import float32, launch, uint8, vec4
+from ...kernels.lru_cache import LruCache
 from ...kernels.memory import copy, empty, upload, write
 from ...kernels.stereo.brightness import resize_brightness_kernel
-from .last_used import LastUsed
 from .posed_pictures import PosedCamera
 
 Picture = str | os.PathLike[str] | NDArray[np.uint8]
@@ -58,7 +58,7 @@ class Slots:
         self.size = size
         self.values = empty(count * size, dtype, device)
         self._free = list(range(count))
-        self._places: LastUsed[int] = LastUsed(count, dropped=self._free.append)
+        self._places: LruCache[int] = LruCache(count, on_evict=self._free.append)
 
     def first_of(self, key: Any, load: Callable[[int], None]) -> int:
         """The first element of what has this key; it is loaded where it is not there, by `load(first)`."""

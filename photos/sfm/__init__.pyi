@@ -4,9 +4,6 @@ from .features import FeatureReport as FeatureReport
 from .features import find_features as find_features
 from .frame_choice import FrameChoice as FrameChoice
 from .frames import choose_frames as choose_frames
-from .keypoints import Keypoints as Keypoints
-from .keypoints import detect_keypoints as detect_keypoints
-from .keypoints import match_keypoints as match_keypoints
 from .mapping import SfmResult as SfmResult
 from .mapping import map_pictures as map_pictures
 from .matches import MatchReport as MatchReport

@@ -1,8 +1,8 @@
 """The process in which COLMAP works: one job in, lines of JSON out.
 
 `pycolmap` and other packages bring their own copies of the same libraries, and a process with several of them may hang
-or abort. So this program imports pycolmap first and nothing of ours but colmap_cameras.py and
-colmap_writing.py, which are as bare; it is run, never imported:
+or abort. So this program imports pycolmap first and nothing of ours but colmap_cameras.py, which is as bare; it is run,
+never imported:
 
     python colmap_worker.py < job.json
 
@@ -86,9 +86,6 @@ def find_features(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[
         pycolmap.import_images(job["database"], job["pictures"], options=reader, **options)
         if group["doubted"]:
             _forget_focal_length(pycolmap, job["database"], group, reader.default_focal_length_factor)
-    if "found" in job:
-        _writer()["write_features"](pycolmap, job)
-        return {}
     names = [name for group in job["groups"] for name in group["names"]]
     reading = pycolmap.ImageReaderOptions()
     if job["masks"]:
@@ -194,14 +191,6 @@ def _match(pycolmap: Any, job: dict[str, Any]) -> dict[str, Any]:
     verification.ransac.random_seed = job["seed"]
     common = {"matching_options": matching, "verification_options": verification}
     common["device"] = pycolmap.Device.cuda if matching.use_gpu else pycolmap.Device.cpu
-    if "found" in job:
-        _writer()["write_matches"](pycolmap, job)
-        verifier = pycolmap.GeometricVerifierOptions()
-        verifier.num_threads = job["threads"]
-        pycolmap.geometric_verification(
-            job["database"], verifier_options=verifier, two_view_geometry_options=verification
-        )
-        return {"gpu": False}
     if job["pairs"] == "exhaustive":
         pycolmap.match_exhaustive(job["database"], **common)
         return {"gpu": matching.use_gpu}
@@ -216,11 +205,6 @@ def _match(pycolmap: Any, job: dict[str, Any]) -> dict[str, Any]:
     pairing.num_threads = job["threads"]
     pycolmap.match_sequential(job["database"], pairing_options=pairing, **common)
     return {"gpu": matching.use_gpu}
-
-
-def _writer() -> dict[str, Any]:
-    """What writes features and matches that were not found by COLMAP."""
-    return runpy.run_path(os.fspath(Path(__file__).with_name("colmap_writing.py")))
 
 
 def map_pictures(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[str, Any]:

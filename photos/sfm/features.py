@@ -21,7 +21,6 @@ from .exif_checks import doubt_of_focal
 from .frames import check_option
 from .limited_process import check_limits, free_memory
 from .masks import check_mask_files, complete_masks
-from .own_features import device_of, find_own
 from .picture_folder import UPRIGHT, check_place, is_grey_16, list_pictures, read_lens, read_orientation, scaled_size
 
 # Those of COLMAP's whose numbers can be found from pictures alone.
@@ -90,8 +89,6 @@ def find_features(
     masks: FilePath | None = None,
     kind: str = "sift",
     use_gpu: bool | None = None,
-    finder: str = "colmap",
-    device: Any = None,
     seed: int = 0,
     max_seconds: float | None = MAX_SECONDS,
     max_memory: int | None = None,
@@ -114,8 +111,6 @@ def find_features(
             of PyPI was not.
         use_gpu: Whether COLMAP works on a GPU: that wants the package pycolmap-cuda12 in place of pycolmap. None takes
             one where that is there. Its features are not those of the CPU.
-        finder: Who finds them: "colmap", or "pointloom", our own kernels, which take a fraction of the time.
-        device: Where our own kernels compute; None for the CPU.
         seed: Of random numbers.
         max_seconds: It is given up after this time [s]; None for no limit.
         max_memory: Of COLMAP's process [B]; None for nine tenths of what is free.
@@ -129,7 +124,6 @@ def find_features(
             another size, one that hides all, no mask at all; pycolmap is missing (`pip install "pointloom[sfm]"`);
             COLMAP failed or passed a limit; a full disk.
         TypeError, ValueError: An argument out of range, a camera of pictures of another shape.
-        DeviceError: No such device.
 
     Notes:
         The same features from run to run, with any number of cores. All are used, as far as the memory goes: 360 B
@@ -149,7 +143,6 @@ def find_features(
     check_option("kind", kind, FEATURE_KINDS)
     check_use_gpu(use_gpu)
     check_seed(seed)
-    target_device = device_of(finder, device, kind)
     _check_intrinsic(intrinsic)
     limits = check_limits(max_seconds, max_memory)
     folder, target = check_place("pictures", pictures), check_writable(check_place("database", database))
@@ -157,22 +150,18 @@ def find_features(
     doubts = {} if intrinsic is not None else _doubts(folder, groups)
     job = _job_of(folder, groups, camera_model, intrinsic, doubts) | {"seed": int(seed), "kind": kind}
     job |= {"threads": threads_for([size for size, _ in groups], max_size, limits["max_memory"] or free_memory())}
-    job |= {"max_size": int(max_size), "max_features": int(max_features), "gpu": target_device is None and use_gpu}
+    job |= {"max_size": int(max_size), "max_features": int(max_features), "gpu": use_gpu}
     found = None if masks is None else _checked_masks(masks, folder)
     count = sum(len(names) for names in groups.values())
     with database_in_the_making(target) as part:
         say("features", 0, count)
-        if target_device is not None:
-            job["found"] = os.fspath(part.parent / "found")
-            common = {"masks": found or {}, "limits": limits, "device": target_device, "progress": say}
-            find_own(folder, groups, Path(job["found"]), max_size=max_size, max_features=max_features, **common)
         poll = lambda: say("features", min(count_rows(part, "keypoints"), count), count)  # noqa: E731
         job |= {"masks": None if found is None else _masks_beside(part, folder, found)}
         done, peak = run_job(job | {"database": os.fspath(part)}, folder, poll=poll, **limits)
         names, counts = _features_of(part)
     say("features", count, count)
     clock.stop("features")
-    told = clock.seconds["features"], peak, len(groups), bool(done.get("gpu", False)), _told_doubts(doubts)
+    told = clock.seconds["features"], peak, len(groups), done["gpu"], _told_doubts(doubts)
     return FeatureReport(os.fspath(target), names, counts, _counted_sizes(groups), *told)
 
 

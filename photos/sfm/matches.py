@@ -23,7 +23,6 @@ from .colmap_jobs import MAX_SECONDS, count_rows, database_in_the_making, open_d
 from .features import check_use_gpu, usable_cores
 from .frames import check_option
 from .limited_process import check_limits
-from .own_features import device_of, match_own, pairs_of
 from .picture_folder import check_place
 from .retrieval import NEIGHBOURS, pairs_that_look_alike
 
@@ -75,8 +74,6 @@ def match(
     overlap: int = OVERLAP,
     neighbours: int = NEIGHBOURS,
     use_gpu: bool | None = None,
-    finder: str = "colmap",
-    device: Any = None,
     seed: int = 0,
     max_seconds: float | None = MAX_SECONDS,
     max_memory: int | None = None,
@@ -93,9 +90,6 @@ def match(
         overlap: Sequential: each picture is matched to so many later ones, those that are 1, 2, 4, 8, ... further on.
         neighbours: Retrieval: each picture is matched to so many that look most like it.
         use_gpu: As of `find_features`.
-        finder: Who finds the matches: "colmap", approximately, or "pointloom", our own kernels, which compare all. In
-            either case COLMAP holds them against one motion of the camera.
-        device: Where our own kernels compute; None for the CPU.
         seed: Of random numbers.
         max_seconds: It is given up after this time [s]; None for no limit.
         max_memory: Of COLMAP's process [B]; None for nine tenths of what is free.
@@ -107,7 +101,6 @@ def match(
     Raises:
         FileError: No such database; pycolmap is missing; COLMAP failed or passed a limit; a full disk.
         TypeError, ValueError: An argument out of range.
-        DeviceError: No such device.
 
     Notes:
         The same matches from run to run, with any number of cores. Loops (a video that comes back to where it was)
@@ -131,10 +124,9 @@ def match(
     with open_database(source) as connection:
         (count,) = connection.execute("SELECT count(*) FROM images").fetchone()
     kind = _kind_of(source)
-    target_device = device_of(finder, device, kind)
     pairs = _settled(pairs, kind, count)
     job: dict[str, Any] = {"stage": "matches", "pairs": pairs, "overlap": int(overlap), "seed": int(seed)}
-    job |= {"threads": usable_cores(), "gpu": use_gpu if target_device is None else False, "kind": kind}
+    job |= {"threads": usable_cores(), "gpu": use_gpu, "kind": kind}
     with database_in_the_making(target) as part:
         shutil.copyfile(source, part)
         listed = _listed_pairs(source, pairs, overlap, neighbours, seed)
@@ -143,10 +135,6 @@ def match(
             Path(job["list"]).write_text("".join(f"{a} {b}\n" for a, b in listed), encoding="ascii")
         pair_count = len(listed)
         say("pairs", 0, pair_count)
-        if target_device is not None:
-            job["found"] = os.fspath(part.parent / "found")
-            common = {"device": target_device, "max_seconds": limits["max_seconds"], "progress": say}
-            match_own(source, listed, Path(job["found"]), **common)
         poll = lambda: say("pairs", min(count_rows(part, "two_view_geometries"), pair_count), pair_count)  # noqa: E731
         with _named_by_numbers(part) if "list" in job else contextlib.nullcontext():
             _, peak = run_job(job | {"database": os.fspath(part)}, source, poll=poll, **limits)
@@ -190,6 +178,18 @@ def _listed_pairs(database: Path, pairs: str, overlap: int, neighbours: int, see
     if pairs == MIXED:
         chosen |= {(int(a), int(b)) for a, b in pairs_of(database, "sequential", overlap)}
     return np.array(sorted(chosen), np.int64).reshape(-1, 2)
+
+
+def pairs_of(database: Path, pairs: str, overlap: int) -> NDArray[np.int64]:
+    """Numbers of the pictures of all pairs, or of those that are 1, 2, 4, ... apart in the order of names: [p, 2]."""
+    with open_database(database) as connection:
+        rows = connection.execute("SELECT image_id FROM images ORDER BY name").fetchall()
+    numbers = np.array([number for (number,) in rows], np.int64)
+    first, second = np.triu_indices(len(numbers), 1)
+    if pairs == "sequential":
+        near = np.isin(second - first, 1 << np.arange(overlap))
+        first, second = first[near], second[near]
+    return np.sort(np.stack([numbers[first], numbers[second]], axis=1), axis=1)
 
 
 @contextlib.contextmanager

@@ -30,8 +30,6 @@ def reconstruct(
     mapper: str = "auto",
     kind: str = "sift",
     use_gpu: bool | None = None,
-    finder: str = "colmap",
-    device: Any = None,
     seed: int = 0,
     max_seconds: float | None = MAX_SECONDS,
     max_memory: int | None = None,
@@ -52,8 +50,6 @@ def reconstruct(
         mapper: "incremental", "global" or "auto", as `map_pictures` has them.
         kind: Of features, as `find_features` has it.
         use_gpu: Whether features are found and matched on a GPU, likewise.
-        finder: Who finds features and matches: "colmap", or "pointloom", our own kernels.
-        device: Where our own kernels compute; None for the CPU.
         seed: Of random numbers.
         max_seconds: Of each stage [s]; None for no limit.
         max_memory: Of COLMAP's process [B]; None for nine tenths of what is free.
@@ -88,9 +84,8 @@ def reconstruct(
         raise FileError(sparse, "is not empty", remedy="Give a new folder to work in")
     options = {"camera_model": camera_model, "intrinsic": intrinsic, "max_size": max_size, "max_features": max_features}
     options |= {"masks": masks, "kind": kind, "use_gpu": use_gpu}
-    own = {"finder": finder, "device": device}
-    found = find_features(pictures, features_db, **options, **own, **common)
-    matched = match(features_db, matches_db, pairs=pairs, overlap=overlap, use_gpu=use_gpu, **own, **common)
+    found = find_features(pictures, features_db, **options, **common)
+    matched = match(features_db, matches_db, pairs=pairs, overlap=overlap, use_gpu=use_gpu, **common)
     result = map_pictures(pictures, matches_db, sparse, fix_intrinsic=intrinsic is not None, mapper=mapper, **common)
     seconds = {"features": found.seconds, "pairs": matched.seconds} | result.seconds
     peak = {"features": found.peak_bytes, "pairs": matched.peak_bytes} | result.peak_bytes

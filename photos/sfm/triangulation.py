@@ -23,7 +23,6 @@ from .feature_rays import FeatureRays, focal_of, read_feature_rays
 from .features import MAX_FEATURES, MAX_SIZE, find_features
 from .guided_matches import PairMatches, match_guided, pairs_in_view
 from .limited_process import check_limits
-from .own_features import device_of
 from .picture_folder import check_place, list_pictures
 from .pose_check import NEAR, PoseCheck, check_poses
 from .posed_pictures import with_poses
@@ -75,7 +74,6 @@ def triangulate(
     *,
     max_size: int = MAX_SIZE,
     max_features: int = MAX_FEATURES,
-    finder: str = "colmap",
     seed: int = 0,
     device: Any = None,
     max_seconds: float | None = MAX_SECONDS,
@@ -94,9 +92,8 @@ def triangulate(
             are not looked at. Pictures are those of its names, with or without their ending.
         max_size: The longer side is scaled down to this to find features [px].
         max_features: Of a picture.
-        finder: Who finds features: "colmap", or "pointloom", our own kernels.
         seed: Of random numbers.
-        device: Where our own kernels compute, those that match among them; None for the CPU.
+        device: Where features are matched; None for the CPU.
         max_seconds: Each stage of COLMAP's is given up after this time [s]; None for no limit.
         max_memory: Of COLMAP's process [B]; None for nine tenths of what is free.
         progress: Called with the stage ("features", "matches"), how many of its steps are done, and how many there are.
@@ -131,13 +128,11 @@ def triangulate(
     check_seed(seed)
     limits: dict[str, Any] = {"max_seconds": max_seconds, "max_memory": max_memory}
     check_limits(**limits)
-    device_of(finder, device, "sift")
     target, folder = resolve_device(device), check_place("pictures", pictures)
     posed = with_poses(folder, list_pictures(folder), cameras)
     with tempfile.TemporaryDirectory(prefix="pointloom-") as scratch:
         database = Path(scratch) / "features.db"
         options = {"max_size": max_size, "max_features": max_features, "seed": seed, "progress": progress}
-        options |= {"finder": finder, "device": target}
         found = find_features(folder, database, **options, **limits)
         clock.stop("features")
         matches, check = match_posed(database, posed.model, device=target, progress=say)

@@ -74,7 +74,6 @@ def settings_of_stages(source: Any, content: str, settings: Settings, device: An
         "masks": Given(settings.masks, settings.digest_of_masks()),
         "camera_model": Given(settings.camera_model, {"camera_model": settings.camera_model}),
         "max_features": Given(settings.max_features, {"max_features": settings.max_features}),
-        "finder": Given(settings.finder, {"finder": settings.finder}),
         "mapper": Given(settings.mapper, {"mapper": settings.mapper}),
         "pairs": Given(settings.pairs, {"pairs": settings.pairs}),
         "intrinsic": Given(lens, {"camera": camera}),

@@ -144,13 +144,11 @@ def _write(
     return f"{path.stem}.png", camera
 
 
-def find_features(
-    folder: Path, say: ReportProgress, *, frames: Made, max_features: int, finder: str, seed: int, device: Any
-) -> dict[str, Any]:
+def find_features(folder: Path, say: ReportProgress, *, frames: Made, max_features: int, seed: int) -> dict[str, Any]:
     """What can be recognised in each picture, and is not masked."""
     pictures, database = frames.folder / PICTURES, folder / DATABASE
-    options = {"max_features": max_features, "masks": masks_of(frames.folder), "finder": finder}
-    return sfm.find_features(pictures, database, device=device, seed=seed, progress=say, **options).to_json()
+    options = {"max_features": max_features, "masks": masks_of(frames.folder)}
+    return sfm.find_features(pictures, database, seed=seed, progress=say, **options).to_json()
 
 
 def match(folder: Path, say: ReportProgress, *, frames: Made, features: Made, device: Any) -> dict[str, Any]:

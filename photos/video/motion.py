@@ -97,9 +97,7 @@ def find_features(
     camera_model: str,
     max_features: int,
     panorama: bool,
-    finder: str,
     seed: int,
-    device: Any,
 ) -> dict[str, Any]:
     """What can be recognised in each picture."""
     pictures = frames.folder / PICTURES
@@ -107,16 +105,14 @@ def find_features(
         side = read_picture_header(pictures / picture_names(frames)[0]).width
         intrinsic = PinholeCameraIntrinsic(side, side, side / 2, side / 2, (side - 1) / 2, (side - 1) / 2)
     options = {"camera_model": camera_model, "max_features": max_features, "masks": masks_of(frames.folder)}
-    options |= {"intrinsic": intrinsic, "finder": finder, "device": device, "seed": seed, "progress": say}
+    options |= {"intrinsic": intrinsic, "seed": seed, "progress": say}
     found = sfm.find_features(pictures, folder / DATABASE, **options)
     return found.to_json()
 
 
-def match(
-    folder: Path, say: ReportProgress, *, frames: Made, features: Made, pairs: str, finder: str, seed: int, device: Any
-) -> dict[str, Any]:
+def match(folder: Path, say: ReportProgress, *, frames: Made, features: Made, pairs: str, seed: int) -> dict[str, Any]:
     """Which of it two pictures share."""
-    options = {"pairs": pairs, "finder": finder, "device": device, "seed": seed, "progress": say}
+    options = {"pairs": pairs, "seed": seed, "progress": say}
     return sfm.match(features.folder / DATABASE, folder / DATABASE, **options).to_json()
 
 

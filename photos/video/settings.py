@@ -18,7 +18,6 @@ from ..sfm.frames import check_option
 from ..sfm.mapping import MAPPERS
 from ..sfm.masks import ALPHA, MakeMask, check_masks
 from ..sfm.matches import PAIRS
-from ..sfm.own_features import FINDERS
 from .motion import digest_of_source
 from .units import Units
 
@@ -45,7 +44,6 @@ class Settings:
         panorama: The pictures show all directions (360 degrees, equirectangular, twice as wide as high): each becomes
             six of a cube's faces, whose lens is known.
         mapper: How pictures are placed, as `sfm.map_pictures` has it.
-        finder: Who finds features and matches them: "colmap", or "pointloom", our own kernels.
 
     Raises:
         TypeError, ValueError: One is out of range; the error names it.
@@ -69,7 +67,6 @@ class Settings:
     max_features: int = MAX_FEATURES
     panorama: bool = False
     mapper: str = "auto"
-    finder: str = "colmap"
 
     def __post_init__(self):
         check_count("max_frames", self.max_frames, minimum=FEWEST_PICTURES)
@@ -93,7 +90,6 @@ class Settings:
         check_camera_model(self.camera_model)
         check_option("pairs", self.pairs, PAIRS)
         check_option("mapper", self.mapper, MAPPERS)
-        check_option("finder", self.finder, FINDERS)
         check_max_features(self.max_features)
         if not isinstance(self.panorama, bool):
             raise TypeError(f"panorama: expected True or False, got {type(self.panorama).__name__}")

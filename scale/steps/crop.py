@@ -4,18 +4,12 @@ from __future__ import annotations
 
 from typing import Any, ClassVar
 
-import numpy as np
-from numpy.typing import NDArray
-
 from ...core.checks import check_finite, check_shape
 from ...kernels.memory import download
 from ...pcd.boxes import AxisAlignedBoundingBox
-from ...pcd.polygon_volume import SelectionPolygonVolume, mask_volume
 from ..exact_sums import ExactSums
-from ..polygons import in_survey, parse_area, to_json
+from ..polygons import in_survey, mask_area, parse_area, to_json
 from .step import Part, Step
-
-_HIGHEST = 1e100  # [unit of the files] up and down, where a polygon has no ends
 
 
 class Crop(Step):
@@ -54,15 +48,5 @@ class Crop(Step):
         if self.params["polygon"] is None:
             keep = download(self.box.mask_points(points, origin)) != 0
         else:
-            keep = self._in_area(points, origin)
+            keep = mask_area(self.area, points, origin)
         return part.select(keep != self.params["invert"])
-
-    def _in_area(self, points: Any, origin: NDArray[np.float64]) -> NDArray[np.bool_]:
-        kept = np.zeros(points.size, np.bool_)
-        for polygon in self.area:
-            inside = np.zeros(points.size, np.bool_)
-            for ring in polygon:
-                volume = SelectionPolygonVolume(np.pad(ring, ((0, 0), (0, 1))), "Z", -_HIGHEST, _HIGHEST)
-                inside ^= download(mask_volume(volume, points, origin)) != 0
-            kept |= inside
-        return kept

@@ -17,26 +17,22 @@ from ...hostile import faults_of, missing_from, public_arguments, read_table
 from .conftest import write_pictures
 
 LIMITS = "seed=0, max_seconds=60.0, max_memory=2**32, progress=None"
-FINDER = "finder='pointloom', device='cpu'"
 KINDS = "masks=None, kind='sift', use_gpu=None"
-FOUND = f"camera_model='PINHOLE', intrinsic=None, max_size=640, max_features=500, {KINDS}, {FINDER}, {LIMITS}"
+FOUND = f"camera_model='PINHOLE', intrinsic=None, max_size=640, max_features=500, {KINDS}, {LIMITS}"
 CALLS = f"""
 loom.sfm.choose_frames(source=pictures, folder=new(), max_frames=5, max_size=64, min_movement=0.04, max_gap=30, kind="png", reader="auto", masks=None, max_seconds=60.0, max_memory=2**32, progress=None)
 loom.sfm.find_features(pictures=pictures, database=new(), {FOUND})
-loom.sfm.match(database=database, matches=new(), pairs="auto", overlap=10, neighbours=5, use_gpu=None, {FINDER}, {LIMITS})
+loom.sfm.match(database=database, matches=new(), pairs="auto", overlap=10, neighbours=5, use_gpu=None, {LIMITS})
 loom.sfm.map_pictures(pictures=pictures, matches=database, folder=new(), mapper="auto", {LIMITS})
-loom.sfm.reconstruct(pictures=pictures, work=new(), pairs="auto", overlap=10, mapper="auto", {FOUND.replace("'pointloom'", "'colmap'")})
-loom.sfm.detect_keypoints(picture=grey, max_features=300, max_size=64, mask=seen, device="cpu")
-loom.sfm.match_keypoints(a=keypoints, b=keypoints, max_ratio=0.8, max_distance=0.7, device="cpu")
+loom.sfm.reconstruct(pictures=pictures, work=new(), pairs="auto", overlap=10, mapper="auto", {FOUND})
 loom.sfm.judge_model(model=model, picture_count=3, model_sizes=[2, 1], focal=None, poses=None)
 loom.sfm.read_picture_places(source=pictures)
 loom.sfm.write_training_folder(folder=new(), model=model, pictures=[grey, grey], masks=[None, seen], max_size=64, shift=True, device="cpu", overwrite=True, progress=None)
-loom.sfm.triangulate(pictures=pictures, cameras=posed, max_size=640, max_features=500, {FINDER}, {LIMITS})
+loom.sfm.triangulate(pictures=pictures, cameras=posed, max_size=640, max_features=500, device="cpu", {LIMITS})
 """  # noqa: E501
 TABLE = {name.removeprefix("sfm."): call for name, call in read_table(CALLS, {}).items()}
 RESULTS = {
     "FrameChoice",
-    "Keypoints",
     "PicturePlace",
     "PicturePlaces",
     "TrainingFolder",
@@ -56,7 +52,7 @@ def no_colmap(monkeypatch):
         assert limits["max_seconds"] > 0
         if job["stage"] == "features":
             Path(job["database"]).write_bytes(things()["database"].read_bytes())
-        return {"sizes": [], "cameras": {}}, 0
+        return {"gpu": False, "sizes": [], "cameras": {}}, 0
 
     for module in (features, matches, mapping):
         monkeypatch.setattr(module, "run_job", run_job)
@@ -104,7 +100,7 @@ def things() -> dict[str, Any]:
     named = {"loom": loom, "pictures": pictures, "database": database, "model": model}
     posed = loom.SfmModel(["view 0", "view 1"], [camera] * 2, poses)
     grey = rng.integers(0, 256, (48, 64)).astype(np.uint8)
-    named |= {"posed": posed, "grey": grey, "seen": grey >= 0, "keypoints": loom.sfm.detect_keypoints(grey)}
+    named |= {"posed": posed, "grey": grey, "seen": grey >= 0}
     return named | {"new": lambda: folder() / f"new {next(numbers)}"}
 
 

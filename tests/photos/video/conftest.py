@@ -56,13 +56,13 @@ def quick(monkeypatch):
         return {"kept": kept, "frames": 80, "remarks": ["the video is damaged: 80 of 90 frames came"]}
 
     @stage("features")
-    def find_features(folder, say, *, frames, intrinsic, finder, seed):
+    def find_features(folder, say, *, frames, intrinsic, seed):
         of = motion.picture_names(frames)
-        write_json(folder / "features.json", camera=str(intrinsic), finder=finder, seed=seed, of=of)
+        write_json(folder / "features.json", camera=str(intrinsic), seed=seed, of=of)
         return {}
 
     @stage("matches")
-    def match(folder, say, *, frames, features, finder, seed):
+    def match(folder, say, *, frames, features, seed):
         (folder / "matches.json").write_bytes((features.folder / "features.json").read_bytes())
         return {}
 

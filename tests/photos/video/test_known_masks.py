@@ -74,8 +74,7 @@ def test_masks_are_straightened_with_pictures_whose_lens_colmap_does_not_have(tm
 
 
 @pytest.mark.skipif(not has_pycolmap(), reason="pycolmap is not installed")
-@pytest.mark.parametrize("finder", [pytest.param("colmap", marks=pytest.mark.slow), "pointloom"])
-def test_no_feature_of_a_posed_picture_lies_where_its_mask_is_black(tmp_path, finder):
+def test_no_feature_of_a_posed_picture_lies_where_its_mask_is_black(tmp_path):
     walked = [picture(T) for T in walk(2)]
     write_pictures(tmp_path / "frames" / motion.PICTURES, walked, ["a.png", "b.png"])
     (tmp_path / "frames" / motion.MASKS).mkdir()
@@ -83,8 +82,7 @@ def test_no_feature_of_a_posed_picture_lies_where_its_mask_is_black(tmp_path, fi
         Image.fromarray(left_half(walked[0].shape)).save(tmp_path / "frames" / motion.MASKS / name)
     frames = SimpleNamespace(folder=tmp_path / "frames")
     (tmp_path / "out").mkdir()
-    own = {"finder": finder, "seed": 0, "device": "cpu"}
-    known_motion.find_features(tmp_path / "out", silent, frames=frames, max_features=300, **own)
+    known_motion.find_features(tmp_path / "out", silent, frames=frames, max_features=300, seed=0)
     with sqlite3.connect(tmp_path / "out" / motion.DATABASE) as database:
         rows = database.execute("SELECT data, rows, cols FROM keypoints").fetchall()
     for data, count, width in rows:

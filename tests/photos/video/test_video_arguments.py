@@ -16,7 +16,6 @@ from ...app.commands import names_in
 from ...hostile import faults_of, missing_from, public_arguments, read_table
 
 PLACING = 'masks=None, camera_model="SIMPLE_RADIAL", pairs="auto", max_features=500, panorama=False, mapper="auto"'
-PLACING += ', finder="pointloom"'
 MAPS = 'ortho="ortho.tif", dem="dem.tif", cell=0.1'
 CALLS = f"""
 loom.video.reconstruct(source=film, settings=settings, outputs=outputs, work=work, device="cpu", progress=None)

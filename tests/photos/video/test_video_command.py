@@ -95,7 +95,6 @@ def test_the_summary_says_what_became_of_the_pictures(quick, film, output):
         (["--max-size", "64"], ["undistorted"]),  # the pictures are no larger: what follows is kept
         (["--max-frames", "4"], STAGES),
         (["--seed", "1"], ["features", "matches", "model", "depth", "fused", "mesh"]),
-        (["--finder", "pointloom"], ["features", "matches", "model"]),
         (["--picture", "room.png"], []),
     ],
 )

@@ -75,8 +75,8 @@ def test_a_camera_is_taken_as_a_file_or_as_itself(quick, film, tmp_path):
     ("name", "after", "recorded"),
     [
         ("frames", [], {"source", "max_frames", "panorama"}),
-        ("features", ["frames"], {"camera", "camera_model", "finder", "max_features", "panorama", "seed"}),
-        ("matches", ["frames", "features"], {"finder", "pairs", "seed"}),
+        ("features", ["frames"], {"camera", "camera_model", "max_features", "panorama", "seed"}),
+        ("matches", ["frames", "features"], {"pairs", "seed"}),
         ("model", ["frames", "matches"], {"fixed", "mapper", "panorama", "seed"}),
         ("undistorted", ["frames", "model"], {"max_size"}),
         ("depth", ["undistorted"], {"seed"}),

@@ -1,10 +1,10 @@
-"""What was used last is kept within the budget, and what is in use makes no room."""
+"""The least recently used values are evicted within the capacity; values in use are not."""
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pointloom.photos.mvs.last_used import LastUsed
+from pointloom.kernels.lru_cache import LruCache
 
 
 class Shelf:
@@ -12,7 +12,7 @@ class Shelf:
 
     def __init__(self, room):
         self.made, self.dropped = [], []
-        self.kept = LastUsed(room, dropped=self.dropped.append)
+        self.kept = LruCache(room, on_evict=self.dropped.append)
 
     def take(self, key, size=10, beside=None):
         return self.kept.get(key, size, lambda: self.made.append(key) or key, beside=beside)
@@ -56,6 +56,18 @@ def test_what_cannot_be_made_is_not_kept():
     with pytest.raises(ZeroDivisionError):
         shelf.kept.get(2, 10, lambda: 1 // 0)
     assert shelf.take(1) == 1 and shelf.take(2) == 2 and shelf.made == [1, 2]
+
+
+def test_a_value_that_is_put_replaces_the_one_of_its_key_and_pop_removes_it():
+    shelf = Shelf(20)
+    for key, value in ((1, "a"), (2, "b"), (1, "c")):
+        shelf.kept.put(key, value, 10)
+    assert (shelf.kept.find(1), shelf.kept.find(3), shelf.kept.size, shelf.dropped) == ("c", None, 20, [])
+    shelf.kept.put(4, "d", 10)
+    assert shelf.kept.find(2) is None and shelf.dropped == ["b"]
+    assert (shelf.kept.pop(1), shelf.kept.pop(1), shelf.kept.size) == ("c", None, 10)
+    shelf.kept.clear()
+    assert shelf.dropped == ["b", "d"] and shelf.kept.size == 0
 
 
 @given(asked=st.lists(st.tuples(st.integers(0, 6), st.integers(1, 9)), max_size=40), room=st.integers(9, 30))
