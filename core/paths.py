@@ -35,18 +35,19 @@ def refuse_link(path: Path) -> Path:
     return path
 
 
-def plain_name(path: Path, name: Any) -> str:
+def plain_name(path: Path, name: Any, *, remedy: str = "") -> str:
     """A name read from a file for another file in a folder, after a check that it leads nowhere else.
 
     Args:
         path: The file that contains the name.
         name: The name.
+        remedy: What the user can do.
 
     Raises:
         FileError: It is no plain file name.
     """
     if not isinstance(name, str) or name in ("", ".", "..") or any(sign in name for sign in "/\\\0"):
-        raise FileError(path, f"expected a plain file name, got {name!r}")
+        raise FileError(path, f"expected a plain file name, got {name!r}", remedy=remedy)
     return name
 
 
