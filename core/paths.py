@@ -1,4 +1,4 @@
-"""Paths as users give them: `~` is their home, and what is no path is told by what it is."""
+"""Paths as users give them: `~` is their home; anything else than a path is an error that names its type."""
 
 from __future__ import annotations
 
@@ -9,15 +9,21 @@ from typing import Any
 from .errors import FileError
 
 
-def path_of(path: Any) -> Path:
+def path_of(path: Any, name: str = "path") -> Path:
     """The path, with `~` and `~name` as a shell has them.
+
+    Args:
+        path: The path.
+        name: The argument's name, for errors.
 
     Raises:
         TypeError: Not a path.
     """
-    if not isinstance(path, str | os.PathLike):
-        raise TypeError(f"path: expected the path of a file or folder, got a {type(path).__name__}; it comes first")
-    given = Path(path)
+    text = path.__fspath__() if isinstance(path, os.PathLike) else path
+    if not isinstance(text, str):
+        hint = "; it comes first" if name == "path" else ""
+        raise TypeError(f"{name}: expected the path of a file or folder, got a {type(path).__name__}{hint}")
+    given = Path(text)
     try:
         return given.expanduser()
     except RuntimeError:  # no such user: a file may be called so

@@ -7,6 +7,7 @@ import os
 
 import numpy as np
 
+from ...core.paths import path_of
 from ...files.points.vdb import SIDE, VdbGrid, write_vdb_grids
 from ...kernels.linear_algebra import elementwise
 from ...kernels.memory import download
@@ -46,6 +47,7 @@ def write_vdb(
         >>> field = loom.DistanceField.from_voxels([[0, 0, 0]], 0.1, max_distance=0.5)
         >>> loom.write_vdb("field.vdb", field)
     """
+    path = path_of(path)
     if isinstance(volume, TSDFVolume):
         grids = _volume_grids(volume)
     elif isinstance(volume, DistanceField):
