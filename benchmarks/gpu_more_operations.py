@@ -1,8 +1,4 @@
-"""More operations of the GPU model: registration, frames, surfaces and meshes, whose hosts launch many times.
-
-Limits are bytes that must move once between memory and chip, or steps that must follow each other; those of operations
-that iterate until they converge are low.
-"""
+"""More operations that are timed on a GPU: registration, frames, surfaces and meshes, whose hosts launch many times."""
 
 from __future__ import annotations
 
@@ -12,8 +8,7 @@ from typing import Any
 
 import numpy as np
 import scenes
-from gpu_chips import H200
-from gpu_operation import BOXES, DEVICE, NORMAL, POINT, Operation, cloud_of, computed, moved
+from gpu_operation import DEVICE, Operation, cloud_of
 from mesh_scenes import in_pointloom, torn_mesh, wavy_mesh
 
 Call = Callable[[], Any]
@@ -176,56 +171,24 @@ def _kitti(_: int) -> Call:
     return lambda: cloud.estimate_normals(max_nn=30)
 
 
-def bytes_of(of_each: float, why: str) -> dict[str, Any]:
-    """A limit in bytes of each point, pixel or triangle."""
-    return {"limit": lambda n: moved(n * of_each), "why": f"bytes: {why}"}
-
-
-def steps(count: int, why: str) -> dict[str, Any]:
-    """A limit in steps that follow each other."""
-    return {"limit": lambda _: count * H200.graph_node, "why": why}
-
-
-POINTS_AND_NORMALS, POINTS = POINT + NORMAL, POINT
-TRIANGLES = 24  # bytes of two triangles a point
-
 MORE_ROWS = (
-    Operation(
-        "normals_scan",
-        _kitti,
-        lambda n: max(moved(n * (POINT + BOXES + NORMAL)), computed(n * (30 * 26 + 300))),
-        "as normals_k30; a real LiDAR scan, of POINTLOOM_DATA",
-        sizes=(69_088,),
-        needs=scenes.real_scan_path,
-        last="fit_normals.*",
-    ),
-    Operation("gicp", _gicp, **bytes_of(2 * (POINT + 24), "points and covariances"), sizes=(200_000,)),
-    Operation("register_globally", _globally, **steps(60, "features, pairs, poses, ICP"), sizes=(200_000,)),
-    Operation("lidar_odometry_scan", _lidar, **steps(30, "some 15 steps of two launches"), sizes=(BEAMS * TURNS,)),
-    Operation("rgbd_frame", _rgbd_frame, **steps(60, "some 20 steps of three launches"), sizes=(PICTURE,)),
-    Operation("slam_frame", _slam_frame, **steps(70, "as rgbd_frame, then fusing and drawing"), sizes=(PICTURE,)),
-    Operation("mvs_pictures", _mvs, **steps(60, "propagation, place after place"), sizes=(VIEW_PIXELS,)),
-    Operation("mvs_fuse", _fuse, **bytes_of(23, "depth, normal, confidence, colour"), sizes=(4 * 72 * 96,)),
-    Operation("poisson_depth_7", of_surface("poisson", depth=7), **steps(300, "sweeps of each level"), sizes=(60_000,)),
-    Operation(
-        "ball_pivoting",
-        of_surface("ball_pivoting"),
-        **bytes_of(POINTS_AND_NORMALS + TRIANGLES, "points in, triangles out"),
-        sizes=(60_000,),
-    ),
-    Operation(
-        "alpha_shape",
-        of_surface("alpha_shape", 0.1),
-        **bytes_of(POINTS + TRIANGLES, "points in, triangles out"),
-        sizes=(20_000,),
-    ),
-    Operation("planar_patches", _patches, **bytes_of(POINTS_AND_NORMALS, "points and normals"), sizes=(60_000,)),
+    Operation("normals_scan", _kitti, (69_088,)),  # a real LiDAR scan, of POINTLOOM_DATA
+    Operation("gicp", _gicp, (200_000,)),
+    Operation("register_globally", _globally, (200_000,)),
+    Operation("lidar_odometry_scan", _lidar, (BEAMS * TURNS,)),
+    Operation("rgbd_frame", _rgbd_frame, (PICTURE,)),
+    Operation("slam_frame", _slam_frame, (PICTURE,)),
+    Operation("mvs_pictures", _mvs, (VIEW_PIXELS,)),
+    Operation("mvs_fuse", _fuse, (4 * 72 * 96,)),
+    Operation("poisson_depth_7", of_surface("poisson", depth=7), (60_000,)),
+    Operation("ball_pivoting", of_surface("ball_pivoting"), (60_000,)),
+    Operation("alpha_shape", of_surface("alpha_shape", 0.1), (20_000,)),
+    Operation("planar_patches", _patches, (60_000,)),
     Operation(
         "decimation",
         of_mesh(wavy_mesh, lambda mesh: mesh.simplify_quadric_decimation(len(mesh.triangles) // 10)),
-        **steps(30, "rounds of collapses"),
-        sizes=(128,),
+        (128,),
     ),
-    Operation("repair", of_mesh(torn_mesh, lambda mesh: mesh.repair()), **steps(60, "step after step"), sizes=(64,)),
-    Operation("deform_arap", of_mesh(wavy_mesh, _deformed), **steps(300, "rounds, and a solver in each"), sizes=(48,)),
+    Operation("repair", of_mesh(torn_mesh, lambda mesh: mesh.repair()), (64,)),
+    Operation("deform_arap", of_mesh(wavy_mesh, _deformed), (48,)),
 )

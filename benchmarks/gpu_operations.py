@@ -1,6 +1,6 @@
-"""The operations of the GPU model: what is made ready, what is counted, and what no GPU of this kind goes below.
+"""The operations that are timed on a GPU: what is prepared, and the call.
 
-What a cloud keeps, its tree above all, is there before the call is counted; `tree` is what it costs once.
+What a cloud keeps, such as its tree, is prepared before the call; `tree` is what it costs once.
 """
 
 from __future__ import annotations
@@ -11,9 +11,8 @@ from typing import Any
 import numpy as np
 import scenes
 from bench_icp import DISTANCE, ITERATIONS, offset
-from gpu_chips import H200
 from gpu_more_operations import MORE_ROWS
-from gpu_operation import BOXES, DEVICE, INDEX, NORMAL, POINT, Operation, cloud_of, computed, moved, spacing_of
+from gpu_operation import DEVICE, Operation, cloud_of, spacing_of
 from mesh_scenes import scene_in_pointloom, wavy_mesh
 
 # ------------------------------------------------------------------------------------------------ clouds
@@ -156,135 +155,24 @@ def _closest_points(count: int) -> Callable[[], Any]:
     return lambda: scene.compute_closest_points(places)
 
 
-# ------------------------------------------------------------------------------------------------ limits
-
-
-def search_limit(results: float, neighbors: int, operations: float) -> Callable[[int], float]:
-    """Of a search: points and boxes read, `results` bytes written; 8 operations a neighbour, and what follows."""
-    return lambda n: max(moved(n * (POINT + BOXES + results)), computed(n * (8 * neighbors + operations)))
-
-
-def _icp_limit(size: int) -> float:
-    """Each step reads source point, its pair and that one's normal from the L2, and waits for the step before."""
-    return ITERATIONS * (2 * H200.graph_node + size * (POINT + POINT + NORMAL) / H200.l2_bandwidth)
-
-
 ROWS = (
+    Operation("normals_k30", on_cloud(lambda c, n: c.estimate_normals(max_nn=30), tree=True)),
     Operation(
-        "normals_k30",
-        on_cloud(lambda c, n: c.estimate_normals(max_nn=30), tree=True),
-        search_limit(NORMAL, 30, 30 * 18 + 300),  # nine sums of products a neighbour, then an eigenvector
-        "arithmetic of 30 distances, covariance and eigenvector",
-        2.0,
-        last="fit_normals.*",
+        "normals_hybrid", on_cloud(lambda c, n: c.estimate_normals(radius=0.03 * spacing_of(n), max_nn=30), tree=True)
     ),
-    Operation(
-        "normals_hybrid",
-        on_cloud(lambda c, n: c.estimate_normals(radius=0.03 * spacing_of(n), max_nn=30), tree=True),
-        search_limit(NORMAL, 30, 30 * 18 + 300),
-        "as normals_k30",
-        last="fit_normals.*",
-    ),
-    Operation(
-        "knn20",
-        on_cloud(_knn, tree=True),
-        search_limit(20 * 8, 20, 0),
-        "bytes: 20 indices and distances a point",
-        2.0,
-        last="search_nearest.*",
-    ),
-    Operation(
-        "tree",
-        on_cloud(lambda c, n: c.search_tree(), tree=False),
-        lambda n: moved(n * (2 * POINT + INDEX)),
-        "bytes: points in, points and order out",
-    ),
-    Operation(
-        "fpfh",
-        _fpfh,
-        # a pair's three angles are some 60 operations; histograms go out, come in for the sums of neighbours, go out
-        lambda n: max(moved(n * (POINT + NORMAL + 3 * 33 * 4)), computed(n * 100 * (8 + 60 + 2 * 33))),
-        "arithmetic of 100 pairs' angles and of sums of 100 histograms a point",
-        1.0,
-        62_000,
-        (62_000, 300_000),
-    ),
-    Operation(
-        "voxel_down_sample",
-        on_cloud(lambda c, n: c.voxel_down_sample(0.02), tree=False),
-        lambda n: moved(n * POINT + 60_000 * POINT),
-        "bytes: points in, means out",
-        0.2,
-    ),
-    Operation(
-        "statistical_outliers",
-        on_cloud(lambda c, n: c.remove_statistical_outlier(20, 2.0), tree=True),
-        search_limit(INDEX + POINT, 20, 20),
-        "bytes: a mean distance, then the points that stay",
-    ),
-    Operation(
-        "dbscan",
-        on_cloud(lambda c, n: c.cluster_dbscan(0.02 * spacing_of(n), 10), tree=True),
-        search_limit(3 * INDEX, 2 * 16, 0),
-        "bytes: counts, roots, labels; 16 neighbours looked at twice",
-        3.0,
-    ),
-    Operation(
-        "farthest_points",
-        on_cloud(lambda c, n: c.farthest_point_down_sample(1000), tree=True),
-        lambda n: 1000 * H200.graph_node,
-        "1,000 choices, each after the one before",
-    ),
-    Operation(
-        "icp_plane",
-        _icp,
-        _icp_limit,
-        "20 steps of two launches after one another, 36 B a point from the L2",
-        2.0,
-        200_000,
-        (200_000,),
-    ),
-    Operation(
-        "ransac",
-        _ransac,
-        lambda n: max(4 * H200.graph_node, computed(n * 0.05 * 9_100 * 20)),
-        "a twentieth of the samples passes and is scored by 9,100 pairs",
-        5.0,
-        100_000,
-        (100_000,),
-    ),
-    Operation(
-        "tsdf_integrate",
-        _tsdf_integrate,
-        lambda n: moved(n * 2 + 3_500 * 512 * 12),
-        "bytes: the picture, and voxels of 3,500 blocks in and out",
-        0.2,
-        640 * 480,
-        (640 * 480,),
-    ),
-    Operation(
-        "tsdf_mesh",
-        _tsdf_mesh,
-        lambda n: moved(4_300 * 512 * 6 + 145_000 * 24 + 282_000 * 12),
-        "bytes: voxels in, vertices, normals and triangles out",
-        sizes=(640 * 480,),
-    ),
-    Operation(
-        "marching_cubes",
-        _marching_cubes,
-        lambda n: moved(n * 4 + 154_000 * 24 + 308_000 * 12),
-        "bytes: the field in, vertices, normals and triangles out",
-        sizes=(256**3,),
-    ),
-    Operation(
-        "cast_rays", _cast_rays, lambda n: max(moved(n * (24 + 40)), computed(n * 20 * 40)), "bytes: rays in, hits out"
-    ),
-    Operation(
-        "closest_points",
-        _closest_points,
-        lambda n: max(moved(n * (12 + 40)), computed(n * 40 * 60)),
-        "arithmetic of 40 triangles a place",
-        sizes=(200_000,),
-    ),
+    Operation("knn20", on_cloud(_knn, tree=True)),
+    Operation("tree", on_cloud(lambda c, n: c.search_tree(), tree=False)),
+    Operation("fpfh", _fpfh, (62_000, 300_000)),
+    Operation("voxel_down_sample", on_cloud(lambda c, n: c.voxel_down_sample(0.02), tree=False)),
+    Operation("statistical_outliers", on_cloud(lambda c, n: c.remove_statistical_outlier(20, 2.0), tree=True)),
+    Operation("dbscan", on_cloud(lambda c, n: c.cluster_dbscan(0.02 * spacing_of(n), 10), tree=True)),
+    Operation("farthest_points", on_cloud(lambda c, n: c.farthest_point_down_sample(1000), tree=True)),
+    Operation("icp_plane", _icp, (200_000,)),
+    Operation("ransac", _ransac, (100_000,)),
+    Operation("tsdf_integrate", _tsdf_integrate, (640 * 480,)),
+    Operation("tsdf_mesh", _tsdf_mesh, (640 * 480,)),
+    Operation("marching_cubes", _marching_cubes, (256**3,)),
+    Operation("cast_rays", _cast_rays),
+    Operation("closest_points", _closest_points, (200_000,)),
 )
 OPERATIONS = {o.name: o for o in (*ROWS, *MORE_ROWS)}

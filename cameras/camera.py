@@ -23,6 +23,7 @@ from ..core.dropped_results import returns_new
 from ..core.errors import FileError
 from ..core.json_files import check_keys, read_json_object
 from ..core.known_names import ToldNames
+from ..core.paths import path_of
 
 # Keys that Open3D and its sensor recorders write beside the intrinsic; none of them changes what a pixel sees.
 # Any other key is refused, as it may (distortion coefficients, a crop).
@@ -261,6 +262,7 @@ def write_pinhole_camera_intrinsic(path: str | os.PathLike[str], intrinsic: Pinh
         >>> loom.read_pinhole_camera_intrinsic("camera.json") == camera
         True
     """
+    path = path_of(path)
     if not isinstance(intrinsic, PinholeCameraIntrinsic):
         raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
     text = json.dumps(intrinsic_to_json(intrinsic), indent=4)

@@ -11,7 +11,6 @@ import dataclasses
 import json
 import os
 from collections.abc import Iterable, Iterator, Sequence
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +20,7 @@ from ..core.checks import check_name, check_numeric, check_rigid, check_shape
 from ..core.errors import FileError
 from ..core.json_files import check_keys, read_json_object
 from ..core.known_names import ToldNames
+from ..core.paths import path_of
 from ..core.quaternions import nearest_rotations, rotations_to_quaternions
 from ..kernels.linear_algebra import inv
 from .camera import PinholeCameraIntrinsic, intrinsic_to_json, read_json_matrix
@@ -134,7 +134,7 @@ def read_poses_and_gaps(path: str | os.PathLike[str]) -> Trajectory:
 
 
 def _read_all(path: str | os.PathLike[str], *, gaps: bool) -> Trajectory:
-    suffix = Path(path).suffix.lower()
+    suffix = path_of(path).suffix.lower()
     if suffix == ".json":
         return _read_json(path)
     if suffix not in (".log", ".txt", ".tum", ".kitti"):
@@ -239,7 +239,7 @@ def _read_json(path: str | os.PathLike[str]) -> Trajectory:
 
 
 def _output_format(path: str | os.PathLike[str], format: str | None) -> str:
-    suffix = Path(path).suffix.lower()
+    suffix = path_of(path).suffix.lower()
     implied = suffix[1:] if suffix[1:] in FORMATS else None
     if format is None and implied is None:
         remedy = f"Give format= one of {', '.join(FORMATS)}"

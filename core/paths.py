@@ -1,4 +1,4 @@
-"""Paths as users give them: `~` is their home, and what is no path is told by what it is."""
+"""Paths as users give them: `~` is their home; anything else than a path is an error that names its type."""
 
 from __future__ import annotations
 
@@ -9,15 +9,21 @@ from typing import Any
 from .errors import FileError
 
 
-def path_of(path: Any) -> Path:
+def path_of(path: Any, name: str = "path") -> Path:
     """The path, with `~` and `~name` as a shell has them.
+
+    Args:
+        path: The path.
+        name: The argument's name, for errors.
 
     Raises:
         TypeError: Not a path.
     """
-    if not isinstance(path, str | os.PathLike):
-        raise TypeError(f"path: expected the path of a file or folder, got a {type(path).__name__}; it comes first")
-    given = Path(path)
+    text = path.__fspath__() if isinstance(path, os.PathLike) else path
+    if not isinstance(text, str):
+        hint = "; it comes first" if name == "path" else ""
+        raise TypeError(f"{name}: expected the path of a file or folder, got a {type(path).__name__}{hint}")
+    given = Path(text)
     try:
         return given.expanduser()
     except RuntimeError:  # no such user: a file may be called so
@@ -35,18 +41,19 @@ def refuse_link(path: Path) -> Path:
     return path
 
 
-def plain_name(path: Path, name: Any) -> str:
+def plain_name(path: Path, name: Any, *, remedy: str = "") -> str:
     """A name read from a file for another file in a folder, after a check that it leads nowhere else.
 
     Args:
         path: The file that contains the name.
         name: The name.
+        remedy: What the user can do.
 
     Raises:
         FileError: It is no plain file name.
     """
     if not isinstance(name, str) or name in ("", ".", "..") or any(sign in name for sign in "/\\\0"):
-        raise FileError(path, f"expected a plain file name, got {name!r}")
+        raise FileError(path, f"expected a plain file name, got {name!r}", remedy=remedy)
     return name
 
 

@@ -29,7 +29,7 @@ def check_work_folder(folder: FilePath, *, marker: str, resume: bool, overwrite:
         FileError: It is a file, its parent is missing, it holds an earlier run and is neither to be kept nor replaced,
             or it holds something else.
     """
-    folder = path_of(folder)
+    folder = path_of(folder, "folder")
     if folder.exists() and not folder.is_dir():
         raise FileError(folder, "is not a folder", remedy="Give the name of a folder with --work")
     if not folder.absolute().parent.is_dir():

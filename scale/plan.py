@@ -191,7 +191,7 @@ def plan_tiles(
         raise ValueError(f"output: expected {' or '.join(map(repr, OUTPUTS))}, got {shown(output)}")
     if size is not None and points is not None:
         raise ValueError("size, points: expected one of them, got both")
-    paths, folder = list_files(sources), path_of(folder)
+    paths, folder = list_files(sources), path_of(folder, "folder")
     if not (folder / NAME).exists():
         check_folder(folder)
     with nothing_left(folder):
@@ -225,7 +225,7 @@ def open_plan(folder: FilePath) -> tuple[Manifest, Plan]:
     Raises:
         FileError: There is none, or what has changed.
     """
-    manifest = Manifest(path_of(folder))
+    manifest = Manifest(path_of(folder, "folder"))
     try:
         if manifest.version != __version__:
             reason = f"was planned by pointloom {manifest.version}, this is {__version__}"

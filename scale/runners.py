@@ -141,7 +141,7 @@ def _check_goes_on(manifest: Manifest, plan: Plan) -> None:
 
 def retry_tiles(folder: FilePath) -> TileStatus:
     """Have the tiles that failed or were set aside, and such files, wait again; `run_tiles` then does them."""
-    with Manifest(path_of(folder)) as manifest:
+    with Manifest(path_of(folder, "folder")) as manifest:
         manifest.give_back()
         with manifest.change() as base:
             for table in TABLES:

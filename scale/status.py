@@ -82,7 +82,7 @@ def tile_status(folder: FilePath) -> TileStatus:
     Raises:
         FileError: The folder holds no manifest.
     """
-    with Manifest(path_of(folder)) as manifest:
+    with Manifest(path_of(folder, "folder")) as manifest:
         told = status_of(manifest)
         if told.is_finished:
             return told

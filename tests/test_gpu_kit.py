@@ -15,10 +15,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[1]
 BENCHMARKS = str(ROOT / "benchmarks")
 sys.path.append(BENCHMARKS)
-import gpu_chips  # noqa: E402
-import gpu_page  # noqa: E402
 from gpu_kit import documents, fatbins, layout, profile, register_trials, suite, under_tools  # noqa: E402
-from gpu_kit.compare import Compared, compared  # noqa: E402
 from gpu_kit.device import Device, EmulatedDeviceError, chip_of  # noqa: E402
 from gpu_kit.runner import MORE, Run  # noqa: E402
 from gpu_kit.steps import STEPS, Step  # noqa: E402
@@ -44,16 +41,15 @@ def test_a_chip_is_known_by_the_name_of_its_device(name, chip):
     assert chip_of(name) == chip
 
 
-def test_a_run_on_a_gpu_becomes_one_document_and_constants_for_review(tmp_path):
+def test_a_run_on_a_gpu_becomes_one_document(tmp_path):
     documents.keep_part(tmp_path / "run", GPU, "operations", {"tree 5": {"caller_ms": 2.0}})
     documents.keep_part(tmp_path / "run", GPU, "constants", {"GRAPH_NODE": 2e-6})
     path = documents.keep(tmp_path / "run", tmp_path / "results")
     assert path.name.startswith("gpu-run-h100-")
-    found = documents.newest_runs(tmp_path / "results")["h100"]
+    found = json.loads(path.read_text())
     assert found["operations"] == {"tree 5": {"caller_ms": 2.0}}
+    assert found["constants"] == {"GRAPH_NODE": 2e-6}
     assert found["device"] == GPU.as_json()
-    proposed = json.loads((tmp_path / "results" / "gpu-constants-h100.json").read_text())
-    assert (proposed["reviewed_by"], proposed["constants"]) == ("", {"GRAPH_NODE": 2e-6})
 
 
 def test_nothing_of_the_emulated_device_becomes_a_document(tmp_path):
@@ -62,16 +58,9 @@ def test_nothing_of_the_emulated_device_becomes_a_document(tmp_path):
     with pytest.raises(EmulatedDeviceError, match="Emulated CUDA device"):
         documents.keep(tmp_path / "run", tmp_path / "results")
     assert not (tmp_path / "results").exists()
-
-
-def test_a_document_of_the_emulated_device_that_lies_there_is_refused(tmp_path):
-    document = {"device": EMULATED.as_json(), "date": "2026-01-01", "operations": {}}
-    (tmp_path / "gpu-run-x.json").write_text(json.dumps(document))
-    with pytest.raises(EmulatedDeviceError):
-        documents.newest_runs(tmp_path)
-    (tmp_path / "gpu-run-x.json").write_text(json.dumps({**document, "device": {}}))
+    documents.keep_part(tmp_path / "run", replace(GPU, name=""), "operations", {})
     with pytest.raises(EmulatedDeviceError, match="without a name"):
-        documents.newest_runs(tmp_path)
+        documents.keep(tmp_path / "run", tmp_path / "results")
 
 
 def test_the_emulated_device_has_the_name_that_is_refused():
@@ -95,57 +84,6 @@ def test_parts_of_two_states_of_the_kernels_are_no_document(tmp_path, monkeypatc
     documents.keep_part(tmp_path, GPU, "operations", {})
     with pytest.raises(ValueError, match="different sources of kernels"):
         documents.collected(tmp_path)
-
-
-def test_constants_that_a_person_reviewed_stay(tmp_path):
-    documents.keep_part(tmp_path / "run", GPU, "constants", {"GRAPH_NODE": 2e-6})
-    results, path = tmp_path / "results", tmp_path / "results" / "gpu-constants-h100.json"
-    documents.keep(tmp_path / "run", results)
-    path.write_text(json.dumps(json.loads(path.read_text()) | {"reviewed_by": "Ada"}))
-    documents.keep_part(tmp_path / "run", GPU, "constants", {"GRAPH_NODE": 9e-6})
-    documents.keep(tmp_path / "run", results)
-    assert json.loads(path.read_text())["constants"] == {"GRAPH_NODE": 2e-6}
-    assert json.loads(path.with_suffix(".new.json").read_text())["constants"] == {"GRAPH_NODE": 9e-6}
-
-
-def test_the_model_takes_constants_that_were_reviewed_and_no_others(tmp_path):
-    path = tmp_path / "constants.json"
-    content = {"device": GPU.as_json(), "reviewed_by": "", "constants": {"GRAPH_NODE": 2e-6, "something": 1.0}}
-    path.write_text(json.dumps(content))
-    assert gpu_chips.reviewed(path) == {}
-    path.write_text(json.dumps({**content, "reviewed_by": "Ada"}))
-    assert gpu_chips.reviewed(path) == {"graph_node": 2e-6}
-    path.write_text(json.dumps({**content, "reviewed_by": "Ada", "device": EMULATED.as_json()}))
-    assert gpu_chips.reviewed(path) == {}
-    path.write_text(json.dumps({**content, "reviewed_by": "Ada", "constants": {"WAIT": -1e-6}}))
-    with pytest.raises(ValueError, match="not above zero: wait"):
-        gpu_chips.reviewed(path)
-
-
-def test_the_page_has_words_where_nothing_was_measured():
-    assert gpu_page.measured_cell({}, "tree 5", "device_ms") == "not measured"
-    runs = {"h100": {"operations": {"tree 5": {"caller_ms": 2.0}}}, "h200": {}}
-    assert gpu_page.measured_cell(runs, "tree 5", "caller_ms") == "2 (h100)"
-    assert gpu_page.measured_cell(runs, "tree 5", "device_ms") == "not measured"
-
-
-def test_what_was_measured_stands_beside_the_prediction(monkeypatch):
-    run = {"operations": {"tree 200000": {"caller_ms": 3.25, "device_ms": 1.75}}}
-    rows = {}
-    for runs in ({}, {"h100": run}):
-        monkeypatch.setattr(gpu_page, "newest_runs", lambda runs=runs: runs)
-        head, _, *lines = gpu_page.times_table()
-        cells = next(line for line in lines if line.startswith("| tree | 200,000 |")).split(" | ")
-        assert len(cells) == len(head.split(" | "))
-        rows[len(runs)] = [cell for cell, title in zip(cells, head.split(" | "), strict=True) if title == "measured"]
-    assert rows == {0: ["not measured", "not measured"], 1: ["1.75 (h100)", "3.25 (h100)"]}
-
-
-def test_what_the_model_has_wrong_by_more_than_two_is_told():
-    assert Compared("a", 3.0, 1.0).is_wrong and Compared("a", 1.0, 3.0).is_wrong
-    assert not Compared("a", 1.9, 1.0).is_wrong and not Compared("a", 1.0, 1.9).is_wrong
-    run = {"operations": {"tree 5": {"error": "x"}, "other 5": {"caller_ms": 1.0}}}
-    assert list(compared(run, {"tree 5": None})) == []
 
 
 # ------------------------------------------------------------------------------------------------ steps

@@ -491,3 +491,21 @@ def test_importing_pointloom_starts_no_runtime():
     version, loaded = json.loads(answer.stdout)
     assert version
     assert {"warp", "taichi", "scipy", "numpy", "PIL", "rich", "click", "open3d"} & set(loaded) == set()
+
+
+def test_public_packages_show_their_public_names_alone():
+    import pointloom as loom
+    import pointloom.open3d as o3d
+    from pointloom.registration import icp
+
+    packages = [getattr(loom, name) for name in loom.__all__ if name.islower()]
+    packages = [package for package in packages if hasattr(package, "__path__")]
+    assert {"pointloom.registration", "pointloom.scale"} <= {each.__name__ for each in packages}
+    for package in (loom, o3d, o3d.geometry, *packages):
+        assert {name for name in dir(package) if not name.startswith("__")} == set(package.__all__)
+    assert sys.modules["pointloom.registration.icp"] is icp
+    with pytest.raises(AttributeError, match=r"'icp': it is a private module; did you mean 'registration_icp'"):
+        loom.registration.icp  # noqa: B018
+    with pytest.raises(AttributeError, match=r"'crew': it is a private module$"):
+        loom.scale.crew  # noqa: B018
+    assert loom.registration is sys.modules["pointloom.registration"]

@@ -6,8 +6,7 @@
     make gpu-run ARGS=--dry                       the same on the emulated device, small: no figure is written
     make gpu-run ARGS="--take call4.tar.gz"       take in what came back from a machine that call.sh ran on
 
-The figures go to benchmarks/results/gpu-run-CHIP-DATE-COMMIT.json and from there into docs/gpu.md, constants for review
-to gpu-constants-CHIP.json; the last thing printed is where the model was wrong by more than two.
+The figures go to benchmarks/results/gpu-run-CHIP-DATE-COMMIT.json.
 """
 
 from __future__ import annotations
@@ -76,19 +75,13 @@ def _unpack(archives: list[Path], state: Path) -> None:
 
 
 def _conclude(state: Path) -> int:
-    """Write the document and the page, and print where the model was wrong."""
-    from gpu_page import write_page
-
-    from gpu_kit.compare import report
-
+    """Write the document."""
     try:
         path = keep(state)
     except ValueError as error:
         print(f"nothing is kept: {error}")
         return 1
-    print(f"wrote {path.relative_to(ROOT)}; review the constants beside it, and fill in `reviewed_by`")
-    write_page()
-    print(report())
+    print(f"wrote {path.relative_to(ROOT)}")
     return 0
 
 

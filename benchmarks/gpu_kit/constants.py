@@ -1,9 +1,6 @@
-"""Measures the constants of benchmarks/gpu_chips.py on the GPU that is here: names in capitals are fields of a chip.
+"""Measure constants of the GPU: seconds of launches, waits, graphs and copies, and bytes a second of links and memory.
 
-    python -m gpu_kit.constants STATE SECONDS
-
-Seconds and bytes a second. What a kernel cannot tell from outside (cycles until a load's value is there, atomics a
-cycle) is not measured here: ncu says it.
+python -m gpu_kit.constants STATE SECONDS
 """
 
 from __future__ import annotations

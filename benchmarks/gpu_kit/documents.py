@@ -1,6 +1,6 @@
 """What a run found: a part a step while it goes on, one document of a GPU at its end, whole or not at all.
 
-A part says which device it is of. Nothing of the emulated device becomes a document, and none is read that says so.
+A part says which device it is of. Nothing of the emulated device becomes a document.
 """
 
 from __future__ import annotations
@@ -14,7 +14,6 @@ from typing import Any
 from gpu_kit.device import EMULATED, ROOT, Device, EmulatedDeviceError, chip_of
 
 RESULTS = ROOT / "benchmarks" / "results"
-PATTERN, CONSTANTS = "gpu-run-*.json", "gpu-constants-{chip}.json"
 FORMAT = 1
 
 
@@ -75,7 +74,7 @@ def collected(state: Path) -> dict[str, Any]:
 
 
 def keep(state: Path, folder: Path = RESULTS) -> Path:
-    """Write the document of a run, and its constants for review; the document's path.
+    """Write the document of a run; its path.
 
     Raises:
         EmulatedDeviceError, ValueError: As `collected`.
@@ -84,31 +83,7 @@ def keep(state: Path, folder: Path = RESULTS) -> Path:
     chip = chip_of(document["device"]["name"])
     path = folder / f"gpu-run-{chip}-{document['date'][:10]}-{document['commit'][:7]}.json"
     write_json(path, document)
-    if constants := document.get("constants"):
-        _propose_constants(folder / CONSTANTS.format(chip=chip), document, constants)
     return path
-
-
-def _propose_constants(path: Path, document: dict[str, Any], constants: dict[str, float]) -> None:
-    """Constants that a person has reviewed stay until a person replaces them: new ones lie beside them."""
-    there = json.loads(path.read_text()) if path.exists() else {}
-    to = path.with_suffix(".new.json") if there.get("reviewed_by") else path
-    about = {name: document[name] for name in ("device", "date", "commit")}
-    write_json(to, {**about, "reviewed_by": "", "constants": constants})
-
-
-def newest_runs(folder: Path = RESULTS) -> dict[str, dict[str, Any]]:
-    """The newest document of each chip.
-
-    Raises:
-        EmulatedDeviceError: One is of the emulated device.
-    """
-    found: dict[str, dict[str, Any]] = {}
-    for path in sorted(folder.glob(PATTERN), key=lambda path: json.loads(path.read_text())["date"]):
-        document = json.loads(path.read_text())
-        refuse_emulated(document["device"])
-        found[chip_of(document["device"]["name"])] = document
-    return found
 
 
 def _commit() -> tuple[str, bool | None]:

@@ -1,4 +1,4 @@
-"""Operations of the model on the GPU: seconds for the caller, and the device's own kernels by name.
+"""Operations on the GPU (gpu_operations.py): seconds for the caller, and the device's own kernels by name.
 
     python -m gpu_kit.profile STATE SECONDS
     python -m gpu_kit.profile --once NAME=SIZE ...          run each twice: for ncu and compute-sanitizer

@@ -52,7 +52,7 @@ def fetch(name: str, folder: str | os.PathLike[str] | None = None) -> Path:
     if check_name("name", name) not in SETS:
         raise ValueError(f"name: no public set {name!r}{nearest_name(name, SETS)} There are {', '.join(SETS)}")
     wanted = SETS[name]
-    home = data_folder() / "public" if folder is None else path_of(folder)
+    home = data_folder() / "public" if folder is None else path_of(folder, "folder")
     place = home / name
     if not _is_whole(place):
         _bring(wanted, home, place)

@@ -18,6 +18,7 @@ from ...cameras.camera import (
 from ...core.atomic import atomic_write
 from ...core.checks import check_count
 from ...core.errors import FileError
+from ...core.paths import path_of
 from .open3d_parameters import Bounds
 from .view import View, check_view
 
@@ -86,6 +87,7 @@ def write_view(path: str | os.PathLike[str], view: View, bounds: Bounds) -> None
         >>> bounds = cloud.get_min_bound(), cloud.get_max_bound()
         >>> loom.write_view("view.json", loom.View.from_open3d(bounds), bounds)
     """
+    path = path_of(path)
     check_view(view)
     entry = view.to_open3d(bounds)
     low, high = (np.asarray(end, np.float64).tolist() for end in bounds)

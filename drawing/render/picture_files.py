@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import io
 import os
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -13,6 +12,7 @@ from PIL import Image
 
 from ...core.atomic import atomic_write, check_writable
 from ...core.errors import FileError
+from ...core.paths import path_of
 from ...files.pictures.image_files import PIXEL_LIMIT, encode_png, write_png
 
 KINDS = (".png", ".webp")
@@ -26,7 +26,7 @@ def check_picture(path: Any, *, overwrite: bool) -> None:
     Raises:
         FileError: Another extension than .png and .webp, or a place that cannot be written.
     """
-    if Path(path).suffix.lower() not in KINDS:
+    if path_of(path).suffix.lower() not in KINDS:
         raise FileError(path, "pictures are written as .png or .webp", remedy="Give a name that ends in .png")
     check_writable(path, overwrite=overwrite)
 
@@ -51,7 +51,7 @@ def save_picture(path: str | os.PathLike[str], image: NDArray[Any], *, overwrite
         >>> loom.read_color("grey.png").shape
         (48, 64, 3)
     """
-    kind, shape = Path(path).suffix.lower(), getattr(image, "shape", ())
+    kind, shape = path_of(path).suffix.lower(), getattr(image, "shape", ())
     has_opacity = len(shape) == 3 and shape[2] == 4
     if has_opacity and kind in OPAQUE:
         remedy = "Write .png or .webp, or draw it before a background of a colour"

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from ...core.checks import check_count
 from ...core.coordinates import quiet
 from ...core.errors import FileError
+from ...core.paths import path_of
 from ...files.points.in_parts import open_in_parts
 from ...files.table import PointTable
 from ...pcd.cloud import PointCloud
@@ -37,7 +38,7 @@ def sample_file(path: str | os.PathLike[str], count: int) -> PointCloud | None:
         >>> loom.sample_file("scan.ply", 10)
         PointCloud(10 points, no attributes, cpu)
     """
-    count = check_count("count", count)
+    path, count = path_of(path), check_count("count", count)
     file = open_in_parts(path)
     if file is None:
         return None

@@ -247,7 +247,7 @@ def open_frames(
 
 
 def _check_folder(folder: str | os.PathLike[str]) -> Path:
-    folder = path_of(folder)
+    folder = path_of(folder, "folder")
     restore_folder(folder)
     if not folder.is_dir():
         reason = "is not a folder" if folder.exists() else "does not exist"

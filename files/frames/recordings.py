@@ -60,10 +60,11 @@ class FrameRecorder:
     def __init__(
         self, folder: str | os.PathLike[str], intrinsic: PinholeCameraIntrinsic, *, depth_scale: float = 1000.0
     ):
+        self.folder = path_of(folder, "folder")
         if not isinstance(intrinsic, PinholeCameraIntrinsic):
             raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
         self.depth_scale = check_positive("depth_scale", depth_scale)
-        self.folder, self.intrinsic, self.count = path_of(folder), intrinsic, 0
+        self.intrinsic, self.count = intrinsic, 0
         self._colored: bool | None = None
         _make_folder(self.folder)
         text = json.dumps(intrinsic_to_json(intrinsic) | {"depth_scale": self.depth_scale}, indent=4)

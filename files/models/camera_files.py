@@ -18,6 +18,7 @@ from ...cameras.trajectory import Trajectory, read_poses_and_gaps
 from ...core.checks import check_list, check_name
 from ...core.errors import FileError
 from ...core.json_files import read_json_object
+from ...core.paths import path_of
 from ..points.scan_files import natural_key
 from .colmap import is_colmap_model, read_colmap_model
 from .frame_cameras import holds_frame_cameras, read_frame_cameras, read_transforms
@@ -73,7 +74,7 @@ def read_cameras(
         >>> model.centers.tolist(), model.left_out
         ([[0.0, 0.0, 0.0], [0.5, 0.0, 0.0]], ('11.0.png: no pose',))
     """
-    place = Path(path)
+    place = path_of(path)
     kind = _kind_of(place)
     if kind != "trajectory":
         if intrinsic is not None:

@@ -66,7 +66,7 @@ def find_colmap_model(folder: str | os.PathLike[str]) -> tuple[Path, str]:
     Raises:
         FileError: None, a part of one, or several.
     """
-    folder = path_of(folder)
+    folder = path_of(folder, "folder")
     if not folder.is_dir():
         reason = "is a file" if folder.exists() else "does not exist"
         raise FileError(folder, reason, remedy="Give the folder of cameras, images and points3D")
@@ -84,7 +84,7 @@ def find_colmap_model(folder: str | os.PathLike[str]) -> tuple[Path, str]:
 
 def is_colmap_model(folder: str | os.PathLike[str]) -> bool:
     """Whether a folder, or one of those below where projects keep it, has a file of a model."""
-    folder = path_of(folder)
+    folder = path_of(folder, "folder")
     below = [p for place in (folder, folder / "sparse") for p in _numbered(place)]
     return any(_files_of(place) for place in [folder, *below, *(folder / name for name in PLACES)])
 
@@ -150,12 +150,12 @@ def write_colmap_model(
         >>> sorted(path.name for path in pathlib.Path("sparse").iterdir())
         ['cameras.txt', 'images.txt', 'points3D.txt']
     """
+    folder = path_of(folder, "folder")
     if not isinstance(model, SfmModel):
         raise TypeError(f"model: expected an SfmModel, got {type(model).__name__}")
     if check_name("format", format) not in FORMS:
         raise ValueError(f"format: expected 'bin' or 'txt', got {format!r}")
     _check_writable(model, format)
-    folder = path_of(folder)
     is_new = _prepare(folder, overwrite)
     write, records = FORMS[format], records_of(model)
     writers = {"cameras": write.write_cameras, "images": write.write_pictures, "points3D": write.write_points}

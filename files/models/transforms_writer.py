@@ -48,6 +48,7 @@ def write_transforms(path: str | os.PathLike[str], model: SfmModel, *, pictures:
         >>> json.loads(pathlib.Path("transforms.json").read_text())["frames"][0]["file_path"]
         'images/a.png'
     """
+    path = path_of(path)
     if not isinstance(model, SfmModel):
         raise TypeError(f"model: expected an SfmModel, got {type(model).__name__}")
     if not len(model):

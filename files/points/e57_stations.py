@@ -133,7 +133,7 @@ def write_stations(
         >>> loom.read_stations("two.e57").names
         ('hall', 'stairs')
     """
-    found = check_list("clouds", clouds, "point clouds")
+    path, found = path_of(path), check_list("clouds", clouds, "point clouds")
     for i, cloud in enumerate(found):
         check_cloud(f"clouds[{i}]", cloud)
     matrices = [check_rigid(f"poses[{i}]", T) for i, T in enumerate(check_list("poses", poses, "poses"))]

@@ -164,7 +164,7 @@ def read_copc(
     if within is not None and not isinstance(within, AxisAlignedBoundingBox):
         raise TypeError(f"within: expected an AxisAlignedBoundingBox, got {type(within).__name__}")
     low, high = (None, None) if within is None else (within.min_bound, within.max_bound)
-    file = open_copc(path)
+    file = open_copc(path_of(path))
     return cloud_of(file.read(low, high, spacing), file.path, device=where)
 
 

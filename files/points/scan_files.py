@@ -31,7 +31,7 @@ def list_scans(folder: str | os.PathLike[str]) -> list[Path]:
     Raises:
         FileError: No folder, no scan in it, or scans of several kinds, whose order would be a guess.
     """
-    place = path_of(folder)
+    place = path_of(folder, "folder")
     restore_folder(place)
     if not place.is_dir():
         raise FileError(folder, "is no folder" if place.exists() else "does not exist", remedy="Give a folder of scans")

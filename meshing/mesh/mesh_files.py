@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import os
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from ...core.devices import resolve_device
 from ...core.errors import FileError
+from ...core.paths import path_of
 from ...files.meshes.mesh_formats import MESH_READERS, UPRIGHT, read_mesh, write_mesh
 from ...files.source import content_errors
 from ...files.table import MeshTable
@@ -51,7 +51,7 @@ def read_triangle_mesh(
         >>> loom.read_triangle_mesh("mesh.ply").vertices[1].tolist()
         [2.0, 0.0, 0.0]
     """
-    suffix = Path(path).suffix.lower()
+    suffix = path_of(path).suffix.lower()
     if suffix not in MESH_READERS:
         raise FileError(path, f"meshes are read from {', '.join(MESH_READERS)}, not from {suffix or 'no extension'}")
     where = resolve_device(device)
@@ -128,7 +128,7 @@ def write_triangle_mesh(
         >>> loom.write_triangle_mesh("mesh.stl", mesh)
         >>> loom.write_triangle_mesh("mesh.obj", mesh)
     """
-    suffix = Path(path).suffix.lower()
+    suffix = path_of(path).suffix.lower()
     if not isinstance(mesh, TriangleMesh):
         remedy = "; write_point_cloud writes clouds" if isinstance(mesh, PointArrays) else ""
         raise TypeError(f"mesh: expected a TriangleMesh, got {type(mesh).__name__}{remedy}")

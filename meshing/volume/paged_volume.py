@@ -16,6 +16,7 @@ from ...core.checks import check_count, check_positive, check_rigid
 from ...core.devices import resolve_device
 from ...core.errors import FilePath, values_of_file
 from ...core.known_names import ToldNames
+from ...core.paths import path_of
 from ...core.told_arguments import told_arguments
 from ...kernels.arrays.block_keys import BIAS
 from ...kernels.lang import vec3, vec3i
@@ -85,6 +86,7 @@ class PagedTSDFVolume(ToldNames):
         device: Any = None,
         overwrite: bool = False,
     ):
+        folder = path_of(folder, "folder")
         most, side = _check_counts(max_blocks, page_blocks)
         TSDFVolume(voxel_size=voxel_size, truncation=truncation, color=color, device=device)  # checks these
         pages = PageFolder(folder, is_new=True, overwrite=overwrite)

@@ -1,44 +1,20 @@
-"""The graph of an ONNX file, as far as its last operations need it: nodes, constants of one number, functions.
-
-onnxruntime runs a model and does not hand out its graph, and the `onnx` package is no dependency, so the file is read
-here by the wire format of Protocol Buffers (a field's number and kind, then its bytes) with the numbers of onnx.proto3
-(onnx/onnx, IR version 3 to 12). Weights are passed over where they lie in the mapped file: what is read is some MB at
-most, whatever the file's size. Nothing is decoded but what stands below; other fields may hold anything.
-"""
+"""The graph of an ONNX model, reduced to what its last operations need: nodes, constants of one number, functions."""
 
 from __future__ import annotations
 
 import dataclasses
 import math
-import struct
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
-import numpy as np
+from ...core.errors import FileError
+from ...core.paths import plain_name
+from ...files.foreign import foreign_errors, import_for
 
-from ...files.source import Source
-
-# Kinds of fields on the wire.
-VARINT, FIXED64, BYTES, FIXED32 = 0, 1, 2, 5
-MOST_VARINT = 10  # bytes of 64 bits, seven each
-
-# Fields of each message, by onnx.proto3.
-MODEL_GRAPH, MODEL_FUNCTIONS = 7, 25
-GRAPH_NODE, GRAPH_INITIALIZER = 1, 5
-FUNCTION_NAME, FUNCTION_INPUT, FUNCTION_OUTPUT, FUNCTION_NODE, FUNCTION_DOMAIN = 1, 4, 5, 7, 10
-NODE_INPUT, NODE_OUTPUT, NODE_OPERATION, NODE_ATTRIBUTE, NODE_DOMAIN = 1, 2, 4, 5, 7
-ATTRIBUTE_NAME, ATTRIBUTE_FLOAT, ATTRIBUTE_INT, ATTRIBUTE_STRING, ATTRIBUTE_TENSOR = 1, 2, 3, 4, 5
-TENSOR_DIMS, TENSOR_TYPE, TENSOR_FLOATS, TENSOR_INTS, TENSOR_LONGS = 1, 2, 4, 5, 7
-TENSOR_NAME, TENSOR_RAW, TENSOR_DOUBLES = 8, 9, 10
-
-# Types of elements whose constants are read: of raw bytes, and the field of typed ones.
-RAW_TYPES = {1: "<f4", 6: "<i4", 7: "<i8", 10: "<f2", 11: "<f8"}
-TYPED_FIELDS = {1: TENSOR_FLOATS, 6: TENSOR_INTS, 7: TENSOR_LONGS, 10: TENSOR_INTS, 11: TENSOR_DOUBLES}
-MOST_CONSTANT_BYTES = 4096  # a message of one number with its name; longer ones are weights
-
-
-class GraphError(Exception):
-    """Bytes that are no ONNX model."""
+NUMBER_TYPES = ("FLOAT", "FLOAT16", "DOUBLE", "INT32", "INT64")
+NO_MODEL = "no ONNX model that can be used"
+WEIGHTS_REMEDY = "Put the file of its weights (often NAME.onnx_data) beside it, under its old name"
 
 
 @dataclasses.dataclass(frozen=True)
@@ -47,7 +23,7 @@ class Node:
 
     Args:
         operation: Its name, such as "Conv".
-        domain: Whose it is; empty for ONNX's own.
+        domain: The domain of its operator set; empty for ONNX's own.
         inputs, outputs: Names of values; an input that is left out has an empty one.
         attributes: Those of one number or text.
     """
@@ -61,10 +37,10 @@ class Node:
 
 @dataclasses.dataclass(frozen=True)
 class Graph:
-    """Nodes by what they give.
+    """Nodes by the values that they compute.
 
     Args:
-        producers: The node that gives a value, by the value's name.
+        producers: The node that computes a value, by the value's name.
         constants: Values that are one number, by their names.
         inputs, outputs: Names in the order of a call; of functions alone.
         functions: The model's functions by domain and name.
@@ -77,176 +53,92 @@ class Graph:
     functions: dict[tuple[str, str], Graph] = dataclasses.field(default_factory=dict)
 
 
-def read_graph(source: Source) -> Graph:
-    """The graph of a model.
+def load_graph(path: str) -> Graph:
+    """Read the graph of a model without opening any other file.
 
     Raises:
-        GraphError: The bytes are no ONNX model.
+        FileError: The file is no ONNX model, it keeps weights in files outside its folder, or onnx is missing.
     """
-    graph: tuple[int, int] | None = None
-    functions: dict[tuple[str, str], Graph] = {}
-    for number, value in _fields(source, 0, len(source)):
-        if number == MODEL_GRAPH and isinstance(value, tuple):
-            graph = value
-        elif number == MODEL_FUNCTIONS and isinstance(value, tuple):
-            key, function = _read_function(source, *value)
-            functions[key] = function
-    if graph is None:
-        raise GraphError("no graph")
-    nodes, constants = [], {}
-    for number, value in _fields(source, *graph):
-        if number == GRAPH_NODE and isinstance(value, tuple):
-            nodes.append(_read_node(source, *value, constants))
-        elif number == GRAPH_INITIALIZER and isinstance(value, tuple):
-            name, constant = _read_tensor(source, *value)
-            if constant is not None:
-                constants[name] = constant
-    return Graph(_by_output(nodes), constants, functions=functions)
+    onnx = import_for(path, "onnx", "depth")
+    with foreign_errors(path, NO_MODEL, remedy="Fetch or export the file again"):
+        model = onnx.load(path, format="protobuf", load_external_data=False)
+        for name in _external_files(model):
+            _check_external_file(Path(path), name)
+        return read_graph(model)
 
 
-def _by_output(nodes: list[Node]) -> dict[str, Node]:
-    return {output: node for node in nodes for output in node.outputs if output}
+def read_graph(model: Any) -> Graph:
+    """Reduce an `onnx.ModelProto`."""
+    functions = {
+        (each.domain, each.name): _graph(each.node, {}, tuple(each.input), tuple(each.output))
+        for each in model.functions
+    }
+    constants = {each.name: number for each in model.graph.initializer if (number := _number(each)) is not None}
+    return dataclasses.replace(_graph(model.graph.node, constants), functions=functions)
 
 
-def _read_function(source: Source, start: int, end: int) -> tuple[tuple[str, str], Graph]:
-    wanted = FUNCTION_NAME, FUNCTION_DOMAIN, FUNCTION_INPUT, FUNCTION_OUTPUT
-    texts: dict[int, list[str]] = {number: [] for number in wanted}
-    nodes: list[Node] = []
-    constants: dict[str, float] = {}
-    for number, value in _fields(source, start, end):
-        if number in texts:
-            texts[number].append(_text(source, value))
-        elif number == FUNCTION_NODE and isinstance(value, tuple):
-            nodes.append(_read_node(source, *value, constants))
-    key = "".join(texts[FUNCTION_DOMAIN]), "".join(texts[FUNCTION_NAME])
-    ends = tuple(texts[FUNCTION_INPUT]), tuple(texts[FUNCTION_OUTPUT])
-    return key, Graph(_by_output(nodes), constants, *ends)
+def _graph(nodes: Any, constants: dict[str, float], inputs: tuple[str, ...] = (), outputs: tuple[str, ...] = ()):
+    producers = {}
+    for each in nodes:
+        attributes = {a.name: value for a in each.attribute if (value := _value(a)) is not None}
+        node = Node(each.op_type, each.domain, tuple(each.input), tuple(each.output), attributes)
+        producers |= {output: node for output in node.outputs if output}
+        given = next((attributes[name] for name in ("value", "value_float", "value_int") if name in attributes), None)
+        if node.operation == "Constant" and len(node.outputs) == 1 and isinstance(given, float):
+            constants[node.outputs[0]] = given
+    return Graph(producers, constants, inputs, outputs)
 
 
-def _read_node(source: Source, start: int, end: int, constants: dict[str, float]) -> Node:
-    """A node; one that gives a constant of one number is entered there."""
-    texts: dict[int, list[str]] = {number: [] for number in (NODE_INPUT, NODE_OUTPUT, NODE_OPERATION, NODE_DOMAIN)}
-    attributes: dict[str, float | str] = {}
-    for number, value in _fields(source, start, end):
-        if number in texts:
-            texts[number].append(_text(source, value))
-        elif number == NODE_ATTRIBUTE and isinstance(value, tuple):
-            name, found = _read_attribute(source, *value)
-            if found is not None:
-                attributes[name] = found
-    operation, domain = "".join(texts[NODE_OPERATION]), "".join(texts[NODE_DOMAIN])
-    outputs = tuple(texts[NODE_OUTPUT])
-    given = next((attributes[name] for name in ("value", "value_float", "value_int") if name in attributes), None)
-    if operation == "Constant" and len(outputs) == 1 and isinstance(given, float):
-        constants[outputs[0]] = given
-    return Node(operation, domain, tuple(texts[NODE_INPUT]), outputs, attributes)
+def _value(attribute: Any) -> float | str | None:
+    """The value of an attribute; None if it is no number or text."""
+    if attribute.HasField("t"):
+        return _number(attribute.t)
+    if attribute.HasField("s"):
+        return attribute.s.decode("utf-8", "replace")
+    for field in ("i", "f"):
+        if attribute.HasField(field):
+            return float(getattr(attribute, field))
+    return None
 
 
-def _read_attribute(source: Source, start: int, end: int) -> tuple[str, float | str | None]:
-    name, found = "", None
-    for number, value in _fields(source, start, end):
-        if number == ATTRIBUTE_NAME:
-            name = _text(source, value)
-        elif number == ATTRIBUTE_FLOAT and isinstance(value, bytes):
-            found = float(struct.unpack("<f", value)[0])
-        elif number == ATTRIBUTE_INT and isinstance(value, int):
-            found = float(value)
-        elif number == ATTRIBUTE_STRING:
-            found = _text(source, value)
-        elif number == ATTRIBUTE_TENSOR and isinstance(value, tuple):
-            found = _read_tensor(source, *value)[1]
-    return name, found
+def _number(tensor: Any) -> float | None:
+    """The number in a tensor; None if it contains another count, another type, or is in another file."""
+    from onnx import TensorProto, numpy_helper
 
-
-def _read_tensor(source: Source, start: int, end: int) -> tuple[str, float | None]:
-    """A tensor's name, and its number if it holds one that lies in the file."""
-    if end - start > MOST_CONSTANT_BYTES:
-        return "", None
-    name, kind, count, found = "", 0, 1, {}
-    for number, value in _fields(source, start, end):
-        if number == TENSOR_NAME:
-            name = _text(source, value)
-        elif number == TENSOR_TYPE and isinstance(value, int):
-            kind = value
-        elif number == TENSOR_DIMS:
-            count *= math.prod(_whole_numbers(source, value))
-        elif number in (TENSOR_RAW, TENSOR_FLOATS, TENSOR_INTS, TENSOR_LONGS, TENSOR_DOUBLES):
-            found[number] = value
-    if count != 1 or kind not in RAW_TYPES:
-        return name, None
-    raw = found.get(TENSOR_RAW)
-    if isinstance(raw, tuple):
-        return name, _number(source[raw[0] : raw[1]], RAW_TYPES[kind])
-    return name, _typed_number(source, kind, found.get(TYPED_FIELDS[kind]))
-
-
-def _typed_number(source: Source, kind: int, value: Any) -> float | None:
-    """The number of a field of its own type: alone, or the only one of packed ones."""
-    if value is None:
+    types = [TensorProto.DataType.Value(name) for name in NUMBER_TYPES]
+    is_external = tensor.data_location == TensorProto.EXTERNAL
+    if is_external or tensor.data_type not in types or math.prod(tensor.dims) != 1:
         return None
-    if kind in (6, 7, 10):
-        numbers = _whole_numbers(source, value)
-        if len(numbers) != 1:
-            return None
-        bits = numbers[0] - (1 << 64 if numbers[0] >= 1 << 63 else 0)
-        return _number(struct.pack("<H", bits & 0xFFFF), "<f2") if kind == 10 else float(bits)
-    content = source[value[0] : value[1]] if isinstance(value, tuple) else value
-    return _number(content, RAW_TYPES[kind]) if isinstance(content, bytes) else None
+    try:
+        return float(numpy_helper.to_array(tensor).item())
+    except ValueError:  # its data has another length than its shape
+        return None
 
 
-def _number(content: bytes, kind: str) -> float | None:
-    return float(np.frombuffer(content, kind)[0]) if len(content) == np.dtype(kind).itemsize else None
+def _external_files(model: Any) -> Iterator[str]:
+    """Names of the files in which tensors anywhere in the model are kept."""
+    from onnx import TensorProto
+
+    waiting = [model]
+    while waiting:
+        message = waiting.pop()
+        if isinstance(message, TensorProto):
+            yield from (entry.value for entry in message.external_data if entry.key == "location")
+            continue
+        for field, value in message.ListFields():
+            if field.message_type is not None:
+                waiting.extend([value] if hasattr(value, "ListFields") else value)
 
 
-def _whole_numbers(source: Source, value: Any) -> list[int]:
-    """One whole number, or packed ones."""
-    if isinstance(value, int):
-        return [value]
-    numbers = []
-    if isinstance(value, tuple):
-        at, end = value
-        while at < end:
-            number, at = _varint(source, at, end)
-            numbers.append(number)
-    return numbers
+def _check_external_file(path: Path, name: str) -> None:
+    """Check that a file of weights is in the model's folder: the folder of its path, or of the file if it is a link.
 
-
-def _text(source: Source, value: Any) -> str:
-    if not isinstance(value, tuple):
-        raise GraphError("a text is no text")
-    return source[value[0] : value[1]].decode("utf-8", "replace")
-
-
-def _fields(source: Source, at: int, end: int) -> Iterator[tuple[int, int | bytes | tuple[int, int]]]:
-    """Each field of a message: its number, and a whole number, the bytes of a fixed one, or its start and end."""
-    while at < end:
-        tag, at = _varint(source, at, end)
-        number, kind = tag >> 3, tag & 7
-        if kind == VARINT:
-            value, at = _varint(source, at, end)
-            yield number, value
-        elif kind == BYTES:
-            length, at = _varint(source, at, end)
-            if length > end - at:
-                raise GraphError("a field is longer than what holds it")
-            yield number, (at, at + length)
-            at += length
-        elif kind in (FIXED32, FIXED64):
-            length = 4 if kind == FIXED32 else 8
-            if length > end - at:
-                raise GraphError("a number is cut")
-            yield number, bytes(source[at : at + length])
-            at += length
-        else:
-            raise GraphError("an unknown kind of field")
-
-
-def _varint(source: Source, at: int, end: int) -> tuple[int, int]:
-    """A whole number of seven bits a byte, the lowest first, and where it ends."""
-    number = 0
-    for k in range(min(MOST_VARINT, end - at)):
-        byte = source[at + k]
-        number |= (byte & 0x7F) << (7 * k)
-        if byte < 0x80:
-            return number, at + k + 1
-    raise GraphError("a whole number without an end")
+    Raises:
+        FileError: It is elsewhere or missing.
+    """
+    file = path.parent / plain_name(path, name, remedy="Export the model with its weights beside it")
+    if not file.is_file():
+        raise FileError(path, f"its weights are in {name}, which does not exist", remedy=WEIGHTS_REMEDY)
+    if file.resolve().parent not in (path.parent.resolve(), path.resolve().parent):
+        reason = f"its weights are in {name}, a symbolic link to another folder"
+        raise FileError(path, reason, remedy="Replace it by the file that it links to")

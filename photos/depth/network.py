@@ -14,8 +14,10 @@ from ...core.checks import check_count, shown
 from ...core.devices import resolve_device
 from ...core.errors import DeviceError, FileError
 from ...core.interrupts import signal_exception
+from ...core.paths import path_of
 from ...files.foreign import import_for
 from ...files.source import content_errors, open_source
+from .graph import NO_MODEL, WEIGHTS_REMEDY, load_graph
 from .inputs import Map, Placement, place, prepare
 from .photos import Photo, camera_of, take_photo
 from .presets import DEFAULT, find_preset
@@ -28,7 +30,7 @@ SILENT = 4  # severity from which onnxruntime's own log goes to stderr: its erro
 
 # What onnxruntime's messages are about, and what to do.
 _REMEDIES = (
-    ("External data", "Put the file of its weights (often NAME.onnx_data) beside it, under its old name"),
+    ("External data", WEIGHTS_REMEDY),
     ("IR version", "Update onnxruntime, or export the model with an older version of ONNX"),
     ("opset", "Update onnxruntime, or export the model with an older opset"),
     ("No Op registered", "The model uses operations that this onnxruntime lacks; update it"),
@@ -39,14 +41,15 @@ class DepthModel:
     """A depth network from an ONNX file, for many pictures.
 
     Args:
-        path: The .onnx file; weights that it keeps in other files are looked for beside it.
+        path: The .onnx file; weights that it keeps in other files must be in its folder.
         preset: Which network it is: what its input and output mean. docs/depth.md lists them.
         device: "cpu" or None; "cuda", "cuda:N": an error where onnxruntime has no CUDA; "auto": a GPU where
             onnxruntime can use one, and `provider` says whether it did.
         threads: CPU threads; None for all cores.
 
     Raises:
-        FileError: No ONNX model, one with other inputs or outputs than the preset's, or onnxruntime is missing.
+        FileError: No ONNX model, one with other inputs or outputs than the preset's, one with weights outside its
+            folder, or onnx or onnxruntime is missing.
         DeviceError: The device is not there, or onnxruntime cannot use it.
         ValueError: No such preset, or a number of threads out of range.
 
@@ -66,16 +69,16 @@ class DepthModel:
         self, path: str | os.PathLike[str], preset: str = DEFAULT, *, device: Any = None, threads: int | None = None
     ):
         self._preset = find_preset(preset)
-        if not isinstance(path, str | os.PathLike):
-            raise TypeError(f"path: expected the path of an .onnx file, got {shown(path)}")
-        self.path = os.fspath(path)
+        self.path = str(path_of(path))
         count = 0 if threads is None else check_count("threads", threads, maximum=MOST_THREADS, because="of one CPU")
-        source = open_source(self.path)
+        open_source(self.path)
+        with content_errors(self.path):
+            graph = load_graph(self.path)
         self._session = _open_session(self.path, device, count)
         self.provider: str = self._session.get_providers()[0]
         with content_errors(self.path):  # names that are no UTF-8 show where onnxruntime hands them out
             self._signature = check_signature(self.path, self._session, self._preset)
-            self._head = check_head(self.path, source, self._signature, self._preset)
+            self._head = check_head(self.path, graph, self._signature, self._preset)
 
     @property
     def preset(self) -> str:
@@ -145,6 +148,7 @@ def _open_session(path: str, device: Any, threads: int) -> Any:
     ort = import_for(path, "onnxruntime", "depth")
     providers = _providers(ort, device)
     options = ort.SessionOptions()
+    options.add_session_config_entry("session.load_model_format", "ONNX")  # as load_graph, whatever the name ends in
     options.use_deterministic_compute = True
     options.log_severity_level = SILENT
     options.intra_op_num_threads = threads
@@ -158,7 +162,7 @@ def _open_session(path: str, device: Any, threads: int) -> Any:
             raise stopped from None
         text = str(error)
         remedy = next((remedy for part, remedy in _REMEDIES if part in text), "Fetch or export the file again")
-        raise FileError(path, f"no ONNX model that can be used: {_first_line(error)}", remedy=remedy) from error
+        raise FileError(path, f"{NO_MODEL}: {_first_line(error)}", remedy=remedy) from error
     if wants_cuda(device) and session.get_providers()[0] != CUDA:
         raise DeviceError(
             f"device: {shown(str(device))} was asked for, but onnxruntime could not start CUDA and fell back to the "

@@ -13,9 +13,8 @@ from typing import Any
 import numpy as np
 
 from ...core.errors import FileError
-from ...files.source import Source
-from .graph import GraphError, read_graph
-from .heads import BINS, BROKEN, CLAMPED, EXP, INVERSE, RECIPROCAL, SIGMOID, UNKNOWN, Head, find_head
+from .graph import Graph
+from .heads import BINS, BROKEN, CLAMPED, EXP, INVERSE, RECIPROCAL, SIGMOID, Head, find_head
 from .presets import DEFAULT, PRESETS, Preset
 
 TYPES = {"tensor(float)": np.float32, "tensor(float16)": np.float16}
@@ -81,16 +80,13 @@ def check_signature(path: str, session: Any, preset: Preset) -> Signature:
     return Signature(the_input.name, the_input.type, views, fixed, numbers, _check_outputs(path, session, preset))
 
 
-def check_head(path: str, source: Source, signature: Signature, preset: Preset) -> Head:
+def check_head(path: str, graph: Graph, signature: Signature, preset: Preset) -> Head:
     """What the model's graph ends in.
 
     Raises:
         FileError: That is another network's.
     """
-    try:
-        head = find_head(read_graph(source), signature.outputs["depth"])
-    except GraphError:  # onnxruntime reads other formats too
-        head = UNKNOWN
+    head = find_head(graph, signature.outputs["depth"])
     if head.kind == BROKEN:
         reason = (
             f"ends in a ReLU times {head.factor:g}: a metric network that was exported with the last function of the "

@@ -150,7 +150,7 @@ class DepthMaps(Sequence[DepthMap]):
             FileError: No finished folder of depth maps, or one that is damaged.
         """
         maps = object.__new__(cls)
-        maps.folder, maps._kept = path_of(folder), []
+        maps.folder, maps._kept = path_of(folder, "folder"), []
         maps.cameras, maps.sources = _read_index(maps.folder / INDEX)
         for i in range(len(maps.cameras)):
             if not (maps.folder / _file_name(i)).is_file():
@@ -206,7 +206,7 @@ def _float32(name: str, values: ArrayLike) -> NDArray[np.float32]:
 
 def made_folder(folder: FilePath) -> Path:
     """The folder, made where it is not there, without an index: what is written into it is unfinished till the end."""
-    path = path_of(folder)
+    path = path_of(folder, "folder")
     try:
         path.mkdir(parents=True, exist_ok=True)
         (path / INDEX).unlink(missing_ok=True)

@@ -49,12 +49,10 @@ def check_place(name: str, value: Any) -> Path:
         TypeError: No path.
         ValueError: One that no system takes.
     """
-    path = value.__fspath__() if isinstance(value, os.PathLike) else value
-    if not isinstance(path, str):
-        raise TypeError(f"{name}: expected a path, got {type(value).__name__}")
-    if not path or "\0" in path:
-        raise ValueError(f"{name}: expected a path, got {shown(path)}")
-    return path_of(path)
+    path = path_of(value, name)
+    if not os.fspath(value) or "\0" in str(path):
+        raise ValueError(f"{name}: expected the path of a file or folder, got {shown(value)}")
+    return path
 
 
 def list_pictures(folder: FilePath, suffixes: Sequence[str] = SUFFIXES) -> list[Path]:
@@ -67,7 +65,7 @@ def list_pictures(folder: FilePath, suffixes: Sequence[str] = SUFFIXES) -> list[
     Raises:
         DatasetError: No folder, or no picture in it.
     """
-    place = path_of(folder)
+    place = path_of(folder, "folder")
     restore_folder(place)
     if not place.is_dir():
         reason = "is no folder" if place.exists() else "does not exist"
@@ -106,7 +104,7 @@ def read_header(path: FilePath) -> PictureHeader:
 
 def unread_pictures(folder: FilePath) -> list[str]:
     """Names of pictures of kinds that are not read."""
-    return sorted(path.name for path in path_of(folder).iterdir() if path.suffix.lower() in OTHER_SUFFIXES)
+    return sorted(path.name for path in path_of(folder, "folder").iterdir() if path.suffix.lower() in OTHER_SUFFIXES)
 
 
 def _counted(kinds: Counter[str]) -> str:

@@ -131,10 +131,11 @@ def write_training_folder(
         >>> written.sizes, loom.read_colmap_model("scene/sparse/0").cameras[0].model
         (((65, 48),), 'PINHOLE')
     """
+    place = check_place("folder", folder)
     _check_given(model, shift=shift, overwrite=overwrite)
     if max_size is not None:
         check_count("max_size", max_size, minimum=16, maximum=2**16, because="no camera has more pixels")
-    place, target, say = check_place("folder", folder), resolve_device(device), check_progress(progress)
+    target, say = resolve_device(device), check_progress(progress)
     given, hidden = find_pictures(pictures, model), find_masks(masks, model)
     known = {camera: Undistortion(camera, max_size=max_size, device=target) for camera in dict.fromkeys(model.cameras)}
     unseen = {camera: unseen_of(lens) for camera, lens in known.items()}

@@ -122,13 +122,13 @@ def triangulate(
         Traceback (most recent call last):
         pointloom.core.errors.DatasetError: no such folder: does not exist. Give a folder of pictures
     """
-    clock, say = Clock(), check_progress(progress)
+    clock, say, folder = Clock(), check_progress(progress), check_place("pictures", pictures)
     if not isinstance(cameras, SfmModel):
         raise TypeError(f"cameras: expected an SfmModel, got {type(cameras).__name__}")
     check_seed(seed)
     limits: dict[str, Any] = {"max_seconds": max_seconds, "max_memory": max_memory}
     check_limits(**limits)
-    target, folder = resolve_device(device), check_place("pictures", pictures)
+    target = resolve_device(device)
     posed = with_poses(folder, list_pictures(folder), cameras)
     with tempfile.TemporaryDirectory(prefix="pointloom-") as scratch:
         database = Path(scratch) / "features.db"

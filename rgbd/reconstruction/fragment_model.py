@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import os
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +10,7 @@ import numpy as np
 
 from ...cameras.trajectory import Trajectory, read_trajectory
 from ...core.errors import FilePath
+from ...core.paths import path_of
 from ...core.progress import ReportProgress
 from ...core.reports import Fields
 from ...core.timing import Clock
@@ -52,8 +52,7 @@ class FragmentOptions:
     slac: bool = False
 
     def __post_init__(self):
-        if not isinstance(self.folder, str | os.PathLike):
-            raise TypeError(f"folder: expected a path, got {type(self.folder).__name__}")
+        path_of(self.folder, "folder")
         if self.config is not None and not isinstance(self.config, ReconstructionConfig):
             raise TypeError(f"config: expected a ReconstructionConfig or None, got {type(self.config).__name__}")
 

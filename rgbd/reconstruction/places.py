@@ -6,7 +6,6 @@ import os
 from dataclasses import dataclass
 from pathlib import Path
 
-from ...core.checks import shown
 from ...core.errors import FileError, FilePath
 from ...core.paths import path_of
 from ...core.records import record_file
@@ -35,9 +34,7 @@ class Places:
         """
         if not isinstance(config, ReconstructionConfig):
             raise TypeError(f"config: expected a ReconstructionConfig, got {type(config).__name__}")
-        if not isinstance(folder, str | os.PathLike):
-            raise TypeError(f"folder: expected a path, got {shown(folder)}")
-        places = cls(path_of(folder), config)
+        places = cls(path_of(folder, "folder"), config)
         for path in (places.fragment_cloud(0), places.scene_mesh, places.trajectory, places.record("fragment", 0)):
             try:
                 path.parent.mkdir(parents=True, exist_ok=True)

@@ -129,7 +129,7 @@ def make_job(kind: type[Job], folder: FilePath, plan: dict[str, Any], tasks: Seq
     Raises:
         FileError: The folder holds something else, and what of a plan differs.
     """
-    folder, plan = path_of(folder), {"job": kind.KIND} | plan
+    folder, plan = path_of(folder, "folder"), {"job": kind.KIND} | plan
     if not (folder / NAME).exists():
         make_folder(folder)
         with a_new_manifest(folder, plan, __version__, TASKS) as base:
@@ -158,7 +158,7 @@ def stamp_of(paths: Iterable[Path]) -> str:
 
 def open_manifest(folder: FilePath) -> Manifest:
     """The manifest of a job, once it is sure that it is of this version."""
-    manifest = Manifest(path_of(folder), is_job=True)
+    manifest = Manifest(path_of(folder, "folder"), is_job=True)
     if manifest.version != __version__:
         manifest.base.close()
         reason = f"was planned by pointloom {manifest.version}, this is {__version__}"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import sys
+from types import ModuleType
 
 TYPE_CHECKING = False  # `typing` would take as long as all the rest
 if TYPE_CHECKING:
@@ -12,8 +13,22 @@ if TYPE_CHECKING:
 
 _homes: dict[str, dict[str, str]] = {}  # what `_read` has read
 
+MAX_HINTS = 3  # names of a private module, in an error
 SHORT_NAME = "loom"  # what users import the package as
 OPEN3D = f"{__name__.partition('.')[0]}.open3d"  # the package of Open3D's names
+
+
+class _Package(ModuleType):
+    """A public subpackage: its submodules become attributes only if they are public names.
+
+    Python sets each submodule that is imported as an attribute of its package, where `registration.icp` would look
+    like a function. Imports find such a module in `sys.modules`.
+    """
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        module = f"{self.__name__}.{name}"
+        if getattr(value, "__name__", None) != module or _read(self.__name__).get(name) == module:
+            super().__setattr__(name, value)
 
 
 def attach(package: str) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
@@ -21,6 +36,8 @@ def attach(package: str) -> tuple[Callable[[str], Any], Callable[[], list[str]]]
 
     The stub is read when the first name is asked for, so that importing the package takes a millisecond.
     """
+    if "." in package:
+        sys.modules[package].__class__ = _Package
 
     def load(name: str) -> Any:
         if name.startswith("__") and name != "__all__":  # Python's own, which a package need not have
@@ -29,7 +46,7 @@ def attach(package: str) -> tuple[Callable[[str], Any], Callable[[], list[str]]]
         if name == "__all__":
             return sorted(homes)
         if name not in homes:
-            raise AttributeError(_no_name(package, name, homes))
+            raise AttributeError(_no_module(package, name, homes) or _no_name(package, name, homes))
         module = importlib.import_module(homes[name])
         value = module if homes[name] == f"{package}.{name}" else getattr(module, name, None)
         if value is None:  # a module in another folder
@@ -38,9 +55,23 @@ def attach(package: str) -> tuple[Callable[[str], Any], Callable[[], list[str]]]
         return value
 
     def names() -> list[str]:
-        return sorted({*vars(sys.modules[package]), *_read(package)})
+        return sorted({*(name for name in vars(sys.modules[package]) if name.startswith("__")), *_read(package)})
 
     return load, names
+
+
+def _no_module(package: str, name: str, homes: dict[str, str]) -> str:
+    """The message for a private submodule, with public names that it defines; empty for any other name."""
+    from difflib import get_close_matches
+    from importlib.machinery import PathFinder
+
+    module = f"{package}.{name}"
+    if PathFinder.find_spec(module, sys.modules[package].__path__) is None:
+        return ""
+    message = f"module {package!r} has no attribute {name!r}: it is a private module"
+    inside = [other for other, home in homes.items() if home == module or home.startswith(f"{module}.")]
+    nearest = get_close_matches(f"{package.rpartition('.')[2]}_{name}", inside, MAX_HINTS, cutoff=0.0)
+    return message + (f"; did you mean {' or '.join(map(repr, nearest))}?" if nearest else "")
 
 
 def _no_name(package: str, name: str, known: Iterable[str]) -> str:

@@ -8,6 +8,7 @@ from PIL import Image
 
 import pointloom as loom
 from pointloom.registration import choose_voxel_size
+from pointloom.registration.globally import pair as pair_module
 from pointloom.registration.globally.pair import METHODS
 
 from ..registration.room_corners import ONE, OTHER, corner
@@ -180,7 +181,7 @@ def test_rooms_that_share_nothing_but_walls_are_a_poor_result(tmp_path, rng, ini
 
 
 def test_a_score_of_a_half_is_a_poor_result(near, monkeypatch):
-    monkeypatch.setattr("pointloom.registration.globally.pair.rate_registration", lambda *_: 0.5)
+    monkeypatch.setattr(pair_module, "rate_registration", lambda *_: 0.5)
     assert poor_answer("register", *near, *VOXEL, "--init", "identity")["score"] == 0.5
 
 

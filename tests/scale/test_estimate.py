@@ -16,6 +16,7 @@ from pointloom.files.points.las import read_las
 from pointloom.files.points.las_writer import write_las
 from pointloom.files.table import PointTable
 from pointloom.scale import calibration, estimate
+from pointloom.scale import plan as plan_module
 from pointloom.scale.calibration import Counts
 from pointloom.scale.plan import open_plan
 
@@ -141,8 +142,8 @@ def test_copc_files_need_no_buckets(tmp_path, in_this_process):
 
 
 def test_a_tile_that_holds_too_much_is_told(tmp_path, monkeypatch, in_this_process):
-    monkeypatch.setattr("pointloom.scale.plan.LEAST_POINTS", 500)
-    monkeypatch.setattr("pointloom.scale.plan.MOST_POINTS", 2)
+    monkeypatch.setattr(plan_module, "LEAST_POINTS", 500)
+    monkeypatch.setattr(plan_module, "MOST_POINTS", 2)
     told = loom.scale.estimate_tiles(uneven(tmp_path, 4000), THIN, size=3.0)
     assert told.poor.endswith("at most 500 may be: take smaller tiles")
 

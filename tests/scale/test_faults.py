@@ -14,6 +14,7 @@ from pointloom.core.errors import FileError
 from pointloom.files.points.las_writer import write_las
 from pointloom.files.table import PointTable
 from pointloom.scale import plan, runners
+from pointloom.scale import plan as plan_module
 from pointloom.scale.manifest import Manifest, a_worker
 
 from .scenes import CORNER, RADIUS, SIDE, STEP, finished, kill_runner, plan_of, rows_of, survey, tiled
@@ -119,7 +120,7 @@ def test_a_file_that_changes_in_between_is_refused(files, job):
 
 
 def test_another_version_is_refused(job, monkeypatch):
-    monkeypatch.setattr("pointloom.scale.plan.__version__", "9.9")
+    monkeypatch.setattr(plan_module, "__version__", "9.9")
     with pytest.raises(FileError, match=r"was planned by pointloom .*, this is 9\.9"):
         loom.scale.run_tiles(job)
 
@@ -251,7 +252,7 @@ def test_workers_that_are_killed_at_random_lose_and_double_nothing(files, tmp_pa
 
 
 def test_a_tile_that_holds_too_much_is_named(tmp_path, monkeypatch):
-    monkeypatch.setattr("pointloom.scale.plan.LEAST_POINTS", 500)
+    monkeypatch.setattr(plan_module, "LEAST_POINTS", 500)
     rng = np.random.default_rng(3)
     points = np.concatenate([rng.random((1500, 3)) * 2, rng.random((200, 3)) * SIDE]) + CORNER
     write_las(tmp_path / "dense.laz", PointTable(points), scale=0.01, offset=CORNER)

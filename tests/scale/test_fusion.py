@@ -20,7 +20,7 @@ from pointloom.files.pictures.image_files import write_png
 from pointloom.files.points.ply import read_ply_mesh
 from pointloom.meshing.volume.volume_part import VolumePart
 from pointloom.scale import runners
-from pointloom.scale.jobs import fusion
+from pointloom.scale.jobs import fusion, run_jobs
 from pointloom.scale.manifest import Manifest, a_worker
 
 from .scenes import kill_runner
@@ -296,9 +296,7 @@ def test_progress_is_told_of_frames_and_of_cubes(walk, tmp_path, monkeypatch):
 @pytest.mark.slow
 def test_workers_that_are_killed_at_random_lose_and_double_nothing(walk, whole, tmp_path, monkeypatch):
     job, started, start = tmp_path / "job", [], runners.start_worker
-    monkeypatch.setattr(
-        "pointloom.scale.jobs.run_jobs.start_worker", lambda *args: started.append(start(*args)) or started[-1]
-    )
+    monkeypatch.setattr(run_jobs, "start_worker", lambda *args: started.append(start(*args)) or started[-1])
     loom.scale.plan_fusion(walk, job, voxel_size=VOXEL, size=0.65)
     chance, results, kills = random.Random(5), [], 0
     run = threading.Thread(target=lambda: results.append(loom.scale.run_job(job, workers=2)))

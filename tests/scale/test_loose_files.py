@@ -11,6 +11,7 @@ from pointloom.files.points.formats import READERS
 from pointloom.files.points.las import open_las
 from pointloom.files.points.text_parts import TextInParts
 from pointloom.scale import loose_files
+from pointloom.scale import plan as plan_module
 
 from .scenes import plan_of
 
@@ -141,7 +142,7 @@ def test_units_that_differ_and_a_plan_cut_short(tmp_path, monkeypatch):
     with pytest.raises(loom.FileError, match="its unit is"):
         loom.scale.plan_tiles([tmp_path / "a.ply", tmp_path / "b.ply"], STEPS, tmp_path / "job")
     with monkeypatch.context() as patch:
-        patch.setattr("pointloom.scale.plan.write_manifest", lambda *_: (_ for _ in ()).throw(KeyboardInterrupt))
+        patch.setattr(plan_module, "write_manifest", lambda *_: (_ for _ in ()).throw(KeyboardInterrupt))
         with pytest.raises(KeyboardInterrupt):
             loom.scale.plan_tiles(tmp_path / "a.ply", STEPS, tmp_path / "job")
     assert loom.scale.plan_tiles(tmp_path / "a.ply", STEPS, tmp_path / "job").points == 50

@@ -6,6 +6,7 @@ import pytest
 import pointloom as loom
 from pointloom.files.points.las_writer import write_las
 from pointloom.files.table import PointTable
+from pointloom.scale import plan as plan_module
 from pointloom.scale import work_tile
 from pointloom.scale.manifest import NOT_LAID, Manifest
 
@@ -72,7 +73,7 @@ def test_a_halo_that_is_too_small_is_doubled(files, tmp_path, monkeypatch):
         for step in self.steps:
             step.reach = 0.6
 
-    monkeypatch.setattr("pointloom.scale.plan.Plan.__init__", with_small_guesses)
+    monkeypatch.setattr(plan_module.Plan, "__init__", with_small_guesses)
     check(files, CHAINS["normals of the nearest"], tmp_path / "job", size=20.0)
 
 
@@ -159,7 +160,7 @@ def test_a_file_that_turns_out_to_be_needed_is_laid_then(tmp_path, monkeypatch):
     steps = [{"step": "estimate_normals", "max_nn": 12}]
     low = CORNER[:2] + 2
     with monkeypatch.context() as patch:
-        patch.setattr("pointloom.scale.plan.far_files", lambda *_: {1, 2, 3})
+        patch.setattr(plan_module, "far_files", lambda *_: {1, 2, 3})
         loom.scale.plan_tiles(files, steps, tmp_path / "job", size=10.0, only=[*low, *(low + 4)])
     assert laid(tmp_path / "job") == [0]
     assert loom.scale.run_tiles(tmp_path / "job", workers=2).is_finished

@@ -18,7 +18,7 @@ errors, and how a cloud is made of the result. You bring the network as an ONNX 
 # The stand-in answers as MiDaS and Depth Anything do, with **relative inverse depth**: near is large, far is small, and
 # 1 / depth = scale x d + shift with a scale and a shift that nobody knows.
 #
-# It wants ``pip install "pointloom[depth]" onnx``.
+# It wants ``pip install "pointloom[depth]"``.
 
 import tempfile
 from pathlib import Path

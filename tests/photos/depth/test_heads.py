@@ -1,4 +1,4 @@
-"""What a graph's last operations say, and files in which nothing can be read."""
+"""Heads found in graphs, and files that are damaged or hostile."""
 
 import hypothesis
 import hypothesis.strategies as st
@@ -6,15 +6,16 @@ import numpy as np
 import pytest
 from onnx import TensorProto, helper, numpy_helper
 
+import pointloom as loom
 from pointloom.photos.depth.affine_points import recover_pinhole
-from pointloom.photos.depth.graph import GraphError, read_graph
+from pointloom.photos.depth.graph import load_graph, read_graph
 from pointloom.photos.depth.heads import BINS, BROKEN, CLAMPED, EXP, INVERSE, RECIPROCAL, SIGMOID, Head, find_head
 
 make = helper.make_node
 
 
 def model_of(*nodes, functions=(), **constants):
-    """A model of these nodes from x to y, as bytes; constants of any type."""
+    """A model of these nodes from x to y; constants of any type."""
     tensors = [
         value if isinstance(value, TensorProto) else numpy_helper.from_array(np.asarray(value))
         for value in constants.values()
@@ -24,7 +25,7 @@ def model_of(*nodes, functions=(), **constants):
     ends = [[helper.make_tensor_value_info(name, TensorProto.FLOAT, None)] for name in "xy"]
     graph = helper.make_graph(list(nodes), "g", *ends, tensors)
     opsets = [helper.make_opsetid("", 17), helper.make_opsetid("own", 1)]
-    return helper.make_model(graph, opset_imports=opsets, functions=list(functions)).SerializeToString()
+    return helper.make_model(graph, opset_imports=opsets, functions=list(functions))
 
 
 def head_of(*nodes, **more):
@@ -127,14 +128,107 @@ def test_functions_and_values_that_never_end_say_nothing():
 GOOD = model_of(*scaled("Sigmoid", None)[:2], m=np.float32(20))
 
 
-@hypothesis.given(st.integers(0, len(GOOD) - 1), st.integers(0, 255))
-def test_a_damaged_file_is_an_error_or_a_head_and_never_anything_else(at, byte):
-    damaged = GOOD[:at] + bytes([byte]) + GOOD[at + 1 :]
-    for content in (damaged, GOOD[:at]):
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    return tmp_path_factory.mktemp("models")
+
+
+@hypothesis.given(st.integers(0, len(GOOD.SerializeToString()) - 1), st.integers(0, 255))
+def test_a_damaged_file_gives_a_file_error_or_a_head(folder, at, byte):
+    good, path = GOOD.SerializeToString(), folder / "damaged.onnx"
+    for content in (good[:at] + bytes([byte]) + good[at + 1 :], good[:at]):
+        path.write_bytes(content)
         try:
-            find_head(read_graph(content), "y")
-        except GraphError:
-            continue
+            find_head(load_graph(str(path)), "y")
+        except loom.FileError as error:
+            assert "damaged.onnx" in str(error)
+
+
+def field(number, content):
+    """A field of bytes, as Protocol Buffers write it."""
+    length, size = bytearray(), len(content)
+    while size >= 0x80:
+        length.append(size & 0x7F | 0x80)
+        size >>= 7
+    return bytes([number << 3 | 2, *length, size]) + content
+
+
+def test_thousands_of_nested_graphs_are_an_error(folder):
+    path, graph = folder / "nested.onnx", b""
+    for _ in range(3000):
+        graph = field(1, field(5, field(6, graph)))  # a node with an attribute that is a graph
+    path.write_bytes(field(7, graph))
+    with pytest.raises(loom.FileError, match=r"nested\.onnx: no ONNX model"):
+        loom.DepthModel(path)
+
+
+def test_thousands_of_nodes_and_functions_in_a_row_end(folder):
+    nodes = [make("Identity", [f"v{k}"], [f"v{k + 1}"]) for k in range(5000)]
+    opsets = [helper.make_opsetid("own", 1)]
+    calls = [
+        helper.make_function("own", f"f{k}", ["p"], ["r"], [make(f"f{k + 1}", ["p"], ["r"], domain="own")], opsets)
+        for k in range(3000)
+    ]
+    path = folder / "long.onnx"
+    path.write_bytes(model_of(*nodes, make("f0", ["x"], ["y"], domain="own"), functions=calls).SerializeToString())
+    graph = load_graph(str(path))
+    assert (find_head(graph, "v5000"), find_head(graph, "y")) == (Head(), Head())
+
+
+def external(location):
+    tensor = TensorProto(name="m", data_type=TensorProto.FLOAT, dims=[1], data_location=TensorProto.EXTERNAL)
+    tensor.external_data.add(key="location", value=location)
+    return tensor
+
+
+def sparse(tensor):
+    return helper.make_sparse_tensor(tensor, helper.make_tensor("i", TensorProto.INT64, [1], [0]), [1])
+
+
+def branch(tensor):
+    return helper.make_graph([], "b", [], [helper.make_tensor_value_info("m", TensorProto.FLOAT, [1])], [tensor])
+
+
+KEPT_IN = {  # where a tensor can be in a model
+    "initializer": lambda tensor: scaled("Relu", tensor),
+    "attribute": lambda tensor: (make("Constant", [], ["y"], value=tensor), None),
+    "sparse attribute": lambda tensor: (make("Constant", [], ["y"], sparse_value=sparse(tensor)), None),
+    "branch": lambda tensor: (make("If", ["x"], ["y"], then_branch=branch(tensor)), None),
+}
+
+
+@pytest.mark.parametrize("kept_in", KEPT_IN)
+@pytest.mark.parametrize("location", ["../../etc/passwd", "/etc/passwd", "", "..", "folder/weights", "link"])
+def test_weights_outside_the_folder_are_refused_before_onnxruntime_sees_the_file(
+    kept_in, location, tmp_path, monkeypatch
+):
+    (tmp_path / "folder").mkdir()
+    (tmp_path / "folder" / "weights").write_bytes(bytes(4))
+    (tmp_path / "link").symlink_to("/etc/passwd")
+    path = tmp_path / "m.onnx"
+    *nodes, tensor = KEPT_IN[kept_in](external(location))
+    path.write_bytes(model_of(*nodes, **({} if tensor is None else {"m": tensor})).SerializeToString())
+    monkeypatch.setattr("onnxruntime.InferenceSession", lambda *_, **__: pytest.fail("onnxruntime was started"))
+    with pytest.raises(loom.FileError, match=r"m\.onnx: (expected a plain file name|its weights are in link)"):
+        loom.DepthModel(path)
+
+
+def test_a_number_in_a_file_of_its_own_is_not_read(tmp_path):
+    (tmp_path / "weights").write_bytes(np.float32(20).tobytes())
+    *nodes, tensor = scaled("Relu", external("weights"))
+    (tmp_path / "m.onnx").write_bytes(model_of(*nodes, m=tensor).SerializeToString())
+    assert load_graph(str(tmp_path / "m.onnx")).constants == {}
+
+
+def test_a_model_behind_a_link_takes_its_weights_from_either_folder(tmp_path):
+    blobs, snapshot = tmp_path / "blobs", tmp_path / "snapshot"
+    blobs.mkdir()
+    snapshot.mkdir()
+    (blobs / "a").write_bytes(model_of(*scaled("Relu", None)[:2], m=external("weights")).SerializeToString())
+    (blobs / "b").write_bytes(bytes(4))
+    (snapshot / "m.onnx").symlink_to("../blobs/a")
+    (snapshot / "weights").symlink_to("../blobs/b")
+    assert load_graph(str(snapshot / "m.onnx")).producers["y"].operation == "Mul"
 
 
 def point_map(depth, focal, shift, noise=0.0):

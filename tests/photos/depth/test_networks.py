@@ -355,9 +355,10 @@ def test_weights_in_a_file_of_their_own_are_found_beside_the_model(tmp_path):
         loom.DepthModel(tmp_path / "split.onnx")
 
 
-def test_without_the_extra_the_error_names_it(tmp_path, monkeypatch):
+@pytest.mark.parametrize("package", ["onnx", "onnxruntime"])
+def test_without_the_extra_the_error_names_it(package, tmp_path, monkeypatch):
     path = linear(tmp_path / "m.onnx")
-    monkeypatch.setitem(sys.modules, "onnxruntime", None)
+    monkeypatch.setitem(sys.modules, package, None)
     with pytest.raises(loom.FileError, match=r'pip install "pointloom\[depth\]"'):
         loom.DepthModel(path)
 
