@@ -92,7 +92,6 @@ class Canvas:
         color: Color = BLACK,
         anchor: str = "left",
         halo: Color | None = None,
-        turned: bool = False,
     ) -> None:
         """Write one line of text.
 
@@ -104,9 +103,8 @@ class Canvas:
             anchor: What of the text lies there: "left", "center" or "right", alone for the middle of its height, or
                 behind "upper" or "lower" (for capital letters), as "upper left".
             halo: The colour of a seam around the letters, so that they read on any ground.
-            turned: Upwards, as along the left axis of a plot; the anchor turns with it.
         """
-        self.texts([(text, x, y)], size=size, color=color, anchor=anchor, halo=halo, turned=turned)
+        self.texts([(text, x, y)], size=size, color=color, anchor=anchor, halo=halo)
 
     def texts(
         self,
@@ -116,30 +114,24 @@ class Canvas:
         color: Color = BLACK,
         anchor: str = "left",
         halo: Color | None = None,
-        turned: bool = False,
     ) -> None:
         """Write several texts (text, x, y) at once, as `text`."""
         paint = self._paint(color, 1.0)
         seam = None if halo is None else self._paint(halo, 0.85, name="halo")
         down, across = _split_anchor(anchor)
         letters = lettering()
-        rows = [
-            _place(letters, str(text), x, y, check_positive("size", size), down, across, turned)
-            for text, x, y in entries
-        ]
+        rows = [_place(letters, str(text), x, y, check_positive("size", size), down, across) for text, x, y in entries]
         glyphs = np.concatenate(rows) if rows else np.empty((0, 5), np.int32)
         if not len(glyphs):
             return
-        wide, high = (glyphs[:, 2], glyphs[:, 1]) if turned else (glyphs[:, 1], glyphs[:, 2])
-        top = glyphs[:, 4] - (high - 1 if turned else 0)
-        ends = [glyphs[:, 3].min(), top.min(), (glyphs[:, 3] + wide).max() - 1, (top + high).max() - 1]
-        left, upper, right, lower = (int(end) for end in ends)
+        low, high = glyphs[:, 3:], glyphs[:, 3:] + glyphs[:, 1:3] - 1
+        left, upper, right, lower = *low.min(axis=0).tolist(), *high.max(axis=0).tolist()
         if seam is not None:
-            strokes.cover_glyphs(self.sheet, glyphs, letters.atlas(self.device), turned=turned)
+            strokes.cover_glyphs(self.sheet, glyphs, letters.atlas(self.device))
             box = clip_box(self.sheet, left - HALO, upper - HALO, right + HALO, lower + HALO)
             strokes.blend_halo(self.sheet, box, HALO, seam)
         else:
-            strokes.cover_glyphs(self.sheet, glyphs, letters.atlas(self.device), turned=turned)
+            strokes.cover_glyphs(self.sheet, glyphs, letters.atlas(self.device))
         strokes.blend(self.sheet, clip_box(self.sheet, left, upper, right, lower), paint)
 
     def line(
@@ -163,17 +155,14 @@ class Canvas:
         color: Color = BLACK,
         colors: ArrayLike | None = None,
         width: float = 1.0,
-        closed: bool = False,
         opacity: float = 1.0,
     ) -> None:
         """Draw lines from each point to the next, shape [n, 2]; a point that is not finite is a gap.
 
-        `colors`, uint8 [n - 1, 3] (or [n, 3] closed), gives each line its own.
+        `colors`, uint8 [n - 1, 3], gives each line its own.
         """
         path = check_rows("points", points, 2, dtype=np.float64)
-        after = np.roll(path, -1, axis=0)
-        ends = np.hstack([path, after]) if closed else np.hstack([path, after])[:-1]
-        self.segments(ends, color=color, colors=colors, width=width, opacity=opacity)
+        self.segments(np.hstack([path[:-1], path[1:]]), color=color, colors=colors, width=width, opacity=opacity)
 
     def segments(
         self,
@@ -213,25 +202,6 @@ class Canvas:
         places = check_rows("points", points, 2, dtype=np.float64)
         diameter = 2 * check_positive("radius", radius)
         self.segments(np.hstack([places, places]), color=color, colors=colors, width=diameter, opacity=opacity)
-
-    def circle(
-        self,
-        x: float,
-        y: float,
-        radius: float,
-        *,
-        fill: Color | None = None,
-        outline: Color | None = None,
-        width: float = 1.0,
-        opacity: float = 1.0,
-    ) -> None:
-        """Draw a circle: filled, with an outline that lies inside, or both."""
-        center = check_number("x", x), check_number("y", y)
-        radius, width = check_positive("radius", radius), check_positive("width", width)
-        box = self._box(*center, *center, radius + 1)
-        for color, inner in self._seen(box, (fill, -2.0), (outline, max(radius - width, -2.0))):
-            strokes.cover_ring(self.sheet, box, center, radius, inner)
-            strokes.blend(self.sheet, box, self._paint(color, opacity))
 
     def rectangle(
         self,
@@ -312,9 +282,7 @@ def _split_anchor(anchor: str) -> tuple[str, float]:
     return down, _ACROSS[across]
 
 
-def _place(
-    letters: Any, text: str, x: float, y: float, size: float, down: str, across: float, turned: bool
-) -> NDArray[np.int32]:
+def _place(letters: Any, text: str, x: float, y: float, size: float, down: str, across: float) -> NDArray[np.int32]:
     """The letters of a text where an anchor lies at a place; none where that is not finite or far outside."""
     if not (np.isfinite(x) and np.isfinite(y) and abs(x) < 2**20 and abs(y) < 2**20):
         return np.empty((0, 5), np.int32)
@@ -323,9 +291,6 @@ def _place(
     fall = {"upper": cap, "middle": (cap + 1) // 2, "lower": 1}[down]  # capitals end in the row above the pen
     column, row = int(np.floor(x + 0.5)), int(np.floor(y + 0.5))
     back = int(letters.width(text, size) * across)
-    if turned:  # along the text is up, and down of the text is right
-        along, below = glyphs[:, 3] - back, glyphs[:, 4] + fall
-        return np.column_stack([glyphs[:, :3], column + below, row - along]).astype(np.int32)
     glyphs[:, 3] += column - back
     glyphs[:, 4] += row + fall
     return glyphs

@@ -141,11 +141,8 @@ def cover_segments_kernel(segments: array(dtype=vec4), half: float, strength: fl
 
 
 @kernel
-def cover_glyphs_kernel(glyphs: array(dtype=int32), rows: int, turned: int, atlas: array(dtype=uint8), sheet: Sheet):
-    """Cover the cells of letters, one thread a row of a letter: place in the atlas, width, height, column, row.
-
-    Turned, a letter's rows run upwards, as on the axis at the left of a plot.
-    """
+def cover_glyphs_kernel(glyphs: array(dtype=int32), rows: int, atlas: array(dtype=uint8), sheet: Sheet):
+    """Cover the cells of letters, one thread a row of a letter: place in the atlas, width, height, column, row."""
     i = tid()
     at = 5 * (i // rows)
     line = i % rows
@@ -154,9 +151,6 @@ def cover_glyphs_kernel(glyphs: array(dtype=int32), rows: int, turned: int, atla
         for k in range(width):
             column = glyphs[at + 3] + k
             row = glyphs[at + 4] + line
-            if turned == 1:
-                column = glyphs[at + 3] + line
-                row = glyphs[at + 4] - k
             if column >= 0 and column < sheet.width and row >= 0 and row < sheet.height:
                 share = float(int(atlas[glyphs[at] + line * width + k])) / 255.0
                 cover_cell(column, row, share, 0, sheet)
@@ -179,16 +173,6 @@ def cover_box_kernel(left: int, top: int, columns: int, outer: vec4, inner: vec4
     share = share_of_span(x, outer[0], outer[2]) * share_of_span(y, outer[1], outer[3])
     hole = share_of_span(x, inner[0], inner[2]) * share_of_span(y, inner[1], inner[3])
     cover_cell(column, row, share - hole, 0, sheet)
-
-
-@kernel
-def cover_ring_kernel(left: int, top: int, columns: int, center: vec2, outer: float, inner: float, sheet: Sheet):
-    """Cover the cells between two circles; none is inside where the inner radius is below -1."""
-    i = tid()
-    column = left + i % columns
-    row = top + i // columns
-    gap = distance_to_segment(vec2(float(column), float(row)), center, center)
-    cover_cell(column, row, max(share_inside(outer - gap) - share_inside(inner - gap), 0.0), 0, sheet)
 
 
 @func
@@ -271,7 +255,7 @@ def cover_segments(sheet: Sheet, segments: np.ndarray, width: float) -> None:
     launch(cover_segments_kernel, len(segments), [table, float(half), float(strength), sheet])
 
 
-def cover_glyphs(sheet: Sheet, glyphs: np.ndarray, atlas: Bytes, *, turned: bool = False) -> None:
+def cover_glyphs(sheet: Sheet, glyphs: np.ndarray, atlas: Bytes) -> None:
     """Cover letters.
 
     Args:
@@ -279,11 +263,10 @@ def cover_glyphs(sheet: Sheet, glyphs: np.ndarray, atlas: Bytes, *, turned: bool
         glyphs: int32 [n, 5] on the host: where the letter begins in the atlas, its width and height, and the column and
             row of its first cell.
         atlas: uint8 device array of coverages, row by row of each letter.
-        turned: Letters stand on their side, the text runs upwards.
     """
     rows = int(glyphs[:, 2].max())
     table = upload(glyphs.ravel(), int32, sheet.words.device)
-    launch(cover_glyphs_kernel, rows * len(glyphs), [table, rows, int(turned), atlas, sheet])
+    launch(cover_glyphs_kernel, rows * len(glyphs), [table, rows, atlas, sheet])
 
 
 def cover_box(
@@ -295,14 +278,6 @@ def cover_box(
     """Cover what lies in a box and outside another, in floats; `box` as of `clip_box`."""
     left, top, columns, rows = box
     launch(cover_box_kernel, columns * rows, [left, top, columns, vec4(*outer), vec4(*inner), sheet])
-
-
-def cover_ring(
-    sheet: Sheet, box: tuple[int, int, int, int], center: tuple[float, float], outer: float, inner: float
-) -> None:
-    """Cover what lies within one radius and outside another; `box` as of `clip_box`."""
-    left, top, columns, rows = box
-    launch(cover_ring_kernel, columns * rows, [left, top, columns, vec2(*center), float(outer), float(inner), sheet])
 
 
 def blend(sheet: Sheet, box: tuple[int, int, int, int], paint: Paint) -> None:

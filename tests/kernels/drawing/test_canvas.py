@@ -87,12 +87,6 @@ def test_blending_mixes_in_whole_numbers_and_clears_the_sheet(sheet):
     assert not sheet.words.numpy().any()
 
 
-def test_a_ring_is_empty_inside(sheet):
-    strokes.cover_ring(sheet, ALL, (20.0, 15.0), 10.0, 7.0)
-    assert coverage(sheet)[15, 20] == 0 and coverage(sheet)[15, 28] == 255
-    assert coverage(sheet).sum() / 255 == pytest.approx(np.pi * (100 - 49), rel=0.01)
-
-
 def test_letters_are_put_where_they_are_said_to_be_and_cut_off_at_the_edge(sheet):
     cells = np.arange(1, 13, dtype=np.uint8) * 20
     atlas = memory.upload(cells, uint8, sheet.picture.device)
@@ -100,13 +94,6 @@ def test_letters_are_put_where_they_are_said_to_be_and_cut_off_at_the_edge(sheet
     assert (coverage(sheet)[6:9, 5:9] == cells.reshape(3, 4)).all()
     assert (coverage(sheet)[35, 46:] == cells[:2]).all()
     assert coverage(sheet).sum() == cells.sum(dtype=int) + cells[:2].sum(dtype=int)
-
-
-def test_turned_letters_run_upwards(sheet):
-    cells = np.arange(1, 13, dtype=np.uint8) * 20
-    atlas = memory.upload(cells, uint8, sheet.picture.device)
-    strokes.cover_glyphs(sheet, np.array([[0, 4, 3, 5, 20]], np.int32), atlas, turned=True)
-    assert (coverage(sheet)[17:21, 5:8] == np.rot90(cells.reshape(3, 4))).all()
 
 
 def test_a_halo_reaches_its_radius_and_leaves_the_coverage(sheet):
