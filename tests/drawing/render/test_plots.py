@@ -24,7 +24,7 @@ def test_a_path_is_colored_by_its_error():
     picture = trajectory_plot(path, truth, times=None, title="a $title")
     assert picture.shape == (*PLOT_SIZE[::-1], 3) and picture.dtype == np.uint8
     left = picture[:, : int(0.8 * PLOT_SIZE[0])]  # without the color bar
-    assert all(count_of(left, colormap_table("turbo")[k]) > 20 for k in (40, 128, 250))
+    assert all(count_of(left, colormap_table("turbo")[k]) > 20 for k in (40, 128, 220))
     np.testing.assert_array_equal(picture, trajectory_plot(path, truth, times=None, title="a $title"))
 
 
