@@ -152,7 +152,8 @@ def error_histogram(
     beyond, missing = len(finite) - int(counts.sum()), distances.size - len(finite)
     title += f"\n{len(finite):,} values" + f", {beyond:,} beyond the axis" * bool(beyond)
     axes.set_title(title + f", {missing:,} not finite" * bool(missing), parse_math=False)
-    axes.set(xlabel=label, ylabel="vertices", xlim=(0.0, high))
+    axes.set(xlabel=label, ylabel="vertices", xlim=(0.0, 1.02 * high))
+    axes.locator_params(axis="x", nbins=5)
     return to_picture(figure)
 
 
