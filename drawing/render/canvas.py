@@ -16,9 +16,9 @@ from ...core.checks import check_count, check_finite, check_number, check_positi
 from ...core.devices import resolve_device
 from ...core.masked_arrays import unmasked
 from ...kernels.drawing import canvas as strokes
-from ...kernels.drawing.canvas import MOST_STROKES, Paint, Sheet, clip_box
+from ...kernels.drawing.canvas import Paint, Sheet, clip_box
 from ...kernels.lang import uint8
-from ...kernels.memory import clone, download, empty, upload
+from ...kernels.memory import clone, download, upload
 from .clipping import clip_segments
 from .lettering import lettering
 from .picture import Picture
@@ -55,7 +55,6 @@ class Canvas:
         if picture.size != 3 * self.width * self.height:
             raise ValueError(f"picture: expected {3 * self.width * self.height} numbers, got {picture.size}")
         self.sheet, self.device = Sheet(picture, self.width, self.height), picture.device
-        self._no_colors: Any = empty(0, uint8, self.device)
 
     @classmethod
     def blank(cls, width: int, height: int, background: Color = WHITE, device: Any = None) -> Self:
@@ -148,60 +147,30 @@ class Canvas:
         """Draw a straight line with round ends."""
         self.segments([[x0, y0, x1, y1]], color=color, width=width, opacity=opacity)
 
-    def polyline(
-        self,
-        points: ArrayLike,
-        *,
-        color: Color = BLACK,
-        colors: ArrayLike | None = None,
-        width: float = 1.0,
-        opacity: float = 1.0,
-    ) -> None:
-        """Draw lines from each point to the next, shape [n, 2]; a point that is not finite is a gap.
-
-        `colors`, uint8 [n - 1, 3], gives each line its own.
-        """
+    def polyline(self, points: ArrayLike, *, color: Color = BLACK, width: float = 1.0, opacity: float = 1.0) -> None:
+        """Draw lines from each point to the next, shape [n, 2]; a point that is not finite is a gap."""
         path = check_rows("points", points, 2, dtype=np.float64)
-        self.segments(np.hstack([path[:-1], path[1:]]), color=color, colors=colors, width=width, opacity=opacity)
+        self.segments(np.hstack([path[:-1], path[1:]]), color=color, width=width, opacity=opacity)
 
-    def segments(
-        self,
-        segments: ArrayLike,
-        *,
-        color: Color = BLACK,
-        colors: ArrayLike | None = None,
-        width: float = 1.0,
-        opacity: float = 1.0,
-    ) -> None:
-        """Draw lines (x, y, x, y), shape [n, 4], with round ends; `colors`, uint8 [n, 3], gives each its own."""
+    def segments(self, segments: ArrayLike, *, color: Color = BLACK, width: float = 1.0, opacity: float = 1.0) -> None:
+        """Draw lines (x, y, x, y), shape [n, 4], with round ends."""
         ends = check_rows("segments", segments, 4, dtype=np.float64)
         width = check_positive("width", width)
-        table = None if colors is None else check_rows("colors", colors, 3, rows=len(ends), dtype=np.uint8)
         reach = width / 2 + 2
         high = self.width - 1 + reach, self.height - 1 + reach
-        ends, kept = clip_segments(ends, (-reach, -reach), high)
-        for start in range(0, len(ends), MOST_STROKES):
-            part = ends[start : start + MOST_STROKES]
-            chosen = None if table is None else table[kept[start : start + MOST_STROKES]]
-            paint = self._paint(color, opacity, chosen)
-            columns, rows = part[:, ::2], part[:, 1::2]
+        ends, _ = clip_segments(ends, (-reach, -reach), high)
+        if len(ends):
+            paint = self._paint(color, opacity)
+            columns, rows = ends[:, ::2], ends[:, 1::2]
             box = self._box(columns.min(), rows.min(), columns.max(), rows.max(), reach)
-            strokes.cover_segments(self.sheet, part.astype(np.float32), width)
+            strokes.cover_segments(self.sheet, ends.astype(np.float32), width)
             strokes.blend(self.sheet, box, paint)
 
-    def dots(
-        self,
-        points: ArrayLike,
-        *,
-        radius: float = 3.0,
-        color: Color = BLACK,
-        colors: ArrayLike | None = None,
-        opacity: float = 1.0,
-    ) -> None:
-        """Draw filled circles about points [n, 2]; `colors`, uint8 [n, 3], gives each its own."""
+    def dots(self, points: ArrayLike, *, radius: float = 3.0, color: Color = BLACK, opacity: float = 1.0) -> None:
+        """Draw filled circles about points [n, 2]."""
         places = check_rows("points", points, 2, dtype=np.float64)
         diameter = 2 * check_positive("radius", radius)
-        self.segments(np.hstack([places, places]), color=color, colors=colors, width=diameter, opacity=opacity)
+        self.segments(np.hstack([places, places]), color=color, width=diameter, opacity=opacity)
 
     def rectangle(
         self,
@@ -251,10 +220,8 @@ class Canvas:
         """The strokes that have a colour, none where the box holds no cell."""
         return [(color, hole) for color, hole in strokes if color is not None and box[2] * box[3]]
 
-    def _paint(self, color: Color, opacity: float, colors: Any = None, *, name: str = "color") -> Paint:
-        share = round(255 * check_share("opacity", opacity))
-        table = self._no_colors if colors is None else upload(np.ascontiguousarray(colors).ravel(), uint8, self.device)
-        return Paint(_color_bytes(name, color), share, table)
+    def _paint(self, color: Color, opacity: float, *, name: str = "color") -> Paint:
+        return Paint(_color_bytes(name, color), round(255 * check_share("opacity", opacity)))
 
 
 def _color_bytes(name: str, color: Color) -> tuple[int, int, int]:

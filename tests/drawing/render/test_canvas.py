@@ -142,7 +142,6 @@ def test_everything_outside_the_picture_is_left_out(device):
         ("line", (1, 2, 3, 4), {"width": -1}, ValueError, "width"),
         ("line", (1, 2, 3, 4), {"opacity": 2}, ValueError, "opacity"),
         ("polyline", ([[1, 2, 3]],), {}, ValueError, r"points: expected shape \[n, 2\]"),
-        ("segments", ([[1, 2, 3, 4]],), {"colors": np.zeros((2, 3), np.uint8)}, ValueError, "colors"),
         ("image", (np.zeros((5, 5)), 0, 0), {}, ValueError, "image: expected uint8"),
     ],
 )

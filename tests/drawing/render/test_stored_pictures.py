@@ -130,7 +130,7 @@ def strokes_figure(device):
     for k in range(12):
         canvas.line(20, 20, 20 + 12 * k, 160 - 9 * k, width=0.5 + 0.5 * k, color=(0.1 * (k % 5), 0.5, 0.2), opacity=0.8)
     path = np.column_stack([np.arange(12) * 12.5 + 160.25, 120 + 8.5 * np.array(WAVE)])
-    canvas.polyline(path, width=4, colors=(np.arange(33).reshape(11, 3) * 7).astype(np.uint8))
+    canvas.polyline(path, width=4, color=(0.2, 0.5, 0.9), opacity=0.8)
     canvas.dots(path, radius=3.7, color=(1, 1, 0))
     canvas.rectangle(100.25, 190.5, 50.5, 30.25, fill=(0, 0, 1), outline=(1, 0, 0), line_width=3, opacity=0.6)
     return canvas
