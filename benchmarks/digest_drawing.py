@@ -65,9 +65,6 @@ DRAWN: dict[str, Callable[[Any], Any]] = {
     "render, see-through": lambda d: drawn(
         [{"geometry": d.ball, "opacity": 0.4}, d.surface.cloud], background="transparent"
     ),
-    "plot, curves": lambda d: (
-        loom().plots.curves({"a": [3, 1, 4, 1, 5], "b": [2, 7, 1, 8, 2]}, size=(200, 160), device=d.device).to_numpy()
-    ),
     "splats, drawn": lambda d: seen_of_splats(d),
     "orthophoto": lambda d: map_of(d),
     "render, scene": lambda d: drawn(

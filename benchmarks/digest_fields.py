@@ -47,11 +47,10 @@ def answers(field: Any) -> list[Any]:
 
 
 def layers(field: Any) -> list[Any]:
-    """Layers of a field, as numbers and as a picture."""
+    """Layers of a field."""
     middle = field.bounds.mean(axis=0)
     found = [field.slice(axis, place) for axis, place in zip("xyz", middle, strict=True)]
-    picture = np.asarray(loom().draw_slice(found[2], size=(320, 240)))
-    return [*((layer.distances, layer.is_known, layer.extent) for layer in found), picture]
+    return [(layer.distances, layer.is_known, layer.extent) for layer in found]
 
 
 def field_file(d: Any) -> list[Any]:

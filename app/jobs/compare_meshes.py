@@ -13,7 +13,8 @@ from ...core.errors import FileError, FilePath
 from ...core.reports import Fields
 from ...core.wording import plain
 from ...drawing.render.error_picture import draw_errors
-from ...drawing.render.picture_files import check_picture, save_picture
+from ...drawing.render.picture_files import save_picture
+from ...drawing.render.plots import check_plot
 from ...drawing.render.surface_picture import looks_inwards
 from ...meshing.mesh.finite_corners import find_wrong_corner
 from ...meshing.mesh.mesh import TriangleMesh
@@ -46,7 +47,7 @@ class ErrorMaps:
         """
         job.check(self.mesh, MAP_FORMATS, what="coloured meshes")
         if self.picture is not None:
-            check_picture(self.picture, overwrite=job.form["overwrite"])
+            check_plot(self.picture, overwrite=job.form["overwrite"])
 
     def write(self, job: Job, first: TriangleMesh, second: TriangleMesh) -> None:
         """Write those that are asked for."""

@@ -15,7 +15,7 @@ from ...cameras.trajectory import Trajectory, read_trajectory
 from ...core.audience import to_shell
 from ...core.errors import FileError, FilePath
 from ...core.reports import Fields, Report
-from ...drawing.render.picture_files import check_picture, save_picture
+from ...drawing.render.picture_files import save_picture
 from ...kernels.linear_algebra import inv
 from ...registration.trajectories.trajectory_error import TrajectoryError, evaluate_trajectory
 
@@ -84,7 +84,9 @@ def evaluate_files(
     if align not in ALIGNMENTS:
         raise ValueError(f"align: expected one of {', '.join(ALIGNMENTS)}, got {align!r}")
     if picture is not None:
-        check_picture(picture, overwrite=overwrite)
+        from ...drawing.render.plots import check_plot  # loads kernels, which the errors alone do not need
+
+        check_plot(picture, overwrite=overwrite)
     estimate, true_path = read_trajectory(poses), read_trajectory(truth)
     T = None if extrinsic is None else read_extrinsic(extrinsic)
     found = compare(estimate, true_path, poses, truth, align, T)
@@ -135,10 +137,10 @@ def _draw_paths(
     estimate: Trajectory, truth: Trajectory, found: TrajectoryError, title: str, sensor: NDArray[np.float64]
 ) -> NDArray[np.uint8]:
     """Both paths where they were compared, the estimate as it was aligned."""
-    from ...drawing.render.trajectory_plot import trajectory_plot  # starts what runs kernels: figures alone need none
+    from ...drawing.render.plots import trajectory_plot
 
     rows, true_rows = found.pairs.T
     T = found.transformation
     path = (estimate.poses[rows] @ sensor)[:, :3, 3] @ T[:3, :3].T + T[:3, 3]
     times = None if truth.timestamps is None else truth.timestamps[true_rows]
-    return trajectory_plot(path, truth.poses[true_rows, :3, 3], times=times, title=title).to_numpy()
+    return trajectory_plot(path, truth.poses[true_rows, :3, 3], times=times, title=title)

@@ -14,7 +14,8 @@ from ...core.atomic import atomic_write
 from ...core.errors import FileError, FilePath
 from ...core.reports import Fields
 from ...drawing.render.picture_files import save_picture
-from ...drawing.render.station_plan import station_plan
+from ...drawing.render.plots import station_plan
+from ...files.foreign import import_for
 from ...files.points.e57_stations import Stations, read_stations, write_stations
 from ...registration.stations.result import StationsResult
 from ...registration.stations.stations import register_stations
@@ -134,6 +135,7 @@ def _check_report(folder: FilePath | None, *, overwrite: bool) -> dict[str, Path
     if folder is None:
         return {}
     place = Path(folder)
+    import_for(place / REPORT["plan"], "matplotlib.figure", "plot")
     if place.exists() and not place.is_dir():
         raise FileError(place, "is no folder", remedy="Name a folder for the report")
     places = {kind: place / name for kind, name in REPORT.items()}
@@ -158,6 +160,6 @@ def _write_report(job: Job, places: dict[str, Path], found: StationsResult) -> N
         for kind, text in texts.items():
             with atomic_write(places[kind], overwrite=overwrite) as file:
                 file.write(text.encode())
-        save_picture(places["plan"], station_plan(found).to_numpy(), overwrite=overwrite)
+        save_picture(places["plan"], station_plan(found), overwrite=overwrite)
     for path in places.values():
         job.wrote(path)

@@ -179,7 +179,8 @@ def compare_meshes(
     """Measure how far the surfaces of the meshes A and B lie apart, both ways, by exact distances to triangles.
 
     Chamfer, root mean square, Hausdorff, and the F-score at some distances. The exit code is 3 where the surfaces lie
-    farther apart than --max-distance, or so far that they are likely of other units or frames.
+    farther apart than --max-distance, or so far that they are likely of other units or frames. --picture needs the
+    extra pointloom[plot].
 
     \b
     pointloom compare-meshes mine.ply truth.ply --threshold 0.005,0.01

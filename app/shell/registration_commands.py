@@ -281,7 +281,7 @@ def evaluate(
       segments  errors over 100 to 800 m of the path as KITTI has them, for those lengths that the path has
 
     The exit code is 3 where POSES and TRUTH are the paths of two sensors of one body, such as a LiDAR and a camera:
-    their motions differ by a fixed offset, which --extrinsic takes.
+    their motions differ by a fixed offset, which --extrinsic takes. --picture needs the extra pointloom[plot].
 
     \b
     pointloom evaluate poses.txt truth.txt --alignment first --picture path.png

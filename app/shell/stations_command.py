@@ -49,7 +49,7 @@ def stations(scans: Path, free: str, no_poses: bool, as_json: bool, force: bool,
     station is a scan's name or its number, from 0.
 
     The exit code is 3 where something was taken out, a station floats free, residuals are larger than said, or nothing
-    checks the result. All is written even then.
+    checks the result. All is written even then. --report needs the extra pointloom[plot].
 
     \b
     pointloom stations scans.e57 -o registered.e57 --report report

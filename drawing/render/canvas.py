@@ -16,9 +16,9 @@ from ...core.checks import check_count, check_finite, check_number, check_positi
 from ...core.devices import resolve_device
 from ...core.masked_arrays import unmasked
 from ...kernels.drawing import canvas as strokes
-from ...kernels.drawing.canvas import MOST_STROKES, Paint, Sheet, clip_box
+from ...kernels.drawing.canvas import Paint, Sheet, clip_box
 from ...kernels.lang import uint8
-from ...kernels.memory import clone, download, empty, upload
+from ...kernels.memory import clone, download, upload
 from .clipping import clip_segments
 from .lettering import lettering
 from .picture import Picture
@@ -55,7 +55,6 @@ class Canvas:
         if picture.size != 3 * self.width * self.height:
             raise ValueError(f"picture: expected {3 * self.width * self.height} numbers, got {picture.size}")
         self.sheet, self.device = Sheet(picture, self.width, self.height), picture.device
-        self._no_colors: Any = empty(0, uint8, self.device)
 
     @classmethod
     def blank(cls, width: int, height: int, background: Color = WHITE, device: Any = None) -> Self:
@@ -92,7 +91,6 @@ class Canvas:
         color: Color = BLACK,
         anchor: str = "left",
         halo: Color | None = None,
-        turned: bool = False,
     ) -> None:
         """Write one line of text.
 
@@ -104,9 +102,8 @@ class Canvas:
             anchor: What of the text lies there: "left", "center" or "right", alone for the middle of its height, or
                 behind "upper" or "lower" (for capital letters), as "upper left".
             halo: The colour of a seam around the letters, so that they read on any ground.
-            turned: Upwards, as along the left axis of a plot; the anchor turns with it.
         """
-        self.texts([(text, x, y)], size=size, color=color, anchor=anchor, halo=halo, turned=turned)
+        self.texts([(text, x, y)], size=size, color=color, anchor=anchor, halo=halo)
 
     def texts(
         self,
@@ -116,30 +113,24 @@ class Canvas:
         color: Color = BLACK,
         anchor: str = "left",
         halo: Color | None = None,
-        turned: bool = False,
     ) -> None:
         """Write several texts (text, x, y) at once, as `text`."""
         paint = self._paint(color, 1.0)
         seam = None if halo is None else self._paint(halo, 0.85, name="halo")
         down, across = _split_anchor(anchor)
         letters = lettering()
-        rows = [
-            _place(letters, str(text), x, y, check_positive("size", size), down, across, turned)
-            for text, x, y in entries
-        ]
+        rows = [_place(letters, str(text), x, y, check_positive("size", size), down, across) for text, x, y in entries]
         glyphs = np.concatenate(rows) if rows else np.empty((0, 5), np.int32)
         if not len(glyphs):
             return
-        wide, high = (glyphs[:, 2], glyphs[:, 1]) if turned else (glyphs[:, 1], glyphs[:, 2])
-        top = glyphs[:, 4] - (high - 1 if turned else 0)
-        ends = [glyphs[:, 3].min(), top.min(), (glyphs[:, 3] + wide).max() - 1, (top + high).max() - 1]
-        left, upper, right, lower = (int(end) for end in ends)
+        low, high = glyphs[:, 3:], glyphs[:, 3:] + glyphs[:, 1:3] - 1
+        left, upper, right, lower = *low.min(axis=0).tolist(), *high.max(axis=0).tolist()
         if seam is not None:
-            strokes.cover_glyphs(self.sheet, glyphs, letters.atlas(self.device), turned=turned)
+            strokes.cover_glyphs(self.sheet, glyphs, letters.atlas(self.device))
             box = clip_box(self.sheet, left - HALO, upper - HALO, right + HALO, lower + HALO)
             strokes.blend_halo(self.sheet, box, HALO, seam)
         else:
-            strokes.cover_glyphs(self.sheet, glyphs, letters.atlas(self.device), turned=turned)
+            strokes.cover_glyphs(self.sheet, glyphs, letters.atlas(self.device))
         strokes.blend(self.sheet, clip_box(self.sheet, left, upper, right, lower), paint)
 
     def line(
@@ -156,82 +147,30 @@ class Canvas:
         """Draw a straight line with round ends."""
         self.segments([[x0, y0, x1, y1]], color=color, width=width, opacity=opacity)
 
-    def polyline(
-        self,
-        points: ArrayLike,
-        *,
-        color: Color = BLACK,
-        colors: ArrayLike | None = None,
-        width: float = 1.0,
-        closed: bool = False,
-        opacity: float = 1.0,
-    ) -> None:
-        """Draw lines from each point to the next, shape [n, 2]; a point that is not finite is a gap.
-
-        `colors`, uint8 [n - 1, 3] (or [n, 3] closed), gives each line its own.
-        """
+    def polyline(self, points: ArrayLike, *, color: Color = BLACK, width: float = 1.0, opacity: float = 1.0) -> None:
+        """Draw lines from each point to the next, shape [n, 2]; a point that is not finite is a gap."""
         path = check_rows("points", points, 2, dtype=np.float64)
-        after = np.roll(path, -1, axis=0)
-        ends = np.hstack([path, after]) if closed else np.hstack([path, after])[:-1]
-        self.segments(ends, color=color, colors=colors, width=width, opacity=opacity)
+        self.segments(np.hstack([path[:-1], path[1:]]), color=color, width=width, opacity=opacity)
 
-    def segments(
-        self,
-        segments: ArrayLike,
-        *,
-        color: Color = BLACK,
-        colors: ArrayLike | None = None,
-        width: float = 1.0,
-        opacity: float = 1.0,
-    ) -> None:
-        """Draw lines (x, y, x, y), shape [n, 4], with round ends; `colors`, uint8 [n, 3], gives each its own."""
+    def segments(self, segments: ArrayLike, *, color: Color = BLACK, width: float = 1.0, opacity: float = 1.0) -> None:
+        """Draw lines (x, y, x, y), shape [n, 4], with round ends."""
         ends = check_rows("segments", segments, 4, dtype=np.float64)
         width = check_positive("width", width)
-        table = None if colors is None else check_rows("colors", colors, 3, rows=len(ends), dtype=np.uint8)
         reach = width / 2 + 2
         high = self.width - 1 + reach, self.height - 1 + reach
-        ends, kept = clip_segments(ends, (-reach, -reach), high)
-        for start in range(0, len(ends), MOST_STROKES):
-            part = ends[start : start + MOST_STROKES]
-            chosen = None if table is None else table[kept[start : start + MOST_STROKES]]
-            paint = self._paint(color, opacity, chosen)
-            columns, rows = part[:, ::2], part[:, 1::2]
+        ends, _ = clip_segments(ends, (-reach, -reach), high)
+        if len(ends):
+            paint = self._paint(color, opacity)
+            columns, rows = ends[:, ::2], ends[:, 1::2]
             box = self._box(columns.min(), rows.min(), columns.max(), rows.max(), reach)
-            strokes.cover_segments(self.sheet, part.astype(np.float32), width)
+            strokes.cover_segments(self.sheet, ends.astype(np.float32), width)
             strokes.blend(self.sheet, box, paint)
 
-    def dots(
-        self,
-        points: ArrayLike,
-        *,
-        radius: float = 3.0,
-        color: Color = BLACK,
-        colors: ArrayLike | None = None,
-        opacity: float = 1.0,
-    ) -> None:
-        """Draw filled circles about points [n, 2]; `colors`, uint8 [n, 3], gives each its own."""
+    def dots(self, points: ArrayLike, *, radius: float = 3.0, color: Color = BLACK, opacity: float = 1.0) -> None:
+        """Draw filled circles about points [n, 2]."""
         places = check_rows("points", points, 2, dtype=np.float64)
         diameter = 2 * check_positive("radius", radius)
-        self.segments(np.hstack([places, places]), color=color, colors=colors, width=diameter, opacity=opacity)
-
-    def circle(
-        self,
-        x: float,
-        y: float,
-        radius: float,
-        *,
-        fill: Color | None = None,
-        outline: Color | None = None,
-        width: float = 1.0,
-        opacity: float = 1.0,
-    ) -> None:
-        """Draw a circle: filled, with an outline that lies inside, or both."""
-        center = check_number("x", x), check_number("y", y)
-        radius, width = check_positive("radius", radius), check_positive("width", width)
-        box = self._box(*center, *center, radius + 1)
-        for color, inner in self._seen(box, (fill, -2.0), (outline, max(radius - width, -2.0))):
-            strokes.cover_ring(self.sheet, box, center, radius, inner)
-            strokes.blend(self.sheet, box, self._paint(color, opacity))
+        self.segments(np.hstack([places, places]), color=color, width=diameter, opacity=opacity)
 
     def rectangle(
         self,
@@ -281,10 +220,8 @@ class Canvas:
         """The strokes that have a colour, none where the box holds no cell."""
         return [(color, hole) for color, hole in strokes if color is not None and box[2] * box[3]]
 
-    def _paint(self, color: Color, opacity: float, colors: Any = None, *, name: str = "color") -> Paint:
-        share = round(255 * check_share("opacity", opacity))
-        table = self._no_colors if colors is None else upload(np.ascontiguousarray(colors).ravel(), uint8, self.device)
-        return Paint(_color_bytes(name, color), share, table)
+    def _paint(self, color: Color, opacity: float, *, name: str = "color") -> Paint:
+        return Paint(_color_bytes(name, color), round(255 * check_share("opacity", opacity)))
 
 
 def _color_bytes(name: str, color: Color) -> tuple[int, int, int]:
@@ -312,9 +249,7 @@ def _split_anchor(anchor: str) -> tuple[str, float]:
     return down, _ACROSS[across]
 
 
-def _place(
-    letters: Any, text: str, x: float, y: float, size: float, down: str, across: float, turned: bool
-) -> NDArray[np.int32]:
+def _place(letters: Any, text: str, x: float, y: float, size: float, down: str, across: float) -> NDArray[np.int32]:
     """The letters of a text where an anchor lies at a place; none where that is not finite or far outside."""
     if not (np.isfinite(x) and np.isfinite(y) and abs(x) < 2**20 and abs(y) < 2**20):
         return np.empty((0, 5), np.int32)
@@ -323,9 +258,6 @@ def _place(
     fall = {"upper": cap, "middle": (cap + 1) // 2, "lower": 1}[down]  # capitals end in the row above the pen
     column, row = int(np.floor(x + 0.5)), int(np.floor(y + 0.5))
     back = int(letters.width(text, size) * across)
-    if turned:  # along the text is up, and down of the text is right
-        along, below = glyphs[:, 3] - back, glyphs[:, 4] + fall
-        return np.column_stack([glyphs[:, :3], column + below, row - along]).astype(np.int32)
     glyphs[:, 3] += column - back
     glyphs[:, 4] += row + fall
     return glyphs

@@ -10,12 +10,11 @@ from ...kernels.drawing.value_colors import Ramp, color_values
 from ...kernels.lang import float32
 from ...kernels.memory import download, upload
 from ...meshing.mesh.mesh import TriangleMesh
-from .axes import Area
 from .canvas import Canvas
 from .coloring import Coloring
 from .colormaps import MISSING, colormap_table
 from .legends import draw_color_bar
-from .plots import draw_histogram
+from .plots import error_histogram
 from .render import render
 
 COLORMAP = "viridis"  # as of `TriangleMesh.compute_error_map`
@@ -55,18 +54,6 @@ def draw_errors(
     coloring = Coloring(colors, "values", limits, COLORMAP, has_missing=len(finite) < len(distances))
     label = f"distance [{symbol_of(mesh.unit)}]"
     draw_color_bar(left, coloring, label)
-    canvas = Canvas.blank(_WIDTH, _HEIGHT, device=place)
-    canvas.image(left.to_numpy(), 0, 0)
-    area = Area(left.width, 0, _WIDTH - left.width, _HEIGHT)
-    marks = [("median", float(np.median(finite))), ("largest", float(finite.max()))] if len(finite) else []
-    draw_histogram(
-        canvas,
-        area,
-        distances,
-        title=title,
-        labels=(label, "vertices"),
-        colormap=COLORMAP,
-        color_limits=limits,
-        marks=marks,
-    )
-    return canvas.to_numpy()
+    size = _WIDTH - left.width, _HEIGHT
+    bars = error_histogram(distances, size, title=title, label=label, colormap=COLORMAP, limit=limits[1])
+    return np.hstack([left.to_numpy(), bars])

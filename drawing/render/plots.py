@@ -1,322 +1,354 @@
-"""Plots of numbers as pictures: `histogram`, `curves`; paths are drawn by trajectory_plot.py.
+"""Plots with axes, drawn by matplotlib: trajectories, station plans, slices of distance fields, error histograms.
 
-What they are for is looking: the numbers themselves are in reports. Each gives a Canvas, whose `to_numpy()` is written
-with `save_picture`.
+matplotlib is the extra `pointloom[plot]` and is imported on first use. Figures have an Agg canvas each, so that pyplot,
+its backends and its global state are not involved.
 """
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterable, Mapping, Sequence
+import importlib
+import os
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
-from ...core.checks import check_count, check_list, check_name, check_number, check_numeric, check_shape, shown
-from .axes import Area, Axes, draw_head
-from .canvas import Canvas
-from .coloring import label_color
-from .colormaps import check_colormap, colormap_table
-from .legends import letter_size
-from .ticks import format_number, widen
+from ...core.checks import check_count, check_name, check_positive, shown
+from ...core.told_arguments import told_arguments
+from ...files.foreign import import_for
+from ...meshing.volume.distance_field_views import FieldSlice
+from ...registration.stations.observations import ControlPoint, StationPair, TargetObservation
+from ...registration.stations.result import StationsResult
+from .colormaps import check_colormap
+from .picture import Picture
+from .picture_files import check_picture, save_picture
 
-Limits = tuple[float, float]
+DPI = 128  # a power of two, so that sizes in inches are exact
+MIN_SIZE, MAX_SIZE = (320, 240), 16_384  # [px]
+PLOT_SIZE = 1280, 960  # [px] of trajectories and station plans
 
-PLAIN = (0.36, 0.53, 0.71)  # bars without a colour map
-LEAST, MOST = (200, 160), 16_384  # [px] of a plot's width and height: smaller, the numbers of the axes find no room
-HUGE = 1e300  # greater numbers count as infinite: their differences would be
-_SAMPLE = 1_000_000  # values that quantiles come from
-_TAIL = 0.002  # share of the values at either end that may lie beyond a histogram
-_FAR = 1.5  # ... where the whole range is so many times the rest's
-_DENSE = 16  # points a column from which a curve is drawn by the extremes of each half column
-_HALVES = 2
+TRUTH = "0.55"
+ERROR = "error [m]"
+MAX_COORDINATE = 1e12  # [m] positions farther out are not drawn
+MAX_VERTICES = 50_000  # of a trajectory that are drawn; the errors along the way are drawn in full
+
+TAIL = 0.998  # quantile of the errors at which the axis of a histogram ends if the largest is far beyond
+FAR = 1.5  # ... this many times the quantile
+MAX_BINS = 60
+
+STATION, UNPLACED, WRONG, TARGET, CONTROL, SIGHT = "0.1", "0.6", "#d61a1a", "#1f78b5", "#1a8c33", "#d9e3ed"
+CONFIDENCE = 0.95  # of the ellipses of errors
+ELLIPSE = 0.06  # length of the longest semi-axis over the extent of the plan
+MARGIN = 0.1  # over the extent of the plan
+MAX_NAMED = 60  # up to this number of targets, their names are written
+MM = 1000.0
+
+OCCUPIED, UNKNOWN = (26, 26, 26), (153, 153, 153)  # of 255
 
 
-def histogram(
-    values: ArrayLike,
-    *,
-    title: str = "",
-    labels: tuple[str, str] = ("value", "count"),
-    bins: int | None = None,
-    limits: Limits | None = None,
-    colormap: str | None = None,
-    color_limits: Limits | None = None,
-    marks: Sequence[tuple[str, float]] = (),
-    size: tuple[int, int] = (640, 480),
-    device: Any = None,
-) -> Canvas:
-    """Draw how often values occur.
-
-    Args:
-        values: Any shape; what is not finite does not count, and is told.
-        title: Above the plot.
-        labels: Of the two axes, with their units: ("distance [m]", "points").
-        bins: How many; None takes one for some pixels of width, fewer for few values.
-        limits: Ends of the axis; None takes all values but far ones, whose number is told.
-        colormap: Bars take its colours.
-        color_limits: The values at the two ends of the map; None takes the ends of the axis.
-        marks: Names and values to be marked by lines: ("median", 0.01).
-        size: Width and height [px].
-        device: Where to draw.
+def check_plot(path: Any, *, overwrite: bool) -> None:
+    """Ensure that a plot can be drawn and written, before any work.
 
     Raises:
-        TypeError: Not numbers.
-        ValueError: A size, limits or bins that make no picture, or an unknown colour map.
-
-    Example:
-        >>> import numpy as np, pointloom as loom
-        >>> distances = np.abs(np.random.default_rng(0).normal(0, 0.01, 1000))
-        >>> plot = loom.plots.histogram(distances, labels=("distance [m]", "points"), marks=[("median", 0.007)])
-        >>> plot.to_numpy().shape
-        (480, 640, 3)
+        FileError: matplotlib is missing, another extension than .png and .webp, or the file cannot be written.
     """
-    canvas = Canvas.blank(*check_size(size), device=device)
-    area = Area(0, 0, canvas.width, canvas.height)
-    draw_histogram(
-        canvas,
-        area,
-        values,
-        title=title,
-        labels=labels,
-        bins=bins,
-        limits=limits,
-        colormap=colormap,
-        color_limits=color_limits,
-        marks=marks,
-    )
-    return canvas
+    check_picture(path, overwrite=overwrite)
+    import_for(path, "matplotlib.figure", "plot")
 
 
-def draw_histogram(
-    canvas: Canvas,
-    area: Area,
-    values: ArrayLike,
-    *,
-    title: str = "",
-    labels: tuple[str, str] = ("value", "count"),
-    bins: int | None = None,
-    limits: Limits | None = None,
-    colormap: str | None = None,
-    color_limits: Limits | None = None,
-    marks: Sequence[tuple[str, float]] = (),
-) -> None:
-    """Draw a histogram into a part of a picture, as `histogram`."""
-    numbers = _check_numbers("values", values).ravel()
-    finite = numbers[np.isfinite(numbers)]
-    size = letter_size(canvas)
-    title, labels, named = check_name("title", title), _check_labels(labels), _check_marks(marks)
-    ends = widen(*(_main_range(finite) if limits is None else _check_ends("limits", limits)))
-    count = check_count("bins", bins) if bins is not None else _bin_count(finite, area.width, size)
-    heights, edges = np.histogram(finite, count, ends)
-    beyond = len(finite) - int(heights.sum())
-    notes = [f"{len(finite):,} value" + "s" * (len(finite) != 1)]
-    notes += [f"{beyond:,} beyond"] * (beyond > 0)
-    notes += [f"{len(numbers) - len(finite):,} not finite"] * (len(finite) < len(numbers))
-    entries = [(f"{name} {format_number(value)}", label_color(k + 1)) for k, (name, value) in enumerate(named)]
-    inner = draw_head(canvas, area, title, ", ".join(notes), entries, size)
-    most = max(1.0, 1.05 * float(heights.max()))
-    axes = Axes(canvas, inner, ends, (0.0, most), titles=labels, size=size, whole=(False, True))
-    filled, colors = np.flatnonzero(heights), None
-    if colormap is not None:
-        low, high = widen(*(ends if color_limits is None else _check_ends("color_limits", color_limits)))
-        shares = ((edges[filled] + edges[filled + 1]) / 2 - low) / (high - low)
-        colors = colormap_table(check_colormap(colormap))[np.floor(shares.clip(0, 1) * 255 + 0.5).astype(int)]
-    _draw_bars(axes, edges, heights, filled, colors)
-    for k, (_, value) in enumerate(named):
-        axes.polyline([value, value], [0.0, most], color=label_color(k + 1), width=2)
-
-
-def _draw_bars(
-    axes: Axes, edges: NDArray[Any], heights: NDArray[Any], filled: NDArray[np.int64], colors: NDArray[Any] | None
-) -> None:
-    """Bars of the bins that hold something, whose colours these are."""
-    begins, ends = (np.round(axes.columns(edges[at])).astype(int).tolist() for at in (filled, filled + 1))
-    tops, (first, second) = np.round(axes.rows(heights[filled])).astype(int).tolist(), np.round(axes.columns(edges[:2]))
-    gap = int(second - first > 4)
-    for k, (begin, end, top) in enumerate(zip(begins, ends, tops, strict=True)):
-        color = PLAIN if colors is None else colors[k].tolist()
-        top = min(top, axes.bottom - 1)  # even a bar of one among millions is seen
-        axes.canvas.rectangle(begin + 1, top, max(end - begin - gap, 1), axes.bottom - top, fill=color)
-
-
-def curves(
-    series: Mapping[str, ArrayLike],
-    *,
-    x: ArrayLike | None = None,
-    title: str = "",
-    labels: tuple[str, str] = ("number", "value"),
-    limits: Limits | None = None,
-    size: tuple[int, int] = (640, 480),
-    device: Any = None,
-) -> Canvas:
-    """Draw values as lines, one after the other from left to right.
-
-    Args:
-        series: Names and values, shape [n] each; what is not finite is a gap. A single value is a dot.
-        x: Where the values lie along the axis, shape [n]; None numbers them from 0.
-        title: Above the plot.
-        labels: Of the two axes, with their units.
-        limits: Ends of the axis of values; None takes all that are finite.
-        size: Width and height [px].
-        device: Where to draw.
+def new_figure(width: int, height: int) -> Any:
+    """An empty figure with an Agg canvas of this size [px].
 
     Raises:
-        TypeError: Not numbers, or no mapping from names.
-        ValueError: Another shape, not as many values as places, or a size that makes no picture.
+        ImportError: matplotlib is not installed.
+    """
+    figure = _matplotlib("figure").Figure(figsize=(width / DPI, height / DPI), dpi=DPI, layout="constrained")
+    _matplotlib("backends.backend_agg").FigureCanvasAgg(figure)
+    return figure
+
+
+def to_picture(figure: Any) -> Picture:
+    """Draw a figure; RGB, uint8."""
+    figure.canvas.draw()
+    return Picture(np.asarray(figure.canvas.buffer_rgba())[..., :3].copy())
+
+
+def trajectory_plot(
+    estimate: NDArray[np.float64], truth: NDArray[np.float64], *, times: NDArray[np.float64] | None, title: str
+) -> Picture:
+    """Plot a trajectory beside the true one, and the error along the way.
+
+    Args:
+        estimate, truth: Positions at the same moments in the same frame [m], shape (n, 3). Rows that are not finite are
+            gaps.
+        times: Of the positions [s], shape (n,); None numbers them.
+        title: Above the plot.
+
+    Returns:
+        The paths in the plane of the two axes along which they extend most, in one scale.
+    """
+    path, true = (np.where(np.abs(rows) < MAX_COORDINATE, rows, np.nan) for rows in (estimate, truth))
+    errors = np.linalg.norm(path - true, axis=1)
+    finite = errors[np.isfinite(errors)]
+    largest = float(finite.max(initial=0.0)) or 1.0
+    figure = new_figure(*PLOT_SIZE)
+    upper, lower = figure.subplots(2, height_ratios=[2, 1])
+    across, along = plane = _main_axes(np.vstack([path, true]))
+    step = max(1, -(-len(path) // MAX_VERTICES))
+    upper.plot(*true[::step, plane].T, color=TRUTH, linewidth=2.5, label="truth")
+    corners = path[::step, plane]
+    segments = np.stack([corners[:-1], corners[1:]], axis=1)
+    drawn = np.isfinite(segments).all(axis=(1, 2))
+    scale = _matplotlib("colors").Normalize(0.0, largest)
+    lines = _matplotlib("collections").LineCollection(segments[drawn], cmap="turbo", norm=scale, linewidths=1.5)
+    lines.set_array(errors[::step][:-1][drawn])
+    upper.add_collection(lines)
+    ends = path[np.isfinite(path).all(axis=1)][:, plane]
+    for name, marker, at in (("start", "o", ends[:1]), ("end", "s", ends[-1:])):
+        upper.plot(*at.T, marker, color="black", markerfacecolor="white", zorder=3, label=name)
+    _set_plan(upper, "xyz"[across], "xyz"[along])
+    upper.legend()
+    figure.colorbar(lines, ax=upper, label=ERROR)
+    if len(finite):
+        rmse, median = np.sqrt((finite**2).mean()), np.median(finite)
+        title += f"\n{len(finite):,} poses, error {rmse:.3g} m rmse, {median:.3g} m median, {largest:.3g} m at most"
+    upper.set_title(title, parse_math=False)
+    lower.plot(np.arange(len(path)) if times is None else times - times[:1], errors, linewidth=1.0)
+    lower.set(
+        xlabel="pose" if times is None else "time from the first pose [s]", ylabel=ERROR, ylim=(0, 1.05 * largest)
+    )
+    lower.grid(alpha=0.3)
+    return to_picture(figure)
+
+
+def error_histogram(
+    distances: NDArray[np.floating], size: tuple[int, int], *, title: str, label: str, colormap: str, limit: float
+) -> Picture:
+    """Plot how often distances occur at the vertices of a mesh.
+
+    Args:
+        distances: Any shape; values that are not finite are counted in the title.
+        size: Width and height [px].
+        title: Above the plot.
+        label: Of the axis of distances.
+        colormap: Of the bars.
+        limit: Distance at the last color; 0 is at the first.
+    """
+    finite = distances[np.isfinite(distances)].astype(np.float64)
+    largest = float(finite.max(initial=0.0)) or 1.0
+    tail = float(np.quantile(finite, TAIL)) if len(finite) else 0.0
+    high = tail if 0 < FAR * tail < largest else largest
+    bins = min(MAX_BINS, max(1, round(2 * len(finite) ** 0.5)))
+    figure = new_figure(*size)
+    axes = figure.subplots()
+    counts, edges, bars = axes.hist(finite, bins=bins, range=(0.0, high))
+    color_of = _color_scale(colormap, 0.0, limit)
+    for bar, color in zip(bars, color_of.to_rgba((edges[:-1] + edges[1:]) / 2), strict=True):
+        bar.set_facecolor(color)
+    if len(finite):
+        for name, value, color in (("median", np.median(finite), "C1"), ("largest", finite.max(), "C3")):
+            axes.axvline(value, color=color, label=f"{name} {value:.3g}")
+        axes.legend()
+    beyond, missing = len(finite) - int(counts.sum()), distances.size - len(finite)
+    title += f"\n{len(finite):,} values" + f", {beyond:,} beyond the axis" * bool(beyond)
+    axes.set_title(title + f", {missing:,} not finite" * bool(missing), parse_math=False)
+    axes.set(xlabel=label, ylabel="vertices", xlim=(0.0, 1.02 * high))
+    axes.locator_params(axis="x", nbins=5)
+    return to_picture(figure)
+
+
+def station_plan(result: StationsResult) -> Picture:
+    """Plot stations from above: pairs colored by their residuals, sights to targets, ellipses of errors.
+
+    Outliers are red, stations that could not be placed gray. The title has the scale of the ellipses.
+    """
+    where = result.poses[:, :2, 3]
+    placed = where[result.placed if result.placed.any() else slice(None)]
+    places = np.vstack([placed, *(place[None, :2] for place in result.targets.values())])
+    extent = float(max(np.ptp(places, axis=0).max(), 1e-3))
+    figure = new_figure(*PLOT_SIZE)
+    axes = figure.subplots()
+    _draw_links(figure, axes, result)
+    title = f"stations\nsigma0 {result.sigma0:.2f}"
+    if enlarged := _draw_ellipses(axes, result, extent):
+        title += f", ellipses of {CONFIDENCE:.0%}, {enlarged:,.0f} times as large"
+    control = {g.observation.name for g in result.groups if isinstance(g.observation, ControlPoint)}
+    for name, place in result.targets.items():
+        color = CONTROL if name in control else TARGET
+        axes.plot(*place[:2], "^", color=color, markersize=9 if name in control else 6, fillstyle="none")
+        _write_name(axes, name if len(result.targets) <= MAX_NAMED else "", place, color, -3)
+    low, high = places.min(axis=0) - MARGIN * extent, places.max(axis=0) + MARGIN * extent
+    for name, place, is_placed in zip(result.names, where, result.placed, strict=True):
+        if not ((low <= place) & (place <= high)).all():
+            continue  # not placed, and far from the others
+        color = STATION if is_placed else UNPLACED
+        axes.plot(*place, "o", color=color, markeredgecolor="white", markersize=8)
+        _write_name(axes, name, place, color, 4)
+    used = [bool(result.targets), bool(control), bool(result.outliers)]
+    for name, color, is_used in zip(("target", "control", "outlier"), (TARGET, CONTROL, WRONG), used, strict=True):
+        if is_used:
+            axes.plot([], [], "-" if color == WRONG else "^", color=color, fillstyle="none", label=name)
+    if any(used):
+        axes.legend()
+    axes.set_title(title)
+    axes.margins(MARGIN)
+    _set_plan(axes, "x", "y")
+    return to_picture(figure)
+
+
+@told_arguments
+def draw_slice(
+    layer: FieldSlice,
+    path: str | os.PathLike[str] | None = None,
+    *,
+    title: str | None = None,
+    colormap: str | None = None,
+    limit: float | None = None,
+    size: tuple[int, int] = (960, 720),
+    overwrite: bool = True,
+) -> Picture:
+    """Plot a layer of a distance field with a color bar. Requires `pip install "pointloom[plot]"`.
+
+    Args:
+        layer: Of `DistanceField.slice`.
+        path: A .png or .webp file to write; None writes none.
+        title: Above the plot; None gives the position of the layer.
+        colormap: As of `render`; None: viridis, or coolwarm if there are negative distances.
+        limit: Distance of the last color [m]; None: the largest known distance.
+        size: Columns and rows [px].
+        overwrite: Replace an existing file.
+
+    Returns:
+        A Picture, uint8 RGB. Occupied voxels are black (except in signed fields), voxels of unknown distance gray.
+
+    Raises:
+        TypeError: `layer` is not a FieldSlice.
+        ValueError: A layer without voxels, or `size`, `limit` or `colormap` is out of range.
+        FileError: The file cannot be written.
+        ImportError: matplotlib is not installed.
 
     Example:
         >>> import pointloom as loom
-        >>> loom.plots.curves({"fitness": [0.2, 0.6, 0.9]}, labels=("step", "share")).to_numpy().shape
-        (480, 640, 3)
+        >>> field = loom.DistanceField.from_voxels([[0, 0, 0], [9, 3, 0]], 0.1, max_distance=1)
+        >>> picture = loom.draw_slice(field.slice("z", 0.05), "slice.png", size=(480, 360))
+        >>> picture.shape
+        (360, 480, 3)
     """
-    canvas = Canvas.blank(*check_size(size), device=device)
-    area = Area(0, 0, canvas.width, canvas.height)
-    draw_curves(canvas, area, series, x=x, title=title, labels=labels, limits=limits)
-    return canvas
+    if not isinstance(layer, FieldSlice):
+        raise TypeError(f"layer: expected a FieldSlice, got {type(layer).__name__}")
+    if not layer.distances.size:
+        raise ValueError("layer: has no voxels, because its field has none; pass bounds to `DistanceField.slice`")
+    values, known = layer.distances, layer.is_known
+    is_signed = bool((values[known] < 0).any())
+    finite = np.abs(values[known & np.isfinite(values)])
+    high = (float(finite.max(initial=0)) or 1.0) if limit is None else check_positive("limit", limit, maximum=1e100)
+    name = check_colormap(colormap or ("coolwarm" if is_signed else "viridis"))
+    heading = f"{layer.axis} = {layer.position:g} m" if title is None else check_name("title", title)
+    figure = new_figure(*_check_size(size))
+    axes = figure.subplots()
+    color_of = _color_scale(name, -high * is_signed, high)
+    colors, occupied = color_of.to_rgba(values, bytes=True)[..., :3], known & (values == 0) & (not is_signed)
+    colors[occupied], colors[~known] = OCCUPIED, UNKNOWN
+    (x0, y0), (x1, y1) = layer.extent.tolist()
+    axes.imshow(colors, origin="lower", extent=(x0, x1, y0, y1), interpolation="nearest", zorder=2)
+    figure.colorbar(color_of, ax=axes, label="distance [m]")
+    unknown = "unknown" if layer.max_distance is None else f"at least {layer.max_distance:g} m"
+    patches = [("occupied", OCCUPIED, occupied.any()), (unknown, UNKNOWN, not known.all())]
+    make_patch = _matplotlib("patches").Patch
+    if handles := [make_patch(color=np.array(color) / 255, label=text) for text, color, is_used in patches if is_used]:
+        figure.legend(handles=handles, loc="outside lower center", ncols=2)
+    axes.set_title(heading, parse_math=False)
+    _set_plan(axes, *layer.axes)
+    picture = to_picture(figure)
+    if path is not None:
+        save_picture(path, picture, overwrite=overwrite)
+    return picture
 
 
-def draw_curves(
-    canvas: Canvas,
-    area: Area,
-    series: Mapping[str, ArrayLike],
-    *,
-    x: ArrayLike | None = None,
-    title: str = "",
-    labels: tuple[str, str] = ("number", "value"),
-    limits: Limits | None = None,
-) -> None:
-    """Draw curves into a part of a picture, as `curves`."""
-    if not isinstance(series, Mapping):
-        raise TypeError(f"series: expected a dict of names and values, got {shown(series)}")
-    title, labels = check_name("title", title), _check_labels(labels)
-    given = None if limits is None else _check_ends("limits", limits)
-    size = letter_size(canvas)
-    places = None if x is None else _check_row("x", x)
-    rows = {str(name): _check_row(str(name), values) for name, values in series.items()}
-    for name, values in rows.items():
-        if places is not None and len(values) != len(places):
-            raise ValueError(f"{name}: expected as many values as x, {len(places)}, got {len(values)}")
-    entries = [(name, label_color(k)) for k, name in enumerate(rows)] if len(rows) > 1 else []
-    inner = draw_head(canvas, area, title, "", entries, size)
-    across = finite_range([np.arange(len(v)) for v in rows.values()] if places is None else [places])
-    along = finite_range(rows.values()) if given is None else given
-    if given is None:
-        low, high = widen(*along)
-        along = low - 0.03 * (high - low), high + 0.03 * (high - low)
-    axes = Axes(canvas, inner, across, along, titles=labels, size=size, whole=(places is None, False))
-    for k, values in enumerate(rows.values()):
-        draw_curve(axes, np.arange(len(values)) if places is None else places, values, color=label_color(k))
+def _matplotlib(module: str) -> Any:
+    """A module of matplotlib."""
+    try:
+        return importlib.import_module(f"matplotlib.{module}")
+    except ImportError as error:
+        raise ImportError('plots need the package matplotlib: pip install "pointloom[plot]"') from error
 
 
-def draw_curve(axes: Axes, x: NDArray[Any], y: NDArray[Any], **style: Any) -> None:
-    """Draw one curve into a frame; of many points the extremes of each column, which look the same."""
-    width = axes.right - axes.left
-    if len(x) > _DENSE * width and bool((np.diff(x) >= 0).all()):
-        x, y = _thin(axes, x, y)
-    style = {"width": max(1.5, axes.size / 10), **style}
-    axes.polyline(x, y, **style)
-    is_there = np.isfinite(y)
-    lone = is_there & ~np.r_[False, is_there[:-1]] & ~np.r_[is_there[1:], False]
-    axes.dots(x[lone], y[lone], radius=style["width"] + 0.5, color=style["color"])
+def _color_scale(colormap: str, low: float, high: float) -> Any:
+    """A color map between two values, which a color bar can show."""
+    return _matplotlib("cm").ScalarMappable(norm=_matplotlib("colors").Normalize(low, high), cmap=colormap)
 
 
-def _thin(axes: Axes, x: NDArray[Any], y: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
-    """The first, least, greatest and last finite value of each half column; gaps that are narrower than two close."""
-    there = np.flatnonzero(np.isfinite(y) & np.isfinite(x))
-    if not len(there):
-        return x[:0], y[:0]
-    values, columns = y[there], np.floor(_HALVES * axes.columns(x[there])).astype(np.int64)
-    starts = np.flatnonzero(np.r_[True, np.diff(columns) > 0])
-    kept = [starts, np.r_[starts[1:], len(there)] - 1]
-    sizes = np.diff(np.r_[starts, len(there)])
-    for extremes in (np.minimum.reduceat(values, starts), np.maximum.reduceat(values, starts)):
-        places = np.flatnonzero(values == np.repeat(extremes, sizes))
-        kept.append(places[np.r_[True, np.diff(columns[places]) > 0]])
-    rows = np.unique(np.concatenate(kept))
-    gaps = np.flatnonzero(np.diff(columns[rows]) > 2 * _HALVES) + 1
-    thin_x, thin_y = x[there[rows]].astype(np.float64), values[rows].astype(np.float64)
-    return np.insert(thin_x, gaps, np.nan), np.insert(thin_y, gaps, np.nan)
+def _main_axes(positions: NDArray[np.float64]) -> list[int]:
+    """The two axes along which positions extend most, in ascending order."""
+    finite = positions[np.isfinite(positions).all(axis=1)]
+    extents = np.ptp(finite, axis=0) if len(finite) else np.zeros(3)
+    return sorted(np.argsort(-extents, kind="stable")[:2].tolist())
 
 
-def _main_range(values: NDArray[Any]) -> Limits:
-    """The ends of an axis for values: all of them, or without few that lie far from the rest."""
-    if not len(values):
-        return 0.0, 1.0
-    low, high = float(values.min()), float(values.max())
-    sample = values[:: max(1, -(-len(values) // _SAMPLE))]
-    near, far = np.quantile(sample.astype(np.float64), (_TAIL, 1 - _TAIL)).tolist()
-    if near < far and high - low > _FAR * (far - near):
-        return (low if near - low <= 0.1 * (far - near) else near), (high if high - far <= 0.1 * (far - near) else far)
-    return low, high
+def _set_plan(axes: Any, across: str, along: str) -> None:
+    """Use one scale for both axes of coordinates."""
+    axes.set_aspect("equal", adjustable="datalim")
+    axes.ticklabel_format(useOffset=False, style="plain")
+    axes.set(xlabel=f"{across} [m]", ylabel=f"{along} [m]")
+    axes.grid(alpha=0.3)
 
 
-def _bin_count(values: NDArray[Any], width: int, size: int) -> int:
-    """How many bars: some pixels each, fewer for few values, an odd number for one value, which is in the middle."""
-    if not len(values) or values.min() == values.max():
-        return 11
-    return max(1, min(width // max(size // 2, 6), round(2 * math.sqrt(len(values)))))
+def _draw_links(figure: Any, axes: Any, result: StationsResult) -> None:
+    """Draw sights to targets, pairs with a color bar of their residuals, and above them the outliers."""
+    make_lines, where = _matplotlib("collections").LineCollection, result.poses[:, :2, 3]
+
+    def ends_of(groups: list[Any]) -> list[Any]:
+        sights = [g.observation for g in groups if isinstance(g.observation, TargetObservation)]
+        pairs = [g.observation for g in groups if isinstance(g.observation, StationPair)]
+        found = [(where[o.station], result.targets[o.name][:2]) for o in sights if o.name in result.targets]
+        return found + [(where[o.source], where[o.target]) for o in pairs]
+
+    pairs = [g for g in result.groups if g.kind == "pair"]
+    axes.add_collection(
+        make_lines(ends_of([g for g in result.groups if g.kind != "pair"]), colors=SIGHT), autolim=False
+    )
+    if pairs:
+        residuals = np.array([np.linalg.norm(g.residual[-3:]) * MM for g in pairs])
+        scale = _matplotlib("colors").Normalize(0.0, float(residuals.max()) or 1.0)
+        lines = make_lines(ends_of(pairs), cmap="viridis", norm=scale, linewidths=3)
+        lines.set_array(residuals)
+        axes.add_collection(lines, autolim=False)
+        figure.colorbar(lines, ax=axes, label="residuals of pairs [mm]")
+    lines = make_lines(ends_of([o.group for o in result.outliers]), colors=WRONG, linewidths=2)
+    axes.add_collection(lines, autolim=False)
 
 
-def finite_range(rows: Iterable[NDArray[Any]]) -> Limits:
-    """The extent of all that is finite; 0 and 1 without any."""
-    ends = [(float(v.min()), float(v.max())) for v in (row[np.isfinite(row)] for row in rows) if len(v)]
-    return (min(low for low, _ in ends), max(high for _, high in ends)) if ends else (0.0, 1.0)
+def _draw_ellipses(axes: Any, result: StationsResult, extent: float) -> float:
+    """Draw the ellipses of errors of the stations. Returns their scale, 0 if there is none."""
+    first = result.covariances.shape[1] - 3
+    placed = np.flatnonzero(result.placed)
+    values, vectors = np.linalg.eigh(result.covariances[placed][:, first : first + 2, first : first + 2])
+    lengths = 2 * np.sqrt(-2 * np.log(1 - CONFIDENCE) * np.maximum(values, 0))  # of both axes, ascending
+    longest = float(lengths.max(initial=0.0)) / 2
+    if not longest > 0:
+        return 0.0
+    largest = max(ELLIPSE * extent / longest, 1.0)
+    power = 10.0 ** np.floor(np.log10(largest))
+    scale = float(max(n * power for n in (1, 2, 5) if n * power <= largest))
+    for i, (short, long), (x, y) in zip(placed, scale * lengths, vectors[:, :, 1], strict=True):
+        if long > 0:
+            angle, center = np.degrees(np.arctan2(y, x)), result.poses[i, :2, 3]
+            axes.add_patch(_matplotlib("patches").Ellipse(center, long, short, angle=angle, fill=False, color=STATION))
+    return scale
 
 
-def _check_numbers(name: str, values: ArrayLike) -> NDArray[Any]:
-    """Numbers; those so large that differences may overflow count as not finite."""
-    numbers = check_numeric(name, values)
-    if numbers.dtype.kind == "b":
-        return numbers.astype(np.uint8)
-    if numbers.dtype == np.float64 and numbers.size and not np.abs(numbers).max() < HUGE:
-        numbers = np.where(np.abs(numbers) < HUGE, numbers, np.nan)
-    return numbers
+def _write_name(axes: Any, name: str, place: NDArray[np.float64], color: str, up: int) -> None:
+    """Write a name beside a place, with a white outline."""
+    outline = [_matplotlib("patheffects").withStroke(linewidth=2, foreground="white")]
+    text = axes.annotate(name, place[:2], xytext=(7, up), textcoords="offset points", color=color, path_effects=outline)
+    text.set_parse_math(False)
 
 
-def _check_row(name: str, values: ArrayLike) -> NDArray[Any]:
-    row = _check_numbers(name, values)
-    if row.ndim != 1:
-        raise ValueError(f"{name}: expected shape [n], got {list(row.shape)}")
-    return row
-
-
-def _check_labels(labels: Any) -> tuple[str, str]:
-    """What stands at the two axes."""
-    names = check_list("labels", labels, "the names of two axes")
-    if len(names) != 2:
-        raise ValueError(f"labels: expected the names of two axes, got {len(names)}")
-    return check_name("labels[0]", names[0]), check_name("labels[1]", names[1])
-
-
-def _check_ends(name: str, limits: Any) -> Limits:
-    """The two ends of an axis, whatever they are: `widen` parts those that are no range."""
-    low, high = check_shape(name, limits, (2,)).tolist()
-    return low, high
-
-
-def _check_marks(marks: Any) -> list[tuple[str, float]]:
-    """Names and the values that are marked by them."""
-    checked = []
-    for k, mark in enumerate(check_list("marks", marks, "names and values")):
-        pair = check_list(f"marks[{k}]", mark, "a name and a value")
-        if len(pair) != 2:
-            raise ValueError(f"marks[{k}]: expected a name and a value, got {shown(mark)}")
-        value = check_number(f"marks[{k}]", pair[1], allow_nan=True, allow_infinite=True)
-        checked.append((str(pair[0]), value))
-    return checked
-
-
-def check_size(size: Any, least: tuple[int, int] = LEAST) -> tuple[int, int]:
-    """Width and height [px] of a plot.
-
-    Raises:
-        ValueError: Too small for the numbers of the axes, or no pair.
-    """
+def _check_size(size: Any) -> tuple[int, int]:
+    """Width and height [px] of a plot."""
     try:
         width, height = size
     except (TypeError, ValueError):
         raise ValueError(f"size: expected width and height [px], got {shown(size)}") from None
-    because = "pictures this large are not plots"
-    width = check_count("size: width", width, minimum=least[0], maximum=MOST, because=because)
-    return width, check_count("size: height", height, minimum=least[1], maximum=MOST, because=because)
+    width = check_count("size: width", width, minimum=MIN_SIZE[0], maximum=MAX_SIZE)
+    return width, check_count("size: height", height, minimum=MIN_SIZE[1], maximum=MAX_SIZE)

@@ -41,13 +41,12 @@ class Ticks:
         return f"{head}[1e{self.exponent} {unit}"
 
 
-def choose_ticks(low: float, high: float, most: int, *, whole: bool = False) -> Ticks:
+def choose_ticks(low: float, high: float, most: int) -> Ticks:
     """Ticks at multiples of 1, 2 or 5 times a power of ten.
 
     Args:
         low, high: Ends of the axis; equal ones are moved apart.
         most: How many ticks at most; 2 at least.
-        whole: Only at whole numbers.
 
     Example:
         >>> choose_ticks(0.0, 0.9, 6).texts
@@ -56,7 +55,7 @@ def choose_ticks(low: float, high: float, most: int, *, whole: bool = False) -> 
         'distance [1e-9 m]'
     """
     low, high = widen(low, high)
-    step, power = _step(low, high, max(most, 2), whole)
+    step, power = _step(low, high, max(most, 2))
     first, last = math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9)
     values = [k * step for k in range(first, last + 1)]
     largest = max(abs(low), abs(high))
@@ -111,20 +110,9 @@ def widen(low: float, high: float) -> tuple[float, float]:
     return low - pad, high + pad
 
 
-def format_number(value: float) -> str:
-    """A number for people, with three digits: 0.0123, 12.3, 1,230, 1.23e-07."""
-    if not math.isfinite(value):
-        return "none"
-    if value and not 1e-4 <= abs(value) < 1e7:
-        return f"{value:.3g}"
-    return f"{value:,.0f}" if abs(value) >= 1000 else f"{value:.3g}"
-
-
-def _step(low: float, high: float, most: int, whole: bool) -> tuple[float, int]:
+def _step(low: float, high: float, most: int) -> tuple[float, int]:
     """The least step with at most so many ticks, and its power of ten."""
     power = _power((high - low) / most)
-    if whole and power < 0:
-        power = 0
     while True:
         for factor in (1, 2, 5):
             step = factor * 10.0**power if power >= 0 else factor / 10.0**-power

@@ -1,8 +1,8 @@
 """Strokes, shapes and letters painted into a picture.
 
 What is painted together is first covered and then blended. Covering writes to each cell of a sheet how much of it lies
-inside, 0 to 255, above the number of the stroke, by an atomic maximum: strokes that cross do not darken each other, and
-the outcome is the same in any order. Blending mixes the colours in whole numbers and clears the sheet. Distances take
+inside, 0 to 255, by an atomic maximum: strokes that cross do not darken each other, and the outcome is the same in any
+order. Blending mixes the colours in whole numbers and clears the sheet. Distances take
 + - * / sqrt in float32 alone, so pictures are the same bits on every device.
 
 Centres of cells lie at whole numbers, so a line of 1 pixel along a row of cells fills that row and no other.
@@ -18,9 +18,6 @@ from ..array_types import Bytes
 from ..lang import array, atomic_max, ceil, floor, func, int32, kernel, launch, sqrt, struct, tid, uint8, vec2, vec4
 from ..memory import upload, zeros
 
-INDEX_BITS = 23  # of a word, below the coverage
-MOST_STROKES = 1 << INDEX_BITS
-INDEX_MASK = 0x7FFFFF
 FULL = 255  # the coverage of a cell that lies inside
 
 
@@ -31,7 +28,7 @@ class Sheet:
     Attributes:
         width, height: Cells.
         picture: uint8 [3 * height * width]: red, green, blue.
-        words: int32 [height * width]: coverage above the number of a stroke; 0 between two paintings.
+        words: int32 [height * width]: coverage; 0 between two paintings.
     """
 
     width: int
@@ -50,22 +47,18 @@ class Paint:
 
     Attributes:
         red, green, blue: 0 to 255.
-        colors: uint8 [3 * strokes], or empty: then all strokes have that one colour.
-        has_colors: Whether there are.
         opacity: 0 to 255.
     """
 
     red: int
     green: int
     blue: int
-    colors: array(dtype=uint8)
-    has_colors: int
     opacity: int
 
-    def __init__(self, color: tuple[int, int, int], opacity: int, colors: Bytes) -> None:
-        """From bytes (red, green, blue), and a device array."""
+    def __init__(self, color: tuple[int, int, int], opacity: int) -> None:
+        """From bytes (red, green, blue)."""
         self.red, self.green, self.blue = color
-        self.colors, self.has_colors, self.opacity = colors, int(colors.size > 0), opacity
+        self.opacity = opacity
 
 
 @func
@@ -75,14 +68,13 @@ def share_inside(depth: float) -> float:
 
 
 @func
-def cover_cell(column: int, row: int, share: float, index: int, sheet: Sheet):
-    """Cover a cell by a share of it. The atomic settles a race: the greatest coverage, then number, wins."""
+def cover_cell(column: int, row: int, share: float, sheet: Sheet):
+    """Cover a cell by a share of it. The atomic settles a race: the greatest coverage wins."""
     coverage = int(share * 255.0 + 0.5)
     if coverage > 0:
         cell = row * sheet.width + column
-        word = (coverage << INDEX_BITS) | index
-        if word > sheet.words[cell]:
-            atomic_max(sheet.words, cell, word)
+        if coverage > sheet.words[cell]:
+            atomic_max(sheet.words, cell, coverage)
 
 
 @func
@@ -137,15 +129,12 @@ def cover_segments_kernel(segments: array(dtype=vec4), half: float, strength: fl
                 column = k
                 row = step
             gap = distance_to_segment(vec2(float(column), float(row)), a, b)
-            cover_cell(column, row, strength * share_inside(half - gap), i, sheet)
+            cover_cell(column, row, strength * share_inside(half - gap), sheet)
 
 
 @kernel
-def cover_glyphs_kernel(glyphs: array(dtype=int32), rows: int, turned: int, atlas: array(dtype=uint8), sheet: Sheet):
-    """Cover the cells of letters, one thread a row of a letter: place in the atlas, width, height, column, row.
-
-    Turned, a letter's rows run upwards, as on the axis at the left of a plot.
-    """
+def cover_glyphs_kernel(glyphs: array(dtype=int32), rows: int, atlas: array(dtype=uint8), sheet: Sheet):
+    """Cover the cells of letters, one thread a row of a letter: place in the atlas, width, height, column, row."""
     i = tid()
     at = 5 * (i // rows)
     line = i % rows
@@ -154,12 +143,9 @@ def cover_glyphs_kernel(glyphs: array(dtype=int32), rows: int, turned: int, atla
         for k in range(width):
             column = glyphs[at + 3] + k
             row = glyphs[at + 4] + line
-            if turned == 1:
-                column = glyphs[at + 3] + line
-                row = glyphs[at + 4] - k
             if column >= 0 and column < sheet.width and row >= 0 and row < sheet.height:
                 share = float(int(atlas[glyphs[at] + line * width + k])) / 255.0
-                cover_cell(column, row, share, 0, sheet)
+                cover_cell(column, row, share, sheet)
 
 
 @func
@@ -178,17 +164,7 @@ def cover_box_kernel(left: int, top: int, columns: int, outer: vec4, inner: vec4
     y = float(row)
     share = share_of_span(x, outer[0], outer[2]) * share_of_span(y, outer[1], outer[3])
     hole = share_of_span(x, inner[0], inner[2]) * share_of_span(y, inner[1], inner[3])
-    cover_cell(column, row, share - hole, 0, sheet)
-
-
-@kernel
-def cover_ring_kernel(left: int, top: int, columns: int, center: vec2, outer: float, inner: float, sheet: Sheet):
-    """Cover the cells between two circles; none is inside where the inner radius is below -1."""
-    i = tid()
-    column = left + i % columns
-    row = top + i // columns
-    gap = distance_to_segment(vec2(float(column), float(row)), center, center)
-    cover_cell(column, row, max(share_inside(outer - gap) - share_inside(inner - gap), 0.0), 0, sheet)
+    cover_cell(column, row, share - hole, sheet)
 
 
 @func
@@ -198,19 +174,12 @@ def blend_byte(old: uint8, added: int, share: int) -> uint8:
 
 
 @func
-def blend_cell(cell: int, coverage: int, index: int, paint: Paint, picture: array(dtype=uint8)):
+def blend_cell(cell: int, coverage: int, paint: Paint, picture: array(dtype=uint8)):
     """Paint a cell by its coverage."""
-    red = paint.red
-    green = paint.green
-    blue = paint.blue
-    if paint.has_colors == 1:
-        red = int(paint.colors[3 * index])
-        green = int(paint.colors[3 * index + 1])
-        blue = int(paint.colors[3 * index + 2])
     share = coverage * paint.opacity
-    picture[3 * cell] = blend_byte(picture[3 * cell], red, share)
-    picture[3 * cell + 1] = blend_byte(picture[3 * cell + 1], green, share)
-    picture[3 * cell + 2] = blend_byte(picture[3 * cell + 2], blue, share)
+    picture[3 * cell] = blend_byte(picture[3 * cell], paint.red, share)
+    picture[3 * cell + 1] = blend_byte(picture[3 * cell + 1], paint.green, share)
+    picture[3 * cell + 2] = blend_byte(picture[3 * cell + 2], paint.blue, share)
 
 
 @kernel
@@ -218,9 +187,9 @@ def blend_kernel(left: int, top: int, columns: int, paint: Paint, sheet: Sheet):
     """Paint the covered cells of a box, and clear them."""
     i = tid()
     cell = (top + i // columns) * sheet.width + left + i % columns
-    word = sheet.words[cell]
-    if word != 0:
-        blend_cell(cell, word >> INDEX_BITS, word & INDEX_MASK, paint, sheet.picture)
+    coverage = sheet.words[cell]
+    if coverage != 0:
+        blend_cell(cell, coverage, paint, sheet.picture)
         sheet.words[cell] = 0
 
 
@@ -236,11 +205,11 @@ def blend_halo_kernel(left: int, top: int, columns: int, radius: int, paint: Pai
             x = column + dx
             y = row + dy
             if x >= 0 and x < sheet.width and y >= 0 and y < sheet.height:
-                coverage = float(sheet.words[y * sheet.width + x] >> INDEX_BITS)
+                coverage = float(sheet.words[y * sheet.width + x])
                 gap = sqrt(float(dx * dx + dy * dy))
                 most = max(most, coverage * share_inside(float(radius) - gap))
     if most > 0.0:
-        blend_cell(row * sheet.width + column, int(most + 0.5), 0, paint, sheet.picture)
+        blend_cell(row * sheet.width + column, int(most + 0.5), paint, sheet.picture)
 
 
 @kernel
@@ -265,13 +234,13 @@ def clip_box(sheet: Sheet, left: int, top: int, right: int, bottom: int) -> tupl
 
 
 def cover_segments(sheet: Sheet, segments: np.ndarray, width: float) -> None:
-    """Cover segments, float32 [n, 4] (x, y, x, y) [px], at most MOST_STROKES; thinner than a pixel they are fainter."""
+    """Cover segments, float32 [n, 4] (x, y, x, y) [px]; thinner than a pixel they are fainter."""
     half, strength = max(width, 1.0) / 2, min(width, 1.0)
     table = upload(segments, vec4, sheet.words.device)
     launch(cover_segments_kernel, len(segments), [table, float(half), float(strength), sheet])
 
 
-def cover_glyphs(sheet: Sheet, glyphs: np.ndarray, atlas: Bytes, *, turned: bool = False) -> None:
+def cover_glyphs(sheet: Sheet, glyphs: np.ndarray, atlas: Bytes) -> None:
     """Cover letters.
 
     Args:
@@ -279,11 +248,10 @@ def cover_glyphs(sheet: Sheet, glyphs: np.ndarray, atlas: Bytes, *, turned: bool
         glyphs: int32 [n, 5] on the host: where the letter begins in the atlas, its width and height, and the column and
             row of its first cell.
         atlas: uint8 device array of coverages, row by row of each letter.
-        turned: Letters stand on their side, the text runs upwards.
     """
     rows = int(glyphs[:, 2].max())
     table = upload(glyphs.ravel(), int32, sheet.words.device)
-    launch(cover_glyphs_kernel, rows * len(glyphs), [table, rows, int(turned), atlas, sheet])
+    launch(cover_glyphs_kernel, rows * len(glyphs), [table, rows, atlas, sheet])
 
 
 def cover_box(
@@ -295,14 +263,6 @@ def cover_box(
     """Cover what lies in a box and outside another, in floats; `box` as of `clip_box`."""
     left, top, columns, rows = box
     launch(cover_box_kernel, columns * rows, [left, top, columns, vec4(*outer), vec4(*inner), sheet])
-
-
-def cover_ring(
-    sheet: Sheet, box: tuple[int, int, int, int], center: tuple[float, float], outer: float, inner: float
-) -> None:
-    """Cover what lies within one radius and outside another; `box` as of `clip_box`."""
-    left, top, columns, rows = box
-    launch(cover_ring_kernel, columns * rows, [left, top, columns, vec2(*center), float(outer), float(inner), sheet])
 
 
 def blend(sheet: Sheet, box: tuple[int, int, int, int], paint: Paint) -> None:

@@ -15,15 +15,14 @@ from .photos.depth.estimation import estimate_depth as estimate_depth
 from .photos.depth.evaluation import evaluate_depth as evaluate_depth
 from .photos.depth.job import depth_of_pictures as depth_of_pictures
 from .photos.depth.network import DepthModel as DepthModel
-from .drawing.render import plots as plots
 from .photos.depth.report import DepthReport as DepthReport
 from .photos.depth.settings import DepthSettings as DepthSettings
 from .drawing.render.frustum import CameraFrustum as CameraFrustum
 from .drawing.render.open3d_views import read_view as read_view
 from .drawing.render.open3d_views import write_view as write_view
 from .drawing.render.picture_files import save_picture as save_picture
+from .drawing.render.plots import draw_slice as draw_slice
 from .drawing.render.render import render as render
-from .drawing.render.slice_picture import draw_slice as draw_slice
 from .drawing.render.view import View as View
 from .drawing.render.view import fit_view as fit_view
 from .drawing.recording.recorder import record as record

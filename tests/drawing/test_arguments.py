@@ -21,8 +21,6 @@ view.to_open3d(bounds=bounds)
 loom.fit_view(points=points, direction=(0, 1, 0), up=(0, 0, 1), width=16, height=12)
 loom.read_view(path="view.json", width=16, height=12)
 loom.write_view(path="view.json", view=view, bounds=bounds)
-loom.plots.histogram(values=[0.0, 1.0], title="a", labels=("a", "b"), bins=5, limits=(0.0, 1.0), colormap="jet", color_limits=(0.0, 1.0), marks=[("m", 0.5)], size=(200, 160), device="cpu")
-loom.plots.curves(series={"a": [0.0, 1.0]}, x=[0.0, 1.0], title="a", labels=("a", "b"), limits=(0.0, 1.0), size=(200, 160), device="cpu")
 loom.save_picture(path="picture.png", image=picture)
 loom.CameraFrustum(intrinsic=camera, T_world_camera=pose, scale=0.2, color=(1, 0, 0))
 loom.record(path="a.html", fps=10.0, size=(32, 24), max_points=100, max_frames=10, title="t", view=view, background=(1, 1, 1), progress=print)
@@ -39,10 +37,7 @@ tree.shares_in_view(view=view, nodes=[0])
 loom.sample_file(path="scan.ply", count=10)
 """  # noqa: E501
 TABLE = read_table(CALLS, {"view": "View", "tree": "DetailTree"})
-EXPENSIVE = {"bins": pytest.mark.slow}  # 2^24 bars are drawn
-CASES = [
-    pytest.param(call, name, marks=EXPENSIVE.get(name, ())) for call, (_, names) in TABLE.items() for name in names
-]
+CASES = [(call, name) for call, (_, names) in TABLE.items() for name in names]
 
 
 @cache

@@ -5,7 +5,7 @@ import pytest
 from scipy.special import chdtri
 
 import pointloom as loom
-from pointloom.drawing.render.station_plan import station_plan
+from pointloom.drawing.render.plots import station_plan
 from pointloom.registration.rigid import make_pose, rotation_of
 
 from .station_scenes import BOXES, COURT, pose_at, scan_all
@@ -72,11 +72,9 @@ def test_the_report_and_the_plan_say_it_all(found, tmp_path):
     told = found.to_json()
     assert [s["name"] for s in told["stations"]] == list("01234")
     assert len(told["pairs"]) == len(found.pairs)
-    plan = station_plan(found, size=(640, 480)).to_numpy()
-    assert plan.shape == (480, 640, 3)
+    plan = station_plan(found)
+    assert plan.shape == (960, 1280, 3)
     assert len(np.unique(plan.reshape(-1, 3), axis=0)) > 50
-    with pytest.raises(ValueError, match="confidence"):
-        station_plan(found, confidence=1.0)
 
 
 @pytest.mark.slow

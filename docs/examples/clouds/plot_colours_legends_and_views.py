@@ -3,7 +3,7 @@ Colours that mean something, legends, and the same view again
 =============================================================
 
 A picture of a cloud answers a question when its colours do. Here the ways of colouring, what belongs beside them,
-plots of the numbers, and how a view is kept so that tomorrow's picture is taken from the same place.
+and how a view is kept so that tomorrow's picture is taken from the same place.
 """
 
 import tempfile
@@ -50,21 +50,6 @@ palette = [(0.9, 0.35, 0.2), (0.2, 0.55, 0.85), (0.3, 0.7, 0.35), (0.95, 0.7, 0.
 sides = {f"side {k + 1}": {"geometry": cloud.select_by_mask(cloud["side"] == k), "color": palette[k]} for k in range(6)}
 assert sum(len(style["geometry"]) for style in sides.values()) == len(cloud)
 named = loom.render(sides, view, legend=True)
-
-# %%
-# **The numbers themselves** as a plot, without another library: a histogram with the limit of the colours marked.
-half = float(np.median(cloud["curvature"]))
-plot = loom.plots.histogram(
-    cloud["curvature"],
-    title="How much 40,000 points bend",
-    labels=("curvature", "points"),
-    bins=60,
-    colormap="turbo",
-    color_limits=(0, bend),
-    marks=[("median", half)],
-    size=(960, 420),
-).to_numpy()
-print("half of the points bend by less than", round(half, 4))
 
 # %%
 # **The same view again.** A view is a camera and a pose; the file is the one that Open3D's viewer copies with Ctrl+C.

@@ -79,9 +79,6 @@ width = np.array(
     ]
 )
 print(f"heights {np.median(heights):.1f} m in the median, crowns {np.median(width):.1f} m wide")
-plot = loom.plots.histogram(
-    heights, title="Heights of trees", labels=("height [m]", "trees"), bins=16, size=(960, 360)
-).to_numpy()
 
 rng = np.random.default_rng(2)
 palette = np.column_stack(

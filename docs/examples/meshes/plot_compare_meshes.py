@@ -56,18 +56,4 @@ made.vertex_attributes["error [mm]"] = errors * 1e3
 high = float(np.quantile(errors, 0.98)) * 1e3
 shown = {"geometry": made.compute_vertex_normals(), "color_by": "error [mm]", "limits": (0, high), "shaded": True}
 view = {"front": [0.3, -1, 0.25], "up": [0, 0, 1], "field_of_view": 25, "zoom": 0.72}
-surface = loom.render(shown, view, (640, 640), color_bar=True)
-
-# %%
-# How often is it off by how much? Plots are drawn by the same kernels; a canvas's pixels stand beside the picture.
-
-marks = [("median", float(np.median(errors)) * 1e3)]
-plot = loom.plots.histogram(
-    errors * 1e3,
-    labels=("error [mm]", "vertices"),
-    colormap="viridis",
-    color_limits=(0, high),
-    marks=marks,
-    size=(480, 640),
-)
-picture = np.hstack([surface, plot.to_numpy()])
+picture = loom.render(shown, view, (640, 640), color_bar=True)

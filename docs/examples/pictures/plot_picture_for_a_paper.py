@@ -3,7 +3,7 @@ A picture for a paper
 =====================
 
 Figures want the same view each time, a legend, labels, a scale and no window. ``loom.render`` draws without a display
-or a graphics library, on any machine the same bits; views come from Open3D's viewer too; plots stand beside it.
+or a graphics library, on any machine the same bits; views come from Open3D's viewer too.
 """
 
 import tempfile
@@ -82,19 +82,4 @@ assert np.median(values) < 2
 
 shown = {"geometry": scan, "color_by": "distance from the model [mm]", "colormap": "turbo", "point_size": 4}
 errors = loom.render(shown, view, color_bar=True, background=(0.94, 0.95, 0.96))
-
-# %%
-# Plots
-# -----
-#
-# ``loom.plots`` draws histograms and curves as the pictures are drawn; ``to_numpy`` gives the pixels. What stands
-# beside a picture by NumPy is a picture.
-
-top = loom.plots.histogram(
-    values, labels=("distance [mm]", "points"), marks=[("median", float(np.median(values)))], size=(480, 320)
-)
-order = np.sort(values)
-share = {"scan": np.interp(np.linspace(0, 1, 101), np.arange(len(order)) / (len(order) - 1), order)}
-bottom = loom.plots.curves(share, x=np.arange(101), labels=("share of the points [%]", "within [mm]"), size=(480, 320))
-panel = np.hstack([errors[:, 240:720], np.vstack([top.to_numpy(), bottom.to_numpy()])])
-loom.save_picture(folder / "figure.png", panel)
+loom.save_picture(folder / "figure.png", errors)

@@ -97,16 +97,6 @@ for name, found in {
     assert off(found.transformation)[0] < 1.0
 
 # %%
-# From how far: shares of the four directions that end right.
-plot = loom.plots.curves(
-    {name: 100 * share for name, share in reached.items()},
-    x=angles,
-    title="Starts that reach the right pose",
-    labels=("turned away [degrees]", "of 4 directions [%]"),
-    size=(960, 480),
-).to_numpy()
-
-# %%
 # Before, from 60 degrees off, and after.
 start = turned(60, axes[1])
 end = reg.registration_icp(source, target, distance, start, methods["point to plane"], criteria).transformation

@@ -69,19 +69,6 @@ for name in ("Cauchy", "Geman-McClure", "Tukey"):
 assert error["Tukey"][1] < 0.01
 
 # %%
-# What a kernel does to a pair, as weights over the distance: where the curve falls to zero, a pair is not heard.
-distances = np.linspace(0, 0.1, 200)
-weights = {
-    "L2": np.ones(200),
-    "Huber": np.minimum(1, k / np.maximum(distances, 1e-9)),
-    "Cauchy": 1 / (1 + (distances / k) ** 2),
-    "Tukey": np.maximum(1 - (distances / (3 * k)) ** 2, 0) ** 2,
-}
-plot = loom.plots.curves(
-    weights, x=distances, title="Weight of a pair", labels=("distance from the plane [m]", "weight"), size=(960, 420)
-).to_numpy()
-
-# %%
 # The room from inside its corner: grey what was there, blue where Tukey brought the good points, orange the clutter.
 placed = scan.transform(poses["Tukey"])
 low, high = room.get_min_bound(), room.get_max_bound()

@@ -102,18 +102,10 @@ with tempfile.TemporaryDirectory() as folder:
         assert np.abs(back.poses - estimate.poses).max() < 1e-5
 
 # %%
-# The error along the way: where it comes from shows better than one number.
+# Both paths from above, joined where poses belong together. ``pointloom evaluate --picture`` plots the error along the
+# way.
 aligned = whole.transformation @ estimate.poses
-distance = np.linalg.norm(aligned[:, :3, 3] - truth.poses[:, :3, 3], axis=1)
 from_first = errors["first pose"].transformation @ estimate.poses
-curve = {"least squares": distance, "first pose": np.linalg.norm(from_first[:, :3, 3] - truth.poses[:, :3, 3], axis=1)}
-plot = loom.plots.curves(
-    curve, x=t * 10, title="Distance from the true path", labels=("way [m]", "error [m]"), size=(960, 400)
-).to_numpy()
-assert abs(np.sqrt((distance**2).mean()) - whole.absolute_translation.rmse) < 1e-9
-
-# %%
-# Both paths from above, joined where poses belong together.
 pairs = np.column_stack([np.arange(0, count, 8), count + np.arange(0, count, 8)]).astype(np.int32)
 along = np.column_stack([np.arange(count - 1), np.arange(1, count)]).astype(np.int32)
 scene = {

@@ -12,15 +12,12 @@ from numpy.typing import NDArray
 
 from ....core.checks import check_finite, check_positive, check_rows
 from ....core.units import LengthUnit
-from ...render.axes import Area, Axes, draw_head
-from ...render.canvas import Canvas
-from ...render.legends import letter_size
-from ...render.plots import draw_curve
+from ...render.plots import new_figure, to_picture
 from .areas import check_length, quantity_text
 
 BINS = 200  # of the line along the middle of the heights
 MOST_DRAWN = 200_000  # points of a plot: of more an even share, since they lie over each other
-_DOT = (0.36, 0.53, 0.71)
+_DOT = "#5c87b5"
 _LINE = (0.75, 0.2, 0.1)
 
 
@@ -165,24 +162,19 @@ def profile_picture(
         Shape [h, w, 3], uint8.
     """
     symbol = "units" if unit is None else unit.symbol
-    canvas = Canvas.blank(*size, device="cpu")
-    letters = letter_size(canvas)
-    places, medians = middle_line(profile)
-    heights = profile.heights if len(profile.heights) else np.zeros(1)
-    low, high = float(heights.min()), float(heights.max())
-    pad = 0.05 * (high - low) or 0.5
-    entries = [("median height", _LINE)]
-    area = draw_head(canvas, Area(0, 0, *size), "height profile", f"{len(profile.rows):,} points", entries, letters)
-    titles = f"along the line [{symbol}]", f"height [{symbol}]"
-    axes = Axes(canvas, area, (0.0, float(profile.corners[-1])), (low - pad, high + pad), titles=titles, size=letters)
+    figure = new_figure(*size)
+    axes = figure.subplots()
     step = max(1, -(-len(profile.rows) // MOST_DRAWN))
-    if len(profile.rows):
-        style: dict[str, Any] = {"color": _DOT} if colors is None else {"colors": np.asarray(colors, np.uint8)[::step]}
-        axes.dots(profile.distances[::step], profile.heights[::step], radius=1.2, **style)
+    shown = _DOT if colors is None else np.asarray(colors, np.uint8)[::step] / 255
+    axes.scatter(profile.distances[::step], profile.heights[::step], s=2, c=shown)
     for corner in profile.corners[1:-1].tolist():
-        axes.polyline([corner, corner], [low - pad, high + pad], color=(0.7, 0.7, 0.7))
-    draw_curve(axes, places, medians, color=_LINE, width=2)
-    return canvas.to_numpy()
+        axes.axvline(corner, color="0.7", linewidth=1)
+    axes.plot(*middle_line(profile), color=_LINE, label="median height")
+    axes.legend()
+    axes.set(xlabel=f"along the line [{symbol}]", ylabel=f"height [{symbol}]")
+    axes.set(xlim=(0.0, float(profile.corners[-1])), title=f"height profile, {len(profile.rows):,} points")
+    axes.grid(alpha=0.3)
+    return to_picture(figure)
 
 
 def profile_csv(profile: Profile, points: Any, indices: Any = None) -> bytes:

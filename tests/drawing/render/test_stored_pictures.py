@@ -17,8 +17,6 @@ from pointloom.drawing.render.canvas import Canvas
 from pointloom.drawing.render.coloring import Coloring
 from pointloom.drawing.render.legends import draw_color_bar, draw_labels, draw_legend
 from pointloom.drawing.render.picture_files import save_picture
-from pointloom.drawing.render.plots import curves, histogram
-from pointloom.drawing.render.trajectory_plot import trajectory_plot
 
 STORED = Path(__file__).with_name("stored_pictures.json")
 SIZE = (160, 120)
@@ -124,7 +122,6 @@ def text_figure(device):
     canvas = ground(device)
     for k, size in enumerate((12, 14, 16, 20, 24, 32)):
         canvas.text("Text 0123.5 °±·…µ×²³–− é", 5, 20 + 34 * k, size=size, halo=(1, 1, 1) if k % 2 else None)
-    canvas.text("turned", 300, 120, turned=True, color=(1, 0, 0))
     return canvas
 
 
@@ -133,9 +130,8 @@ def strokes_figure(device):
     for k in range(12):
         canvas.line(20, 20, 20 + 12 * k, 160 - 9 * k, width=0.5 + 0.5 * k, color=(0.1 * (k % 5), 0.5, 0.2), opacity=0.8)
     path = np.column_stack([np.arange(12) * 12.5 + 160.25, 120 + 8.5 * np.array(WAVE)])
-    canvas.polyline(path, width=4, colors=(np.arange(33).reshape(11, 3) * 7).astype(np.uint8))
+    canvas.polyline(path, width=4, color=(0.2, 0.5, 0.9), opacity=0.8)
     canvas.dots(path, radius=3.7, color=(1, 1, 0))
-    canvas.circle(60, 200, 25.5, fill=(1, 1, 1), outline=(0, 0, 0), width=2.5, opacity=0.7)
     canvas.rectangle(100.25, 190.5, 50.5, 30.25, fill=(0, 0, 1), outline=(1, 0, 0), line_width=3, opacity=0.6)
     return canvas
 
@@ -151,26 +147,6 @@ def color_bar_figure(device):
     canvas = ground(device)
     draw_color_bar(canvas, Coloring(None, "values", (-0.25, 3.5), "turbo", title="height [m]", has_missing=True))
     return canvas
-
-
-def bars_figure(device):
-    values = np.repeat(np.arange(24) / 8, np.array([*WAVE, *WAVE]) + 12)
-    return histogram(
-        values, title="Distances", labels=("distance [m]", "points"), colormap="viridis", marks=[("median", 1.25)],
-        size=FIGURE, device=device,
-    )  # fmt: skip
-
-
-def lines_figure(device):
-    series = {"fitness": np.array(WAVE) / 8, "inlier_rmse": [*WAVE[:4], np.nan, *WAVE[5:]]}
-    return curves(series, title="ICP", labels=("iteration", "value"), size=FIGURE, device=device)
-
-
-def trajectory_figure(device):
-    steps = np.arange(12)
-    truth = np.column_stack([steps / 4, np.array(WAVE) / 8, 0 * steps])
-    path = truth + np.column_stack([0 * steps, steps / 64, 0 * steps])
-    return trajectory_plot(path, truth, times=steps / 2, title="a.txt against b.txt", size=(480, 360), device=device)
 
 
 PICTURES = {
@@ -199,9 +175,6 @@ FIGURES = {
     "figure: strokes": strokes_figure,
     "figure: legend": legend_figure,
     "figure: color_bar": color_bar_figure,
-    "figure: bars": bars_figure,
-    "figure: lines": lines_figure,
-    "figure: trajectory": trajectory_figure,
 }
 
 
