@@ -25,11 +25,8 @@ from .viewer import MOST_POINTS, Viewer
 @told_arguments
 def draw(
     geometries: Any,
-    window_name: str = "pointloom",
     width: int = 1280,
     height: int = 960,
-    left: int = 50,
-    top: int = 50,
     point_show_normal: bool = False,
     mesh_show_wireframe: bool = False,
     mesh_show_back_face: bool = False,
@@ -60,9 +57,7 @@ def draw(
     Args:
         geometries: One, a list, a mapping of names to geometries, or dictionaries as Open3D's `draw` takes; all that
             `loom.render` draws.
-        window_name: Title of the page.
         width, height: Of pictures, and the height of the frame in a notebook [px]; a page is as large as its window.
-        left, top: Not used: the browser places its windows.
         point_show_normal: Begin with normals; N in the page.
         mesh_show_wireframe: Begin with edges; W in the page.
         mesh_show_back_face: Draw faces that look away.
@@ -99,16 +94,16 @@ def draw(
     notebook = in_notebook()
     reason = wants_inline(inline, notebook=notebook and not block)
     if reason is not None:
-        return inline_page(named, view, size, window_name, max_points, reason)
+        return inline_page(named, view, size, max_points, reason)
     if unattended() and (block or (block is None and not notebook)):
         return _picture(named, view, size, point_show_normal, mesh_show_wireframe)
-    options: dict[str, Any] = {"host": host, "title": window_name, "max_points": max_points, "size": size}
+    options: dict[str, Any] = {"host": host, "max_points": max_points, "size": size}
     try:
         viewer = _open_in_cell(port, **options) if notebook and not block else Viewer(port=port, **options)
     except PointloomError as error:
         if not notebook:
             raise
-        return inline_page(named, view, size, window_name, max_points, str(error))
+        return inline_page(named, view, size, max_points, str(error))
     try:
         if any(value is not None for value in view.values()):
             viewer.set_view({name: value for name, value in view.items() if value is not None})

@@ -121,7 +121,7 @@ class CloudStream:
 
         Args:
             keep: Which points stay, bool [k], by position in the cloud's own coordinates (before its pose), float64
-                [k, 3] [m], and index, int64 [k]; None keeps all.
+                [k, 3] [m]; None keeps all.
         """
         self._ask(keep=keep, keeping=self._wish.keeping + 1)
 
@@ -266,7 +266,7 @@ class CloudStream:
 
             return recolor
         node = self._tree.node(i)
-        mask = None if wish.keep is None else np.asarray(wish.keep(self._tree.points_of(i), node.indices), bool)
+        mask = None if wish.keep is None else np.asarray(wish.keep(self._tree.points_of(i)), bool)
         positions = node.positions if mask is None else node.positions[mask]
         colors = self._colors(i, mask, wish) if len(positions) else None
         tag = (is_exact, wish.coloring, wish.keeping)

@@ -20,7 +20,6 @@ from .ending import close_at_exit, farewell
 from .items import Frame, make_item
 from .logged import logged
 from .looks import Looks
-from .painted import warn_of_unsaved
 from .presence import LINGER, Presence
 from .scene import check_color, check_size
 from .sessions import POINT_SIZE
@@ -145,8 +144,7 @@ class Viewer(Looks):
     def add_copc(self, name: str, path: str | os.PathLike[str], **style: Any) -> None:
         """Add a COPC file (.copc.laz) of any size: what a view needs of it is read when it is looked at.
 
-        Tools (picking, filters' legends, labels) work on the coarse levels, 250,000 points, which are `items[name]`;
-        the page draws and filters the others too.
+        Tools (picking, measuring, cropping) work on the coarse levels, 250,000 points, which are `items[name]`.
 
         Args:
             name: What it is called, as of `add`.
@@ -350,7 +348,6 @@ class Viewer(Looks):
     def _close(self, words: str) -> None:
         """Close; pages say these words."""
         if not self.closed and not self.server.closed:
-            warn_of_unsaved(self.items.values())
             self.server.pages.end(words)
         self._ended.set()
         threads = self._let_go()

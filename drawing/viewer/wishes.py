@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ..render.view import View
 
 ColorsOf = Callable[[NDArray[np.int64]], NDArray[np.uint8]]
-Keep = Callable[[NDArray[np.float64], NDArray[np.int64]], NDArray[np.bool_]]
+Keep = Callable[[NDArray[np.float64]], NDArray[np.bool_]]
 
 
 @dataclasses.dataclass

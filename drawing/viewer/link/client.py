@@ -109,7 +109,7 @@ class PageClient:
     def _take_press(self, said: dict[str, Any]) -> None:
         handle = self._find(said["id"])
         if hasattr(handle, "pressed"):
-            self._call(handle.pressed(self.client_id, said.get("value")))
+            self._call(handle.pressed(self.client_id))
 
     def _take_command(self, said: dict[str, Any]) -> None:
         command = self._find(said["id"])
