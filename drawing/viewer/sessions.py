@@ -17,11 +17,11 @@ from .camera import Camera, camera_of, reach_of, view_of
 from .items import Item
 from .pacing import Pace
 from .whole_cloud import WholeCloud
-from .words import told
 
 if TYPE_CHECKING:
     from .link import PageCamera, PageClient
     from .viewer import Viewer
+
 
 POINT_SIZE = 3.0  # [px] of points that have no size of their own, until the panel says another
 REST = 0.25  # [s] without motion after which a camera rests
@@ -377,3 +377,20 @@ class Session:
 def _shape(size: tuple[int, int]) -> int:
     """Width by height, coarse enough for rounding."""
     return round(50 * size[0] / size[1]) if size[1] else 0
+
+
+def told(drawn: int, total: int, triangles: int = 0) -> str:
+    """What is drawn, in words: points where there are clouds, triangles where there are surfaces."""
+    words = []
+    if total >= 1_000_000:
+        millions = f"{total / 1e6:.3g}" if total < 1e9 else f"{total / 1e6:,.0f}"
+        words.append(f"{drawn / 1e6:.1f} of {millions} million points")
+    elif total:
+        words.append(_counted(total, "point") if drawn == total else f"{drawn:,} of {_counted(total, 'point')}")
+    if triangles:
+        words.append(_counted(triangles, "triangle"))
+    return ", ".join(words)
+
+
+def _counted(count: int, name: str) -> str:
+    return f"{count:,} {name}{'' if count == 1 else 's'}"

@@ -18,12 +18,48 @@ from numpy.typing import NDArray
 
 from ...core.checks import check_count, check_positive, check_rigid, check_shape
 from ..render.view import View, check_view
-from .wishes import ColorsOf, Keep, Sent, Wish
 
 if TYPE_CHECKING:
     from .copc_tree import CopcTree
     from .detail_tree import DetailTree
     from .link import PageClient
+
+ColorsOf = Callable[[NDArray[np.int64]], NDArray[np.uint8]]
+Keep = Callable[[NDArray[np.float64]], NDArray[np.bool_]]
+
+
+@dataclasses.dataclass
+class Wish:
+    """What the client should see."""
+
+    view: View | None = None
+    colors_of: ColorsOf | None = None
+    keep: Keep | None = None
+    size: float | None = None
+    metric: bool = False  # whether that is in metres
+    coloring: int = 0  # which of all colours so far
+    keeping: int = 0  # and which rule of what is kept
+
+    @property
+    def is_metric(self) -> bool:
+        """Whether sizes are in metres; those that close gaps are."""
+        return self.size is None or self.metric
+
+
+@dataclasses.dataclass
+class Sent:
+    """A node in the page: what it was made with; no node where nothing of it is kept."""
+
+    node: Any
+    count: int
+    mask: NDArray[np.bool_] | None
+    is_exact: bool
+    coloring: int
+    keeping: int
+    size: float
+    metric: bool
+    visible: bool = True
+
 
 PLAIN = (89, 128, 158)  # of clouds without colours, as in pictures
 

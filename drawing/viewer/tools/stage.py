@@ -281,7 +281,7 @@ class Tool:
     """
 
     label = ""
-    key: str | None = None
+    key = ""
     hint = ""
 
     def __init__(self, stage: Stage):

@@ -55,7 +55,7 @@ class Toolbox:
         self.stage = Stage(session, self.run)
         gui = self._client.gui
         with folder:
-            self._buttons = {kind: gui.add_button(_with_key(kind)) for kind in TOOLS}
+            self._buttons = {kind: gui.add_button(f"{kind.label} ({kind.key})") for kind in TOOLS}
         # at the top of the panel while a tool is at work, where it is seen without scrolling
         self._top = gui.add_folder("Tool", order=0.5, visible=False)
         with self._top:
@@ -196,8 +196,3 @@ class Toolbox:
         if not self._closed:
             self.stage.say(text)
             self._top.visible = True  # of what could not begin as well
-
-
-def _with_key(kind: type[Tool]) -> str:
-    """What stands on the button of a tool."""
-    return kind.label if kind.key is None else f"{kind.label} ({kind.key})"

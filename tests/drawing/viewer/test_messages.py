@@ -13,7 +13,7 @@ import pytest
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 
 from pointloom.drawing.viewer.link import hub
-from pointloom.drawing.viewer.link.worker import MOST_WAITING
+from pointloom.drawing.viewer.link.client import MOST_WAITING
 
 from .events import announce, wait_until
 from .hostile_pages import HOSTILE_VALUES, hostile_messages, near_messages
