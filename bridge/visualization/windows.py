@@ -31,14 +31,11 @@ def draw_geometries(
     front: Any = None,
     zoom: float | None = None,
 ) -> None:
-    """Show geometries, as `loom.draw` does."""
+    """Show geometries, as `loom.draw` does; the browser ignores `window_name`, `left` and `top`."""
     draw_page(
         [drawn(geometry) for geometry in checked(geometry_list)],
-        window_name,
         width,
         height,
-        left,
-        top,
         point_show_normal,
         mesh_show_wireframe,
         mesh_show_back_face,

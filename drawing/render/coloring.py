@@ -48,7 +48,6 @@ class Coloring:
         names: The labels that there are with their names, ascending, of labels; -1 is noise.
         title: What is shown, such as "height [m]".
         has_missing: Whether a value was not finite, and is grey.
-        label_colors: Colours of labels in place of the usual ones.
         paint: Colours other points of the same kind in the same way, where that can be: from a cloud to vec3 [k].
     """
 
@@ -59,16 +58,11 @@ class Coloring:
     names: dict[int, str] = dataclasses.field(default_factory=dict)
     title: str = ""
     has_missing: bool = False
-    label_colors: dict[int, Color] = dataclasses.field(default_factory=dict)
     paint: Callable[[PointCloud], Any] | None = None
-
-    def color_of(self, label: int) -> Color:
-        """The colour of a label."""
-        return self.label_colors.get(label, label_color(label))
 
     def entries(self) -> list[tuple[str, Color]]:
         """Names and colours for a legend: of labels, and of what is missing."""
-        found = [(name, self.color_of(label)) for label, name in self.names.items()]
+        found = [(name, label_color(label)) for label, name in self.names.items()]
         return found + [("none", MISSING)] * self.has_missing
 
 

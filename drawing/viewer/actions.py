@@ -15,7 +15,6 @@ from ..render.open3d_views import read_view, write_view
 from .coloring_choice import choices_of
 from .keys import STEP
 from .logged import asked_by_page
-from .recorded import remembered
 from .sessions import Session
 
 if TYPE_CHECKING:
@@ -32,7 +31,7 @@ def told_to_page(action: Callable[..., None]) -> Callable[..., None]:
         if client is None or self.viewer.closed:  # the program itself has set what the page shows
             return
         try:
-            with asked_by_page(), remembered(self.viewer, self.viewer.sessions.get(client)):
+            with asked_by_page():
                 action(self, client, *arguments)
         except (PointloomError, ValueError, TypeError, OSError, MemoryError) as error:
             self.tell(client, str(error), error=True)

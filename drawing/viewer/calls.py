@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 import logging
 import threading
 import time
 from collections.abc import Callable
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any
+
+from ...core.errors import PointloomError
+
+if TYPE_CHECKING:
+    from .viewer import Viewer
+
 
 MOST_WAITING = 64  # calls ahead of those that are done
 PATIENCE = 3.0  # [s] after which pages that give no sign count as having taken the last frame
@@ -16,20 +23,39 @@ PATIENT_JOIN = 5.0  # [s] that `close` waits for a function that is at work
 log = logging.getLogger("pointloom.viewer")
 
 
-class Pages(Protocol):
-    """What calls need of the pages."""
+class HookPages:
+    """Where words are shown, and what tells that a page has drawn; a viewer that was closed has no pages.
+
+    Args:
+        viewer: The viewer.
+    """
+
+    def __init__(self, viewer: Viewer):
+        self._viewer = viewer
+        self._answer: Callable[[], None] = lambda: None
+        self._asked: frozenset[int] = frozenset()  # pages that are listened to
 
     def tell(self, client: int | None, text: str) -> None:
-        """Show what went wrong in a page, or in all of them."""
-        ...
+        """Show what went wrong in a page, or in all of them where none asked."""
+        with contextlib.suppress(PointloomError):  # the viewer was closed meanwhile
+            clients = self._viewer.server.pages.get_clients()
+            for number in clients if client is None else {client} & {*clients}:
+                clients[number].notify("pointloom", text, error=True)
 
     def are_open(self) -> bool:
         """Whether a page is open."""
-        ...
+        return bool(self._viewer.sessions)
 
     def ask_for_signs(self, answer: Callable[[], None]) -> None:
-        """Have each page call back when it has drawn all that it was sent."""
-        ...
+        """Have each page call back when it has drawn what it was sent."""
+        self._answer = answer
+        with contextlib.suppress(PointloomError):  # the viewer was closed meanwhile
+            clients = self._viewer.server.pages.get_clients()
+            for client in [client for number, client in clients.items() if number not in self._asked]:
+                client.on_sign(lambda _: self._answer())
+            self._asked = frozenset(clients)
+            for client in clients.values():
+                client.ask_for_sign()
 
 
 @dataclasses.dataclass(eq=False)
@@ -59,7 +85,7 @@ class Calls:
         pages: The pages.
     """
 
-    def __init__(self, pages: Pages):
+    def __init__(self, pages: HookPages):
         self._pages = pages
         self._condition = threading.Condition()
         self._jobs: dict[Any, tuple[int | None, Callable[[], Any]]] = {}

@@ -31,8 +31,6 @@ class ColoringChoice:
         """The colours of a cloud; None for its own, which it keeps where it has no such thing."""
         if item.cloud is None:
             return None
-        if item.painting is not None and self.by == item.painting.attribute:
-            return item.painting.coloring(item.cloud.device)
         if self.by is not None and self.by in choices_of(item.cloud):
             return _color(item, self.by, self.colormap, self.limits)
         style = item.style

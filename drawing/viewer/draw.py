@@ -5,31 +5,31 @@ from __future__ import annotations
 import dataclasses
 import os
 import sys
+import threading
+import weakref
 import webbrowser
-from typing import Any
+from typing import Any, NamedTuple
 
 from ...core.checks import check_count, check_positive
 from ...core.errors import PointloomError
 from ...core.standard_streams import write_to_stderr
 from ...core.told_arguments import told_arguments
-from ..notebook_output import in_notebook
+from ..notebook_output import in_notebook, ipython_shell
 from ..render.geometries import Named, named_geometries
 from ..render.picture import Picture
-from .cells import keep, make_room
 from .inline import InlinePage, inline_page, wants_inline
 from .presence import LINGER
 from .server import ViewerError
 from .viewer import MOST_POINTS, Viewer
 
+MOST_OPEN = 16  # viewers of a kernel's cells: fewer than the ports that are tried
+
 
 @told_arguments
 def draw(
     geometries: Any,
-    window_name: str = "pointloom",
     width: int = 1280,
     height: int = 960,
-    left: int = 50,
-    top: int = 50,
     point_show_normal: bool = False,
     mesh_show_wireframe: bool = False,
     mesh_show_back_face: bool = False,
@@ -60,9 +60,7 @@ def draw(
     Args:
         geometries: One, a list, a mapping of names to geometries, or dictionaries as Open3D's `draw` takes; all that
             `loom.render` draws.
-        window_name: Title of the page.
         width, height: Of pictures, and the height of the frame in a notebook [px]; a page is as large as its window.
-        left, top: Not used: the browser places its windows.
         point_show_normal: Begin with normals; N in the page.
         mesh_show_wireframe: Begin with edges; W in the page.
         mesh_show_back_face: Draw faces that look away.
@@ -99,16 +97,16 @@ def draw(
     notebook = in_notebook()
     reason = wants_inline(inline, notebook=notebook and not block)
     if reason is not None:
-        return inline_page(named, view, size, window_name, max_points, reason)
+        return inline_page(named, view, size, max_points, reason)
     if unattended() and (block or (block is None and not notebook)):
         return _picture(named, view, size, point_show_normal, mesh_show_wireframe)
-    options: dict[str, Any] = {"host": host, "title": window_name, "max_points": max_points, "size": size}
+    options: dict[str, Any] = {"host": host, "max_points": max_points, "size": size}
     try:
         viewer = _open_in_cell(port, **options) if notebook and not block else Viewer(port=port, **options)
     except PointloomError as error:
         if not notebook:
             raise
-        return inline_page(named, view, size, window_name, max_points, str(error))
+        return inline_page(named, view, size, max_points, str(error))
     try:
         if any(value is not None for value in view.values()):
             viewer.set_view({name: value for name, value in view.items() if value is not None})
@@ -207,3 +205,52 @@ def _picture(
     camera = {name: value for name, value in view.items() if value is not None} or None
     entries = [as_entry(one) for one in named]
     return render(entries, camera=camera, size=size, point_show_normal=normals, mesh_show_wireframe=wireframe)
+
+
+class _Run(NamedTuple):
+    """A cell, and which of its runs."""
+
+    cell: str
+    number: str
+
+
+_opened: list[tuple[_Run, weakref.ref[Viewer]]] = []  # the earliest first
+_lock = threading.Lock()
+
+
+def make_room() -> None:
+    """Close what earlier runs of this cell opened, and the earliest of all where 16 are open."""
+    run = _this_run()
+    with _lock:
+        alive = [(by, viewer) for by, ref in _opened if (viewer := ref()) is not None and not viewer.closed]
+        again = [viewer for by, viewer in alive if run is not None and by.cell == run.cell and by.number != run.number]
+        others = [(by, viewer) for by, viewer in alive if viewer not in again]
+        surplus = others[: max(0, len(others) - MOST_OPEN + 1)]
+        _opened[:] = [(by, weakref.ref(viewer)) for by, viewer in others[len(surplus) :]]
+    for viewer in again:
+        viewer.close()
+    for _, viewer in surplus:
+        viewer._close(f"{MOST_OPEN} viewers of this notebook stay open, and this was the oldest: run its cell again.")
+
+
+def keep(viewer: Viewer) -> None:
+    """Count a viewer as opened by the cell that runs."""
+    with _lock:
+        _opened.append((_this_run() or _Run("", ""), weakref.ref(viewer)))
+
+
+def _this_run() -> _Run | None:
+    """The cell that runs, by the name that the notebook gives it, else by its text; None where there is none.
+
+    JupyterLab and VS Code tell the name of a cell with each request; where it is missing, cells of the same text count
+    as one.
+    """
+    get_parent = getattr(ipython_shell(), "get_parent", None)
+    if get_parent is None:
+        return None
+    request: Any = get_parent()
+    try:
+        named = request["metadata"].get("cellId") or request["metadata"].get("cell_id")
+        return _Run(str(named or request["content"]["code"]), str(request["header"]["msg_id"]))
+    except (AttributeError, KeyError, TypeError):  # another protocol's request
+        return None

@@ -7,9 +7,8 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from ...core.checks import check_name, check_number, check_positive
-from .calls import Calls
+from .calls import Calls, HookPages
 from .controls import FOLDER, Control, Controls
-from .hook_pages import HookPages
 from .items import Item
 from .keys import check_hotkey
 from .live_timeline import HISTORY_BYTES, LiveTimeline

@@ -91,7 +91,7 @@ def place_of_kernel() -> str | None:
 
 
 def inline_page(
-    named: list[Named], view: dict[str, Any], size: tuple[int, int], title: str, max_points: int, reason: str
+    named: list[Named], view: dict[str, Any], size: tuple[int, int], max_points: int, reason: str
 ) -> InlinePage:
     """The scene as a page of at most 4 MB, with the picture that it begins with.
 
@@ -99,7 +99,6 @@ def inline_page(
         named: Names, geometries and styles.
         view: Open3D's view parameters by name; None each for what shows all.
         size: Width and height as of `draw` [px].
-        title: Of the page.
         max_points: Of all clouds and meshes together.
         reason: Why it is inline; said below it.
     """
@@ -111,7 +110,7 @@ def inline_page(
     scene = Scene([part for _, geometry, style in named for part in parts_of(geometry, style, place)], place)
     camera = resolve_view({name: value for name, value in view.items() if value is not None} or None, scene, *still)
     picture = render([as_entry(one) for one in named], camera=camera, size=still)
-    page, counts = _bounded_page(named, camera, title, max_points)
+    page, counts = _bounded_page(named, camera, max_points)
     notes = [reason]
     if page is None:
         notes.append(f"no page of {MOST_BYTES / 2**20:g} MB holds this scene; here is its picture")
@@ -121,15 +120,13 @@ def inline_page(
     return InlinePage(page, np.asarray(picture), notes, size[1] * 2 // 3)
 
 
-def _bounded_page(
-    named: list[Named], view: Any, title: str, max_points: int
-) -> tuple[str | None, dict[str, tuple[int, int]]]:
+def _bounded_page(named: list[Named], view: Any, max_points: int) -> tuple[str | None, dict[str, tuple[int, int]]]:
     """The page, sampled and simplified until it fits, and of each name how many points of how many it has."""
     most = min(max_points, FIRST_POINTS)
     with tempfile.TemporaryDirectory(prefix="pointloom-page-") as folder:
         path = Path(folder) / "page.html"
         for _ in range(TRIES):
-            counts = write_geometries(path, named, most, view=view, title=title)
+            counts = write_geometries(path, named, most, view=view)
             size = path.stat().st_size
             if size <= MOST_BYTES:
                 return path.read_text(encoding="utf-8"), counts

@@ -85,7 +85,6 @@ class Item:
         pose: Moves it, on top of the style's; 4x4 or None.
         coloring: The colours of the cloud in place of its own; None for those.
         tree: The levels of detail of a large cloud.
-        painting: The labels that are painted onto the cloud.
     """
 
     name: str
@@ -99,7 +98,6 @@ class Item:
     pose: Matrix | None = None
     coloring: Any = None
     tree: Any = None
-    painting: Any = None
 
     def __post_init__(self):
         self._shown: NDArray[np.uint8] | None = None
@@ -197,25 +195,10 @@ class Item:
             return self.tree.paint(indices, lambda cloud: to_bytes(download(coloring.paint(cloud)).reshape(-1, 3)))
         own = self.tree.colors_of(indices) if self.style.color is None else None
         shown = np.broadcast_to(to_bytes([part.plain]), (len(indices), 3)) if own is None else own
-        if coloring is not None:  # of labels that are painted onto the first ones
+        if coloring is not None:  # colours that are given point by point, for the first ones
             shown, known = shown.copy(), indices < len(self.cloud or ())
             shown[known] = to_bytes(download(coloring.colors).reshape(-1, 3)[indices[known]])
         return shown
-
-    def keeper(self, clip: Any) -> Any:
-        """What clip planes and filters leave of the cloud, by places and indices of points."""
-        part = self.points
-        assert part is not None
-        pose = self.pose_of(part)
-        if not self.is_in_parts:
-            return clip.keeper(pose, self.cloud)
-        return lambda places, indices: clip.keeper(pose, self.tree.cloud_at(indices))(places)
-
-    def relabel(self, cloud: PointCloud) -> None:
-        """Hold the same points with other attributes; what was given stays as it is."""
-        if isinstance(self.geometry, PointCloud):
-            self.geometry = cloud
-        self.cloud, self._label_counts = cloud, None
 
     def label_counts(self, name: str) -> dict[int, int]:
         """How many points have each value of an attribute of whole numbers; none of another cloud's attribute."""

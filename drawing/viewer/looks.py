@@ -11,7 +11,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.checks import check_name
-from .painted import painted_labels
 from .scene import Scene, check_color, check_size
 
 
@@ -36,23 +35,6 @@ class Looks(Scene):
         """
         with self.server.pages.atomic():
             yield
-
-    def painted(self, name: str) -> NDArray[np.uint8] | None:
-        """The labels that pages have painted onto a cloud, which `viewer.items[name].cloud` holds as an attribute.
-
-        They count as saved then; of what nobody has saved, `close` warns in the log `pointloom.viewer`.
-
-        Args:
-            name: Of a cloud in the scene.
-
-        Returns:
-            A copy, uint8 [n], in the order of the points; None where nobody has begun to paint.
-
-        Raises:
-            KeyError: There is none of that name.
-        """
-        with self.lock:
-            return painted_labels(self._find(name))
 
     def tell_progress(self, text: str, share: float | None = None) -> None:
         """Say in the pages what the program is doing.

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..render.coloring import Coloring
+from ..render.coloring import Coloring, label_color
 from ..render.colormaps import colormap_table
 from ..render.ticks import choose_ticks, with_ends
 from .actions import Actions
@@ -204,7 +204,7 @@ def legend_of(coloring: Coloring, items: Any) -> tuple[str, Any]:
         return "bar", (title, ticks, coloring.colormap)
     counts = counts_of(coloring, items)
     return "labels", tuple(
-        (name, tuple(to_bytes([coloring.color_of(label)])[0].tolist()), f"{counts[label]:,}" if label in counts else "")
+        (name, tuple(to_bytes([label_color(label)])[0].tolist()), f"{counts[label]:,}" if label in counts else "")
         for label, name in coloring.names.items()
     )
 

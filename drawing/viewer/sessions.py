@@ -6,7 +6,7 @@ import contextlib
 import logging
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,11 +17,11 @@ from .camera import Camera, camera_of, reach_of, view_of
 from .items import Item
 from .pacing import Pace
 from .whole_cloud import WholeCloud
-from .words import told
 
 if TYPE_CHECKING:
     from .link import PageCamera, PageClient
     from .viewer import Viewer
+
 
 POINT_SIZE = 3.0  # [px] of points that have no size of their own, until the panel says another
 REST = 0.25  # [s] without motion after which a camera rests
@@ -47,7 +47,6 @@ class Session:
         self._in_levels: set[str] = set()  # whose number of points goes with the view
         self._counts: dict[str, tuple[int, int]] = {}  # points that are drawn and that there are, as far as was told
         self._drawn = self._total = 0
-        self._callbacks: list[Callable[[View], None]] = []
         self._moved, self._timer = time.monotonic(), None
         self._put, self._put_shape = np.zeros(3), 0  # where the camera was put, and the shape of the page then
         self._homes = Homes()
@@ -79,10 +78,6 @@ class Session:
     def view_of(self, camera: Any) -> View:
         """What the page shows with its camera so."""
         return view_of(camera, self.viewer.frame, self.viewer.bounds, camera.size)
-
-    def rest(self, callback: Callable[[View], None]) -> None:
-        """Call back with the view each time that the camera has rested for a quarter of a second."""
-        self._callbacks.append(callback)
 
     def go_home(self) -> None:
         """Look from where the viewer was told to, or from where all is seen."""
@@ -163,11 +158,6 @@ class Session:
         """What the page's clip planes leave; None before it has tools."""
         return None if self._toolbox is None else self._toolbox.stage.clip
 
-    @property
-    def history(self) -> Any:
-        """What was changed in the page; None before it has tools."""
-        return None if self._toolbox is None else self._toolbox.stage.history
-
     def idle_stage(self) -> Any:
         """What picks in the page; None while a tool is at work, which has the clicks, and before there are tools."""
         return None if self._toolbox is None or self._toolbox.tool is not None else self._toolbox.stage
@@ -235,7 +225,6 @@ class Session:
         self.streams.clear()
         self._unfinished.clear()
         self._leaving.clear()
-        self._callbacks.clear()
 
     def join(self) -> None:
         """Wait for the page's thread, after `close`; without the viewer's lock."""
@@ -382,10 +371,26 @@ class Session:
                 stream.close()
             self._leaving.clear()
             self.tell()
-        for callback in tuple(self._callbacks):
-            callback(view)
+        self.refresh_tools()
 
 
 def _shape(size: tuple[int, int]) -> int:
     """Width by height, coarse enough for rounding."""
     return round(50 * size[0] / size[1]) if size[1] else 0
+
+
+def told(drawn: int, total: int, triangles: int = 0) -> str:
+    """What is drawn, in words: points where there are clouds, triangles where there are surfaces."""
+    words = []
+    if total >= 1_000_000:
+        millions = f"{total / 1e6:.3g}" if total < 1e9 else f"{total / 1e6:,.0f}"
+        words.append(f"{drawn / 1e6:.1f} of {millions} million points")
+    elif total:
+        words.append(_counted(total, "point") if drawn == total else f"{drawn:,} of {_counted(total, 'point')}")
+    if triangles:
+        words.append(_counted(triangles, "triangle"))
+    return ", ".join(words)
+
+
+def _counted(count: int, name: str) -> str:
+    return f"{count:,} {name}{'' if count == 1 else 's'}"

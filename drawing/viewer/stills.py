@@ -136,8 +136,6 @@ def shown_geometry(viewer: Viewer, item: Item, clip: Clip | None = None) -> Name
     geometry, style = item.geometry if item.cloud is None else with_colors(item), _style(viewer, item)
     if clip is not None:
         geometry = clipped(geometry, clip, style.pose)
-    if item.painting is not None and style.color_by == item.painting.attribute:
-        geometry, style = _with_classes(geometry, item), dataclasses.replace(style, color_by="rgb")
     return item.name, geometry, style
 
 
@@ -149,14 +147,7 @@ def clipped(geometry: Any, clip: Clip, pose: Any) -> Any:
         return clip_mesh(geometry, clip, pose=pose)
     if not isinstance(geometry, PointCloud) or not len(geometry):
         return geometry
-    return geometry.select_by_index(np.flatnonzero(clip.keeper(pose, geometry)(geometry.points, None)))
-
-
-def _with_classes(cloud: PointCloud, item: Item) -> PointCloud:
-    """A cloud in the colours of the classes that were painted onto it."""
-    colored = cloud.copy()
-    colored.colors = item.painting.table()[np.asarray(cloud[item.painting.attribute])]
-    return colored
+    return geometry.select_by_index(np.flatnonzero(clip.keeper(pose)(geometry.points)))
 
 
 def with_colors(item: Item) -> PointCloud:

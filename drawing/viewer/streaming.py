@@ -18,12 +18,48 @@ from numpy.typing import NDArray
 
 from ...core.checks import check_count, check_positive, check_rigid, check_shape
 from ..render.view import View, check_view
-from .wishes import ColorsOf, Keep, Sent, Wish
 
 if TYPE_CHECKING:
     from .copc_tree import CopcTree
     from .detail_tree import DetailTree
     from .link import PageClient
+
+ColorsOf = Callable[[NDArray[np.int64]], NDArray[np.uint8]]
+Keep = Callable[[NDArray[np.float64]], NDArray[np.bool_]]
+
+
+@dataclasses.dataclass
+class Wish:
+    """What the client should see."""
+
+    view: View | None = None
+    colors_of: ColorsOf | None = None
+    keep: Keep | None = None
+    size: float | None = None
+    metric: bool = False  # whether that is in metres
+    coloring: int = 0  # which of all colours so far
+    keeping: int = 0  # and which rule of what is kept
+
+    @property
+    def is_metric(self) -> bool:
+        """Whether sizes are in metres; those that close gaps are."""
+        return self.size is None or self.metric
+
+
+@dataclasses.dataclass
+class Sent:
+    """A node in the page: what it was made with; no node where nothing of it is kept."""
+
+    node: Any
+    count: int
+    mask: NDArray[np.bool_] | None
+    is_exact: bool
+    coloring: int
+    keeping: int
+    size: float
+    metric: bool
+    visible: bool = True
+
 
 PLAIN = (89, 128, 158)  # of clouds without colours, as in pictures
 
@@ -121,7 +157,7 @@ class CloudStream:
 
         Args:
             keep: Which points stay, bool [k], by position in the cloud's own coordinates (before its pose), float64
-                [k, 3] [m], and index, int64 [k]; None keeps all.
+                [k, 3] [m]; None keeps all.
         """
         self._ask(keep=keep, keeping=self._wish.keeping + 1)
 
@@ -266,7 +302,7 @@ class CloudStream:
 
             return recolor
         node = self._tree.node(i)
-        mask = None if wish.keep is None else np.asarray(wish.keep(self._tree.points_of(i), node.indices), bool)
+        mask = None if wish.keep is None else np.asarray(wish.keep(self._tree.points_of(i)), bool)
         positions = node.positions if mask is None else node.positions[mask]
         colors = self._colors(i, mask, wish) if len(positions) else None
         tag = (is_exact, wish.coloring, wish.keeping)

@@ -2,8 +2,14 @@
 
 from __future__ import annotations
 
+import atexit
+import contextlib
 import os
+import shlex
+import sys
+import weakref
 from collections.abc import Mapping
+from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
@@ -11,16 +17,14 @@ import numpy as np
 
 from ...core.checks import check_count, check_name, check_rigid
 from ...pcd.cloud import PointCloud
-from ..notebook_output import live_output
+from ..notebook_output import in_notebook, live_output
 from ..render.geometries import Named, named_geometries
 from ..render.open3d_views import OPEN3D_KEYS
 from ..render.view import View
 from .copc_tree import CopcTree
-from .ending import close_at_exit, farewell
 from .items import Frame, make_item
 from .logged import logged
 from .looks import Looks
-from .painted import warn_of_unsaved
 from .presence import LINGER, Presence
 from .scene import check_color, check_size
 from .sessions import POINT_SIZE
@@ -145,8 +149,7 @@ class Viewer(Looks):
     def add_copc(self, name: str, path: str | os.PathLike[str], **style: Any) -> None:
         """Add a COPC file (.copc.laz) of any size: what a view needs of it is read when it is looked at.
 
-        Tools (picking, filters' legends, labels) work on the coarse levels, 250,000 points, which are `items[name]`;
-        the page draws and filters the others too.
+        Tools (picking, measuring, cropping) work on the coarse levels, 250,000 points, which are `items[name]`.
 
         Args:
             name: What it is called, as of `add`.
@@ -350,10 +353,45 @@ class Viewer(Looks):
     def _close(self, words: str) -> None:
         """Close; pages say these words."""
         if not self.closed and not self.server.closed:
-            warn_of_unsaved(self.items.values())
             self.server.pages.end(words)
         self._ended.set()
         threads = self._let_go()
         self.server.close()
         for thread in threads:
             thread.join()
+
+
+_open: weakref.WeakSet[Viewer] = weakref.WeakSet()
+
+
+def close_at_exit(viewer: Viewer) -> None:
+    """Close a viewer at the end of the process, where nobody has done so before."""
+    _open.add(viewer)
+
+
+@atexit.register
+def _close_all() -> None:
+    for viewer in list(_open):
+        if not viewer.server.closed:  # as a forked child's copy is, which has no page
+            with contextlib.suppress(Exception):  # the interpreter is going
+                viewer.close()
+
+
+def farewell() -> str:
+    """That the program has ended, and how to start it again."""
+    if in_notebook():
+        again = "Run the cell again to see it again."
+    else:
+        command = _command(sys.argv)
+        again = f"To start it again:\n{command}" if command else "The program can open another viewer."
+    return f"The viewer has been closed. {again}"
+
+
+def _command(arguments: list[str]) -> str:
+    """The command line that this program was started by; "" where there was none, as in an interpreter."""
+    name = Path(arguments[0]).name if arguments else ""
+    if name in ("", "-", "-c", "-m"):
+        return ""
+    if name in ("pointloom", "pointloom.exe") or (name == "__main__.py" and "pointloom" in arguments[0]):
+        return shlex.join(["pointloom", *arguments[1:]])
+    return f"python {shlex.quote(name)}"

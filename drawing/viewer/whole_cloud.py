@@ -17,7 +17,7 @@ from .items import Frame, Item, Matrix
 if TYPE_CHECKING:
     from .link import Node, PageClient
 
-Keep = Callable[[NDArray[np.float64], NDArray[np.int64]], NDArray[np.bool_]]
+Keep = Callable[[NDArray[np.float64]], NDArray[np.bool_]]
 
 # Points that a page draws in well under a second even in software; they come first, the others in steps.
 FIRST = 125_000
@@ -152,7 +152,7 @@ class WholeCloud:
         rows = self._steps[number]
         positions, sent = self._positions[rows], self._indices[rows]
         if self._keep is not None and len(positions):
-            kept = self._keep(positions.astype(np.float64) + self._part.origin, sent)
+            kept = self._keep(positions.astype(np.float64) + self._part.origin)
             positions, sent = positions[kept], sent[kept]
         R, t = self._frame.place(self._part.origin, self._item.pose_of(self._part))
         looks = {"positions": positions, "colors": self._colors_of(sent), **self._light(sent)}

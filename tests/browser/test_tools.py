@@ -32,7 +32,7 @@ def cloud_of(points: np.ndarray, color: tuple[int, int, int], **attributes: Any)
 
 @pytest.fixture
 def viewer(tmp_path, monkeypatch) -> Iterator[Viewer]:
-    monkeypatch.chdir(tmp_path)  # where the tools write
+    monkeypatch.chdir(tmp_path)  # to see that nothing is written there
     with Viewer(port=0) as viewer:
         yield viewer
 
@@ -105,7 +105,9 @@ def test_a_polygon_drawn_with_the_mouse_keeps_what_open3d_keeps_and_goes_back(vi
     visitor.page.keyboard.press("Backspace")
     visitor.until(lambda: len(visitor.box.tool._corners) == 5)
     view = visitor.session.camera_view()
-    visitor.page.keyboard.press("Enter")
+    with visitor.page.expect_download() as download:
+        visitor.page.keyboard.press("Enter")
+    download.value.save_as(tmp_path / download.value.suggested_filename)
     visitor.until(lambda: "waves (cropped)" in viewer.items and not viewer.items["waves"].visible)
     kept = viewer.items["waves (cropped)"].cloud.points
     volume = o3d.visualization.read_selection_polygon_volume(str(tmp_path / "cropped.json"))
@@ -168,8 +170,9 @@ def test_pairs_picked_with_the_mouse_bring_two_clouds_together(viewer, open_page
     visitor.until(lambda: "lies on target now" in visitor.box.stage.status.value)
     pose = viewer.items["source"].pose
     assert np.abs(moved @ pose[:3, :3].T + pose[:3, 3] - points).max() < 1e-3
-    visitor.page.get_by_role("button", name="Save pairs and pose").click()
-    visitor.until(lambda: (tmp_path / "pairs.txt").exists())
+    with visitor.page.expect_download(lambda download: download.suggested_filename == "pairs.txt") as download:
+        visitor.page.get_by_role("button", name="Save pairs and pose").click()
+    download.value.save_as(tmp_path / "pairs.txt")
     np.testing.assert_allclose(np.loadtxt(tmp_path / "pairs.txt"), pose, atol=1e-12)
 
 

@@ -81,15 +81,11 @@ class Commands {
     run();
   }
 
-  /** Chords with Ctrl: Ctrl+K, and those of the program. While one writes, a field's own chords stay the field's. */
+  /** Ctrl+K; other chords are the browser's. */
   onChord(event) {
-    if (!(event.ctrlKey || event.metaKey) || event.altKey || event.isComposing) return;
-    const name = `Ctrl+${event.shiftKey ? "Shift+" : ""}${event.key.toUpperCase()}`;
-    if (name !== "Ctrl+K" && controlKind(event.target) === "text") return;
-    const run = this.find(name);
-    if (!run) return; // the browser's own
+    if (!(event.ctrlKey || event.metaKey) || event.altKey || event.shiftKey || event.key.toLowerCase() !== "k") return;
     event.preventDefault();
-    run();
+    this.find("Ctrl+K")();
   }
 
   leaveField(event, kind, name) {

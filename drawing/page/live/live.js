@@ -31,10 +31,7 @@ class Live {
     this.palette = new Palette(byId("palette"), this.commands);
     this.help = new Help(byId("help"), this.commands);
     this.startEngine();
-    this.theme = new Theme({
-      changed: () => this.panel.redrawForTheme(),
-      ground: (color) => this.engine?.setBackground(color, true),
-    });
+    this.theme = new Theme((color) => this.engine?.setBackground(color, true));
     this.frame = new Frame({
       body: document.body, side: byId("side"), edge: byId("edge"), grip: byId("grip"), toggled: (shown) => this.onFrame(shown),
     });

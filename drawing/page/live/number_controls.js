@@ -130,7 +130,6 @@ class SliderControl extends Control {
 class TwoThumbs {
   constructor(changed) {
     this.changed = changed;
-    this.unit = "";
     this.tracks = ["low", "high"].map((end, which) => this.makeTrack(end, which));
     this.fields = ["low", "high"].map((end, which) => new NumberField(end, (value) => this.move(which, value)));
     this.fill = make("div", { class: "fill" });
@@ -172,7 +171,7 @@ class TwoThumbs {
       const number = this.steps.numberOf(end);
       this.tracks[which].value = number;
       this.fields[which].show(end);
-      this.tracks[which].setAttribute("aria-valuetext", `${this.fields[which].input.value} ${this.unit}`.trim());
+      this.tracks[which].setAttribute("aria-valuetext", this.fields[which].input.value);
       return number / this.steps.count;
     });
     // where both stand at the right end only the lower one can be moved: it lies above
@@ -180,7 +179,6 @@ class TwoThumbs {
     this.tracks[1].style.zIndex = shares[0] > 0.5 ? 1 : 2;
     this.fill.style.left = `${100 * shares[0]}%`;
     this.fill.style.right = `${100 * (1 - shares[1])}%`;
-    this.shares = shares;
   }
 }
 
@@ -199,76 +197,5 @@ class RangeControl extends Control {
     const { min = 0, max = 1, step, value, precision } = this.props;
     this.thumbs.setRange(min, max, step, precision ?? digitsOf(step));
     if (value) this.thumbs.show(value);
-  }
-}
-
-/** How many values lie where, in the colours that they have; its range is dragged by both ends. */
-const BAR_HEIGHT = 72; // pixels
-
-class HistogramControl extends Control {
-  build() {
-    this.thumbs = new TwoThumbs((value) => this.change(value));
-    this.canvas = make("canvas", { role: "img" });
-    const plot = make("div", { class: "plot" }, this.canvas, this.thumbs.element);
-    this.unit = make("span", { class: "dim unit" });
-    this.thumbs.numbers.append(this.unit);
-    this.element.append(this.name, plot, this.thumbs.numbers);
-    this.draw = onceAPicture(() => this.paint());
-    this.watcher = new ResizeObserver(() => this.draw());
-    this.watcher.observe(plot);
-    this.panel.onTheme(this.draw);
-  }
-
-  setLabel(label) {
-    this.name.textContent = label;
-    this.thumbs.setLabel(label || "histogram");
-    this.canvas.setAttribute("aria-label", `How many values lie where: ${label}`);
-  }
-
-  change(value) {
-    this.say(value);
-    this.draw();
-  }
-
-  update() {
-    const { edges = [0, 1], value, unit = "" } = this.props;
-    this.thumbs.unit = this.unit.textContent = unit ?? "";
-    this.unit.hidden = this.unit.textContent === "";
-    const span = edges[1] - edges[0];
-    this.thumbs.setRange(edges[0], edges[1], span / 1000, span > 0 ? clamp(Math.ceil(-Math.log10(span / 500)), 0, 9) : null);
-    this.thumbs.show(value ?? edges);
-    this.draw();
-  }
-
-  paint() {
-    const { counts = [], colors } = this.props;
-    const width = this.canvas.clientWidth;
-    if (width === 0) return;
-    const density = Math.min(devicePixelRatio || 1, 2);
-    this.canvas.width = Math.round(width * density);
-    this.canvas.height = Math.round(BAR_HEIGHT * density);
-    const context = this.canvas.getContext("2d");
-    context.scale(density, density);
-    const style = getComputedStyle(this.element);
-    const plain = style.getPropertyValue("--accent");
-    const most = Math.sqrt(Math.max(1, ...counts)); // by the root: few values among many are seen, too
-    const [low, high] = this.thumbs.shares;
-    counts.forEach((count, bin) => {
-      const middle = (bin + 0.5) / counts.length;
-      const isIn = middle >= low && middle <= high;
-      const share = high > low ? clamp((middle - low) / (high - low), 0, 1) : 0.5;
-      const row = 3 * Math.round(share * 255);
-      context.fillStyle = colors?.data ? cssColor(colors.data.subarray(row, row + 3)) : plain;
-      context.globalAlpha = (isIn ? 1 : 0.22) * (colors?.data ? 1 : 0.6);
-      const [left, right] = [bin, bin + 1].map((edge) => Math.round((edge / counts.length) * width * density) / density);
-      const tall = count > 0 ? Math.max(1, (Math.sqrt(count) / most) * (BAR_HEIGHT - 4)) : 0;
-      context.fillRect(left, BAR_HEIGHT - tall, Math.max(right - left, 1 / density), tall);
-    });
-  }
-
-  remove() {
-    this.watcher.disconnect();
-    this.panel.offTheme(this.draw);
-    super.remove();
   }
 }

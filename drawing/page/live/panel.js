@@ -3,12 +3,11 @@
  * edge of the picture or in the bar lies in no folder.
  */
 const CONTROL_KINDS = {
-  folder: FolderControl, button: ButtonControl, buttons: ButtonsControl, checkbox: CheckboxControl, slider: SliderControl,
+  folder: FolderControl, button: ButtonControl, checkbox: CheckboxControl, slider: SliderControl,
   range: RangeControl, number: NumberControl, text: TextControl, dropdown: DropdownControl, rgb: RgbControl,
-  words: WordsControl, table: TableControl, image: ImageControl, upload: UploadControl, histogram: HistogramControl,
+  words: WordsControl, table: TableControl, upload: UploadControl,
   colorbar: ColorbarControl, legend: LegendControl, tree: TreeControl, timeline: TimelineControl,
 };
-const ARRAY_FIELDS = ["colors", "image"];
 
 class Panel {
   /** `root`, `keys`, `bar` are where controls lie; `send` says something; `notify` shows words; `changed` is told of new rooms. */
@@ -16,7 +15,6 @@ class Panel {
     Object.assign(this, { root, keys, bar, send, notify, changed, isBusy });
     this.controls = new Map();
     this.folders = new Map(); // by path: whether somebody opened or closed it
-    this.themed = new Set();
     this.pending = new Map();
     this.held = null; // the control whose track somebody drags
     this.late = new Map(); // what the program set meanwhile
@@ -130,9 +128,9 @@ class Panel {
     return this.send({ say: "value", id, value });
   }
 
-  press(id, value) {
+  press(id) {
     this.sayPending();
-    this.send(value === undefined ? { say: "press", id } : { say: "press", id, value });
+    this.send({ say: "press", id });
   }
 
   sayFile(id, name, text) {
@@ -158,18 +156,6 @@ class Panel {
   onBarChanged() {
     this.bar.hidden = ![...this.bar.children].some((element) => !element.hidden);
     this.changed();
-  }
-
-  onTheme(run) {
-    this.themed.add(run);
-  }
-
-  offTheme(run) {
-    this.themed.delete(run);
-  }
-
-  redrawForTheme() {
-    for (const run of this.themed) run();
   }
 
   /** The time line that keys move, where there is one to be seen. */
@@ -202,10 +188,7 @@ class Panel {
   }
 }
 
-/** The fields that name arrays, with the arrays themselves. */
+/** `colors` names an array: replaced by the array itself. */
 function readArrays(op, arrays) {
-  const read = { ...op };
-  const fields = op.kind === "image" ? [...ARRAY_FIELDS, "value"] : ARRAY_FIELDS;
-  for (const name of fields) if (typeof op[name] === "number") read[name] = arrays[op[name]];
-  return read;
+  return typeof op.colors === "number" ? { ...op, colors: arrays[op.colors] } : { ...op };
 }

@@ -1,4 +1,4 @@
-/** Buttons, boxes, fields, choices, colours, words, tables, pictures, files. */
+/** Buttons, boxes, fields, choices, colours, words, tables, files. */
 class ButtonControl extends Control {
   build() {
     this.button = make("button", { type: "button", id: this.field, class: "wide" });
@@ -18,35 +18,6 @@ class ButtonControl extends Control {
 
   actions() {
     return [[this.props.label ?? "", () => this.button.click()]];
-  }
-}
-
-class ButtonsControl extends Control {
-  build() {
-    this.group = make("div", { class: "buttons", role: "group" });
-    this.element.append(this.name, this.group);
-  }
-
-  setLabel(label) {
-    this.name.textContent = label;
-    this.name.hidden = label === "";
-    this.group.setAttribute("aria-label", label || "choices");
-  }
-
-  update({ options }) {
-    if (!options) return;
-    this.group.replaceChildren(
-      ...options.map((option) => {
-        const button = make("button", { type: "button" }, option);
-        button.addEventListener("click", () => this.panel.press(this.id, option));
-        return button;
-      }),
-    );
-  }
-
-  actions() {
-    const title = this.props.label ? `${this.props.label}: ` : "";
-    return (this.props.options ?? []).map((option) => [`${title}${option}`, () => this.panel.press(this.id, option)]);
   }
 }
 
@@ -148,24 +119,6 @@ class TableControl extends Control {
       make("tr", {}, make("th", { scope: "row" }, String(label)), ...texts.map((text) => make("td", {}, String(text)))),
     );
     this.table.replaceChildren(make("tbody", {}, ...rows));
-  }
-}
-
-class ImageControl extends Control {
-  build() {
-    this.image = make("img", { alt: "", id: this.field });
-    this.image.addEventListener("load", () => URL.revokeObjectURL(this.image.src));
-    this.element.append(this.name, this.image);
-  }
-
-  setLabel(label) {
-    super.setLabel(label);
-    this.image.alt = label;
-  }
-
-  update(changes) {
-    const bytes = changes.image ?? changes.value;
-    if (bytes?.data) this.image.src = URL.createObjectURL(new Blob([bytes.data], { type: "image/png" }));
   }
 }
 

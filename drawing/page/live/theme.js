@@ -6,9 +6,9 @@ const DARK_GROUND = [0.075, 0.086, 0.106];
 const THEMES = ["auto", "light", "dark"];
 
 class Theme {
-  /** `changed(dark)` is called for the page, `ground(rgb)` for the picture. */
-  constructor({ changed, ground }) {
-    Object.assign(this, { changed, ground });
+  /** `ground(rgb)` is called for the picture. */
+  constructor(ground) {
+    this.ground = ground;
     this.choice = THEMES.includes(memory.get("theme")) ? memory.get("theme") : "auto";
     this.color = [1, 1, 1];
     this.own = false;
@@ -41,6 +41,5 @@ class Theme {
     root.dataset.ground = light < 0.5 ? "dark" : "light";
     root.style.setProperty("--ground", cssColor(ground.map((part) => 255 * clamp(part, 0, 1))));
     this.ground(ground);
-    this.changed(this.isDark);
   }
 }

@@ -25,7 +25,7 @@ class PanelEvent:
     Attributes:
         client_id: Of which page.
         target: The handle.
-        value: What it was set to, pressed with, or the `UploadedFile`.
+        value: What it was set to, or the `UploadedFile`; None of a button.
     """
 
     client_id: int
@@ -109,8 +109,8 @@ class Handle:
         """The fields by which the page makes it."""
         return {name: sent(value) for name, value in self._state.items()}
 
-    def pressed(self, client_id: int, value: Any) -> list[tuple[Callable[..., Any], PanelEvent]]:
-        """What a page pressed it with; which callbacks are to be called with what."""
+    def pressed(self, client_id: int) -> list[tuple[Callable[..., Any], PanelEvent]]:
+        """The callbacks of a press by a page, each with its event."""
         return []
 
     def said(self, page: Channel, client_id: int, value: Any) -> list[tuple[Callable[..., Any], PanelEvent]]:
@@ -178,7 +178,7 @@ class Input(Shown):
         with self.channel.delivery.lock:
             low, high = self._limits()
             new = control_value(value, self._state["value"], low=low, high=high, options=self._state.get("options"))
-            if self.kind in ("range", "histogram") and new[0] > new[1]:
+            if self.kind == "range" and new[0] > new[1]:
                 raise ValueError(f"expected [low, high], got {value!r:.80}")
             self._change("value", new, but=page if sent(new) == value else None)
         return [(callback, PanelEvent(client_id, self, new)) for callback in self._callbacks]
@@ -186,33 +186,27 @@ class Input(Shown):
     def _limits(self) -> tuple[Any, Any]:
         if self.kind == "rgb":
             return 0, 255
-        if self.kind == "histogram":
-            return self._state["edges"]
         return self._state.get("min"), self._state.get("max")
 
 
 class Button(Handle):
-    """Something to press; one of several has the word that was pressed as its value."""
+    """Something to press."""
 
     def __init__(self, gui: Gui, kind: str, fields: dict[str, Any], checks: dict[str, Check]):
         self.__dict__["FIELDS"] = checks
         super().__init__(gui, kind, fields)
         self._callbacks: list[Callable[[PanelEvent], Any]] = []
-        self.__dict__["value"] = None
 
     def on_click(self, callback: Callable[[PanelEvent], Any]) -> Callable[[PanelEvent], Any]:
         """Call back when a page has pressed it."""
         self._callbacks.append(callback)
         return callback
 
-    def pressed(self, client_id: int, value: Any) -> list[tuple[Callable[..., Any], PanelEvent]]:
+    def pressed(self, client_id: int) -> list[tuple[Callable[..., Any], PanelEvent]]:
         """Take a press."""
         if self._state.get("disabled") or self.kind == "upload":
             return []
-        if self.kind == "buttons" and value not in self._state["options"]:
-            raise ValueError(f"expected one of {self._state['options']}, got {value!r:.80}")
-        self.__dict__["value"] = value if self.kind == "buttons" else None
-        return [(callback, PanelEvent(client_id, self, self.value)) for callback in self._callbacks]
+        return [(callback, PanelEvent(client_id, self)) for callback in self._callbacks]
 
 
 class Upload(Button):
@@ -221,7 +215,7 @@ class Upload(Button):
     on_click: Any = None
 
     def on_upload(self, callback: Callable[[PanelEvent], Any]) -> Callable[[PanelEvent], Any]:
-        """Call back with each file: `event.value` is an `UploadedFile`, as is the handle's `value`."""
+        """Call back with each file: `event.value` is an `UploadedFile`."""
         self._callbacks.append(callback)
         return callback
 
@@ -229,8 +223,8 @@ class Upload(Button):
         """Take a file."""
         if self._state.get("disabled"):
             return []
-        self.__dict__["value"] = UploadedFile(name, text)
-        return [(callback, PanelEvent(client_id, self, self.value)) for callback in self._callbacks]
+        file = UploadedFile(name, text)
+        return [(callback, PanelEvent(client_id, self, file)) for callback in self._callbacks]
 
 
 class Tree(Handle):

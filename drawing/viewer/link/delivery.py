@@ -1,4 +1,8 @@
-"""How operations reach pages: `Delivery`, and `Channel`, the way to all pages or to one."""
+"""How operations reach pages: `Delivery`, and `Channel`, the way to all pages or to one.
+
+An operation that waits in the `Outbox` of a page is brought up to date by a newer one about the same thing. So a page
+that reads slowly waits for no more than the scene itself, however often that changes.
+"""
 
 from __future__ import annotations
 
@@ -9,11 +13,185 @@ import threading
 import time
 from collections.abc import Callable, Iterable, Iterator
 
-from .outbox import CREATE, DROP, Outbox, Shown
-from .packing import Op
+from .packing import Op, bytes_of
 
+CREATE = {"node": "node", "control": "control"}
+CHANGE = {"set": "node", "setcontrol": "control"}
+DROP = {"drop": "node", "dropcontrol": "control", "dropcommand": "command"}
+# One of each: the newest counts. Those that are kept are told to pages that come later.
+KEPT = {"background", "clicks", "bounds", "progress", "hint", "title", "unit"}
+NEWEST = KEPT | {"sign", "end"}
+MESSAGE_BYTES = 8 << 20  # small batches that wait are sent as one message of about so much
+MOST_NOTICES = 64  # that wait for a page
 # Threads whose batches overlap without end would keep everything from the pages: they wait for so long at most [s].
 LONGEST_BATCH = 1.0
+
+Key = tuple[str, int]
+_events = itertools.count()
+
+
+def key_of(op: Op) -> Key:
+    """What an operation is about."""
+    name = op["op"]
+    kind = CREATE.get(name) or CHANGE.get(name)
+    if kind is not None or name in ("rows", "command"):
+        return kind or name, op["id"]
+    if name in NEWEST or name == "camera":
+        return name, 0
+    return name, op["id"] if name in DROP else next(_events)
+
+
+def merge(op: Op, newer: Op) -> None:
+    """Bring an operation that waits up to date by a later one about the same thing."""
+    if newer["op"] == "rows":
+        _merge_rows(op, newer)
+    else:
+        op.update({name: value for name, value in newer.items() if name not in ("op", "id")})
+
+
+def _merge_rows(rows: Op, newer: Op) -> None:
+    """`put` is a mapping by the keys of rows here, `drop` one whose values say nothing, for the order."""
+    for key in newer["drop"]:
+        rows["put"].pop(key, None)
+        rows["drop"][key] = None
+    for key, row in newer["put"].items():
+        rows["drop"].pop(key, None)
+        rows["put"][key] = row
+
+
+def copied(op: Op) -> Op:
+    """A copy that may be brought up to date by itself; arrays are shared."""
+    return {**op, "put": dict(op["put"]), "drop": dict(op["drop"])} if op["op"] == "rows" else dict(op)
+
+
+def as_sent(op: Op) -> Op:
+    """An operation as the page reads it."""
+    if op["op"] != "rows":
+        return op
+    return {**op, "put": [[key, *row] for key, row in op["put"].items()], "drop": list(op["drop"])}
+
+
+class Outbox:
+    """The operations that wait for one page, in the order of their coming. Its owner holds the lock of the `Delivery`.
+
+    Attributes:
+        own_bytes: Of what waits for this page alone: nobody else holds that memory.
+    """
+
+    def __init__(self) -> None:
+        self.own_bytes = 0
+        self._waiting: dict[Key, tuple[Op, int, int]] = {}  # with the batch's number and the bytes of its own
+        # Batches from .. to go in one message: what the first of them held was brought up to date by the last.
+        self._joined = (0, -1)
+        self._notices: list[Key] = []
+
+    def __bool__(self) -> bool:
+        return bool(self._waiting)
+
+    def put(self, op: Op, batch: int, *, own: bool, gone: Iterable[int] = ()) -> None:
+        """Add an operation.
+
+        Args:
+            op: It stays as it is: what waits is a copy.
+            batch: The number of its batch, never smaller than the one before.
+            own: Whether it is for this page alone.
+            gone: Of an operation that drops something, the numbers of all that goes with it.
+        """
+        if op["op"] in DROP and not self._drop(op, gone):
+            return
+        key = key_of(op)
+        if key[0] in NEWEST:
+            self._forget(key)
+        if (found := self._waiting.get(key)) is not None:
+            waiting, first, before = found
+            merge(waiting, op)
+            after = bytes_of(waiting) if before else 0
+            self.own_bytes += after - before
+            self._waiting[key] = (waiting, first, after)
+            if first != batch:
+                start, end = self._joined
+                self._joined = (min(start, first) if end >= first else first, batch)
+            return
+        size = bytes_of(op) if own else 0
+        self.own_bytes += size
+        self._waiting[key] = (copied(op), batch, size)
+        if key[0] == "notify":
+            self._notices.append(key)
+            if len(self._notices) > MOST_NOTICES:
+                self._forget(self._notices.pop(0))
+
+    def take(self, before: float = math.inf) -> list[Op]:
+        """The oldest operations, whole batches of them, as many as make a good message.
+
+        Args:
+            before: The number of a batch that is not complete yet; it stays, with all that came after.
+        """
+        taken: list[Op] = []
+        size, last = 0, -1
+        first, end = self._joined
+        limit = min(before, first) if before <= end else before
+        for key, (op, batch, own) in list(self._waiting.items()):
+            if batch >= limit:
+                break
+            if taken and batch != last and size >= MESSAGE_BYTES and not first <= last < batch <= end:
+                break
+            taken.append(as_sent(op))
+            size, last = size + bytes_of(op), batch
+            self.own_bytes -= own
+            del self._waiting[key]
+        self._notices = [key for key in self._notices if key in self._waiting]
+        return taken
+
+    def _drop(self, op: Op, gone: Iterable[int]) -> bool:
+        """Forget what waits about things that go; whether the page knows of them at all."""
+        kind = DROP[op["op"]]
+        waiting = self._waiting.get((kind, op["id"]))
+        for number in gone:
+            self._forget((kind, number))
+            self._forget(("rows", number))
+        return waiting is None or waiting[0]["op"] not in (*CREATE, "command")
+
+    def _forget(self, key: Key) -> None:
+        found = self._waiting.pop(key, None)
+        if found is not None:
+            self.own_bytes -= found[2]
+
+
+class Shown:
+    """What all pages see, as the operations that show it to one more. Its owner holds the lock of the `Delivery`."""
+
+    def __init__(self) -> None:
+        self._ops: dict[Key, Op] = {}
+
+    def holds(self, op: Op) -> bool:
+        """Whether an operation of which there is one of each says what was said last."""
+        return op["op"] in KEPT and self._ops.get(key_of(op)) == op
+
+    def put(self, op: Op, gone: Iterable[int]) -> None:
+        """Note an operation that all pages get; those that show nothing lasting are passed over."""
+        name = op["op"]
+        if name in DROP:
+            for number in gone:
+                self._ops.pop((DROP[name], number), None)
+                self._ops.pop(("rows", number), None)
+            return
+        key = key_of(op)
+        if key in self._ops:
+            merge(self._ops[key], op)
+        elif name in CREATE or name in KEPT or name in ("rows", "command", "camera"):
+            self._ops[key] = copied(op)
+
+    def batches(self) -> list[list[Op]]:
+        """All of it, parents before what is in them, in batches of a moderate size."""
+        batches: list[list[Op]] = [[{"op": "clear"}]]
+        size = 0
+        for op in self._ops.values():
+            if size > MESSAGE_BYTES:
+                batches.append([])
+                size = 0
+            batches[-1].append(op)
+            size += bytes_of(op)
+        return batches
 
 
 class Delivery:

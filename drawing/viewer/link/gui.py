@@ -8,8 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ....core.checks import check_count, check_number
-from ....files.pictures.image_files import encode_png
+from ....core.checks import check_number
 from .arrays import color, kept
 from .controls import Button, Check, Command, Folder, Handle, Input, Shown, Tree, Upload, next_order
 from .delivery import Channel
@@ -39,10 +38,6 @@ class Gui:
         """A button; `color` as CSS says it."""
         checks: dict[str, Check] = {"color": _text_or_none}
         return self._add(Button(self, "button", _fields(label, {"color": color}, **common), checks))
-
-    def add_button_group(self, label: str, options: Sequence[str], **common: Any) -> Button:
-        """Buttons side by side; the event's value is the one that was pressed."""
-        return self._add(Button(self, "buttons", _fields(label, {"options": options}, **common), {"options": _words}))
 
     def add_checkbox(self, label: str, value: bool, **common: Any) -> Input:
         """A switch."""
@@ -97,39 +92,9 @@ class Gui:
         """Rows of a label and a text; a mapping or pairs."""
         return self._shown("table", None, {"value": rows}, {"value": _rows}, common)
 
-    def add_image(self, image: Any, *, label: str | None = None, **common: Any) -> Shown:
-        """A picture: the bytes of a PNG, or uint8 [h, w, 3 or 4]; its `image` is set by assignment."""
-        return self._shown("image", label, {"image": image}, {"image": _png}, common)
-
     def add_upload_button(self, label: str, accept: str = "application/json", **common: Any) -> Upload:
         """A button that brings a text file of up to 1 MiB; `accept` as HTML says it."""
         return self._add(Upload(self, "upload", _fields(label, {"accept": accept}, **common), {"accept": str}))
-
-    def add_histogram(
-        self,
-        label: str,
-        counts: Any,
-        edges: tuple[float, float],
-        value: tuple[float, float],
-        *,
-        unit: str = "",
-        colors: Any = None,
-        **common: Any,
-    ) -> Input:
-        """How often values occur, with a range to drag by both ends.
-
-        Args:
-            label: What is counted.
-            counts: Of bins of one width [k].
-            edges: Where the first begins and the last ends.
-            value: The range.
-            unit: Of the values.
-            colors: uint8 [256, 3] over the range; None: one colour.
-            common: As for all.
-        """
-        fields: dict[str, Any] = {"counts": counts, "edges": edges, "value": value, "unit": unit, "colors": colors}
-        checks = {"counts": _counts, "edges": _pair, "value": _pair, "unit": str, "colors": _ramp}
-        return self._input("histogram", label, fields, checks, common)
 
     def add_colorbar(self, title: str, ticks: Any, colors: Any, **common: Any) -> Shown:
         """A colour bar beside the picture: ticks are pairs of a share 0 to 1 and a text, colors uint8 [256, 3]."""
@@ -273,15 +238,6 @@ def _entries(entries: Any) -> tuple[tuple[str, tuple[int, ...], str], ...]:
 
 def _ramp(colors: Any) -> Any:
     return None if colors is None else kept(colors, [np.uint8], 3)
-
-
-def _counts(counts: Any) -> tuple[int, ...]:
-    return tuple(check_count("counts", int(one), minimum=0) for one in counts)
-
-
-def _png(image: Any) -> Any:
-    data = image if isinstance(image, bytes) else encode_png(np.ascontiguousarray(image, np.uint8))
-    return np.frombuffer(data, np.uint8)[:, None]
 
 
 _SCALE: dict[str, Check] = {"min": _number, "max": _number, "step": _number, "value": _number}

@@ -5,10 +5,14 @@ from __future__ import annotations
 import contextlib
 import itertools
 import logging
+import os
 import secrets
 import socket
+import stat
 import threading
+import weakref
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 from ....core.checks import check_color, check_share
@@ -18,7 +22,6 @@ from .arrays import triple
 from .camera import FIRST, CameraState, camera_fields, moved
 from .client import PageClient
 from .delivery import Channel, Delivery
-from .forks import disown_port, own_port
 from .gui import Gui
 from .packing import Op
 from .page import ServedPage
@@ -26,6 +29,46 @@ from .scene import Scene
 
 TOKEN_BYTES = 18
 log = logging.getLogger("pointloom.viewer")
+# A forked child (a worker of a data loader, of `multiprocessing`) has every open socket too. While it lived, the port
+# of a closed viewer would stay taken, and browsers would wait for an answer that never comes.
+_owners: weakref.WeakSet[PageServer] = weakref.WeakSet()
+
+
+def own_port(server: PageServer) -> None:
+    """Have children let go of all sockets at the server's port, those of its pages too, and of the server."""
+    _owners.add(server)
+
+
+def disown_port(server: PageServer) -> None:
+    """The port is closed."""
+    _owners.discard(server)
+
+
+def _after_fork_in_child() -> None:
+    owners = list(_owners)
+    _owners.clear()
+    if not owners:
+        return
+    ports = {server.port for server in owners}
+    nothing = os.open(os.devnull, os.O_RDWR | os.O_CLOEXEC)
+    for entry in Path("/dev/fd").iterdir():
+        number = int(entry.name)
+        with contextlib.suppress(OSError):
+            if stat.S_ISSOCK(os.fstat(number).st_mode) and _port_of(number) in ports:
+                os.dup2(nothing, number, inheritable=False)  # the number stays, for objects that close it once more
+    os.close(nothing)
+    for server in owners:
+        server.forget()
+
+
+def _port_of(number: int) -> int | None:
+    with socket.socket(fileno=os.dup(number)) as one:
+        is_internet = one.family in (socket.AF_INET, socket.AF_INET6)
+        return int(one.getsockname()[1]) if is_internet else None
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_after_fork_in_child)
 
 
 class PageServer:

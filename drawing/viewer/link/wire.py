@@ -44,7 +44,7 @@ def read(raw: str | bytes) -> dict[str, Any] | None:
     checks = MESSAGES.get(fields["say"])
     if checks is None or (len(raw) > MOST_SMALL_BYTES and fields["say"] != "file"):
         return None
-    if not all(_has(fields, name, check) for name, check in checks.items()):
+    if not all(name in fields and check(fields[name]) for name, check in checks.items()):
         return None
     return {"say": fields["say"], **{name: fields[name] for name in checks if name in fields}}
 
@@ -90,12 +90,6 @@ def is_text(value: Any, most: int = MOST_SMALL_BYTES) -> bool:
 
 def _refuse(constant: str) -> NoReturn:
     raise ValueError(f"{constant} is no number of JSON")
-
-
-def _has(fields: dict[str, Any], name: str, check: Check) -> bool:
-    if name not in fields:
-        return check in OPTIONAL
-    return check(fields[name])
 
 
 def _is_switch(value: Any) -> bool:
@@ -155,11 +149,6 @@ def _is_value(value: Any) -> bool:
     return not waiting
 
 
-def _is_pressed(value: Any) -> bool:
-    return value is None or is_text(value, 1024)
-
-
-OPTIONAL = {_is_pressed}
 MESSAGES: dict[str, dict[str, Check]] = {
     "hello": {"size": _is_size, "version": _is_version},
     "camera": {
@@ -169,7 +158,7 @@ MESSAGES: dict[str, dict[str, Check]] = {
     "sign": {"n": _is_id},
     "sync": {"n": _is_id},
     "value": {"id": _is_id, "value": _is_value},
-    "press": {"id": _is_id, "value": _is_pressed},
+    "press": {"id": _is_id},
     "command": {"id": _is_id},
     "click": {"x": _is_share, "y": _is_share, "shift": _is_switch, "ctrl": _is_switch},
     "file": {"id": _is_id, "name": _is_name, "text": _is_content},

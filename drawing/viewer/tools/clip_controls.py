@@ -11,7 +11,6 @@ from ....kernels.lang import int32, vec3
 from ....kernels.memory import download, upload
 from ....meshing.mesh.mesh import TriangleMesh
 from ...render.parts import Triangles
-from ..history import Change
 from ..surfaces import surface_arrays
 from .clip_planes import Clip, clip_mesh
 from .stage import Stage
@@ -38,7 +37,7 @@ class ClipControls:
         self._applied: dict[str, tuple[Any, ...]] = {}  # by item, what its stream was told: stream, planes, pose
         self._cut: dict[str, tuple[tuple[Any, ...], list[Node]]] = {}  # by item, what was cut how, and our nodes
         self._pending = False
-        gui, ask = stage.client.gui, stage.ask
+        gui, run = stage.client.gui, stage.run
         with folder:
             self.folder = gui.add_folder("Clip planes", open=False)
         with self.folder:
@@ -53,10 +52,9 @@ class ClipControls:
             self._plane = gui.add_dropdown("plane", (NO_PLANE, *NORMALS, AS_SEEN))
             self._place = gui.add_slider("place", 0.0, 1.0, 1 / STEPS, 0.5)
             self._flip = gui.add_checkbox("other side", False)
-            gui.add_button("Whole scene").on_click(lambda _: ask(self.reset))
+            gui.add_button("Whole scene").on_click(lambda _: run(self.reset))
         self._normal = (0.0, 0.0, 1.0)
-        self._settings = self._all_settings()  # as they were applied last
-        self._plane.on_update(lambda _: ask(self._choose_plane))
+        self._plane.on_update(lambda _: run(self._choose_plane))
         for control in (self._on, self._place, self._flip):
             control.on_update(lambda _: self._ask())
 
@@ -78,9 +76,8 @@ class ClipControls:
 
     def clip(self) -> Clip:
         """What the controls say."""
-        rules = self._stage.filters
         if not self._on.value:
-            return Clip(filters=rules)
+            return Clip()
         low, high = self._box()
         ends = []
         for slider in self._ranges:
@@ -89,35 +86,19 @@ class ClipControls:
             ends.append((-np.inf if a <= slider.min else a, np.inf if b >= slider.max else b))
         box = [min(a, b) for a, b in ends], [max(a, b) for a, b in ends]
         if self._plane.value == NO_PLANE:
-            return Clip(*box, filters=rules)
+            return Clip(*box)
         normal = np.array(self._normal) * (-1 if self._flip.value else 1)
         corners = np.array([[a, b, c] for a in (low[0], high[0]) for b in (low[1], high[1]) for c in (low[2], high[2])])
         heights = corners @ normal
         share = 1 - self._place.value if self._flip.value else self._place.value
         offset = float(heights.min() + share * np.ptp(heights))
-        return Clip(*box, normal=normal, offset=offset, filters=rules)
+        return Clip(*box, normal=normal, offset=offset)
 
     def apply(self) -> None:
         """Hide what the planes hide, in clouds and surfaces, and show all else."""
         self._pending = False
         self._stage.clip = self.clip()
         self._hide(self._stage.clip)
-        before, self._settings = self._settings, self._all_settings()
-        if self._settings != before:
-            after = self._settings
-            change = Change("Clip planes", lambda: self._restore(before), lambda: self._restore(after), "clip planes")
-            self._stage.history.add(change)
-
-    def _all_settings(self) -> tuple[Any, ...]:
-        ends = tuple(slider.value for slider in self._ranges)
-        return self._on.value, ends, self._plane.value, self._normal, self._place.value, self._flip.value
-
-    def _restore(self, settings: tuple[Any, ...]) -> None:
-        """Have the controls stand as they did."""
-        self._on.value, ends, self._plane.value, self._normal, self._place.value, self._flip.value = settings
-        for slider, value in zip(self._ranges, ends, strict=True):
-            slider.value = value
-        self.apply()
 
     def _hide(self, clip: Clip) -> None:
         session = self._stage.session
@@ -131,7 +112,7 @@ class ClipControls:
                 continue
             told = stream, clip, item.pose, item.cloud
             if not _same(known, told):
-                stream.set_keep(item.keeper(clip) if clip.cuts else None)
+                stream.set_keep(clip.keeper(self._stage.pose_of(item)) if clip.cuts else None)
                 self._applied[name] = told
         if not clip.cuts:
             self._applied.clear()
@@ -171,13 +152,13 @@ class ClipControls:
     def _cut_surfaces(self, items: dict[str, Any], clip: Clip) -> None:
         """In this page, surfaces of our own stand for those that all pages share, which are hidden in it."""
         stage = self._stage
-        for name in [n for n in self._cut if not clip.planes_cut or n not in items]:
+        for name in [n for n in self._cut if not clip.cuts or n not in items]:
             with stage.client.atomic():
                 self._drop_cut(name)
                 if name in items:
                     for _, node in stage.viewer.surface_nodes(name):
                         stage.client.scene.show_shared(node, items[name].visible)
-        if not clip.planes_cut:
+        if not clip.cuts:
             return
         for name, item in items.items():
             shared = stage.viewer.surface_nodes(name) if item.has_surface else []
@@ -216,7 +197,7 @@ def clip_part(part: Triangles, clip: Clip, pose: Any) -> Triangles:
     faces = download(part.indices).reshape(-1, 3)
     device = part.positions.device
     if part.texture is not None and part.uvs is not None and part.uvs.size:
-        kept = clip.keeper(pose)(positions.astype(np.float64) + part.origin, None)[faces].all(axis=1)
+        kept = clip.keeper(pose)(positions.astype(np.float64) + part.origin)[faces].all(axis=1)
         uvs = download(part.uvs).reshape(-1, 3, 2)[kept]
         return dataclasses.replace(
             part,

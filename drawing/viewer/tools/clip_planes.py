@@ -1,4 +1,4 @@
-"""What is left to be seen: a box along the axes, one free plane, and filters by what is known of the points."""
+"""Clip planes: a box along the axes and one free plane."""
 
 from __future__ import annotations
 
@@ -12,26 +12,20 @@ from numpy.typing import NDArray
 
 from ....core.checks import check_direction, check_number, check_rows, check_shape, check_transformation
 from ....kernels.drawing import picking
-from ....kernels.lang import uint8
-from ....kernels.memory import download, upload
 from ....meshing.mesh.mesh import TriangleMesh
 from ....pcd.cloud import PointCloud
-from .filters import Filter
 
-_BLOCK = 2_000_000  # points looked at together
-
-Keep = Callable[[Any, Any], NDArray[np.bool_]]
+Keep = Callable[[Any], NDArray[np.bool_]]
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Clip:
-    """A box and a half-space of the world; what lies in both is seen, their borders too. Of clouds, filters hide more.
+    """A box and a half-space of the world; what lies in both is seen, their borders too.
 
     Args:
         low, high: The box's ends [m], shape [3]; infinite ones do not cut. NaN is refused.
         normal: Of the free plane, of any length, towards what is seen; None for no plane.
         offset: Where the plane lies along the unit normal [m].
-        filters: Rules that points have to meet as well, all of them.
 
     Raises:
         ValueError: Another shape, an end that is NaN, low above high, or a normal of no length.
@@ -46,7 +40,6 @@ class Clip:
     high: Any = (math.inf, math.inf, math.inf)
     normal: Any = None
     offset: float = 0.0
-    filters: tuple[Filter, ...] = ()
 
     def __post_init__(self):
         for name in ("low", "high"):
@@ -63,11 +56,6 @@ class Clip:
     @property
     def cuts(self) -> bool:
         """Whether it may hide anything."""
-        return self.planes_cut or any(rule.cuts for rule in self.filters)
-
-    @property
-    def planes_cut(self) -> bool:
-        """Whether the box or the plane may hide anything: of surfaces, too."""
         return self.normal is not None or bool(np.isfinite(self.low).any() or np.isfinite(self.high).any())
 
     def heights(self, points: Any) -> list[NDArray[np.float64]]:
@@ -77,33 +65,19 @@ class Clip:
         found += [self.high[i] - places[:, i] for i in range(3) if np.isfinite(self.high[i])]
         return found if self.normal is None else [*found, places @ self.normal - self.offset]
 
-    def keep(self, points: Any, indices: Any = None) -> NDArray[np.bool_]:
-        """Which points [n, 3] of the world box and plane leave, bool [n]; `indices` have no bearing. NaN goes."""
+    def keep(self, points: Any) -> NDArray[np.bool_]:
+        """Which points [n, 3] of the world are inside, bool [n]; points with NaN are not."""
         places = check_rows("points", points, 3, dtype=np.float64)
         kept = np.isfinite(places[:, 0]) & np.isfinite(places[:, 1]) & np.isfinite(places[:, 2])
         for height in self.heights(places):
             kept &= height >= 0
         return kept
 
-    def keeper(self, pose: Any = None, cloud: PointCloud | None = None) -> Keep:
-        """What is seen of something that stands in the world at a pose, 4x4, by its own coordinates.
-
-        Args:
-            pose: None leaves it where it is.
-            cloud: Whose points they are; its values are what filters look at, by the indices.
-        """
+    def keeper(self, pose: Any = None) -> Keep:
+        """`keep` for points in the coordinates of a geometry at a pose, 4x4; None is the identity."""
         T = None if pose is None else check_transformation("pose", pose)
 
-        def keep(points: Any, indices: Any = None) -> NDArray[np.bool_]:
-            places = np.asarray(points) if T is None else np.asarray(points) @ T[:3, :3].T + T[:3, 3]
-            kept = self.keep(places)
-            passes = [] if cloud is None else [rule.keep_of(cloud, places, indices) for rule in self.filters]
-            for passed in passes:
-                if passed is not None:
-                    kept &= passed
-            return kept
-
-        return keep
+        return lambda points: self.keep(points if T is None else np.asarray(points) @ T[:3, :3].T + T[:3, 3])
 
 
 def hidden_points(cloud: PointCloud, clip: Clip, *, pose: Any = None) -> Any:
@@ -116,23 +90,11 @@ def hidden_points(cloud: PointCloud, clip: Clip, *, pose: Any = None) -> Any:
     """
     if not clip.cuts:
         return None
-    if any(rule.cuts for rule in clip.filters):
-        return _hidden_in_blocks(cloud, clip.keeper(pose, cloud))
     T = np.eye(4) if pose is None else check_transformation("pose", pose).copy()
     T[:3, 3] += T[:3, :3] @ cloud.origin
     normal = np.zeros(3) if clip.normal is None else clip.normal
     offset = -math.inf if clip.normal is None else clip.offset
     return picking.mask_clipped(cloud.device_array("points"), T, clip.low, clip.high, normal, offset)
-
-
-def _hidden_in_blocks(cloud: PointCloud, keep: Keep) -> Any:
-    """What a rule hides of a cloud, found on the CPU, 100 MB at a time."""
-    rows = download(cloud.device_array("points")).reshape(-1, 3)
-    hidden = np.empty(len(rows), np.uint8)
-    for first in range(0, len(rows), _BLOCK):
-        part = slice(first, first + _BLOCK)
-        hidden[part] = ~keep(rows[part].astype(np.float64) + cloud.origin, part)
-    return upload(hidden, uint8, cloud.device)
 
 
 def clip_mesh(mesh: TriangleMesh, clip: Clip, *, pose: Any = None) -> TriangleMesh:

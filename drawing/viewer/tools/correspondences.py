@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ....cameras.pose_files import write_pose
 from ....core.atomic import atomic_write
 from ....core.checks import check_finite, check_positive, check_rows
 from ....pcd.cloud import PointCloud
@@ -224,8 +223,3 @@ def save_pairs(
     }
     with atomic_write(path) as file:
         file.write(json.dumps(content, indent=1).encode() + b"\n")
-
-
-def save_pose(path: Any, T: Matrix) -> None:
-    """Write a pose as four rows of four numbers, which `pointloom register --init` reads."""
-    write_pose(path, T)

@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 import time
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ....cameras.pose_files import write_pose
 from ....core.units import LengthUnit
 from ....registration.rigid import invert_pose
 from ...render.view import View
-from ..history import Change
-from .kept_files import file_in, keep_file, place_of_files
 from .measuring import length_text
 from .picking import Pick, Target, world_point
 from .stage import Color, Tool, check_room
@@ -35,9 +33,8 @@ class PairsTool(Tool):
     key = "J"
     hint = "Click a point of the source, then the same place in the target; after three pairs Enter registers."
 
-    def __init__(self, stage, folder: Path | None = None):
+    def __init__(self, stage: Any):
         super().__init__(stage)
-        self._folder = Path.cwd() if folder is None else folder
         self._picks: list[Pick] = []  # source, target, source, ...
         self._found: PairRegistration | None = None
         self._was: tuple[str, Matrix | None] | None = None
@@ -45,7 +42,7 @@ class PairsTool(Tool):
 
     def start(self) -> None:
         """Offer the clouds, and what to do with the pairs."""
-        names, gui, ask = self.stage.clouds(), self.stage.client.gui, self.stage.ask
+        names, gui, run = self.stage.clouds(), self.stage.client.gui, self.stage.run
         if len(names) < 2:
             raise ValueError(f"two clouds are needed to register one onto the other; the scene shows {len(names)}")
         self._source = gui.add_dropdown("source", names, names[0])
@@ -53,18 +50,16 @@ class PairsTool(Tool):
         self._alone = gui.add_checkbox("show one at a time", False)
         self._refine = gui.add_checkbox("refine by ICP", True)
         self._distance = gui.add_number("distance, 0: chosen", 0.0, min=0.0, hint="in the clouds' unit, else in metres")
-        place = place_of_files(self.stage, self._folder)
-        self._file = gui.add_text("file", "pairs.json", hint=f"{place}, with the pose as .txt")
         buttons = (
             ("Register (Enter)", self.finish),
             ("Back to the old pose", self.undo_pose),
             ("Save pairs and pose", self.save),
         )
         for label, action in buttons:
-            gui.add_button(label).on_click(lambda _, action=action: ask(action))
+            gui.add_button(label).on_click(lambda _, action=action: run(action))
         for choice in (self._source, self._target):
-            choice.on_update(lambda _: ask(self._restart))
-        self._alone.on_update(lambda _: ask(self._show_due))
+            choice.on_update(lambda _: run(self._restart))
+        self._alone.on_update(lambda _: run(self._show_due))
 
     def stop(self) -> None:
         """Show both clouds again."""
@@ -115,7 +110,6 @@ class PairsTool(Tool):
         if self._was is None or self._was[0] != source.name:
             self._was = source.name, before
         self._found = found
-        self._remember(source.name, before, self.stage.item(source.name).pose)
         self._show(stage.view())
         stage.show(_rows(found, unit))
         note = f" {found.note[0].upper()}{found.note[1:]}." if found.note else ""
@@ -138,26 +132,16 @@ class PairsTool(Tool):
             self._show(self.stage.view())
 
     def save(self) -> None:
-        """Write the pairs as JSON and the pose as four rows of numbers beside it."""
+        """Have the page save the pairs as JSON, and the pose as four rows of numbers."""
         if self._found is None:
             raise ValueError("register first: there is no pose to save yet")
-        path = file_in(self._folder, self._file.value, (".json",))
-        text = path.with_suffix(".txt")
-        for place in (path, text):
-            if not self.stage.viewer.server.exposed and place.exists():
-                raise ValueError(f"{place.name} exists already: choose another name")
         names, found = (self._source.value, self._target.value), self._found
         places = self._places(*(self.stage.cloud(name)[1] for name in names))
-        from .correspondences import save_pairs, save_pose
+        from .correspondences import save_pairs
 
-        kept = [
-            keep_file(self.stage, self._folder, one.name, (one.suffix,), write)
-            for one, write in (
-                (path, lambda to: save_pairs(to, names, self._rows(), *places, found)),
-                (text, lambda to: save_pose(to, found.transformation)),
-            )
-        ]
-        self.stage.say(f"The pairs are {kept[0]}, the pose is {kept[1]}.")
+        self.stage.download("pairs.json", lambda path: save_pairs(path, names, self._rows(), *places, found))
+        self.stage.download("pairs.txt", lambda path: write_pose(path, found.transformation))
+        self.stage.say("The pairs are downloaded as pairs.json, the pose as pairs.txt.")
 
     # -- within -------------------------------------------------------------------------------------------------------
 
@@ -186,18 +170,6 @@ class PairsTool(Tool):
         world = T if base is None else base @ T
         own = source.points.pose
         self.stage.viewer.set_pose(source.name, world if own is None else world @ invert_pose(own))
-
-    def _remember(self, name: str, before: Matrix | None, after: Matrix | None) -> None:
-        """The page's history can go back to the pose before."""
-
-        def goes_to(pose: Matrix | None) -> Any:
-            def go() -> None:
-                self.stage.item(name)
-                self.stage.viewer.set_pose(name, np.eye(4) if pose is None else pose)
-
-            return go
-
-        self.stage.history.add(Change(f"Register {name} by pairs", goes_to(before), goes_to(after)))
 
     def _restart(self) -> None:
         self._picks, self._found = [], None

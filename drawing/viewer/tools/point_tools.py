@@ -1,10 +1,18 @@
-"""The tool that asks for a point; path_tool.py measures between several."""
+"""The tools that look at clicked points: `PointTool` shows one, `MeasureTool` measures between several."""
 
 from __future__ import annotations
 
+import itertools
+from typing import Any
+
+import numpy as np
+
 from ...render.view import View
-from .picking import coordinate_text, describe_row
-from .stage import Tool
+from .measuring import length_text, measurements
+from .picking import Pick, coordinate_text, describe_row
+from .stage import Tool, check_room
+
+NOTHING = "Nothing there: click nearer to a point."
 
 
 class PointTool(Tool):
@@ -20,7 +28,7 @@ class PointTool(Tool):
         stage.clear()
         if found is None:
             stage.show([])
-            stage.say("Nothing there: click nearer to a point.")
+            stage.say(NOTHING)
             return
         rows = [("in", found.name)]
         if found.index is None:
@@ -36,3 +44,49 @@ class PointTool(Tool):
         """Forget the point."""
         self.stage.clear()
         self.stage.show([])
+
+
+class MeasureTool(Tool):
+    """Measures along a path of clicks."""
+
+    label = "Measure"
+    key = "M"
+    hint = "Click on points or surfaces: two give a distance, more a path and angles. Backspace takes one back."
+
+    def __init__(self, stage: Any):
+        super().__init__(stage)
+        self._picks: list[Pick] = []
+
+    def click(self, view: View, x: float, y: float) -> None:
+        """Add a point to the path."""
+        found = self.stage.pick(view, x, y)
+        if found is None:
+            self.stage.say(NOTHING)
+            return
+        check_room(self._picks)
+        self._show([*self._picks, found], view)
+
+    def undo(self) -> None:
+        """Remove the last point."""
+        if self._picks:
+            self._show(self._picks[:-1], self.stage.view())
+
+    def finish(self) -> None:
+        """Begin a new path."""
+        if self._picks:
+            self._show([], self.stage.view())
+
+    def _show(self, picks: list[Pick], view: View) -> None:
+        """Take these points, and show them, their distances and angles."""
+        self._picks = picks
+        stage, places = self.stage, np.array([found.point for found in picks]).reshape(-1, 3)
+        stage.clear()
+        for place in places:
+            stage.mark(view, place)
+        stage.lines(places)
+        stage.show([])
+        stage.say(self.hint)
+        unit = stage.unit(found.name for found in picks)
+        for a, b in itertools.pairwise(places if unit is None or unit.metres is not None else []):
+            stage.label((a + b) / 2, length_text(float(np.linalg.norm(b - a)), unit))
+        stage.show(measurements(places, unit))

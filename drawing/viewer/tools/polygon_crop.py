@@ -14,7 +14,6 @@ In a free view the points that are seen inside are taken as they are; no file of
 from __future__ import annotations
 
 import math
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -22,7 +21,6 @@ from numpy.typing import NDArray
 
 from ....cameras.camera import PinholeCameraIntrinsic
 from ....core.checks import check_finite, check_rows, check_shape, check_transformation
-from ....core.errors import FileError
 from ....kernels.arrays.select import positions_of
 from ....kernels.drawing.picking import mask_seen
 from ....kernels.lang import vec2d
@@ -206,17 +204,3 @@ def indices_in_volume(cloud: PointCloud, volume: SelectionPolygonVolume, *, pose
     """The indices of the points inside a volume of the world, ascending, as NumPy."""
     moved = cloud if pose is None else cloud.transform(check_transformation("pose", pose))
     return download(positions_of(mask_volume(volume, moved.device_array("points"), moved.origin)))  # sync
-
-
-def save_volume(volume: SelectionPolygonVolume, path: Any) -> None:
-    """Write a volume; of files that exist only those that hold a volume are replaced.
-
-    Raises:
-        FileError: The place cannot be written, or holds something else.
-    """
-    if Path(path).exists():
-        try:
-            SelectionPolygonVolume.from_json(path)
-        except FileError as error:
-            raise FileError(path, "exists and holds no polygon", remedy="Choose another name") from error
-    volume.to_json(path)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from functools import partial
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,8 +11,6 @@ from ....files.points.point_cloud import write_point_cloud
 from ....kernels.memory import download
 from ....pcd.cloud import PointCloud
 from ...render.view import View
-from ..history import Change
-from .kept_files import file_in, keep_file, place_of_files
 from .picking import project, ray_through
 from .polygon_crop import (
     AXES,
@@ -22,7 +18,6 @@ from .polygon_crop import (
     looks_along_axis,
     nearest_axis,
     polygon_to_volume,
-    save_volume,
     seen_inside,
     view_along,
 )
@@ -32,19 +27,18 @@ if TYPE_CHECKING:
     from ..link import CameraState
 
 STRAIGHT, FREE = "along an axis", "free view"
-CLOUD_SUFFIXES = (".ply", ".pcd", ".xyz", ".npz", ".las")
+FILES = {STRAIGHT: "cropped.json", FREE: "cropped.ply"}
 
 
 class PolygonTool(Tool):
-    """Draws a polygon, saves it as Open3D's cropped.json and shows what lies inside alone."""
+    """Draws a polygon, has the page save it as Open3D's cropped.json and shows only what is inside."""
 
     label = "Crop by polygon"
     key = "K"
     hint = "Click the corners of a polygon; Enter crops, Backspace takes a corner back, Escape ends."
 
-    def __init__(self, stage, folder: Path | None = None):
+    def __init__(self, stage: Any):
         super().__init__(stage)
-        self._folder = Path.cwd() if folder is None else folder
         self._corners: list[NDArray[np.float64]] = []  # along an axis: in the world; in a free view: [px]
         self._drawn_in: View | None = None
         self._before: CameraState | None = None
@@ -52,19 +46,18 @@ class PolygonTool(Tool):
 
     def start(self) -> None:
         """Look along the nearest axis, and offer what can be chosen."""
-        names, gui, ask = self.stage.clouds(), self.stage.client.gui, self.stage.ask
+        names, gui, run = self.stage.clouds(), self.stage.client.gui, self.stage.run
         if not names:
             raise ValueError("there is no cloud to crop in the scene")
         self._cloud = gui.add_dropdown("cloud", names, visible=len(names) > 1)
         self._mode = gui.add_dropdown("view", (STRAIGHT, FREE))
-        self._file = gui.add_text("file", "cropped.json", hint=place_of_files(self.stage, self._folder))
         buttons = (("Look along x", "X"), ("Look along y", "Y"), ("Look along z", "Z"))
         for label, axis in buttons:
-            gui.add_button(label).on_click(lambda _, axis=axis: ask(lambda: self._align(axis)))
-        gui.add_button("Crop (Enter)").on_click(lambda _: ask(self.finish))
+            gui.add_button(label).on_click(lambda _, axis=axis: run(lambda: self._align(axis)))
+        gui.add_button("Crop (Enter)").on_click(lambda _: run(self.finish))
         self._undo_button = gui.add_button("Undo crop", disabled=True)
-        self._undo_button.on_click(lambda _: ask(self.undo_crop))
-        self._mode.on_update(lambda _: ask(self._change_mode))
+        self._undo_button.on_click(lambda _: run(self.undo_crop))
+        self._mode.on_update(lambda _: run(self._change_mode))
         self._before = self.stage.camera()
         self._align()
 
@@ -99,7 +92,7 @@ class PolygonTool(Tool):
             self._show(self.stage.view())
 
     def finish(self) -> None:
-        """Crop: the cloud inside is shown, the whole one hidden, the file written."""
+        """Crop: the cloud inside is shown, the whole one hidden, the file downloaded."""
         stage = self.stage
         if len(self._corners) < 3:
             raise ValueError(f"a polygon has at least three corners, this one has {len(self._corners)}: click on more")
@@ -107,8 +100,7 @@ class PolygonTool(Tool):
         view = self._drawn_in
         assert view is not None
         pose, polygon = stage.pose_of(item), self._on_screen(view)
-        volume, name = None, self._file.value
-        file_in(self._folder, name, CLOUD_SUFFIXES if self._mode.value == FREE else (".json",))
+        volume, name = None, FILES[self._mode.value]
         if self._mode.value == FREE:
             kept = seen_inside(cloud, view, polygon, pose=pose)
         else:
@@ -118,14 +110,15 @@ class PolygonTool(Tool):
         if not len(seen):
             raise ValueError("no point lies inside the polygon; Backspace takes corners back")
         cropped = item.select(seen)
+        told = f"{len(seen):,} of {len(cloud):,} points, downloaded as {name}."
         if volume is None:
-            told = f"{len(seen):,} of {len(cloud):,} points, {self._keep_cloud(cropped)}."
+            stage.download(name, lambda path: write_point_cloud(path, cropped))
         else:
-            place = keep_file(stage, self._folder, name, (".json",), partial(save_volume, volume))
-            told = f"{len(seen):,} of {len(cloud):,} points; the polygon is {place}."
+            stage.download(name, volume.to_json)
+            told = f"{len(seen):,} of {len(cloud):,} points; the polygon is downloaded as {name}."
             told += _difference(cloud, view, polygon, kept, pose)
         if len(seen) < len(kept):
-            told += f" {len(kept) - len(seen):,} more inside are hidden by clip planes or filters, and left out."
+            told += f" {len(kept) - len(seen):,} more inside are hidden by clip planes, and left out."
         self._swap(item, cropped)
         self._corners, self._drawn_in = [], None
         stage.clear()
@@ -138,55 +131,10 @@ class PolygonTool(Tool):
 
     def undo_crop(self) -> None:
         """Show the whole cloud again."""
-        if self._undo is not None:
-            self._uncrop(*self._undo)
-            self.stage.say("All points are shown again.")
-
-    # -- within -------------------------------------------------------------------------------------------------------
-
-    def _keep_cloud(self, cropped: PointCloud) -> str:
-        """Write what is cropped; where it is then."""
-        return keep_file(
-            self.stage,
-            self._folder,
-            self._file.value,
-            CLOUD_SUFFIXES,
-            lambda path: write_point_cloud(path, cropped, overwrite=False),
-        )
-
-    def _seen_of(self, name: str, rows: NDArray[np.int32]) -> NDArray[np.int32]:
-        """Some points of a cloud without those that clip planes and filters hide."""
-        hidden = next(target.hidden for target in self.stage.targets([name]) if target.cloud is not None)
-        return rows if hidden is None else rows[download(hidden)[rows] == 0]  # sync
-
-    def _swap(self, item: Any, cropped: Any) -> None:
-        """Show the cropped cloud in place of the whole one; the page's history can go back."""
+        if self._undo is None:
+            return
+        (whole, part), self._undo, self._undo_button.disabled = self._undo, None, True
         viewer = self.stage.viewer
-        with viewer.lock:
-            name, number = f"{item.name} (cropped)", 2
-            while name in viewer.shown:
-                name, number = f"{item.name} (cropped {number})", number + 1
-            self._crop(item, name, cropped)
-        label, nbytes = f"Crop {item.name} (the file stays)", cropped.points.nbytes
-        undo, redo = (lambda: self._uncrop(item.name, name)), (lambda: self._crop(item, name, cropped))
-        self.stage.history.add(Change(label, undo, redo, nbytes=nbytes))
-
-    def _crop(self, item: Any, name: str, cropped: Any) -> None:
-        viewer = self.stage.viewer
-        with viewer.lock:
-            if item.name not in viewer.shown or name in viewer.shown:
-                raise ValueError(f"{item.name} is no longer in the scene, or {name} is there already")
-            viewer.add(name, cropped, **style_of(item))
-            if item.pose is not None:
-                viewer.set_pose(name, item.pose)
-            viewer.set_visible(item.name, False)
-        self._undo, self._undo_button.disabled = (item.name, name), False
-        self._list_clouds(name)
-
-    def _uncrop(self, whole: str, part: str) -> None:
-        """The whole cloud in place of the cropped one."""
-        viewer = self.stage.viewer
-        self._undo, self._undo_button.disabled = None, True
         with viewer.lock:
             if part not in viewer.shown and whole not in viewer.shown:
                 raise ValueError(f"{whole} is no longer in the scene")
@@ -195,6 +143,30 @@ class PolygonTool(Tool):
             if whole in viewer.shown:
                 viewer.set_visible(whole, True)
         self._list_clouds(whole)
+        self.stage.say("All points are shown again.")
+
+    # -- within -------------------------------------------------------------------------------------------------------
+
+    def _seen_of(self, name: str, rows: NDArray[np.int32]) -> NDArray[np.int32]:
+        """Some points of a cloud without those that clip planes hide."""
+        hidden = next(target.hidden for target in self.stage.targets([name]) if target.cloud is not None)
+        return rows if hidden is None else rows[download(hidden)[rows] == 0]  # sync
+
+    def _swap(self, item: Any, cropped: PointCloud) -> None:
+        """Show the cropped cloud in place of the whole one."""
+        viewer = self.stage.viewer
+        with viewer.lock:
+            if item.name not in viewer.shown:
+                raise ValueError(f"{item.name} is no longer in the scene")
+            name, number = f"{item.name} (cropped)", 2
+            while name in viewer.shown:
+                name, number = f"{item.name} (cropped {number})", number + 1
+            viewer.add(name, cropped, **style_of(item))
+            if item.pose is not None:
+                viewer.set_pose(name, item.pose)
+            viewer.set_visible(item.name, False)
+        self._undo, self._undo_button.disabled = (item.name, name), False
+        self._list_clouds(name)
 
     def _list_clouds(self, chosen: str) -> None:
         names = self.stage.clouds()
@@ -218,18 +190,13 @@ class PolygonTool(Tool):
             self.stage.look_back(self._before)
 
     def _change_mode(self) -> None:
-        name = self._file.value
+        if self._mode.value == STRAIGHT:
+            self._align()
+            return
         self._corners, self._drawn_in = [], None
         self.stage.clear()
-        if self._mode.value == FREE:
-            self._look_back()
-            if name.endswith(".json"):
-                self._file.value = f"{name.removesuffix('.json')}.ply"
-            self.stage.say(f"{self.hint} What is seen inside is kept, as a cloud: no cropped.json can hold it.")
-        else:
-            if Path(name).suffix in CLOUD_SUFFIXES:
-                self._file.value = f"{Path(name).stem}.json"
-            self._align()
+        self._look_back()
+        self.stage.say(f"{self.hint} What is seen inside is kept, as a cloud: no cropped.json can hold it.")
 
     def _size(self) -> float:
         low, high = self.stage.viewer.bounds

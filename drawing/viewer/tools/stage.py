@@ -6,8 +6,10 @@ All that a tool draws lies in the page's own scene, and goes with `clear`.
 from __future__ import annotations
 
 import dataclasses
+import tempfile
 import weakref
 from collections.abc import Callable, Iterable
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -21,9 +23,7 @@ from ....pcd.units import InUnit
 from ...render.parts import Triangles
 from ...render.view import View
 from ..camera import diagonal
-from ..history import History
 from .clip_planes import Clip, hidden_points
-from .filters import Filter
 from .picking import Pick, Rows, Target, pick, ray_through
 
 if TYPE_CHECKING:
@@ -38,6 +38,7 @@ MARK: Color = (230, 60, 20)
 MARK_SIZE = 8.0  # [px]
 LINE_WIDTH = 2.5  # [px]
 MOST_CLICKS = 1000  # that a tool keeps
+MAX_BYTES = 256 << 20  # of a download
 
 _scenes: weakref.WeakKeyDictionary[Any, list[tuple[Any, RaycastingScene]]] = weakref.WeakKeyDictionary()
 
@@ -65,23 +66,16 @@ class Stage:
         run: Has something done in the order in which things are asked for; says whether it will be.
 
     Attributes:
-        clip: What clip planes and filters leave to be seen.
-        filters: The rules that points have to meet.
-        history: What was changed in the page.
+        clip: What clip planes leave to be seen.
     """
 
     def __init__(self, session: Session, run: Callable[[Callable[[], None]], bool]):
         self.session, self.viewer, self.client, self.run = session, session.viewer, session.client, run
-        self.clip, self.history = Clip(), History()
-        self.filters: tuple[Filter, ...] = ()
+        self.clip = Clip()
         self.status: Shown  # words and a table of the panel, which the toolbox makes
         self.rows: Shown
         self._nodes: list[Node] = []
         self._hidden: dict[str, tuple[Any, Any, Any, Any]] = {}
-
-    def ask(self, job: Callable[[], None]) -> None:
-        """Have something done in its turn; of too much, nothing."""
-        self.run(job)
 
     # -- words --------------------------------------------------------------------------------------------------------
 
@@ -93,6 +87,20 @@ class Stage:
         """Show labels and values in the panel."""
         self.rows.value = rows
         self.rows.visible = bool(rows)
+
+    def download(self, name: str, write: Callable[[Path], Any]) -> None:
+        """Have the page save a file under a name; `write` writes it to a path.
+
+        Raises:
+            ValueError: More than 256 MiB.
+        """
+        with tempfile.TemporaryDirectory(prefix="pointloom-") as folder:
+            path = Path(folder) / name
+            write(path)
+            size = path.stat().st_size
+            if size > MAX_BYTES:
+                raise ValueError(f"{name} has {size / 1e6:,.0f} MB; pages download at most {MAX_BYTES / 1e6:,.0f} MB")
+            self.client.download(name, path.read_bytes())
 
     # -- what there is ------------------------------------------------------------------------------------------------
 
@@ -273,7 +281,7 @@ class Tool:
     """
 
     label = ""
-    key: str | None = None
+    key = ""
     hint = ""
 
     def __init__(self, stage: Stage):

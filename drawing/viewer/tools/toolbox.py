@@ -6,7 +6,6 @@ import logging
 import threading
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,12 +14,8 @@ from ....core.errors import PointloomError
 from ...render.view import View
 from ..logged import asked_by_page
 from .clip_controls import ClipControls
-from .filter_controls import FilterControls
-from .ground_tools import AreaTool, ProfileTool, VolumeTool
-from .paint_tool import PaintTool
 from .pairs_tool import PairsTool
-from .path_tool import MeasureTool
-from .point_tools import PointTool
+from .point_tools import MeasureTool, PointTool
 from .polygon_tool import PolygonTool
 from .stage import Stage, Tool
 
@@ -35,11 +30,7 @@ KEYS = (
     ("backspace", "Take back the last click", "undo"),
     ("enter", "Finish", "finish"),
 )
-HISTORY_KEYS = (("Ctrl+Z", "Take back the last change", "undo"), ("Ctrl+Shift+Z", "Do it again", "redo"))
-TOOLS: tuple[type[Tool], ...] = (
-    *(PointTool, MeasureTool, AreaTool, VolumeTool, ProfileTool),
-    *(PolygonTool, PairsTool, PaintTool),
-)
+TOOLS: tuple[type[Tool], ...] = (PointTool, MeasureTool, PolygonTool, PairsTool)
 
 log = logging.getLogger("pointloom.viewer")
 
@@ -52,22 +43,19 @@ class Toolbox:
     Args:
         session: The page.
         folder: Of the page's panel, in which the tools are.
-        files: Where files are written; None: the folder that the program runs in.
     """
 
-    def __init__(self, session: Session, folder: Any, *, files: Path | None = None):
+    def __init__(self, session: Session, folder: Any):
         self.tool: Tool | None = None
         self._session, self._client = session, session.client
-        self._files = Path.cwd() if files is None else Path(files)
         self._worker = ThreadPoolExecutor(1, thread_name_prefix="pointloom-tools")
         self._lock, self._waiting, self._closed = threading.Lock(), 0, False
         self._is_stale = False
         self._controls: Any = None
         self.stage = Stage(session, self.run)
         gui = self._client.gui
-        self._folder = folder
         with folder:
-            self._buttons = {kind: gui.add_button(_with_key(kind)) for kind in TOOLS}
+            self._buttons = {kind: gui.add_button(f"{kind.label} ({kind.key})") for kind in TOOLS}
         # at the top of the panel while a tool is at work, where it is seen without scrolling
         self._top = gui.add_folder("Tool", order=0.5, visible=False)
         with self._top:
@@ -79,15 +67,10 @@ class Toolbox:
             button.on_click(toggle)
             self._commands.append(gui.add_command(kind.label, kind.key, group="Tools"))
             self._commands[-1].on_trigger(toggle)
-        self.clip = ClipControls(self.stage, self._folder)
-        self.filter = FilterControls(self.stage, self._folder, self.clip.apply)
+        self.clip = ClipControls(self.stage, folder)
         for key, label, action in KEYS:
             command = gui.add_command(label, key, group="Tools")
             command.on_trigger(self._asks(lambda action=action: self._key(action)))
-        for key, label, action in HISTORY_KEYS:
-            command = gui.add_command(label, key, group="Tools")
-            command.on_trigger(self._asks(lambda action=action: self._go(action)))
-        session.rest(self._on_rest)
 
     # -- what drives it -----------------------------------------------------------------------------------------------
 
@@ -112,7 +95,7 @@ class Toolbox:
     def start(self, kind: type[Tool]) -> None:
         """Begin with a tool; the one before ends."""
         self.stop()
-        tool = kind(self.stage, self._files) if kind in (PolygonTool, PairsTool, PaintTool) else kind(self.stage)  # type: ignore[call-arg]
+        tool = kind(self.stage)
         gui = self._client.gui
         with self._top:
             self._controls = gui.add_folder(None)
@@ -165,7 +148,6 @@ class Toolbox:
             self._closed = True
         self._worker.shutdown(wait=False, cancel_futures=True)
         self.clip.close()
-        self.filter.close()
         self.tool = None
 
     # -- within -------------------------------------------------------------------------------------------------------
@@ -190,19 +172,8 @@ class Toolbox:
         elif self.tool is not None:
             getattr(self.tool, action)()
 
-    def _go(self, way: str) -> None:
-        """Take the last change back, or do it again, and say so."""
-        told = getattr(self.stage.history, way)()
-        self.stage.say(told)
-        if self.tool is None:
-            self._client.notify("pointloom", told, seconds=3.0)
-
-    def _on_rest(self, _: View) -> None:
-        self.refresh()
-
     def _sync(self) -> None:
         self._is_stale = False
-        self.filter.sync()
         self.clip.sync()
         if self.tool is not None:
             self.tool.refresh()
@@ -225,8 +196,3 @@ class Toolbox:
         if not self._closed:
             self.stage.say(text)
             self._top.visible = True  # of what could not begin as well
-
-
-def _with_key(kind: type[Tool]) -> str:
-    """What stands on the button of a tool."""
-    return kind.label if kind.key is None else f"{kind.label} ({kind.key})"

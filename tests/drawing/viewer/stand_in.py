@@ -6,7 +6,6 @@ import contextlib
 import json
 import threading
 from collections.abc import Iterator
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -202,18 +201,17 @@ class StandIn:
 
     wireframe = False
 
-    def __init__(self, files: Any, *, exposed: bool = False, **geometries: Any):
+    def __init__(self, **geometries: Any):
         self.viewer = self
         self.lock, self.shown = threading.RLock(), {}
-        self.server = SimpleNamespace(exposed=exposed)
         self.streams: dict[str, Stream] = {}
         self.page = page_alone()
-        self.client, self.closed, self.looked = self.page.client, False, []
+        self.client, self.closed = self.page.client, False
         for name, geometry in geometries.items():
             self.add(name, geometry)
         self.frame = Frame.around(self.bounds)
         self.now = self.began = fit_view(np.array(self.bounds), width=1000, height=800)
-        self.box = Toolbox(self, self.client.gui.add_folder("Tools"), files=files)  # type: ignore[arg-type]
+        self.box = Toolbox(self, self.client.gui.add_folder("Tools"))  # type: ignore[arg-type]
 
     @property
     def items(self) -> dict[str, Any]:
@@ -254,9 +252,6 @@ class StandIn:
 
     def look_as(self, state: Any) -> None:
         self.now = self.began
-
-    def rest(self, callback: Any) -> None:
-        self.looked.append(callback)
 
     def tell(self) -> None:
         pass

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.drawing.viewer import cells
-from pointloom.drawing.viewer.cells import MOST_OPEN, keep, make_room
+from pointloom.drawing.viewer import draw as cells
+from pointloom.drawing.viewer.draw import MOST_OPEN, keep, make_room
 
 from .events import wait_until
 from .pages import hear_until, visitor_of

@@ -191,19 +191,6 @@ def test_what_is_no_copc_is_told(city, tmp_path):
     assert says_copc(city, more_than=COUNT - 1) and not says_copc(city, more_than=COUNT) and not says_copc(plain)
 
 
-def test_clip_planes_and_filters_reach_the_points_that_come_later(city):
-    from pointloom.drawing.viewer.tools.clip_planes import Clip
-    from pointloom.drawing.viewer.tools.filters import Filter
-
-    tree = CopcTree(city, first=1)
-    item = make_item("city", 0, tree.head, Style(), tree)
-    keep = item.keeper(Clip(filters=(Filter("classification", classes=frozenset({2})),)))
-    i = len(tree) - 1
-    told = np.asarray(tree.cloud_at(tree.indices_of(i))["classification"]) == 2
-    assert np.array_equal(keep(tree.points_of(i), tree.indices_of(i)), told)
-    assert keep(np.empty((0, 3)), np.zeros(0, np.int64)).shape == (0,)
-
-
 def test_a_viewer_shows_a_file_in_parts(city):
     with loom.Viewer(port=0, max_points=5_000) as viewer:
         viewer.add_copc("city", city, color_by="height")

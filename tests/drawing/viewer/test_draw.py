@@ -85,7 +85,7 @@ def test_an_open_door_is_told(cloud, capfd):
 def test_open3d_s_parameters_count(cloud):
     mesh = loom.TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
     look = {"zoom": 0.5, "front": [0, 0, -1], "lookat": [0.5, 0.5, 0.5], "up": [0, -1, 0]}
-    with draw([cloud, mesh], "title", 640, 480, 0, 0, True, True, False, **look) as viewer:
+    with draw([cloud, mesh], 640, 480, True, True, False, **look) as viewer:
         assert list(viewer.items) == ["cloud", "mesh"]
         assert viewer.normals
         assert viewer.wireframe

@@ -14,8 +14,8 @@ from pointloom.drawing.viewer.coloring_choice import ColoringChoice, choices_of
 from pointloom.drawing.viewer.extents import Extents
 from pointloom.drawing.viewer.items import Frame, make_item, to_bytes
 from pointloom.drawing.viewer.link import CameraState
+from pointloom.drawing.viewer.sessions import told
 from pointloom.drawing.viewer.surfaces import line_arrays, surface_arrays
-from pointloom.drawing.viewer.words import told
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import upload
 

@@ -30,7 +30,7 @@ CELLS = {
 }
 STATE = (
     "import gc, json, os, threading\n"
-    "from pointloom.drawing.viewer.cells import _opened\n"
+    "from pointloom.drawing.viewer.draw import _opened\n"
     "gc.collect()\n"
     "print(json.dumps({'open': [viewer().url for _, viewer in _opened if viewer() and not viewer().closed],\n"
     "    'threads': threading.active_count(),\n"

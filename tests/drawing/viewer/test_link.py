@@ -10,12 +10,11 @@ import numpy as np
 import pytest
 
 from pointloom.drawing.viewer.link.camera import FIRST
-from pointloom.drawing.viewer.link.client import PageClient
+from pointloom.drawing.viewer.link.client import MOST_WAITING, PageClient, Worker
 from pointloom.drawing.viewer.link.delivery import Channel, Delivery
 from pointloom.drawing.viewer.link.gui import Gui
 from pointloom.drawing.viewer.link.packing import SLICE, pack
 from pointloom.drawing.viewer.link.scene import Scene
-from pointloom.drawing.viewer.link.worker import MOST_WAITING, Worker
 
 
 class Page:

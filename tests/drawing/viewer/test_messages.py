@@ -13,7 +13,7 @@ import pytest
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 
 from pointloom.drawing.viewer.link import hub
-from pointloom.drawing.viewer.link.worker import MOST_WAITING
+from pointloom.drawing.viewer.link.client import MOST_WAITING
 
 from .events import announce, wait_until
 from .hostile_pages import HOSTILE_VALUES, hostile_messages, near_messages
@@ -117,11 +117,11 @@ def test_hostile_messages_reach_no_call_of_the_program(server):
     handles = [
         gui.add_slider("slider", 0, 10, 1, 5), gui.add_range("range", 0, 1, 0.1, (0.2, 0.8)), gui.add_text("text", "x"),
         gui.add_dropdown("dropdown", ("a", "b")), gui.add_rgb("rgb", (1, 2, 3)), gui.add_checkbox("checkbox", True),
-        gui.add_number("number", 3), gui.add_button("button"), gui.add_button_group("buttons", ("a", "b")),
+        gui.add_number("number", 3), gui.add_button("button"),
         gui.add_upload_button("upload"), gui.add_tree(), gui.add_timeline(0, 9, 1, 0), gui.add_command("command", "R"),
-        gui.add_histogram("histogram", [1, 2, 3], (0, 3), (0, 3)), gui.add_words("words"),
+        gui.add_words("words"),
     ]  # fmt: skip
-    handles[10].put("a", "A", True)
+    handles[9].put("a", "A", True)
     scene.on_click(lambda event: None)
 
     def work() -> None:
@@ -225,7 +225,7 @@ def test_a_sync_is_answered_behind_all_that_follows_from_what_was_said_before(se
 
 def test_a_file_is_taken_whole(server):
     button, loaded = server.pages.gui.add_upload_button("Load"), []
-    button.on_upload(lambda event: loaded.append((event.value.name, event.target.value.content)))
+    button.on_upload(lambda event: loaded.append((event.value.name, event.value.content)))
     with page_of(server) as line:
         say(line, {"say": "file", "id": button.id, "name": "view.json", "text": "ü" * 100_000})
         wait_until(lambda: loaded == [("view.json", "ü".encode() * 100_000)])

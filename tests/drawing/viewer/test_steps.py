@@ -111,7 +111,8 @@ def test_colours_size_pose_and_visibility_reach_all_steps(small_steps, rng):
         assert len({tuple(np.round(node.pose, 6)) for node in nodes_of(page, stream)}) == 1
         shown.set_visible("cloud", False)
         assert not any(node.visible for node in nodes_of(page, stream))
-        stream.set_keep(lambda points, indices: indices < 10)
+        limit = np.sort(shown.items["cloud"].cloud.points[:, 0])[10]
+        stream.set_keep(lambda points: points[:, 0] < limit)
         assert sum(len(node.positions) for node in nodes_of(page, stream)) == 10
         shown.remove("cloud")
         assert stream._nodes == [] and page.nodes == {}
@@ -209,10 +210,10 @@ def red(picture):
     return int(((picture[..., 0] > 200) & (picture[..., 1] < 80)).sum())
 
 
-def test_a_cloud_of_levels_is_picked_and_cropped_with_its_file_s_colours(tmp_path, rng):
+def test_a_cloud_of_levels_is_picked_and_cropped_with_its_file_s_colours(rng):
     """Its colours are with its levels alone."""
     points = rng.random((500, 3)) * [4, 4, 0.5]
-    page = StandIn(tmp_path, cloud=loom.PointCloud(points))
+    page = StandIn(cloud=loom.PointCloud(points))
     colored = loom.PointCloud(points, colors=np.tile([1.0, 0.0, 0.0], (500, 1)))
     page.items["cloud"].tree = DetailTree.from_cloud(colored)
     page.press("Pick a point")

@@ -15,7 +15,6 @@ from pointloom.drawing.viewer.tools.polygon_crop import (
     looks_along_axis,
     nearest_axis,
     polygon_to_volume,
-    save_volume,
     seen_inside,
     view_along,
 )
@@ -67,7 +66,7 @@ def test_the_saved_file_keeps_in_open3d_what_is_cropped_here(device, rng, tmp_pa
     view, star = looking(points, axis)
     cloud = loom.PointCloud(points, device=device)
     volume = polygon_to_volume(view, star, cloud)
-    save_volume(volume, tmp_path / "cropped.json")
+    volume.to_json(tmp_path / "cropped.json")
     kept = indices_in_volume(cloud, volume)
     saved = (tmp_path / "cropped.json").read_text()
     theirs = oracle(f"drawing/polygon_crop/{axis.lower()}_{place.lower()}", open3ds_crop, saved, cloud.points)
@@ -95,7 +94,7 @@ def test_the_volume_holds_what_is_seen_inside_to_a_pixel(rng, axis, scale):
 def test_the_file_is_like_open3ds_own(rng, tmp_path):
     points = scene(rng)
     view, star = looking(points, "Y")
-    save_volume(polygon_to_volume(view, star, points), tmp_path / "cropped.json")
+    polygon_to_volume(view, star, points).to_json(tmp_path / "cropped.json")
     content = json.loads((tmp_path / "cropped.json").read_text())
     assert content["class_name"] == "SelectionPolygonVolume" and content["orthogonal_axis"] == "Y"
     assert (content["version_major"], content["version_minor"]) == (1, 0)
@@ -149,21 +148,6 @@ def test_a_pose_puts_the_cloud_where_the_polygon_is(rng):
     with_pose = indices_in_volume(cloud, polygon_to_volume(view, star, cloud, pose=pose), pose=pose)
     alone = loom.PointCloud(points + pose[:3, 3])
     assert abs(len(with_pose) - len(indices_in_volume(alone, polygon_to_volume(view, star, alone)))) <= 2
-
-
-def test_only_a_volume_is_replaced(rng, tmp_path):
-    points = scene(rng)
-    volume = polygon_to_volume(*looking(points, "Z"), points)
-    path = tmp_path / "cropped.json"
-    save_volume(volume, path)
-    save_volume(volume, path)
-    (tmp_path / "other.json").write_text('{"name": "mine"}')
-    with pytest.raises(loom.FileError, match="holds no polygon"):
-        save_volume(volume, tmp_path / "other.json")
-    assert (tmp_path / "other.json").read_text() == '{"name": "mine"}'
-    with pytest.raises(loom.FileError, match="does not exist"):
-        save_volume(volume, tmp_path / "no folder" / "cropped.json")
-    assert sorted(p.name for p in tmp_path.iterdir()) == ["cropped.json", "other.json"]
 
 
 @pytest.mark.parametrize(

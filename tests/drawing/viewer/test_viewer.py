@@ -420,7 +420,7 @@ def test_the_camera_rests_a_while_after_it_moved(shown, page, rng, monkeypatch):
     now, timers = 0.0, []
     monkeypatch.setattr(sessions, "time", SimpleNamespace(monotonic=lambda: now))
     monkeypatch.setattr(sessions.threading, "Timer", lambda *timer: timers.append(timer) or Mock())
-    session.rest(seen.append)
+    monkeypatch.setattr(session, "refresh_tools", lambda: seen.append(session.camera_view()))
     for k in range(10):
         now = 0.1 * k * sessions.REST
         page.move([float(k), 0.0, 3.0])
@@ -436,7 +436,7 @@ def test_the_camera_rests_a_while_after_it_moved(shown, page, rng, monkeypatch):
     assert view.T_world_camera[0, 3] - shown.frame.origin[0] == pytest.approx(9)
 
 
-def test_a_page_of_another_shape_shows_all_again_until_somebody_moves_it(shown, page, rng):
+def test_a_page_of_another_shape_shows_all_again_until_somebody_moves_it(shown, page, rng, monkeypatch):
     points = rng.random((50, 3))
     shown.add("cloud", cloud_of(points))
     session_of(shown)
@@ -446,7 +446,7 @@ def test_a_page_of_another_shape_shows_all_again_until_somebody_moves_it(shown, 
     wait_until(lambda: seen_share(shown, points) < 1)
     page.move([5.0, 5.0, 5.0], size=(400, 600))
     rested = []
-    session_of(shown).rest(rested.append)
+    monkeypatch.setattr(session_of(shown), "refresh_tools", lambda: rested.append(True))
     page.move([5.0, 5.0, 5.0], size=(900, 600))
     wait_until(lambda: rested)
     assert place().tolist() == [5.0, 5.0, 5.0]

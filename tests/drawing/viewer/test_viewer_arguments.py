@@ -23,7 +23,6 @@ viewer.set_visible(name="cloud", visible=True)
 viewer.set_view(view=None)
 viewer.set_view(zoom=0.5, front=(0, 0, 1), lookat=(0, 0, 0), up=(0, 1, 0), field_of_view=60.0)
 viewer.get_view(client=None)
-viewer.painted(name="cloud")
 viewer.color_by(by="height", colormap="jet", limits=(0, 1))
 loom.Viewer(port=0, max_points=10, point_size=3.0, background=(1, 1, 1))
 """  # noqa: E501
