@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..kernels.linear_algebra import matmul
 from .checks import LARGEST_NUMBER
 
 ORIGIN_LIMIT = 1.0e4  # coordinates beyond this always move the origin: below it float32 resolves 1 mm
@@ -121,13 +122,30 @@ def origin_of_sensor(position: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.round(position) if np.abs(position).max() > NEAR_ZERO else np.zeros(3)
 
 
-def origin_under(moved: NDArray[np.float64], corners: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The origin of points after an affine map.
+def origin_under(
+    name: str,
+    A: NDArray[np.float64],
+    t: NDArray[np.float64],
+    low: NDArray[np.float64],
+    high: NDArray[np.float64],
+    moved: NDArray[np.float64],
+) -> NDArray[np.float64]:
+    """The origin of points after an affine map x -> A x + t.
 
     Args:
-        moved: Their origin under the map, shape [3].
-        corners: The lowest and highest corner of their bounding box after the map, shape [2, 3].
+        name: The argument that the map was made of, for errors.
+        A, t: The map, shapes [3, 3] and [3].
+        low, high: The corners of the bounding box before the map, shape [3].
+        moved: The origin under the map, shape [3].
+
+    Raises:
+        ValueError: The map takes the points beyond what float32 holds about their middle.
     """
+    middle, half = matmul(A, (low + high) / 2) + t, matmul(np.abs(A), (high - low) / 2)
+    corners = np.stack([middle - half, middle + half])
+    if not np.abs(corners).max() <= LARGEST_NUMBER or np.ptp(corners, axis=0).max() > 2 * FLOAT32_MAX:
+        reach = f"{corners[0].tolist()}..{corners[1].tolist()}"
+        raise ValueError(f"{name}: takes the points to {reach}, beyond what float32 holds about their middle")
     origin = choose_origin(corners)
     if not origin.any():
         return origin
@@ -182,11 +200,15 @@ def sample_points(points: NDArray[Any], size: int = MEDIAN_SAMPLE) -> NDArray[np
     Points at zero do not count, which many scanners write where they measured nothing.
     """
     for step in (len(points) // size | 1, 1):  # odd, so that it does not fall in step with an image's rows
-        part = points[::step].astype(np.float64)
-        part = part[np.isfinite(part).all(axis=1) & part.any(axis=1)]
+        part = usable_points(points[::step])
         if len(part):
             return part
     return np.zeros((1, 3))
+
+
+def usable_points(points: NDArray[Any]) -> NDArray[np.float64]:
+    """The finite points that are not at zero."""
+    return points[np.isfinite(points).all(axis=1) & points.any(axis=1)].astype(np.float64)
 
 
 def finite_rows(rows: NDArray[Any]) -> NDArray[np.bool_]:

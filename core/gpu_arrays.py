@@ -20,7 +20,15 @@ from ..kernels.lang import float32, float64, int32, int64, uint8, vec3, vec3d, v
 from ..kernels.memory import cast, contiguous, download, empty, upload
 from .array_libraries import view_as
 from .checks import check_rows, is_on_gpu, remedy_of_shape
-from .coordinates import MEDIAN_SAMPLE, ORIGIN_LIMIT, SPREAD_SAMPLE, is_far_from_zero, origin_of_sample, sample_points
+from .coordinates import (
+    MEDIAN_SAMPLE,
+    ORIGIN_LIMIT,
+    SPREAD_SAMPLE,
+    is_far_from_zero,
+    origin_of_sample,
+    sample_points,
+    usable_points,
+)
 from .devices import check_same_device, resolve_device
 from .exchange import share
 
@@ -250,5 +258,5 @@ def _choose_origin(points: wp.array) -> tuple[NDArray[np.float64], bool]:
 
 def _usable(sample: NDArray[Any], points: wp.array) -> NDArray[np.float64]:
     """The finite points of a sample that are not at zero; those of all points if there is none."""
-    usable = np.isfinite(sample).all(axis=1) & sample.any(axis=1)
-    return sample[usable].astype(np.float64) if usable.any() else sample_points(download(points))
+    usable = usable_points(sample)
+    return usable if len(usable) else sample_points(download(points))

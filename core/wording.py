@@ -11,14 +11,14 @@ import math
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from .escaped_text import escaped_json
+from .escaped_text import escaped, escaped_json
 
 MOST_DECIMALS = 15  # that `rounded` leaves; Python has no more of numbers near 1
 
 
 def few_of(names: Sequence[str], most: int) -> str:
     """The first of some names, and dots where there are more."""
-    return ", ".join(names[:most]) + (", ..." if len(names) > most else "")
+    return escaped(", ".join(names[:most])) + (", ..." if len(names) > most else "")
 
 
 def format_share(share: float) -> str:

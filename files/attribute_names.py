@@ -14,6 +14,8 @@ from typing import Any
 
 from numpy.typing import NDArray
 
+from ..core.escaped_text import escaped
+
 
 @dataclass(frozen=True)
 class NameRules:
@@ -71,7 +73,7 @@ def warn_of_names(path: Any, reason: str, renamed: dict[str, str], *, stacklevel
     """Warn that attributes have other names than they had."""
     told = ", ".join(f"{old!r} as {new!r}" for old, new in renamed.items())
     message = f"{path}: attributes are {reason}: {told}"
-    warnings.warn(message, UserWarning, stacklevel=stacklevel + 1)
+    warnings.warn(escaped(message), UserWarning, stacklevel=stacklevel + 1)
 
 
 def rename(

@@ -90,7 +90,7 @@ def colors_or_loss(
         return None
     if full > 1 and columns[0].dtype.kind == "f":
         note = f"they are floating-point numbers above 1 and were divided by {full}" + f"; {note}" * bool(note)
-    warnings.warn(f"{path}: {what}: {note}", UserWarning, stacklevel=stacklevel)
+    warnings.warn(escaped(f"{path}: {what}: {note}"), UserWarning, stacklevel=stacklevel)
     return colors
 
 

@@ -35,7 +35,7 @@ class AxisAlignedBoundingBox(BoundingBox):
         max_bound: Highest corner [m], shape [3].
 
     Raises:
-        ValueError: A bound is NaN, or the lowest corner is above the highest.
+        ValueError: A bound is NaN, the lowest corner is above the highest, or both are at the same infinity.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -49,7 +49,7 @@ class AxisAlignedBoundingBox(BoundingBox):
 
     def __init__(self, min_bound: ArrayLike = (0, 0, 0), max_bound: ArrayLike = (0, 0, 0)):
         low, high = check_shape("min_bound", min_bound, (3,)), check_shape("max_bound", max_bound, (3,))
-        if np.isnan(low).any() or np.isnan(high).any() or (low > high).any():
+        if not ((low <= high) & (low < np.inf) & (high > -np.inf)).all():
             raise ValueError(f"min_bound, max_bound: expected min <= max, got {low.tolist()} and {high.tolist()}")
         super().__init__((1, 1, 1))
         self._min_bound, self._max_bound = low.copy(), high.copy()

@@ -102,14 +102,8 @@ class Motion(Bounding, Movable):
     def _mapped(self, name: str, T: NDArray[np.float64]) -> Self:
         """The cloud under an affine map; errors call it by the argument that it was made of."""
         A, t = T[:3, :3], T[:3, 3]
-        low, high = self.device_bounds()
-        middle, half = matmul(A, (low + high) / 2) + t, matmul(np.abs(A), (high - low) / 2)
-        corners = np.stack([middle - half, middle + half])
-        if not np.abs(corners).max() <= LARGEST_NUMBER or np.ptp(corners, axis=0).max() > 2 * FLOAT32_MAX:
-            reach = f"{corners[0].tolist()}..{corners[1].tolist()}"
-            raise ValueError(f"{name}: takes the points to {reach}, beyond what float32 holds about their middle")
         moved = matmul(A, self._origin) + t
-        origin = origin_under(moved, corners)
+        origin = origin_under(name, A, t, *self.device_bounds(), moved)
         cloud = self._under(A, moved - origin, origin)
         cloud._unit = unit_under(self._unit, A)
         return cloud

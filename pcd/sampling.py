@@ -39,8 +39,8 @@ class Sampling(Selection):
 
         The grid starts half a voxel below the lowest corner, as Open3D's legacy form does. Means are summed in
         float64 in the order of the points, normals are not made unit again, and integer attributes take the value of
-        the voxel's first point. Points that are not finite are dropped (Open3D emits a NaN point), and a NaN normal
-        does not count in a mean (Open3D counts it in the divisor).
+        the voxel's first point. Points that are not finite are dropped (Open3D emits a NaN point). NaN and infinite
+        attributes do not count in a mean, which is NaN where none counts (Open3D counts a NaN normal in the divisor).
 
         Args:
             voxel_size: Edge of a voxel [m].

@@ -168,20 +168,20 @@ same 1e-6 loom.compare_meshes(mesh, mesh.translate([0.01, 0, 0])).metrics.hausdo
 
 
 @cache
-def room(seed: int) -> np.ndarray:
+def room(seed: int, count: int) -> np.ndarray:
     """Points on the floor and two walls of a room, a box and a ball in it, [n, 3]."""
     rng = np.random.default_rng(seed)
-    u, v = rng.random((2, 1500))
-    kind, angle = np.arange(1500) % 5, 2 * np.pi * u
+    u, v = rng.random((2, count))
+    kind, angle = np.arange(count) % 5, 2 * np.pi * u
     ball = np.c_[1 + 0.5 * np.cos(angle) * np.sin(np.pi * v), 1.8 + 0.5 * np.sin(angle) * np.sin(np.pi * v)]
     faces = [np.c_[4 * u, 3 * v, 0 * u], np.c_[4 * u, 0 * u, 2.5 * v], np.c_[0 * u, 3 * u, 2.5 * v]]
     faces += [np.c_[2 + 0.8 * u, 0.5 + 0.6 * v, 0 * u + 0.7], np.c_[ball, 0.5 + 0.5 * np.cos(np.pi * v)]]
-    points = np.choose(kind[:, None], faces) + rng.normal(size=(1500, 3)) * 0.002
+    points = np.choose(kind[:, None], faces) + rng.normal(size=(count, 3)) * 0.002
     return np.round(points * 2**16) / 2**16
 
 
-def things(offset: Any) -> dict[str, Any]:
-    """The names in CASES, at an offset."""
+def things(offset: Any, device: Any = None, count: int = 1500) -> dict[str, Any]:
+    """The names in CASES, at an offset; clouds of a number of points."""
     o = np.asarray(offset, np.float64)
 
     def at(points: Any) -> np.ndarray:
@@ -194,8 +194,9 @@ def things(offset: Any) -> dict[str, Any]:
         return shift(1) @ T @ shift(-1)
 
     def cloud(seed: int) -> loom.PointCloud:
-        points = room(seed)
-        return loom.PointCloud(at(points), colors=0.5 + 0.5 * np.sin(3 * points)).estimate_normals(max_nn=12)
+        points = room(seed, count)
+        colors = 0.5 + 0.5 * np.sin(3 * points)
+        return loom.PointCloud(at(points), colors=colors, device=device).estimate_normals(max_nn=12)
 
     middle = as_pose([0, 0, 0], [2, 1.5, 1])
     near = middle @ as_pose([0.002, -0.003, 0.004], [0.01, 0.005, -0.008]) @ np.linalg.inv(middle)
@@ -205,24 +206,26 @@ def things(offset: Any) -> dict[str, Any]:
     directions = np.random.default_rng(3).normal(size=(1000, 3))
     directions = np.round(0.5 * directions / np.linalg.norm(directions, axis=1)[:, None] * 2**16) / 2**16
     corners = vertices[torus.triangles].reshape(-1, 3) + np.random.default_rng(4).uniform(-2e-5, 2e-5, (2304, 3))
-    scene = loom.RaycastingScene()
-    scene.add_triangles(loom.TriangleMesh(at(vertices), torus.triangles))
+    mesh = loom.TriangleMesh(at(vertices), torus.triangles, device=device)
+    scene = loom.RaycastingScene(device)
+    scene.add_triangles(mesh)
     ends = np.c_[np.linspace(-1.2, 1.2, 40), np.linspace(0.3, -0.3, 40), np.full(40, 2.0)]
     camera, depth = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5), np.full((48, 64), 2.0, np.float32)
     view = as_pose([0.3, 0.1, 0], [-2, -1.5, 2.5])
-    volume = loom.TSDFVolume(voxel_size=0.0625, truncation=0.25)
+    volume = loom.TSDFVolume(voxel_size=0.0625, truncation=0.25, device=device)
     volume.integrate(depth, camera, view @ shift(-1))
     target, source = cloud(0), cloud(1)
     nearest = loom.NearestNeighborSearch(target).knn_search(source.points, 1)[0].ravel()
     return {
         "at": at, "shift": shift, "about": about, "cloud": target, "other": source, "near": near, "start": start,
         "turn": as_pose([0.3, 0.4, 0.5])[:3, :3], "local": vertices,
-        "mesh": loom.TriangleMesh(at(vertices), torus.triangles),
-        "soup": loom.TriangleMesh(at(corners), np.arange(2304).reshape(-1, 3)), "scene": scene, "camera": camera,
+        "mesh": mesh,
+        "soup": loom.TriangleMesh(at(corners), np.arange(2304).reshape(-1, 3), device=device),
+        "scene": scene, "camera": camera, "graph": graph_of(target, about),
         "rays": np.c_[at(ends), np.tile([0, 0, -1.0], (40, 1))], "depth": depth, "view": view, "volume": volume,
-        "ball": loom.PointCloud(at(directions), normals=2 * directions), "graph": graph_of(target, about),
+        "ball": loom.PointCloud(at(directions), normals=2 * directions, device=device),
         "features": [loom.compute_fpfh_feature(c, radius=0.6) for c in (source, target)],
-        "pairs": np.c_[np.arange(1500), nearest], "loom": loom, "reg": reg, "np": np,
+        "pairs": np.c_[np.arange(count), nearest], "loom": loom, "reg": reg, "np": np,
     }  # fmt: skip
 
 

@@ -10,19 +10,16 @@ from __future__ import annotations
 
 import struct
 from collections import Counter
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from ...core.errors import FileError
 from ..source import open_source
-from .pieces import Channel, Contents, number, slice_of, unpack
+from .pieces import Channel, Chunk, Contents, Row, number, slice_of, unpack
 
 MAGIC = b"#ROSBAG V2.0\n"
 _MESSAGE, _HEADER, _INDEX, _CHUNK, _CHUNK_INFO, _CONNECTION = 2, 3, 4, 5, 6, 7
 _DAMAGED = (FileError, struct.error, KeyError, ValueError)
-
-Row = tuple[int, int, int]  # of a message: time [ns], connection, place in the chunk
 
 
 class _Info(NamedTuple):
@@ -33,25 +30,13 @@ class _Info(NamedTuple):
     counts: dict[int, int]
 
 
-@dataclass
-class _Chunk:
-    """A chunk, and the index behind it: whether that is consistent, and its rows."""
-
-    begin: int
-    piece: int
-    size: int
-    rows: list[Row] = field(default_factory=list)
-    connections: set[int] = field(default_factory=set)
-    is_consistent: bool = True
-
-
 class _Bag:
     """The records of a bag."""
 
     def __init__(self, path: Path, source: Any):
         self.path, self.source = path, source
         self.found = Contents(path, self.payload)
-        self.chunks: list[_Chunk] = []
+        self.chunks: list[Chunk] = []
         self.infos: dict[int, _Info] = {}
         self.announced = 0  # chunks, by the header of a bag that was closed
 
@@ -82,17 +67,17 @@ class _Bag:
         form, size = fields[b"compression"].decode("ascii", "replace"), number("I", fields[b"size"], 0)
         path, source = self.path, self.source
         self.found.pieces.append(lambda: unpack(path, source[begin : begin + length], form, size))
-        self.chunks.append(_Chunk(place, len(self.found.pieces) - 1, size))
+        self.chunks.append(Chunk(place, len(self.found.pieces) - 1, size))
 
     def take_index(self, fields: dict[bytes, bytes], data: bytes) -> None:
         """The messages of one connection in the last chunk."""
         if not self.chunks:
             raise ValueError("an index record has no chunk")
         chunk, connection = self.chunks[-1], number("I", fields[b"conn"], 0)
-        if len(data) != 12 * number("I", fields[b"count"], 0) or connection in chunk.connections:
+        if len(data) != 12 * number("I", fields[b"count"], 0) or connection in chunk.channels:
             chunk.is_consistent = False
             return
-        chunk.connections.add(connection)
+        chunk.channels.add(connection)
         chunk.rows += [(sec * 10**9 + nsec, connection, at) for sec, nsec, at in struct.iter_unpack("<III", data)]
 
     def take_info(self, fields: dict[bytes, bytes], data: bytes) -> None:
@@ -127,13 +112,13 @@ class _Bag:
                 self.search(chunk, info)
             self.found.entries += [(time, connection, chunk.piece, place) for time, connection, place in chunk.rows]
 
-    def is_trusted(self, chunk: _Chunk, info: _Info | None, is_cut_off: bool) -> bool:
+    def is_trusted(self, chunk: Chunk, info: _Info | None, is_cut_off: bool) -> bool:
         """True if the index of a chunk is complete, as far as can be known without its messages.
 
         A bag that ends properly without a list of chunks was not closed by its recorder. Nothing confirms its indexes.
         """
         rows = chunk.rows
-        if not rows or not chunk.is_consistent or not chunk.connections <= self.found.channels.keys():
+        if not rows or not chunk.is_consistent or not chunk.channels <= self.found.channels.keys():
             return False
         if len({place for _, _, place in rows}) < len(rows) or max(place for _, _, place in rows) >= chunk.size:
             return False
@@ -142,7 +127,7 @@ class _Bag:
         is_in_time = all(info.start <= time <= info.end for time, _, _ in rows)
         return is_in_time and Counter(connection for _, connection, _ in rows) == info.counts
 
-    def search(self, chunk: _Chunk, info: _Info | None) -> None:
+    def search(self, chunk: Chunk, info: _Info | None) -> None:
         """Take over the connections and messages of a chunk from its own records."""
         rows: list[Row] = []
         try:
@@ -159,7 +144,7 @@ class _Bag:
         except _DAMAGED as error:
             self.found.note(f"has a damaged chunk: {error}")
         else:
-            is_other = not chunk.is_consistent or (chunk.connections and sorted(rows) != sorted(chunk.rows))
+            is_other = not chunk.is_consistent or (chunk.channels and sorted(rows) != sorted(chunk.rows))
             if is_other or (info is not None and Counter(connection for _, connection, _ in rows) != info.counts):
                 self.found.note(f"has an index that contradicts its messages, which were used, at byte {chunk.begin}")
         chunk.rows = rows

@@ -12,13 +12,13 @@ import struct
 import zlib
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from ...core.errors import FileError
 from ..source import open_source
-from .pieces import Channel, Contents, number, slice_of, unpack
+from .pieces import Channel, Chunk, Contents, Row, number, slice_of, unpack
 
 MAGIC = b"\x89MCAP0\r\n"
 _FOOTER, _SCHEMA, _CHANNEL, _MESSAGE, _CHUNK, _INDEX, _STATISTICS, _DATA_END = 2, 3, 4, 5, 6, 7, 11, 15
@@ -26,21 +26,13 @@ _PRIVATE = 128  # records of this kind and above are for applications
 _MESSAGE_HEAD = 22  # [B] channel, sequence and two times
 _DAMAGED = (FileError, struct.error, ValueError)
 
-Row = tuple[int, int, int]  # of a message: time [ns], channel, place in the chunk
 
+@dataclass(kw_only=True)
+class _Chunk(Chunk):
+    """A chunk with its first and last time [ns]."""
 
-@dataclass
-class _Chunk:
-    """A chunk, its first and last time [ns], and the index behind it: whether that is consistent, and its rows."""
-
-    begin: int
-    piece: int
-    size: int
     start: int
     end: int
-    rows: list[Row] = field(default_factory=list)
-    channels: set[int] = field(default_factory=set)
-    is_consistent: bool = True
     was_searched: bool = False
 
 
@@ -130,7 +122,7 @@ class _File:
             return data
 
         self.found.pieces.append(read)
-        self.chunks.append(_Chunk(begin, len(self.found.pieces) - 1, size, start, end))
+        self.chunks.append(_Chunk(begin, len(self.found.pieces) - 1, size, start=start, end=end))
 
     def take_index(self, data: bytes) -> None:
         """The messages of one channel in the last chunk."""

@@ -31,6 +31,29 @@ class RecordingWarning(UserWarning):
     """
 
 
+Row = tuple[int, int, int]  # of a message in a chunk: time [ns], channel, place
+
+
+@dataclass
+class Chunk:
+    """A chunk, and the index behind it.
+
+    Attributes:
+        begin: Its first byte in the file.
+        piece: Its number among the pieces.
+        size: Of its content [B].
+        rows, channels: The messages of the index, and their channels.
+        is_consistent: True if the index does not contradict itself.
+    """
+
+    begin: int
+    piece: int
+    size: int
+    rows: list[Row] = field(default_factory=list)
+    channels: set[int] = field(default_factory=set)
+    is_consistent: bool = True
+
+
 class Channel(NamedTuple):
     """Messages of one topic and one type.
 

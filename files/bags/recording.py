@@ -121,7 +121,7 @@ class Recording:
         """
         names = [found.name for found in self.topics]
         if topic not in names:
-            raise ValueError(f"topic: {self.path} has no {topic!r}; there are {', '.join(names) or 'none'}")
+            raise ValueError(escaped(f"topic: {self.path} has no {topic!r}; there are {', '.join(names) or 'none'}"))
         return self._messages(topic)
 
     def choose_topic(self, topic: str | None, *kinds: str) -> str:

@@ -17,6 +17,7 @@ from ...cameras.camera import PinholeCameraIntrinsic, intrinsic_to_json
 from ...core.atomic import atomic_write
 from ...core.checks import check_positive, check_progress
 from ...core.errors import FileError
+from ...core.escaped_text import escaped
 from ...core.paths import path_of
 from ...core.progress import ReportProgress
 from ..pictures.image_files import write_png
@@ -88,7 +89,9 @@ class FrameRecorder:
         frame = checked_frame(frame, self.intrinsic)
         colored, name = frame.color is not None, f"frame-{self.count:06d}"
         if self._colored not in (None, colored):
-            raise ValueError(f"frame {frame.name}: {'has' if colored else 'has no'} colour, unlike those before it")
+            raise ValueError(
+                f"frame {escaped(frame.name)}: {'has' if colored else 'has no'} colour, unlike those before it"
+            )
         depth = _in_units(frame, self.depth_scale)
         if frame.color is not None:
             write_png(self.folder / f"{name}.color.png", frame.color)
@@ -168,5 +171,5 @@ def _in_units(frame: Frame, depth_scale: float) -> np.ndarray[Any, np.dtype[np.u
     units = np.rint(metres * depth_scale)
     if units.max(initial=0) >= 65535:
         most = 65534 / depth_scale
-        raise ValueError(f"frame {frame.name}: depth of {metres.max():.4g} m; 16 bits hold up to {most:.4g} m")
+        raise ValueError(f"frame {escaped(frame.name)}: depth of {metres.max():.4g} m; 16 bits hold up to {most:.4g} m")
     return units.astype(np.uint16)

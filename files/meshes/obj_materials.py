@@ -24,6 +24,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.coordinates import quiet
+from ...core.escaped_text import escaped
 from ..pictures.texture_files import (
     alpha_mode,
     drop_alpha,
@@ -98,7 +99,7 @@ def read_mtl(path: str | os.PathLike[str]) -> list[Material]:
             notes.append(f"the opacity map {material.opacity[:60]!r} of {material.name[:60]!r} is left behind")
     if notes:
         more = f"; and {len(notes) - _MAX_NOTES} more" if len(notes) > _MAX_NOTES else ""
-        warnings.warn(f"{path}: {'; '.join(notes[:_MAX_NOTES])}{more}", UserWarning, stacklevel=5)
+        warnings.warn(escaped(f"{path}: {'; '.join(notes[:_MAX_NOTES])}{more}"), UserWarning, stacklevel=5)
     return [*found.values()]
 
 

@@ -27,6 +27,7 @@ from numpy.typing import NDArray
 from ...core.atomic import atomic_write, check_writable
 from ...core.coordinates import quiet
 from ...core.errors import FileError
+from ...core.escaped_text import escaped
 from ..ascii_rows import AsciiRows, row_format, unix_lines, write_rows
 from ..columns import check_reach, color_scale, colors_to_bytes, fit_colors, stack_normals, warn_left_out, warn_of_loss
 from ..fans import split_faces
@@ -132,7 +133,7 @@ def _fit(path: Path, channels: list[NDArray[np.float64]], full: int, what: str) 
     if values is None:
         warn_of_loss(path, what, note, stacklevel=5)
     elif note:
-        warnings.warn(f"{path}: {what}: {note}", UserWarning, stacklevel=5)
+        warnings.warn(escaped(f"{path}: {what}: {note}"), UserWarning, stacklevel=5)
     return values
 
 

@@ -26,6 +26,7 @@ from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write, check_writable
 from ...core.errors import FileError
+from ...core.escaped_text import escaped
 from ..ascii_rows import CHUNK_ROWS, AsciiRows, unix_lines
 from ..columns import check_reach, colors_or_loss, warn_left_out, warn_of_loss
 from ..source import Source, open_source
@@ -107,7 +108,7 @@ def _with_white(path: Path, colors: NDArray[np.float32], has_color: NDArray[np.b
     if not has_color.all():
         lacking = int(np.count_nonzero(~has_color))
         message = f"{path}: {lacking} of {len(colors)} facets have no color; they are taken for white"
-        warnings.warn(message, UserWarning, stacklevel=5)
+        warnings.warn(escaped(message), UserWarning, stacklevel=5)
         colors = np.where(has_color[:, None], colors, np.float32(1))
     return colors
 

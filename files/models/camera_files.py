@@ -17,6 +17,7 @@ from ...cameras.picture_names import number_of
 from ...cameras.trajectory import Trajectory, read_poses_and_gaps
 from ...core.checks import check_list, check_name
 from ...core.errors import FileError
+from ...core.escaped_text import escaped
 from ...core.json_files import read_json_object
 from ...core.paths import path_of
 from ..points.scan_files import natural_key
@@ -78,7 +79,7 @@ def read_cameras(
     kind = _kind_of(place)
     if kind != "trajectory":
         if intrinsic is not None:
-            raise ValueError(f"intrinsic: {place.name} holds the lenses itself; leave it out")
+            raise ValueError(f"intrinsic: {escaped(place.name)} holds the lenses itself; leave it out")
         readers: dict[str, Any] = {"metashape": read_metashape_cameras, "colmap": read_colmap_model}
         readers |= {"transforms": read_transforms, "frames": read_frame_cameras}
         return readers[kind](place)

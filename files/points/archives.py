@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write
 from ...core.errors import FileError
+from ...core.escaped_text import escaped
 from ...core.paths import path_of
 from ..foreign import foreign_errors
 from .npz import read_member
@@ -109,7 +110,7 @@ def _read_members(path: str | os.PathLike[str], what: str) -> Arrays:
     except OSError as error:
         raise FileError(path, f"cannot be read as a {what}: {error.strerror or error}", remedy=remedy) from error
     except MemoryError as error:
-        raise MemoryError(f"{path}: the memory does not hold the {what}") from error
+        raise MemoryError(escaped(f"{path}: the memory does not hold the {what}")) from error
 
 
 def _ends_archive(file: IO[bytes]) -> bool:

@@ -10,6 +10,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike
 
+from ...core.escaped_text import escaped
 from ..attribute_names import rename
 from ..source import netted
 from ..table import PointTable
@@ -54,7 +55,7 @@ def read_points(path: str | os.PathLike[str], columns: Sequence[str] | None = No
     if columns is None:
         return READERS[extension](path)
     if extension not in _NAMED_COLUMNS:
-        raise ValueError(f"columns: only {', '.join(_NAMED_COLUMNS)} take them, got {Path(path).suffix}")
+        raise ValueError(f"columns: only {', '.join(_NAMED_COLUMNS)} take them, got {escaped(Path(path).suffix)}")
     return _NAMED_COLUMNS[extension](path, check_columns(columns))
 
 

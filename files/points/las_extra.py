@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.coordinates import quiet
+from ...core.escaped_text import escaped
 from .las_header import SPEC
 
 EXTRA_BYTES = (SPEC, 4)
@@ -104,7 +105,7 @@ def warn_of_wide_integers(path: Any, layout: Any) -> None:
                 f"{path}: attribute {dimension.name!r}: missing values are {dimension.no_data.tolist()[0]}, since "
                 "integers of 64 bits have no NaN. Replace them before computing with the attribute."
             )
-            warnings.warn(message, UserWarning, stacklevel=4)
+            warnings.warn(escaped(message), UserWarning, stacklevel=4)
 
 
 class ExtraColumn(NamedTuple):

@@ -24,6 +24,7 @@ from numpy.typing import NDArray
 from ...core.atomic import atomic_write, check_writable
 from ...core.checks import shown
 from ...core.errors import FileError
+from ...core.escaped_text import escaped
 from ...core.paths import path_of
 from ...core.units import KNOWN, LengthUnit, text_of, unit_of_text
 from ..attribute_names import NameRules
@@ -89,7 +90,9 @@ def read_arrays(path: Path, wanted: Collection[str] | None = None) -> dict[str, 
             if begin:
                 raise FileError(path, f"{begin} bytes stand before the archive", where="byte 0")
     except MemoryError as error:
-        raise MemoryError(f"{path}: the memory does not hold its arrays; read it on a machine with more") from error
+        raise MemoryError(
+            escaped(f"{path}: the memory does not hold its arrays; read it on a machine with more")
+        ) from error
     return arrays
 
 

@@ -25,6 +25,7 @@ from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write, check_writable
 from ...core.errors import FileError
+from ...core.escaped_text import escaped
 from ..ascii_rows import CHUNK_ROWS, write_rows
 from ..attribute_names import NameRules, is_word
 from ..columns import check_name, check_type, colors_to_bytes, own, stack_colors, stack_normals, stack_points
@@ -101,7 +102,7 @@ def warn_of_viewpoint(path: Any, viewpoint: tuple[float, ...] | None, stacklevel
             f"{path}: VIEWPOINT {numbers} (position, quaternion w x y z) is not applied: if the points are in the "
             "sensor's frame, cloud.transform with this pose places them"
         )
-        warnings.warn(message, UserWarning, stacklevel=stacklevel + 1)
+        warnings.warn(escaped(message), UserWarning, stacklevel=stacklevel + 1)
 
 
 def write_pcd(

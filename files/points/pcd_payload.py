@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.errors import FileError
+from ...core.escaped_text import escaped
 from ..ascii_rows import AsciiRows
 from ..source import Source
 from . import lzf
@@ -132,7 +133,7 @@ def _read_ascii(path: Any, source: Source, header: PcdHeader) -> dict[str, NDArr
                     parts.append(rows.cast(table[:, k], field.dtype, field.name, 0))
             if any(part is None for part in parts):
                 message = f"{path}: colours are left out: {UNREADABLE.format(field.name)}"
-                warnings.warn(message, UserWarning, stacklevel=7)
+                warnings.warn(escaped(message), UserWarning, stacklevel=7)
             else:
                 fields[field.name] = parts[0] if field.count == 1 else np.stack(parts, axis=1)
         column += field.count

@@ -14,6 +14,7 @@ from ...core.checks import check_count, check_positive
 from ...core.coordinates import FLOAT32_MAX, choose_origin, finite_box, quiet, written_steps
 from ...core.devices import resolve_device
 from ...core.errors import FileError
+from ...core.escaped_text import escaped
 from ...core.paths import path_of
 from ...core.units import LengthUnit, warn_of_units
 from ...kernels.memory import download
@@ -86,7 +87,7 @@ def read_point_cloud(
     if columns is not None or scan is None:
         return cloud_of(read_points(path, columns), path, device=device)
     if extension not in (".e57", ".ptx"):
-        raise ValueError(f"scan: only .e57 and .ptx have scans, got {Path(path).suffix}")
+        raise ValueError(f"scan: only .e57 and .ptx have scans, got {escaped(Path(path).suffix)}")
     return cloud_of(READERS[extension](path, scan=check_count("scan", scan, minimum=0)), path, device=device)
 
 
@@ -291,7 +292,7 @@ def write_point_cloud(
     if Path(path).suffix.lower() not in (".las", ".laz"):
         for name, value in (("scale", scale), ("like", like)):
             if value is not None:
-                raise ValueError(f"{name}: is for .las and .laz, got {Path(path).suffix}")
+                raise ValueError(f"{name}: is for .las and .laz, got {escaped(Path(path).suffix)}")
     if like is not None and not isinstance(like, str | os.PathLike):
         raise TypeError(f"like: expected the path of a LAS or LAZ file, got {type(like).__name__}")
     header = None if like is None else open_las(like).header

@@ -30,15 +30,24 @@ def sum_columns_kernel(
     mean: int,
     totals: array(dtype=float64, ndim=2),
 ):
-    """The sum of each column over each run, or its mean."""
+    """The sum of each column over each run, or the mean over its finite rows: NaN where none is finite."""
     i = tid()
     run = i // columns
     column = i % columns
     total = float64(0.0)
+    count = float64(0.0)
     for j in range(starts[run], starts[run + 1]):
-        total += values[order[j], column]
+        row = order[j]
+        is_counted = int(1)
+        if mean == 1:
+            for k in range(columns):
+                if not isfinite(values[row, k]):
+                    is_counted = 0
+        if is_counted == 1:
+            total += values[row, column]
+            count += 1.0
     if mean == 1:
-        total = total / float64(starts[run + 1] - starts[run])
+        total = total / count
     totals[run, column] = total
 
 
@@ -57,7 +66,7 @@ def average_vec3(values: Vectors, order: Indices, starts: Indices) -> Vectors:
 
 
 def sum_columns(values: Array2[float64], order: Indices, starts: Indices, mean: bool = False) -> Array2[float64]:
-    """Sums (or means) of a float64 device array of shape [n, c] over runs, shape [runs, c]."""
+    """Sums (or means over the finite rows) of a float64 device array of shape [n, c] over runs, shape [runs, c]."""
     columns = values.shape[1]
     totals = empty((starts.size - 1, columns), float64, values.device)
     launch(sum_columns_kernel, totals.size, [values, order, starts, columns, int(mean), totals])

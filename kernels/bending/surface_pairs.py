@@ -103,7 +103,7 @@ def pair_points_kernel(
             agreement = dot(widen(normals[i]), widen(surface.normals[partner]))
             if rule.sided == 0:
                 agreement = abs(agreement)
-            if agreement >= rule.least_cosine:
+            if isfinite(agreement) and agreement >= rule.least_cosine:
                 kept = 1
     distance = float64(-1.0)
     plane_weight = float64(0.0)

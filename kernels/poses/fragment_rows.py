@@ -29,6 +29,7 @@ from ..lang import (
     func,
     int32,
     int64,
+    isfinite,
     kernel,
     launch,
     mat44d,
@@ -178,7 +179,7 @@ def pair_points_kernel(
         agreement = dot(n, m)
         if sided == 0:
             agreement = abs(agreement)
-        if agreement >= least_cosine:
+        if isfinite(agreement) and agreement >= least_cosine:
             keep = 1
     partners[first + i] = partner
     kept[first + i] = uint8(keep)

@@ -25,6 +25,7 @@ from ..lang import (
     func,
     int32,
     int64,
+    isfinite,
     kernel,
     launch,
     loop_while,
@@ -119,7 +120,7 @@ def offer_patches_kernel(
             if cloud.labels[other] < 0:
                 distance = abs(dot(direction, cloud.points[other] - planes.centers[patch]))
                 cosine = abs(dot(direction, cloud.normals[other]))
-                if cosine > planes.similar[patch] and distance < planes.near[patch]:
+                if isfinite(cosine) and cosine > planes.similar[patch] and distance < planes.near[patch]:
                     atomic_min(offers, other, ranks[patch])
 
 
@@ -147,8 +148,9 @@ def fits_patch(i: int, patch: int, similar: float, near: float, cloud: PatchPoin
     """1 where a point lies in the plane of a patch, by these limits of cosine and distance [m]."""
     direction = planes.directions[patch]
     distance = abs(dot(direction, cloud.points[i] - planes.centers[patch]))
+    cosine = abs(dot(direction, cloud.normals[i]))
     inside = 0
-    if abs(dot(direction, cloud.normals[i])) > similar and distance < near:
+    if isfinite(cosine) and cosine > similar and distance < near:
         inside = 1
     return inside
 

@@ -51,8 +51,7 @@ class MeshMotion(MeshArrays, Movable):
         target = matmul(A, self._origin) + T[:3, 3]
         low, high, finite = bound_points(self._arrays["vertices"])  # sync
         low, high = (low, high) if finite else (np.zeros(3), np.zeros(3))
-        middle, half = matmul(A, (low + high) / 2.0) + target, matmul(np.abs(A), (high - low) / 2.0)
-        origin = origin_under(target, np.stack([middle - half, middle + half]))
+        origin = origin_under(name, A, target, low, high, target)
         arrays: dict[str, Any] = {"vertices": transform_points(self._arrays["vertices"], A, target - origin)}
         if "vertex_normals" in self._arrays and not np.array_equal(A, np.eye(3)):
             arrays["vertex_normals"] = transform_directions(self._arrays["vertex_normals"], inv(A).T)

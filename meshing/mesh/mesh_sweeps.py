@@ -295,10 +295,12 @@ def _used(triangles: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.i
 
 
 def _volume(places: NDArray[np.float64], triangles: NDArray[np.int64]) -> float:
-    """Six times the volume inside triangles, below zero where they face inwards."""
-    if not len(triangles):
+    """Six times the volume inside the finite triangles, below zero where they face inwards."""
+    corners = places[triangles]
+    corners = corners[np.isfinite(corners).all(axis=(1, 2))]
+    if not len(corners):
         return 0.0
-    corners = places[triangles] - places[triangles[0, 0]]
+    corners = corners - corners[0, 0]
     return float(np.einsum("ti,ti->", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])))
 
 

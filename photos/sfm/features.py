@@ -13,6 +13,7 @@ from ...cameras.camera_models import CameraModel
 from ...core.atomic import check_writable
 from ...core.checks import check_count, check_name, check_progress, check_seed, shown
 from ...core.errors import DatasetError, FileError, FilePath
+from ...core.escaped_text import escaped
 from ...core.progress import ReportProgress
 from ...core.timing import Clock
 from ...files.pictures.image_files import read_picture_header
@@ -292,7 +293,7 @@ def _group(
         if abs(scaled[1] - size[1]) > 1 or isinstance(intrinsic, CameraModel):
             raise ValueError(
                 f"intrinsic: is of pictures of {intrinsic.width} x {intrinsic.height}, "
-                f"but {names[0]} is {size[0]} x {size[1]}"
+                f"but {escaped(names[0])} is {size[0]} x {size[1]}"
             )
         intrinsic = intrinsic.scaled(factor)
     camera = intrinsic if isinstance(intrinsic, CameraModel) else CameraModel.from_intrinsic(intrinsic)

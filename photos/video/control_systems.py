@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.checks import shown
+from ...core.escaped_text import escaped
 from ...files.foreign import foreign_errors, import_for
 from ...files.points.geodetic import system_named
 from ...pcd.geodesy import HIGHEST, NORTHERN, SOUTHERN, from_utm
@@ -46,7 +47,7 @@ def to_geodetic(places: Array, crs: str, path: str) -> Array:
         degrees = places[:, [1, 0, 2]]
         if (wrong := (np.abs(degrees[:, :2]) > (90.0, 180.0)).any(axis=1)).any():
             found = places[np.flatnonzero(wrong)[0], :2].tolist()
-            raise ValueError(f"crs: {crs} is in degrees, x the longitude and y the latitude; got {found}")
+            raise ValueError(f"crs: {escaped(crs)} is in degrees, x the longitude and y the latitude; got {found}")
         return degrees
     pyproj: Any = import_for(path, "pyproj", "geo")
     system = system_named("crs", crs)
@@ -56,7 +57,7 @@ def to_geodetic(places: Array, crs: str, path: str) -> Array:
         longitude, latitude = way.transform(places[:, 0], places[:, 1], errcheck=True)
     found = np.column_stack([latitude, longitude, places[:, 2]])
     if not np.isfinite(found).all():
-        raise ValueError(f"crs: the places lie outside of {crs}, such as {places[0, :2].tolist()}")
+        raise ValueError(f"crs: the places lie outside of {escaped(crs)}, such as {places[0, :2].tolist()}")
     return found
 
 
@@ -102,4 +103,4 @@ def _check_unit(system: Any, crs: str) -> None:
         raise ValueError(f"crs: expected metres of a map or EPSG:4326, got {shown(crs)}, {system.type_name}")
     units = {axis.unit_name for axis in system.axis_info}
     if units - {"metre"}:
-        raise ValueError(f"crs: {crs} is in {min(units - {'metre'})}; convert places and heights to metres")
+        raise ValueError(f"crs: {escaped(crs)} is in {min(units - {'metre'})}; convert places and heights to metres")

@@ -141,7 +141,9 @@ class Units:
             return
         first, second = (picture_named(name, names) for name in self.known[:2])
         if first == second:
-            raise ValueError(f"known: {self.known[0]} and {self.known[1]} are the same picture, {names[first]}")
+            raise ValueError(
+                f"known: {shown(self.known[0])} and {shown(self.known[1])} are the same picture, {shown(names[first])}"
+            )
 
 
 @dataclass(frozen=True)
@@ -317,7 +319,9 @@ def _of_lengths(units: Units, model: SfmModel) -> Fit:
         try:
             return _scaled(scale_from_known(model, a, b, metres), "known", METRES)
         except ValueError:
-            raise ValueError(f"known: {first} and {second} were taken at one place; give two that lie apart") from None
+            raise ValueError(
+                f"known: {shown(first)} and {shown(second)} were taken at one place; give two that lie apart"
+            ) from None
     if units.scale is not None:
         return _scaled(units.scale, "scale", METRES)
     return _scaled(1.0, None, ARBITRARY)

@@ -280,7 +280,7 @@ class _Bending:
         if len(here):
             places = upload(there - self.target.origin, vec3d, device)
             launch(pin_rows_kernel, len(here), [self.count, places, weight, self.steps.rows])
-        each = self.graph.count / self.count
+        each = self.graph.count / max(source.search_tree().count, 1)
         self.rule = PairRule(LEAST_COSINE, self.sided, each, POINT_WEIGHT * each)
 
     def _pair(self, reach: float) -> Any:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from ...core.checks import check_count, check_positive, check_progress, check_rigid
 from ...core.devices import resolve_device
+from ...core.escaped_text import escaped
 from ...core.progress import ReportProgress
 from ...core.timing import Clock, check_clock
 from ...files.frames.frames import (
@@ -168,7 +169,7 @@ def _integrate_frames(
                 poses.append(fold(frame, _pose_of(frame)))
                 check.add(frame.depth, poses[-1])
             except ValueError as error:
-                raise ValueError(f"frame {frame.name}: {error}") from error
+                raise ValueError(f"frame {escaped(frame.name)}: {error}") from error
             clock.stop("integrate")
             say("frames", len(poses), count)
     if not poses:

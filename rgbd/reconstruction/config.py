@@ -12,6 +12,7 @@ from typing import Any
 from ...core.atomic import atomic_write
 from ...core.checks import check_count, check_name, check_positive, shown
 from ...core.errors import FileError, FilePath
+from ...core.escaped_text import escaped
 from ...core.json_files import read_json_object
 from ...core.known_names import nearest_name
 
@@ -260,7 +261,7 @@ def _flat(names: Mapping[str, Any]) -> dict[str, Any]:
         inner = value if name in _TENSOR_GROUPS and isinstance(value, Mapping) else {name: value}
         for key in inner:
             if key in flat:
-                raise ValueError(f"{key}: given twice")
+                raise ValueError(f"{escaped(key)}: given twice")
         flat.update(inner)
     return flat
 
@@ -281,9 +282,9 @@ def _translated(names: Mapping[str, Any]) -> dict[str, Any]:
             name = "sdf_trunc"
         if name not in known:
             near = nearest_name(str(given), [*known, *ALIASES, *IGNORED])
-            raise ValueError(f"{given}: no name of a reconstruction's configuration{near}")
+            raise ValueError(f"{escaped(given)}: no name of a reconstruction's configuration{near}")
         if name in fields:
-            raise ValueError(f"{given}: the same as {origins[name]}, which is given too")
+            raise ValueError(f"{escaped(given)}: the same as {origins[name]}, which is given too")
         choices = VALUE_ALIASES.get(name, {})
         fields[name] = choices.get(value, value) if isinstance(value, str) else value
         origins[name] = given

@@ -1,5 +1,6 @@
 """No text from a file reaches a terminal with characters that control it."""
 
+import ast
 import json
 import pickle
 from pathlib import Path
@@ -13,7 +14,11 @@ from pointloom.core.errors import FileError
 from pointloom.core.escaped_text import escaped
 from pointloom.files.bags.recording import Recording
 from pointloom.files.columns import warn_of_loss
+from pointloom.files.points.formats import read_points
+from pointloom.rgbd.reconstruction.config import ReconstructionConfig
 from pointloom.scale.jobs.job import JobStatus
+
+from ..test_imports import ROOT
 
 EVIL = "a\x1b]0;owned\x07\x9b2K\x7f\u202e\ud800\r\x00b"
 SHOWN = r"a\x1b]0;owned\x07\x9b2K\x7f\u202e\ud800\x0d\x00b"
@@ -36,6 +41,12 @@ def missing(name):
     return str(caught.value)
 
 
+def refused(call, *arguments):
+    with pytest.raises(ValueError) as caught:
+        call(*arguments)
+    return str(caught.value)
+
+
 TEXTS = {
     "an error": lambda text, _: str(FileError(text, text, where=text, remedy=text)),
     "an error from another process": lambda text, _: str(pickle.loads(pickle.dumps(FileError(text, text)))),
@@ -46,6 +57,9 @@ TEXTS = {
     "a job": lambda text, _: str(JobStatus("", "", "", 0, 0, 0, 0, 0, False, {text: text}, (text,))),
     "a cloud": lambda text, _: repr(loom.PointCloud(np.zeros((1, 3)), **{text: np.zeros(1)})),
     "an attribute that is missing": lambda text, _: missing(text),
+    "a few names": lambda text, _: wording.few_of([text], 3),
+    "a format without columns": lambda text, _: refused(read_points, f"a.{text}", ["x"]),
+    "a configuration": lambda text, _: refused(ReconstructionConfig.from_names, {text: 1}),
     "a recording": lambda text, _: repr(Recording(Path(text.replace("\0", "")), [])),
 }
 
@@ -66,3 +80,15 @@ def test_one_line_stays_one(capsys):
 def test_json_keeps_what_it_escapes():
     text = wording.to_json({EVIL: EVIL, "line": "é\n\t"})
     assert escaped(text, lines=True) == text and json.loads(text) == {EVIL: EVIL, "line": "é\n\t"}
+
+
+def test_warnings_of_readers_and_writers_are_escaped():
+    """Each names a path, and many what a file calls its parts."""
+    plain = []
+    for path in (ROOT / "files").rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text())):
+            if isinstance(node, ast.Call) and ast.unparse(node.func) == "warnings.warn":
+                message = ast.unparse(node.args[0])
+                is_escaped = message.startswith("escaped(") or f"{message} = escaped(" in path.read_text()
+                plain += [] if is_escaped else [f"{path.name}:{node.lineno}"]
+    assert not plain

@@ -360,3 +360,8 @@ def test_unknown_formats_and_existing_files_are_refused(tmp_path):
         write_triangle_mesh(tmp_path / "mesh.ply", mesh, overwrite=False)
     with pytest.raises(ValueError, match="ascii: STL"):
         write_triangle_mesh(tmp_path / "mesh.stl", mesh, ascii=True)
+
+
+def test_a_mesh_is_not_moved_beyond_what_float32_holds():
+    with pytest.raises(ValueError, match=r"scale, center: takes the points to .* beyond what float32 holds"):
+        TriangleMesh.create_box().scale(1e60)

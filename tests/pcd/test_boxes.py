@@ -329,3 +329,11 @@ def test_boxes_compare_by_value_and_show_it():
         hash(aligned)
     with pytest.raises(ValueError, match="read-only"):
         aligned.min_bound[0] = 99
+
+
+@pytest.mark.parametrize(
+    "bounds", [([np.inf] * 3, [np.inf] * 3), ([-np.inf, 0, 0], [-np.inf, 1, 1]), ([np.nan, 0, 0], [1] * 3)]
+)
+def test_a_box_at_infinity_is_refused(bounds):
+    with pytest.raises(ValueError, match="min_bound, max_bound: expected min <= max"):
+        loom.AxisAlignedBoundingBox(*bounds)

@@ -28,13 +28,13 @@ def test_means_over_runs_are_those_of_float64(device, rng):
     assert first_rows(*where).numpy().tolist() == [p[0] for p in parts]
 
 
-def test_a_mean_of_vectors_leaves_out_those_that_are_not_finite(device):
+def test_a_mean_leaves_out_rows_that_are_not_finite(device):
     values = np.array([[1, 2, 3], [np.nan, 0, 0], [3, 2, 1], [0, np.inf, 0], [np.nan] * 3], np.float32)
-    starts = np.array([0, 4, 5], np.int32)
-    order = np.arange(5, dtype=np.int32)
-    found = average_vec3(
-        upload(values, vec3, resolve_device(device)),
-        upload(order, int32, resolve_device(device)),
-        upload(starts, int32, resolve_device(device)),
-    ).numpy()
-    assert found[0].tolist() == [2, 2, 2] and np.isnan(found[1]).all()
+    where = [upload(np.array(a), int32, resolve_device(device)) for a in ([0, 1, 2, 3, 4], [0, 4, 5])]
+    rows = upload(values.astype(np.float64), float64, resolve_device(device))
+    for found in (
+        average_vec3(upload(values, vec3, resolve_device(device)), *where).numpy(),
+        sum_columns(rows, *where, mean=True).numpy(),
+    ):
+        assert found[0].tolist() == [2, 2, 2] and np.isnan(found[1]).all()
+    assert np.isnan(sum_columns(rows, *where).numpy()[0]).tolist() == [True, False, False]
