@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from ...core.reports import Fields, all_of
+from ...core.reports import Fields, failed
 from ...core.timing import Clock, peak_bytes
 from ...data.scenes.room import room_sequence, surface_errors
 from ...drawing.render.picture_files import save_picture
@@ -55,9 +55,9 @@ class FuseReport:
     files: tuple[str, ...]
 
     @property
-    def poor(self) -> str | None:
-        """Why the result is poor, or None."""
-        return all_of(_why_poor(self.errors, self.trial.noise), self.sofa.why_poor())
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks; empty if the result is reliable."""
+        return failed(_problem(self.errors, self.trial.noise), self.sofa.problem)
 
     def to_json(self) -> dict[str, Any]:
         """What report.json holds."""
@@ -134,7 +134,7 @@ def _write(place: Place, room: TriangleMesh, sofa: TriangleMesh) -> tuple[str, .
     return files
 
 
-def _why_poor(errors: SurfaceErrors | None, noise: bool) -> str | None:
+def _problem(errors: SurfaceErrors | None, noise: bool) -> str | None:
     if errors is None:
         return "the mesh is empty; take more frames (--frames)"
     limit = LARGEST_RMSE["noise" if noise else "no noise"]

@@ -23,7 +23,7 @@ from pointloom.files.pictures.image_files import write_png
 from pointloom.files.points import ply
 from pointloom.kernels.language import taichi_compiler
 
-from .commands import answer, names_in, poor_answer, refusal, run
+from .commands import answer, names_in, refusal, run, unreliable
 
 ROOT = Path(__file__).resolve().parents[2]
 COMMANDS = (
@@ -238,7 +238,7 @@ def test_a_warning_is_one_line_on_stderr(cloud, tmp_path, monkeypatch):
     monkeypatch.setattr("pointloom.app.jobs.clouds.convert_file", warn)
     result = run("convert", cloud, tmp_path / "out.ply", "--json")
     assert result.stderr == "warning: one core only\n"
-    assert json.loads(result.stdout)["poor"] is None
+    assert json.loads(result.stdout)["reliable"]
 
 
 def test_an_interruption_while_writing_leaves_nothing(cloud, tmp_path, monkeypatch):
@@ -339,7 +339,7 @@ def test_fuse_says_which_camera_it_used(frames, tmp_path):
 def test_a_camera_that_the_pictures_contradict_is_a_poor_result(frames, tmp_path):
     (frames / "camera-intrinsics.json").unlink()
     (frames / "intrinsics.K.txt").write_text("525 0 320\n0 525 240\n0 0 1\n")  # of 640 x 480; these are 160 x 120
-    poor = poor_answer("fuse", frames, "--voxel", "0.1", "-o", tmp_path / "out.ply")["poor"]
+    poor = "; ".join(unreliable("fuse", frames, "--voxel", "0.1", "-o", tmp_path / "out.ply")["warnings"])
     assert f"the camera may be wrong ({frames / 'intrinsics.K.txt'}): its principal point (320, 240) lies far" in poor
     assert "pictures of 160 x 120; it may be that of 640 x 480" in poor
 
@@ -380,7 +380,7 @@ def test_doctor_tries_warp_and_says_by_how_many_threads(monkeypatch, without_tai
     report = answer("doctor")
     assert trials_on_the_cpu(report) == [("warp", True)] and report["versions"]["taichi"] == "not installed"
     assert (report["cpu_compiler"], report["why"]) == ("warp", "3 threads (POINTLOOM_CPU_THREADS)")
-    assert report["poor"] is None
+    assert report["reliable"]
     assert "healthy" in run("doctor").stdout
     monkeypatch.delenv("POINTLOOM_CPU_THREADS")
     loom.set_num_threads(None)
@@ -416,11 +416,11 @@ def test_doctor_says_that_a_number_of_threads_is_none(monkeypatch, without_taich
 def test_doctor_tries_a_taichi_that_is_installed_and_shows_the_line_that_mends_it(monkeypatch):
     monkeypatch.setenv("POINTLOOM_CPU", "taichi")
     report = answer("doctor")
-    assert trials_on_the_cpu(report) == [("warp", True), ("taichi", True)] and report["poor"] is None
+    assert trials_on_the_cpu(report) == [("warp", True), ("taichi", True)] and report["reliable"]
     assert (report["cpu_compiler"], report["why"]) == ("taichi", "POINTLOOM_CPU=taichi asks for it")
     reason = "Taichi does not import (libX11.so.6: cannot open shared object file); apt-get install libx11-6"
     monkeypatch.setattr(taichi_compiler, "start", fault(taichi_compiler.TaichiUnavailableError(reason)))
-    assert "apt-get install libx11-6" in (report := poor_answer("doctor"))["poor"] and report["cpu_compiler"] == "none"
+    assert "apt-get install libx11-6" in (report := unreliable("doctor"))["poor"] and report["cpu_compiler"] == "none"
     monkeypatch.delenv("POINTLOOM_CPU")
     result = run("doctor")
     assert (result.exit_code, result.stderr) == (0, "")  # nobody asks for it

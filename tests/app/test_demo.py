@@ -75,7 +75,7 @@ def test_vertices_within_half_a_voxel_are_counted():
 def test_without_noise_the_error_is_below_three_tenths_of_a_voxel(tmp_path):
     report = run_demo(tmp_path / "demo", frame_count=60, voxel_size=0.03, noise=False)
     assert report["errors"]["rmse_voxels"] < 0.3
-    assert report["poor"] is None
+    assert report["reliable"]
     assert LARGEST_RMSE["no noise"] == 0.3
 
 
@@ -158,7 +158,7 @@ def test_a_coarse_demo_is_a_poor_result(tmp_path, monkeypatch):
     monkeypatch.setitem(LARGEST_RMSE, "noise", 0.001)
     result = CliRunner().invoke(cli, ["demo", "-o", str(tmp_path / "demo"), "--frames", "6", "--voxel", "0.08"])
     assert result.exit_code == 3
-    assert "poor result: the root mean square error is" in result.stderr
+    assert "unreliable result: the root mean square error is" in result.stderr
     assert names_in(tmp_path / "demo") == OUTPUTS
 
 
