@@ -14,7 +14,7 @@ import numpy as np
 
 from ...core.cuda_driver import installed_driver, needed_driver, why_no_gpu
 from ...core.devices import resolve_device
-from ...core.reports import Fields, Report, failed
+from ...core.reports import Fields, Report, failed, quality
 from ...core.threads import get_num_threads
 from ...core.timing import Clock
 from ...core.wording import format_bytes
@@ -126,7 +126,7 @@ class Diagnosis(Report):
 
     def to_json(self) -> dict[str, Any]:
         """All of it in JSON's types."""
-        return {"command": "doctor", **super().to_json()}
+        return {"command": "doctor", **super().to_json(), **quality(self)}
 
     def fields(self) -> Fields:
         """The diagnosis as labels and values for the terminal."""

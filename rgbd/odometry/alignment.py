@@ -39,7 +39,7 @@ def align_frames(
         method: What is compared: surfaces, brightness, or both.
 
     Returns:
-        The result; `reliable` is False, with `warnings`, for frames that do not show the same place, do not determine the
+        The result; `reliable` is False, with `warnings`, for frames that do not overlap, do not determine the
         motion, or are blank.
 
     Raises:

@@ -54,7 +54,7 @@ def test_stl_comes_without_the_colours_that_it_cannot_hold(folder, tmp_path):
 @pytest.mark.parametrize("depth_max", [0.05, 0.3])
 def test_frames_out_of_reach_are_a_poor_result(folder, tmp_path, depth_max):
     report = fuse_folder(folder, ModelOutputs(tmp_path / "mesh.ply"), voxel_size=0.02, depth_max=depth_max).to_json()
-    assert "--depth-max" in str(report["warnings"])
+    assert "depth_max" in str(report["warnings"])
     assert report["files"] == [] == names_in(tmp_path)
 
 

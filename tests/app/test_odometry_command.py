@@ -103,7 +103,7 @@ def test_scans_that_do_not_come_to_rest_are_named(drive, tmp_path, monkeypatch):
     monkeypatch.setattr(LidarOdometry, "_match", restless)
     report = unreliable("odometry", drive, "-o", tmp_path / "a.txt", *INDOORS)
     assert report["unsettled"] == [1, 2, 4]
-    assert "; ".join(report["warnings"]) == "3 of 5 scans did not come to rest on the map (scan 1-2, 4)"
+    assert report["warnings"] == ["3 of 5 scans did not come to rest on the map (scan 1-2, 4)"]
     steps = iter([False, False, True, False, False])
     shown = run("odometry", drive, "-o", tmp_path / "b.txt", *INDOORS)
     assert shown.exit_code == 3  # a quarter of four
@@ -113,7 +113,7 @@ def test_scans_out_of_range_write_nothing(drive, tmp_path):
     truth = tmp_path / "truth.txt"
     write_trajectory(truth, Trajectory(path_of(5)), format="kitti")
     report = unreliable("odometry", drive, "-o", tmp_path / "a.txt", "--min-range", 90, "--truth", truth)
-    assert "no scan has points from 90 to 100 m of the scanner; nothing was written" in str(report["warnings"])
+    assert "no scan has points in range" in str(report["warnings"])
     assert (report["files"], report["errors"]) == ([], None)
     assert not (tmp_path / "a.txt").exists()
 

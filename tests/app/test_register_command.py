@@ -164,7 +164,7 @@ def test_coordinates_of_maps_do_no_harm(near, tmp_path):
 def test_surfaces_that_do_not_meet_are_a_poor_result_that_is_written(pair, tmp_path):
     np.savetxt(tmp_path / "T.txt", turned(120, 0.3, 0.3, 0) @ POSE)
     report = unreliable("register", *pair, *VOXEL, "--init", tmp_path / "T.txt", "-o", tmp_path / "out.txt")
-    assert "not above 0.5: the surfaces hardly lie on each other; try --init global" in str(report["warnings"])
+    assert "not above 0.5: the surfaces hardly overlap; try --init global" in str(report["warnings"])
     assert report["score"] < 0.5
     np.testing.assert_array_equal(np.loadtxt(tmp_path / "out.txt"), report["transformation"])
 

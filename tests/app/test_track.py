@@ -118,7 +118,7 @@ def test_a_missing_picture_is_left_out_and_named(guided, frames, tmp_path):
 
 def test_frames_out_of_reach_are_a_poor_result(guided, frames, tmp_path):
     report = unreliable("track", frames, "-o", tmp_path / "poses.txt", "--depth-max", "0.1")
-    assert "raise --depth-max" in str(report["warnings"])
+    assert "raise depth_max" in str(report["warnings"])
 
 
 def test_a_covered_lens_all_along_writes_nothing(guided, frames, tmp_path):

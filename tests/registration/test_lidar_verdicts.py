@@ -107,9 +107,9 @@ def test_standing_still_while_much_moves_by_is_told():
         poses[:, 0, 3] = speed * np.arange(12)
         return [OdometryStep(k, poses[k], 1.0, 100, fitness, 0.1, 5, True, False, "converged") for k in range(12)]
 
-    assert "seems to stand still while 9 scans" in str(summarize_steps(steps(0.95)).poor)
-    assert summarize_steps(steps(0.98)).poor is None
-    assert summarize_steps(steps(0.95, 0.5)).poor is None
+    assert "seems to stand still while 9 scans" in str(summarize_steps(steps(0.95)).warnings)
+    assert summarize_steps(steps(0.98)).reliable
+    assert summarize_steps(steps(0.95, 0.5)).reliable
 
 
 def test_a_rise_counts_where_it_is_large_and_sure():
