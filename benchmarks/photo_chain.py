@@ -57,7 +57,7 @@ def run(name: str, work: Path, size: int) -> dict[str, Any]:
         "cameras": list(result.figures.cameras),
         "confirmed_share": result.figures.confirmed_share,
         "triangles": result.figures.triangle_count,
-        "poor": result.poor,
+        "warnings": result.warnings,
         "units": result.units,
         "cpu_seconds_a_picture": {
             stage: round(told.cost["cpu_seconds"] / count, 2) for stage, told in result.reached.items()

@@ -134,7 +134,9 @@ def main() -> None:
     whole = time.monotonic() - start
     true = digests(given.work / "quiet" / "work", given.work / "quiet" / "out")
     told = json.loads(log)
-    print(f"undisturbed: {whole:.0f} s, {len(true)} files, units {told['units']}, poor {told['poor']}", flush=True)
+    print(
+        f"undisturbed: {whole:.0f} s, {len(true)} files, units {told['units']}, warnings {told['warnings']}", flush=True
+    )
     while tell["kills"] < given.kills:
         attack(folder, given.work / "killed", whole / 4, chance, given.kills, tell)
         found = digests(given.work / "killed" / "work", given.work / "killed" / "out")
@@ -143,7 +145,12 @@ def main() -> None:
         tell["files compared"] += len(true)
         tell["files that differ"] += len(differ)
         print(dict(tell), differ[:5], flush=True)
-    report = {"seed": given.seed, "units": told["units"], "poor": told["poor"], "counts": dict(sorted(tell.items()))}
+    report = {
+        "seed": given.seed,
+        "units": told["units"],
+        "warnings": told["warnings"],
+        "counts": dict(sorted(tell.items())),
+    }
     if given.output:
         given.output.write_text(json.dumps(report, indent=1) + "\n")
     print(json.dumps(report, indent=1))

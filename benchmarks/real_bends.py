@@ -78,7 +78,7 @@ def measure(points: Array, bend, hole: bool) -> str:
     rigid = source @ found.rigid_pose[:3, :3].T + found.rigid_pose[:3, 3]
     away, stiff = tree.query(warped)[0], tree.query(rigid)[0]
     figures = f"{np.median(stiff):.4f} | {np.median(away):.4f} | {np.quantile(away, 0.95):.4f} | {np.median(near):.3f}"
-    return f"{figures} | {spent:.1f} | {found.poor or 'believed'} |"
+    return f"{figures} | {spent:.1f} | {'; '.join(found.warnings) or 'believed'} |"
 
 
 def main() -> None:

@@ -97,7 +97,7 @@ def measure(clouds: list[Any], truth: Array, voxel: float, shift: float, turn: f
     said = np.sqrt((found.sigmas[found.placed, :3] ** 2).sum(axis=1))[1:] * 1000
     figures = f"{found.placed.sum()} of {len(clouds)} | {len(found.pairs)} | {np.median(begin):.1f}"
     figures += f" | {np.median(errors):.2f} | {errors.max():.2f} | {np.median(said):.2f} | {found.sigma0:.2f}"
-    return f"{figures} | {len(found.outliers)} | {spent:.0f} | {found.poor or 'believed'} |"
+    return f"{figures} | {len(found.outliers)} | {spent:.0f} | {'; '.join(found.warnings) or 'believed'} |"
 
 
 def main() -> None:

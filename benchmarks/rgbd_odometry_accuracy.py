@@ -55,7 +55,7 @@ def print_accuracy(kitchen: Kitchen) -> None:
                 frames = kitchen.prepare(i), kitchen.prepare(i + step)
                 result = loom.odometry.align_frames(*frames, method=method)
                 errors.append(kitchen.errors(result.transformation, i, i + step))
-                successes += result.success
+                successes += result.reliable
             (angle, way), (most_angle, most_way) = np.median(errors, 0), np.percentile(errors, 90, 0)
             line = f"{method.name:14} {step:4d} {angle:12.3f} {way:6.2f} {most_angle:10.2f} {most_way:6.1f}"
             print(f"{line}   {successes} of {PAIRS}")
@@ -99,8 +99,8 @@ def print_like_pairs(frames: dict[str, Any]) -> None:
             result = loom.odometry.align_frames(frames[first], frames[second])
             angle = np.degrees(np.arccos(np.clip((np.trace(result.transformation[:3, :3]) - 1) / 2, -1, 1)))
             way = 1000 * np.linalg.norm(result.transformation[:3, 3])
-            found = f"{angle:.2f} deg {way:.1f} mm, rmse {1000 * result.inlier_rmse:.1f} mm {result.reason}"
-            print(f"{first} -> {second}: {'success' if result.success else 'no success'}, {found}")
+            found = f"{angle:.2f} deg {way:.1f} mm, rmse {1000 * result.inlier_rmse:.1f} mm {' '.join(result.warnings)}"
+            print(f"{first} -> {second}: {'success' if result.reliable else 'no success'}, {found}")
 
 
 def unlike_pairs(kitchen: Kitchen, frames: dict[str, Any]) -> Iterator[tuple[Any, Any]]:
@@ -131,7 +131,7 @@ def count_successes(pairs: Any) -> str:
         for pair in pairs
         for method in (loom.odometry.Method.Hybrid, loom.odometry.Method.PointToPlane)
     ]
-    return f"{sum(result.success for result in results)} of {len(results)}"
+    return f"{sum(result.reliable for result in results)} of {len(results)}"
 
 
 def print_far_pairs(kitchen: Kitchen, count: int = 400) -> None:
@@ -141,10 +141,10 @@ def print_far_pairs(kitchen: Kitchen, count: int = 400) -> None:
         result = loom.odometry.align_frames(kitchen.prepare(i), kitchen.prepare(j))
         errors = kitchen.errors(result.transformation, i, j)
         is_right = errors[0] < RIGHT[0] and errors[1] < RIGHT[1]
-        right += result.success and is_right
-        false += result.success and not is_right
-        missed += not result.success and is_right
-        farthest = max(farthest, errors) if result.success else farthest
+        right += result.reliable and is_right
+        false += result.reliable and not is_right
+        missed += not result.reliable and is_right
+        farthest = max(farthest, errors) if result.reliable else farthest
     refused = count - right - false - missed
     print(f"{count} random pairs of the kitchen: {right} right successes, {false} false ones, {missed} right refused,")
     print(f"  {refused} wrong refused; the success farthest off: {farthest[0]:.1f} deg {farthest[1]:.0f} mm")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Iterable
-from typing import Any
+from typing import Any, Protocol
 
 from .escaped_text import escaped
 from .html_tables import html_table
@@ -61,19 +61,47 @@ def rows_of(fields: Iterable[tuple[str, str]]) -> list[str]:
     return rows
 
 
-def with_poor(fields: Fields, poor: str | None) -> Fields:
-    """Labels and values, and below them what speaks against the result, if anything does."""
-    return [*fields, ("poor", poor)] if poor else fields
+class HasWarnings(Protocol):
+    """Anything with `warnings`."""
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks."""
+        ...
 
 
-def all_of(*reasons: str | None) -> str | None:
-    """What speaks against a result in one line, from reasons of which each may be None; None where all are.
+class Assessed:
+    """A result that can be wrong without an exception: `reliable` and `warnings`."""
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks, each with its remedy; empty if the result is reliable."""
+        raise NotImplementedError
+
+    @property
+    def reliable(self) -> bool:
+        """True if no quality check failed."""
+        return not self.warnings
+
+
+def quality(result: HasWarnings) -> dict[str, Any]:
+    """`reliable` and `warnings` of a result in JSON types."""
+    return {"reliable": not result.warnings, "warnings": list(result.warnings)}
+
+
+def failed(*checks: str | None) -> tuple[str, ...]:
+    """The messages of the failed checks among checks whose message is None or empty if they passed.
 
     Example:
-        >>> all_of("the mesh is empty", None, "2 frames were lost")
-        'the mesh is empty; 2 frames were lost'
+        >>> failed("the mesh is empty", None, "2 frames were lost")
+        ('the mesh is empty', '2 frames were lost')
     """
-    return "; ".join(reason for reason in reasons if reason) or None
+    return tuple(check for check in checks if check)
+
+
+def with_warnings(fields: Fields, result: Assessed) -> Fields:
+    """Labels and values, and below them the warnings of a result."""
+    return [*fields, *(("warning", warning) for warning in result.warnings)]
 
 
 def in_columns(fields: Iterable[tuple[str, str]]) -> str:

@@ -124,8 +124,8 @@ def change_files(
         settings: As of `Settings`.
 
     Returns:
-        What was done. It is poor where less than half of the points have a distance, or nearly all have moved one way,
-        as they do where the epochs are not registered.
+        What was done. It is unreliable if less than half of the points have a distance, or if nearly all moved in one
+        direction, as they do if the epochs are not registered.
 
     Raises:
         FileError: A file that cannot be read or written, is empty, or has another coordinate system than the other.
@@ -267,7 +267,7 @@ def _report(job: Job, later: FilePath, compared: Compared, registration_error: f
     ends = [float(value) for value in np.quantile(moved, (0.5, 0.01, 0.99))] if len(moved) else [None] * 3
     levels = found.level_of_detection[np.isfinite(found.level_of_detection)]
     return ChangeReport(
-        job.done(_why_poor(known, found.distances, changed, method)),
+        job.done(_warning(known, found.distances, changed, method)),
         os.fspath(later),
         method,
         str(job.device),
@@ -281,7 +281,7 @@ def _report(job: Job, later: FilePath, compared: Compared, registration_error: f
     )
 
 
-def _why_poor(
+def _warning(
     known: NDArray[np.bool_], distances: NDArray[np.float64], changed: NDArray[np.bool_], method: str
 ) -> str | None:
     """Whether the epochs do not overlap, or lie beside each other as a whole."""

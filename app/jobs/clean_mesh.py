@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Unpack
 
-from ...core.audience import to_shell
 from ...core.errors import FilePath
 from ...files.meshes import tables
 from ...meshing.mesh.cleaned_mesh import clean_mesh
@@ -47,4 +46,4 @@ def clean_mesh_file(
         sizes = {"merge_distance": merge, "hole_size": fill, "min_area": min_area}
         found = clean_mesh(mesh, **sizes, min_triangles=min_triangles, progress=told)
     job.write_mesh(found.mesh, output)
-    return ResultReport(job.done(found.why_poor(to_shell)), found, str(mesh.device))
+    return ResultReport(job.done(*found.warnings), found, str(mesh.device))

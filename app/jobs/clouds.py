@@ -1,6 +1,6 @@
 """Files of points to files of points: `convert_file`, `downsample_file` and `estimate_normals_of_file`.
 
-Each checks its output before the work and returns what was done; `poor` says why a result is poor.
+Each checks its output before the work and returns what was done; `warnings` says why a result is unreliable.
 """
 
 from __future__ import annotations
@@ -165,10 +165,10 @@ def downsample_file(
     cloud = job.read_cloud()
     with job.stage("downsample", judged=True):
         small = cloud.voxel_down_sample(voxel_size)
-    poor = None if len(small) else "no point is finite, so none is left; nothing was written"
+    warning = None if len(small) else "no point is finite, so none is left; nothing was written"
     if len(small):
         job.write_cloud(small, output)
-    return DownsampleReport(job.done(poor), str(cloud.device), voxel_size, len(cloud), len(small))
+    return DownsampleReport(job.done(warning), str(cloud.device), voxel_size, len(cloud), len(small))
 
 
 @dataclass(frozen=True)
@@ -228,12 +228,12 @@ def estimate_normals_of_file(
         if direction is not None:
             with_normals = with_normals.orient_normals_to_align_with_direction(direction)
     with job.stage("check"):
-        poor = None if radius is None else _why_poor(cloud, radius)
+        warning = None if radius is None else _warning(cloud, radius)
     job.write_cloud(with_normals, output)
-    return NormalsReport(job.done(poor), str(cloud.device), radius, max_nn, len(cloud))
+    return NormalsReport(job.done(warning), str(cloud.device), radius, max_nn, len(cloud))
 
 
-def _why_poor(cloud: PointCloud, radius: float) -> str | None:
+def _warning(cloud: PointCloud, radius: float) -> str | None:
     """Whether the radius is so small that most points find no plane, by a sample of them."""
     from ...pcd.probes import distance_of_nearest, probe_points, rounded_up
     from ...pcd.search import NearestNeighborSearch

@@ -108,7 +108,7 @@ def cluster_file(
     sizes = np.bincount(labels[labels >= 0])
     ranked = np.argsort(-sizes, kind="stable")
     with job.stage("check"):
-        poor = _why_poor(rows.cloud, sizes, eps, min_points)
+        warning = _warning(rows.cloud, sizes, eps, min_points)
     table, replaced = label_rows(rows.table, LABEL, labels)
     if paint:
         replaced = ["colors"] * (table.colors is not None) + replaced
@@ -117,10 +117,10 @@ def cluster_file(
     if len(kept):
         job.write_points(table if largest is None else take_rows(table, kept), output)
     else:
-        poor = f"{poor or 'no point is left'}; nothing was written"
+        warning = f"{warning or 'no point is left'}; nothing was written"
     counts = [ClusterSize(int(label), int(sizes[label])) for label in ranked[:_SHOWN]]
     return ClusterReport(
-        job.done(poor),
+        job.done(warning),
         str(job.device),
         len(labels),
         len(kept),
@@ -140,7 +140,7 @@ def _paint(labels: NDArray[np.int32]) -> NDArray[np.float32]:
     return colors
 
 
-def _why_poor(cloud: PointCloud, sizes: NDArray[Any], eps: float, min_points: int) -> str | None:
+def _warning(cloud: PointCloud, sizes: NDArray[Any], eps: float, min_points: int) -> str | None:
     """Whether the clusters tell no points apart, with the eps that may."""
     finite = len(cloud.remove_non_finite_points())
     if not finite:

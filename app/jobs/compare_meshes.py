@@ -8,9 +8,8 @@ from typing import Any, Unpack
 
 import numpy as np
 
-from ...core.audience import to_shell
 from ...core.errors import FileError, FilePath
-from ...core.reports import Fields
+from ...core.reports import Fields, quality
 from ...core.wording import plain
 from ...drawing.render.error_picture import draw_errors
 from ...drawing.render.picture_files import save_picture
@@ -82,8 +81,7 @@ class ComparisonReport(JobReport):
         done = self.done
         files = {"command": done.command, "first": done.source, "second": self.second}
         ends = {"seconds": done.seconds, "left_out": done.left_out, "files": done.files}
-        found = {name: value for name, value in self.found.to_json().items() if name != "poor"}
-        return plain(files | found | ends | {"poor": self.poor})
+        return plain(files | self.found.to_json() | ends | quality(self))
 
     def fields(self) -> Fields:
         """What was found, and what any command ends in."""
@@ -126,7 +124,7 @@ def compare_mesh_files(
     with job.stage("compare"):
         found = compare_meshes(*meshes, thresholds=thresholds, samples=samples, limit=limit, seed=seed)
     drawn.write(job, *meshes)
-    return ComparisonReport(job.done(found.why_poor(to_shell)), os.fspath(second), found)
+    return ComparisonReport(job.done(*found.warnings), os.fspath(second), found)
 
 
 def _read(path: FilePath, device: Any, up: str) -> TriangleMesh:

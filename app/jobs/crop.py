@@ -62,10 +62,10 @@ def crop_file(
     rows = read_rows(job)
     with job.stage("crop"):
         inside = rows.cloud.crop(volume, invert)
-    poor = None if len(inside) else f"{_why_empty(rows, invert)}; nothing was written"
+    warning = None if len(inside) else f"{_why_empty(rows, invert)}; nothing was written"
     if len(inside):
         job.write_points(rows.take(rows.of(inside)), output)
-    return CropReport(job.done(poor), str(job.device), len(rows.cloud), len(inside))
+    return CropReport(job.done(warning), str(job.device), len(rows.cloud), len(inside))
 
 
 def _why_empty(rows: Rows, invert: bool) -> str:

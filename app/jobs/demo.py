@@ -17,7 +17,7 @@ from ...core.checks import check_count, check_progress
 from ...core.devices import resolve_device
 from ...core.errors import FileError
 from ...core.progress import ReportProgress
-from ...core.reports import Fields, Report
+from ...core.reports import Assessed, Fields, Report, failed, quality
 from ...core.timing import Clock, peak_bytes
 from ...core.wording import format_share, to_json
 from ...data.scenes.room import room_sequence, surface_errors
@@ -93,7 +93,7 @@ class SurfaceErrors:
 
 
 @dataclass(frozen=True)
-class DemoReport(Report):
+class DemoReport(Report, Assessed):
     """Result of `run_demo`.
 
     Attributes:
@@ -115,9 +115,9 @@ class DemoReport(Report):
     files: tuple[str, ...]
 
     @property
-    def poor(self) -> str | None:
-        """Why the result is poor, or None."""
-        return _why_poor(self.errors, self.noise)
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks; empty if the result is reliable."""
+        return failed(_problem(self.errors, self.noise))
 
     def to_json(self) -> dict[str, Any]:
         """The content of report.json."""
@@ -132,7 +132,7 @@ class DemoReport(Report):
             "seconds": self.seconds,
             "peak_bytes": self.peak_bytes,
             "files": list(self.files),
-            "poor": self.poor,
+            **quality(self),
         }
 
     def fields(self) -> Fields:
@@ -218,7 +218,7 @@ def _output_folder(folder: Path, *, overwrite: bool) -> Iterator[tuple[str, ...]
                 folder.rmdir()
 
 
-def _why_poor(errors: SurfaceErrors | None, noise: bool) -> str | None:
+def _problem(errors: SurfaceErrors | None, noise: bool) -> str | None:
     if errors is None:
         return "the mesh is empty; take more frames (--frames)"
     limit = LARGEST_RMSE["noise" if noise else "no noise"]

@@ -12,9 +12,8 @@ from numpy.typing import NDArray
 
 from ...cameras.pose_text import kitti_poses, read_lines, read_pose
 from ...cameras.trajectory import Trajectory, read_trajectory
-from ...core.audience import to_shell
 from ...core.errors import FileError, FilePath
-from ...core.reports import Fields, Report
+from ...core.reports import Assessed, Fields, Report, quality
 from ...drawing.render.picture_files import save_picture
 from ...kernels.linear_algebra import inv
 from ...registration.trajectories.trajectory_error import TrajectoryError, evaluate_trajectory
@@ -31,26 +30,29 @@ ALIGNMENTS: dict[str, dict[str, Any]] = {
 
 
 @dataclass(frozen=True)
-class EvaluateReport(Report):
+class EvaluateReport(Report, Assessed):
     """What `evaluate_files` found.
 
     Attributes:
         poses, truth: The files that were compared.
         found: The errors.
         files: What was written.
-        poor: Why the figures do not measure the estimate, or None.
     """
 
     poses: str
     truth: str
     found: TrajectoryError
     files: tuple[str, ...] = ()
-    poor: str | None = None
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks; empty if the result is reliable."""
+        return self.found.warnings
 
     def to_json(self) -> dict[str, Any]:
         """All of it on one level."""
         read = {"command": "evaluate", "poses": self.poses, "truth": self.truth}
-        return read | self.found.to_json() | {"files": list(self.files), "poor": self.poor}
+        return read | self.found.to_json() | {"files": list(self.files), **quality(self)}
 
     def fields(self) -> Fields:
         """The errors, and the picture where there is one."""
@@ -96,7 +98,7 @@ def evaluate_files(
         sensor = np.eye(4) if T is None else inv(T)
         save_picture(picture, _draw_paths(estimate, true_path, found, title, sensor), overwrite=overwrite)
         files = (os.fspath(picture),)
-    return EvaluateReport(os.fspath(poses), os.fspath(truth), found, files, found.why_poor(to_shell))
+    return EvaluateReport(os.fspath(poses), os.fspath(truth), found, files)
 
 
 def read_extrinsic(path: FilePath) -> NDArray[np.float64]:

@@ -10,17 +10,17 @@ from typing import Any
 from ...cameras.camera import read_pinhole_camera_intrinsic
 from ...core.errors import DatasetError, FileError, FilePath, PointloomError
 from ...core.paths import path_of
-from ...core.reports import Fields, all_of
+from ...core.reports import Assessed, Fields, failed, quality
 from ...core.timing import Clock, peak_bytes
 from ...core.wording import format_bytes, format_seconds
 from ...files.bags.recording import is_recording, open_recording
 from ...files.frames.datasets import RGBDDataset, open_dataset, open_frames
 from ...files.frames.frames import (
     camera_line,
+    camera_problem,
     describe_camera,
     describe_folder,
     open_folder,
-    why_doubted,
     why_incomplete,
 )
 from .job import Done, JobReport
@@ -49,7 +49,7 @@ class FolderOptions:
 
 
 @dataclasses.dataclass(frozen=True)
-class FrameFolder:
+class FrameFolder(Assessed):
     """A folder that was opened.
 
     Attributes:
@@ -98,18 +98,18 @@ class FrameFolder:
             raise FileError(path, "holds no poses", remedy=remedy) from error
 
     @property
-    def camera_doubt(self) -> str | None:
-        """Why the camera may be that of other pictures."""
-        return why_doubted(self.dataset, describe_camera(self.dataset, self.intrinsic)["source"])
+    def camera_problem(self) -> str | None:
+        """Why the camera may be that of other images, or None."""
+        return camera_problem(self.dataset, describe_camera(self.dataset, self.intrinsic)["source"])
 
     @property
-    def doubts(self) -> list[str | None]:
-        """Why frames may be missing and why the camera may be another's, each of them or None."""
-        return [why_incomplete(self.dataset), self.camera_doubt]
+    def warnings(self) -> tuple[str, ...]:
+        """Warnings about missing frames and about the camera."""
+        return failed(why_incomplete(self.dataset), self.camera_problem)
 
-    def done(self, command: str, clock: Clock, files: Iterable[str], *reasons: str | None) -> Done:
-        """What a command did with the frames, and what speaks against it."""
-        return Done(command, os.fspath(self.path), clock.seconds, (), tuple(files), all_of(*reasons))
+    def done(self, command: str, clock: Clock, files: Iterable[str], *warnings: str | None) -> Done:
+        """What a command did with the frames, and its warnings."""
+        return Done(command, os.fspath(self.path), clock.seconds, (), tuple(files), failed(*warnings))
 
     def to_json(self) -> dict[str, Any]:
         """What was opened, in JSON's types."""
@@ -134,9 +134,9 @@ class FramesReport(JobReport):
     peak: int = dataclasses.field(default_factory=peak_bytes, kw_only=True)
 
     def ending_to_json(self, **more: Any) -> dict[str, Any]:
-        """What all of them end in, for programs: what the work cost, more where there is any, the files, and doubts."""
+        """The common end of all reports: cost, further values, files and quality."""
         cost = {"seconds": self.done.seconds, "peak_bytes": self.peak}
-        return cost | more | {"files": list(self.done.files), "poor": self.poor}
+        return cost | more | {"files": list(self.done.files), **quality(self)}
 
     def ending(self) -> Fields:
         """The same for people."""

@@ -7,7 +7,6 @@ from collections.abc import Iterable
 from typing import Any
 
 from ...cameras.pose_files import trajectory_of
-from ...core.audience import to_shell
 from ...core.devices import resolve_device
 from ...core.errors import FilePath
 from ...core.progress import ReportProgress
@@ -90,6 +89,5 @@ def fuse_folder(
         files += outputs.write_mesh(result.mesh, result.T_world_camera, overwrite=overwrite)
         files += outputs.write_trajectory(path, overwrite=overwrite)
         clock.stop("write")
-    refinement = result.refinement.poor if result.refinement else None
-    done = opened.done("fuse", clock, files, result.why_no_surface(to_shell), opened.camera_doubt, refinement)
+    done = opened.done("fuse", clock, files, *result.warnings, opened.camera_problem)
     return FuseReport(done, opened, result)

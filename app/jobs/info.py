@@ -22,7 +22,7 @@ from ...core.atomic import restore_folder
 from ...core.coordinates import describe_bounds, split_origin
 from ...core.errors import FileError
 from ...core.json_files import read_json_object
-from ...core.reports import Fields, Report
+from ...core.reports import Assessed, Fields, Report
 from ...core.wording import format_triple
 from ...files.ascii_rows import is_number
 from ...files.bags.recording import is_recording
@@ -78,7 +78,7 @@ class BrokenFile(Report):
 
 
 @dataclass(frozen=True)
-class Description(Report):
+class Description(Report, Assessed):
     """What lies at a path.
 
     Attributes:
@@ -106,10 +106,10 @@ class Description(Report):
         return errors[0] + (f" (and {len(errors) - 1} more files of {self.path})" if errors[1:] else "")
 
     @property
-    def poor(self) -> str | None:
-        """What is missing of a recording; None where nothing is, and of all else."""
+    def warnings(self) -> tuple[str, ...]:
+        """The damage of a recording; empty if there is none, and for all other files."""
         damage = self.facts.damage if isinstance(self.facts, RecordedTopics) else None
-        return f"{self.path}: {damage}" if damage else None
+        return (f"{self.path}: {damage}",) if damage else ()
 
     def to_json(self) -> dict[str, Any]:
         """All of it on one level."""

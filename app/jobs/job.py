@@ -15,7 +15,7 @@ from ...core.checks import check_progress
 from ...core.devices import resolve_device
 from ...core.errors import FilePath
 from ...core.progress import ReportProgress
-from ...core.reports import Fields, Report, values_of
+from ...core.reports import Assessed, Fields, Report, failed, values_of
 from ...core.timing import Clock
 from ...core.units import LengthUnit, UnitWarning, symbol_of, without_warnings
 from ...core.wording import plain
@@ -66,7 +66,7 @@ class Done:
         seconds: The time that each stage took, in their order.
         left_out: Names of what the outputs cannot hold.
         files: What was written.
-        poor: Why the result is poor, or None.
+        warnings: Failed quality checks; empty if the result is reliable.
         unit: Of the source's coordinates, where that is known: lengths that are given and told are in it.
     """
 
@@ -75,16 +75,17 @@ class Done:
     seconds: dict[str, float]
     left_out: tuple[str, ...]
     files: tuple[str, ...]
-    poor: str | None
+    warnings: tuple[str, ...]
     unit: LengthUnit | None = None
 
     def to_json(self) -> dict[str, Any]:
-        """All of it by name, without the unit where that is not known."""
-        return {name: value for name, value in values_of(self).items() if name != "unit" or value is not None}
+        """All of it by name, without the unit if that is unknown."""
+        own = {name: value for name, value in values_of(self).items() if name != "unit" or value is not None}
+        return own | {"reliable": not self.warnings}
 
 
 @dataclass(frozen=True)
-class JobReport(Report):
+class JobReport(Report, Assessed):
     """What a command on files did; each command has its kind, with what it found.
 
     Attributes:
@@ -94,9 +95,9 @@ class JobReport(Report):
     done: Done
 
     @property
-    def poor(self) -> str | None:
-        """Why the result is poor, or None."""
-        return self.done.poor
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks; empty if the result is reliable."""
+        return self.done.warnings
 
     def to_json(self) -> dict[str, Any]:
         """All of it in JSON's types, on one level."""
@@ -275,7 +276,8 @@ class Job:
         self.left_out += [name for name in left_out if name not in self.left_out]
         self.files.append(os.fspath(output))
 
-    def done(self, poor: str | None = None) -> Done:
+    def done(self, *warnings: str | None) -> Done:
         """What was done so far."""
         seconds, source = dict(self.clock.seconds), os.fspath(self.source)
-        return Done(self._command, source, seconds, tuple(self.left_out), tuple(self.files), poor, self.unit)
+        files, left_out = tuple(self.files), tuple(self.left_out)
+        return Done(self._command, source, seconds, left_out, files, failed(*warnings), self.unit)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from ...core.audience import to_shell
 from ...core.errors import FilePath
 from ...core.progress import ReportProgress
 from ...drawing.render.picture_files import check_picture, save_picture
@@ -60,4 +59,4 @@ def mesh_file(
         with job.stage("picture"):
             save_picture(picture, draw_surface(result.mesh), overwrite=overwrite)
         job.wrote(picture)
-    return ResultReport(job.done(result.why_poor(to_shell)), result, str(cloud.device))
+    return ResultReport(job.done(*result.warnings), result, str(cloud.device))

@@ -97,7 +97,7 @@ def register_folder(
         progress: Called with each stage, and in that of the pairs with how many are done and how many there are.
 
     Returns:
-        What was done; it is poor where clouds could not be placed, which the outputs leave out. Nothing is written
+        What was done; it is unreliable if clouds could not be placed; the outputs leave them out. Nothing is written
         where no two clouds lie on each other.
 
     Raises:
@@ -125,7 +125,7 @@ def register_folder(
             _write_results(job, found, clouds, output, merged, graph)
     names = tuple(path.name for path in paths)
     lost = [name for name, is_placed in zip(names, found.placed, strict=True) if not is_placed]
-    done = job.done(why_poor(lost, len(names), is_written))
+    done = job.done(placement_warning(lost, len(names), is_written))
     points = sum(len(cloud) for cloud in clouds)
     return MultiwayReport(done, str(where), size, voxel_size is not None, names, points, found)
 
@@ -179,8 +179,8 @@ def _names_of(cloud: PointCloud) -> list[str]:
     return [*(name for name, is_there in vectors.items() if is_there), *cloud.attributes]
 
 
-def why_poor(lost: list[str], count: int, is_written: bool) -> str | None:
-    """What is told where clouds could not be placed; None where all were."""
+def placement_warning(lost: list[str], count: int, is_written: bool) -> str | None:
+    """The warning if clouds could not be placed; None if all were."""
     if not lost:
         return None
     if not is_written:

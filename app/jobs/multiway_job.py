@@ -19,7 +19,7 @@ from ...scale.jobs.placed_scans import finish_registration
 from ...scale.jobs.run_jobs import retry_job, run_job
 from ...scale.jobs.scans import plan_registration
 from .job import Job
-from .multiway import MultiwayReport, check_outputs, list_clouds, why_poor, write_poses_and_graph
+from .multiway import MultiwayReport, check_outputs, list_clouds, placement_warning, write_poses_and_graph
 
 
 @dataclass(frozen=True)
@@ -78,7 +78,7 @@ def place_scans(
         progress: Called with each stage of the job.
 
     Returns:
-        What was done; it is poor where scans could not be placed, and names them.
+        What was done; it is unreliable if scans could not be placed, and names them.
 
     Raises:
         FileError: A file that cannot be read or written, places of other scans, fewer than two scans, a job of another
@@ -110,7 +110,7 @@ def place_scans(
         if is_written:
             write_poses_and_graph(job, found, output, graph)
     names = tuple(path.name for path in paths)
-    done = job.done(why_poor([Path(path).name for path in found.not_placed], len(names), is_written))
+    done = job.done(placement_warning([Path(path).name for path in found.not_placed], len(names), is_written))
     return PlacedReport(done, where, voxel_size, True, names, found.points, found, status.remarks)
 
 

@@ -10,10 +10,9 @@ from typing import Any
 
 from ...cameras.pose_files import FORMATS as POSE_FORMATS
 from ...cameras.trajectory import Trajectory, read_trajectory, write_trajectory
-from ...core.audience import to_shell
 from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
-from ...core.reports import Fields, values_of
+from ...core.reports import Fields, quality, values_of
 from ...core.wording import format_seconds, plain
 from ...files.bags.recording import is_recording, open_recording
 from ...files.points.scan_files import list_scans, read_scans
@@ -59,9 +58,9 @@ class OdometryReport(JobReport):
         path = self.found.to_json()
         speed = {"scans": path.pop("scans"), "points": self.points, "scans_per_second": self.scans_per_second}
         own = {name: value for name, value in values_of(self).items() if name not in ("done", "found", "points")}
-        ending = {"errors": own.pop("errors"), "seconds": self.done.seconds, "files": self.done.files}
+        ending = {"errors": own.pop("errors"), "seconds": self.done.seconds, "files": self.done.files, **quality(self)}
         beginning = {"command": self.done.command, "folder": self.done.source}
-        return plain(beginning | own | speed | path | ending | {"poor": self.poor})
+        return plain(beginning | own | speed | path | ending)
 
     def fields(self) -> Fields:
         """The path, and its errors where they are known."""
@@ -133,8 +132,7 @@ def odometry_of_folder(
         job.wrote(output)
         if true_path is not None and truth is not None:
             errors = compare(path, true_path, folder, truth, "se3")
-    other_sensor = None if errors is None else errors.why_poor(to_shell)
-    done = job.done(_why_poor(found, max_range, min_range) or other_sensor)
+    done = job.done(*found.warnings, *(() if errors is None else errors.warnings))
     sizes = odometry.voxel_size, max_range, min_range
     return OdometryReport(done, form, str(job.device), *sizes, found, points, errors)
 
@@ -187,11 +185,3 @@ def _check_output(job: Job, output: FilePath, format: str | None) -> str:
         raise ValueError(f"format: expected one of {', '.join(FORMATS)}, got {format!r}")
     job.check(output, FORMATS[format], what=f"poses as {format}")
     return format
-
-
-def _why_poor(found: OdometrySummary, max_range: float, min_range: float) -> str | None:
-    """Why the result is poor, in the words of the command's options."""
-    reason = found.why_poor(f"from {min_range:g} to {max_range:g} m of the scanner")
-    if not found.has_seen:
-        return f"{reason}; nothing was written; change --min-range or --max-range"
-    return reason and reason.replace("another max_range", "another --max-range")

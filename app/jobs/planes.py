@@ -108,15 +108,15 @@ def extract_plane(
     job = Job("plane", source, **settings)
     job.check(output)
     rows = read_rows(job)
-    labels, planes, poor = _find(job, rows, distance, iterations, seed, most=1, min_points=3)
+    labels, planes, warning = _find(job, rows, distance, iterations, seed, most=1, min_points=3)
     kept = np.flatnonzero((labels == 0) != invert)
     if planes and len(kept):
         job.write_points(rows.take(kept), output)
     else:
         kept = kept[:0]
-        poor = f"{poor or 'all points lie on the plane, so none is left'}; nothing was written"
+        warning = f"{warning or 'all points lie on the plane, so none is left'}; nothing was written"
     counts = len(labels), len(kept)
-    return PlaneReport(job.done(poor), str(job.device), *counts, distance, iterations, seed, planes)
+    return PlaneReport(job.done(warning), str(job.device), *counts, distance, iterations, seed, planes)
 
 
 def label_planes(
@@ -153,18 +153,18 @@ def label_planes(
     job = Job("plane", source, **settings)
     job.check(output, LABELLED, what="labels")
     rows = read_rows(job)
-    labels, planes, poor = _find(job, rows, distance, iterations, seed, most=most, min_points=min_points)
+    labels, planes, warning = _find(job, rows, distance, iterations, seed, most=most, min_points=min_points)
     table, replaced = label_rows(rows.table, PLANE, labels)
     job.write_points(table, output)
     counts, on_none = (len(labels), len(labels)), int((labels < 0).sum())
     found = distance, iterations, seed, planes
-    return PlaneReport(job.done(poor), str(job.device), *counts, *found, on_none, tuple(replaced))
+    return PlaneReport(job.done(warning), str(job.device), *counts, *found, on_none, tuple(replaced))
 
 
 def _find(
     job: Job, rows: Rows, distance: float, iterations: int, seed: int, *, most: int, min_points: int
 ) -> tuple[NDArray[np.int32], tuple[Plane, ...], str | None]:
-    """The plane of each point, the planes, and why they are poor."""
+    """The plane of each point, the planes, and why they are unreliable."""
     with job.stage("planes"):
         labels, models = rows.cloud.segment_planes(
             distance, num_iterations=iterations, min_points=min_points, max_planes=most, seed=seed
@@ -172,10 +172,10 @@ def _find(
     finite = len(rows.cloud.remove_non_finite_points())
     counts = np.bincount(labels[labels >= 0], minlength=len(models)).tolist()
     planes = [Plane(tuple(model.tolist()), count, count / finite) for model, count in zip(models, counts, strict=True)]
-    return labels, tuple(planes), _why_poor(planes, finite, f"{distance:g} {symbol_of(rows.cloud.unit)}", min_points)
+    return labels, tuple(planes), _warning(planes, finite, f"{distance:g} {symbol_of(rows.cloud.unit)}", min_points)
 
 
-def _why_poor(planes: Sequence[Plane], finite: int, distance: str, min_points: int) -> str | None:
+def _warning(planes: Sequence[Plane], finite: int, distance: str, min_points: int) -> str | None:
     if not planes and finite < min_points:
         return f"no plane: of {finite:,} finite points, {min_points:,} would have to lie on it"
     if not planes:

@@ -135,5 +135,6 @@ def reconstruct_folder(
     if len(path):
         files += outputs.write_trajectory(path, overwrite=overwrite)
     clock.stop("write")
-    doubts = [result.model_fault, *opened.doubts, result.focal.doubt if result.focal else None]
-    return ReconstructReport(opened.done("reconstruct", clock, files, *doubts), opened, result)
+    return ReconstructReport(
+        opened.done("reconstruct", clock, files, *result.warnings, *opened.warnings), opened, result
+    )

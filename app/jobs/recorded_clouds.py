@@ -73,7 +73,7 @@ def convert_recording(
         overwrite: Replace the output if it exists; of folders only one that holds scans of a recording.
 
     Returns:
-        What was done; poor where the recording is damaged.
+        What was done; unreliable if the recording is damaged.
 
     Raises:
         FileError: A file that cannot be read or written, no way into the frame, not one pose a scan, or one file for

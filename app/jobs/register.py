@@ -125,8 +125,9 @@ def register_files(
     with job.stage("write"):
         if found.result.fitness > 0:
             _write_results(job, clouds, found, output, aligned, picture, target)
-    poor = _why_poor(found, str(init))
-    return RegisterReport(job.done(poor), os.fspath(target), str(where), replace(found, init=os.fspath(init)))
+    return RegisterReport(
+        job.done(_warning(found, str(init))), os.fspath(target), str(where), replace(found, init=os.fspath(init))
+    )
 
 
 def read_cloud(path: FilePath, device: Any) -> PointCloud:
@@ -186,9 +187,9 @@ def _write_results(
         job.wrote(picture)
 
 
-def _why_poor(found: PairRegistration, init: str) -> str | None:
-    """Why the result is poor, with what to try."""
-    if found.poor is None:
+def _warning(found: PairRegistration, init: str) -> str | None:
+    """Why the result is unreliable, with the remedy."""
+    if found.reliable:
         return None
     written = "" if found.result.fitness > 0 else "; nothing was written"
-    return f"{found.poor}{written}; try {'another --voxel' if init == GLOBAL else '--init global'}"
+    return f"{'; '.join(found.warnings)}{written}; try {'another --voxel' if init == GLOBAL else '--init global'}"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from ...core.reports import Fields, Report
+from ...core.reports import Fields, Report, quality
 from ...core.wording import plain
 from .job import JobReport
 
@@ -24,7 +24,7 @@ class ResultReport(JobReport):
 
     def to_json(self) -> dict[str, Any]:
         """All of it in JSON's types, on one level."""
-        return plain(self.done.to_json() | self.result.to_json() | {"poor": self.poor})
+        return plain(self.done.to_json() | self.result.to_json() | quality(self))
 
     def fields(self) -> Fields:
         """What the result says, and what any command ends in."""

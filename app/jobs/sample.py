@@ -77,8 +77,8 @@ def sample_file(
     count = len(table.points)
     if count:
         job.write_points(table, output)
-    poor = None if count else f"no point is left of {len(rows.cloud):,}; nothing was written"
-    return SampleReport(job.done(poor), str(job.device), len(rows.cloud), count, by, amount, seed)
+    warning = None if count else f"no point is left of {len(rows.cloud):,}; nothing was written"
+    return SampleReport(job.done(warning), str(job.device), len(rows.cloud), count, by, amount, seed)
 
 
 def _choose(rows: Rows, source: FilePath, by: str, amount: float, seed: int) -> NDArray[np.int32]:

@@ -78,12 +78,12 @@ def sample_mesh_file(
     if (wrong := find_wrong_corner(mesh)) is not None:
         raise FileError(source, wrong, remedy="Drop such triangles with pointloom clean-mesh first")
     area, points = mesh.get_surface_area(), 0
-    poor = None if area > 0 else "the mesh has no area to draw points from; nothing was written"
-    if poor is None:
+    warning = None if area > 0 else "the mesh has no area to draw points from; nothing was written"
+    if warning is None:
         with job.stage("sample"):
             draw = mesh.sample_points_poisson_disk if even else mesh.sample_points_uniformly
             cloud = draw(count, use_triangle_normal=triangle_normals, seed=seed)
             points = len(cloud)
         job.write_cloud(cloud, output)
     before = len(mesh.vertices), len(mesh)
-    return MeshSamplesReport(job.done(poor), str(mesh.device), *before, points, even, seed, area)
+    return MeshSamplesReport(job.done(warning), str(mesh.device), *before, points, even, seed, area)

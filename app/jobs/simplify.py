@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from typing import Any, Unpack
 
-from ...core.audience import to_shell
 from ...core.errors import FilePath
 from ...files.meshes import tables
 from ...meshing.mesh.simplified_mesh import simplify_mesh
@@ -52,4 +51,4 @@ def simplify_file(
         wanted: dict[str, Any] = {_NAMES[by]: amount}
         found = simplify_mesh(mesh, **wanted, max_error=max_error, boundary_weight=boundary_weight, progress=told)
     job.write_mesh(found.mesh, output)
-    return ResultReport(job.done(found.why_poor(to_shell)), found, str(mesh.device))
+    return ResultReport(job.done(*found.warnings), found, str(mesh.device))

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Any, Unpack
 
-from ...core.audience import to_shell
 from ...core.errors import FilePath
 from ...files.meshes import tables
 from ...meshing.mesh.smoothed_mesh import smooth_mesh
@@ -44,4 +43,4 @@ def smooth_mesh_file(
     with job.stage(method):
         found = smooth_mesh(mesh, method, iterations, **factors or {})
     job.write_mesh(found.mesh, output)
-    return ResultReport(job.done(found.why_poor(to_shell)), found, str(mesh.device))
+    return ResultReport(job.done(*found.warnings), found, str(mesh.device))

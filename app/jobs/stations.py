@@ -80,7 +80,7 @@ def register_scans(
         settings: As of `Settings`.
 
     Returns:
-        What was done; poor where the result is.
+        What was done; unreliable if the result is.
 
     Raises:
         FileError: A file that cannot be read or written, or a table that does not fit.
@@ -120,7 +120,7 @@ def register_scans(
     if places:
         _write_report(job, places, found)
     points, began = sum(len(cloud) for cloud in scans.clouds), "poses of the file" if posed else "no poses"
-    return StationsReport(job.done(found.poor), str(job.device), points, began, found)
+    return StationsReport(job.done(*found.warnings), str(job.device), points, began, found)
 
 
 def _filled(scans: Stations, source: FilePath) -> Stations:

@@ -8,13 +8,12 @@ from pathlib import Path
 from typing import Any
 
 from ...cameras.camera import read_pinhole_camera_intrinsic
-from ...core.audience import to_shell
 from ...core.checks import check_count, check_progress
 from ...core.devices import resolve_device
 from ...core.errors import FileError, FilePath
 from ...core.outputs import check_output
 from ...core.progress import ReportProgress
-from ...core.reports import Fields, Report
+from ...core.reports import Assessed, Fields, Report, quality
 from ...core.timing import Clock, peak_bytes
 from ...core.wording import format_bytes, format_seconds, plain
 from ...drawing.render.picture_files import check_picture
@@ -129,7 +128,7 @@ class Task:
 
 
 @dataclass(frozen=True)
-class TextureReport(Report):
+class TextureReport(Report, Assessed):
     """What `texture_folder` did.
 
     Attributes:
@@ -147,16 +146,15 @@ class TextureReport(Report):
     peak_bytes: int = field(default_factory=peak_bytes)
 
     @property
-    def poor(self) -> str | None:
-        """Why the result is poor, or None."""
-        return _NOTHING if self.found is None else self.found.why_poor(to_shell)
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks; empty if the result is reliable."""
+        return (_NOTHING,) if self.found is None else self.found.warnings
 
     def to_json(self) -> dict[str, Any]:
         """All of it in JSON's types."""
         found = {} if self.found is None else self.found.to_json()
-        figures = {name: value for name, value in found.items() if name != "poor"}
         cost = {"seconds": self.seconds, "peak_bytes": self.peak_bytes}
-        return plain(self.task.to_json() | figures | cost | {"files": self.files, "poor": self.poor})
+        return plain(self.task.to_json() | found | cost | {"files": self.files, **quality(self)})
 
     def fields(self) -> Fields:
         """What the result says, what it took, and what was written."""

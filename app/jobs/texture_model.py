@@ -7,13 +7,12 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from ...core.audience import to_shell
 from ...core.checks import check_progress
 from ...core.devices import resolve_device
 from ...core.errors import FileError, FilePath
 from ...core.outputs import check_output
 from ...core.progress import ReportProgress
-from ...core.reports import Fields, Report
+from ...core.reports import Assessed, Fields, Report, quality
 from ...core.timing import Clock, peak_bytes
 from ...core.wording import format_bytes, format_seconds, plain
 from ...files.meshes.mesh_formats import UPRIGHT
@@ -90,7 +89,7 @@ def texture_model(
 
 
 @dataclass(frozen=True)
-class ModelTextureReport(Report):
+class ModelTextureReport(Report, Assessed):
     """What `texture_model` did.
 
     Attributes:
@@ -111,16 +110,16 @@ class ModelTextureReport(Report):
     peak_bytes: int = field(default_factory=peak_bytes)
 
     @property
-    def poor(self) -> str | None:
-        """Why the result is poor, or None."""
-        return _NOTHING if self.found is None else self.found.why_poor(to_shell)
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks; empty if the result is reliable."""
+        return (_NOTHING,) if self.found is None else self.found.warnings
 
     def to_json(self) -> dict[str, Any]:
         """All of it in JSON's types."""
         given = {"command": "texture", "mesh": self.mesh, "dataset": self.folder, "layout": "model"}
         found = {"pictures": self.picture_count} if self.found is None else self.found.to_json()
         cost = {"seconds": self.seconds, "peak_bytes": self.peak_bytes}
-        return plain(given | found | cost | {"files": self.files, "poor": self.poor})
+        return plain(given | found | cost | {"files": self.files, **quality(self)})
 
     def fields(self) -> Fields:
         """What the result says, what it took, and what was written."""

@@ -7,7 +7,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from ...core.reports import Fields, Report
+from ...core.reports import Assessed, Fields, Report, quality
 from ...core.wording import plain
 from ...scale.buckets import FOLDER as BUCKETS
 from ...scale.finish import finish_tiles
@@ -17,7 +17,7 @@ MOST_NAMED = 20  # tiles in a line; JSON has all
 
 
 @dataclass(frozen=True)
-class TileReport(Report):
+class TileReport(Report, Assessed):
     """How far a job of tiles is, as a command tells it.
 
     Attributes:
@@ -33,14 +33,14 @@ class TileReport(Report):
     files: tuple[str, ...] = ()
 
     @property
-    def poor(self) -> str | None:
-        """Which tiles failed or were set aside, or None."""
+    def warnings(self) -> tuple[str, ...]:
+        """Which tiles failed or were set aside; empty if none."""
         told = self.status
         if not told.troubles:
-            return None
+            return ()
         counts = [f"{count} {name}" for count, name in ((told.failed, "failed"), (told.aside, "set aside")) if count]
         what = f"{', '.join(counts)} of {_all(told)} tiles" if counts else "files cannot be laid by tile"
-        return f"{what}: {_named(told.troubles)}"
+        return (f"{what}: {_named(told.troubles)}",)
 
     @property
     def note(self) -> str | None:
@@ -85,7 +85,7 @@ class TileReport(Report):
 
     def to_json(self) -> dict[str, Any]:
         """All of it in JSON's types, on one level."""
-        finished = {"is_finished": self.status.is_finished, "files": self.files, "poor": self.poor}
+        finished = {"is_finished": self.status.is_finished, "files": self.files, **quality(self)}
         return plain({"command": f"tile {self.command}"} | asdict(self.status) | finished)
 
 

@@ -101,5 +101,5 @@ def track_folder(
         write_poses(output, path.trajectory, overwrite=overwrite)
         files.append(os.fspath(output))
         clock.stop("write")
-    done = opened.done("track", clock, files, path.poor, *opened.doubts, focal.doubt if focal else None)
+    done = opened.done("track", clock, files, *path.warnings, *opened.warnings, *(focal.warnings if focal else ()))
     return TrackReport(done, opened, path, form, focal)

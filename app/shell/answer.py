@@ -9,15 +9,15 @@ import click
 from ...core.escaped_text import escaped
 from ...core.reports import Fields, Report
 from .console import print_fields, print_json
-from .group import poor_result
+from .group import exit_code
 
 
 class CommandReport(Protocol):
     """What a command says of what it did."""
 
     @property
-    def poor(self) -> str | None:
-        """Why the result is poor, or None."""
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks; empty if the result is reliable."""
         ...
 
     def fields(self) -> Fields:
@@ -37,4 +37,4 @@ def answer_with(report: CommandReport, title: str, as_json: bool, *, err: bool =
         print_fields(report.fields(), title=title, err=err)
         if isinstance(report, Report) and report.note:
             click.echo(escaped(f"note: {report.note}", lines=True), err=True)
-    return poor_result(report.poor)
+    return exit_code(report.warnings)

@@ -33,7 +33,7 @@ from . import (
 from .answer import answer_with
 from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress, print_fields, print_json
-from .group import ERROR, INTERRUPTED, TERMINATED, CommandLine, poor_result, report_error
+from .group import ERROR, INTERRUPTED, TERMINATED, CommandLine, exit_code, report_error
 from .help_commands import VARIABLE
 from .options import FILE, LENGTH, Renamed, columns_option, device_option, force_option, json_option, refuse
 from .pipes import RECORDINGS, from_option, open_pipes
@@ -42,7 +42,7 @@ _SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 110}
 
 _EPILOG = """\b
 Lengths are in metres; for a file whose unit is another one (`pointloom info` says which) in that unit.
-Exit codes: 0 done, 1 error, 2 wrong call, 3 done with a poor result, 130 interrupted.
+Exit codes: 0 done, 1 error, 2 wrong call, 3 done with an unreliable result, 130 interrupted.
 POINTLOOM_CPU_THREADS=N shares CPU kernels by N threads.
 POINTLOOM_TRACEBACK=1 shows where an error arose.
 """
@@ -133,7 +133,6 @@ def info(files: tuple[Path, ...], read_as: str | None, columns: tuple[str, ...] 
     \b
     pointloom info scan.ply trajectory.log frames/
     """
-    from ...core.reports import all_of
     from ..jobs.info import BrokenFile, Description, describe
 
     reports: list[Description | BrokenFile] = []
@@ -149,13 +148,13 @@ def info(files: tuple[Path, ...], read_as: str | None, columns: tuple[str, ...] 
     for error in broken:
         click.echo(escaped(f"error: {error}"), err=True)
     failed = bool(broken) or len(found) < len(reports)
-    poor = poor_result(all_of(*(report.poor for report in found)))
+    code = exit_code(warning for report in found for warning in report.warnings)
     if as_json:
         print_json({"command": "info", "files": reports})
-        return ERROR if failed else poor
+        return ERROR if failed else code
     for report in found:
         print_fields(report.fields(), title=f"{report.path}: {report.kind}")
-    return ERROR if failed else poor
+    return ERROR if failed else code
 
 
 @cli.command(short_help="Check this machine: versions, devices, compilers.")

@@ -14,7 +14,7 @@ import numpy as np
 
 from ...core.cuda_driver import installed_driver, needed_driver, why_no_gpu
 from ...core.devices import resolve_device
-from ...core.reports import Fields, Report, all_of
+from ...core.reports import Fields, Report, failed, quality
 from ...core.threads import get_num_threads
 from ...core.timing import Clock
 from ...core.wording import format_bytes
@@ -111,7 +111,7 @@ class Diagnosis(Report):
         cpu_compiler: Which one CPU kernels go through, or "none".
         why: By how many threads, and what decides that; or why that compiler, or none.
         trials: Of each device.
-        poor: Why CPU kernels run on one core or fail, or why no GPU serves though there is a driver for one, or None.
+        warnings: Why CPU kernels run on one core or fail, or why no GPU is usable though there is a driver for one.
     """
 
     versions: dict[str, str]
@@ -120,11 +120,11 @@ class Diagnosis(Report):
     cpu_compiler: str
     why: str
     trials: list[Trial]
-    poor: str | None
+    warnings: tuple[str, ...]
 
     def to_json(self) -> dict[str, Any]:
         """All of it in JSON's types."""
-        return {"command": "doctor", **super().to_json()}
+        return {"command": "doctor", **super().to_json(), **quality(self)}
 
     def fields(self) -> Fields:
         """The diagnosis as labels and values for the terminal."""
@@ -140,7 +140,7 @@ class Diagnosis(Report):
             ("GPU code", cuda.compiled_ahead),
             ("CPU kernels", f"{self.cpu_compiler}: {self.why}"),
             ("trials", "\n".join(str(trial) for trial in self.trials)),
-            ("state", "falls short, see below" if self.poor else "healthy"),
+            ("state", "healthy" if not self.warnings else "has problems, see below"),
         ]
 
 
@@ -175,7 +175,7 @@ def diagnose() -> Diagnosis:
         cpu_compiler=chosen,
         why=why,
         trials=trials,
-        poor=all_of(_why_poor(chosen, why, trials), _why_gpu_is_idle(gpus)),
+        warnings=failed(_why_slow(chosen, why, trials), _why_gpu_is_idle(gpus)),
     )
 
 
@@ -228,11 +228,11 @@ def _why_one_core() -> str | None:
     return f"one core only, since Warp {version} does not take cpu_access.h; {remedy}"
 
 
-def _why_poor(chosen: str, why: str, trials: list[Trial]) -> str | None:
+def _why_slow(chosen: str, why: str, trials: list[Trial]) -> str | None:
     if chosen == NO_COMPILER:
         return f"CPU kernels do not run: {why}"
     slow = _why_one_core() if chosen == "warp" else None
-    return all_of(slow, *(f"{trial.device}: {trial.error}" for trial in trials if not trial.ok))
+    return "; ".join(failed(slow, *(f"{trial.device}: {trial.error}" for trial in trials if not trial.ok))) or None
 
 
 def _why_gpu_is_idle(gpus: list[Gpu]) -> str | None:

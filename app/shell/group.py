@@ -1,7 +1,7 @@
 """The command line as a whole: exit codes, errors in one line, and what a misspelt command may have meant.
 
-0 is done, 1 an error, 2 a wrong call, 3 done with a poor result, 130 interrupted. A command's function returns its
-code (None for 0) and raises whatever the library raises.
+0 is done, 1 an error, 2 a wrong call, 3 done with an unreliable result, 130 interrupted. A command's function returns
+its code (None for 0) and raises whatever the library raises.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ import contextlib
 import os
 import sys
 import warnings
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import click
@@ -18,7 +18,7 @@ import click
 from ...core.escaped_text import escaped
 from .console import CompileNotice, OutputLostError, print_json
 
-ERROR, USAGE, POOR, INTERRUPTED, TERMINATED = 1, 2, 3, 130, 143
+ERROR, USAGE, UNRELIABLE, INTERRUPTED, TERMINATED = 1, 2, 3, 130, 143
 
 # The library's remedies in the words of the command line.
 _OPTIONS = {
@@ -86,12 +86,12 @@ class CommandLine(Commands):
         sys.exit(_flushed(code or 0))
 
 
-def poor_result(reason: str | None) -> int:
-    """The exit code for a result: 3, with the reason on stderr, where there is one to call it poor."""
-    if not reason:
-        return 0
-    click.echo(escaped(f"poor result: {reason}", lines=True), err=True)
-    return POOR
+def exit_code(warnings: Iterable[str]) -> int:
+    """The exit code for a result: 3, with the warnings on stderr, if there are any; else 0."""
+    lines = [escaped(f"unreliable result: {warning}", lines=True) for warning in warnings]
+    for line in lines:
+        click.echo(line, err=True)
+    return UNRELIABLE if lines else 0
 
 
 def report_error(error: Exception) -> str:

@@ -11,7 +11,7 @@ import numpy as np
 from ...core.atomic import check_writable
 from ...core.errors import FileError
 from ...core.progress import ReportProgress, say_nothing
-from ...core.reports import Fields, Report
+from ...core.reports import Assessed, Fields, Report
 from ...core.timing import Clock
 from ...core.upward import check_up
 from ...core.wording import plain
@@ -237,7 +237,7 @@ class Shown:
 
 
 @dataclasses.dataclass(frozen=True)
-class ViewReport(Report):
+class ViewReport(Report, Assessed):
     """What `pointloom view` shows, or wrote.
 
     Attributes:
@@ -253,8 +253,9 @@ class ViewReport(Report):
     seconds: dict[str, float] | None = None
 
     @property
-    def poor(self) -> None:
-        """Nothing is poor here."""
+    def warnings(self) -> tuple[str, ...]:
+        """No quality is checked."""
+        return ()
 
     def to_json(self) -> dict[str, Any]:
         """All of it in JSON's types."""

@@ -54,10 +54,8 @@ def _fused() -> Iterator[Judged]:
             found = loom.fuse(stream, voxel_size=0.02, refine=refined, depth_max=4.0)
             right, told = _is_room(found.mesh)
             area = "fusion, poses refined" if refined else "fusion, poses as given"
-            poor = found.poor
-            yield Judged(
-                area, case, 1, not right, not right and poor is None, right and poor is not None, poor or "", told
-            )
+            warnings = "; ".join(found.warnings)
+            yield Judged(area, case, 1, not right, not right and not warnings, right and bool(warnings), warnings, told)
 
 
 class _Posed:
@@ -112,8 +110,8 @@ def _focal() -> Iterator[Judged]:
         path = loom.track(stream, voxel_size=0.02)
         check = loom.check_focal(stream, path.trajectory)
         wrong = abs(factor - 1) > WRONG_FOCAL
-        doubt = check.doubt or path.poor
-        passed = doubt is None
+        doubt = "; ".join((*check.warnings, *path.warnings))
+        passed = not doubt
         yield Judged(
             "focal length of a depth camera",
             f"times {factor:g}",
@@ -121,5 +119,5 @@ def _focal() -> Iterator[Judged]:
             wrong,
             wrong and passed,
             not wrong and not passed,
-            doubt or "",
+            doubt,
         )

@@ -66,11 +66,13 @@ def judge_path(case: str, frames: Sequence[CameraFrame], camera: DepthCamera, kn
     believed = int((wrong & ~doubted).sum())
     yield Judged("RGB-D frames, held out", case, count, int(wrong.sum()), believed, refused + lost, "", worst)
     is_wrong = believed > MANY * len(frames)
-    is_refused = path.poor is not None
+    is_refused = not path.reliable
     is_right = known and not is_wrong and lost + refused <= MANY * seen
     counted = int(is_wrong or is_right)
     passed, needless = int(is_wrong and not is_refused), int(is_right and is_refused)
-    yield Judged("RGB-D path, held out", case, counted, int(is_wrong), passed, needless, path.poor or "", worst)
+    yield Judged(
+        "RGB-D path, held out", case, counted, int(is_wrong), passed, needless, "; ".join(path.warnings) or "", worst
+    )
 
 
 def tracking() -> Iterator[Judged]:
@@ -135,12 +137,12 @@ def judge_scans(case: str, scans: Sequence[Any], truth: Sequence[Array], known: 
     off = np.linalg.norm(ours - true, axis=1)
     way = float(np.linalg.norm(np.diff(true, axis=0), axis=1).sum())
     is_wrong = bool(off[-1] > max(ASTRAY, STRAY_SHARE * way))
-    poor = odometry.summary.poor
+    warnings = "; ".join(odometry.summary.warnings)
     counted = int(is_wrong or known)
     told = f"{off[-1]:.2f} m off after {way:.0f} m"
-    believed, refused = int(is_wrong and poor is None), int(known and not is_wrong and poor is not None)
+    believed, refused = int(is_wrong and not warnings), int(known and not is_wrong and bool(warnings))
     return Judged(
-        "LiDAR path, held out", case, counted, int(is_wrong), believed, refused, poor or "", told, _kiss(scans, true)
+        "LiDAR path, held out", case, counted, int(is_wrong), believed, refused, warnings, told, _kiss(scans, true)
     )
 
 
@@ -235,7 +237,7 @@ def registering() -> Iterator[Judged]:
         truth = np.linalg.inv(target) @ pose
         shift = np.linalg.norm((T - truth)[:3] @ np.append(points.mean(axis=0), 1))
         right = name == other and np.degrees(pose_error(T, truth)[0]) < NEAR_TURN and shift < NEAR_VOXELS * VOXEL
-        believed = found.poor is None
+        believed = found.reliable
         area = (
             "registration, clouds of one place, held out"
             if name == other
@@ -248,7 +250,7 @@ def registering() -> Iterator[Judged]:
             int(not right),
             int(believed and not right),
             int(right and not believed),
-            found.poor or "",
+            "; ".join(found.warnings),
         )
 
 
@@ -332,12 +334,14 @@ def _judge_album(case: str, place: Place, shots: list[tuple[Array, float]], give
             options["intrinsic"] = loom.PinholeCameraIntrinsic(K.width, K.height, f, f, K.cx, K.cy)
         result = loom.sfm.reconstruct(pictures, Path(folder, "work"), max_features=2000, seed=0, **options)
     if result.model is None:
-        return Judged("pictures, held out", case, int(known), 0, 0, int(known), result.poor or "", "no model")
+        return Judged(
+            "pictures, held out", case, int(known), 0, 0, int(known), "; ".join(result.warnings) or "", "no model"
+        )
     errors = camera_errors(result.model, truth)
     ratio = [c.params[0] / focal[n] for n, c in zip(result.model.names, result.model.cameras, strict=True)]
     off_focal = max(abs(r - 1) for r in ratio)
     is_wrong = errors["share_of_extent"] > 0.02 or off_focal > 0.05
-    poor = result.poor
+    warnings = "; ".join(result.warnings)
     centres, count = 100 * errors["share_of_extent"], len(result.model.names)
     told = f"centres {centres:.2f} %, f {100 * off_focal:.1f} % off, {count} placed"
     return Judged(
@@ -345,9 +349,9 @@ def _judge_album(case: str, place: Place, shots: list[tuple[Array, float]], give
         case,
         int(known or is_wrong),
         int(is_wrong),
-        int(is_wrong and poor is None),
-        int(known and not is_wrong and poor is not None),
-        poor or "",
+        int(is_wrong and not warnings),
+        int(known and not is_wrong and bool(warnings)),
+        warnings,
         told,
     )
 

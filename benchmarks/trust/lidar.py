@@ -121,10 +121,10 @@ def judge(names: tuple[str, ...] = ()) -> Iterator[Judged]:
         for scan in run.scans:
             odometry.register(loom.PointCloud(scan))
         way = float(np.linalg.norm(np.diff(run.poses[:, :3, 3], axis=0), axis=1).sum())
-        error, poor = error_of(odometry.poses, run.poses), odometry.summary.poor
+        error, warnings = error_of(odometry.poses, run.poses), "; ".join(odometry.summary.warnings)
         wrong = error > max(LEAST_ERROR, LEAST_SHARE * way)
-        believed, refused = int(wrong and poor is None), int(not wrong and poor is not None)
-        said, peer = poor or "", kiss_icp(run, max_range)
+        believed, refused = int(wrong and not warnings), int(not wrong and bool(warnings))
+        said, peer = warnings, kiss_icp(run, max_range)
         yield Judged(AREA, name, 1, int(wrong), believed, refused, said, f"{error:.2f} of {way:.1f} m", peer)
 
 

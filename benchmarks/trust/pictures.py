@@ -158,8 +158,8 @@ def judge_case(case: Case) -> Judged:
         options = {"max_features": FEATURES} | case.options
         result = loom.sfm.reconstruct(Path(name) / "pictures", Path(name) / "work", **options)
     wrong, error = errors_of(result.model, truth)
-    refused = result.poor is not None
-    said = "; ".join(filter(None, [result.poor, *result.verdict.remarks]))
+    refused = not result.reliable
+    said = "; ".join(filter(None, ["; ".join(result.warnings), *result.verdict.remarks]))
     return Judged(
         AREA, case.name, 1, wrong, wrong and not refused, refused and not wrong, said, error, "", case.held_out
     )

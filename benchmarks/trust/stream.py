@@ -3,8 +3,8 @@
     POINTLOOM_DATA=<folder> python benchmarks/trust/stream.py
 
 A tracked frame is wrong that is off by more than 10 cm with the first pose the true one; a run whose pictures are not
-of one moment is one answer, wrong as it is, and is refused where the path is `poor` for that reason. The kitchen needs
-POINTLOOM_DATA.
+of one moment is one answer, wrong as it is, and is rejected if the path is unreliable for that reason. The kitchen
+needs POINTLOOM_DATA.
 """
 
 from __future__ import annotations
@@ -94,7 +94,7 @@ def run(case: str, frames: Sequence[Any], camera: Any, *, is_sound: bool = True,
     tracked = np.array([result.is_tracked for result in results])
     counts = slam.verdict_counts
     said = f"{counts['tracked']} tracked, {counts['uncertain']} uncertain, {counts['lost']} lost"
-    doubt = slam.stream.doubt or ""
+    doubt = slam.stream.problem or ""
     error = f"at most {100 * np.nanmax(np.where(tracked, off, np.nan)):.0f} cm where tracked"
     if not is_sound:
         believed = int(not doubt)

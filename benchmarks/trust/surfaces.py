@@ -83,11 +83,11 @@ def _through_points(name: str, truth: Any) -> Iterator[Judged]:
         for method in ("poisson", "ball", "alpha"):
             found = loom.create_surface(loom.PointCloud(chosen), method)
             whole = "missing" not in case
-            yield _judged(f"surface, {method}", f"{name}, {case}", found.mesh, truth, found.poor, whole)
+            yield _judged(f"surface, {method}", f"{name}, {case}", found.mesh, truth, found.warnings, whole)
     turned = normals * rng.choice((-1.0, 1.0), (len(normals), 1))
     for method in ("poisson", "ball"):
         found = loom.create_surface(loom.PointCloud(points, normals=turned), method)
-        yield _judged(f"surface, {method}", f"{name}, normals to either side", found.mesh, truth, found.poor)
+        yield _judged(f"surface, {method}", f"{name}, normals to either side", found.mesh, truth, found.warnings)
 
 
 def _changed(name: str, truth: Any) -> Iterator[Judged]:
@@ -98,26 +98,28 @@ def _changed(name: str, truth: Any) -> Iterator[Judged]:
     for share in (0.5, 0.1, 0.004):
         few = max(int(share * count), 4)
         simple = loom.simplify_mesh(full, triangles=few)
-        yield _judged("simplified mesh", f"{name}, {few:,} of {count:,} triangles", simple.mesh, truth, simple.poor)
+        yield _judged("simplified mesh", f"{name}, {few:,} of {count:,} triangles", simple.mesh, truth, simple.warnings)
     for method, turns in (("taubin", 10), ("simple", 3), ("simple", 300), ("laplacian", 300)):
         smooth = loom.smooth_mesh(full, method, turns)
-        yield _judged("smoothed mesh", f"{name}, {method} {turns} times", smooth.mesh, truth, smooth.poor)
+        yield _judged("smoothed mesh", f"{name}, {method} {turns} times", smooth.mesh, truth, smooth.warnings)
     for merge in (1e-6, 0.3):
         clean = loom.clean_mesh(full, merge_distance=merge)
-        yield _judged("cleaned mesh", f"{name}, vertices merged within {merge:g}", clean.mesh, truth, clean.poor)
+        yield _judged("cleaned mesh", f"{name}, vertices merged within {merge:g}", clean.mesh, truth, clean.warnings)
     for case, other, alike in (
         ("itself", full, True),
         ("itself in other units", full.scale(1000, (0, 0, 0)), False),
         ("itself elsewhere", full.translate((0.5, 0, 0)), False),
         ("a sphere", loom.TriangleMesh.create_sphere(0.5), False),
     ):
-        poor = loom.compare_meshes(full, other, samples=5000).poor
-        wrong, passed = not alike, poor is None
+        warnings = "; ".join(loom.compare_meshes(full, other, samples=5000).warnings)
+        wrong, passed = not alike, not warnings
         yield Judged(
-            "compared meshes", f"{name} and {case}", 1, wrong, wrong and passed, alike and not passed, poor or ""
+            "compared meshes", f"{name} and {case}", 1, wrong, wrong and passed, alike and not passed, warnings
         )
 
 
-def _judged(area: str, case: str, mesh: Any, truth: Any, poor: str | None, whole: bool = True) -> Judged:
+def _judged(area: str, case: str, mesh: Any, truth: Any, warnings: tuple[str, ...], whole: bool = True) -> Judged:
     right, told = is_right(mesh, truth, whole)
-    return Judged(area, case, 1, not right, not right and poor is None, right and poor is not None, poor or "", told)
+    return Judged(
+        area, case, 1, not right, not right and not warnings, right and bool(warnings), "; ".join(warnings), told
+    )

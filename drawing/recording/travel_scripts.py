@@ -114,7 +114,7 @@ class Fusion(Travel):
             if self._volume is None:  # else it is the volume that tells the path
                 self.path = []
                 self._move(intrinsic, self._pose)
-        if result.success:
+        if result.reliable:
             self._pose = self._pose @ result.transformation
         self._image = source
         cloud = PointCloud.from_rgbd_image(source, intrinsic)
@@ -122,7 +122,7 @@ class Fusion(Travel):
         if self._volume is None:
             self._move(intrinsic, self._pose)
         self._images += 1
-        self.stage.step(f"frame {self._images}: {'aligned' if result.success else result.reason or 'not aligned'}")
+        self.stage.step(f"frame {self._images}: {'; '.join(result.warnings) or 'aligned'}")
 
     def finish(self) -> None:
         """The surface of all frames, at last in full."""

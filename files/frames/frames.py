@@ -14,7 +14,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic, read_pinhole_camera_intrinsic
-from ...core.audience import Audience, to_shell
 from ...core.checks import check_positive
 from ...core.errors import FileError, FilePath
 from ...core.wording import format_share
@@ -182,13 +181,13 @@ def camera_line(camera: dict[str, Any]) -> str:
     return f"{camera['width']} x {camera['height']}, {numbers}, from {camera['source']}"
 
 
-def why_doubted(dataset: Any, source: str) -> str | None:
-    """Why the camera may be that of other pictures, in the words of the command line."""
-    doubt = dataset.intrinsic_doubt.replace("with intrinsic=", "with --intrinsic, as Open3D's JSON")
-    return f"the camera may be wrong ({source}): {doubt}" if doubt else None
+def camera_problem(dataset: Any, source: str) -> str | None:
+    """Why the camera may be that of other images, or None."""
+    problem = dataset.intrinsic_doubt
+    return f"the camera may be wrong ({source}): {problem}" if problem else None
 
 
-def why_out_of_reach(depth_share: float, used_share: float, depth_max: float, say: Audience = to_shell) -> str | None:
+def why_out_of_reach(depth_share: float, used_share: float, depth_max: float) -> str | None:
     """Why hardly any pixel of the frames counts, if that is so."""
     used, measured = format_share(used_share), format_share(depth_share)
     if used_share >= HARDLY_ANY:
@@ -196,9 +195,9 @@ def why_out_of_reach(depth_share: float, used_share: float, depth_max: float, sa
     if depth_share >= HARDLY_ANY:
         return (
             f"only {used} of the pixels have a depth within {depth_max:g} m, though {measured} have one; "
-            f"raise {say('depth_max', '--depth-max')}, or check the layout (its depth unit)"
+            "raise depth_max, or check the layout (its depth unit)"
         )
-    return f"only {used} of the pixels have a depth; check the depth maps{say('', ' with pointloom info')}"
+    return f"only {used} of the pixels have a depth; check the depth maps"
 
 
 def why_incomplete(dataset: RGBDDataset) -> str | None:

@@ -85,7 +85,7 @@ def texture_from_pictures(
             done, and how many there are, 0 where nobody knows.
 
     Returns:
-        A PicturedMesh: the mesh with its texture, which picture each triangle has, figures, and `poor`.
+        A PicturedMesh: the mesh with its texture, which picture each triangle has, figures, and `reliable`.
 
     Raises:
         TypeError: Not a TriangleMesh, not pictures or cameras.

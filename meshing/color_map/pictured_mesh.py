@@ -8,8 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.audience import Audience, to_caller
-from ...core.reports import Fields, Report
+from ...core.reports import Assessed, Fields, Report, quality
 from ...core.wording import format_share, plain
 from ..mesh.mesh import TriangleMesh
 
@@ -17,7 +16,7 @@ FEW_SEEN = 0.3  # share of the triangles that some picture shows, below which co
 
 
 @dataclass(frozen=True, eq=False)
-class PicturedMesh(Report):
+class PicturedMesh(Report, Assessed):
     """A mesh with a texture cut out of pictures, and what there is to say of it; `print` tells it.
 
     Attributes:
@@ -77,18 +76,13 @@ class PicturedMesh(Report):
         return self.seen_count / len(self.views)
 
     @property
-    def poor(self) -> str | None:
-        """Why the colours are not to be believed, with the remedy; None where they are."""
-        return self.why_poor()
-
-    def why_poor(self, say: Audience = to_caller) -> str | None:
-        """The same in the words of an audience."""
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         if self.seen_share >= FEW_SEEN:
-            return None
-        farther = say("depth_max", "--depth-max")
+            return ()
         return (
-            f"the pictures show only {format_share(self.seen_share)} of the triangles: take more of them, raise "
-            f"{farther}, or check that mesh and poses belong together and that triangles face the cameras"
+            f"the images show only {format_share(self.seen_share)} of the triangles: use more images, raise depth_max, "
+            "or check that mesh and poses belong together and that the triangles face the cameras",
         )
 
     def to_json(self) -> dict[str, Any]:
@@ -110,7 +104,7 @@ class PicturedMesh(Report):
             "step_95": self.step_95,
             "turns": self.turns,
             "drew_colors": self.drew_colors,
-            "poor": self.poor,
+            **quality(self),
         }
         return plain(figures)
 

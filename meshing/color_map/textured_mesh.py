@@ -8,14 +8,13 @@ from typing import Any
 import numpy as np
 
 from ...cameras.trajectory import Trajectory
-from ...core.audience import Audience, to_caller
-from ...core.reports import Fields, Report
+from ...core.reports import Assessed, Fields, Report, quality
 from ...core.wording import format_share, plain
 from ...kernels.linear_algebra import inv, matmul
 from ..mesh.mesh import TriangleMesh
 from .results import ColorMapResult
 
-# What makes a result poor.
+# Thresholds of the quality checks.
 FEW_SEEN = 0.3  # share of the vertices that some picture shows
 BLIND = 0.5  # share of the frames that show nothing of the mesh
 WON = 0.99  # of the residual that is left at most where there was something to win,
@@ -23,7 +22,7 @@ AGREED = 0.01  # and below which there was not: what 8-bit colours and their noi
 
 
 @dataclass(frozen=True)
-class TexturedMesh(Report):
+class TexturedMesh(Report, Assessed):
     """A mesh with the colours of frames, and what there is to say of them; `print` tells it.
 
     Attributes:
@@ -34,7 +33,7 @@ class TexturedMesh(Report):
         turned, moved: How far the poses were turned [degrees] and moved [m], in the mean.
         size: Texels a side of the texture; None without one.
         texel_share: The share of them that a frame shows; None without a texture.
-        poor: Why the colours are not to be believed, with the remedy; None where they are.
+        reliable, warnings: Whether all quality checks passed, and those that failed.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -42,8 +41,8 @@ class TexturedMesh(Report):
         >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
         >>> color, depth = np.full((48, 64, 3), (255, 0, 0), np.uint8), np.full((48, 64), 1000, np.uint16)
         >>> found = loom.color_map.texture_mesh(mesh, loom.frames_from([(color, depth)], camera), [np.eye(4)])
-        >>> found.seen_share, found.blind_frames, found.poor
-        (1.0, 0, None)
+        >>> found.seen_share, found.blind_frames, found.reliable
+        (1.0, 0, True)
     """
 
     mesh: TriangleMesh
@@ -71,18 +70,13 @@ class TexturedMesh(Report):
         return int((self.colors.view_counts == 0).sum())
 
     @property
-    def poor(self) -> str | None:
-        """Why the colours are not to be believed, with the remedy; None where they are."""
-        return self.why_poor()
-
-    def why_poor(self, say: Audience = to_caller) -> str | None:
-        """The same in the words of an audience."""
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         reasons = []
         if self.seen_share < FEW_SEEN:
-            more, farther = say("more of them", "more of them (a smaller --every)"), say("depth_max", "--depth-max")
             reasons.append(
-                f"the frames show only {format_share(self.seen_share)} of the vertices: take {more}, raise {farther}, "
-                "or check that mesh and poses belong together"
+                f"the frames show only {format_share(self.seen_share)} of the vertices: use more frames, raise "
+                "depth_max, or check that mesh and poses belong together"
             )
         if self.blind_frames > BLIND * self.frame_count:
             reasons.append(f"{self.blind_frames} of {self.frame_count} frames show nothing of the mesh")
@@ -90,9 +84,9 @@ class TexturedMesh(Report):
         if self.method != "none" and before > AGREED and after > WON * before:
             reasons.append(
                 f"the pictures agree no better than before (residual {before:.4f} to {after:.4f}): the poses are too "
-                "far off, or the colours change with the light; compare with " + say("method='none'", "--method none")
+                "far off, or the colours change with the light; compare with method='none'"
             )
-        return "; ".join(reasons) or None
+        return tuple(reasons)
 
     def to_json(self) -> dict[str, Any]:
         """All but the mesh in JSON's types."""
@@ -113,7 +107,7 @@ class TexturedMesh(Report):
             "moved": self.moved,
             "size": self.size,
             "texel_share": self.texel_share,
-            "poor": self.poor,
+            **quality(self),
         }
         return plain(figures)
 

@@ -60,7 +60,7 @@ def texture_mesh(
             there are, 0 where nobody knows.
 
     Returns:
-        A TexturedMesh: the mesh, the poses, figures, and `poor`, which says why they are not to be believed.
+        A TexturedMesh: the mesh, the poses, figures, `reliable` and `warnings`.
 
     Raises:
         TypeError: Not a TriangleMesh, or not frames.

@@ -5,33 +5,23 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from ...core.audience import Audience, to_caller
-from ...core.reports import Fields, Report
+from ...core.reports import Assessed, Fields, Report
 from .mesh import TriangleMesh
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class ChangedMesh(Report):
+class ChangedMesh(Report, Assessed):
     """A mesh that was made of another one, and what there is to say of it; `print` tells it.
 
     Attributes:
         mesh: The new one.
         vertices_in, triangles_in: How many the other one had.
-        poor: Why the mesh is not to be believed, with the remedy; None where it is.
+        reliable, warnings: Whether all quality checks passed, and those that failed.
     """
 
     mesh: TriangleMesh
     vertices_in: int
     triangles_in: int
-
-    @property
-    def poor(self) -> str | None:
-        """Why the mesh is not to be believed, with the remedy; None where it is."""
-        return self.why_poor()
-
-    def why_poor(self, say: Audience = to_caller) -> str | None:
-        """The same in the words of an audience; those of the shell say what became of the file."""
-        raise NotImplementedError
 
     def sizes_to_json(self) -> dict[str, Any]:
         """Where it was computed, and the counts before and after, in JSON's types."""

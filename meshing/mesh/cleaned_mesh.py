@@ -5,10 +5,9 @@ from __future__ import annotations
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from ...core.audience import Audience, to_caller
 from ...core.checks import check_count, check_positive, check_progress
 from ...core.progress import ReportProgress
-from ...core.reports import Fields
+from ...core.reports import Fields, quality
 from ...core.units import symbol_of
 from ...core.wording import format_share, plain
 from .changed_mesh import ChangedMesh, sizes_before
@@ -55,13 +54,13 @@ class CleanedMesh(ChangedMesh):
         was_watertight, area_in: Whether the mesh was closed before, and the area of its finite triangles [m^2].
         merge_distance, hole_size: As they were given [m].
         vertices_in, triangles_in: How many the other one had.
-        poor: Why the mesh is not to be believed, with the remedy; None where it is.
+        reliable, warnings: Whether all quality checks passed, and those that failed.
 
     Example:
         >>> import pointloom as loom
         >>> found = loom.clean_mesh(loom.TriangleMesh.create_moebius())
-        >>> found.poor
-        'a part has one side only, as a Moebius strip: there is no inside'
+        >>> found.warnings
+        ('a part has one side only, as a Moebius strip: there is no inside',)
     """
 
     repair: MeshRepairReport
@@ -75,28 +74,28 @@ class CleanedMesh(ChangedMesh):
     merge_distance: float | None = None
     hole_size: float | None = None
 
-    def why_poor(self, say: Audience = to_caller) -> str | None:
-        """Why the mesh is not to be believed in the words of an audience, or None."""
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         if not len(self.mesh):
-            return "no triangle is left" + say("", ", and nothing was written")
+            return ("no triangle is left",)
         reasons, merge, fill, m = [], self.merge_distance, self.hole_size, symbol_of(self.mesh.unit)
         if merge is not None and self.repair.merged_vertices > MOST_MERGED * self.vertices_in:
             share = format_share(self.repair.merged_vertices / self.vertices_in)
-            distance = say("merge_distance", "--merge")
-            reasons.append(f"{share} of the vertices were merged: take a smaller {distance} than {merge:g} {m}")
-        reasons += self._losses(say)
+            reasons.append(f"{share} of the vertices were merged: use a merge_distance below {merge:g} {m}")
+        reasons += self._losses()
         if fill is not None and self.repair.holes_left:
             reasons.append(f"{self.repair.holes_left:,} holes of up to {fill:g} {m} are left open")
         if not self.repair.is_orientable:
             reasons.append("a part has one side only, as a Moebius strip: there is no inside")
-        return "; ".join(reasons) or None
+        return tuple(reasons)
 
-    def _losses(self, say: Audience) -> list[str]:
+    def _losses(self) -> list[str]:
         """What the repair cost of the mesh, where that is too much."""
         done, losses = self.repair, []
         gone = (done.removed_non_finite_triangles + done.removed_crowding_triangles) / max(1, self.triangles_in)
         lost = done.lost_area / self.area_in if self.area_in > 0 else 0.0
-        look = f"compare it with what it was ({say('compare_meshes', 'pointloom compare-meshes')})"
+        look = "compare it with the input (compare_meshes)"
         if gone > MOST_GONE:
             losses.append(f"{format_share(gone)} of the triangles are gone: {look}")
         if lost > MOST_LOST:
@@ -107,7 +106,7 @@ class CleanedMesh(ChangedMesh):
 
     def to_json(self) -> dict[str, Any]:
         """All but the mesh in JSON's types."""
-        return plain(self.sizes_to_json() | self._figures() | {"poor": self.poor})
+        return plain(self.sizes_to_json() | self._figures() | quality(self))
 
     def fields(self) -> Fields:
         """What was done as labels and values."""
@@ -155,7 +154,7 @@ def clean_mesh(
         progress: Called with each stage when it begins: "repair", "parts", "check".
 
     Returns:
-        A CleanedMesh: the mesh, figures, and `poor`, which says why it is not to be believed.
+        A CleanedMesh: the mesh, figures, `reliable` and `warnings`.
 
     Raises:
         TypeError: No mesh, or no numbers.
@@ -169,7 +168,7 @@ def clean_mesh(
         >>> corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 0, 0], [7, 0, 0], [8, 0, 0], [7, 1, 0]]
         >>> mesh = loom.TriangleMesh(corners, [[0, 1, 2], [0, 4, 3], [0, 3, 2], [5, 6, 7]])
         >>> found = loom.clean_mesh(mesh, hole_size=1, min_triangles=2)
-        >>> found.repair.filled_holes, found.removed_parts, found.is_watertight, found.poor
+        >>> found.repair.filled_holes, found.removed_parts, found.is_watertight, found.reliable
         (1, 1, True, None)
     """
     check_mesh("mesh", mesh)

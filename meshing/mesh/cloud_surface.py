@@ -82,7 +82,7 @@ def create_surface(
         progress: Called with each stage when it begins: "normals", the method's name, "check".
 
     Returns:
-        A SurfaceResult: the mesh, figures, and `poor`, which says why it is not to be believed. The mesh has no
+        A SurfaceResult: the mesh, figures, `reliable` and `warnings`. The mesh has no
         triangles where the points give none. Of the points' attributes it has normals and colours.
 
     Raises:
@@ -91,14 +91,14 @@ def create_surface(
         MemoryError: Poisson's tree would not fit.
 
     Notes:
-        Same bits from run to run. Normals that disagree are told by `poor`, no NormalsWarning is given. Beside the
-        method's memory 60 B a triangle, and some 20,000 samples on the surface.
+        Same bits from run to run. Normals that disagree are reported in `warnings`, without a NormalsWarning. Beside
+        the method's memory 60 B a triangle, and some 20,000 samples on the surface.
 
     Example:
         >>> import pointloom as loom
         >>> points = loom.TriangleMesh.create_sphere().sample_points_uniformly(1000).points
         >>> result = loom.create_surface(loom.PointCloud(points), depth=4, density_quantile=0)
-        >>> result.mesh.is_watertight(), result.normals.origin[:34], result.poor
+        >>> result.mesh.is_watertight(), result.normals.origin[:34], result.reliable
         (True, 'made of the 30 nearest points of e', None)
     """
     check_cloud("cloud", cloud)

@@ -7,9 +7,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from ...core.audience import Audience, to_caller
 from ...core.checks import check_count, check_numeric, check_positive, check_seed
-from ...core.reports import Fields, Report
+from ...core.reports import Assessed, Fields, Report, quality
 from ...core.units import LengthUnit, symbol_of
 from ...core.wording import format_share, plain
 from .finite_corners import check_finite_corners
@@ -22,7 +21,7 @@ APART = 0.1  # of the diagonal: a mean distance above this is another unit or fr
 
 
 @dataclass(frozen=True, eq=False)
-class MeshComparison(Report):
+class MeshComparison(Report, Assessed):
     """How far two surfaces lie apart; `print` tells it.
 
     Attributes:
@@ -35,13 +34,13 @@ class MeshComparison(Report):
         limit: The Hausdorff distance [m] that was allowed, or None.
         device: Where it was computed.
         unit: Of the lengths, where it is known.
-        poor: Why the meshes are not alike, with the remedy; None where they are.
+        reliable, warnings: Whether all checks passed, and those that failed, such as that units differ.
 
     Example:
         >>> import pointloom as loom
         >>> ball = loom.TriangleMesh.create_sphere()
         >>> found = loom.compare_meshes(ball, ball.scale(1000, [0, 0, 0]), samples=1000)
-        >>> found.poor.split(": ")[1]
+        >>> found.warnings[0].split(": ")[1]
         'other units, or other frames? Register them first'
     """
 
@@ -56,19 +55,15 @@ class MeshComparison(Report):
     unit: LengthUnit | None = None
 
     @property
-    def poor(self) -> str | None:
-        """Why the meshes are not alike, with the remedy; None where they are."""
-        return self.why_poor()
-
-    def why_poor(self, say: Audience = to_caller) -> str | None:
-        """The same in the words of an audience, which are the same for all."""
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         mean, m = max(self.metrics.mean), symbol_of(self.unit)
         if mean > APART * self.diagonal:
             share = format_share(mean / self.diagonal)
-            return f"the surfaces lie {share} of their size apart: other units, or other frames? Register them first"
+            return (f"the surfaces lie {share} of their size apart: other units, or other frames? Register them first",)
         if self.limit is not None and self.metrics.hausdorff > self.limit:
-            return f"the surfaces lie up to {self.metrics.hausdorff:.4g} {m} apart, more than {self.limit:g} {m}"
-        return None
+            return (f"the surfaces lie up to {self.metrics.hausdorff:.4g} {m} apart, more than {self.limit:g} {m}",)
+        return ()
 
     def to_json(self) -> dict[str, Any]:
         """All of it in JSON's types; F-scores by their distances."""
@@ -77,7 +72,7 @@ class MeshComparison(Report):
         head = {"triangles": self.triangles, "diagonal": self.diagonal, "chamfer": found.chamfer}
         farthest = {"hausdorff": found.hausdorff, "hausdorff_bound": found.hausdorff_bound, "fscore": scores}
         both_ways = {"mean": found.mean, "rms": found.rms, "max": found.max}
-        tail = {"samples": self.samples, "seed": self.seed, "device": self.device, "poor": self.poor}
+        tail = {"samples": self.samples, "seed": self.seed, "device": self.device, **quality(self)}
         unit = {} if self.unit is None else {"unit": self.unit}
         return plain(head | farthest | both_ways | tail | unit)
 
@@ -114,11 +109,11 @@ def compare_meshes(
         second: The mesh that it is held against, on the same device.
         thresholds: Distances [m] of the F-scores; None or none for a hundredth of the second mesh's diagonal.
         samples: Points drawn from each.
-        limit: A Hausdorff distance [m] above this is poor; None for any.
+        limit: A Hausdorff distance [m] above this is reported as a warning; None for no limit.
         seed: Chooses the points, 0..2^31 - 1.
 
     Returns:
-        A MeshComparison: figures, and `poor`, which says why the meshes are not alike.
+        A MeshComparison: figures, `reliable` and `warnings`.
 
     Raises:
         TypeError: No mesh, or no numbers.
@@ -133,7 +128,7 @@ def compare_meshes(
         >>> import pointloom as loom
         >>> ball, larger = loom.TriangleMesh.create_sphere(1.0), loom.TriangleMesh.create_sphere(1.01)
         >>> found = loom.compare_meshes(ball, larger, thresholds=[0.02], samples=1000, limit=0.005)
-        >>> round(found.metrics.hausdorff, 3), found.metrics.fscore.tolist(), found.poor
+        >>> round(found.metrics.hausdorff, 3), found.metrics.fscore.tolist(), found.reliable
         (0.01, [100.0], 'the surfaces lie up to 0.01 m apart, more than 0.005 m')
     """
     for name, mesh in (("first", first), ("second", second)):

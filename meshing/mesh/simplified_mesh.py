@@ -6,10 +6,9 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
-from ...core.audience import Audience, to_caller
 from ...core.checks import check_count, check_positive, check_progress, check_share
 from ...core.progress import ReportProgress
-from ...core.reports import Fields
+from ...core.reports import Fields, quality
 from ...core.units import symbol_of
 from ...core.wording import plain
 from .changed_mesh import ChangedMesh, sizes_before
@@ -50,12 +49,12 @@ class SimplifiedMesh(ChangedMesh):
         max_error: As it was given.
         diagonal: Of the full mesh's box [m].
         vertices_in, triangles_in: How many the other one had.
-        poor: Why the mesh is not to be believed, with the remedy; None where it is.
+        reliable, warnings: Whether all quality checks passed, and those that failed.
 
     Example:
         >>> import pointloom as loom
         >>> found = loom.simplify_mesh(loom.TriangleMesh.create_sphere(), triangles=8)
-        >>> found.target, "the surface moved by" in found.poor
+        >>> found.target, "the surface moved by" in found.warnings[0]
         (8, True)
     """
 
@@ -66,26 +65,25 @@ class SimplifiedMesh(ChangedMesh):
     max_error: float
     diagonal: float
 
-    def why_poor(self, say: Audience = to_caller) -> str | None:
-        """Why the mesh is not to be believed in the words of an audience, or None."""
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         count, target = len(self.mesh), self.target
         if not count:
-            written = say("", ", and nothing was written")
-            return f"no triangle is left{written}; take more triangles or smaller voxels"
+            return ("no triangle is left; use more triangles or smaller voxels",)
         reasons = []
         if target is not None and count > max(target * MISSED, target + 4) and math.isinf(self.max_error):
-            cleaner = say("clean_mesh", "clean-mesh")
-            reasons.append(f"{count:,} triangles are left where {target:,} were asked: mend it with {cleaner} first")
+            reasons.append(f"{count:,} triangles are left instead of {target:,}: repair the mesh with clean_mesh first")
         if self.errors is not None and self.errors.rms > FAR * self.diagonal:
             share = self.errors.rms / self.diagonal
             reasons.append(f"the surface moved by {share:.1%} of its size: take more triangles or smaller voxels")
-        return "; ".join(reasons) or None
+        return tuple(reasons)
 
     def to_json(self) -> dict[str, Any]:
         """All but the mesh in JSON's types."""
         errors = None if self.errors is None else {"rms": self.errors.rms, "max": self.errors.max}
         found = {"by": self.by, "amount": self.amount, "target": self.target, "errors": errors}
-        return plain(self.sizes_to_json() | found | {"poor": self.poor})
+        return plain(self.sizes_to_json() | found | quality(self))
 
     def fields(self) -> Fields:
         """What was done as labels and values."""
@@ -120,7 +118,7 @@ def simplify_mesh(
         progress: Called with each stage when it begins: "simplify", "check".
 
     Returns:
-        A SimplifiedMesh: the mesh, figures, and `poor`, which says why it is not to be believed.
+        A SimplifiedMesh: the mesh, figures, `reliable` and `warnings`.
 
     Raises:
         TypeError: No mesh, or no numbers.
@@ -136,7 +134,7 @@ def simplify_mesh(
     Example:
         >>> import pointloom as loom
         >>> found = loom.simplify_mesh(loom.TriangleMesh.create_sphere(), ratio=0.5)
-        >>> found.target, len(found.mesh), found.errors.max < 0.02, found.poor
+        >>> found.target, len(found.mesh), found.errors.max < 0.02, found.reliable
         (760, 760, True, None)
     """
     check_mesh("mesh", mesh)

@@ -8,9 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from ...core.audience import Audience, to_caller
 from ...core.checks import check_count, check_name, check_number
-from ...core.reports import Fields
+from ...core.reports import Fields, quality
 from ...core.units import symbol_of
 from ...core.wording import format_share, plain
 from .changed_mesh import ChangedMesh, sizes_before
@@ -48,12 +47,12 @@ class SmoothedMesh(ChangedMesh):
         moved: How far the finite vertices moved; None where there is none.
         area_in, area: Of the triangles with finite corners, before and after [m^2].
         vertices_in, triangles_in: How many the other one had.
-        poor: Why the mesh is not to be believed, with the remedy; None where it is.
+        reliable, warnings: Whether all quality checks passed, and those that failed.
 
     Example:
         >>> import pointloom as loom
         >>> found = loom.smooth_mesh(loom.TriangleMesh.create_sphere(), "simple", 50)
-        >>> found.poor.split(": ")[1]
+        >>> found.warnings[0].split(": ")[1]
         "take fewer iterations, or method='taubin', which shrinks less"
     """
 
@@ -63,27 +62,24 @@ class SmoothedMesh(ChangedMesh):
     area_in: float
     area: float
 
-    def why_poor(self, say: Audience = to_caller) -> str | None:
-        """Why the mesh is not to be believed in the words of an audience, or None."""
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         if not len(self.mesh):
-            return "the mesh has no triangles" + say("", ", and nothing was written")
+            return ("the mesh has no triangles",)
         change = self.area / self.area_in - 1 if self.area_in > 0 else 0.0
-        fewer = say("iterations", "--iterations")
         if not math.isfinite(change) or (self.method == "sharpen" and change > 1):
-            less = f"take fewer {fewer} or a smaller {say('strength', '--strength')}"
-            return f"the area grew {self.area / self.area_in:.3g} times: {less}"
+            return (f"the area grew {self.area / self.area_in:.3g} times: use fewer iterations or a smaller strength",)
         if self.method != "sharpen" and change < -SHRUNK:
-            other = say("method='taubin'", "--method taubin")
-            return f"{format_share(-change)} of the area are gone with the noise: take fewer {fewer}" + (
-                "" if self.method == "taubin" else f", or {other}, which shrinks less"
-            )
-        return None
+            other = "" if self.method == "taubin" else ", or method='taubin', which shrinks less"
+            return (f"{format_share(-change)} of the area was lost: use fewer iterations{other}",)
+        return ()
 
     def to_json(self) -> dict[str, Any]:
         """All but the mesh in JSON's types."""
         moved = None if self.moved is None else {"mean": self.moved.mean, "max": self.moved.max}
         how = {"method": self.method, "iterations": self.iterations, "moved": moved}
-        return plain(self.sizes_to_json() | how | {"area_in": self.area_in, "area": self.area, "poor": self.poor})
+        return plain(self.sizes_to_json() | how | {"area_in": self.area_in, "area": self.area, **quality(self)})
 
     def fields(self) -> Fields:
         """What was done as labels and values."""
@@ -122,7 +118,7 @@ def smooth_mesh(
         strength: Of sharpen; None takes 1.
 
     Returns:
-        A SmoothedMesh: the mesh, figures, and `poor`, which says why it is not to be believed.
+        A SmoothedMesh: the mesh, figures, `reliable` and `warnings`.
 
     Raises:
         TypeError: No mesh, or no numbers.
@@ -134,7 +130,7 @@ def smooth_mesh(
     Example:
         >>> import pointloom as loom
         >>> found = loom.smooth_mesh(loom.TriangleMesh.create_sphere())
-        >>> found.moved.max < 0.01, round(found.area / found.area_in, 1), found.poor
+        >>> found.moved.max < 0.01, round(found.area / found.area_in, 1), found.reliable
         (True, 1.0, None)
     """
     check_mesh("mesh", mesh)

@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from ...core.audience import Audience, to_caller
-from ...core.reports import Fields, Report, in_columns, with_poor
+from ...core.reports import Assessed, Fields, Report, failed, in_columns, quality, with_warnings
 from ...core.units import LengthUnit, symbol_of
 from ...core.wording import format_bounds, format_share, plain
 from .alpha_shape import FLAT_REMEDY
@@ -14,18 +13,14 @@ from .mesh import TriangleMesh
 from .mesh_summary import SurfaceSummary
 from .poisson import OPPOSED
 
-# What makes a result poor.
+# Thresholds of the quality checks.
 TORN = 0.1  # share of edges at a border: 30 x 30 squares have 4 %, a ball that rolls through the gaps makes 30 %
 CROWDED = {"poisson": 0.01, "ball": 0.01, "alpha": 0.1}  # share of edges of three triangles or more; some alpha has
 ISLANDS = 0.1  # share of the area outside the largest part
 MADE_UP = 0.05  # share of the surface far from all points
 OFF = 0.006  # of the points' size: half of them lie farther than this from the surface, which is not theirs then
 
-_LARGER = {
-    "poisson": ("a smaller density_quantile or depth", "a smaller --density-quantile or --depth"),
-    "ball": ("larger radii", "larger --radii"),
-    "alpha": ("a larger alpha", "a larger --alpha"),
-}
+_LARGER = {"poisson": "a smaller density_quantile or depth", "ball": "larger radii", "alpha": "a larger alpha"}
 
 
 @dataclass(frozen=True)
@@ -42,14 +37,15 @@ class NormalsUsed:
     given: bool
     disagreement: float | None
 
-    def why_doubted(self, say: Audience = to_caller) -> str | None:
-        """Why a surface by these normals is not to be believed, with the remedy; None where it is."""
+    @property
+    def problem(self) -> str | None:
+        """Why a surface with these normals is unreliable, with the remedy; None if it is reliable."""
         share = self.disagreement
         if share is None or share <= OPPOSED:
             return None
         said = f"{format_share(share)} of neighbouring normals point to opposite sides"
         if self.given:
-            return f"{said}; give {say('new_normals', '--new-normals')}, or orient those of the input"
+            return f"{said}; give new_normals, or orient those of the input"
         return f"{said} though they were oriented: the points hardly lie on a surface; clean or smooth them first"
 
 
@@ -87,20 +83,20 @@ class PointsOff:
     unit: LengthUnit | None = None
 
     @property
-    def why_poor(self) -> str | None:
-        """Why the surface is not that of the points, or None."""
+    def problem(self) -> str | None:
+        """Why the surface does not fit the points, or None."""
         if self.median is None or self.median <= OFF * self.size:
             return None
         share = format_share(self.median / self.size)
         distance = f"{self.median:.3g} {symbol_of(self.unit)}"
         return (
-            f"half of the points lie farther than {distance} from it ({share} of their size): they are noise, "
-            "or it leaves much of them out; clean or smooth them first, or choose other settings"
+            f"half of the points are farther than {distance} from the surface ({share} of their extent): the points "
+            "are noisy, or the surface misses many of them; clean or smooth them first, or choose other settings"
         )
 
 
 @dataclass(frozen=True, eq=False)
-class SurfaceResult(Report):
+class SurfaceResult(Report, Assessed):
     """A surface through the points of a cloud, and what there is to say of it; `print` tells it.
 
     Attributes:
@@ -114,14 +110,14 @@ class SurfaceResult(Report):
         made_up: How much of the surface lies far from all points; of Poisson's and of alpha shapes.
         off: How far the points lie from it.
         flat: Why no alpha gives an alpha shape, such as that the points lie in one plane; None if one does.
-        poor: Why the surface is not to be believed, with the remedy; None where it is.
+        reliable, warnings: Whether all quality checks passed, and those that failed.
 
     Example:
         >>> import pointloom as loom
         >>> cloud = loom.TriangleMesh.create_sphere().sample_points_poisson_disk(400)
         >>> result = loom.create_surface(cloud, "ball")
-        >>> result.summary.watertight, result.poor
-        (True, None)
+        >>> result.summary.watertight, result.reliable
+        (True, True)
     """
 
     mesh: TriangleMesh
@@ -137,17 +133,14 @@ class SurfaceResult(Report):
     flat: str | None = None
 
     def __str__(self) -> str:
-        return in_columns(with_poor(self.fields(), self.poor))
+        return in_columns(with_warnings(self.fields(), self))
 
     @property
-    def poor(self) -> str | None:
-        """Why the surface is not to be believed, with the remedy; None where it is."""
-        return self.why_poor()
-
-    def why_poor(self, say: Audience = to_caller) -> str | None:
-        """The same in the words of an audience; those of the shell say what became of the file."""
-        reasons = [self.normals.why_doubted(say), self._why_empty(say) or self._why_no_surface(say), self.off.why_poor]
-        return "; ".join(reason for reason in reasons if reason) or None
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks, each with its remedy; empty if the result is reliable."""
+        empty = self._why_empty()
+        surface = [empty] if empty else self._surface_problems()
+        return failed(self.normals.problem, *surface, self.off.problem)
 
     def to_json(self) -> dict[str, Any]:
         """All but the mesh in JSON's types."""
@@ -155,7 +148,7 @@ class SurfaceResult(Report):
         counts = {"points_in": self.points_in, "points": self.points, "not_carried": [*self.not_carried]}
         head = {"device": str(self.mesh.device), "method": self.method, **self.settings}
         figures = self.summary.to_json() | self.made_up.to_json() | {"points_off": self.off.median}
-        return plain(head | normals | counts | figures | {"poor": self.poor})
+        return plain(head | normals | counts | figures | quality(self))
 
     def fields(self) -> Fields:
         """What was done as labels and values."""
@@ -184,19 +177,18 @@ class SurfaceResult(Report):
             *([("not carried", f"{lacking} of the points")] if lacking else []),
         ]
 
-    def _why_empty(self, say: Audience) -> str | None:
+    def _why_empty(self) -> str | None:
         if not self.points:
-            return "no point is finite, so there is no surface" + say("", "; nothing was written")
+            return "no point is finite, so there is no surface"
         if self.flat is not None and not self.summary.triangles:
-            ball, written = say("method='ball'", "--method ball"), say("", ", and nothing was written")
-            return f"the mesh is empty{written}: {self.flat}, so no alpha gives a surface; {FLAT_REMEDY} ({ball})"
+            return f"the mesh is empty: {self.flat}, so no alpha gives a surface; {FLAT_REMEDY} (method='ball')"
         if not self.summary.triangles:
-            return f"the mesh is empty{say('', ', and nothing was written')}; take {say(*_LARGER[self.method])}"
+            return f"the mesh is empty; use {_LARGER[self.method]}"
         return None
 
-    def _why_no_surface(self, say: Audience) -> str | None:
-        """Whether the mesh is torn, made up or in pieces."""
-        found, larger = self.summary, say(*_LARGER[self.method])
+    def _surface_problems(self) -> list[str]:
+        """Messages if the mesh is torn, far from the points or in pieces."""
+        found, larger = self.summary, _LARGER[self.method]
         reasons: list[str] = []
         if found.boundary_edges > TORN * found.edges:
             share = format_share(found.boundary_edges / found.edges)
@@ -206,10 +198,9 @@ class SurfaceResult(Report):
             reasons.append(f"{share} of its edges have three triangles or more, so it is no single surface")
         made_up, far, better = self.made_up.share, self.made_up.far, self.made_up.better_quantile
         if made_up is not None and made_up > MADE_UP:
-            quantile = say("density_quantile", "--density-quantile")
-            remedy = f"{quantile} {better:g}" if better else f"a larger {quantile}"
+            remedy = f"density_quantile {better:g}" if better else "a larger density_quantile"
             if self.method == "alpha":
-                remedy = f"{say('a smaller alpha', 'a smaller --alpha')} or more points"
+                remedy = "a smaller alpha or more points"
             away = f"{far:.3g} {symbol_of(self.mesh.unit)}"
             reasons.append(
                 f"{format_share(made_up)} of the area lie farther than {away} from all points, "
@@ -221,7 +212,7 @@ class SurfaceResult(Report):
             reasons.append(
                 f"{share} of the area are {what}, {found.parts - 1:,} of them: clean the cloud first, or take {larger}"
             )
-        return "; ".join(reasons) or None
+        return reasons
 
 
 def _shown(value: Any) -> str:

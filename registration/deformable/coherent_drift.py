@@ -18,7 +18,7 @@ from ...core.checks import (
     shown,
 )
 from ...core.progress import ReportProgress
-from ...core.reports import Fields, Report, all_of
+from ...core.reports import Assessed, Fields, Report, failed
 from ...core.told_arguments import told_arguments
 from ...core.wording import format_share
 from ...kernels.arrays.side_by_side import read_together
@@ -43,7 +43,7 @@ LEAST_SHARE, MOST_SPREAD = 0.5, 2.5
 
 
 @dataclass(frozen=True, eq=False)
-class DriftResult(Report):
+class DriftResult(Report, Assessed):
     """What `coherent_point_drift` found, and how far to trust it; `print` shows it.
 
     Attributes:
@@ -69,10 +69,10 @@ class DriftResult(Report):
     _field: tuple[Array, float, Array, Array, float] | None = None
 
     @property
-    def poor(self) -> str | None:
-        """Why the result is not to be believed, or None."""
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         apart = self.deviation / self.spacing if self.spacing > 0 else 0.0
-        return all_of(
+        return failed(
             f"only {format_share(self.matched)} of the target is no outlier" if self.matched < LEAST_SHARE else None,
             f"targets lie {apart:.1f} of their spacings from sources" if apart > MOST_SPREAD else None,
             None if self.converged else f"not settled after {self.iterations} steps",
@@ -103,7 +103,7 @@ class DriftResult(Report):
             ("deviation", f"{self.deviation:.4g}, beside {self.spacing:.4g} between targets"),
             ("matched", f"{format_share(self.matched)} of the target"),
             ("steps", f"{self.iterations}{'' if self.converged else ', not settled'}"),
-            *([("poor", self.poor)] if self.poor else []),
+            *(("warning", warning) for warning in self.warnings),
         ]
 
 
@@ -144,7 +144,7 @@ def coherent_point_drift(
         progress: Called with ("drift", steps taken, max_iteration).
 
     Returns:
-        The result; look at `poor`.
+        The result; check `reliable`.
 
     Raises:
         TypeError, ValueError: No clouds, too few points, numbers out of range, an unknown kind; a width so small that
@@ -167,7 +167,7 @@ def coherent_point_drift(
         >>> found = loom.registration.coherent_point_drift(
         ...     loom.PointCloud(body), loom.PointCloud(bent), kind="deformable", outliers=0.01
         ... )
-        >>> bool(np.abs(found.warped.points - bent).max() < 0.05), found.poor
+        >>> bool(np.abs(found.warped.points - bent).max() < 0.05), found.reliable
         (True, None)
     """
     check_clouds(source, target)

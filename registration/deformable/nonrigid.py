@@ -104,7 +104,7 @@ def register_nonrigid(
         progress: Called with ("bend" or "bend, turned round", stages done, stages in all).
 
     Returns:
-        The result; look at `poor`, and at `is_rigid`.
+        The result; check `reliable` and `is_rigid`.
 
     Raises:
         TypeError, ValueError: No clouds, too few points, numbers out of range, or landmarks that are not finite, lie
@@ -114,9 +114,9 @@ def register_nonrigid(
     Notes:
         Where a surface is smooth nothing holds points along it, and they may slide by a third of a node spacing and
         more; landmarks hold them (docs/bending.md has figures).
-        A body that really stretches by more than 22 % is called poor. Where the strain is above 12 % and there are
-        fewer than three landmarks, starts half a turn away are tried too; the one of least strain is taken, or named
-        where `init` was given. About 500 B a source point and 2 kB a node. The same bits from run to run.
+        A body that really stretches by more than 22 % is reported as unreliable. Where the strain is above 12 % and
+        there are fewer than three landmarks, starts half a turn away are tried too; the one of least strain is taken,
+        or named where `init` was given. About 500 B a source point and 2 kB a node. The same bits from run to run.
         Source: Sumner, Schmid and Pauly 2007; Li, Sumner and Pauly 2008; stiffness in steps as in Amberg, Romdhani and
         Vetter 2007.
 
@@ -126,7 +126,7 @@ def register_nonrigid(
         >>> flat = loom.PointCloud(np.column_stack([x, y, 0.1 * np.sin(4 * x)]))
         >>> bent = loom.PointCloud(np.column_stack([x, y, 0.1 * np.sin(4 * x) + 0.1 * x * x]))
         >>> found = loom.registration.register_nonrigid(flat, bent)
-        >>> found.rmse < 0.005, found.is_rigid, found.poor
+        >>> found.rmse < 0.005, found.is_rigid, found.reliable
         (True, False, None)
     """
     check_clouds(source, target)

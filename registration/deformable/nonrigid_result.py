@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_number, check_numeric
-from ...core.reports import Fields, Report, all_of
+from ...core.reports import Assessed, Fields, Report, failed, quality
 from ...core.wording import format_share
 from ...pcd.cloud import PointCloud
 from .deformation import Deformation
@@ -20,7 +20,7 @@ LEAST_SHARE, MOST_FOLDED, MOST_STRAIN = 0.75, 0.01, 0.22
 
 
 @dataclass(frozen=True, eq=False)
-class NonRigidResult(Report):
+class NonRigidResult(Report, Assessed):
     """What `register_nonrigid` found, and how far to trust it; `print` shows it.
 
     Attributes:
@@ -68,11 +68,11 @@ class NonRigidResult(Report):
         )
 
     @property
-    def poor(self) -> str | None:
-        """Why the bend is not to be believed, or None."""
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         share, fold = max(self.matched, self.covered), self.folded > MOST_FOLDED
         turned = self.better_start is not None
-        return all_of(
+        return failed(
             f"only {format_share(share)} of either cloud lies on the other" if share < LEAST_SHARE else None,
             f"the bend folds over at {format_share(self.folded)} of the points" if fold else None,
             f"the body would be stretched by {self.strain:.0%}" if self.strain > MOST_STRAIN else None,
@@ -83,7 +83,7 @@ class NonRigidResult(Report):
         """The figures, in JSON's types."""
         names = ("matched", "covered", "rmse", "rigid_rmse", "rigid_matched", "folded", "strain", "iterations")
         found = {name: getattr(self, name) for name in names}
-        return {"nodes": len(self.deformation), **found, "converged": self.converged, "poor": self.poor}
+        return {"nodes": len(self.deformation), **found, "converged": self.converged, **quality(self)}
 
     def fields(self) -> Fields:
         """How the bend came about and how good it is."""
@@ -95,7 +95,7 @@ class NonRigidResult(Report):
             ("unbent", unbent),
             ("strain", f"{self.strain:.1%}, folded at {format_share(self.folded)}"),
             ("steps", f"{self.iterations}{'' if self.converged else ', not settled'}"),
-            *([("poor", self.poor)] if self.poor else []),
+            *(("warning", warning) for warning in self.warnings),
         ]
 
     def transfer(self, values: ArrayLike, missing: float = np.nan) -> NDArray[Any]:

@@ -175,7 +175,7 @@ def register_described(
         reason="converged",
     )
     if score <= 0.5:
-        chosen.reason = evidence.doubt
+        chosen.reason = evidence.problem
     elif equals > 1:
         chosen.reason = f"{equals} poses fit alike"
     report("registration", source=source, target=target, result=chosen)

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_positive, check_rigid
+from ...core.reports import Assessed
 from ...kernels.linear_algebra import eigh, matmul
 from ...kernels.poses.pair_probes import compare_pair, find_hold
 from ...pcd.cloud import PointCloud
@@ -23,7 +24,7 @@ REACH_VOXELS = 2.0  # within which a plane is looked for
 
 
 @dataclass(frozen=True, eq=False)
-class Localisability:
+class Localisability(Assessed):
     """What two clouds tell of the six motions at a pose, the motion that they tell least of first.
 
     Attributes:
@@ -60,15 +61,15 @@ class Localisability:
         return spanned(self.open_motions[:, :3].T) if len(self.open_motions) else ()
 
     @property
-    def poor(self) -> str | None:
-        """What is open, in words; None where nothing is."""
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         if not len(self.open_motions):
-            return None
+            return ()
         if len(self.open_motions) == 6:
-            return "the clouds share no surface that would hold the pose"
+            return ("the clouds share no surface that would hold the pose",)
         ways = [f"slide along {_told(way)}" for way in self.translations]
         ways += [f"turn about {_told(axis)}" for axis in self.turns]
-        return f"the source may {' and '.join(ways)}: the clouds lie on each other as well there"
+        return (f"the source may {' and '.join(ways)}: the clouds lie on each other as well there",)
 
     def prior(self, transformation: ArrayLike, sigma: float) -> Prior:
         """What holds the open motions, and these alone, at another pose: odometry's, GNSS', an earlier one's.
@@ -135,7 +136,7 @@ def localisability(
         >>> found = loom.registration.localisability(*scans, np.eye(4), 0.3)
         >>> found.kinds[0], found.kinds[-1]
         ('none', 'full')
-        >>> found.poor
+        >>> found.warnings
         'the source may slide along x: the clouds lie on each other as well there'
     """
     check_clouds(source, target)

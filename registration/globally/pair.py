@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import LARGEST_NUMBER, check_positive, check_progress, shown
 from ...core.progress import ReportProgress
-from ...core.reports import Fields, Report
+from ...core.reports import Assessed, Fields, Report
 from ...core.told_arguments import told_arguments
 from ...core.units import LengthUnit, symbol_of
 from ...core.wording import format_share, plain
@@ -47,7 +47,7 @@ METHODS: dict[str, Callable[[], TransformationEstimation]] = {
     "colored": TransformationEstimationForColoredICP,
 }
 
-LEAST_SCORE, LEAST_FITNESS = 0.5, 0.1  # a result is poor whose score is no more, or whose fitness is less
+LEAST_SCORE, LEAST_FITNESS = 0.5, 0.1  # at most this score, or below this fitness, a result is unreliable
 
 # Correspondences lie closer than two voxels: neighbours on a thinned surface are about one apart. From a start that was
 # not searched for, coarser clouds come first, so that it may be wrong by more.
@@ -74,7 +74,7 @@ class UnfitCloudError(ValueError):
 
 
 @dataclass(frozen=True, eq=False)
-class PairRegistration(Report):
+class PairRegistration(Report, Assessed):
     """What `register_pair` found, and how; `print` shows it.
 
     Attributes:
@@ -90,7 +90,7 @@ class PairRegistration(Report):
         normal_radius: Within which the neighbours of a normal lay [m]; None where there was none to estimate.
         rotation_deg: The angle of the motion [degrees].
         shift_m: How far it moves the middle of the source [m].
-        doubt: What the search says of the start that it found; "" where nothing speaks against it.
+        search_problem: Why the initial pose of the global search is uncertain; "" if it is not.
         unit: That of the clouds, in which all lengths then are; None where it is not known.
     """
 
@@ -107,7 +107,7 @@ class PairRegistration(Report):
     normal_radius: float | None
     rotation_deg: float
     shift_m: float
-    doubt: str = ""
+    search_problem: str = ""
     unit: LengthUnit | None = None
 
     @property
@@ -116,18 +116,17 @@ class PairRegistration(Report):
         return self.result.transformation
 
     @property
-    def poor(self) -> str | None:
-        """Why the pose is not to be believed, or None."""
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         if self.result.fitness == 0:
-            return "no point of the source has a correspondence"
+            return ("no point of the source has a correspondence",)
         if self.result.fitness < LEAST_FITNESS:
             share = f"{format_share(self.result.fitness)} of the source, less than {LEAST_FITNESS:.0%}"
-            return f"only {share}, has a correspondence"
+            return (f"only {share}, has a correspondence",)
         if self.score > LEAST_SCORE:
-            return None
-        return f"the score is {self.score:.2f}, not above {LEAST_SCORE}: " + (
-            self.doubt or "the surfaces hardly lie on each other"
-        )
+            return ()
+        problem = self.search_problem or "the surfaces hardly overlap"
+        return (f"the score is {self.score:.2f}, not above {LEAST_SCORE}: {problem}",)
 
     def to_json(self) -> dict[str, Any]:
         """All of it, the pose as rows, in JSON's types."""
@@ -218,7 +217,7 @@ def register_pair(
         prior: A pose that is known beforehand, as of `registration_icp`; the search does not ask it.
 
     Returns:
-        The pose with what speaks for it; look at `poor`.
+        The pose and its quality; check `reliable`.
 
     Raises:
         TypeError: Not a PointCloud.
@@ -235,7 +234,7 @@ def register_pair(
         >>> surface = np.column_stack([x, y, 0.2 * np.sin(5 * x) * np.cos(4 * y) + 0.1 * np.sin(9 * y + x)])
         >>> target, source = loom.PointCloud(surface), loom.PointCloud(surface + [0.02, -0.03, 0.01])
         >>> found = loom.registration.register_pair(source, target, init=np.eye(4), voxel_size=0.08)
-        >>> bool(np.abs(found.transformation[:3, 3] - [-0.02, 0.03, -0.01]).max() < 0.01), found.poor
+        >>> bool(np.abs(found.transformation[:3, 3] - [-0.02, 0.03, -0.01]).max() < 0.01), found.reliable
         (True, None)
     """
     estimation, tell = _check_method(method), check_progress(progress)

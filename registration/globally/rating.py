@@ -131,8 +131,8 @@ class Evidence(NamedTuple):
         return 1 / (1 + (self.blocked / MOST_BLOCKED) ** STEEP)
 
     @property
-    def doubt(self) -> str:
-        """What speaks against a pose that is not believed, in words."""
+    def problem(self) -> str:
+        """Why a pose with a low score is unreliable."""
         if self.score_with_planes <= 0.5 and self.firmness < FIRM and self.share > FITS and self.matches >= ENOUGH:
             return "the surfaces fit, but the pose may turn or slide freely, as that of a ball, a tube or a plane may"
         if self.score_with_planes <= 0.5:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from ...core.checks import check_list
 from ...core.number_runs import some_runs
-from ...core.reports import Fields, Report
+from ...core.reports import Assessed, Fields, Report
 from ...core.wording import format_share, plain
 from ...kernels.linear_algebra import eigh, matmul, norm
 
@@ -110,7 +110,7 @@ class OdometryStep:
 
 
 @dataclass(frozen=True)
-class OdometrySummary(Report):
+class OdometrySummary(Report, Assessed):
     """A run of odometry in a few numbers; `print` shows it as `pointloom odometry` does.
 
     Attributes:
@@ -170,18 +170,14 @@ class OdometrySummary(Report):
         return len(self.empty) < self.scan_count
 
     @property
-    def poor(self) -> str | None:
-        """Why the path is not to be believed, or None."""
-        return self.why_poor()
-
-    def why_poor(self, reach: str = "in range") -> str | None:
-        """`poor`, which says where points had to lie as `reach` has it."""
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         if not self.has_seen:
-            return f"no scan has points {reach}"
+            return ("no scan has points in range",)
         reasons, count = [], self.scan_count
         if torn := self.predicted:
             reasons.append(
-                f"{len(torn)} of {count} scans do not overlap those before them, or have no points {reach}, so the "
+                f"{len(torn)} of {count} scans do not overlap those before them, or have no points in range, so the "
                 f"path may be torn at {_scans(torn)}"
             )
         if strayed := self.strayed:
@@ -212,7 +208,7 @@ class OdometrySummary(Report):
             reasons.append(
                 f"{len(self.unsettled)} of {count} scans did not come to rest on the map ({_scans(self.unsettled)})"
             )
-        return "; ".join(reasons) or None
+        return tuple(reasons)
 
     def to_json(self) -> dict[str, Any]:
         """All of it in JSON's types, with the unit in the name."""

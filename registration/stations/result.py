@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.checks import check_list
-from ...core.reports import Fields, Report
+from ...core.reports import Assessed, Fields, Report, quality
 from ...core.units import LengthUnit
 from ...core.wording import plain
 from ...kernels.linear_algebra import norm
@@ -26,7 +26,7 @@ SHOWN = 6  # names in a line
 
 
 @dataclass(frozen=True, eq=False)
-class StationsResult(Report):
+class StationsResult(Report, Assessed):
     """Where stations stand, how well that is known, and what contradicts it; `print` shows it in short.
 
     Attributes:
@@ -77,8 +77,8 @@ class StationsResult(Report):
     unit: LengthUnit | None = None
 
     @property
-    def poor(self) -> str | None:
-        """Why the poses are not to be believed as they are, or None."""
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         reasons = []
         lost = [name for name, there in zip(self.names, self.placed, strict=True) if not there]
         if lost:
@@ -93,7 +93,7 @@ class StationsResult(Report):
             reasons.append("the adjustment did not come to rest")
         if not self.redundancy and len(self.names) > 1:
             reasons.append("nothing is checked: there are no more observations than are needed")
-        return "; ".join(reasons) or None
+        return tuple(reasons)
 
     def merge(self, stations: Sequence[PointCloud]) -> PointCloud:
         """The clouds of the stations that were placed as one, in the survey's frame, with what all of them have.
@@ -136,7 +136,7 @@ class StationsResult(Report):
         Lengths are metres, residuals and standard deviations of positions millimetres, of turns seconds of arc.
         """
         parts = [str(self), self._stations(), self._pairs(), self._points(), self._loops(), self._taken_out()]
-        verdict = f"poor: {self.poor}" if self.poor else "nothing speaks against it"
+        verdict = "; ".join(self.warnings) or "all quality checks passed"
         return "\n\n".join([part for part in parts if part] + [verdict]) + "\n"
 
     def to_json(self) -> dict[str, Any]:
@@ -173,7 +173,7 @@ class StationsResult(Report):
                 ],
                 "sigma0": self.sigma0, "limits": self.limits, "redundancy": self.redundancy, "scaled": self.scaled,
                 "pair_factor": self.pair_factor, "level": self.level, "converged": self.converged,
-                "reference": None if self.reference is None else names[self.reference], "poor": self.poor,
+                "reference": None if self.reference is None else names[self.reference], **quality(self),
             }
         )  # fmt: skip
 

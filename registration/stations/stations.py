@@ -95,7 +95,7 @@ def register_stations(
         progress: Called with ("prepare", stations done, in all), ("pairs", pairs done, in all) and ("adjust", done, 2).
 
     Returns:
-        Poses, their standard deviations, residuals and tests; look at `poor`, and print `report()`.
+        Poses, their standard deviations, residuals and tests; check `reliable`, and print `report()`.
 
     Raises:
         TypeError: Not clouds, targets or control points.

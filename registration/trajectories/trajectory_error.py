@@ -16,10 +16,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.trajectory import Trajectory
-from ...core.audience import Audience, to_caller
 from ...core.checks import check_count, check_list, check_positive, check_rigid, shown
 from ...core.quaternions import nearest_rotations
-from ...core.reports import Fields, Report
+from ...core.reports import Assessed, Fields, Report
 from ...core.wording import plain
 from ...kernels.linear_algebra import eigh, elementwise, inv, matmul, norm
 from ..rigid import fit_pose, make_pose, nearest_rotation, rotation_of, rotation_vector, scale_of
@@ -73,7 +72,7 @@ class SegmentError:
 
 
 @dataclass(frozen=True, eq=False)
-class TrajectoryError(Report):
+class TrajectoryError(Report, Assessed):
     """What evaluate_trajectory found; `print` shows it as `pointloom evaluate` does.
 
     Attributes:
@@ -107,20 +106,15 @@ class TrajectoryError(Report):
     sensor_offset: Matrix | None = None
 
     @property
-    def poor(self) -> str | None:
-        """Why the relative errors do not measure the estimate: the two paths are of two sensors; or None."""
-        return self.why_poor(to_caller)
-
-    def why_poor(self, say: Audience) -> str | None:
-        """As `poor`, in the words of an audience."""
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         if self.sensor_offset is None:
-            return None
+            return ()
         angle = math.degrees(float(norm(rotation_vector(self.sensor_offset[:3, :3]))))
         arm = float(norm(self.sensor_offset[:3, 3]))
         return (
             "the two paths are in the frames of two sensors of one body: a fixed offset between them, a rotation by "
-            f"{angle:.1f} degrees and {arm:.2f} m, explains most of the relative errors; give it as "
-            f"{say('extrinsic=', '--extrinsic, such as calib.txt of KITTI')}"
+            f"{angle:.1f} degrees and {arm:.2f} m, explains most of the relative errors; pass it as extrinsic",
         )
 
     def to_json(self) -> dict[str, Any]:
@@ -194,7 +188,7 @@ def evaluate_trajectory(
             sensor of the same body than the truth: the `Tr` of KITTI's calib.txt for a LiDAR against its camera.
 
     Returns:
-        A TrajectoryError; `poor` names paths of two sensors whose `extrinsic` was not given. Statistics without any
+        A TrajectoryError; `warnings` names paths of two sensors whose `extrinsic` was not given. Statistics without any
         error (too few poses for `delta`) are NaN with count 0.
 
     Raises:

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.number_runs import some_frames
+from ...core.reports import Assessed
 from ...core.wording import format_share
 from ...kernels.linear_algebra import matmul, norm
 from ..odometry.alignment import align_frames
@@ -29,7 +30,7 @@ MANY_KEPT = 0.5  # share of the frames beyond which the refinement did not do wh
 
 
 @dataclasses.dataclass(frozen=True)
-class PoseRefinement:
+class PoseRefinement(Assessed):
     """What became of poses that were given.
 
     Attributes:
@@ -57,15 +58,15 @@ class PoseRefinement:
         return 1 + len(self.kept) + len(self.shifts)
 
     @property
-    def poor(self) -> str | None:
-        """Whether so many poses were kept that the refinement did not do what was asked for."""
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         kept, count = self.kept, self.frame_count
         if len(kept) <= MANY_KEPT * (count - 1):
-            return None
+            return ()
         first, reason = next(iter(kept.items()))
+        share = format_share(len(kept) / count)
         return (
-            f"{len(kept)} of {count} poses could not be refined and are as given ({format_share(len(kept) / count)}; "
-            f"frame {first}: {reason})"
+            f"{len(kept)} of {count} poses could not be refined and are unchanged ({share}; frame {first}: {reason})",
         )
 
     def to_json(self) -> dict[str, Any]:
@@ -102,7 +103,7 @@ class PoseRefiner:
             found = align_frames(prepared.pyramid, surface)
             moved = found.transformation
             shift, turn = float(norm(moved[:3, 3])), _angle(moved)
-            reason = found.reason or _why_too_far(shift, turn)
+            reason = "; ".join(found.warnings) or _why_too_far(shift, turn)
             if reason:
                 self._kept[number] = reason
             else:

@@ -8,8 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.audience import Audience, to_caller
-from ...core.reports import Fields, in_columns, with_poor
+from ...core.reports import Assessed, Fields, failed, in_columns, with_warnings
 from ...core.wording import format_bounds, format_bytes, format_share
 from ...files.frames.frames import why_out_of_reach
 from ...meshing.mesh.mesh import TriangleMesh
@@ -22,8 +21,8 @@ COARSE = 0.05  # of what the frames see: with voxels above it nothing of it has 
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
-class FusionResult:
-    """A surface and how it came about; `print(result)` tells it, `result.poor` says what speaks against it.
+class FusionResult(Assessed):
+    """A surface and how it came about; `print(result)` shows its figures, `result.reliable` whether its checks passed.
 
     Attributes:
         mesh: The surface; empty where no voxel was seen often enough.
@@ -63,41 +62,39 @@ class FusionResult:
     seen_extent: float | None = None
 
     def __str__(self) -> str:
-        return in_columns(with_poor(self.fields(), self.poor))
+        return in_columns(with_warnings(self.fields(), self))
 
     @property
     def frame_count(self) -> int:
         """How many frames were integrated."""
         return len(self.T_world_camera)
 
-    def why_no_surface(self, say: Audience = to_caller) -> str | None:
-        """Why there is hardly a surface, if that is so, in the words of an audience."""
-        if reason := why_out_of_reach(self.depth_share, self.used_share, self.depth_max, say):
+    @property
+    def _why_no_surface(self) -> str | None:
+        """Why there is hardly a surface, or None."""
+        if reason := why_out_of_reach(self.depth_share, self.used_share, self.depth_max):
             return reason
         if self.seen_extent and self.volume.voxel_size > COARSE * self.seen_extent:
-            return self._why_coarse(self.seen_extent, say)
+            return self._why_coarse(self.seen_extent)
         if not len(self.mesh):
-            written, more = say("", ", and nothing was written"), say("", " (a smaller --every)")
             return (
-                f"the mesh is empty{written}: no voxel was seen more than {self.weight_threshold:g} times; take more "
-                f"frames{more}, or check poses and camera"
+                f"the mesh is empty: no voxel was seen more than {self.weight_threshold:g} times; use more frames, or "
+                "check poses and camera"
             )
         return None
 
-    def _why_coarse(self, extent: float, say: Audience) -> str:
-        """What a voxel is to what the frames see."""
+    def _why_coarse(self, extent: float) -> str:
+        """The size of a voxel compared with the extent of the scene."""
         size = self.volume.voxel_size
         is_than = "is larger than" if size > extent else "is more than a twentieth of"
-        name = say("voxel_size", "--voxel")
         usual = f"{0.005 * extent:.1g}"
-        return f"{name}: {size:g} m {is_than} what the frames see ({extent:.2g} m); give it in metres, some {usual}"
+        return f"voxel_size: {size:g} m {is_than} the scene ({extent:.2g} m); pass it in meters, for example {usual}"
 
     @property
-    def poor(self) -> str | None:
-        """Why the result is poor; None where nothing speaks against it."""
-        refinement = None if self.refinement is None else self.refinement.poor
-        reasons = (self.why_no_surface(), refinement, self._why_contradicted)
-        return "; ".join(reason for reason in reasons if reason) or None
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks, each with its remedy; empty if the result is reliable."""
+        refinement = () if self.refinement is None else self.refinement.warnings
+        return failed(self._why_no_surface, *refinement, self._why_contradicted)
 
     @property
     def _why_contradicted(self) -> str | None:

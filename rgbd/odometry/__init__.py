@@ -8,8 +8,8 @@ Example:
     >>> v, u = np.mgrid[:60, :80]
     >>> depth = 1.0 + 0.1 * np.sin(u / 6) * np.cos(v / 8)
     >>> frame, nearer = (loom.odometry.OdometryFrame(z, camera) for z in (depth, depth - 0.01))
-    >>> success, T_target_source, information = loom.odometry.align_frames(nearer, frame)
-    >>> success, bool(abs(T_target_source[2, 3] - 0.01) < 2e-3)
+    >>> reliable, T_target_source, information = loom.odometry.align_frames(nearer, frame)
+    >>> reliable, bool(abs(T_target_source[2, 3] - 0.01) < 2e-3)
     (True, True)
 """
 

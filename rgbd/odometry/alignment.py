@@ -39,7 +39,7 @@ def align_frames(
         method: What is compared: surfaces, brightness, or both.
 
     Returns:
-        The result; `success` is False, with a reason, for frames that do not show the same place, do not determine the
+        The result; `reliable` is False, with `warnings`, for frames that do not overlap, do not determine the
         motion, or are blank.
 
     Raises:
@@ -54,7 +54,7 @@ def align_frames(
         >>> import numpy as np, pointloom as loom
         >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
         >>> blank = loom.odometry.OdometryFrame(np.zeros((48, 64)), camera)
-        >>> loom.odometry.align_frames(blank, blank).reason
+        >>> loom.odometry.align_frames(blank, blank).warnings[0]
         'the source has no depth'
     """
     for name, frame in (("source", source), ("target", target)):

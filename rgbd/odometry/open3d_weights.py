@@ -72,7 +72,7 @@ def run_legacy(
             pose, steps = matmul(step, pose), steps + 1
     information, pixels = _information(depths[0], levels[0][2], pose, rows.LEGACY, option.depth_diff_max)
     inliers = int(information[5, 5])
-    return OdometryResult(True, pose, information, inliers=inliers, fitness=inliers / max(pixels, 1), iterations=steps)
+    return OdometryResult(pose, information, inliers=inliers, fitness=inliers / max(pixels, 1), iterations=steps)
 
 
 def run_tensor(
@@ -110,7 +110,7 @@ def run_tensor(
     target_level = _level((intrinsic.width, intrinsic.height), lens, depths[1], depths[1])
     information, _ = _information(depths[0], target_level, pose, rows.TENSOR, params.depth_outlier_trunc)
     return OdometryResult(
-        True, pose, information, inliers=int(information[5, 5]), fitness=fitness, inlier_rmse=rmse, iterations=steps
+        pose, information, inliers=int(information[5, 5]), fitness=fitness, inlier_rmse=rmse, iterations=steps
     )
 
 
@@ -223,4 +223,4 @@ def _information(
 
 
 def _failed(pose: NDArray[np.float64], reason: str, steps: int = 0) -> OdometryResult:
-    return OdometryResult(False, pose, np.zeros((6, 6)), reason, iterations=steps)
+    return OdometryResult(pose, np.zeros((6, 6)), (reason,), iterations=steps)

@@ -12,14 +12,13 @@ from numpy.typing import NDArray
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class OdometryResult:
-    """The motion between two frames. Unpacks as Open3D's (success, transformation, information).
+    """The motion between two frames. Unpacks as Open3D's (reliable, transformation, information).
 
     Attributes:
-        success: Whether the motion is to be believed.
         transformation: T_target_source, float64 [4, 4]; where it failed, the latest guess.
         information: Of the pixels that agree, about the target's camera, rotation first, float64 [6, 6], as Open3D's
             pose graphs want it: its last entry counts them, scaled to the full picture. Zero where it failed.
-        reason: Why it failed; empty where it did not.
+        warnings: Why the motion is unreliable; empty if it is reliable.
         inliers: Pixels of the source that lie on the target's surface, at the size that was compared.
         fitness: Their share of the source's pixels with depth.
         overlap: Share of the source's pixels with depth that the target shows with depth.
@@ -35,10 +34,9 @@ class OdometryResult:
             off by noise. It holds where nothing speaks against the motion.
     """
 
-    success: bool
     transformation: NDArray[np.float64]
     information: NDArray[np.float64]
-    reason: str = ""
+    warnings: tuple[str, ...] = ()
     inliers: int = 0
     fitness: float = 0.0
     overlap: float = 0.0
@@ -49,11 +47,16 @@ class OdometryResult:
     contradiction: str = ""
     covariance: NDArray[np.float64] = dataclasses.field(default_factory=lambda: np.zeros((6, 6)))
 
+    @property
+    def reliable(self) -> bool:
+        """True if no quality check failed."""
+        return not self.warnings
+
     def __iter__(self) -> Iterator[Any]:
-        return iter((self.success, self.transformation, self.information))
+        return iter((self.reliable, self.transformation, self.information))
 
     def __repr__(self) -> str:
-        verdict = "success" if self.success else f"no success: {self.reason}"
+        verdict = "reliable" if self.reliable else f"unreliable: {'; '.join(self.warnings)}"
         rmse = f"inlier_rmse {self.inlier_rmse:.6g}"
         return f"OdometryResult({verdict}, fitness {self.fitness:.4f}, {rmse}, {self.iterations} iterations)"
 

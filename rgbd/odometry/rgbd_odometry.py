@@ -58,7 +58,7 @@ def compute_rgbd_odometry(
             "open3d" does what Open3D 0.20 does, without a verdict.
 
     Returns:
-        The result, which unpacks as Open3D's (success, transformation, information).
+        The result, which unpacks as Open3D's (reliable, transformation, information).
 
     Raises:
         ValueError: Images of different sizes, a camera of another size, a start that is no rigid motion.
@@ -73,8 +73,8 @@ def compute_rgbd_odometry(
         >>> import numpy as np, pointloom as loom
         >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
         >>> blank = loom.RGBDImage(np.zeros((48, 64), np.uint8), np.zeros((48, 64), np.uint16))
-        >>> success, transformation, information = loom.odometry.compute_rgbd_odometry(blank, blank, camera)
-        >>> success, information.any()
+        >>> reliable, transformation, information = loom.odometry.compute_rgbd_odometry(blank, blank, camera)
+        >>> reliable, information.any()
         (False, np.False_)
     """
     camera = _check_pair("pinhole_camera_intrinsic", source, target, pinhole_camera_intrinsic)
@@ -135,7 +135,7 @@ def rgbd_odometry_multi_scale(
         >>> import numpy as np, pointloom as loom
         >>> blank = loom.RGBDImage(np.zeros((48, 64), np.uint8), np.zeros((48, 64), np.uint16))
         >>> K = [[60.0, 0, 31.5], [0, 60.0, 23.5], [0, 0, 1]]
-        >>> loom.odometry.rgbd_odometry_multi_scale(blank, blank, K).reason
+        >>> loom.odometry.rgbd_odometry_multi_scale(blank, blank, K).warnings[0]
         'the source has no depth'
     """
     camera = _check_pair("intrinsics", source, target, intrinsics)

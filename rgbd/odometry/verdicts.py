@@ -45,10 +45,9 @@ def judge(found: Alignment, source: OdometryFrame, level: int, blur: float = 0.0
     scale = source.width * source.height / float(source.levels.counts[level])
     shades = v[at.SHADE_COUNT]
     return OdometryResult(
-        success=not reason,
         transformation=found.pose,
         information=np.zeros((6, 6)) if reason else spread_information(inliers, v[POINTS]) * scale,
-        reason=reason,
+        warnings=(reason,) if reason else (),
         inliers=int(inliers),
         fitness=float(inliers / pixels) if pixels else 0.0,
         overlap=float(seen / pixels) if pixels else 0.0,

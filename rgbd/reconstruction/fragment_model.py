@@ -12,7 +12,7 @@ from ...cameras.trajectory import Trajectory, read_trajectory
 from ...core.errors import FilePath
 from ...core.paths import path_of
 from ...core.progress import ReportProgress
-from ...core.reports import Fields
+from ...core.reports import Assessed, Fields
 from ...core.timing import Clock
 from ...files.frames.frames import DEPTH_MAX
 from ...meshing.mesh.mesh import TriangleMesh
@@ -58,7 +58,7 @@ class FragmentOptions:
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
-class FragmentsAccount:
+class FragmentsAccount(Assessed):
     """How fragments made a model.
 
     Attributes:
@@ -68,7 +68,7 @@ class FragmentsAccount:
         voxel_size: Edge of a voxel of the mesh [m].
         depth_max: Farther depth was left out [m].
         folder: Of the stages' files.
-        uncertain: Frames whose pose is told with a doubt: none, as those of a fragment hang together.
+        uncertain: Frames whose pose is uncertain: none, as frames of a fragment overlap.
     """
 
     trajectory: Trajectory
@@ -80,9 +80,9 @@ class FragmentsAccount:
     uncertain: tuple[int, ...] = ()
 
     @property
-    def poor(self) -> str | None:
-        """Why the model is poor, or None."""
-        return self.system.poor
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks, each with its remedy; empty if the result is reliable."""
+        return self.system.warnings
 
     def to_json(self) -> dict[str, Any]:
         """The figures, in JSON's types."""

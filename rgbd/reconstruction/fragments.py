@@ -219,7 +219,7 @@ def _close_loops(draft: Draft, frames: Frames) -> tuple[PoseGraph, int]:
     for later, earlier, T in candidates:
         b, a = draft.keyframes[later], draft.keyframes[earlier]
         found = align(frames.config, b.frame, a.frame, T)
-        if found.success:
+        if found.reliable:
             edges.append(make_edge(b.place, a.place, found.transformation, found.information, uncertain=True))
     draft.keyframes.clear()  # their pyramids
     return PoseGraph([PoseGraphNode(pose) for pose in draft.poses], edges), len(candidates)

@@ -12,7 +12,7 @@ from ...cameras.trajectory import Trajectory
 from ...core.checks import check_count, check_positive, check_progress
 from ...core.devices import resolve_device
 from ...core.progress import ReportProgress
-from ...core.reports import Fields, all_of, in_columns
+from ...core.reports import Assessed, Fields, in_columns
 from ...core.timing import Clock, check_clock
 from ...core.wording import format_bounds
 from ...files.frames.frames import DEPTH_MAX, READ_AHEAD, FrameSource, can_read, check_frames
@@ -27,14 +27,14 @@ from ..slam.sizes import check_sizes
 from ..slam.tracking import VOXEL_SIZE
 from .fragment_model import FragmentOptions, FragmentsAccount, model_by_fragments, settings_for
 
-EMPTY = "the mesh is empty, and was not written: no voxel was seen often enough; take more frames (a smaller --every)"
+EMPTY = "the mesh is empty: no voxel was seen often enough; use more frames"
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
-class ReconstructionResult:
+class ReconstructionResult(Assessed):
     """A mesh of frames whose poses nobody knew, and how it came about.
 
-    `print(result)` tells it, `result.poor` says what speaks against it.
+    `print(result)` shows its figures, `result.reliable` whether its checks passed.
 
     Attributes:
         mesh: The surface; empty where nothing was seen often enough.
@@ -49,8 +49,8 @@ class ReconstructionResult:
         >>> v, u = np.mgrid[:48, :64]
         >>> depth = np.float32(1.0 + 0.1 * np.sin(u / 5) * np.cos(v / 7))
         >>> result = loom.reconstruct(loom.frames_from([(None, depth)] * 2, camera), voxel_size=0.05)
-        >>> result.method, len(result.trajectory), result.account.loops, result.poor
-        ('slam', 2, (), None)
+        >>> result.method, len(result.trajectory), result.account.loops, result.reliable
+        ('slam', 2, (), True)
     """
 
     mesh: TriangleMesh
@@ -72,15 +72,10 @@ class ReconstructionResult:
         return self.account.trajectory
 
     @property
-    def model_fault(self) -> str | None:
-        """What is wrong with the model, the camera apart, in the words of the command line; None where nothing is."""
-        return self.account.poor or (None if len(self.mesh) else EMPTY)
-
-    @property
-    def poor(self) -> str | None:
-        """What speaks against the result, in the words of the command line; None where nothing does."""
-        doubt = None if self.focal is None else self.focal.doubt
-        return all_of(self.model_fault, doubt)
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks, each with its remedy; empty if the result is reliable."""
+        model = self.account.warnings or (() if len(self.mesh) else (EMPTY,))
+        return (*model, *(() if self.focal is None else self.focal.warnings))
 
     def to_json(self) -> dict[str, Any]:
         """The figures, in JSON's types; not those of `error`."""

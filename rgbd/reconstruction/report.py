@@ -7,7 +7,7 @@ import os
 from dataclasses import dataclass
 from typing import Any
 
-from ...core.reports import Fields, Report, all_of
+from ...core.reports import Fields, Report, quality
 from ...core.wording import format_bytes, format_seconds, plain
 from .fragments import FragmentSet
 from .frames import LostFrame
@@ -89,7 +89,7 @@ class SystemReport(Report):
         trajectory_error: rmse, median and max [m] where the source knows the true poses.
         kept: How many fragments an earlier run had made.
         files: The mesh and the path, where there are any.
-        poor: Why the result is poor, or None.
+        warnings: Failed quality checks; empty if the result is reliable.
         slac: As of `BentPlacement.figures`; None where it was not asked for.
         seconds: Of each stage [s].
         peak_bytes: The most memory that was held [B].
@@ -105,10 +105,15 @@ class SystemReport(Report):
     trajectory_error: dict[str, float] | None
     kept: int
     files: tuple[str, ...]
-    poor: str | None
+    warnings: tuple[str, ...]
     slac: dict[str, Any] | None
     seconds: dict[str, float]
     peak_bytes: int
+
+    @property
+    def reliable(self) -> bool:
+        """True if no quality check failed."""
+        return not self.warnings
 
     @property
     def used(self) -> int:
@@ -132,7 +137,7 @@ class SystemReport(Report):
                 "trajectory_error": self.trajectory_error,
                 "resumed": {"fragments": self.kept},
                 "files": self.files,
-                "poor": self.poor,
+                **quality(self),
                 "slac": self.slac,
                 "seconds": self.seconds,
                 "peak_bytes": self.peak_bytes,
@@ -195,7 +200,7 @@ def report_of(
         trajectory_error=error,
         kept=found.kept,
         files=tuple(os.fspath(path) for path in files),
-        poor=_why_poor(lost, scene, frame_count),
+        warnings=_warnings(lost, scene, frame_count),
         slac=slac,
         seconds=seconds,
         peak_bytes=peak_bytes,
@@ -222,17 +227,17 @@ def _lost_frames(found: FragmentSet, placed: list[bool], scene: Scene | None) ->
     return runs
 
 
-def _why_poor(lost: list[LostRun], scene: Scene | None, frame_count: int) -> str | None:
+def _warnings(lost: list[LostRun], scene: Scene | None, frame_count: int) -> tuple[str, ...]:
     if scene is None:
-        return f"no two of the {frame_count} frames hang together, and nothing was written; {lost[0].reason}"
+        return (f"no two of the {frame_count} frames overlap; {lost[0].reason}",)
     reasons = []
     if scene.mesh_path is None:
-        reasons.append("the mesh is empty, and was not written: no voxel was seen often enough; take more frames")
+        reasons.append("the mesh is empty: no voxel was seen often enough; use more frames")
     if lost:
         count = sum(run.count for run in lost)
         where = f"{lost[0].first} and on" if len(lost) == 1 else f"{len(lost)} runs, the first at {lost[0].first}"
         reasons.append(f"{count} of {frame_count} frames are not in the model ({where}): {lost[0].reason}")
-    return all_of(*reasons)
+    return tuple(reasons)
 
 
 def _slac_line(figures: dict[str, Any]) -> str:

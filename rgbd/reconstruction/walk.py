@@ -158,11 +158,11 @@ class Walk:
         found, reason = None, "there is no frame before it"
         if self._previous is not None:
             found = self._follow(current, self._previous[0])
-            reason = found.reason
-        if found is not None and found.success and self._draft and len(self._draft) < self._limit:
+            reason = "; ".join(found.warnings)
+        if found is not None and found.reliable and self._draft and len(self._draft) < self._limit:
             self._append(frame, current, found)
         else:
-            succeeded = found is not None and found.success
+            succeeded = found is not None and found.reliable
             yield from self._close("" if succeeded else f"{frame.name} cannot be aligned with it: {reason}")
             self._begin(frame, current, found if succeeded else None, reason)
         self._previous = current, frame.index
@@ -174,7 +174,7 @@ class Walk:
     def _follow(self, current: OdometryFrame, previous: OdometryFrame) -> OdometryResult:
         """The motion from the frame before, begun where it is expected, or else from no motion."""
         found = align(self.config, current, previous, self._velocity)
-        if not found.success and not np.array_equal(self._velocity, np.eye(4)):
+        if not found.reliable and not np.array_equal(self._velocity, np.eye(4)):
             found = align(self.config, current, previous, np.eye(4))
         return found
 
@@ -211,7 +211,7 @@ class Walk:
         if self._anchor is None or not 1 < frame.index - self._anchor[1] <= BRIDGE:
             return None
         found = align(self.config, current, self._anchor[0], np.eye(4))
-        if not found.success:
+        if not found.reliable:
             return None
         return Joint(self._anchor[2], np.asarray(found.transformation), frame.index - self._anchor[1] - 1)
 

@@ -63,7 +63,7 @@ class DenseSLAM:
 
     Attributes:
         results: A TrackingResult for each frame so far, in order. `map` says which map a pose is of.
-        stream: The StreamCheck: whether colour and depth are of one moment, `stream.doubt` says what is not.
+        stream: The StreamCheck: whether colour and depth are of one moment, `stream.problem` says why not.
         foreground: The Foreground: whether what is near moves by itself, and is left out.
 
     Raises:

@@ -19,6 +19,7 @@ from ...cameras.trajectory import Trajectory
 from ...core.checks import check_count, check_list, check_positive, check_rigid
 from ...core.devices import resolve_device
 from ...core.errors import FileError
+from ...core.reports import Assessed
 from ...files.frames.frames import DEPTH_MAX, FrameSource, can_read, check_frames, depth_unit
 from ...files.frames.rgbd_sources import RGBDSource
 from ...kernels.linear_algebra import inv, matmul
@@ -37,7 +38,7 @@ MISS = 0.05  # [m] what a pixel counts that is off the other frame's surface
 
 
 @dataclasses.dataclass(frozen=True)
-class FocalCheck:
+class FocalCheck(Assessed):
     """Residuals of turned pairs of frames with the focal length given and with others.
 
     Attributes:
@@ -50,7 +51,7 @@ class FocalCheck:
         >>> from pointloom import FocalCheck
         >>> print(FocalCheck(pairs=8, residual=0.004, factor=1.0, residual_there=0.004))
         8 pairs of turned frames are 4.0 mm off each other, and no other focal length fits better
-        >>> FocalCheck(pairs=8, residual=0.012, factor=1.25, residual_there=0.004).doubt is None
+        >>> FocalCheck(pairs=8, residual=0.012, factor=1.25, residual_there=0.004).reliable
         False
     """
 
@@ -61,17 +62,16 @@ class FocalCheck:
 
     def __str__(self) -> str:
         found = f"{self.pairs} pairs of turned frames are {self.residual * 1000:.1f} mm off each other"
-        return self.doubt or f"{found}, and no other focal length fits better"
+        return "; ".join(self.warnings) or f"{found}, and no other focal length fits better"
 
     @property
-    def doubt(self) -> str | None:
-        """Whether another focal length fits the frames better, in the words of the command line."""
+    def warnings(self) -> tuple[str, ...]:
+        """A message if another focal length fits the frames better; empty otherwise."""
         if self.factor == 1.0:
-            return None
+            return ()
         return (
-            f"the camera may be wrong: frames that are turned against each other fit better with a focal length "
-            f"about {self.factor:g} times as long ({self.residual_there * 1000:.1f} mm off each other instead of "
-            f"{self.residual * 1000:.1f}); give the right one with --intrinsic"
+            f"the camera may be wrong: rotated frames fit better with a focal length about {self.factor:g} times as "
+            f"long ({self.residual_there * 1000:.1f} mm apart, not {self.residual * 1000:.1f}); correct intrinsic",
         )
 
     def to_json(self) -> dict[str, Any]:
@@ -207,7 +207,7 @@ def _residuals(
             for frame in frames
         )
         results.append(align_frames(second, first, start))
-    if not any(result.success for result in results) or min(result.overlap for result in results) < LEAST_OVERLAP:
+    if not any(result.reliable for result in results) or min(result.overlap for result in results) < LEAST_OVERLAP:
         return None
     return [_residual(result) for result in results]
 

@@ -7,7 +7,7 @@ from typing import Any
 
 from ...cameras.trajectory import Trajectory
 from ...core.progress import ReportProgress
-from ...core.reports import Fields
+from ...core.reports import Assessed, Fields
 from ...core.timing import Clock
 from ...files.frames.frames import FrameSource
 from ...files.frames.rgbd_sources import RGBDSource
@@ -21,7 +21,7 @@ from .tracking import make_slam, track_with
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
-class SlamAccount:
+class SlamAccount(Assessed):
     """How tracking and closing loops made a model.
 
     Attributes:
@@ -45,7 +45,7 @@ class SlamAccount:
 
     @property
     def uncertain(self) -> tuple[int, ...]:
-        """Frames whose pose is told with a doubt."""
+        """Frames whose pose is uncertain."""
         return self.path.uncertain
 
     @property
@@ -59,9 +59,9 @@ class SlamAccount:
         return self.path.depth_max
 
     @property
-    def poor(self) -> str | None:
-        """What is wrong with the path, or None."""
-        return self.path.poor
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks, each with its remedy; empty if the result is reliable."""
+        return self.path.warnings
 
     def to_json(self) -> dict[str, Any]:
         """The figures, in JSON's types."""

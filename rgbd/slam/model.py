@@ -64,7 +64,7 @@ class Model:
         >>> frame = loom.RGBDImage(np.zeros((48, 64), np.uint8), depth)
         >>> model = loom.slam.Model(camera, voxel_size=0.02)
         >>> model.integrate(frame, np.eye(4))
-        >>> model.track_frame(frame).success
+        >>> model.track_frame(frame).reliable
         True
     """
 

@@ -57,7 +57,7 @@ class StreamCheck:
         if not is_repeated:
             self._fresh, self.stalled = (view, frame.timestamp), 0
             self.lag.add(shift_of(sums, at.BRIGHT), shift_of(sums, at.NEAR), frame.timestamp)
-            return self.doubt or ""
+            return self.problem or ""
         self.lag.add(shift_of(sums, at.BRIGHT), np.full(2, math.nan), frame.timestamp)
         fresh, since = self._fresh
         assert fresh is not None
@@ -65,15 +65,15 @@ class StreamCheck:
             self.stalled += 1
         age = frame.seconds_since(since)
         is_old = self.stalled > STALLED if math.isnan(age) else age > STALLED_SECONDS
-        return STALE if self.stalled and is_old else self.doubt or ""
+        return STALE if self.stalled and is_old else self.problem or ""
 
     @property
-    def doubt(self) -> str | None:
-        """What is wrong with the streams as a whole; None where nothing is known to be."""
+    def problem(self) -> str | None:
+        """Why color and depth do not belong together; None if they do."""
         if self.lag.frames is None:
             return None
         apart = f"{self.lag.seconds:.1f} s" if not math.isnan(self.lag.seconds) else f"{abs(self.lag.frames)} frames"
-        return f"colour and depth seem to be {apart} apart"
+        return f"color and depth seem to be {apart} apart"
 
 
 def motion_between(now: StreamView, before: StreamView) -> NDArray[np.float64]:

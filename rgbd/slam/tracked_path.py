@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ...cameras.trajectory import Trajectory
 from ...core.dropped_results import returns_new
 from ...core.number_runs import some_frames
-from ...core.reports import Fields, in_columns
+from ...core.reports import Assessed, Fields, in_columns
 from ...core.wording import format_share
 from ...files.frames.frames import why_out_of_reach
 from ...registration.trajectories.trajectory_error import TrajectoryError
@@ -23,17 +23,17 @@ MANY_UNCERTAIN = 0.2  # share of the frames with an uncertain pose, beyond which
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
-class TrackedPath:
+class TrackedPath(Assessed):
     """Where frames were taken, and what became of each, by its number in the sequence, from 0.
 
-    `print(path)` tells it, `path.poor` says what speaks against it.
+    `print(path)` shows its figures, `path.reliable` whether its checks passed.
 
     Attributes:
         trajectory: The poses of the frames that have one, T_world_camera, in the map that most of them are of; ids hold
             the frames' numbers, and it has timestamps where all those frames have them.
         true_poses: The true pose of each of these, float64 [4, 4] [m], or None where nobody knows it.
         frame_count: How many frames there were.
-        uncertain: Frames whose pose is told with a doubt.
+        uncertain: Frames whose pose is uncertain.
         lost: Frames that could not be placed, and why.
         unreadable: Frames that could not be read, and why.
         residuals: Root mean square distance [m] from the model of each placed frame after the first.
@@ -43,7 +43,7 @@ class TrackedPath:
         voxel_size: Edge of a voxel of the model that frames were held against [m].
         depth_max: Farther depth was left out [m].
         device: Where it was computed.
-        doubt: The first reason of an uncertain frame; empty where none is.
+        uncertain_reason: The first reason of an uncertain frame; empty if no frame is uncertain.
         stream: What is wrong with the camera's pictures of colour and depth, one against the other; None where nothing
             is known to be.
         deviations: Standard deviation [m] of the position of each placed frame along its most open direction, by what
@@ -59,8 +59,8 @@ class TrackedPath:
         >>> v, u = np.mgrid[:48, :64]
         >>> depth = np.float32(1.0 + 0.1 * np.sin(u / 5) * np.cos(v / 7))
         >>> path = loom.track(loom.frames_from([(None, depth)] * 3, camera))
-        >>> path.to_json()["tracked"], path.lost, path.poor
-        (3, {}, None)
+        >>> path.to_json()["tracked"], path.lost, path.reliable
+        (3, {}, True)
     """
 
     trajectory: Trajectory
@@ -76,7 +76,7 @@ class TrackedPath:
     voxel_size: float
     depth_max: float
     device: str
-    doubt: str = ""
+    uncertain_reason: str = ""
     stream: str | None = None
     deviations: tuple[float, ...] = ()
     drifted: tuple[int, ...] = ()
@@ -92,8 +92,8 @@ class TrackedPath:
         return error_against_truth(self.trajectory.poses, self.true_poses)
 
     @property
-    def poor(self) -> str | None:
-        """What is wrong with the path, in the words of the command line; None where nothing is."""
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         count, reach = self.frame_count, why_out_of_reach(self.depth_share, self.used_share, self.depth_max)
         reasons = [reason for reason in (reach, self.stream) if reason is not None]
         if lost := self.lost:
@@ -109,12 +109,13 @@ class TrackedPath:
         if self.other_maps:
             reasons.append(self._apart())
         if len(self.uncertain) - len(drifted) > MANY_UNCERTAIN * count:
+            why = self.uncertain_reason
             which = f"{len(self.uncertain)} of {count} poses are uncertain ({some_frames(self.uncertain)})"
-            reasons.append(f"{which}: {self.doubt}" if self.doubt and self.doubt != self.stream else which)
+            reasons.append(f"{which}: {why}" if why and why != self.stream else which)
         if unreadable := self.unreadable:
             first = next(iter(unreadable.values()))
             reasons.append(f"{len(unreadable)} of {count} frames cannot be read and are left out: {first}")
-        return "; ".join(reasons) or None
+        return tuple(reasons)
 
     def _apart(self) -> str:
         """That not all poses lie relative to each other."""
@@ -140,7 +141,7 @@ class TrackedPath:
             "frames": self.frame_count,
             "tracked": len(self.trajectory),
             "uncertain": list(self.uncertain),
-            "doubt": self.doubt,
+            "uncertain_reason": self.uncertain_reason,
             "stream": self.stream,
             "drifted": list(self.drifted),
             "position_deviation_m": max(self.deviations, default=None),

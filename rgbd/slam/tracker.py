@@ -56,7 +56,7 @@ NEAR_AGAIN = 0.05  # [m], [rad] a second alignment from a recognised pose may mo
 PLACE_OFF = 0.15  # and from one that was found by shape, in voxels of some centimetres
 AGREED = 0.06  # [m], [rad] that two frames found by shape may differ by from the motion between them
 HAND, AIM = 10.0, 0.05  # [m/s^2] a hand moves a camera at most, [m] beside it: how far off its velocity may have led
-NOTHING = OdometryResult(False, np.eye(4), np.zeros((6, 6)))
+NOTHING = OdometryResult(np.eye(4), np.zeros((6, 6)), ("no frame",))
 
 
 @dataclasses.dataclass
@@ -267,7 +267,7 @@ class Tracker:
         if before is not None:
             pyramid, its_pose = before
             step = align_frames(frame.pyramid, pyramid)
-            if step.success and _apart(matmul(invert_pose(matmul(its_pose, step.transformation)), pose)) < AGREED:
+            if step.reliable and _apart(matmul(invert_pose(matmul(its_pose, step.transformation)), pose)) < AGREED:
                 return Attempt(pose, result, "tracked")
         self._proposal = frame.pyramid, pose
         return Attempt(pose, result, "lost", "found by its shape; the next frame has to confirm it")
@@ -291,7 +291,7 @@ class Tracker:
         start = expected
         if before is not None:
             found = align_frames(pyramid, before, matmul(invert_pose(last), expected))
-            if found.success:
+            if found.reliable:
                 start = clean_pose(matmul(last, found.transformation))
         return self._try(pyramid, self.model.seen_from(start, weight_threshold=0.0), start, start, expected)
 
@@ -299,7 +299,7 @@ class Tracker:
         """A frame tried at a place: aligned from there, and once more from where that led."""
         found = align_frames(frame.pyramid, self.model.seen_from(pose))
         at = clean_pose(matmul(pose, found.transformation))
-        if found.success or agreement_of(found) > 0.5:
+        if found.reliable or agreement_of(found) > 0.5:
             again = align_frames(frame.pyramid, self.model.seen_from(at))
             moved = again.transformation
             verdict, reason = self._judge(again, least_overlap)
@@ -307,7 +307,7 @@ class Tracker:
                 verdict, reason = "lost", "it has not settled"
             attempt = Attempt(clean_pose(matmul(at, moved)), again, verdict, reason)
             return self._settle(frame, attempt) if verdict == "tracked" else attempt
-        return Attempt(at, found, "lost", found.reason)
+        return Attempt(at, found, "lost", "; ".join(found.warnings))
 
     def _judge(self, result: OdometryResult, least_overlap: float) -> tuple[Verdict, str]:
         """The verdict on a recognition, beside what is usual in this run."""

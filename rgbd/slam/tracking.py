@@ -180,8 +180,9 @@ class _Tally:
                 self._trajectory([n for n, result in placed.items() if result.map == other], results)
                 for other in others
             ),
-            joins=tuple(self.slam.joins), doubt=next((r.reason for r in placed.values() if not r.is_tracked), ""),
-            stream=self.slam.stream.doubt, deviations=tuple(results[n].position_deviation for n in main),
+            joins=tuple(self.slam.joins),
+            uncertain_reason=next((r.reason for r in placed.values() if not r.is_tracked), ""),
+            stream=self.slam.stream.problem, deviations=tuple(results[n].position_deviation for n in main),
             drifted=tuple(n for n, result in placed.items() if result.has_drifted),
             depth_share=depth_share, used_share=used_share, **sizes,
         )  # fmt: skip

@@ -119,8 +119,8 @@ def judge_recognition(
 ) -> tuple[Verdict, str]:
     """The verdict on a frame that was aligned from a place it may be at: it is found, or it stays lost; `usual` and
     `usual_gap` [m] are how far the run's frames are off the model in brightness and in distance."""
-    if not result.success and result.reason != UNDETERMINED:  # whose limit is for frames of full size
-        return "lost", result.reason
+    if not result.reliable and UNDETERMINED not in result.warnings:  # whose limit is for frames of full size
+        return "lost", result.warnings[0]
     if not is_determined(result):
         return "lost", UNDETERMINED
     if agreement_of(result) < SURE_AGREEMENT or result.overlap < least_overlap:
@@ -139,7 +139,7 @@ def is_off_shade(shades: float, usual: float) -> bool:
 
 def speaks_against(result: OdometryResult, other: OdometryResult) -> bool:
     """Whether a pose explains a frame plainly worse than another one does, by what each meets, however much that is."""
-    if not result.success and result.overlap >= RIM_OVERLAP and result.reason != UNDETERMINED:
+    if not result.reliable and result.overlap >= RIM_OVERLAP and UNDETERMINED not in result.warnings:
         return True
     misfit, other_misfit = 1.0 - agreement_of(result), 1.0 - agreement_of(other)
     if misfit > MOST_MISFIT * other_misfit + LEAST_MISFIT:

@@ -20,12 +20,12 @@ def answer(*words: object) -> dict:
     return json.loads(result.stdout)
 
 
-def poor_answer(*words: object) -> dict:
-    """The one JSON object of a command that is done with a poor result, which stderr tells too."""
+def unreliable(*words: object) -> dict:
+    """The one JSON object of a command whose result is unreliable; stderr shows the warnings."""
     result = run(*words, "--json")
     assert result.exit_code == 3, result.stderr
     report = json.loads(result.stdout)
-    assert result.stderr == f"poor result: {report['poor']}\n"
+    assert result.stderr == "".join(f"unreliable result: {warning}\n" for warning in report["warnings"])
     return report
 
 

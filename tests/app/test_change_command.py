@@ -5,7 +5,7 @@ import pytest
 
 import pointloom as loom
 
-from .commands import answer, poor_answer, refusal
+from .commands import answer, refusal, unreliable
 
 UTM = np.array([447_000.0, 5_411_000.0, 300.0])
 
@@ -44,7 +44,7 @@ def test_two_clouds_have_the_distances_of_m3c2(files, device):
     np.testing.assert_array_equal(found["intensity"], before["intensity"])
     np.testing.assert_array_equal(found["points_after"], expected.counts[:, 1])
     assert (told["method"], told["cores"], told["known"]) == ("m3c2", 6000, int(np.isfinite(expected.distances).sum()))
-    assert told["significant"] == expected.is_significant.sum() and told["poor"] is None
+    assert told["significant"] == expected.is_significant.sum() and told["reliable"]
     assert -0.31 < told["median"] < -0.2
     sunk = (found.points[:, 0] - UTM[0] < 5) & (found.points[:, 1] - UTM[1] < 5)
     assert (found["significant"] != 0)[sunk].all() and (found["significant"] != 0)[~sunk].mean() < 0.2
@@ -88,12 +88,12 @@ def test_a_cloud_is_held_against_a_mesh(files):
 
 
 def test_epochs_that_are_not_registered_or_do_not_overlap_are_poor(files):
-    told = poor_answer("change", files / "before.npz", files / "lifted.npz")
-    assert "moved up, by 0.49" in told["poor"] and "register the epochs first" in told["poor"]
-    assert answer("change", files / "before.npz", files / "lifted.npz", "--registration-error", "0.4")["poor"] is None
+    told = unreliable("change", files / "before.npz", files / "lifted.npz")
+    assert "moved up, by 0.49" in str(told["warnings"]) and "register the epochs first" in str(told["warnings"])
+    assert answer("change", files / "before.npz", files / "lifted.npz", "--registration-error", "0.4")["reliable"]
     loom.write_point_cloud(files / "far.npz", survey().translate([0, 0, 50.0]))
-    told = poor_answer("change", files / "before.npz", files / "far.npz", "-o", files / "out.npz")
-    assert told["known"] == 0 and "hardly overlap" in told["poor"] and told["median"] is None
+    told = unreliable("change", files / "before.npz", files / "far.npz", "-o", files / "out.npz")
+    assert told["known"] == 0 and "hardly overlap" in str(told["warnings"]) and told["median"] is None
     assert np.isnan(loom.read_point_cloud(files / "out.npz")["distance"]).all()
 
 

@@ -21,7 +21,7 @@ from pointloom.core.wording import format_bytes
 from pointloom.files.pictures.image_files import write_png
 from pointloom.files.points import ply
 
-from .commands import answer, names_in, poor_answer, refusal, run
+from .commands import answer, names_in, refusal, run, unreliable
 
 ROOT = Path(__file__).resolve().parents[2]
 COMMANDS = (
@@ -231,12 +231,12 @@ def test_a_warning_is_one_line_on_stderr(cloud, tmp_path, monkeypatch):
         with warnings.catch_warnings():
             warnings.simplefilter("always")
             warnings.warn("one core only", RuntimeWarning, stacklevel=1)
-        return ConvertReport(Done("convert", "a.ply", {}, (), (), None), "mesh", 0, 0)
+        return ConvertReport(Done("convert", "a.ply", {}, (), (), ()), "mesh", 0, 0)
 
     monkeypatch.setattr("pointloom.app.jobs.clouds.convert_file", warn)
     result = run("convert", cloud, tmp_path / "out.ply", "--json")
     assert result.stderr == "warning: one core only\n"
-    assert json.loads(result.stdout)["poor"] is None
+    assert json.loads(result.stdout)["reliable"]
 
 
 def test_an_interruption_while_writing_leaves_nothing(cloud, tmp_path, monkeypatch):
@@ -337,7 +337,7 @@ def test_fuse_says_which_camera_it_used(frames, tmp_path):
 def test_a_camera_that_the_pictures_contradict_is_a_poor_result(frames, tmp_path):
     (frames / "camera-intrinsics.json").unlink()
     (frames / "intrinsics.K.txt").write_text("525 0 320\n0 525 240\n0 0 1\n")  # of 640 x 480; these are 160 x 120
-    poor = poor_answer("fuse", frames, "--voxel", "0.1", "-o", tmp_path / "out.ply")["poor"]
+    poor = "; ".join(unreliable("fuse", frames, "--voxel", "0.1", "-o", tmp_path / "out.ply")["warnings"])
     assert f"the camera may be wrong ({frames / 'intrinsics.K.txt'}): its principal point (320, 240) lies far" in poor
     assert "pictures of 160 x 120; it may be that of 640 x 480" in poor
 
@@ -360,7 +360,7 @@ def test_doctor_runs_a_kernel_and_reports_the_number_of_threads(monkeypatch):
     report = answer("doctor")
     assert [t["ok"] for t in report["trials"] if t["device"] == "cpu"] == [True]
     assert (report["cpu_compiler"], report["why"]) == ("warp", "3 threads (POINTLOOM_CPU_THREADS)")
-    assert report["poor"] is None
+    assert report["reliable"]
     assert "healthy" in run("doctor").stdout
     monkeypatch.delenv("POINTLOOM_CPU_THREADS")
     loom.set_num_threads(None)

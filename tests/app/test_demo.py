@@ -7,7 +7,7 @@ import pytest
 from click.testing import CliRunner
 from PIL import Image
 
-from pointloom.app.jobs.demo import LARGEST_RMSE, SurfaceErrors, _why_poor, run_demo
+from pointloom.app.jobs.demo import LARGEST_RMSE, SurfaceErrors, _problem, run_demo
 from pointloom.app.shell.cli import cli
 from pointloom.core.errors import DeviceError, FileError
 from pointloom.data.scenes.room import surface_errors
@@ -55,7 +55,7 @@ def test_vertices_within_half_a_voxel_are_counted():
 def test_without_noise_the_error_is_below_three_tenths_of_a_voxel(tmp_path):
     report = run_demo(tmp_path / "demo", frame_count=60, voxel_size=0.03, noise=False).to_json()
     assert report["errors"]["rmse_voxels"] < 0.3
-    assert report["poor"] is None
+    assert report["reliable"]
     assert LARGEST_RMSE["no noise"] == 0.3
 
 
@@ -129,13 +129,13 @@ def test_a_coarse_demo_is_a_poor_result(tmp_path, monkeypatch):
     monkeypatch.setitem(LARGEST_RMSE, "noise", 0.001)
     result = CliRunner().invoke(cli, ["demo", "-o", str(tmp_path / "demo"), "--frames", "6", "--voxel", "0.08"])
     assert result.exit_code == 3
-    assert "poor result: the root mean square error is" in result.stderr
+    assert "unreliable result: the root mean square error is" in result.stderr
     assert names_in(tmp_path / "demo") == OUTPUTS
 
 
 @pytest.mark.parametrize(("noise", "limit"), [(True, 1.0), (False, 0.3)])
 def test_a_demo_is_poor_beyond_its_own_limit_and_not_at_it(noise, limit):
-    assert _why_poor(errors_of(limit), noise) is None
-    assert "is 0.31 voxels, more than 0.3;" in _why_poor(errors_of(0.31), False)
-    assert f"more than {limit:g}; take more frames" in _why_poor(errors_of(1.01 * limit), noise)
-    assert "the mesh is empty" in _why_poor(None, noise)
+    assert _problem(errors_of(limit), noise) is None
+    assert "is 0.31 voxels, more than 0.3;" in _problem(errors_of(0.31), False)
+    assert f"more than {limit:g}; take more frames" in _problem(errors_of(1.01 * limit), noise)
+    assert "the mesh is empty" in _problem(None, noise)

@@ -10,7 +10,7 @@ from pointloom.cameras.trajectory import Trajectory, read_trajectory, write_traj
 from pointloom.drawing.render.plots import trajectory_plot
 from pointloom.files.pictures.image_files import read_color
 
-from .commands import answer, poor_answer, refusal, run
+from .commands import answer, refusal, run, unreliable
 from .surface_poses import path_of, turned
 
 
@@ -119,10 +119,10 @@ def test_paths_of_two_sensors_are_told_and_compared_with_their_offset(Tr, noise)
     lidar = drive(noise=noise)
     camera = Trajectory(Tr @ drive() @ np.linalg.inv(Tr))
     error = loom.registration.evaluate_trajectory(Trajectory(lidar), camera)
-    assert "--extrinsic" not in error.poor and "two sensors" in error.poor
+    assert "--extrinsic" not in str(error.warnings) and "two sensors" in str(error.warnings)
     for extrinsic in (Tr, error.sensor_offset):
         better = loom.registration.evaluate_trajectory(Trajectory(lidar), camera, extrinsic=extrinsic)
-        assert better.poor is None and better.sensor_offset is None
+        assert better.reliable and better.sensor_offset is None
         assert better.relative_translation.rmse < max(2 * noise, 0.01) < error.relative_translation.rmse
 
 
@@ -141,7 +141,7 @@ def test_paths_of_two_sensors_are_told_and_compared_with_their_offset(Tr, noise)
 )
 def test_other_errors_are_not_taken_for_a_second_sensor(spoil):
     truth = drive()
-    assert loom.registration.evaluate_trajectory(Trajectory(spoil(truth)), Trajectory(truth)).poor is None
+    assert loom.registration.evaluate_trajectory(Trajectory(spoil(truth)), Trajectory(truth)).reliable
 
 
 @pytest.mark.parametrize("key", ["Tr:", "Tr_velo_to_cam:", None])
@@ -150,8 +150,8 @@ def test_evaluate_takes_the_extrinsic_of_kitti(tmp_path, key):
     files = tmp_path / "lidar.kitti", tmp_path / "camera.kitti"
     for path, poses in zip(files, (lidar, KITTI_TR @ lidar @ np.linalg.inv(KITTI_TR)), strict=True):
         write_trajectory(path, Trajectory(poses))
-    poor = poor_answer("evaluate", *files)["poor"]
-    assert "two sensors" in poor and "--extrinsic" in poor
+    warning = unreliable("evaluate", *files)["warnings"][0]
+    assert "two sensors" in warning and "extrinsic" in warning
     calib = tmp_path / "calib.txt"
     if key is None:
         np.savetxt(calib, KITTI_TR)
@@ -159,4 +159,4 @@ def test_evaluate_takes_the_extrinsic_of_kitti(tmp_path, key):
         row = " ".join(map(str, KITTI_TR[:3].ravel()))
         calib.write_text(f"P0: 1 0 0 0 0 1 0 0 0 0 1 0\n{key} {row}\n")
     report = answer("evaluate", *files, "--extrinsic", calib, "--picture", tmp_path / "a.png")
-    assert report["segment_percent"] == pytest.approx(0, abs=1e-6) and report["poor"] is None
+    assert report["segment_percent"] == pytest.approx(0, abs=1e-6) and report["reliable"]

@@ -15,7 +15,7 @@ from pointloom.files.pictures.image_files import write_png
 
 from ..files.sfm_models import ring_model
 from ..files.test_metashape import camera, document
-from .commands import answer, names_in, poor_answer, refusal, run
+from .commands import answer, names_in, refusal, run, unreliable
 
 
 def test_info_tells_what_a_cloud_holds(tmp_path):
@@ -225,8 +225,8 @@ def test_downsample_is_the_library_s(cloud, device, tmp_path):
 
 def test_a_cloud_without_finite_points_is_a_poor_result(tmp_path):
     loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(np.full((4, 3), np.nan)))
-    report = poor_answer("downsample", tmp_path / "a.ply", tmp_path / "b.ply", "--voxel", "1")
-    assert report["files"] == [] and "no point is finite" in report["poor"]
+    report = unreliable("downsample", tmp_path / "a.ply", tmp_path / "b.ply", "--voxel", "1")
+    assert report["files"] == [] and "no point is finite" in str(report["warnings"])
     assert names_in(tmp_path) == ["a.ply"]
     assert run("normals", tmp_path / "a.ply", tmp_path / "b.ply", "--radius", "1").exit_code == 3
 

@@ -36,7 +36,7 @@ class Still(Wall):
 def test_a_folder_becomes_a_mesh_and_a_picture(device, folder, tmp_path):
     outputs = ModelOutputs(tmp_path / "mesh.ply", picture=tmp_path / "mesh.png")
     report = fuse_folder(folder, outputs, voxel_size=0.05, device=device).to_json()
-    assert report["poor"] is None
+    assert report["reliable"]
     assert report["layout"] == "7scenes"
     assert report["frames"] == 12
     assert report["triangles"] > 1000
@@ -54,7 +54,7 @@ def test_stl_comes_without_the_colours_that_it_cannot_hold(folder, tmp_path):
 @pytest.mark.parametrize("depth_max", [0.05, 0.3])
 def test_frames_out_of_reach_are_a_poor_result(folder, tmp_path, depth_max):
     report = fuse_folder(folder, ModelOutputs(tmp_path / "mesh.ply"), voxel_size=0.02, depth_max=depth_max).to_json()
-    assert "--depth-max" in report["poor"]
+    assert "depth_max" in str(report["warnings"])
     assert report["files"] == [] == names_in(tmp_path)
 
 
@@ -70,7 +70,7 @@ def test_the_kitchen_becomes_a_mesh(device, real_file, tmp_path):
     kitchen, options = real_file("rgbd-7scenes-redkitchen"), FolderOptions(every=50)
     outputs = ModelOutputs(tmp_path / "kitchen.ply")
     report = fuse_folder(kitchen, outputs, options=options, voxel_size=0.04, device=device).to_json()
-    assert report["poor"] is None
+    assert report["reliable"]
     assert report["frames"] == 6
     assert report["used_share"] > 0.8
     assert report["triangles"] > 10_000
@@ -123,5 +123,5 @@ def test_a_view_shows_the_whole_scene_however_the_cameras_looked(way):
 def test_frames_without_depth_are_a_poor_result_that_sends_to_the_depth_maps(tmp_path, monkeypatch):
     monkeypatch.setattr("pointloom.app.jobs.frame_folder.open_dataset", lambda *_, **__: Still(depth=0))
     report = fuse_folder(tmp_path, ModelOutputs(tmp_path / "mesh.ply"), voxel_size=0.05).to_json()
-    assert report["poor"].startswith("only 0.0% of the pixels have a depth; check the depth maps")
+    assert "; ".join(report["warnings"]).startswith("only 0.0% of the pixels have a depth; check the depth maps")
     assert report["files"] == [] and not (tmp_path / "mesh.ply").exists()

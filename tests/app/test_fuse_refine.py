@@ -8,7 +8,7 @@ import pytest
 from pointloom.cameras.trajectory import read_trajectory
 from pointloom.rgbd.fusion.refine import PoseRefinement
 
-from .commands import answer, poor_answer, refusal, run
+from .commands import answer, refusal, run, unreliable
 
 COARSE = ["--voxel", 0.05]
 
@@ -58,8 +58,8 @@ def test_a_pose_that_does_not_fit_is_kept_and_counted(walked, tmp_path):
 
 def test_poses_that_all_lie_elsewhere_are_a_poor_result(walked, tmp_path):
     shift_poses(walked, [[0, 0, 2.0 * i] for i in range(8)])
-    report = poor_answer("fuse", walked, "-o", tmp_path / "mesh.ply", *COARSE, "--refine")
-    assert "7 of 8 poses could not be refined and are as given" in report["poor"]
+    report = unreliable("fuse", walked, "-o", tmp_path / "mesh.ply", *COARSE, "--refine")
+    assert "7 of 8 poses could not be refined" in str(report["warnings"])
     assert report["triangles"] > 0
 
 
@@ -80,4 +80,4 @@ def test_more_than_half_kept_is_poor(kept, is_poor):
     refined = (0.0,) * (10 - kept)
     refinement = PoseRefinement({i + 1: "r" for i in range(kept)}, refined, refined)
     assert refinement.frame_count == 11
-    assert (refinement.poor is not None) == is_poor
+    assert (not refinement.reliable) == is_poor

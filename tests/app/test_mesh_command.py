@@ -9,13 +9,12 @@ from PIL import Image
 
 import pointloom as loom
 from pointloom import TriangleMesh
-from pointloom.core.audience import to_shell
 from pointloom.drawing.render.surface_picture import looks_inwards
 from pointloom.meshing.mesh.cloud_surface import _find_off
 from pointloom.meshing.mesh.mesh_summary import describe_surface
 from pointloom.meshing.mesh.surface_result import MadeUp, NormalsUsed, PointsOff, SurfaceResult
 
-from .commands import answer, names_in, poor_answer, refusal, run
+from .commands import answer, names_in, refusal, run, unreliable
 
 
 @pytest.fixture
@@ -62,7 +61,7 @@ def test_the_surface_is_the_library_s_with_normals_made_and_the_sparsest_vertice
     assert (report["points_in"], report["points"], report["not_carried"]) == (3001, 3000, ["intensity"])
     assert (report["vertices"], report["triangles"], report["parts"]) == (len(mesh.vertices), len(mesh), 1)
     assert report["normals"].startswith("made of the 30 nearest points of each and oriented: the input has none")
-    assert report["disagreement"] == 0 and report["poor"] is None
+    assert report["disagreement"] == 0 and report["reliable"]
     assert 0.97 < report["area"] / (4 * np.pi) < 1.01
     assert report["files"] == [str(tmp_path / "out.ply"), str(tmp_path / "out.png")]
     picture = np.asarray(Image.open(tmp_path / "out.png"))
@@ -87,10 +86,10 @@ def test_a_surface_made_up_around_an_open_scan_is_poor_and_the_quantile_proposed
     points[:, 2] = -np.abs(points[:, 2])
     loom.write_point_cloud(tmp_path / "bowl.ply", loom.PointCloud(points, normals=points))
     words = ["mesh", tmp_path / "bowl.ply", tmp_path / "out.ply", "--depth", 6, "--density-quantile"]
-    report = poor_answer(*words, 0.001)
+    report = unreliable(*words, 0.001)
     assert report["made_up"] > 0.1 and report["area"] > 1.1 * 2 * np.pi
     assert report["far"] == pytest.approx(3 * 2 * np.sqrt(10 / 4000 / 2), rel=0.1)  # 10 of them lie in a cap of a 400th
-    better = report["poor"].split("take --density-quantile ")[1].split(";")[0]
+    better = "; ".join(report["warnings"]).split("take density_quantile ")[1].split(";")[0]
     mended = answer(*words, better, "--force")
     assert mended["made_up"] <= 0.05 and 2 * np.pi < mended["area"] < report["area"]
     shown = run(*words, better, "--force").stdout
@@ -102,9 +101,9 @@ def test_normals_of_the_input_are_used_and_doubted_where_they_disagree(ball, tmp
     cloud.normals = cloud.points * np.where(np.arange(3000) % 3 == 0, -1, 1)[:, None]
     loom.write_point_cloud(tmp_path / "mixed.ply", cloud)
     words = ["mesh", tmp_path / "mixed.ply", tmp_path / "out.ply", "--depth", 4]
-    report = poor_answer(*words)
+    report = unreliable(*words)
     assert report["normals"] == "of the input" and 0.3 < report["disagreement"] < 0.6
-    assert "of neighbouring normals point to opposite sides; give --new-normals, or orient" in report["poor"]
+    assert "point to opposite sides; give new_normals" in str(report["warnings"])
     report = answer(*words, "--new-normals", "--force")
     assert report["normals"] == "made of the 30 nearest points of each and oriented" and report["disagreement"] == 0
 
@@ -160,23 +159,23 @@ def test_radii_and_alpha_reach_the_library(ball, tmp_path, monkeypatch):
 @pytest.mark.parametrize("method", ["poisson", "ball", "alpha"])
 def test_an_empty_surface_is_poor_and_nothing_is_written(ball, tmp_path, monkeypatch, method):
     stand_in(monkeypatch, method, TriangleMesh())
-    report = poor_answer("mesh", ball, tmp_path / "out.ply", "--method", method, "--picture", tmp_path / "out.png")
-    assert report["poor"].startswith("the mesh is empty, and nothing was written; take ")
+    report = unreliable("mesh", ball, tmp_path / "out.ply", "--method", method, "--picture", tmp_path / "out.png")
+    assert report["warnings"][0].startswith("the mesh is empty")
     assert report["files"] == [] and names_in(tmp_path) == ["ball.ply"]
 
 
 def test_a_cloud_without_a_finite_point_is_poor(tmp_path):
     loom.write_point_cloud(tmp_path / "bad.ply", loom.PointCloud(np.full((4, 3), np.nan)))
     for method in ("poisson", "ball", "alpha"):
-        report = poor_answer("mesh", tmp_path / "bad.ply", tmp_path / "out.ply", "--method", method)
-        assert report["poor"] == "no point is finite, so there is no surface; nothing was written"
+        report = unreliable("mesh", tmp_path / "bad.ply", tmp_path / "out.ply", "--method", method)
+        assert "; ".join(report["warnings"]) == "no point is finite, so there is no surface"
 
 
 def test_a_torn_surface_is_poor_and_written(ball, tmp_path, monkeypatch):
     mesh = grid()
     stand_in(monkeypatch, "ball", mesh.remove_triangles_by_mask(np.arange(len(mesh)) % 5 == 0))
-    report = poor_answer("mesh", ball, tmp_path / "out.ply", "--method", "ball")
-    assert "the mesh is torn: " in report["poor"] and "take larger --radii" in report["poor"]
+    report = unreliable("mesh", ball, tmp_path / "out.ply", "--method", "ball")
+    assert "the mesh is torn: " in str(report["warnings"]) and "take larger radii" in str(report["warnings"])
     assert report["files"] == [str(tmp_path / "out.ply")]
 
 
@@ -196,12 +195,12 @@ LIMITS = {"triangles": 900, "edges": 1000, "boundary_edges": 100, "crowded_edges
 NEEDLESS = NormalsUsed("not needed", given=False, disagreement=None)
 
 
-def why_poor(method, made_up=0.05, **figures):
+def warnings_of(method, made_up=0.05, **figures):
     """What the command says of a surface at all limits but for some figures."""
     summary = dataclasses.replace(describe_surface(TriangleMesh()), **LIMITS | figures)
     found = MadeUp(made_up, far=0.2, better_quantile=0.1)
     result = SurfaceResult(TriangleMesh(), method, {}, NEEDLESS, 5, 5, (), summary, found)
-    return result.why_poor(to_shell)
+    return result.warnings
 
 
 @pytest.mark.parametrize(
@@ -214,21 +213,17 @@ def why_poor(method, made_up=0.05, **figures):
     ],
 )
 def test_a_surface_is_poor_beyond_a_limit_and_not_at_it(figures, word):
-    for method, remedy in (("poisson", "--density-quantile"), ("ball", "--radii")):
-        assert why_poor(method) is None
-        said = why_poor(method, **figures)
-        assert (
-            said is not None
-            and word in said
-            and any(w in said for w in (remedy, "three triangles", "--density-quantile 0.1"))
-        )
+    for method, remedy in (("poisson", "density_quantile"), ("ball", "radii")):
+        assert not warnings_of(method)
+        said = str(warnings_of(method, **figures))
+        assert word in said and any(w in said for w in (remedy, "three triangles", "density_quantile 0.1"))
 
 
 def test_an_alpha_shape_may_have_a_tenth_of_crowded_edges_and_hollows_are_told_apart_from_nothing():
-    assert why_poor("alpha", crowded_edges=100) is None
-    assert "10.1% of its edges have three triangles" in str(why_poor("alpha", crowded_edges=101))
-    said = str(why_poor("alpha", largest_share=0.5))
-    assert "50.0% of the area are islands or the walls of hollows, 2 of them" in said and "a larger --alpha" in said
+    assert not warnings_of("alpha", crowded_edges=100)
+    assert "10.1% of its edges have three triangles" in str(warnings_of("alpha", crowded_edges=101))
+    said = str(warnings_of("alpha", largest_share=0.5))
+    assert "50.0% of the area are islands or the walls of hollows, 2 of them" in said and "a larger alpha" in said
 
 
 def test_a_surface_that_leaves_half_of_its_points_out_is_poor():
@@ -238,23 +233,23 @@ def test_a_surface_that_leaves_half_of_its_points_out_is_poor():
     for far, is_poor in ((300, False), (900, True)):
         points = np.vstack([near, rng.uniform(-1, 1, (far, 3)) * [1, 1, 0.1] + [0, 0, 0.5]])
         off = _find_off(loom.PointCloud(points), sheet)
-        assert off.median is not None and (off.why_poor is not None) == is_poor
-    assert off.median == pytest.approx(0.4, abs=0.1) and "half of the points lie farther than 0.4" in str(off.why_poor)
-    assert PointsOff().why_poor is None  # no surface is told elsewhere
+        assert off.median is not None and (off.problem is not None) == is_poor
+    assert off.median == pytest.approx(0.4, abs=0.1) and "half of the points are farther than 0.4" in str(off.problem)
+    assert PointsOff().problem is None  # no surface is told elsewhere
 
 
 def test_an_alpha_shape_that_spans_a_hollow_is_poor():
     x, y = np.random.default_rng(1).uniform(-1, 1, (2, 1500))
     bowl = loom.PointCloud(np.column_stack([x, y, 0.2 * (x * x + y * y)]))  # a few spacings deep
     spanned, followed = (loom.create_surface(bowl, "alpha", alpha=alpha) for alpha in (10.0, 0.1))
-    assert "made up to close the surface; take a smaller alpha" in str(spanned.poor)
-    assert "made up" not in str(followed.poor)
+    assert "made up to close the surface; take a smaller alpha" in str(spanned.warnings)
+    assert "made up" not in str(followed.warnings)
 
 
 def test_normals_are_doubted_beyond_a_tenth():
     made = NormalsUsed("made of the 30 nearest points", given=False, disagreement=0.1)
-    assert made.why_doubted() is None
-    said = dataclasses.replace(made, disagreement=0.2).why_doubted()
+    assert made.problem is None
+    said = dataclasses.replace(made, disagreement=0.2).problem
     assert said is not None and "though they were oriented" in said
 
 

@@ -8,7 +8,7 @@ import pytest
 import pointloom as loom
 from pointloom.cameras.trajectory import read_trajectory
 
-from .commands import answer, names_in, poor_answer, refusal, run
+from .commands import answer, names_in, refusal, run, unreliable
 from .surface_poses import VOXEL, bumpy, moved, turned
 
 PLACES = (turned(0, 0, 0, 0), turned(120, 3, 0, 1), turned(-70, -2, 5, 0))  # T_scene_cloud
@@ -56,9 +56,9 @@ def test_multiway_brings_all_clouds_into_one_frame(views, tmp_path):
 
 def test_a_cloud_that_cannot_be_placed_is_a_poor_result(views, tmp_path, rng):
     loom.write_point_cloud(views / "view5.ply", loom.PointCloud(rng.random((4000, 3))))
-    report = poor_answer("multiway", views, *VOXEL, "-o", tmp_path / "poses.log", "--loops", 3)
+    report = unreliable("multiway", views, *VOXEL, "-o", tmp_path / "poses.log", "--loops", 3)
     assert report["not_placed"] == ["view5.ply"]
-    assert "1 of 4 clouds could not be placed: view5.ply; try another --voxel" in report["poor"]
+    assert "1 of 4 clouds could not be placed: view5.ply; try another --voxel" in str(report["warnings"])
     assert [T is None for T in report["poses"]] == [False, True, False, False]
     ids = read_trajectory(tmp_path / "poses.log").ids
     assert ids is not None
@@ -68,8 +68,8 @@ def test_a_cloud_that_cannot_be_placed_is_a_poor_result(views, tmp_path, rng):
 def test_clouds_that_have_nothing_in_common_write_nothing(views, tmp_path, rng):
     for path in sorted(views.iterdir())[:2]:
         loom.write_point_cloud(path, loom.PointCloud(rng.random((4000, 3))))
-    report = poor_answer("multiway", views, *VOXEL, "-o", tmp_path / "poses.log", "--merged", tmp_path / "all.ply")
-    assert "no two of the 3 clouds lie on each other; nothing was written" in report["poor"]
+    report = unreliable("multiway", views, *VOXEL, "-o", tmp_path / "poses.log", "--merged", tmp_path / "all.ply")
+    assert "no two of the 3 clouds lie on each other; nothing was written" in str(report["warnings"])
     assert report["files"] == []
     assert names_in(tmp_path) == ["views"]
 
@@ -96,18 +96,18 @@ def test_a_job_gives_the_poses_of_one_process_and_a_verdict_of_each_pair(views, 
     places = loom.Trajectory(np.array(PLACES), ids=np.array([[k, k, 3] for k in range(3)]))
     loom.write_trajectory(tmp_path / "places.log", places, format="log")
     how = ["multiway", views, *VOXEL, "--force", "-o"]
-    poor_answer(*how, tmp_path / "memory.log")
+    unreliable(*how, tmp_path / "memory.log")
     by_job = [*how, tmp_path / "job.log", "--job", tmp_path / "job", "--device", "cpu"]
-    report = poor_answer(*by_job, "--places", tmp_path / "places.log", "--place-error", 0.1)
+    report = unreliable(*by_job, "--places", tmp_path / "places.log", "--place-error", 0.1)
     assert (tmp_path / "job.log").read_bytes() == (tmp_path / "memory.log").read_bytes()
-    assert report["not_placed"] == ["view20.ply"] and "could not be placed: view20.ply" in report["poor"]
+    assert report["not_placed"] == ["view20.ply"] and "could not be placed: view20.ply" in str(report["warnings"])
     verdicts = {(pair["target"], pair["source"]): (pair["by"], pair["verdict"]) for pair in report["tried"]}
     assert len(verdicts) == 6
     assert verdicts["view2.ply", "view9.ply"] == ("place", "kept")
     by, doubt = verdicts["view2.ply", "view20.ply"]
     assert by == "look" and doubt not in ("kept", "dropped", "apart", "")
     written = (tmp_path / "job.log").stat().st_mtime_ns
-    assert poor_answer(*by_job, "--places", tmp_path / "places.log", "--place-error", 0.1)["tried"] == report["tried"]
+    assert unreliable(*by_job, "--places", tmp_path / "places.log", "--place-error", 0.1)["tried"] == report["tried"]
     assert (tmp_path / "job.log").stat().st_mtime_ns > written
     said = refusal(*how, tmp_path / "other.log", "--job", tmp_path / "job", "--voxel", 0.2)
     assert "voxel_size 0.2" in said

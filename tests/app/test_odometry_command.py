@@ -13,7 +13,7 @@ from pointloom.app.shell import console
 from pointloom.cameras.trajectory import Trajectory, read_trajectory, write_trajectory
 from pointloom.registration import LidarOdometry
 
-from .commands import answer, names_in, poor_answer, refusal, run
+from .commands import answer, names_in, refusal, run, unreliable
 from .surface_poses import moved, path_of
 
 
@@ -70,10 +70,10 @@ def test_odometry_writes_each_format_and_sums_up(drive, tmp_path):
 def test_a_scan_that_does_not_overlap_is_a_poor_result(drive, tmp_path, rng):
     stray = np.column_stack([rng.uniform(20, 25, (500, 3)), np.ones(500)]).astype(np.float32)
     stray.tofile(drive / "scan10.bin")
-    report = poor_answer("odometry", drive, "-o", tmp_path / "poses.txt", "--max-range", 50, "--min-range", 0.5)
+    report = unreliable("odometry", drive, "-o", tmp_path / "poses.txt", "--max-range", 50, "--min-range", 0.5)
     assert report["predicted"] == [2]
-    assert "1 of 5 scans" in report["poor"]
-    assert "torn at scan 2" in report["poor"]
+    assert "1 of 5 scans" in str(report["warnings"])
+    assert "torn at scan 2" in str(report["warnings"])
     assert len(read_trajectory(tmp_path / "poses.txt")) == 5
     shown = run("odometry", drive, "-o", tmp_path / "b.txt", "--max-range", 50, "--min-range", 0.5)
     assert "predicted  1: scan 2" in shown.stdout
@@ -86,10 +86,10 @@ def test_a_path_that_was_lost_is_a_poor_result_and_names_the_scans(real_file, tm
     for number in range(5):  # submaps of a drive, 3 to 12 m apart
         points = np.fromfile(real_file(f"reg-gtsam-points/kitti_07_dump/{number:06}/points.bin"), "<f4")
         loom.write_point_cloud(folder / f"{number}.ply", loom.PointCloud(points.reshape(-1, 3)[::3]))
-    report = poor_answer("odometry", folder, "-o", tmp_path / "a.txt", "--device", "cpu")
+    report = unreliable("odometry", folder, "-o", tmp_path / "a.txt", "--device", "cpu")
     assert report["strayed"][0] == 3  # the first two are turned by 32 and 49 degrees, and found
-    assert "scans lie beside the map of those before them (scan 3" in report["poor"]
-    assert "likely lost from scan 3 on" in report["poor"]
+    assert "scans lie beside the map of those before them (scan 3" in str(report["warnings"])
+    assert "likely lost from scan 3 on" in str(report["warnings"])
 
 
 def test_scans_that_do_not_come_to_rest_are_named(drive, tmp_path, monkeypatch):
@@ -101,9 +101,9 @@ def test_scans_that_do_not_come_to_rest_are_named(drive, tmp_path, monkeypatch):
 
     found = LidarOdometry._match
     monkeypatch.setattr(LidarOdometry, "_match", restless)
-    report = poor_answer("odometry", drive, "-o", tmp_path / "a.txt", *INDOORS)
+    report = unreliable("odometry", drive, "-o", tmp_path / "a.txt", *INDOORS)
     assert report["unsettled"] == [1, 2, 4]
-    assert report["poor"] == "3 of 5 scans did not come to rest on the map (scan 1-2, 4)"
+    assert report["warnings"] == ["3 of 5 scans did not come to rest on the map (scan 1-2, 4)"]
     steps = iter([False, False, True, False, False])
     shown = run("odometry", drive, "-o", tmp_path / "b.txt", *INDOORS)
     assert shown.exit_code == 3  # a quarter of four
@@ -112,8 +112,8 @@ def test_scans_that_do_not_come_to_rest_are_named(drive, tmp_path, monkeypatch):
 def test_scans_out_of_range_write_nothing(drive, tmp_path):
     truth = tmp_path / "truth.txt"
     write_trajectory(truth, Trajectory(path_of(5)), format="kitti")
-    report = poor_answer("odometry", drive, "-o", tmp_path / "a.txt", "--min-range", 90, "--truth", truth)
-    assert "no scan has points from 90 to 100 m of the scanner; nothing was written" in report["poor"]
+    report = unreliable("odometry", drive, "-o", tmp_path / "a.txt", "--min-range", 90, "--truth", truth)
+    assert "no scan has points in range" in str(report["warnings"])
     assert (report["files"], report["errors"]) == ([], None)
     assert not (tmp_path / "a.txt").exists()
 

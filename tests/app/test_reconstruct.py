@@ -18,7 +18,7 @@ from pointloom.rgbd.slam import corrections, looped_model
 from pointloom.rgbd.slam.tracking import make_slam, track_with
 
 from ..scan_cases import on_sets
-from .commands import answer, names_in, poor_answer, refusal, run
+from .commands import answer, names_in, refusal, run, unreliable
 
 COARSE = ["--voxel", 0.05]
 
@@ -55,9 +55,9 @@ def test_reconstruct_sums_up(walked, tmp_path):
 @pytest.mark.slow
 def test_frames_that_are_lost_are_a_poor_result_with_a_mesh(walked, tmp_path):
     cover(walked, 5, 6)
-    report = poor_answer("reconstruct", walked, "-o", tmp_path / "mesh.ply", *COARSE)
+    report = unreliable("reconstruct", walked, "-o", tmp_path / "mesh.ply", *COARSE)
     assert [entry["frame"] for entry in report["lost"]] == [5, 6]
-    assert "2 of 8 frames were lost (frame 5-6) and are left out: " in report["poor"]
+    assert "2 of 8 frames were lost (frame 5-6) and are left out: " in str(report["warnings"])
     assert len(read_triangle_mesh(tmp_path / "mesh.ply")) > 1000
 
 
@@ -127,7 +127,7 @@ def test_a_frame_that_cannot_be_read_shifts_no_pose_of_another(walked, tmp_path,
     made_up([SimpleNamespace(source=1, target=0)])
     path = walked / "frame-000002.depth.png"
     path.write_bytes(path.read_bytes()[:-200])
-    report = poor_answer("reconstruct", walked, "-o", tmp_path / "a.ply", *COARSE, "--trajectory", tmp_path / "a.log")
+    report = unreliable("reconstruct", walked, "-o", tmp_path / "a.ply", *COARSE, "--trajectory", tmp_path / "a.log")
     assert [entry["frame"] for entry in report["unreadable"]] == [2]
     assert read_trajectory(tmp_path / "a.log").ids[:, 0].tolist() == [0, 1, 3, 4, 5, 6, 7]
     assert report["corrected_m"] == pytest.approx(0.06, abs=1e-9)
@@ -204,9 +204,9 @@ def test_an_interrupted_run_is_taken_up(walked, tmp_path):
 @pytest.mark.slow
 def test_frames_that_are_not_in_the_model_are_told(walked, tmp_path, small_fragments):
     cover(walked, 7)
-    report = poor_answer("reconstruct", walked, "-o", tmp_path / "mesh.ply", *small_fragments)
+    report = unreliable("reconstruct", walked, "-o", tmp_path / "mesh.ply", *small_fragments)
     assert report["used"] == 7
-    assert "1 of 8 frames are not in the model" in report["poor"]
+    assert "1 of 8 frames are not in the model" in str(report["warnings"])
     shown = run("reconstruct", walked, "-o", tmp_path / "b.ply", *small_fragments)
     assert shown.exit_code == 3
     assert "lost       frame-000007: " in shown.stdout

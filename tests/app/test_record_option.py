@@ -10,7 +10,7 @@ from PIL import Image
 
 import pointloom as loom
 
-from .commands import answer, names_in, poor_answer, refusal, run
+from .commands import answer, names_in, refusal, run, unreliable
 from .surface_poses import NEAR, VOXEL, bumpy, moved, path_of
 
 
@@ -67,7 +67,7 @@ def test_a_poor_result_is_recorded_too(tmp_path, rng):
     for k, offset in enumerate((0, 50)):
         loom.write_point_cloud(tmp_path / f"{k}.ply", loom.PointCloud(bumpy(rng) + np.array([offset, 0, 0])))
     words = [tmp_path / "0.ply", tmp_path / "1.ply", *VOXEL, "--init", "identity", "--record", tmp_path / "r.html"]
-    assert poor_answer("register", *words)["files"] == [str(tmp_path / "r.html")]
+    assert unreliable("register", *words)["files"] == [str(tmp_path / "r.html")]
 
 
 def test_odometry_records_scan_by_scan(drive, tmp_path):

@@ -12,7 +12,7 @@ from pointloom.registration.globally import pair as pair_module
 from pointloom.registration.globally.pair import METHODS
 
 from ..registration.room_corners import ONE, OTHER, corner
-from .commands import answer, chosen_device, names_in, poor_answer, refusal, run
+from .commands import answer, chosen_device, names_in, refusal, run, unreliable
 from .surface_poses import NEAR, POSE, VOXEL, bumpy, colors_at, moved, turned
 
 
@@ -164,8 +164,8 @@ def test_coordinates_of_maps_do_no_harm(near, tmp_path):
 
 def test_surfaces_that_do_not_meet_are_a_poor_result_that_is_written(pair, tmp_path):
     np.savetxt(tmp_path / "T.txt", turned(120, 0.3, 0.3, 0) @ POSE)
-    report = poor_answer("register", *pair, *VOXEL, "--init", tmp_path / "T.txt", "-o", tmp_path / "out.txt")
-    assert "not above 0.5: the surfaces hardly lie on each other; try --init global" in report["poor"]
+    report = unreliable("register", *pair, *VOXEL, "--init", tmp_path / "T.txt", "-o", tmp_path / "out.txt")
+    assert "not above 0.5: the surfaces hardly overlap; try --init global" in str(report["warnings"])
     assert report["score"] < 0.5
     np.testing.assert_array_equal(np.loadtxt(tmp_path / "out.txt"), report["transformation"])
 
@@ -175,21 +175,21 @@ def test_rooms_that_share_nothing_but_walls_are_a_poor_result(tmp_path, rng, ini
     paths = tmp_path / "a.ply", tmp_path / "b.ply"
     for path, boxes in zip(paths, (ONE, OTHER), strict=True):
         loom.write_point_cloud(path, loom.PointCloud(corner(rng, boxes, 20000)))
-    report = poor_answer("register", *paths, *VOXEL, "--init", init)
+    report = unreliable("register", *paths, *VOXEL, "--init", init)
     assert report["score"] < 0.1 and report["fitness"] > 0.3
-    assert init == "identity" or "three planes" in report["poor"]
+    assert init == "identity" or "three planes" in str(report["warnings"])
 
 
 def test_a_score_of_a_half_is_a_poor_result(near, monkeypatch):
     monkeypatch.setattr(pair_module, "rate_registration", lambda *_: 0.5)
-    assert poor_answer("register", *near, *VOXEL, "--init", "identity")["score"] == 0.5
+    assert unreliable("register", *near, *VOXEL, "--init", "identity")["score"] == 0.5
 
 
 def test_without_a_correspondence_nothing_is_written(pair, tmp_path):
     outputs = ["-o", tmp_path / "T.txt", "--aligned", tmp_path / "c.ply", "--picture", tmp_path / "p.png"]
-    report = poor_answer("register", *pair, *VOXEL, "--init", "identity", *outputs)
+    report = unreliable("register", *pair, *VOXEL, "--init", "identity", *outputs)
     assert report["files"] == []
-    assert "no point of the source has a correspondence; nothing was written" in report["poor"]
+    assert "no point of the source has a correspondence; nothing was written" in str(report["warnings"])
     assert names_in(tmp_path) == ["a.ply", "b.ply"]
 
 
@@ -197,9 +197,9 @@ def test_a_small_share_of_correspondences_is_a_poor_result(near, tmp_path):
     target = loom.read_point_cloud(near[1]).points
     far = moved(target, turned(0, 0, 0, 50))
     loom.write_point_cloud(tmp_path / "c.ply", loom.PointCloud(np.vstack([target[:80], far])))
-    report = poor_answer("register", tmp_path / "c.ply", near[1], *VOXEL, "--init", "identity")
+    report = unreliable("register", tmp_path / "c.ply", near[1], *VOXEL, "--init", "identity")
     assert 0 < report["fitness"] < 0.1
-    assert "of the source, less than 10%, has a correspondence" in report["poor"]
+    assert "of the source, less than 10%, has a correspondence" in str(report["warnings"])
 
 
 @pytest.mark.parametrize(
@@ -276,6 +276,6 @@ def test_a_pose_that_is_known_holds_a_plane(tmp_path, rng):
     known[0, 3] = 0.1
     np.savetxt(tmp_path / "gnss.txt", known)
     prior = "--prior", tmp_path / "gnss.txt", "--prior-sigma", "0.05", "1"
-    report = poor_answer("register", *paths, "--voxel", "0.1", "--init", "identity", *prior)  # planes prove nothing
+    report = unreliable("register", *paths, "--voxel", "0.1", "--init", "identity", *prior)  # planes prove nothing
     assert len(report["prior_directions"]) == 3
     np.testing.assert_allclose(np.array(report["transformation"])[:3, 3], [0.1, 0, 0], atol=0.01)

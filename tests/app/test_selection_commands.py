@@ -6,7 +6,7 @@ import pytest
 import pointloom as loom
 from pointloom.app.jobs.cluster import TAB20
 
-from .commands import answer, names_in, poor_answer, refusal, run
+from .commands import answer, names_in, refusal, run, unreliable
 from .toolbox_scene import FIRST_BLOB, FLOOR, NOT_FINITE, REPEATED, SECOND_BLOB, STRAY, rows_of
 
 
@@ -63,13 +63,13 @@ def test_clean_checks_the_file_of_removed_points_first(cloud, tmp_path):
 
 def test_a_radius_that_removes_most_points_is_a_poor_result(cloud, tmp_path):
     words = ["clean", cloud, tmp_path / "out.ply", "--min-neighbors", "3", "--radius"]
-    report = poor_answer(*words, "0.05")
-    assert "have fewer than 3 others within 0.05 m" in report["poor"]
-    better = report["poor"].split("as many within ")[1].split(" m")[0]
+    report = unreliable(*words, "0.05")
+    assert "have fewer than 3 others within 0.05 m" in str(report["warnings"])
+    better = "; ".join(report["warnings"]).split("as many within ")[1].split(" m")[0]
     assert answer(*words, better, "--force")["points"] >= 250
-    report = poor_answer(*words, "0.0001", "--force")
+    report = unreliable(*words, "0.0001", "--force")
     assert (report["points"], report["files"]) == (0, [])
-    assert "nothing was written" in report["poor"]
+    assert "nothing was written" in str(report["warnings"])
 
 
 def test_cluster_labels_are_the_library_s(scene, points, tmp_path, device):
@@ -133,22 +133,22 @@ def test_cluster_wants_a_format_that_holds_what_it_finds(scene, tmp_path):
 
 def test_cluster_proposes_an_eps_where_all_is_noise(scene, tmp_path):
     words = ["cluster", scene, tmp_path / "out.npz", "--radius"]
-    report = poor_answer(*words, "0.0001")
+    report = unreliable(*words, "0.0001")
     assert (report["clusters"], report["noise"], report["points"]) == (0, 853, 853)
-    better = report["poor"].split("as many within ")[1].split(" m")[0]
+    better = "; ".join(report["warnings"]).split("as many within ")[1].split(" m")[0]
     report = answer(*words, better, "--force")
     assert report["noise"] < 427  # half of the points are cores then
-    report = poor_answer(*words, "0.0001", "--largest", "1", "--force")
+    report = unreliable(*words, "0.0001", "--largest", "1", "--force")
     assert (report["points"], report["files"]) == (0, [])
-    assert "fewer --neighbors" in poor_answer(*words, "0.2", "--neighbors", "900", "--force")["poor"]
+    assert "fewer --neighbors" in str(unreliable(*words, "0.2", "--neighbors", "900", "--force")["warnings"])
 
 
 def test_cluster_proposes_an_eps_where_one_cluster_holds_everything(scene, tmp_path):
     words = ["cluster", scene, tmp_path / "out.npz", "--radius"]
-    report = poor_answer(*words, "100")
+    report = unreliable(*words, "100")
     assert report["files"] == [str(tmp_path / "out.npz")]
-    assert "one cluster holds all 852 finite points" in report["poor"]
-    better = report["poor"].split("such as ")[1]
+    assert "one cluster holds all 852 finite points" in str(report["warnings"])
+    better = "; ".join(report["warnings"]).split("such as ")[1]
     assert answer(*words, better, "--force")["clusters"] == 3
 
 
@@ -175,9 +175,9 @@ def test_crop_takes_a_polygon_of_open3d(scene, points, tmp_path, device):
 
 
 def test_a_crop_that_leaves_nothing_is_a_poor_result(scene, tmp_path):
-    report = poor_answer("crop", scene, tmp_path / "out.npz", "--box", 20, 20, 20, 30, 30, 30)
+    report = unreliable("crop", scene, tmp_path / "out.npz", "--box", 20, 20, 20, 30, 30, 30)
     assert report["files"] == []
-    assert "to [9.0000, 9.0000, 9.0000]" in report["poor"]  # where the points are
+    assert "to [9.0000, 9.0000, 9.0000]" in str(report["warnings"])  # where the points are
     assert names_in(tmp_path) == ["scene.npz"]
 
 
@@ -226,17 +226,19 @@ def test_the_seed_of_planes_chooses_the_samples(cloud, tmp_path):
 
 
 def test_a_cloud_without_a_plane_is_a_poor_result(cloud, tmp_path):
-    report = poor_answer("plane", cloud, tmp_path / "out.ply", "--distance", "1e-6")
-    assert "the largest plane has only" in report["poor"]
+    report = unreliable("plane", cloud, tmp_path / "out.ply", "--distance", "1e-6")
+    assert "the largest plane has only" in str(report["warnings"])
     assert report["points"] == len(loom.read_point_cloud(tmp_path / "out.ply"))
-    report = poor_answer("plane", cloud, tmp_path / "out.ply", "--distance", "1e-6", "--planes", "2", "--force")
-    assert "no plane has 100 points within 1e-06 m" in report["poor"]
+    report = unreliable("plane", cloud, tmp_path / "out.ply", "--distance", "1e-6", "--planes", "2", "--force")
+    assert "no plane has 100 points within 1e-06 m" in str(report["warnings"])
     assert (loom.read_point_cloud(tmp_path / "out.ply")["plane"] == -1).all()
-    report = poor_answer("plane", cloud, tmp_path / "b.ply", "--distance", "9", "--invert")
-    assert "all points lie on the plane" in report["poor"]
+    report = unreliable("plane", cloud, tmp_path / "b.ply", "--distance", "9", "--invert")
+    assert "all points lie on the plane" in str(report["warnings"])
     line = np.column_stack([np.arange(50), np.zeros((50, 2))])
     loom.write_point_cloud(tmp_path / "line.ply", loom.PointCloud(line))
-    assert "lie on lines" in poor_answer("plane", tmp_path / "line.ply", tmp_path / "b.ply", "--distance", "1")["poor"]
+    assert "lie on lines" in str(
+        unreliable("plane", tmp_path / "line.ply", tmp_path / "b.ply", "--distance", "1")["warnings"]
+    )
     assert "b.ply" not in names_in(tmp_path)
 
 
@@ -291,5 +293,5 @@ def test_farthest_points_begin_at_a_finite_one_and_are_not_more_than_there_are(t
 
 
 def test_a_share_below_one_point_is_a_poor_result(cloud, tmp_path):
-    assert poor_answer("sample", cloud, tmp_path / "out.ply", "--ratio", "1e-6")["files"] == []
+    assert unreliable("sample", cloud, tmp_path / "out.ply", "--ratio", "1e-6")["files"] == []
     assert names_in(tmp_path) == ["cloud.ply"]

@@ -11,7 +11,7 @@ from pointloom.app.jobs.survey_tables import read_control, read_targets
 from pointloom.files.pictures.image_files import read_color
 
 from ..registration.station_scenes import BOXES, COURT, scan_all
-from .commands import answer, poor_answer, run
+from .commands import answer, run, unreliable
 
 FAR = np.array([456_000.0, 5_400_000.0, 300.0])
 PLACES = {"A": [2, -3, 0.5], "B": [9, 4, 1.5], "C": [16, 2, 2], "D": [5, 12, 1]}
@@ -44,7 +44,7 @@ def test_scans_go_in_and_come_out_with_their_poses_and_a_report(files):
     told = answer(
         "stations", files / "scans.e57", "-o", files / "out.e57", *words, "--report", files / "report", "--force"
     )
-    assert told["poor"] is None
+    assert told["reliable"]
     assert [s["name"] for s in told["stations"]] == ["north", "mid", "east"]
     before, after = loom.read_stations(files / "scans.e57"), loom.read_stations(files / "out.e57")
     assert np.abs(after.poses - np.load(files / "truth.npy"))[:, :3, 3].max() < 3e-3
@@ -64,8 +64,8 @@ def test_scans_go_in_and_come_out_with_their_poses_and_a_report(files):
 @pytest.mark.slow
 def test_exchanged_names_end_in_exit_code_3(files):
     words = ("--targets", files / "wrong.csv", "--control", files / "control.csv", "--voxel", 0.3, "--force")
-    told = poor_answer("stations", files / "scans.e57", "-o", files / "wrong.e57", *words)
-    assert "look exchanged" in told["poor"]
+    told = unreliable("stations", files / "scans.e57", "-o", files / "wrong.e57", *words)
+    assert "look exchanged" in str(told["warnings"])
     assert {(o["name"], o["exchanged"]) for o in told["outliers"]} == {("A from mid", "B"), ("B from mid", "A")}
 
 

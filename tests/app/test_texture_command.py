@@ -11,7 +11,7 @@ from pointloom.data.scenes.room import write_room_sequence
 from pointloom.files.frames.datasets import open_dataset
 from pointloom.files.pictures.image_files import read_color, write_png
 
-from .commands import answer, names_in, poor_answer, refusal, run
+from .commands import answer, names_in, refusal, run, unreliable
 
 
 @pytest.fixture(scope="module")
@@ -38,7 +38,7 @@ def test_vertices_take_the_colors_of_the_frames(scan, tmp_path):
     report = answer("texture", scan / "bare.ply", scan / "room", "-o", tmp_path / "out.ply", "--device", "cpu")
     assert report["command"] == "texture" and report["method"] == "rigid" and report["frames"] == 12
     assert report["seen_share"] > 0.5 and report["residual"] < report["residual_before"]
-    assert report["size"] is None and report["poor"] is None
+    assert report["size"] is None and report["reliable"]
     mesh = loom.read_triangle_mesh(tmp_path / "out.ply")
     assert len(mesh) == report["triangles"] and np.ptp(mesh.vertex_colors) > 0.5
     bare, frames = loom.read_triangle_mesh(scan / "bare.ply", device="cpu"), loom.open_dataset(scan / "room")
@@ -80,15 +80,15 @@ def test_the_summary_tells_what_was_done(scan, tmp_path):
 def test_frames_of_another_place_are_a_poor_result_and_write_nothing(scan, tmp_path):
     mesh = loom.read_triangle_mesh(scan / "bare.ply")
     loom.write_triangle_mesh(tmp_path / "far.ply", loom.TriangleMesh(mesh.vertices + 100.0, mesh.triangles))
-    report = poor_answer("texture", tmp_path / "far.ply", scan / "room", "-o", tmp_path / "out.ply")
-    assert "no frame shows anything of the mesh" in report["poor"] and report["files"] == []
+    report = unreliable("texture", tmp_path / "far.ply", scan / "room", "-o", tmp_path / "out.ply")
+    assert "no frame shows anything of the mesh" in str(report["warnings"]) and report["files"] == []
     assert names_in(tmp_path) == ["far.ply"]
 
 
 def test_frames_that_show_little_are_a_poor_result(scan, tmp_path):
     words = ["texture", scan / "bare.ply", scan / "room", "-o", tmp_path / "out.ply", "--every", "12"]
-    report = poor_answer(*words, "--depth-max", "2")
-    assert "only" in report["poor"] and "of the vertices" in report["poor"]
+    report = unreliable(*words, "--depth-max", "2")
+    assert "only" in str(report["warnings"]) and "of the vertices" in str(report["warnings"])
     assert (tmp_path / "out.ply").exists()
 
 
@@ -128,7 +128,7 @@ def test_pictures_of_a_model_give_a_texture(tmp_path):
     words = ["texture", tmp_path / "wall.ply"]
     report = answer(*words, tmp_path / "project", "-o", tmp_path / "a.glb", "--size", "256", "--device", "cpu")
     assert report["layout"] == "model" and report["pictures"] == 3 and report["size"] == 256
-    assert report["poor"] is None and report["seen"] > 0.3 * report["triangles"]
+    assert report["reliable"] and report["seen"] > 0.3 * report["triangles"]
     assert answer(*words, tmp_path / "work", "-o", tmp_path / "b.glb", "--size", "256", "--device", "cpu")["files"]
     assert (tmp_path / "a.glb").read_bytes() == (tmp_path / "b.glb").read_bytes()
     assert loom.read_triangle_mesh(tmp_path / "a.glb").textures[0].shape == (256, 256, 3)

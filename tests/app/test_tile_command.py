@@ -137,7 +137,7 @@ def test_failed_tiles_are_named_with_the_command_that_repeats_each(job):
     plan_with(job, "fails_once")
     result = run("tile", "run", "job", "--serial")
     assert result.exit_code == 3
-    assert result.stderr.startswith("poor result: 9 failed of 9 tiles: 0_0, 1_0, 2_0, ")
+    assert result.stderr.startswith("unreliable result: 9 failed of 9 tiles: 0_0, 1_0, 2_0, ")
     (line,) = [line for line in result.stdout.splitlines() if line.startswith("  1_1 ")]
     assert line.endswith("RuntimeError: two lines; repeated alone by `pointloom tile run job --tile 1_1`")
     assert run("tile", "status", "job").exit_code == 3
@@ -213,7 +213,7 @@ def test_long_lists_of_names_are_cut():
     names = {f"{k}_0": "torn" for k in range(30)}
     status = TileStatus("job", 0, 0, 0, 0, 30, 0, 0, 10, 0, 0, 0, 0, names)
     report = told_by.report_of("run", status)
-    assert report.poor.endswith("18_0, 19_0 and 10 more") and len(report.to_json()["troubles"]) == 30
+    assert "; ".join(report.warnings).endswith("18_0, 19_0 and 10 more") and len(report.to_json()["troubles"]) == 30
 
 
 def test_the_options_are_those_of_the_library():

@@ -7,7 +7,7 @@ import pytest
 
 import pointloom as loom
 
-from .commands import answer, chosen_device, names_in, poor_answer, refusal, run
+from .commands import answer, chosen_device, names_in, refusal, run, unreliable
 
 # every command, with options that work on `scene`
 CALLS = {
@@ -66,11 +66,11 @@ def test_a_cloud_without_finite_points_is_a_poor_result(tmp_path, command):
     loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(np.full((4, 3), np.nan)))
     options = ["--voxel", "1"] if command == "sample" else CALLS[command]
     extra = ["--largest", "1"] if command == "cluster" else []
-    report = poor_answer(command, tmp_path / "a.ply", tmp_path / "b.ply", *options, *extra)
+    report = unreliable(command, tmp_path / "a.ply", tmp_path / "b.ply", *options, *extra)
     assert (report["points_in"], report["points"], report["files"]) == (4, 0, [])
-    assert "nothing was written" in report["poor"]
+    assert "nothing was written" in str(report["warnings"])
     loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(), overwrite=True)
-    assert poor_answer(command, tmp_path / "a.ply", tmp_path / "b.ply", *CALLS[command], *extra)["files"] == []
+    assert unreliable(command, tmp_path / "a.ply", tmp_path / "b.ply", *CALLS[command], *extra)["files"] == []
     assert names_in(tmp_path) == ["a.ply"]
 
 

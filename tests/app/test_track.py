@@ -13,7 +13,7 @@ from pointloom.rgbd.slam import tracking
 from pointloom.rgbd.slam.results import TrackingResult
 from pointloom.rgbd.slam.stream_check import StreamCheck
 
-from .commands import answer, names_in, poor_answer, refusal, run
+from .commands import answer, names_in, refusal, run, unreliable
 
 
 class Guided:
@@ -83,10 +83,10 @@ def test_track_writes_the_path_and_its_errors(guided, frames, tmp_path):
 
 def test_a_lost_frame_has_no_pose_and_is_told(guided, frames, tmp_path):
     tracker = guided({2: "lost", 3: "lost", 5: "uncertain"})
-    report = poor_answer("track", frames, "-o", tmp_path / "poses.log")
+    report = unreliable("track", frames, "-o", tmp_path / "poses.log")
     assert [entry["frame"] for entry in report["lost"]] == [2, 3]
     assert report["uncertain"] == [5]
-    assert "2 of 6 frames were lost (frame 2-3) and are left out: no depth in reach" in report["poor"]
+    assert "2 of 6 frames were lost (frame 2-3) and are left out: no depth in reach" in str(report["warnings"])
     found = read_trajectory(tmp_path / "poses.log")
     assert found.ids[:, 0].tolist() == [0, 1, 4, 5]
     assert report["errors"]["compared"] == 4
@@ -102,29 +102,29 @@ def test_a_lost_frame_has_no_pose_and_is_told(guided, frames, tmp_path):
 def test_a_broken_picture_in_the_middle_is_left_out_and_named(guided, frames, tmp_path):
     path = frames / "frame-000003.depth.png"
     path.write_bytes(path.read_bytes()[:-200])
-    report = poor_answer("track", frames, "-o", tmp_path / "poses.log")
+    report = unreliable("track", frames, "-o", tmp_path / "poses.log")
     assert [entry["frame"] for entry in report["unreadable"]] == [3]
-    assert "1 of 6 frames cannot be read and are left out: " in report["poor"]
-    assert "frame-000003.depth.png (byte" in report["poor"]
+    assert "1 of 6 frames cannot be read and are left out: " in str(report["warnings"])
+    assert "frame-000003.depth.png (byte" in str(report["warnings"])
     assert read_trajectory(tmp_path / "poses.log").ids[:, 0].tolist() == [0, 1, 2, 4, 5]
 
 
 def test_a_missing_picture_is_left_out_and_named(guided, frames, tmp_path):
     (frames / "frame-000004.color.png").unlink()
-    report = poor_answer("track", frames, "-o", tmp_path / "poses.txt")
+    report = unreliable("track", frames, "-o", tmp_path / "poses.txt")
     assert report["frames"] == 5
-    assert "1 of 6 frames lack a picture and are left out, the first frame-000004.color.png" in report["poor"]
+    assert "1 of 6 frames lack a picture and are left out, the first frame-000004.color.png" in str(report["warnings"])
 
 
 def test_frames_out_of_reach_are_a_poor_result(guided, frames, tmp_path):
-    report = poor_answer("track", frames, "-o", tmp_path / "poses.txt", "--depth-max", "0.1")
-    assert "raise --depth-max" in report["poor"]
+    report = unreliable("track", frames, "-o", tmp_path / "poses.txt", "--depth-max", "0.1")
+    assert "raise depth_max" in str(report["warnings"])
 
 
 def test_a_covered_lens_all_along_writes_nothing(guided, frames, tmp_path):
     for path in frames.glob("*.depth.png"):
         write_png(path, np.zeros_like(read_depth(path)))
-    report = poor_answer("track", frames, "-o", tmp_path / "poses.txt")
+    report = unreliable("track", frames, "-o", tmp_path / "poses.txt")
     assert (report["tracked"], report["files"], report["errors"]) == (0, [], None)
     assert names_in(tmp_path) == ["frames"]
 

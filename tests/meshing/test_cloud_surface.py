@@ -8,7 +8,6 @@ import warp as wp
 
 import pointloom as loom
 from pointloom.app.jobs.mesh import mesh_file
-from pointloom.core.audience import to_caller, to_shell
 from pointloom.core.wording import to_json
 
 
@@ -46,17 +45,17 @@ def test_the_remedy_is_named_as_a_caller_gives_it(recwarn):
     points = ball().points
     mixed = loom.PointCloud(points, normals=points * np.where(np.arange(1500) % 3 == 0, -1, 1)[:, None])
     found = loom.create_surface(mixed, depth=4)
-    assert str(found).splitlines()[-1].split(maxsplit=1) == ["poor", found.poor]
-    assert found.normals.given and "give new_normals, or orient" in str(found.poor) and "--" not in str(found.poor)
+    assert str(found).splitlines()[-1].split(maxsplit=1) == ["warning", found.warnings[-1]]
+    assert found.normals.given and "new_normals" in str(found.warnings)
     assert not recwarn.list
-    assert loom.create_surface(mixed, depth=4, new_normals=True).poor is None
+    assert loom.create_surface(mixed, depth=4, new_normals=True).reliable
 
 
 @pytest.mark.parametrize("method", ["poisson", "ball", "alpha"])
 def test_without_a_finite_point_there_is_no_surface_and_no_error(method, device):
     for points in (np.full((4, 3), np.nan), np.zeros((0, 3))):
         found = loom.create_surface(loom.PointCloud(points, device=device), method)
-        assert len(found.mesh) == 0 and found.poor == "no point is finite, so there is no surface"
+        assert len(found.mesh) == 0 and found.warnings == ("no point is finite, so there is no surface",)
         assert (found.points_in, found.points, found.to_json()["bounds"]) == (len(points), 0, None)
         assert found.mesh.device == loom.PointCloud(points, device=device).device
 
@@ -66,9 +65,8 @@ def test_no_alpha_is_advised_for_a_flat_cloud(tilt, recwarn):
     x, y = np.mgrid[0:1:12j, 0:1:12j].reshape(2, -1)
     found = loom.create_surface(loom.PointCloud(np.column_stack([x, y, tilt * x])), "alpha")
     assert len(found.mesh) == 0 and not recwarn.list
-    for say in (to_caller, to_shell):
-        said = str(found.why_poor(say))
-        assert "one plane" in said and "larger" not in said and "ball" in said
+    said = str(found.warnings)
+    assert "one plane" in said and "larger" not in said and "ball" in said
 
 
 def test_the_mesh_has_the_arrays_of_the_cloud():

@@ -12,7 +12,6 @@ from pointloom.app.jobs.clean_mesh import clean_mesh_file
 from pointloom.app.jobs.compare_meshes import compare_mesh_files
 from pointloom.app.jobs.simplify import simplify_file
 from pointloom.app.jobs.smooth_mesh import smooth_mesh_file
-from pointloom.core.audience import to_shell
 
 
 def torn() -> TriangleMesh:
@@ -46,8 +45,8 @@ def test_a_mesh_in_memory_has_the_bits_and_the_words_of_its_file(tmp_path, devic
         np.testing.assert_array_equal(getattr(written, array), getattr(found.mesh, array))
     np.testing.assert_array_equal(mesh.vertices, before)  # what was given stays
     figures, all_figures = json.loads(json.dumps(found.to_json())), json.loads(json.dumps(report.to_json()))
-    assert figures | {"poor": 0} == {key: all_figures[key] for key in figures} | {"poor": 0}
-    assert (all_figures["poor"] is None) == (found.poor is None) and all_figures["poor"] == found.why_poor(to_shell)
+    assert figures == {key: all_figures[key] for key in figures}
+    assert figures["reliable"] == found.reliable and figures["warnings"] == list(found.warnings)
     assert report.fields()[: len(found.fields())] == found.fields()
     assert [line.split()[0] for line in str(found).splitlines()] == [label for label, _ in found.fields()]
 
@@ -60,15 +59,15 @@ def test_two_meshes_in_memory_are_compared_as_their_files_are(tmp_path, device):
     meshes = [loom.read_triangle_mesh(tmp_path / name, device=device) for name in ("a.ply", "b.ply")]
     found = loom.compare_meshes(*meshes, **options)
     assert found.to_json() == {key: report[key] for key in found.to_json()}
-    assert report["fscore"].keys() == {str(0.01 * found.diagonal)} and "more than 0.05 m" in found.poor
-    assert loom.compare_meshes(meshes[0], meshes[0], thresholds=[], samples=100).poor is None
+    assert report["fscore"].keys() == {str(0.01 * found.diagonal)} and "more than 0.05 m" in str(found.warnings)
+    assert loom.compare_meshes(meshes[0], meshes[0], thresholds=[], samples=100).reliable
 
 
 def test_a_mesh_without_triangles_is_poor_and_no_error():
     for mesh in (TriangleMesh(), TriangleMesh([[0, 0, 0], [np.nan, 1, 2]])):
-        assert loom.clean_mesh(mesh).poor == "no triangle is left"
-        assert loom.simplify_mesh(mesh, ratio=0.5).poor == "no triangle is left; take more triangles or smaller voxels"
-        assert loom.smooth_mesh(mesh).poor == "the mesh has no triangles"
+        assert loom.clean_mesh(mesh).warnings == ("no triangle is left",)
+        assert "no triangle is left" in loom.simplify_mesh(mesh, ratio=0.5).warnings[0]
+        assert loom.smooth_mesh(mesh).warnings == ("the mesh has no triangles",)
         with pytest.raises(ValueError, match="first: holds no triangle with an area"):
             loom.compare_meshes(mesh, torn())
     assert loom.smooth_mesh(TriangleMesh([[np.nan] * 3])).moved is None
@@ -77,23 +76,19 @@ def test_a_mesh_without_triangles_is_poor_and_no_error():
 def test_the_remedy_is_named_as_a_caller_gives_it():
     merged = loom.clean_mesh(TriangleMesh.create_sphere(), merge_distance=0.9)
     shrunk = loom.smooth_mesh(TriangleMesh.create_sphere(), "simple", 50)
-    for found, argument, option in (
-        (merged, "merge_distance", "--merge"),
-        (shrunk, "method='taubin'", "--method taubin"),
-    ):
-        assert argument in found.poor and "--" not in found.poor
-        assert option in found.why_poor(to_shell)
+    for found, argument in ((merged, "merge_distance"), (shrunk, "method='taubin'")):
+        assert argument in found.warnings[0]
 
 
 def test_a_repair_that_cost_too_much_is_poor():
     box = TriangleMesh.create_box()
     fin = TriangleMesh(np.vstack([box.vertices, [[5, 5, 5]]]), np.vstack([box.triangles, [[*box.triangles[0][:2], 8]]]))
     lost = loom.clean_mesh(fin)
-    assert lost.repair.removed_crowding_triangles == 1 and "% of the area is gone: compare it with" in lost.poor
+    assert lost.repair.removed_crowding_triangles == 1 and "% of the area is gone" in str(lost.warnings)
     holed = loom.clean_mesh(TriangleMesh(np.where(np.arange(8)[:, None] == 7, np.nan, box.vertices), box.triangles))
-    assert "of the triangles are gone" in holed.poor and "pointloom compare-meshes" in holed.why_poor(to_shell)
+    assert "of the triangles are gone" in str(holed.warnings)
     opened = replace(holed, triangles_in=10**6, was_watertight=True)
-    assert opened.poor == "it was closed and is no more: compare it with what it was (compare_meshes)"
+    assert opened.warnings == ("it was closed and is no more: compare it with the input (compare_meshes)",)
 
 
 @pytest.mark.parametrize(

@@ -28,7 +28,7 @@ def errors_of(found):
 def test_a_triangle_has_the_colours_of_the_place(device):
     scene = wall_scene(device=device)
     found = texture(scene.mesh, scene.pictures, CAMERA, scene.extrinsics)
-    assert found.seen_share > 0.3 and found.used_count >= 2 and found.chart_count >= 2 and found.poor is None
+    assert found.seen_share > 0.3 and found.used_count >= 2 and found.chart_count >= 2 and found.reliable
     assert errors_of(found).max() < 2.5  # half a level of rounding, twice, and what bilinear values smooth
     assert found.mesh.vertex_colors is None and found.mesh.textures[0].shape == (found.size, found.size, 3)
     assert f"{found.chart_count}" in str(found) and found.to_json()["seen"] == found.seen_count

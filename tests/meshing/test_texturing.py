@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.core.audience import to_shell
 
 from ..hostile import faults_of
 
@@ -34,7 +33,7 @@ def test_frames_in_memory_give_a_mesh_their_colours(device):
     found = loom.color_map.texture_mesh(
         wall(device=device), frames(), [POSE] * 2, method="none", progress=lambda *stage: told.append(stage)
     )
-    assert (found.mesh.vertex_colors == (0, 1, 0)).all() and found.poor is None
+    assert (found.mesh.vertex_colors == (0, 1, 0)).all() and found.reliable
     assert found.frame_count == 2 and found.blind_frames == 0 and 0.3 < found.seen_share < 0.9
     assert found.texel_share is None and (found.turned, found.moved) == (0.0, 0.0)
     assert told == [("frames", 0, 2), ("frames", 1, 2), ("frames", 2, 2), ("colours", 0, 0)]
@@ -53,17 +52,17 @@ def test_a_texture_takes_the_place_of_the_vertices_colours():
 def test_pictures_that_agree_no_better_are_a_poor_result():
     good = loom.color_map.texture_mesh(wall(), frames(10), [POSE] * 10, method="none")
 
-    def why_poor(method: str, before: float, after: float, blind: int = 0) -> str | None:
+    def warnings(method: str, before: float, after: float, blind: int = 0) -> tuple[str, ...]:
         views = np.where(np.arange(10) < blind, 0, 9)
         colors = dataclasses.replace(good.colors, residual_before=before, residual=after, view_counts=views)
-        return dataclasses.replace(good, method=method, colors=colors).why_poor(to_shell)
+        return dataclasses.replace(good, method=method, colors=colors).warnings
 
-    assert "agree no better" in str(why_poor("rigid", 0.05, 0.0499))
-    assert "compare with --method none" in str(why_poor("rigid", 0.05, 0.0499))
-    assert why_poor("none", 0.05, 0.0499) is None
-    assert why_poor("rigid", 0.05, 0.03) is None
-    assert why_poor("rigid", 0.005, 0.005) is None
-    assert "6 of 10 frames" in str(why_poor("rigid", 0.05, 0.0, blind=6))
+    assert "agree no better" in str(warnings("rigid", 0.05, 0.0499))
+    assert "compare with method='none'" in str(warnings("rigid", 0.05, 0.0499))
+    assert not warnings("none", 0.05, 0.0499)
+    assert not warnings("rigid", 0.05, 0.03)
+    assert not warnings("rigid", 0.005, 0.005)
+    assert "6 of 10 frames" in str(warnings("rigid", 0.05, 0.0, blind=6))
 
 
 def test_frames_that_cannot_colour_a_mesh_are_refused_by_name():

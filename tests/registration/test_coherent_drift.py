@@ -83,7 +83,7 @@ def test_a_body_is_turned_and_scaled_to_its_scan():
     body, scan = lumpy(400, 0) * FLAT, turned(lumpy(400, 0) * FLAT)
     found = drift(loom.PointCloud(body), loom.PointCloud(scan), outliers=0.01, max_iteration=300)
     np.testing.assert_allclose(found.transformation[:3, :3], 1.2 * TURN, atol=1e-3)
-    assert found.poor is None and found.matched > 0.99
+    assert found.reliable and found.matched > 0.99
     stiff = drift(loom.PointCloud(body), loom.PointCloud(scan), with_scaling=False, max_iteration=300)
     np.testing.assert_allclose(np.linalg.det(stiff.transformation[:3, :3]), 1, atol=1e-12)
 
@@ -92,7 +92,7 @@ def test_a_field_takes_other_points_along():
     body = lumpy(500, 0)
     cloud = loom.PointCloud(body, label=np.arange(500))
     found = drift(cloud, loom.PointCloud(swayed(body)), kind="deformable", outliers=0.01)
-    assert np.abs(found.warped.points - swayed(body)).max() < 0.02 and found.poor is None
+    assert np.abs(found.warped.points - swayed(body)).max() < 0.02 and found.reliable
     np.testing.assert_allclose(found.transform(body), found.warped.points, atol=1e-6)
     assert np.array_equal(found.warped["label"], np.arange(500))
     between = lumpy(300, 5)
@@ -105,13 +105,13 @@ def test_a_third_of_outliers_is_left_out():
     scan = np.vstack([turned(body), rng.uniform(-2, 2, (200, 3))])
     found = drift(loom.PointCloud(body), loom.PointCloud(scan), outliers=0.35, max_iteration=300)
     assert np.abs(found.transform(body) - turned(body)).max() < 0.02
-    assert 0.6 < found.matched < 0.75 and found.poor is None
+    assert 0.6 < found.matched < 0.75 and found.reliable
 
 
 def test_another_body_is_told():
     for one, other in ((torus, tube), (lumpy, torus), (tube, lumpy)):
         found = drift(loom.PointCloud(one(400, 0)), loom.PointCloud(other(400, 1)), max_iteration=300)
-        assert found.poor is not None
+        assert not found.reliable
 
 
 def test_far_from_zero_it_is_the_same():

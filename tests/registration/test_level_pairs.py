@@ -43,7 +43,7 @@ def test_a_cloud_that_is_not_level_is_told(points):
 
 def test_a_pair_that_is_kept_level_says_so(points):
     found = reg.register_pair(*pair_of(points, TURN), voxel_size=0.06, free=LEVEL)
-    assert (found.transformation[2, :3] == [0, 0, 1]).all() and found.poor is None
+    assert (found.transformation[2, :3] == [0, 0, 1]).all() and found.reliable
     np.testing.assert_allclose(found.transformation, TURN, atol=0.01)
     assert set(found.to_json()["free"]) == set(LEVEL) and "yaw, x, y, z" in str(found)
     plain = reg.register_pair(*pair_of(points, TURN), voxel_size=0.06)

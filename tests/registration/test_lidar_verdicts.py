@@ -43,7 +43,7 @@ def test_a_bare_corridor_does_not_determine_the_way_along_it(device, rng):
         assert np.abs(step.undetermined[0]) @ [1, 0, 0] > 0.99 and len(step.undetermined) == 1
     summary = odometry.summary
     assert summary.undetermined == (1, 2, 3, 4) and summary.open_motions == "along x"
-    assert "4 of 5 scans do not determine the motion along x (scan 1-4)" in str(summary.poor)
+    assert "4 of 5 scans do not determine the motion along x (scan 1-4)" in str(summary.warnings)
     assert summary.to_json()["undetermined"] == [1, 2, 3, 4]
     assert dict(summary.fields())["undetermined"] == "4: along x, scan 1-4"
 
@@ -55,7 +55,7 @@ def test_a_prior_is_taken_along_what_is_not_determined_and_is_no_fault(device, r
     for _ in range(3):
         odometry.register(loom.PointCloud(corridor_scan(rng), device=device), prior=prior)
     np.testing.assert_allclose(odometry.poses[-1, :3, 3], [1.2, 0, 0], atol=0.03)
-    assert odometry.steps[-1].undetermined and odometry.summary.poor is None
+    assert odometry.steps[-1].undetermined and odometry.summary.reliable
     with pytest.raises(ValueError, match="prior"):
         odometry.register(loom.PointCloud(corridor_scan(rng), device=device), prior=2 * np.eye(4))
 
@@ -63,7 +63,7 @@ def test_a_prior_is_taken_along_what_is_not_determined_and_is_no_fault(device, r
 def test_piers_far_apart_determine_the_way(device, rng):
     piers = [-9.0, -2.5, 3.1, 8.0]
     odometry = run([corridor_scan(rng, 4000, piers, 0.2 * k) for k in range(5)], device)
-    assert odometry.summary.poor is None
+    assert odometry.summary.reliable
     assert odometry.poses[-1, 0, 3] == pytest.approx(0.8, abs=0.05)
 
 
@@ -73,7 +73,7 @@ def test_like_piers_that_a_scan_fits_at_each_period_are_told(device, rng):
     assert odometry.summary.ambiguous
     rivals = np.array([rival for step in odometry.steps for rival in step.rivals])
     assert np.abs(np.linalg.norm(rivals, axis=1) - 2.0).min() < 0.1
-    assert "of the first scans lie as well" in str(odometry.summary.poor)
+    assert "of the first scans lie as well" in str(odometry.summary.warnings)
 
 
 def test_one_scan_of_another_place_costs_nothing(device, fast_drive, rng):
@@ -83,7 +83,7 @@ def test_one_scan_of_another_place_costs_nothing(device, fast_drive, rng):
     for k, scan in enumerate(scans):
         clean.register(scan)
         odometry.register(foreign if k == 5 else scan)
-    assert odometry.summary.strayed == (5,) and "scan 5" in str(odometry.summary.poor)
+    assert odometry.summary.strayed == (5,) and "scan 5" in str(odometry.summary.warnings)
     np.testing.assert_allclose(odometry.poses, clean.poses, atol=0.05)
 
 
@@ -107,9 +107,9 @@ def test_standing_still_while_much_moves_by_is_told():
         poses[:, 0, 3] = speed * np.arange(12)
         return [OdometryStep(k, poses[k], 1.0, 100, fitness, 0.1, 5, True, False, "converged") for k in range(12)]
 
-    assert "seems to stand still while 9 scans" in str(summarize_steps(steps(0.95)).poor)
-    assert summarize_steps(steps(0.98)).poor is None
-    assert summarize_steps(steps(0.95, 0.5)).poor is None
+    assert "seems to stand still while 9 scans" in str(summarize_steps(steps(0.95)).warnings)
+    assert summarize_steps(steps(0.98)).reliable
+    assert summarize_steps(steps(0.95, 0.5)).reliable
 
 
 def test_a_rise_counts_where_it_is_large_and_sure():

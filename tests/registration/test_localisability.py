@@ -29,7 +29,7 @@ def test_open_motions_are_those_of_the_shape_however_noisy_it_is(device, shape, 
     for noise in (0.0, 0.02):
         found = reg.localisability(*scans(shape, rng, noise=noise, corner=UTM, device=device), np.eye(4), 0.25)
         assert len(found.open_motions) == len(FREE[shape]), (noise, str(found))
-        assert (found.poor is None) == (not len(FREE[shape]))
+        assert (found.reliable) == (not len(FREE[shape]))
         if len(FREE[shape]):
             assert np.degrees(subspace_angles(found.open_motions.T, FREE[shape].T)).max() < 6
         np.testing.assert_allclose(found.motions @ found.motions.T, np.eye(6), atol=1e-9)
@@ -43,7 +43,7 @@ def test_a_corridor_that_its_end_holds_is_held_in_part(rng):
         return points
 
     found = reg.localisability(*scans("corridor", rng, noise=0.005, change=with_end), np.eye(4), 0.25)
-    assert found.kinds == ("partial", *("full",) * 5) and found.poor is None
+    assert found.kinds == ("partial", *("full",) * 5) and found.reliable
     assert abs(found.motions[0, 4]) > 0.99
 
 
@@ -72,6 +72,6 @@ def test_open_motions_alone_are_held_by_a_prior(rng):
 def test_clouds_that_do_not_meet_hold_nothing():
     cube = loom.PointCloud(np.random.default_rng(0).uniform(size=(3000, 3)))
     far = reg.localisability(cube, cube.translate([50, 0, 0]), np.eye(4), 0.1)
-    assert far.kinds == ("none",) * 6 and "no surface" in far.poor
+    assert far.kinds == ("none",) * 6 and "no surface" in str(far.warnings)
     empty = reg.localisability(loom.PointCloud(), cube, np.eye(4), 0.1)
     assert empty.kinds == ("none",) * 6

@@ -46,7 +46,7 @@ def test_the_surface_of_a_body_comes_to_where_it_was_bent(device):
     _, found = swaying_cloud(device)
     away = cKDTree(swayed(lumpy(40_000, 2))).query(found.warped.points)[0]
     assert np.median(away) < 0.02 and found.rmse < 0.2 * found.rigid_rmse
-    assert found.poor is None and not found.is_rigid and found.covered > 0.95
+    assert found.reliable and not found.is_rigid and found.covered > 0.95
 
 
 @LONG
@@ -67,7 +67,7 @@ def test_a_tube_is_twisted_and_a_ball_breathes(device):
         (lumpy(COUNT, 0), 1.15 * lumpy(COUNT, 1), 1.15 * lumpy(COUNT, 0)),
     ):
         found = bend(loom.PointCloud(body, device=device), loom.PointCloud(scan, device=device))
-        assert np.median(errors_of(found, truth)) < 0.07 and found.rmse < 0.006 and found.poor is None
+        assert np.median(errors_of(found, truth)) < 0.07 and found.rmse < 0.006 and found.reliable
 
 
 @LONG
@@ -77,7 +77,7 @@ def test_a_scan_of_a_part_bends_the_part_that_it_shows(device, swaying):
     found = bend(loom.PointCloud(body, device=device), part)
     seen = truth[:, 0] > 0
     away = cKDTree(swayed(lumpy(40_000, 2))).query(found.warped.points)[0]
-    assert np.median(away[seen]) < 0.02 and found.poor is None
+    assert np.median(away[seen]) < 0.02 and found.reliable
     assert 0.4 < found.matched < 0.75 and (found.correspondences[truth[:, 0] < -0.5] < 0).mean() > 0.9
 
 
@@ -86,9 +86,9 @@ def test_a_scan_of_a_part_bends_the_part_that_it_shows(device, swaying):
 def test_another_object_is_told(device, swaying):
     body, _, _ = swaying
     found = bend(loom.PointCloud(torus(COUNT, 0), device=device), loom.PointCloud(tube(COUNT, 1), device=device))
-    assert found.poor is not None
+    assert not found.reliable
     found = bend(loom.PointCloud(body, device=device), loom.PointCloud(torus(COUNT, 1), device=device))
-    assert found.poor is not None
+    assert not found.reliable
 
 
 @LONG
@@ -97,11 +97,11 @@ def test_a_body_that_begins_turned_round_is_turned():
     body, scan = armed(COUNT, 0), loom.PointCloud(swayed(armed(2 * COUNT, 1)))
     turned = loom.PointCloud(body * [1, -1, -1])
     found = bend(turned, scan)
-    assert np.median(errors_of(found, swayed(body))) < 0.15 and found.poor is None
+    assert np.median(errors_of(found, swayed(body))) < 0.15 and found.reliable
     told = bend(turned, scan, init=np.eye(4))
-    assert np.median(errors_of(told, swayed(body))) > 0.4 and "half a turn away (better_start)" in told.poor
+    assert np.median(errors_of(told, swayed(body))) > 0.4 and "half a turn away (better_start)" in str(told.warnings)
     again = bend(turned, scan, init=told.better_start)
-    assert again.poor is None and again.strain < 0.75 * told.strain
+    assert again.reliable and again.strain < 0.75 * told.strain
 
 
 @LONG
@@ -109,7 +109,7 @@ def test_what_did_not_bend_is_told(device, swaying):
     body, _, _ = swaying
     cloud = loom.PointCloud(body, device=device)
     found = bend(cloud, cloud.translate(SHIFT))
-    assert found.is_rigid and found.poor is None
+    assert found.is_rigid and found.reliable
     assert errors_of(found, body + SHIFT).max() < 1e-3
 
 
@@ -236,7 +236,7 @@ def test_fewer_nodes_than_parts_are_told(device):
     clouds = loom.PointCloud(body, device=device), loom.PointCloud(apart, device=device)
     found = bend(*clouds, node_spacing=20.0, max_distance=0.5, init=np.eye(4), stiffness=[1.0], max_iteration=3)
     assert len(found.deformation) == 1
-    assert "lies on the other" in found.poor
+    assert "lies on the other" in str(found.warnings)
 
 
 def test_a_body_that_would_be_stretched_is_told(device):
@@ -251,7 +251,7 @@ def test_a_body_that_would_be_stretched_is_told(device):
         stiffness=[0.1],
         max_iteration=5,
     )
-    assert "the body would be stretched by" in found.poor
+    assert "the body would be stretched by" in str(found.warnings)
 
 
 def test_a_step_takes_a_turn_at_once(device):
@@ -298,4 +298,4 @@ def test_points_that_are_none_leave_a_good_result(device, swaying):
     holed = body.copy()
     holed[::50] = np.nan
     found = bend(loom.PointCloud(holed, device=device), loom.PointCloud(scan, device=device))
-    assert (found.correspondences[::50] == -1).all() and found.poor is None
+    assert (found.correspondences[::50] == -1).all() and found.reliable

@@ -53,7 +53,7 @@ def test_a_drive_without_overlap_says_where_it_is_torn():
     wall = loom.PointCloud([[10, 0.5 * i, 0.5 * j] for i in range(-20, 20) for j in range(20)])
     found = reg.summarize_steps(list(reg.iterate_odometry([wall, loom.PointCloud(), wall])))
     assert (found.empty, found.has_seen) == ((1,), True)
-    torn, open_ways = str(found.poor).split("; ")
+    torn, open_ways = found.warnings
     assert torn == (
         "1 of 3 scans do not overlap those before them, or have no points in range, so the path may be torn at scan 1"
     )
@@ -61,7 +61,7 @@ def test_a_drive_without_overlap_says_where_it_is_torn():
     assert ("predicted", "1: scan 1") in found.fields()
     assert found.to_json()["predicted"] == [1]
     nothing = reg.summarize_steps(list(reg.iterate_odometry([loom.PointCloud()] * 2)))
-    assert (nothing.poor, nothing.to_json()["mean_fitness"]) == ("no scan has points in range", None)
+    assert (nothing.warnings, nothing.to_json()["mean_fitness"]) == (("no scan has points in range",), None)
     assert [label for label, _ in nothing.fields()] == ["scans", "path", "predicted"]
 
 

@@ -80,10 +80,10 @@ def test_frames_whose_number_nobody_knows_are_counted_as_they_come():
 
 def test_one_frame_is_a_surface_already():
     result = loom.fuse(loom.frames_from(waves()[:1], CAMERA), voxel_size=0.02)
-    assert (result.frame_count, result.weight_threshold, result.poor) == (1, 0.0, None)
+    assert (result.frame_count, result.weight_threshold, result.reliable) == (1, 0.0, True)
     assert len(result.mesh) > 100
     refined = loom.fuse(loom.frames_from(waves()[:1], CAMERA), voxel_size=0.02, refine=True)
-    assert refined.refinement is not None and refined.refinement.poor is None
+    assert refined.refinement is not None and refined.refinement.reliable
 
 
 def test_a_frame_without_a_pose_is_named():
@@ -106,7 +106,18 @@ def test_the_command_gives_the_same_bits_figures_and_lines(folder, tmp_path, ref
     assert (tmp_path / "own.ply").read_bytes() == (tmp_path / "mesh.ply").read_bytes()
     assert report.items() >= json.loads(json.dumps(result.to_json())).items()
     assert set(report) - set(result.to_json()) == {
-        *("command", "dataset", "layout", "left_out", "camera", "seconds", "peak_bytes", "files", "poor")
+        *(
+            "command",
+            "dataset",
+            "layout",
+            "left_out",
+            "camera",
+            "seconds",
+            "peak_bytes",
+            "files",
+            "reliable",
+            "warnings",
+        )
     }
     unpadded = [line.split() for line in shown.splitlines()]
     for line in str(result).splitlines():
@@ -123,7 +134,7 @@ def test_a_list_and_a_generator_give_the_same_mesh():
 
 def test_one_frame_is_a_mesh_already():
     result = loom.reconstruct(loom.frames_from(waves()[:1], CAMERA), voxel_size=0.02)
-    assert (result.method, len(result.trajectory), result.error, result.poor) == ("slam", 1, None, None)
+    assert (result.method, len(result.trajectory), result.error, result.warnings) == ("slam", 1, None, ())
     assert len(result.mesh) > 100
 
 
@@ -131,7 +142,7 @@ def test_an_empty_mesh_is_a_poor_result():
     blank = [(None, np.zeros((48, 64), np.uint16))] * 2
     result = loom.reconstruct(loom.frames_from(blank, CAMERA))
     assert len(result.mesh) == len(result.trajectory) == 0
-    assert "check the depth maps" in str(result.poor)
+    assert "check the depth maps" in str(result.warnings)
 
 
 def test_the_command_gives_the_same_bits_and_figures(folder, tmp_path):
@@ -199,14 +210,14 @@ def test_the_error_is_told_where_frames_came_with_their_poses():
 def test_one_frame_is_where_the_world_begins():
     path = loom.track(loom.frames_from(waves()[:1], CAMERA))
     np.testing.assert_array_equal(path.trajectory.poses, np.eye(4)[None])
-    assert (path.residuals, path.poor, path.error) == ((), None, None)
+    assert (path.residuals, path.warnings, path.error) == ((), (), None)
 
 
 def test_what_cannot_be_read_is_named_and_left_out():
     path = loom.track(Damaged(2), voxel_size=0.02)
     assert path.unreadable == {2: "frame-2.png: damaged"}
     assert path.trajectory.ids[:, 0].tolist() == [0, 1, 3, 4, 5]
-    assert "1 of 6 frames cannot be read and are left out: frame-2.png: damaged" in str(path.poor)
+    assert "1 of 6 frames cannot be read and are left out: frame-2.png: damaged" in str(path.warnings)
     with pytest.raises(FileError, match=r"frame-0\.png: damaged"):
         loom.track(Damaged(*range(6)))
 

@@ -26,7 +26,7 @@ slam.run(frames(*range(7)))
 tracked = slam.trajectory.poses.tobytes()
 slam.close_loops()
 mesh = slam.extract_triangle_mesh(0.0)
-assert pair.success and len(mesh) > 100
+assert pair.reliable and len(mesh) > 100
 for name, content in [
     ("pair", pair.transformation.tobytes() + pair.information.tobytes()), ("tracked", tracked),
     ("corrected", slam.trajectory.poses.tobytes()), ("mesh", mesh.vertices.tobytes() + mesh.triangles.tobytes()),

@@ -154,7 +154,7 @@ assert not sure.is_watertight(), "it is open where nobody looked"
 
 found = loom.create_surface(scan, "poisson", depth=7)
 print(found)
-assert found.poor and found.poor in str(found)
+assert not found.reliable and found.warnings[0] in str(found)
 
 # %%
 # To turn: all of it by density, then what is left, in the colours of the scan.

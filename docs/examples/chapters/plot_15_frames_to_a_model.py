@@ -97,7 +97,7 @@ assert np.median(errors(mesh.vertices)) < np.median(errors(merged.points))
 source = loom.frames_from(frames[::2], camera)
 result = loom.fuse(source, voxel_size=0.03)
 print(result)
-assert result.poor is None
+assert result.reliable
 
 # %%
 # Nobody knows the poses
@@ -109,7 +109,7 @@ assert result.poor is None
 blind = loom.frames_from([(frame.color, frame.depth) for frame in frames], camera)
 found = loom.reconstruct(blind, voxel_size=0.02)
 print(found)
-assert found.poor is None
+assert found.reliable
 assert len(found.trajectory) == len(frames)
 
 # %%
@@ -176,12 +176,12 @@ assert len(loom.read_triangle_mesh(folder / "room.ply").triangles) == len(found.
 # **A voxel in millimetres.** ``voxel_size=20`` makes a room of one voxel; nothing is left of it. ``loom.fuse`` says so:
 
 huge = loom.fuse(loom.frames_from(frames[:3], camera), voxel_size=20.0)
-print(huge.poor)
-assert "voxel_size: 20 m is larger than what the frames see" in str(huge.poor)
+print(huge.warnings)
+assert "voxel_size: 20 m is larger than the scene" in huge.warnings[0]
 
 # %%
-# **Too fast a camera.** Frames that overlap by less than two thirds, or that are blurred, are lost; ``found.poor`` and
-# ``print(found)`` tell which. Film slowly, at 10 frames a second and more, and come back to where you began.
+# **Too fast a camera.** Frames that overlap by less than two thirds, or that are blurred, are lost; ``found.warnings``
+# and ``print(found)`` name them. Film slowly, at 10 frames a second and more, and come back to where you began.
 #
 # Try it
 # ------

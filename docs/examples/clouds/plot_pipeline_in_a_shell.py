@@ -71,8 +71,8 @@ assert cleaned.stdout == (folder / "clean.ply").read_bytes()
 print(f"{len(data)} bytes in, {len(cleaned.stdout)} out: the same as by files")
 
 # %%
-# **Exit codes** guard a script: 0 done, 1 an error, 2 a wrong call, 3 done with a poor result. An output that exists
-# is not replaced unless ``--force`` says so.
+# **Exit codes** guard a script: 0 done, 1 an error, 2 a wrong call, 3 done with an unreliable result. An existing
+# output is not replaced without ``--force``.
 shell("clean scan.ply clean.ply", expected=1)
 
 # %%

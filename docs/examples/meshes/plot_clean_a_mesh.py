@@ -56,8 +56,8 @@ found: loom.CleanedMesh = loom.clean_mesh(broken, hole_size=0.1 * size, min_tria
 print(found)
 
 # %%
-# The result is a record, not only a mesh. ``repair`` counts what was done, and ``poor`` is the verdict: ``None``, or a
-# sentence that says why the mesh is not to be believed. We also hold it against the truth.
+# The result has the mesh and its figures. ``repair`` counts the changes, ``reliable`` is True if all quality checks
+# passed, and ``warnings`` has those that failed. We also compare the mesh with the truth.
 
 report: loom.MeshRepairReport = found.repair
 volume = found.mesh.get_volume()
@@ -65,7 +65,7 @@ print(
     f"merged {report.merged_vertices} vertices, turned {report.flipped_triangles} "
     f"triangles over, filled {report.filled_holes} holes"
 )
-print(f"verdict: {found.poor or 'whole'}; volume {volume * 1e6:.1f} cm^3, true {whole.get_volume() * 1e6:.1f}")
+print(f"reliable: {found.reliable}; volume {volume * 1e6:.1f} cm^3, true {whole.get_volume() * 1e6:.1f}")
 assert found.is_watertight and found.mesh.is_orientable() and found.mesh.is_vertex_manifold()
 assert report.removed_non_finite_triangles == 1
 assert abs(volume / whole.get_volume() - 1) < 0.01

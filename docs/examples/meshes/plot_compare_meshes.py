@@ -27,13 +27,13 @@ made = loom.create_surface(scan, depth=7).mesh
 # -------
 #
 # An F-score is the share of both surfaces that have the other one within a threshold (harmonic mean, percent). The
-# Hausdorff distance is the worst place of all. ``limit`` [m] is what you allow: beyond it ``poor`` says so.
+# Hausdorff distance is the worst place of all. ``limit`` [m] is what you allow: a larger distance adds a warning.
 
 found: loom.MeshComparison = loom.compare_meshes(made, truth, thresholds=[0.0005, 0.001, 0.002], limit=0.02)
 print(found)
 figures = found.metrics
 print("F-scores:", {f"{t * 1e3:g} mm": f"{f:.1f} %" for t, f in zip(found.thresholds, figures.fscore, strict=False)})
-assert found.poor is None, found.poor
+assert found.reliable, found.warnings
 assert max(figures.mean) < 0.001, "half a millimetre of noise is averaged by the surface"
 assert np.all(np.diff(figures.fscore) >= 0) and figures.fscore[-1] > 95
 
@@ -41,8 +41,8 @@ assert np.all(np.diff(figures.fscore) >= 0) and figures.fscore[-1] > 95
 # Wrong units are told, not measured away.
 
 wrong = loom.compare_meshes(made.scale(1000, [0, 0, 0]), truth, samples=2000)
-print(wrong.poor)
-assert wrong.poor is not None and "unit" in wrong.poor
+print(wrong.warnings)
+assert not wrong.reliable and "unit" in wrong.warnings[0]
 
 # %%
 # Where is it off?

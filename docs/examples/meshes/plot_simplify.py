@@ -38,11 +38,11 @@ for name, result in rows.items():
     print(f"{name:24} {len(result.mesh.triangles):6} triangles, rms error {result.errors.rms * 1e3:.3f} mm")
 assert abs(len(tenth.mesh.triangles) / len(mesh.triangles) - 0.1) < 0.001
 assert tenth.errors.rms < min(hundredth.errors.rms, blunt.errors.rms)
-assert tenth.mesh.is_watertight() and tenth.poor is None
+assert tenth.mesh.is_watertight() and tenth.reliable
 
 # %%
-# ``errors`` is ``None`` where nothing could be measured, and ``poor`` says when a result is not to be believed. The
-# record goes into a report by ``to_json()``.
+# ``errors`` is ``None`` where nothing could be measured, and ``reliable`` is False if a quality check failed.
+# ``to_json()`` gives the figures.
 
 print({key: value for key, value in tenth.to_json().items() if not isinstance(value, (dict, list))})
 

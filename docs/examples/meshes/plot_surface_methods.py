@@ -30,8 +30,8 @@ print(f"{len(scan)} points, {np.linalg.norm(high - low):.3f} m across")
 # -------------
 #
 # ``create_surface`` makes normals where there are none, chooses radii and alpha by the spacing of the points, and
-# reports: how much area lies far from all points, how many edges are open, and ``poor``, why the surface is not to be
-# believed.
+# reports: how much area lies far from all points, how many edges are open, and in ``warnings`` why the surface is
+# unreliable.
 
 results: dict[str, loom.SurfaceResult] = {
     name: loom.create_surface(scan, name) for name in ("poisson", "ball", "alpha")
@@ -40,8 +40,8 @@ for name, result in results.items():
     metrics = result.mesh.compute_metrics(truth, n_sampled_points=20_000)
     print(f"{name:8} {len(result.mesh.triangles):7} triangles, closed: {result.mesh.is_watertight()!s:5} "
           f"off the truth {metrics.mean[0] * 1e3:.3f} mm, truth off it {metrics.mean[1] * 1e3:.3f} mm")  # fmt: skip
-    if result.poor:
-        print("        ", result.poor)
+    for warning in result.warnings:
+        print("        ", warning)
 
 far = {name: result.mesh.compute_metrics(truth, n_sampled_points=20_000).mean[0] for name, result in results.items()}
 assert far["poisson"] < far["alpha"], "Poisson averages noise away"

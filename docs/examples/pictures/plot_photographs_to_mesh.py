@@ -41,13 +41,13 @@ known = loom.SfmModel(names, [lens] * len(names), T_camera_world)
 
 found: loom.sfm.TriangulationResult = loom.sfm.triangulate(folder, known, max_size=480, max_features=1000)
 model = found.model
-print(model, "|", found.poor or "the poses fit")
+print(model, "|", "; ".join(found.warnings) or "the poses fit")
 scene = loom.RaycastingScene()
 scene.add_triangles(loom.data.object_mesh())
 above = model.points[:, 2] > loom.data.object_mesh().get_min_bound()[2] + 0.01  # not of the cloth
 error = scene.compute_distance(model.points[above])
 print(f"{above.sum()} points on the figure, {np.median(error) * 1e3:.2f} mm off its surface (median)")
-assert found.poor is None and np.median(error) < 0.003
+assert found.reliable and np.median(error) < 0.003
 
 # %%
 # Depth of every pixel

@@ -41,13 +41,13 @@ def off(T):
 
 
 # %%
-# **In one call.** ``register_pair`` chooses the voxels, searches, refines and rates. ``poor`` is None, or says why
-# not to use it.
+# **In one call.** ``register_pair`` chooses the voxels, searches, refines and rates. ``warnings`` has the reasons
+# if the result is unreliable.
 pair: reg.PairRegistration = reg.register_pair(source, target)
 print(pair)
 turn, distance = off(pair.transformation)
 print(f"{turn:.3f} degrees, {1000 * distance:.1f} mm from the truth")
-assert pair.poor is None and turn < 0.5 and distance < 0.02
+assert pair.reliable and turn < 0.5 and distance < 0.02
 
 # %%
 # **The parts of it.** ``register_globally`` searches; its voxel is the one thing to choose: smaller than what there

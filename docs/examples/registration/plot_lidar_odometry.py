@@ -30,10 +30,10 @@ last: reg.OdometryStep = odometry.steps[-1]
 print(f"last scan: fitness {last.fitness:.2f}, {last.inliers} inliers, {last.iterations} steps, {last.reason}")
 
 # %%
-# **The verdict** first. ``poor`` is None where nothing speaks against the path; else it says what does, in words.
+# **Quality** first. ``reliable`` is True if all checks of the path passed; ``warnings`` has those that failed.
 summary: reg.OdometrySummary = odometry.summary
 print(summary)
-assert summary.poor is None
+assert summary.reliable
 
 # %%
 # **The path** against the true one, both begun at the first scan.

@@ -72,8 +72,8 @@ bare_scans, furnished_scans = (walk(corridor(furnished)[0]) for furnished in (Fa
 # with it.
 bare = reg.summarize_steps(list(reg.iterate_odometry(bare_scans, **options)))
 print(bare)
-print("poor:", bare.poor)
-assert bare.poor is not None and len(bare.undetermined) > 10 and "x" in bare.open_motions
+print("warnings:", bare.warnings)
+assert not bare.reliable and len(bare.undetermined) > 10 and "x" in bare.open_motions
 
 # %%
 # **The cure**: tell it the motion from elsewhere. ``prior`` is the motion since the scan before; here wheels that

@@ -86,7 +86,7 @@ for wrong in (folder, folder / "take-3"):
 # wants them.
 
 result = loom.fuse(loom.open_dataset(folder / "take-1"), voxel_size=0.03)
-assert result.poor is None and result.frame_count == 12
+assert result.reliable and result.frame_count == 12
 
 T = frames[6].T_world_camera.copy()
 T[:3, 3] -= 0.7 * T[:3, 2]

@@ -41,7 +41,7 @@ print(f"the camera turned by {still[0]:.1f} degrees and went {still[1] / 10:.1f}
 source = od.OdometryFrame(first.depth, camera, first.color, depth_scale=1.0)
 target = od.OdometryFrame(second.depth, camera, second.color, depth_scale=1.0)
 result: loom.odometry.OdometryResult = od.align_frames(source, target)
-assert result.success, result.reason
+assert result.reliable, result.warnings
 print(f"fitness {result.fitness:.2f}, inlier rmse {result.inlier_rmse * 1e3:.1f} mm, {result.iterations} iterations")
 for name, method in {
     "both": od.Method.Hybrid,
@@ -50,7 +50,7 @@ for name, method in {
 }.items():
     tried = od.align_frames(source, target, method=method)
     turned, moved = difference(tried.transformation)
-    print(f"{name:10} off by {turned:.3f} degrees, {moved:.1f} mm {tried.reason}")
+    print(f"{name:10} off by {turned:.3f} degrees, {moved:.1f} mm {tried.warnings}")
 assert difference(result.transformation)[0] < 0.5 and difference(result.transformation)[1] < 15
 
 # %%
@@ -61,8 +61,8 @@ assert difference(result.transformation)[0] < 0.5 and difference(result.transfor
 
 far = frames[14]
 refused = od.align_frames(source, od.OdometryFrame(far.depth, camera, far.color, depth_scale=1.0))
-print("verdict:", refused.reason)
-assert not refused.success
+print("verdict:", refused.warnings)
+assert not refused.reliable
 
 # %%
 # As Open3D has it

@@ -33,11 +33,11 @@ print(result)
 # The verdict
 # -----------
 #
-# ``poor`` is None, or says what speaks against the result: frames that were lost and why, maps that do not belong
-# together, a focal length that does not fit.
+# ``warnings`` names failed checks: frames that were lost and why, maps that could not be joined, a focal length that
+# does not fit.
 
-print("verdict:", result.poor or "believed")
-assert result.poor is None
+print("reliable:", result.reliable)
+assert result.reliable
 assert len(result.trajectory) == len(recorded), "all frames have a pose"
 
 # %%
@@ -75,9 +75,9 @@ assert np.median(off) < 0.02
 check: loom.FocalCheck | None = loom.check_focal(loom.frames_from(recorded, camera, depth_scale=1.0), result.trajectory)
 print(
     "focal length:",
-    "nothing to tell it by" if check is None else f"factor {check.factor:.2f}; {check.doubt or 'no doubt'}",
+    "nothing to tell it by" if check is None else f"factor {check.factor:.2f}; reliable {check.reliable}",
 )
-assert check is None or not check.doubt
+assert check is None or check.reliable
 
 # %%
 # The room as the camera saw it, from behind its path.

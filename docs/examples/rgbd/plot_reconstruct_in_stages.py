@@ -54,7 +54,7 @@ assert placed.placed.all() and refined.placed.all() and not fragments.lost
 
 report: loom.reconstruction.SystemReport = system.run_system(frames, config, job, resume=True)
 print(report)
-assert report.poor is None and not report.lost
+assert report.reliable and not report.lost
 
 # %%
 # Against the truth

@@ -45,7 +45,7 @@ found: loom.color_map.TexturedMesh = loom.color_map.texture_mesh(mesh, source, p
 print(found)
 colors: loom.color_map.ColorMapResult = found.colors
 print(f"residual {colors.residual_before:.4f} before, {colors.residual:.4f} after {colors.iterations} turns")
-assert colors.residual < colors.residual_before and found.poor is None
+assert colors.residual < colors.residual_before and found.reliable
 
 # %%
 # The same by Open3D's names, for chains that need the options: ``run_rigid_optimizer`` moves poses,

@@ -58,7 +58,7 @@ path: loom.TrackedPath = loom.track(loom.frames_from(recorded, camera, depth_sca
 print(path)
 error = path.error
 print(f"off the true path by {error.absolute_translation.rmse * 1e3:.1f} mm (rms)")
-assert path.poor is None and not path.lost and len(path.trajectory) == len(recorded)
+assert path.reliable and not path.lost and len(path.trajectory) == len(recorded)
 
 # %%
 # The same bits come out each time, and each pose can be asked: what did the last frame look like?

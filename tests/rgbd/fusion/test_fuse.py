@@ -69,8 +69,8 @@ def test_poses_that_contradict_each_other_are_told_and_right_ones_are_not(walk):
     cases = {"right": right, "inverse": np.linalg.inv(right), "others": np.roll(right, 5, axis=0), "shaken": shaken}
     for name, poses in cases.items():
         found = loom.fuse(Posed(walk, poses), voxel_size=VOXEL)
-        assert (found.poor is None) == (name == "right"), name
-        assert name == "right" or "of what the frames see lies off the surface" in str(found.poor)
+        assert (found.reliable) == (name == "right"), name
+        assert name == "right" or "of what the frames see lies off the surface" in str(found.warnings)
         assert found.to_json()["share_off"] == found.share_off
     assert loom.fuse(Wall(1), voxel_size=VOXEL).share_off is None  # one frame contradicts nobody
 
@@ -125,24 +125,23 @@ def test_the_more_frames_the_more_often_a_voxel_must_be_seen(frame_count, thresh
 
 def test_shares_tell_missing_depth_from_depth_out_of_reach():
     far = loom.fuse(Wall(depth=3000), voxel_size=0.05, depth_max=2.0)
-    assert "raise depth_max" in str(far.poor) and "--" not in str(far.poor)
+    assert "raise depth_max" in str(far.warnings) and "--" not in str(far.warnings)
     assert (far.depth_share, far.used_share) == (1.0, 0.0)
     none = loom.fuse(Wall(depth=0), voxel_size=0.05)
-    assert "have a depth" in str(none.poor) and "pointloom info" not in str(none.poor)
+    assert "have a depth" in str(none.warnings) and "pointloom info" not in str(none.warnings)
     assert (none.depth_share, none.used_share) == (0.0, 0.0)
     assert len(far.mesh) == len(none.mesh) == 0
 
 
 @pytest.mark.parametrize(
-    ("voxel_size", "said"),
-    [(20.0, "20 m is larger than what the frames see (1 m)"), (0.2, "0.2 m is more than a twentieth of")],
+    ("voxel_size", "said"), [(20.0, "20 m is larger than the scene (1 m)"), (0.2, "0.2 m is more than a twentieth of")]
 )
 def test_a_voxel_too_large_for_what_the_frames_see_is_told(voxel_size, said):
     result = loom.fuse(Wall(), voxel_size=voxel_size)
-    assert f"voxel_size: {said}" in str(result.poor) and "--" not in str(result.poor)
-    assert str(result).splitlines()[-1].split(maxsplit=1) == ["poor", result.poor]
+    assert f"voxel_size: {said}" in str(result.warnings) and "--" not in str(result.warnings)
+    assert str(result).splitlines()[-1].split(maxsplit=1) == ["warning", result.warnings[0]]
     fine = loom.fuse(Wall(), voxel_size=0.02)
-    assert fine.poor is None and "poor" not in str(fine)
+    assert fine.reliable and "poor" not in str(fine)
     assert fine.seen_extent == pytest.approx(31 / 30)
 
 

@@ -32,11 +32,11 @@ def test_wrong_pictures_cameras_and_weights_are_refused(error, words, call):
 
 def test_a_matrix_is_a_camera():
     found = od.compute_rgbd_odometry(IMAGE, IMAGE, CAMERA.matrix)
-    assert found.success and repr(found).startswith("OdometryResult(success, fitness 0.9")
+    assert found.reliable and repr(found).startswith("OdometryResult(reliable, fitness 0.9")
 
 
 @pytest.mark.parametrize("size", [(1, 1), (2, 3), (5, 200)])
 def test_tiny_frames_are_no_success_and_no_error(device, size):
     camera = loom.PinholeCameraIntrinsic(size[1], size[0], 50.0, 50.0, size[1] / 2, size[0] / 2)
     one = od.OdometryFrame(np.ones(size, np.float32), camera, device=device)
-    assert not od.align_frames(one, one).success
+    assert not od.align_frames(one, one).reliable

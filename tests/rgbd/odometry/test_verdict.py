@@ -37,26 +37,26 @@ def test_a_blank_frame_is_no_success(device, blank):
     full = od.OdometryFrame(depth, CAMERA, color, device=device)
     pair = {"source": (empty, full), "target": (full, empty), "both": (empty, empty)}[blank]
     result = od.align_frames(*pair)
-    assert not result.success and result.reason
+    assert not result.reliable and result.warnings
 
 
 def test_two_different_halves_are_no_success(device):
     depth, color = picture(HERE)
     frames = [od.OdometryFrame(half(depth, side), CAMERA, color, device=device) for side in ("left", "right")]
-    assert not od.align_frames(*frames).success
+    assert not od.align_frames(*frames).reliable
 
 
 def test_two_equal_halves_are_enough(device):
     depth, color = picture(HERE)
     one = od.OdometryFrame(half(depth, "left"), CAMERA, color, device=device)
     result = od.align_frames(one, one)
-    assert result.success and np.abs(result.transformation - np.eye(4)).max() < 1e-4
+    assert result.reliable and np.abs(result.transformation - np.eye(4)).max() < 1e-4
 
 
 @pytest.mark.parametrize("turn", [1.2, 1.6, 2.4, 3.1])
 def test_views_of_other_places_are_no_success(device, turn):
     other = frame(pose_of([0.1, turn, 0.0], [0.2, 0.0, -0.3]), device, noise=1.0, seed=1)
-    assert not od.align_frames(frame(HERE, device, noise=1.0), other).success
+    assert not od.align_frames(frame(HERE, device, noise=1.0), other).reliable
 
 
 @pytest.mark.parametrize("method", list(od.Method))
@@ -64,8 +64,8 @@ def test_views_of_other_places_are_no_success(device, turn):
 def test_a_wall_without_texture_is_no_success(device, rng, method, tilt):
     frames = [od.OdometryFrame(d, CAMERA, c, device=device) for d, c in (plane(rng, tilt), plane(rng, tilt))]
     result = od.align_frames(*frames, method=method)
-    assert not result.success
-    assert method is od.Method.Intensity or "determine" in result.reason  # it drifts off the surface without one
+    assert not result.reliable
+    assert method is od.Method.Intensity or "determine" in result.warnings[0]  # it drifts off the surface without one
 
 
 def test_a_wall_with_texture_is(device, rng):
@@ -74,7 +74,7 @@ def test_a_wall_with_texture_is(device, rng):
 
     pictures = plane(rng, 0.2, pattern), plane(rng, 0.2, lambda u, v: pattern(u, v, 2))
     frames = [od.OdometryFrame(depth, CAMERA, color, device=device) for depth, color in pictures]
-    assert od.align_frames(*frames).success
+    assert od.align_frames(*frames).reliable
 
 
 def test_a_wrong_camera_is_told_by_the_residual(device):
@@ -93,7 +93,7 @@ def test_a_thing_that_moves_does_not_carry_the_camera_off(device):
     frames = [od.OdometryFrame(depth, CAMERA, color, device=device) for depth, color in pictures]
     result = od.align_frames(*frames)
     angle, distance = errors_of(result.transformation, np.eye(4))
-    assert result.success and angle < 0.3 and distance < 8
+    assert result.reliable and angle < 0.3 and distance < 8
 
 
 def test_nan_is_no_measurement(device):
@@ -102,4 +102,4 @@ def test_nan_is_no_measurement(device):
     spoilt = [np.where(holes, value, depth) for value in (np.nan, np.inf, -1.0, 0.0)]
     frames = [od.OdometryFrame(d, CAMERA, color, device=device) for d in spoilt]
     results = [od.align_frames(one, frames[-1]) for one in frames]
-    assert all(r.success and r.transformation.tobytes() == results[0].transformation.tobytes() for r in results)
+    assert all(r.reliable and r.transformation.tobytes() == results[0].transformation.tobytes() for r in results)

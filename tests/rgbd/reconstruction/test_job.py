@@ -48,7 +48,7 @@ def room(tmp_path_factory):
 @pytest.mark.slow
 def test_frames_without_poses_become_the_room(room):
     walk, folder, report = room
-    assert (report.used, report.lost, report.poor) == (9, (), None)
+    assert (report.used, report.lost, report.warnings) == (9, (), ())
     assert [fragment.frames for fragment in report.fragments] == [3, 3, 3]
     assert all(fragment.placed for fragment in report.fragments)
     assert report.trajectory_error["rmse"] < 0.01
@@ -115,7 +115,7 @@ def test_parts_that_cannot_be_joined_are_listed(tmp_path):
     assert report.used == 4
     (lost,) = report.lost
     assert (lost.first, lost.last, lost.count, lost.stage) == ("frame-4", "frame-5", 2, "register_fragments")
-    assert "2 of 6 frames are not in the model" in report.poor
+    assert "2 of 6 frames are not in the model" in str(report.warnings)
     assert [fragment.placed for fragment in report.fragments] == [True, False]
 
 
@@ -130,7 +130,7 @@ def test_parts_that_meet_again_are_joined_without_odometry(tmp_path):
 
 def test_one_frame_is_a_model(tmp_path):
     report = run_system(Walk([0]), config(), tmp_path)
-    assert (report.used, report.poor) == (1, None)
+    assert (report.used, report.reliable) == (1, True)
     assert report.mesh["vertices"] > 1000
 
 
@@ -138,7 +138,7 @@ def test_blank_frames_leave_no_model_and_say_so(tmp_path):
     report = run_system(Walk([0, 1], changed={i: blank(frame_at(i)) for i in (0, 1)}), config(), tmp_path)
     assert (report.used, report.files, report.mesh) == (0, (), None)
     assert report.lost[0].count == 2
-    assert "nothing was written" in report.poor
+    assert "frames overlap" in str(report.warnings)
 
 
 class Stream:

@@ -13,7 +13,7 @@ def test_redwoods_frames_become_a_model(tmp_path, scan_set, scan_file):
     frames = loom.open_frames(scan_file("rgbd-cupoch-redwood5"))
     report = run_system(frames, Config(tsdf_voxel_size=0.02), tmp_path)
     assert len(frames) == {"shipped": 3, "real": 5}[scan_set]
-    assert (report.used, report.poor) == (len(frames), None)
+    assert (report.used, report.warnings) == (len(frames), ())
     assert report.trajectory_error["rmse"] < 0.005  # what the poses that come with them are good for
 
 

@@ -53,7 +53,7 @@ def test_a_run_that_is_done_is_kept_as_it_is(done, job):
     again = run_system(the_walk(), SETTINGS, job, resume=True)
     assert again.kept == 2
     assert {path: path.stat().st_mtime_ns for path in job.rglob("*.ply")} == times
-    for name in ("lost", "fragments", "mesh", "trajectory_error", "poor"):
+    for name in ("lost", "fragments", "mesh", "trajectory_error", "warnings"):
         assert getattr(again, name) == getattr(done[1], name)
     assert digest_of(job) == done[2]
 

@@ -41,7 +41,7 @@ def path_of(part: Part) -> Trajectory:
 def test_the_right_focal_length_is_not_doubted(turning, device):
     check = check_focal(turning, path_of(turning), depth_max=4.0, device=device)
     assert check is not None and check.factor == 1.0
-    assert check.doubt is None and "no other focal length fits better" in str(check)
+    assert check.reliable and "no other focal length fits better" in str(check)
 
 
 @pytest.mark.parametrize(
@@ -51,7 +51,7 @@ def test_the_right_focal_length_is_not_doubted(turning, device):
 def test_a_wrong_focal_length_is_told_with_a_better_one(turning, factor, better):
     check = check_focal(Stretched(turning, factor), path_of(turning), depth_max=4.0)
     assert check is not None and check.factor == better
-    assert f"about {better:g} times as long" in str(check.doubt)
+    assert f"about {better:g} times as long" in str(check.warnings)
 
 
 def test_a_camera_that_hardly_turned_tells_nothing(walk):

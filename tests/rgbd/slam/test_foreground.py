@@ -90,7 +90,7 @@ def layers(whole, far, agreement=0.95, **changes):
 
     T = np.eye(4)
     T[0, 3] = 0.05
-    values = {"success": True, "transformation": T, "information": np.eye(6), "overlap": 0.8, "fitness": 0.75}
+    values = {"transformation": T, "information": np.eye(6), "overlap": 0.8, "fitness": 0.75}
     result = OdometryResult(**{**values, "smallest_eigenvalue": 0.1, **changes})
     return Layers(Fit(whole, agreement, result), Fit(far, agreement, result), np.eye(4))
 

@@ -201,7 +201,7 @@ def test_a_path_says_what_lies_in_a_map_of_its_own():
     (other,) = path.other_maps
     assert other.ids[:, 0].tolist() == list(range(4))
     assert sorted(path.lost) == [4, 5, 6, 7]
-    assert "2 maps that do not lie relative to each other: frame 0-3 are in a map of their own" in path.poor
+    assert "2 maps that do not lie relative to each other: frame 0-3 are in a map of their own" in str(path.warnings)
     report = json.loads(json.dumps(path.to_json()))
     assert report["other_maps"] == [{"first": 0, "last": 3, "tracked": 4}] and report["tracked"] == 5
     assert "other maps" in str(path)
@@ -210,7 +210,7 @@ def test_a_path_says_what_lies_in_a_map_of_its_own():
 @pytest.mark.slow
 def test_a_model_is_of_one_map():
     result = loom.reconstruct(Away(), voxel_size=0.04)
-    assert len(result.trajectory) == 5 and "2 maps" in result.poor
+    assert len(result.trajectory) == 5 and "2 maps" in str(result.warnings)
     lowest, highest = result.mesh.vertices.min(axis=0), result.mesh.vertices.max(axis=0)
     alone = loom.reconstruct(loom.frames_from([(f.color, f.depth) for f in frames(*range(154, 159))], walk().intrinsic),
                              voxel_size=0.04)  # fmt: skip

@@ -106,8 +106,8 @@ def test_a_recognition_that_lies_far_off_the_model_is_refused(usual, verdict):
         ({"intensity_rmse": 0.018}, False),
         ({"fitness": 0.45}, True),
         ({"fitness": 0.45, "overlap": 0.5}, False),  # it shows less, and lies on that as well
-        ({"success": False, "reason": "the target looked through", "overlap": 0.1, "fitness": 0.09}, False),
-        ({"success": False, "reason": "the target looked through"}, True),
+        ({"warnings": ("the target looked through",), "overlap": 0.1, "fitness": 0.09}, False),
+        ({"warnings": ("the target looked through",)}, True),
     ],
 )
 def test_a_rival_is_beaten_by_what_it_contradicts_not_by_what_it_lacks(change, is_worse):

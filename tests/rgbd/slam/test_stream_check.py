@@ -113,17 +113,18 @@ def test_what_is_doubted_is_uncertain_and_speaks_against_the_path(device):
     slam.run(taken[:3])
     slam.stream.lag.frames, slam.stream.lag.seconds = 30, 1.0
     result = slam.step(taken[3])
-    said = "colour and depth seem to be 1.0 s apart"
+    said = "color and depth seem to be 1.0 s apart"
     assert (result.verdict, result.reason, result.fused) == ("uncertain", said, False)
     slam.stream.lag.seconds = math.nan
-    assert slam.stream.doubt == "colour and depth seem to be 30 frames apart"
+    assert slam.stream.problem == "color and depth seem to be 30 frames apart"
 
 
 def test_a_path_whose_streams_are_apart_is_poor():
     path = loom.track(loom.frames_from([(f.color, f.depth) for f in frames(0, 1)], walk().intrinsic), voxel_size=0.04)
-    assert path.stream is None and path.poor is None
-    said = "colour and depth seem to be 1.0 s apart"
-    apart = dataclasses.replace(path, stream=said, uncertain=(0, 1), doubt=said)
-    assert apart.poor == f"{said}; 2 of 2 poses are uncertain (frame 0-1)"
+    assert path.stream is None and path.reliable
+    said = "color and depth seem to be 1.0 s apart"
+    apart = dataclasses.replace(path, stream=said, uncertain=(0, 1), uncertain_reason=said)
+    assert apart.warnings == (said, "2 of 2 poses are uncertain (frame 0-1)")
     assert apart.to_json()["stream"] == said
-    assert "(frame 0-1): it may slide" in dataclasses.replace(path, uncertain=(0, 1), doubt="it may slide").poor
+    slides = dataclasses.replace(path, uncertain=(0, 1), uncertain_reason="it may slide")
+    assert "(frame 0-1): it may slide" in slides.warnings[0]

@@ -12,10 +12,8 @@ from pointloom.rgbd.odometry.verdicts import UNDETERMINED
 from pointloom.rgbd.slam.verdicts import SURE_OVERLAP, judge_recognition, judge_tracking
 
 GOOD = OdometryResult(
-    success=True,
     transformation=np.eye(4),
     information=np.eye(6),
-    reason="",
     inliers=900,
     fitness=0.8,
     overlap=0.9,
@@ -65,8 +63,8 @@ def test_each_figure_counts_in_tracking(change, verdict):
     ("change", "verdict"),
     [
         ({}, "tracked"),
-        ({"success": False, "reason": UNDETERMINED}, "tracked"),  # its limit is for frames of full size
-        ({"success": False, "reason": "the source has no depth"}, "lost"),
+        ({"warnings": (UNDETERMINED,)}, "tracked"),  # its limit is for frames of full size
+        ({"warnings": ("the source has no depth",)}, "lost"),
         ({"smallest_eigenvalue": 0.001}, "lost"),
         ({"fitness": 0.6}, "lost"),
         ({"overlap": 0.4, "fitness": 0.4}, "lost"),
