@@ -99,19 +99,18 @@ def trajectory_plot(
     corners = path[::step, plane]
     segments = np.stack([corners[:-1], corners[1:]], axis=1)
     drawn = np.isfinite(segments).all(axis=(1, 2))
-    scale = _matplotlib("colors").Normalize(0.0, largest)
-    lines = _matplotlib("collections").LineCollection(segments[drawn], cmap="turbo", norm=scale, linewidths=1.5)
-    lines.set_array(errors[::step][:-1][drawn])
-    upper.add_collection(lines)
+    color_of = _color_scale("turbo", 0.0, largest)
+    colors = color_of.to_rgba(errors[::step][:-1][drawn])
+    upper.add_collection(_matplotlib("collections").LineCollection(segments[drawn], colors=colors, linewidths=1.5))
     ends = path[np.isfinite(path).all(axis=1)][:, plane]
     for name, marker, at in (("start", "o", ends[:1]), ("end", "s", ends[-1:])):
         upper.plot(*at.T, marker, color="black", markerfacecolor="white", zorder=3, label=name)
     _set_plan(upper, "xyz"[across], "xyz"[along])
     upper.legend()
-    figure.colorbar(lines, ax=upper, label=ERROR)
+    figure.colorbar(color_of, ax=upper, label=ERROR)
     if len(finite):
-        rmse, median = np.sqrt((finite**2).mean()), np.median(finite)
-        title += f"\n{len(finite):,} poses, error {rmse:.3g} m rmse, {median:.3g} m median, {largest:.3g} m at most"
+        rmse, median, highest = np.sqrt((finite**2).mean()), np.median(finite), finite.max()
+        title += f"\n{len(finite):,} poses, error {rmse:.3g} m rmse, {median:.3g} m median, {highest:.3g} m at most"
     upper.set_title(title, parse_math=False)
     lower.plot(np.arange(len(path)) if times is None else times - times[:1], errors, linewidth=1.0)
     lower.set(
@@ -309,11 +308,10 @@ def _draw_links(figure: Any, axes: Any, result: StationsResult) -> None:
     )
     if pairs:
         residuals = np.array([np.linalg.norm(g.residual[-3:]) * MM for g in pairs])
-        scale = _matplotlib("colors").Normalize(0.0, float(residuals.max()) or 1.0)
-        lines = make_lines(ends_of(pairs), cmap="viridis", norm=scale, linewidths=3)
-        lines.set_array(residuals)
+        color_of = _color_scale("viridis", 0.0, float(residuals.max()) or 1.0)
+        lines = make_lines(ends_of(pairs), colors=color_of.to_rgba(residuals), linewidths=3)
         axes.add_collection(lines, autolim=False)
-        figure.colorbar(lines, ax=axes, label="residuals of pairs [mm]")
+        figure.colorbar(color_of, ax=axes, label="residuals of pairs [mm]")
     lines = make_lines(ends_of([o.group for o in result.outliers]), colors=WRONG, linewidths=2)
     axes.add_collection(lines, autolim=False)
 
