@@ -1,4 +1,4 @@
-"""Files of points to files of points: `convert_file`, `downsample_file` and `estimate_normals_of_file`.
+"""Files of points to files of points: `convert_file` and `estimate_normals_of_file`.
 
 Each checks its output before the work and returns what was done; `warnings` says why a result is unreliable.
 """
@@ -118,57 +118,6 @@ def _warn_of_rounded_colors(output: FilePath, table: PointTable) -> None:
     if (np.abs(np.rint(table.colors * full) / full - table.colors) > COLOR_STEP / 2).any():
         message = f"{output}: colors are rounded to the 8 bits a channel of {suffix}; .laz and .npz keep 16"
         warnings.warn(message, UserWarning, stacklevel=3)
-
-
-@dataclass(frozen=True)
-class DownsampleReport(JobReport):
-    """What `downsample_file` did.
-
-    Attributes:
-        device: Where it was computed.
-        voxel_size: Edge of a voxel [m].
-        points_in, points: How many points before and after.
-    """
-
-    device: str
-    voxel_size: float
-    points_in: int
-    points: int
-
-    def fields(self) -> Fields:
-        """The counts."""
-        count = f"{self.points:,} of {self.points_in:,}, one a voxel of {self.voxel_size:g} {self.m}"
-        return [("points", count), *self.closing(self.device)]
-
-
-def downsample_file(
-    source: FilePath, output: FilePath, voxel_size: float, **settings: Unpack[Settings]
-) -> DownsampleReport:
-    """Write one point for each occupied voxel of a cloud: the mean of its points and of their attributes.
-
-    Args:
-        source: A cloud; of a mesh the vertices count.
-        output: A cloud.
-        voxel_size: Edge of a voxel [m].
-        settings: As of `Settings`.
-
-    Returns:
-        What was done. Nothing is written where no point is left.
-
-    Raises:
-        FileError: A file that cannot be read or written.
-        ValueError: A voxel size that is not positive, or far too small.
-        DeviceError: No such device.
-    """
-    job = Job("downsample", source, **settings)
-    job.check(output)
-    cloud = job.read_cloud()
-    with job.stage("downsample", judged=True):
-        small = cloud.voxel_down_sample(voxel_size)
-    warning = None if len(small) else "no point is finite, so none is left; nothing was written"
-    if len(small):
-        job.write_cloud(small, output)
-    return DownsampleReport(job.done(warning), str(cloud.device), voxel_size, len(cloud), len(small))
 
 
 @dataclass(frozen=True)

@@ -67,7 +67,7 @@ def cli() -> None:
 
     \b
     pointloom clean scan.ply out.ply                       without outliers
-    pointloom sample scan.ply out.ply --voxel 0.05         fewer points
+    pointloom downsample scan.ply out.ply --voxel 0.05     fewer points
     pointloom crop scan.ply out.ply --box 0 0 0 5 5 2.5    a part of it
     pointloom plane scan.ply floor.ply --distance 0.02     the floor, and where it lies
     pointloom cluster scan.ply out.ply --radius 0.05 --paint  what hangs together
@@ -215,23 +215,6 @@ def convert(
     from ..jobs.clouds import convert_file
 
     return convert_file(source, output, **options)
-
-
-@cli.command(short_help="Keep one point for each voxel of a cloud.")
-@click.option("--voxel", type=LENGTH, required=True, metavar="M", help="Edge of a voxel [m].")
-@from_cloud_to_cloud()
-def downsample(source: Path, output: Path, voxel: float, **options: Any) -> Answer:
-    """Write to OUT one point for each voxel of the cloud IN that holds any: the mean of its points.
-
-    Normals, colours and attributes in floating point are averaged too; whole numbers are those of the first point.
-    For points of IN as they are, see pointloom sample --voxel M --nearest.
-
-    \b
-    pointloom downsample scan.ply small.ply --voxel 0.05
-    """
-    from ..jobs.clouds import downsample_file
-
-    return downsample_file(source, output, voxel, **options)
 
 
 @cli.command(short_help="Estimate the normals of a cloud.")

@@ -1,4 +1,4 @@
-"""The commands that choose or label the points of a file: clean, cluster, plane, crop, sample.
+"""The commands that choose or label the points of a file: clean, cluster, plane, crop, downsample.
 
 As in cli.py nothing heavy is imported here; what a command does lies in the module of its name.
 """
@@ -203,18 +203,19 @@ def crop(source: Path, output: Path, box: tuple[float, ...] | None, polygon: Pat
 @click.option("--nearest", is_flag=True, help="With --voxel: the point nearest to the mean instead.")
 @click.option("--seed", type=SEED, metavar="N", help="With --ratio: chooses the choice; 0 if not given.")
 @from_cloud_to_cloud()
-def sample(source: Path, output: Path, nearest: bool, seed: int | None, **options: Any) -> Answer:
+def downsample(source: Path, output: Path, nearest: bool, seed: int | None, **options: Any) -> Answer:
     """Write to OUT fewer points of the cloud IN: one of --every, --ratio, --farthest and --voxel says which.
 
-    All but the means of --voxel are points of IN as they are, with all their attributes.
+    All but the means of --voxel are points of IN as they are, with all their attributes. Means are of normals, colours
+    and attributes in floating point too; whole numbers are those of the first point.
 
     \b
-    pointloom sample scan.ply out.ply --every 10
-    pointloom sample scan.ply out.ply --ratio 0.1 --seed 7
-    pointloom sample scan.ply out.ply --farthest 2048
-    pointloom sample tile.laz out.laz --voxel 0.5 --nearest
+    pointloom downsample scan.ply out.ply --every 10
+    pointloom downsample scan.ply out.ply --ratio 0.1 --seed 7
+    pointloom downsample scan.ply out.ply --farthest 2048
+    pointloom downsample tile.laz out.laz --voxel 0.5 --nearest
     """
-    from ..jobs.sample import sample_file
+    from ..jobs.downsample import downsample_file
 
     ways = {name: options.pop(name) for name in ("every", "ratio", "farthest", "voxel")}
     given = {name: amount for name, amount in ways.items() if amount is not None}
@@ -227,7 +228,8 @@ def sample(source: Path, output: Path, nearest: bool, seed: int | None, **option
         refuse("--seed goes with --ratio")
     with Progress() as progress:
         options |= {"progress": progress}
-        return sample_file(source, output, by="nearest" if nearest else by, amount=amount, seed=seed or 0, **options)
+        way = "nearest" if nearest else by
+        return downsample_file(source, output, by=way, amount=amount, seed=seed or 0, **options)
 
 
-COMMANDS = (clean, cluster, plane, crop, sample)
+COMMANDS = (clean, cluster, plane, crop, downsample)

@@ -27,7 +27,7 @@ ROOT = Path(__file__).resolve().parents[2]
 COMMANDS = (
     "change", "clean", "clean-mesh", "cluster", "compare-meshes", "completion", "convert", "crop", "demo", "depth",
     "docs", "doctor", "downsample", "evaluate", "fuse", "info", "mesh", "multiway", "normals", "odometry", "plane",
-    "reconstruct", "register", "sample", "sample-mesh", "simplify", "smooth-mesh", "stations", "texture", "tile",
+    "reconstruct", "register", "sample-mesh", "simplify", "smooth-mesh", "stations", "texture", "tile",
     "track", "video", "view",
 )  # fmt: skip
 
@@ -153,11 +153,7 @@ def test_existing_outputs_are_kept_unless_forced(scene, mesh, frames, tmp_path):
     output = tmp_path / "out.ply"
     commands = (
         *(["convert", scene], ["downsample", scene, "--voxel", "0.5"], ["normals", scene], ["clean", scene]),
-        *(
-            ["cluster", scene, "--radius", "0.2"],
-            ["plane", scene, "--distance", "0.01"],
-            ["sample", scene, "--every", "2"],
-        ),
+        *(["cluster", scene, "--radius", "0.2"], ["plane", scene, "--distance", "0.01"]),
         *(
             ["crop", scene, "--box", "0", "0", "0", "1", "1", "1"],
             ["clean-mesh", mesh],

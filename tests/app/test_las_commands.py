@@ -116,7 +116,7 @@ def test_a_file_in_degrees_is_said_to_be_and_keeps_its_rows(tmp_path, rng):
     record.x, record.y, record.z = points.T
     with laspy.open(degrees, mode="w", header=header) as writer:
         writer.write_points(record)
-    result = run("sample", degrees, tmp_path / "some.laz", "--farthest", 50)
+    result = run("downsample", degrees, tmp_path / "some.laz", "--farthest", 50)
     assert result.exit_code == 0
     assert "degrees.las: x and y are degrees" in result.stderr
     stored, kept = ({tuple(row) for row in laspy.read(path).xyz.tolist()} for path in (degrees, tmp_path / "some.laz"))

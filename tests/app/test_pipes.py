@@ -43,8 +43,8 @@ def test_the_extensions_of_pipes_are_those_of_files():
 @pytest.mark.parametrize("extension", ["ply", "npz"])
 def test_what_comes_through_pipes_is_what_files_hold(cloud, tmp_path, extension):
     out = tmp_path / f"out.{extension}"
-    assert run("sample", cloud, out, "--every", "3").exit_code == 0
-    piped = feed(cloud.read_bytes(), "sample", "-", "-", "--every", "3", "--from", "ply", "--to", extension)
+    assert run("downsample", cloud, out, "--every", "3").exit_code == 0
+    piped = feed(cloud.read_bytes(), "downsample", "-", "-", "--every", "3", "--from", "ply", "--to", extension)
     assert piped.exit_code == 0, piped.stderr
     assert piped.stdout_bytes == out.read_bytes()
     assert "standard input" in piped.stderr

@@ -1,4 +1,4 @@
-"""clean, cluster, crop, plane and sample: each command by itself."""
+"""clean, cluster, crop, plane and downsample: each command by itself."""
 
 import numpy as np
 import pytest
@@ -252,15 +252,15 @@ def test_a_cloud_without_a_plane_is_a_poor_result(cloud, tmp_path):
         (["--voxel", "0.3", "--nearest"], lambda cloud: cloud.voxel_down_sample(0.3, "nearest")),
     ],
 )
-def test_sample_chooses_as_the_library_does(scene, points, tmp_path, device, options, choose):
-    report = answer("sample", scene, tmp_path / "out.npz", *options, "--device", device)
+def test_downsample_chooses_as_the_library_does(scene, points, tmp_path, device, options, choose):
+    report = answer("downsample", scene, tmp_path / "out.npz", *options, "--device", device)
     expected = choose(loom.PointCloud(points, device=device, row=np.arange(len(points))))["row"].tolist()
     assert rows_of(tmp_path / "out.npz") == expected
     assert report["points"] == len(expected)
 
 
-def test_sample_writes_the_means_of_voxels(scene, tmp_path, device):
-    report = answer("sample", scene, tmp_path / "out.npz", "--voxel", "0.3", "--device", device)
+def test_downsample_writes_the_means_of_voxels(scene, tmp_path, device):
+    report = answer("downsample", scene, tmp_path / "out.npz", "--voxel", "0.3", "--device", device)
     expected = loom.read_point_cloud(scene, device=device).voxel_down_sample(0.3)
     found = loom.read_point_cloud(tmp_path / "out.npz")
     assert report["points"] == len(expected)
@@ -278,14 +278,14 @@ def test_sample_writes_the_means_of_voxels(scene, tmp_path, device):
         ("--voxel 90 --nearest", "1 of 853, one a voxel of 90 m, the nearest to the mean"),
     ],
 )
-def test_sample_says_how_it_chose(scene, tmp_path, options, way):
-    assert way in run("sample", scene, tmp_path / "out.ply", *options.split()).stdout
+def test_downsample_says_how_it_chose(scene, tmp_path, options, way):
+    assert way in run("downsample", scene, tmp_path / "out.ply", *options.split()).stdout
 
 
 def test_farthest_points_begin_at_a_finite_one_and_are_not_more_than_there_are(tmp_path):
     points = [[np.nan, 0, 0], [0, 0, 0], [1, 0, 0], [5, 0, 0]]
     loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(points, row=np.arange(4, dtype=np.int32)))
-    words = ["sample", tmp_path / "a.ply", tmp_path / "b.ply", "--force", "--farthest"]
+    words = ["downsample", tmp_path / "a.ply", tmp_path / "b.ply", "--force", "--farthest"]
     answer(*words, 2)
     assert rows_of(tmp_path / "b.ply") == [1, 3]
     assert answer(*words, 3)["points"] == 3
@@ -293,5 +293,5 @@ def test_farthest_points_begin_at_a_finite_one_and_are_not_more_than_there_are(t
 
 
 def test_a_share_below_one_point_is_a_poor_result(cloud, tmp_path):
-    assert unreliable("sample", cloud, tmp_path / "out.ply", "--ratio", "1e-6")["files"] == []
+    assert unreliable("downsample", cloud, tmp_path / "out.ply", "--ratio", "1e-6")["files"] == []
     assert names_in(tmp_path) == ["cloud.ply"]

@@ -1,4 +1,4 @@
-"""clean, cluster, plane, crop and sample: what holds for all of them."""
+"""clean, cluster, plane, crop and downsample: what holds for all of them."""
 
 import json
 
@@ -15,7 +15,7 @@ CALLS = {
     "cluster": ["--radius", "0.2"],
     "plane": ["--distance", "0.01"],
     "crop": ["--box", "0", "0", "0", "1", "1", "1"],
-    "sample": ["--every", "2"],
+    "downsample": ["--every", "2"],
 }
 each_command = pytest.mark.parametrize("command", CALLS)
 
@@ -64,7 +64,7 @@ def test_a_broken_file_is_an_error_and_nothing_is_written(cloud, tmp_path, comma
 @each_command
 def test_a_cloud_without_finite_points_is_a_poor_result(tmp_path, command):
     loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(np.full((4, 3), np.nan)))
-    options = ["--voxel", "1"] if command == "sample" else CALLS[command]
+    options = ["--voxel", "1"] if command == "downsample" else CALLS[command]
     extra = ["--largest", "1"] if command == "cluster" else []
     report = unreliable(command, tmp_path / "a.ply", tmp_path / "b.ply", *options, *extra)
     assert (report["points_in"], report["points"], report["files"]) == (4, 0, [])
@@ -87,7 +87,7 @@ def test_the_whole_chain_works_on_a_lidar_tile(scan_file, tmp_path):
     laspy = pytest.importorskip("laspy")
     source, last = scan_file("lidar-pdal/laz/autzen_trim.laz"), tmp_path / "0.laz"
     steps = (
-        ["sample", "--every", "20"],
+        ["downsample", "--every", "20"],
         ["clean", "--duplicates", "--neighbors", "8"],
         ["cluster", "--radius", "60"],
         ["plane", "--distance", "3", "--planes", "2"],

@@ -23,7 +23,6 @@ def feet(tmp_path, rng):
     ("words", "said"),
     [
         (["downsample", "--voxel", 1], "one a voxel of 1 ft"),
-        (["sample", "--voxel", 1], "one a voxel of 1 ft"),
         (["cluster", "--eps", 0.001], "eps 0.001 ft"),
         (["cluster", "--eps", 0.001], "none has 10 within 0.001 ft"),
         (["normals", "--radius", 0.001], r"within 0.001 ft, .* have 3 within \S+ ft:"),
@@ -52,7 +51,7 @@ def test_a_file_in_metres_or_of_unknown_unit_is_spoken_of_as_ever(tmp_path):
     for unit in (None, "metre"):
         loom.write_point_cloud(tmp_path / "a.npz", loom.PointCloud(np.eye(3), unit=unit))
         result = run("downsample", tmp_path / "a.npz", tmp_path / "b.ply", "--voxel", 1, "--force", "--device", "cpu")
-        assert "one a voxel of 1 m\n" in result.stdout and "note" not in result.stderr
+        assert "one a voxel of 1 m, the mean\n" in result.stdout and "note" not in result.stderr
         (report,) = answer("info", tmp_path / "a.npz")["files"]
         assert report.get("unit") == unit
 

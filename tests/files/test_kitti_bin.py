@@ -102,7 +102,7 @@ def test_runs_of_scans_and_commands_take_columns(tmp_path, capsys):
     for words in (
         ["info", scan],
         ["convert", scan, copy],
-        ["sample", scan, copy, "--voxel", "0.1", "--force"],
+        ["downsample", scan, copy, "--voxel", "0.1", "--force"],
         ["odometry", str(folder), "-o", str(tmp_path / "poses.kitti")],
     ):
         with pytest.raises(SystemExit) as leaving:

@@ -296,7 +296,7 @@ def test_a_viewpoint_is_told_and_stays_in_copies(tmp_path, capsys):
     with pytest.warns(UserWarning, match=r"a\.pcd: VIEWPOINT 10 20\.5 -30") as caught:
         np.testing.assert_array_equal(loom.read_point_cloud(source).points[:, 0], [1, 2, 3])
     assert caught[0].filename == __file__
-    for words in (["convert"], ["sample", "--every", "2"], ["convert", "--ascii"]):
+    for words in (["convert"], ["downsample", "--every", "2"], ["convert", "--ascii"]):
         with pytest.raises(SystemExit):
             cli([*words, str(source), str(copy), "--force"])
         assert f"VIEWPOINT {POSE}\n".encode() in copy.read_bytes()

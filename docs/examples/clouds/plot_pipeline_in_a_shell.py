@@ -45,7 +45,7 @@ print(json.dumps(facts, indent=1)[:600])
 # %%
 # Without outliers, and one point every 6 cm. Lengths are in metres, as everywhere.
 print(shell("clean scan.ply clean.ply"))
-print(shell("sample clean.ply thin.ply --voxel 0.06"))
+print(shell("downsample clean.ply thin.ply --voxel 0.06"))
 thin = loom.read_point_cloud(folder / "thin.ply")
 assert np.isfinite(thin.points).all() and len(thin) < len(room)
 

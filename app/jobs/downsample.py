@@ -1,4 +1,4 @@
-"""Fewer points of a file that stand for all: `sample_file`."""
+"""Fewer points of a file that stand for all: `downsample_file`."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ WAYS = {
 
 
 @dataclass(frozen=True)
-class SampleReport(RowsReport):
-    """What `sample_file` did.
+class DownsampleReport(RowsReport):
+    """What `downsample_file` did.
 
     Attributes:
-        by, amount, seed: As of `sample_file`.
+        by, amount, seed: As of `downsample_file`.
     """
 
     by: str
@@ -41,9 +41,9 @@ class SampleReport(RowsReport):
         return [("points", f"{self.points:,} of {self.points_in:,}, {way}"), *self.closing(self.device)]
 
 
-def sample_file(
+def downsample_file(
     source: FilePath, output: FilePath, *, by: str, amount: float, seed: int = 0, **settings: Unpack[Settings]
-) -> SampleReport:
+) -> DownsampleReport:
     """Write fewer points of a cloud, chosen in one of five ways.
 
     Args:
@@ -65,10 +65,10 @@ def sample_file(
     """
     if by not in WAYS:
         raise ValueError(f"by: expected one of {', '.join(WAYS)}, got {by!r}")
-    job = Job("sample", source, **settings)
+    job = Job("downsample", source, **settings)
     job.check(output)
     rows = read_rows(job)
-    with job.stage("sample", judged=True):
+    with job.stage("downsample", judged=True):
         if by == "voxel":
             cloud = cloud_of(rows.table, source, device=job.device)
             table = table_of(cloud.voxel_down_sample(amount))
@@ -78,7 +78,7 @@ def sample_file(
     if count:
         job.write_points(table, output)
     warning = None if count else f"no point is left of {len(rows.cloud):,}; nothing was written"
-    return SampleReport(job.done(warning), str(job.device), len(rows.cloud), count, by, amount, seed)
+    return DownsampleReport(job.done(warning), str(job.device), len(rows.cloud), count, by, amount, seed)
 
 
 def _choose(rows: Rows, source: FilePath, by: str, amount: float, seed: int) -> NDArray[np.int32]:
