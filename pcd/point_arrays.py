@@ -114,8 +114,6 @@ class PointArrays(InUnit, CloudQuestions):
 
     def __getitem__(self, name: str) -> NDArray[Any]:
         """One attribute as NumPy, `points`, `normals` and `colors` among them."""
-        if not isinstance(name, str):
-            raise TypeError("a cloud is indexed by an attribute's name; for points see select_by_index, select_by_mask")
         if name in VECTORS:
             return getattr(self, name)
         return read_only(download(self.required_array(name, f"the cloud has {', '.join(self._arrays)}")).copy())

@@ -1,16 +1,17 @@
-"""Choosing points of a cloud: by index, by mask, inside a box or polygon, the finite ones, each position once."""
+"""Choosing points of a cloud: by index, mask or slice, inside a box or polygon, the finite ones, each position once."""
 
 from __future__ import annotations
 
-from typing import Self
+from collections.abc import Sequence
+from typing import Any, Protocol, Self, SupportsIndex, overload
 
 import numpy as np
 import warp as wp
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
-from ..core.checks import check_indices, check_numeric, is_on_gpu
+from ..core.checks import check_indices, check_numeric, is_on_gpu, shown
 from ..core.dropped_results import returns_new
-from ..core.gpu_arrays import take_indices, take_mask
+from ..core.gpu_arrays import take_indices, take_mask, take_numbers
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.select import gather_rows, invert_mask, positions_of
 from ..kernels.arrays.subsets import other_rows
@@ -25,8 +26,57 @@ from .length_doubts import warn_of_far
 from .polygon_volume import SelectionPolygonVolume, mask_volume
 
 
+class SupportsDLPack(Protocol):
+    """An array of any library."""
+
+    def __dlpack__(self, *args: Any, **kwargs: Any) -> Any: ...
+
+
+KEYS = "an attribute's name, a slice, a mask of shape [n] or indices of shape [k]"
+
+
 class Selection(Composition):
     """The part of PointCloud that chooses points."""
+
+    @overload
+    def __getitem__(self, key: str) -> NDArray[Any]: ...
+    @overload
+    def __getitem__(self, key: slice | Sequence[SupportsIndex] | NDArray[Any] | SupportsDLPack) -> Self: ...
+    def __getitem__(self, key: Any) -> NDArray[Any] | Self:
+        """An attribute by its name as NumPy, or points by a slice, a mask or indices, as NumPy selects rows.
+
+        Args:
+            key: A name, `points`, `normals` and `colors` among them; or a slice, booleans of shape [n], or whole
+                numbers of shape [k], those below 0 counted from the end, on the host or on the cloud's device.
+
+        Raises:
+            KeyError, ValueError: No such attribute, or a mask of another shape.
+            IndexError: An index beyond the cloud.
+            TypeError: Another key; a single number, which could mean a cloud of one point or its coordinates.
+
+        Example:
+            >>> import pointloom as loom
+            >>> cloud = loom.PointCloud([[0, 0, 0], [1, 1, 1], [2, 2, 2]])
+            >>> len(cloud[:2]), cloud[[-1]].points.tolist(), len(cloud[cloud.points[:, 2] > 0.5])
+            (2, [[2.0, 2.0, 2.0]], 2)
+        """
+        if isinstance(key, str):
+            return super().__getitem__(key)
+        if isinstance(key, slice):
+            try:
+                rows = np.arange(*key.indices(len(self)), dtype=np.int32)
+            except TypeError as error:
+                raise TypeError(f"cloud[...]: expected a slice of whole numbers, got {shown(key)}") from error
+            return self.select_rows(upload(rows, int32, self.device))
+        if isinstance(key, tuple) or key is None or key is Ellipsis:
+            raise TypeError(f"cloud[...]: expected {KEYS}, got {shown(key)}; cloud.points[...] selects coordinates")
+        chosen = take_numbers("cloud[...]", key, self.device) if is_on_gpu(key) else check_numeric("cloud[...]", key)
+        if chosen.dtype in (np.bool_, wp.bool):
+            return self.select_by_mask(chosen)
+        if chosen.ndim != 1:
+            hint = "; cloud[[i]] is a cloud of one point, cloud.points[i] its coordinates" if chosen.ndim == 0 else ""
+            raise TypeError(f"cloud[...]: expected {KEYS}, got an array of shape {list(chosen.shape)}{hint}")
+        return self.select_by_index(chosen)
 
     @returns_new
     def select_by_index(self, indices: ArrayLike, invert: bool = False) -> Self:

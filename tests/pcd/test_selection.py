@@ -51,3 +51,62 @@ def test_equal_points_become_the_first_of_them_with_its_attributes(device, count
     np.testing.assert_array_equal(found.points, cloud.points[:1])
     np.testing.assert_array_equal(found.normals, cloud.normals[:1])
     np.testing.assert_array_equal(found["time"], cloud["time"][:1])
+
+
+KEYS = {
+    "a slice": slice(2, 9, 3), "an open slice": slice(None, 4), "a slice from the end": slice(-3, None),
+    "a slice backwards": slice(None, None, -2), "a slice beyond": slice(8, 99), "an empty slice": slice(5, 5),
+    "a mask": np.arange(10) % 3 == 1, "a list of booleans": [True, False] * 5, "an empty mask": np.zeros(10, bool),
+    "indices": np.array([7, 0, 0, 3]), "indices from the end": [-1, -10, 4], "no index": [],
+    "unsigned indices": np.array([9, 2], np.uint8), "a view": np.arange(10)[::-3],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", KEYS)
+def test_points_are_selected_as_numpy_selects_rows(device, name):
+    rng, key = np.random.default_rng(0), KEYS[name]
+    cloud = loom.PointCloud(
+        np.add(rng.random((10, 3)), [5e5, 5e6, 0]), normals=rng.normal(size=(10, 3)), colors=rng.random((10, 3)),
+        label=np.arange(10), weights=rng.random((10, 2)).astype(np.float32), unit="metre", device=device,
+    )  # fmt: skip
+    found, rows = cloud[key], np.zeros(0, int) if name == "no index" else key
+    for attribute in ("points", "normals", "colors", "label", "weights"):
+        np.testing.assert_array_equal(found[attribute], cloud[attribute][rows])
+        assert found[attribute].dtype == cloud[attribute].dtype
+    assert (found.unit, found.device) == (cloud.unit, cloud.device)
+    np.testing.assert_array_equal(found.origin, cloud.origin)
+
+
+def test_arrays_of_the_device_select_too(device):
+    import warp as wp
+
+    cloud = loom.PointCloud(np.arange(30.0).reshape(10, 3), device=device)
+    indices, mask = np.array([3, -1, 0]), np.arange(10) > 6
+    for key in (indices, mask):
+        given = wp.array(key, dtype=wp.bool if key.dtype == bool else wp.int64, device=device)
+        np.testing.assert_array_equal(cloud[given].points, cloud.points[key])
+
+
+@pytest.mark.parametrize(
+    ("key", "error", "message"),
+    [
+        (2, TypeError, r"a mask of shape \[n\] or indices of shape \[k\].*; cloud\[\[i\]\] is a cloud of one point"),
+        (np.int64(-1), TypeError, r"cloud\.points\[i\] its coordinates"),
+        ((slice(None), 2), TypeError, r"expected an attribute's name, a slice.*; cloud\.points\[\.\.\.\] selects"),
+        (None, TypeError, r"got None"),
+        (..., TypeError, r"got Ellipsis"),
+        (slice(0.5), TypeError, r"expected a slice of whole numbers, got slice\(None, 0\.5"),
+        (np.zeros((2, 2), int), TypeError, r"got an array of shape \[2, 2\]"),
+        ([0.5], TypeError, r"expected whole numbers, got float64"),
+        ({1}, TypeError, r"got set"),
+        ([10], IndexError, r"10\.\.10 reach beyond a cloud of 10 points"),
+        ([-11, 0], IndexError, r"-11\.\.0 reach beyond"),
+        ([True] * 9, ValueError, r"expected booleans of shape \[10\], got bool \[9\]"),
+        (np.ones((10, 1), bool), ValueError, r"expected booleans of shape \[10\], got bool \[10, 1\]"),
+        ("label", ValueError, r"the cloud has points"),
+    ],
+)
+def test_what_selects_no_points_is_refused(device, key, error, message):
+    cloud = loom.PointCloud(np.arange(30.0).reshape(10, 3), device=device)
+    with pytest.raises(error, match=message):
+        cloud.__getitem__(key)
