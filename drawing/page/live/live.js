@@ -52,7 +52,7 @@ class Live {
     try {
       this.engine = new Engine(byId("scene"), byId("overlay"), {
         onCamera: () => this.tellCamera(),
-        onClick: (x, y, event) => this.onClick(x, y, event),
+        onClick: (x, y) => this.onClick(x, y),
         onLost: (ids) => ids.length > 0 && this.connection.startAgain(),
       });
     } catch (error) {
@@ -177,11 +177,11 @@ class Live {
     this.connection.send({ say: "camera", position, rotation, fov, pivot, size, orthographic });
   }
 
-  onClick(x, y, event) {
+  onClick(x, y) {
     if (!this.clicks) return;
     this.panel.sayPending();
     this.sayCamera(); // the program asks what is seen there from where the page looks now
-    this.connection.send({ say: "click", x: clamp(x, 0, 1), y: clamp(y, 0, 1), shift: event.shiftKey, ctrl: event.ctrlKey || event.metaKey });
+    this.connection.send({ say: "click", x: clamp(x, 0, 1), y: clamp(y, 0, 1) });
   }
 
   onState(state, { text, again, before }) {

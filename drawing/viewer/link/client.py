@@ -182,9 +182,7 @@ class PageClient:
             self._call(command.triggered(self.client_id))
 
     def _take_click(self, said: dict[str, Any]) -> None:
-        event = ClickEvent(
-            self.client_id, float(said["x"]), float(said["y"]), said["shift"], said["ctrl"], self.camera.state
-        )
+        event = ClickEvent(self.client_id, float(said["x"]), float(said["y"]), self.camera.state)
         for scene in (self.scene, self._shared_scene):
             self._call([(callback, event) for callback in scene.click_callbacks()])
 

@@ -27,16 +27,12 @@ class ClickEvent:
         client_id: Of which page.
         x: Share of the picture's width, from its left.
         y: Share of its height, from its top.
-        shift: Whether the key was held.
-        ctrl: Whether the key was held.
         camera: As it was with the click.
     """
 
     client_id: int
     x: float
     y: float
-    shift: bool
-    ctrl: bool
     camera: CameraState
 
 

@@ -160,7 +160,7 @@ MESSAGES: dict[str, dict[str, Check]] = {
     "value": {"id": _is_id, "value": _is_value},
     "press": {"id": _is_id},
     "command": {"id": _is_id},
-    "click": {"x": _is_share, "y": _is_share, "shift": _is_switch, "ctrl": _is_switch},
+    "click": {"x": _is_share, "y": _is_share},
     "file": {"id": _is_id, "name": _is_name, "text": _is_content},
     "resume": {},
 }

@@ -17,7 +17,7 @@ HOSTILE_VALUES = [
 ]  # fmt: skip
 KNOWN = {
     "hello": HELLO, "camera": CAMERA, "sign": {"n": 1}, "value": {"id": 1, "value": 1},
-    "press": {"id": 1}, "command": {"id": 1}, "click": {"x": 0.5, "y": 0.5, "shift": False, "ctrl": False},
+    "press": {"id": 1}, "command": {"id": 1}, "click": {"x": 0.5, "y": 0.5},
     "file": {"id": 1, "name": "a.json", "text": "{}"}, "resume": {},
 }  # fmt: skip
 

@@ -281,7 +281,7 @@ class StandIn:
     def click(self, x: float, y: float) -> None:
         camera = self.now.intrinsic
         share = {"x": (x + 0.5) / camera.width, "y": (y + 0.5) / camera.height}
-        self.page.say("click", **share, shift=False, ctrl=False)
+        self.page.say("click", **share)
         self.wait()
 
     @property

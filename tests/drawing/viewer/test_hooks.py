@@ -173,7 +173,7 @@ def test_a_click_is_told_while_somebody_asks_for_it(viewer, page):
     stop, stop_other = viewer.on_pick(heard.append), viewer.on_pick(other.append)
 
     def click(x, y):
-        page.say("click", x=(x + 0.5) / 800, y=(y + 0.5) / 600, shift=False, ctrl=False)
+        page.say("click", x=(x + 0.5) / 800, y=(y + 0.5) / 600)
         idle(viewer)
 
     click(*project(viewer.get_view(), points[1])[:2])

@@ -293,7 +293,7 @@ def test_a_page_that_has_gone_is_left_alone(page):
     page.press("Pick a point")
     page.box.close()
     page.box.close()
-    page.page.say("click", x=0.5, y=0.5, shift=False, ctrl=False)
+    page.page.say("click", x=0.5, y=0.5)
     page.box.run(lambda: pytest.fail("nobody is there"))
 
 
