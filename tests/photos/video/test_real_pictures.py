@@ -68,7 +68,7 @@ def errors_of_cameras(folder, views):
     path = loom.read_trajectory(folder / "poses.log")
     assert path.ids[:, 0].tolist() == list(range(COUNT))  # the numbers in the photos' names
     truth = loom.Trajectory(views.poses)
-    return loom.evaluate_trajectory(loom.Trajectory(path.poses), truth, with_scale=True)
+    return loom.registration.evaluate_trajectory(loom.Trajectory(path.poses), truth, with_scale=True)
 
 
 @pytest.mark.slow
