@@ -16,9 +16,9 @@ from ..files.points.las import open_las
 from ..files.points.las_records import describe_together
 from .borders import LEFT
 from .buckets import FOLDER as BUCKETS
-from .crew import Crew
 from .manifest import Manifest, clear_locks, only_one
 from .plan import Plan, open_plan
+from .processes import Processes
 from .rasters import mosaics_of, write_mosaics
 from .schema import CHECKSUMS
 from .status import status_of
@@ -54,8 +54,8 @@ def finish_tiles(
             (`metadata.json`).
         overview: Spacing of the points of the overview beside "tiles"; None takes the level of which a square of
             points has a million.
-        workers: Processes that make an octree, 1 GB of memory each; 0 makes it in this one. The result has the same
-            bits. A LAZ file is packed by threads of this process, whatever the workers.
+        workers: Processes that make an octree, 1 GB of memory each, as those of `run_tiles`; 0 makes it in this one.
+            The result has the same bits. A LAZ file is packed by threads of this process, whatever the workers.
         overwrite: Whether an existing file may be replaced, or a folder of the same kind.
         progress: Called with "points", how many are read, and how many there are to read, twice for an octree.
 
@@ -92,12 +92,12 @@ def finish_tiles(
         if not parts:
             path = mosaics[0]
         elif output in FOLDERS:
-            with Crew(count, path) as crew:
-                write_folder(path, parts, output, spacing, overwrite, report, crew)
+            with Processes(count, path) as pool:
+                write_folder(path, parts, output, spacing, overwrite, report, pool)
         elif path.name.lower().endswith(".copc.laz"):
             check_writable(path, overwrite=overwrite)
-            with Crew(count, path) as crew:
-                write_tree(path, tree_of(parts, report, crew), overwrite)
+            with Processes(count, path) as pool:
+                write_tree(path, tree_of(parts, report, pool), overwrite)
         else:
             _merge(path, parts, overwrite, report)
         write_mosaics(manifest, plan, mosaics, overwrite)

@@ -21,7 +21,7 @@ from ..files.points.las_records import describe_together
 from ..files.points.las_writer import lay_out
 from ..files.points.vpc_writer import Statistics, dimensions_of, item_of, write_index
 from ..kernels.sampling.detail_levels import DEPTH, NODE_BITS
-from .crew import Crew
+from .processes import Processes
 from .tile_tree import TileTree
 
 INDEX, OVERVIEW = "index.vpc", "overview.copc.laz"
@@ -31,9 +31,9 @@ _BLOCK = 1 << 18
 Parts = list[tuple[Path, int]]
 
 
-def tree_of(parts: Parts, report: ReportProgress, crew: Crew | None = None) -> TileTree:
+def tree_of(parts: Parts, report: ReportProgress, pool: Processes | None = None) -> TileTree:
     """The octree over tiles, each with its number of points."""
-    return TileTree([path for path, _ in parts], [count for _, count in parts], report, crew)
+    return TileTree([path for path, _ in parts], [count for _, count in parts], report, pool)
 
 
 def write_tree(path: Path, tree: TileTree, overwrite: bool, most: int = DEPTH) -> None:
@@ -63,7 +63,7 @@ def write_folder(
     spacing: float | None,
     overwrite: bool,
     report: ReportProgress,
-    crew: Crew | None = None,
+    pool: Processes | None = None,
 ) -> None:
     """Write tiles as one of FOLDERS; the folder appears whole or not at all.
 
@@ -72,9 +72,9 @@ def write_folder(
     """
     with atomic_folder(path, FOLDERS[output], overwrite=overwrite) as folder:
         if output == "tiles":
-            _write_tiles(folder, parts, spacing, report, crew)
+            _write_tiles(folder, parts, spacing, report, pool)
             return
-        tree, file = tree_of(parts, report, crew), open_las(parts[0][0])
+        tree, file = tree_of(parts, report, pool), open_las(parts[0][0])
         writer: Any
         if output == "potree":
             system = Geodesy(file.path, file.header).system
@@ -90,14 +90,16 @@ def write_folder(
             writer.close()
 
 
-def _write_tiles(folder: Path, parts: Parts, spacing: float | None, report: ReportProgress, crew: Crew | None) -> None:
-    crew = crew or Crew(0, folder)
-    total = tree_of(parts, report, crew)
+def _write_tiles(
+    folder: Path, parts: Parts, spacing: float | None, report: ReportProgress, pool: Processes | None
+) -> None:
+    pool = pool or Processes(0, folder)
+    total = tree_of(parts, report, pool)
     level = _level_of(total, spacing)
     write_tree(folder / OVERVIEW, total, True, level)
     tasks = [(path, count, folder / f"{path.name.removesuffix('.laz')}.copc.laz") for path, count in parts]
     items = []
-    for number, (task, statistics) in enumerate(zip(tasks, crew.map(_write_tile, tasks), strict=True)):
+    for number, (task, statistics) in enumerate(zip(tasks, pool.map(_write_tile, tasks), strict=True)):
         path, _, made = task
         items.append(item_of(open_las(path), f"./{made.name}", statistics, f"./{OVERVIEW}"))
         report("tiles", number + 1, len(tasks))
