@@ -228,9 +228,8 @@ def _local_client(path: Any, count: int) -> Iterator[Any]:
             cluster = stack.enter_context(distributed.LocalCluster(**options, silence_logs=logging.CRITICAL))
         except RuntimeError as error:
             remedy = 'In a script, call it below `if __name__ == "__main__":`'
-            raise FileError(
-                path, f"the worker processes did not start: {str(error).rstrip('.')}", remedy=remedy
-            ) from error
+            reason = f"the worker processes did not start: {error}".rstrip(".")
+            raise FileError(path, reason, remedy=remedy) from error
         client = distributed.Client(cluster, set_as_default=False, direct_to_workers=True)
         stack.enter_context(client)
         stack.enter_context(client.as_current())

@@ -164,7 +164,7 @@ def plan(
 @tile.command("run", short_help="Work the tiles off.")
 @FOLDER
 @click.option("--serial", is_flag=True, help="In this process; the default.")
-@click.option("--workers", type=COUNT, metavar="N", help="By N processes of this machine, by dask.distributed.")
+@click.option("--workers", type=COUNT, metavar="N", help="By N processes of this machine (dask.distributed).")
 @click.option("--scheduler", metavar="ADDRESS", help="By the workers of a dask scheduler, as tcp://host:8786.")
 @click.option("--part", type=Part(), metavar="K/N", help="Only the K-th of N shares of the tiles, for array jobs.")
 @click.option("--tile", "name", type=TileName(), metavar="X_Y", help="Only this tile, again if it failed.")

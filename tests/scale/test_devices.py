@@ -74,11 +74,10 @@ def test_each_process_takes_another_gpu():
     """As by processes: each opening of a lock file is one holder of the lock."""
     with reserved_device("cuda") as first, reserved_device("cuda") as second:
         assert (first, second) == ("cuda:0", "cuda:1")
-        with reserved_device("cuda:2"), pytest.raises(loom.DeviceError, match="all of 3 GPUs are in use"):
-            with reserved_device("cuda"):
+        for taken, said in (("cuda", "all of 3 GPUs are in use"), ("cuda:1", "all of 1 GPUs are in use")):
+            error = pytest.raises(loom.DeviceError, match=said)
+            with reserved_device("cuda:2"), error, reserved_device(taken):
                 pass
-        with pytest.raises(loom.DeviceError, match="all of 1 GPUs are in use"), reserved_device("cuda:1"):
-            pass
     with reserved_device("cuda:1") as third:
         assert third == "cuda:1"
 

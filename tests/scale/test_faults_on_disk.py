@@ -17,7 +17,8 @@ import pytest
 import pointloom as loom
 from pointloom.core.errors import FileError
 from pointloom.scale import buckets, finish, sources, tasks
-from pointloom.scale.manifest import NAME, Manifest, canonical, hash_of, only_one
+from pointloom.scale.manifest import NAME, Manifest, a_worker, canonical, hash_of, only_one
+from pointloom.scale.plan import open_plan
 
 from .scenes import RADIUS, finished, rows_of
 

@@ -18,7 +18,7 @@ import pointloom as loom
 from pointloom.scale import processes, tile_tree
 from pointloom.scale.processes import Processes
 
-from .scenes import CORNER, finished, kill_runner, rows_of, survey
+from .scenes import finished, kill_runner, rows_of, survey
 
 distributed = pytest.importorskip("distributed")
 
@@ -105,8 +105,8 @@ def test_workers_without_distributed_are_an_error_that_names_the_extra(files, tm
 
 
 def dies(cloud, folder, deaths):
-    """Kill the worker at the points in the west, so often."""
-    if cloud.points[:, 0].min() < CORNER[0] + 30 and len([*Path(folder).iterdir()]) < deaths:
+    """Kill the worker, so often."""
+    if len([*Path(folder).iterdir()]) < deaths:
         (Path(folder) / str(os.getpid())).touch()
         os.kill(os.getpid(), signal.SIGKILL)
     return cloud
@@ -120,7 +120,7 @@ def test_a_tile_at_which_workers_die_is_done_again_and_set_aside_after_three_dea
         folder, job = tmp_path / str(deaths), tmp_path / f"job{deaths}"
         folder.mkdir()
         step = {"step": "function", "call": dies, "reach": 0, "arguments": {"folder": str(folder), "deaths": deaths}}
-        loom.scale.plan_tiles(files, [step, *STEPS], job, size=[60.0, 30.0][deaths - 2])
+        loom.scale.plan_tiles(files, [step, *STEPS], job, size=100.0)
         status = loom.scale.run_tiles(job, scheduler=two_workers)
         assert len([*folder.iterdir()]) == deaths
         if deaths == 2:
@@ -143,8 +143,8 @@ def test_a_script_may_start_workers_and_prints_nothing_of_them(files, expected, 
     script.write_text(text)
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}
     command = [sys.executable, str(script), str(tmp_path / "job")]
-    ended = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
-    assert ended.stdout.startswith("4 of 4 tiles done") and not ended.stderr
+    ended = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+    assert (ended.returncode, ended.stderr) == (0, "") and ended.stdout.startswith("4 of 4 tiles done")
     np.testing.assert_array_equal(rows_of(finished(tmp_path / "job")), expected)
 
 
