@@ -207,7 +207,7 @@ def test_ctrl_c_ends_in_one_line_and_the_next_run_goes_on(job, how):
 
 def test_long_lists_of_names_are_cut():
     names = {f"{k}_0": "torn" for k in range(30)}
-    status = TileStatus("job", 0, 0, 0, 0, 30, 0, 0, 10, 0, 0, 0, 0, names)
+    status = TileStatus("job", 0, 0, 0, 0, 30, 0, 0, 10, 0, 0, 0, names)
     report = told_by.report_of("run", status)
     assert report.poor.endswith("18_0, 19_0 and 10 more") and len(report.to_json()["troubles"]) == 30
 
