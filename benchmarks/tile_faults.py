@@ -2,8 +2,8 @@
 
     python benchmarks/tile_faults.py --seed 0 --kills 100
 
-Jobs over a made survey are worked off by processes of this machine (`--workers`), by a dask cluster of it (`--dask`)
-and by a dask scheduler with workers of its own (`--scheduler`), in turn. A worker, the runner, the scheduler or the
+Jobs over a made survey are worked off by processes of this machine (`--workers`) and by a dask scheduler with workers
+of its own (`--scheduler`), in turn. A worker, the runner, the scheduler or the
 process that makes the file of all tiles gets SIGKILL; what ended is started again, until the job is finished. The rows
 of each finished file, sorted, are held against those of a run in one process, byte for byte.
 """
@@ -39,7 +39,7 @@ STEPS = [
 ]
 CLUSTERS = [{"step": "voxel_down_sample", "voxel_size": 0.5}, {"step": "cluster_dbscan", "eps": 0.8, "min_points": 4}]
 CHAINS = {"filters": STEPS, "clusters": CLUSTERS}
-RUNNERS = ("workers", "dask", "scheduler")
+RUNNERS = ("workers", "scheduler")
 COMMAND = [sys.executable, "-m", "pointloom", "tile"]
 MOST_RUNS = 60  # of one job
 MOST_KILLS = 10  # while the tiles of one job are worked off, that there are several jobs of each runner

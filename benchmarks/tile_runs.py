@@ -1,11 +1,10 @@
 """A job of tiles, measured: time and CPU time of each part, memory of a worker, disk.
 
     python benchmarks/made_survey.py SURVEY --points 1e8
-    python benchmarks/tile_runs.py SURVEY JOB --workers 2 --idle
+    python benchmarks/tile_runs.py SURVEY JOB --workers 2
 
 Ground, a DTM of 1 m, voxels of 1 m and normals of these, in one chain, and one COPC file of the result. The record goes
-to `benchmarks/results/tiles-cpu.json`, in place of one of as many points. Say `--idle` where nothing else ran: times of
-others are not held against a model (`scale_out.py --check`).
+to `benchmarks/results/tiles-cpu.json`, in place of one of as many points.
 """
 
 from __future__ import annotations
@@ -15,7 +14,6 @@ import json
 import os
 import resource
 import shutil
-import subprocess
 import sys
 import time
 from pathlib import Path
@@ -35,7 +33,6 @@ STEPS = [
     {"step": "voxel_down_sample", "voxel_size": 1.0},
     {"step": "estimate_normals", "radius": 3.0, "max_nn": 20},
 ]
-TRANSACTIONS = 200
 
 
 def size_of(folder: Path) -> int:
@@ -60,23 +57,6 @@ class Watch:
             self.laid_bytes = size_of(self.job / BUCKETS)
 
 
-def transaction_seconds(job: Path) -> float:
-    """One claim or one note in the manifest, in the mean."""
-    with Manifest(job) as manifest:
-        begin = time.perf_counter()
-        for _ in range(TRANSACTIONS):
-            with manifest.change() as base:
-                base.execute("UPDATE tiles SET halo = halo WHERE id = 0")
-        return (time.perf_counter() - begin) / TRANSACTIONS
-
-
-def start_seconds() -> float:
-    """Of a worker's process until it has imported the library."""
-    begin = time.perf_counter()
-    subprocess.run([sys.executable, "-c", "import pointloom.scale.runners"], check=True)
-    return time.perf_counter() - begin
-
-
 def cpu_seconds() -> float:
     """Of this process and of those that it waited for."""
     own, children = resource.getrusage(resource.RUSAGE_SELF), resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -94,8 +74,7 @@ def measured(survey: Path, job: Path, workers: int) -> dict[str, Any]:
     if not status.is_finished:
         raise SystemExit(f"{status}")
     with Manifest(job) as manifest:
-        query = "SELECT sum(points_read) AS points_read, max(halo) AS halo, count(*) AS tiles FROM tiles"
-        (row,) = manifest.rows(query)
+        (row,) = manifest.rows("SELECT count(*) AS tiles FROM tiles")
     tile_bytes = size_of(job / "tiles")
     begin, cpu = time.monotonic(), cpu_seconds()
     result = loom.scale.finish_tiles(job, job / "result.copc.laz", workers=workers, overwrite=True)
@@ -104,9 +83,7 @@ def measured(survey: Path, job: Path, workers: int) -> dict[str, Any]:
         "files": len(list(survey.glob("*.laz"))),
         "tiles": row["tiles"],
         "workers": workers,
-        "points_read": row["points_read"],
         "points_out": status.points_out,
-        "halo_m": round(row["halo"], 1),
         "run_s": round(run_s, 1),
         "lay_s": round(watch.laid_s, 1),
         "lay_cpu_s": round(watch.laid_cpu_s, 1),
@@ -118,8 +95,6 @@ def measured(survey: Path, job: Path, workers: int) -> dict[str, Any]:
         "laid_bytes": watch.laid_bytes,
         "tile_bytes": tile_bytes,
         "result_bytes": result.stat().st_size,
-        "transaction_s": round(transaction_seconds(job), 6),
-        "start_s": round(start_seconds(), 2),
     }
 
 
@@ -137,9 +112,8 @@ def main() -> None:
     parser.add_argument("survey", type=Path)
     parser.add_argument("job", type=Path, help="a folder that is made, and removed in the end")
     parser.add_argument("--workers", type=int, default=2)
-    parser.add_argument("--idle", action="store_true", help="nothing else ran on the machine")
     told = parser.parse_args()
-    record = measured(told.survey, told.job, told.workers) | {"idle": told.idle}
+    record = measured(told.survey, told.job, told.workers)
     keep(record)
     print(json.dumps(record, indent=1))
     shutil.rmtree(told.job)

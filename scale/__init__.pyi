@@ -1,8 +1,5 @@
 """The public names of pointloom.scale."""
 
-from .estimate import Estimate as Estimate
-from .estimate import TileEstimate as TileEstimate
-from .estimate import estimate_tiles as estimate_tiles
 from .finish import finish_tiles as finish_tiles
 from .jobs.fused_mesh import finish_fusion as finish_fusion
 from .jobs.fusion import plan_fusion as plan_fusion

@@ -16,9 +16,9 @@ from ..files.points.las import open_las
 from ..files.points.las_records import describe_together
 from .borders import LEFT
 from .buckets import FOLDER as BUCKETS
-from .crew import Crew
 from .manifest import Manifest, clear_locks, only_one
 from .plan import Plan, open_plan
+from .processes import Processes
 from .rasters import mosaics_of, write_mosaics
 from .schema import CHECKSUMS
 from .status import status_of
@@ -47,8 +47,8 @@ def finish_tiles(
         path: The file, an octree where it ends in .copc.laz; None takes `result.laz`, or `result.copc.laz` where the
             plan says "copc", in the folder.
         output: The format: "laz", "las" or "copc". None takes the format of the name, or else of the plan.
-        workers: Processes that make an octree, 1 GB of memory each; 0 makes it in this one. The result has the same
-            bits. A LAZ file is packed by threads of this process, whatever the workers.
+        workers: Processes that make an octree, 1 GB of memory each, as those of `run_tiles`; 0 makes it in this one.
+            The result has the same bits. A LAZ file is packed by threads of this process, whatever the workers.
         overwrite: Whether an existing file may be replaced.
         progress: Called with "points", how many are read, and how many there are to read, twice for an octree.
 
@@ -86,8 +86,8 @@ def finish_tiles(
             path = mosaics[0]
         elif path.name.lower().endswith(".copc.laz"):
             check_writable(path, overwrite=overwrite)
-            with Crew(count, path) as crew:
-                write_tree(path, tree_of(parts, report, crew), overwrite)
+            with Processes(count, path) as pool:
+                write_tree(path, tree_of(parts, report, pool), overwrite)
         else:
             _merge(path, parts, overwrite, report)
         write_mosaics(manifest, plan, mosaics, overwrite)

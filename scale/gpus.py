@@ -1,18 +1,12 @@
-"""What a worker process has to itself: its share of the cores, and one GPU that no other run of the machine works on.
-
-Who works on a GPU is told by a locked file, which the system lets go of however the processes end that hold it, a
-runner and its worker.
-"""
+"""One GPU for each process: a locked file reserves it, and the system releases the lock when the process ends."""
 
 from __future__ import annotations
 
 import os
-import sys
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any, NamedTuple
 
 from ..core.devices import resolve_device
 from ..core.errors import DeviceError
@@ -25,65 +19,36 @@ except ImportError:  # Windows
 LOCKS = "pointloom-gpus"  # in the temporary folder of the machine
 
 
-class Gpu(NamedTuple):
-    """A GPU that this process holds: Warp's name, what CUDA_VISIBLE_DEVICES calls it, the descriptor of its lock."""
-
-    alias: str
-    name: str
-    lock: int
-
-
 @contextmanager
-def held_gpus(device: Any, count: int) -> Iterator[list[Gpu]]:
-    """So many GPUs that are this process's as long as the block; none for a CPU.
+def reserved_device(device: str) -> Iterator[str]:
+    """Reserve a device for this process: the CPU, which needs none, or a GPU that no other run of the machine uses.
 
     Args:
-        device: "cpu", "cuda" for any, or "cuda:1" for that one.
-        count: How many.
+        device: "cpu", "cuda" for any GPU, or "cuda:1" for that one.
+
+    Yields:
+        Warp's name of the device.
 
     Raises:
-        DeviceError: There is no such device, or fewer are free.
+        DeviceError: There is no such device, or none is free.
     """
-    found = resolve_device(device)
-    if not found.is_cuda:
-        yield []
+    first = resolve_device(device)
+    if not first.is_cuda:
+        yield device
         return
-    known = _known() if device == "cuda" else [(found.alias, found.uuid, _visible_name(found))]
-    held: list[Gpu] = []
-    try:
-        for alias, uuid, name in known:
-            lock = _lock(uuid)
-            if lock is not None:
-                held.append(Gpu(alias, name, lock))
-            if len(held) == count:
-                break
-        if len(held) < count:
-            reason = f"{len(held)} of {len(known)} GPUs are free, other runs work on the rest; {count} are wanted"
-            raise DeviceError(f"device: {reason}, one a process")
-        yield held
-    finally:
-        for gpu in held:
-            os.close(gpu.lock)
-
-
-def environment_of(count: int, gpu: Sequence[Gpu] = ()) -> dict[str, str]:
-    """The environment of one of so many processes: modules as here, its share of the cores, and one GPU alone."""
-    threads = os.environ.get("POINTLOOM_CPU_THREADS") or str(max(1, (os.cpu_count() or 1) // count))
-    paths = os.pathsep.join(path or os.getcwd() for path in sys.path)  # noqa: PTH109
-    told = {**os.environ, "PYTHONPATH": paths, "POINTLOOM_CPU_THREADS": threads}
-    return told | ({"CUDA_VISIBLE_DEVICES": gpu[0].name} if gpu else {})
-
-
-def _known() -> list[tuple[str, str, str]]:
     import warp as wp
 
-    return [(found.alias, found.uuid, _visible_name(found)) for found in wp.get_cuda_devices()]
-
-
-def _visible_name(found: Any) -> str:
-    """What CUDA_VISIBLE_DEVICES calls a device: as the user has it there, else by its UUID."""
-    names = [name for name in os.environ.get("CUDA_VISIBLE_DEVICES", "").split(",") if name]
-    return names[found.ordinal] if found.ordinal < len(names) else found.uuid
+    gpus = wp.get_cuda_devices() if device == "cuda" else [first]
+    for gpu in gpus:
+        lock = _lock(gpu.uuid)
+        if lock is not None:
+            break
+    else:
+        raise DeviceError(f"device: all of {len(gpus)} GPUs are in use by other workers or runs. Take fewer workers")
+    try:
+        yield gpu.alias
+    finally:
+        os.close(lock)
 
 
 def _lock(uuid: str) -> int | None:

@@ -31,9 +31,10 @@ except ImportError:  # Windows
     fcntl = None
 
 NAME, LOCKS = "plan.sqlite", "locks"
-SCHEMA = 2
+SCHEMA = 3
 TABLES = ("sources", "tiles", "joins")  # of tasks
 MOST_ATTEMPTS = 3  # deaths of workers at one task
+DIED = f"the worker died {MOST_ATTEMPTS} times at it, of memory or a fault of a step"
 PATIENCE = 60.0  # [s] for another's transaction
 _REMEDIES = {  # of a manifest that is not there, or is of something else; by whether other tasks than tiles are meant
     False: "Call plan_tiles(sources, steps, folder) first; it goes with run_tiles",
@@ -55,6 +56,11 @@ def canonical(plan: Any) -> str:
 def files_of(plan: dict[str, Any]) -> list[dict[str, Any]]:
     """What a plan says of all its files, by number: the survey's, then those of the epochs that it is compared with."""
     return [*plan["sources"], *(source for epoch in plan["epochs"] for source in epoch["sources"])]
+
+
+def said_of(error: Exception) -> str:
+    """The error of a task as the manifest has it, in one line."""
+    return " ".join(f"{type(error).__name__}: {error}".split())[:2000]
 
 
 def hash_of(plan: dict[str, Any]) -> str:
@@ -168,7 +174,6 @@ class Manifest:
             lock = lock_of(self.folder, owner)
             if not is_dead(self.folder, owner):
                 continue
-            reason = f"the worker died {MOST_ATTEMPTS} times at it, of memory or a fault of a step"
             with self.change() as base:
                 for table in self.tables:
                     query = (
@@ -177,7 +182,7 @@ class Manifest:
                         f" state = CASE WHEN attempts + {counted} >= ? THEN 'aside' ELSE 'waiting' END"
                         " WHERE owner = ? AND state = 'running'"
                     )
-                    given += base.execute(query, (MOST_ATTEMPTS, reason, MOST_ATTEMPTS, owner)).rowcount
+                    given += base.execute(query, (MOST_ATTEMPTS, DIED, MOST_ATTEMPTS, owner)).rowcount
             lock.unlink(missing_ok=True)
         return given
 

@@ -14,7 +14,7 @@ CREATE TABLE tiles (
     id INTEGER PRIMARY KEY, ix INTEGER NOT NULL, iy INTEGER NOT NULL, x0 REAL, y0 REAL, x1 REAL, y1 REAL,
     state TEXT NOT NULL DEFAULT 'waiting', pass INTEGER NOT NULL DEFAULT 0, owner TEXT,
     attempts INTEGER NOT NULL DEFAULT 0, points_in INTEGER NOT NULL DEFAULT 0, points_out INTEGER NOT NULL DEFAULT 0,
-    points_read INTEGER NOT NULL DEFAULT 0, halo REAL NOT NULL DEFAULT 0, seconds REAL NOT NULL DEFAULT 0, error TEXT);
+    error TEXT);
 CREATE TABLE joins (
     id INTEGER PRIMARY KEY, state TEXT NOT NULL DEFAULT 'waiting', owner TEXT, attempts INTEGER NOT NULL DEFAULT 0,
     error TEXT);
@@ -28,8 +28,7 @@ TASKS = """
 CREATE TABLE meta (key TEXT PRIMARY KEY, value TEXT NOT NULL);
 CREATE TABLE tasks (
     id INTEGER PRIMARY KEY, stage INTEGER NOT NULL, name TEXT NOT NULL, told TEXT NOT NULL, found TEXT,
-    state TEXT NOT NULL DEFAULT 'waiting', owner TEXT, attempts INTEGER NOT NULL DEFAULT 0,
-    seconds REAL NOT NULL DEFAULT 0, error TEXT);
+    state TEXT NOT NULL DEFAULT 'waiting', owner TEXT, attempts INTEGER NOT NULL DEFAULT 0, error TEXT);
 CREATE INDEX tasks_by_state ON tasks (stage, state, id);
 """
 # Of the files of tiles, by tile. In a table of its own, which runs that began without it are given.

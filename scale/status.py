@@ -27,7 +27,6 @@ class TileStatus:
         points: Points in the files.
         points_in: Points of the tiles that are done, without halos.
         points_out: What the steps left of them.
-        points_read: With halos, over all passes.
         bucket_bytes: On disk meanwhile.
         troubles: The tile, and the error with the command that repeats it alone, of tiles that failed or were set
             aside; files that cannot be laid by tile, and why.
@@ -46,7 +45,6 @@ class TileStatus:
     points: int
     points_in: int
     points_out: int
-    points_read: int
     bucket_bytes: int
     troubles: dict[str, str]
     which_pass: int = 1
@@ -105,7 +103,7 @@ def status_of(manifest: Manifest) -> TileStatus:
     """How far the job of an open manifest is."""
     counts: dict[str, Any] = manifest.counts()
     sources = manifest.counts("sources")
-    query = "SELECT sum(points_in) AS a, sum(points_out) AS b, sum(points_read) AS c FROM tiles"
+    query = "SELECT sum(points_in) AS a, sum(points_out) AS b FROM tiles"
     (sums,) = manifest.rows(query)
     (disk,) = manifest.rows("SELECT sum(bytes) AS n FROM sources")
     bad = manifest.rows("SELECT ix, iy, error FROM tiles WHERE state IN ('failed', 'aside') ORDER BY id")
@@ -124,7 +122,6 @@ def status_of(manifest: Manifest) -> TileStatus:
         points=sum(source["points"] for source in manifest.plan["sources"]),
         points_in=sums["a"] or 0,
         points_out=sums["b"] or 0,
-        points_read=sums["c"] or 0,
         bucket_bytes=disk["n"] or 0,
         troubles=troubles,
         **_pass_of(manifest),

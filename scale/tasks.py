@@ -6,17 +6,19 @@ A task is claimed in the manifest, done by a function of the files alone, which 
 from __future__ import annotations
 
 import shutil
-import time
+import uuid
+from collections.abc import Iterable
 from dataclasses import dataclass, field
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
 from ..core.errors import FileError
 from .borders import Joined, Leavings, join_step
-from .buckets import Filled, fill_buckets, folder_of
+from .buckets import REMOTE, Filled, fill_buckets, folder_of
 from .exact_sums import ExactSums
-from .manifest import NOT_LAID, STATES, Manifest, files_of
-from .plan import Plan
+from .manifest import NAME, NOT_LAID, STATES, Manifest, files_of, said_of
+from .plan import Plan, plan_alone
 from .schema import CHECKSUMS
 from .sources import NotLaidError, check_same
 from .work_tile import Outcome, work_tile
@@ -32,7 +34,6 @@ class Task:
         table: "sources", "tiles" or "joins".
         number: Of the file, the tile or the pass.
         which_pass: Over the tile.
-        before: What the manifest says of its earlier passes: points_read and seconds.
         numbers: What those measured over all tiles, by the step that needs it.
         fulls: The value of a full colour of each file with buckets.
         left: How many things each tile left for the join, of those that left any.
@@ -41,15 +42,13 @@ class Task:
     table: str
     number: int
     which_pass: int = 0
-    before: dict[str, Any] = field(default_factory=dict)
     numbers: dict[int, ExactSums] = field(default_factory=dict)
     fulls: dict[int, int] = field(default_factory=dict)
     left: dict[int, int] = field(default_factory=dict)
 
 
-def do_task(plan: Plan, folder: Path, task: Task, owner: str) -> tuple[Found, float]:
-    """Do a task; what came out, and the seconds it took."""
-    begin = time.monotonic()
+def do_task(plan: Plan, folder: Path, task: Task, owner: str) -> Found:
+    """Do a task."""
     if task.table == "sources":
         check_same(plan.files[task.number])
         filled = fill_buckets(plan, folder, task.number, owner)
@@ -58,27 +57,45 @@ def do_task(plan: Plan, folder: Path, task: Task, owner: str) -> tuple[Found, fl
         except FileError:  # it was written to meanwhile: the rows are half of each
             shutil.rmtree(folder_of(folder, task.number), ignore_errors=True)
             raise
-        return filled, time.monotonic() - begin
+        return filled
     if task.table == "joins":
         step = plan.passes[task.number]
         assert step is not None
         left = Leavings(folder, step, task.left)
-        return join_step(folder, step, plan.steps[step], left, owner), time.monotonic() - begin
-    found = work_tile(plan, folder, task.number, task.which_pass, task.numbers, task.fulls)
-    return found, time.monotonic() - begin
+        return join_step(folder, step, plan.steps[step], left, owner)
+    return work_tile(plan, folder, task.number, task.which_pass, task.numbers, task.fulls)
+
+
+def do_task_alone(folder: str, functions: Iterable[str], task: Task, device: str) -> Found:
+    """Do a task in a worker process, which opens the plan itself and claims nothing.
+
+    Args:
+        folder: Of the job.
+        functions: Names of the functions that the caller passed, which are imported.
+        task: The task.
+        device: Where to compute.
+    """
+    plan = _plan_of(folder, (Path(folder) / NAME).stat().st_ino, (*functions,))
+    plan.device = device
+    return do_task(plan, Path(folder), task, REMOTE + uuid.uuid4().hex)
+
+
+@lru_cache(maxsize=4)
+def _plan_of(folder: str, inode: int, functions: tuple[str, ...]) -> Plan:
+    return plan_alone(Path(folder), functions)
 
 
 class Taskbook:
-    """What one worker claims and settles in a manifest.
+    """What one run claims and settles in a manifest.
 
     Args:
         manifest: Of the job.
         plan: Its plan.
-        owner: The worker's name.
         part: (which, of how many): its share of the tiles.
+        owner: The run's name.
     """
 
-    def __init__(self, manifest: Manifest, plan: Plan, owner: str, part: tuple[int, int] = (1, 1)):
+    def __init__(self, manifest: Manifest, plan: Plan, part: tuple[int, int], owner: str):
         self._manifest, self._plan, self.owner = manifest, plan, owner
         self._share: tuple[str, int, int] = ("id % ? = ?", part[1], part[0] - 1)
         self._numbers: dict[int, ExactSums] = {}
@@ -126,10 +143,14 @@ class Taskbook:
                 self._numbers[step] = sums_of(self._manifest, earlier)
         if self._fulls is None:  # all files are laid, so they stay
             self._fulls = {found["id"]: found["full"] for found in self._manifest.rows("SELECT id, full FROM sources")}
-        before = {name: row[name] for name in ("points_read", "seconds")}
-        return Task("tiles", row["id"], row["pass"], before, dict(self._numbers), self._fulls)
+        return Task("tiles", row["id"], row["pass"], dict(self._numbers), self._fulls)
 
-    def settle(self, task: Task, found: Found, seconds: float) -> None:
+    def do(self, task: Task, device: str) -> Found:
+        """Do a task in this process."""
+        self._plan.device = device
+        return do_task(self._plan, self._manifest.folder, task, self.owner)
+
+    def settle(self, task: Task, found: Found) -> None:
         """Write down what came of a task."""
         if isinstance(found, Filled):
             told: dict[str, Any] = {"points": found.points, "full": found.full, "bytes": found.size}
@@ -139,9 +160,7 @@ class Taskbook:
             self._manifest.settle("joins", task.number, self.owner, state="done", error=None)
             return
         is_last = task.which_pass == len(self._plan.passes) - 1
-        told = {"points_in": found.points_in, "halo": found.halo, "error": None}
-        told |= {"points_read": task.before["points_read"] + found.points_read, "points_out": found.points_out}
-        told["seconds"] = task.before["seconds"] + seconds
+        told = {"points_in": found.points_in, "points_out": found.points_out, "error": None}
         told |= {"state": ("done" if found.points_out else "empty") if is_last else "waiting"}
         told["pass"] = task.which_pass if is_last else task.which_pass + 1
         with self._manifest.change() as base:
@@ -155,7 +174,7 @@ class Taskbook:
                 values = (task.which_pass, task.number, sums.count, hex(sums.total), hex(sums.squares))
                 base.execute("INSERT OR REPLACE INTO numbers VALUES (?, ?, ?, ?, ?)", values)
 
-    def fail(self, task: Task, error: BaseException, state: str = "failed") -> None:
+    def fail(self, task: Task, error: Exception) -> None:
         """Write down that a task ended in an error, which would come again.
 
         A tile that needs a file which is not laid waits for that.
@@ -167,8 +186,11 @@ class Taskbook:
                 base.execute(told, (error.args[0], NOT_LAID))
                 self._manifest.settle_in(base, task.table, task.number, self.owner, state="waiting")
             return
-        said = " ".join(f"{type(error).__name__}: {error}".split())[:2000]
-        self._manifest.settle(task.table, task.number, self.owner, state=state, error=said)
+        self._manifest.settle(task.table, task.number, self.owner, state="failed", error=said_of(error))
+
+    def set_aside(self, task: Task, reason: str) -> None:
+        """Write down that workers died at a task."""
+        self._manifest.settle(task.table, task.number, self.owner, state="aside", error=reason)
 
 
 def lay_again(manifest: Manifest) -> None:

@@ -33,7 +33,7 @@ from ..kernels.lru_cache import LruCache
 from ..kernels.memory import download, upload
 from ..kernels.sampling.detail_levels import DEPTH, LAST_CELL, LEVELS, NODE_BITS, Cube, find_levels, sort_by_cell
 from ..pcd.detail_nodes import NodeTable, cells_of, make_nodes
-from .crew import Crew
+from .processes import Processes
 
 # Points of a cell. Of a cell with more, its own level takes 128^3 voxels at most, so that what is deeper is more than
 # what may join the node above (pcd/detail_nodes.py): no node ends above the cells.
@@ -88,7 +88,7 @@ class TileTree:
         paths: LAZ files in one format, scale and offset, each with points.
         counts: The points that each must have.
         report: Called with "points" and how many of twice the points are read.
-        crew: Who reads, finds levels and packs; None is this process.
+        pool: Processes that read, find levels and pack; None is this process.
 
     Attributes:
         files: The files.
@@ -102,8 +102,8 @@ class TileTree:
         FileError: A file is missing, damaged, or not the one that was counted; too many points lie in one place.
     """
 
-    def __init__(self, paths: list[Path], counts: list[int], report: ReportProgress, crew: Crew | None = None):
-        self._crew, self._least = crew or Crew(0, paths[0]), LEAST
+    def __init__(self, paths: list[Path], counts: list[int], report: ReportProgress, pool: Processes | None = None):
+        self._pool, self._least = pool or Processes(0, paths[0]), LEAST
         self._report, self.files = report, [LazChunks(path) for path in paths]
         first = self.files[0].header
         for file, count in zip(self.files, counts, strict=True):
@@ -125,8 +125,8 @@ class TileTree:
         return _places(rows, self.scales, self.offsets)
 
     def __getstate__(self) -> dict[str, Any]:
-        """What processes of a crew need."""
-        return self.__dict__ | {"_crew": None, "_report": say_nothing, "_kept": LruCache(_KEPT_BYTES)}
+        """What worker processes need."""
+        return self.__dict__ | {"_pool": None, "_report": say_nothing, "_kept": LruCache(_KEPT_BYTES)}
 
     def _survey(self) -> tuple[int, NDArray[np.int64], NDArray[np.int64]]:
         """(halvings, codes, counts) of cells with points; the box of each chunk is kept."""
@@ -137,7 +137,7 @@ class TileTree:
         numbers = {id(file): number for number, file in enumerate(self.files)}
         look = _Look(self.scales, self.offsets, self.corner, self.side)
         begin = 0
-        for (file, which), (codes, counts, lows, highs) in zip(tasks, self._crew.map(look, tasks), strict=True):
+        for (file, which), (codes, counts, lows, highs) in zip(tasks, self._pool.map(look, tasks), strict=True):
             chunks = slice(begin, begin + len(which))
             begin += len(which)
             base = at - int(firsts[chunks][0])
@@ -193,7 +193,7 @@ class TileTree:
         pending: dict[int, list[tuple[NDArray[Any], NDArray[np.int64]]]] = {}
         done = 0
         tasks = ((leaf, champions.get(leaf), pack) for leaf in self.leaves)
-        for k, (nodes, above) in enumerate(self._crew.map(self.cell, tasks)):
+        for k, (nodes, above) in enumerate(self._pool.map(self.cell, tasks)):
             leaf = self.leaves[k]
             for level, chosen in above.items():
                 pending.setdefault(level, []).append(chosen)

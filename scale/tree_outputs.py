@@ -15,15 +15,15 @@ from ..files.points.copc_writer import CopcWriter
 from ..files.points.las import open_las, table_of
 from ..files.points.las_records import describe_together
 from ..files.points.las_writer import lay_out
-from .crew import Crew
+from .processes import Processes
 from .tile_tree import TileTree
 
 Parts = list[tuple[Path, int]]
 
 
-def tree_of(parts: Parts, report: ReportProgress, crew: Crew | None = None) -> TileTree:
+def tree_of(parts: Parts, report: ReportProgress, pool: Processes | None = None) -> TileTree:
     """The octree over tiles, each with its number of points."""
-    return TileTree([path for path, _ in parts], [count for _, count in parts], report, crew)
+    return TileTree([path for path, _ in parts], [count for _, count in parts], report, pool)
 
 
 def write_tree(path: Path, tree: TileTree, overwrite: bool) -> None:

@@ -50,16 +50,12 @@ class Outcome:
     Attributes:
         points_in: Points of the files in the tile.
         points_out: What the steps left, in the last pass.
-        points_read: With the halo.
-        halo: That was read in the end.
         sums: Of the values that the pass measures; of what it leaves for a join the count alone.
         checksum: CRC-32 of the tile's file; None where there is none.
     """
 
     points_in: int
     points_out: int
-    points_read: int
-    halo: float
     sums: ExactSums | None
     checksum: int | None = None
 
@@ -100,12 +96,12 @@ def work_tile(
         window = plan.window(ix, iy, max(halos[0], 4 * plan.slack))
         table, keys = read_rows(plan, folder, fulls, window)
         if not len(table.points):
-            return Outcome(0, 0, 0, halos[0], ExactSums())
+            return Outcome(0, 0, ExactSums())
         part = _first_part(plan, table, keys)
         own = int((plan.tile_of(part.homes) == tile).sum())
         try:
             if not own and _keeps_homes(chain) and not any(step.writes for step in chain):
-                return Outcome(0, 0, len(table.points), halos[0], ExactSums())
+                return Outcome(0, 0, ExactSums())
             part, sums = _run(plan, folder, (ix, iy), part, steps, (reaches, halos), numbers, fulls, target)
         except HaloError as found:
             reaches[found.step] *= 2
@@ -114,7 +110,7 @@ def work_tile(
             part = part.select(plan.tile_of(part.homes) == tile)
         out = len(part.cloud) if target is None else 0
         checksum = write_tile(plan, folder, tile, part) if out else None
-        return Outcome(own, out, len(table.points), halos[0], sums, checksum)
+        return Outcome(own, out, sums, checksum)
     raise FileError(folder, f"tile {ix}_{iy}: the halo doubled {MOST_DOUBLINGS} times and was still too small")
 
 

@@ -21,7 +21,7 @@ MODULES = sorted(
 # Over a second of CPU; tests of the same names hold what they do.
 DEAR = {
     "pointloom.data.made.objects", "pointloom.data.made.photographs", "pointloom.data.made.room",
-    "pointloom.data.made.terrain", "pointloom.meshing.volume.splat_fusion", "pointloom.scale.estimate",
+    "pointloom.data.made.terrain", "pointloom.meshing.volume.splat_fusion",
     "pointloom.registration.deformable.nonrigid", "pointloom.scale.jobs.fusion",
 }  # fmt: skip
 

@@ -31,7 +31,6 @@ _OPTIONS = {
     "Call plan_tiles(sources, steps, folder) first": "Run pointloom tile plan first",
     "call retry_tiles(folder)": "run pointloom tile retry",
     "Call run_tiles, or retry_tiles before": "Call pointloom tile run, or tile retry before",
-    "with workers=0": "with --serial",
 }
 
 TRACEBACK = "POINTLOOM_TRACEBACK"

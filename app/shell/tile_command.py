@@ -81,7 +81,6 @@ def tile() -> None:
     Every command takes --json. docs/tiles.md says which steps there are, and what is promised of them.
 
     \b
-    pointloom tile plan survey/ --steps steps.toml -o job --estimate --workers 8   what it would take
     pointloom tile plan survey/ --steps steps.toml -o job
     pointloom tile run job --workers 8
     pointloom tile status job
@@ -102,10 +101,18 @@ def tile() -> None:
     """
 
 
-@tile.command("plan", short_help="Write down what is to be done, or estimate it.")
+@tile.command("plan", short_help="Write down what is to be done.")
 @click.argument("sources", nargs=-1, required=True, type=FILE, metavar="SOURCES...")
 @click.option("--steps", type=FILE, required=True, metavar="TOML", help="What to do: a [[step]] table for each step.")
-@click.option("-o", "--folder", "folder", type=FILE, metavar="DIR", help="Folder of the job; made where it is missing.")
+@click.option(
+    "-o",
+    "--folder",
+    "folder",
+    type=FILE,
+    required=True,
+    metavar="DIR",
+    help="Folder of the job; made where it is missing.",
+)
 @click.option("--size", type=LENGTH, metavar="M", help="Edge of a tile [m].")
 @click.option("--points", type=COUNT, metavar="N", help="Points a tile, about; 2 million if neither is given.")
 @click.option("--only", type=Area(), metavar="AREA", help="Only tiles that X0,Y0,X1,Y1 or a .geojson, .wkt file touch.")
@@ -117,14 +124,10 @@ def tile() -> None:
 @click.option(
     "--output", type=click.Choice(OUTPUTS), default=OUTPUTS[0], show_default=True, help="What `tile finish` makes."
 )
-@click.option("--estimate", "estimates", is_flag=True, help="Plan nothing; say what it would take, from a sample.")
-@click.option("--workers", type=COUNT, metavar="N", help="With --estimate: for so many processes; 1 if not given.")
 @json_option()
 def plan(
     sources: tuple[Path, ...],
-    folder: Path | None,
-    estimates: bool,
-    workers: int | None,
+    folder: Path,
     as_json: bool,
     steps: Path,
     to_crs: str | None,
@@ -136,18 +139,12 @@ def plan(
     Of these only headers are read. .ply, .pcd, .e57, .ptx and text (.xyz, .pts, .csv ...) are written over as LAZ into
     DIR first.
 
-    With --estimate nothing is planned: some tiles are worked off in a temporary folder, and what all of them would
-    take in time, memory, disk and output is said, each with a range. DIR is not needed then.
-
     \b
     pointloom tile plan survey/ --steps steps.toml -o job
     pointloom tile plan a.laz b.laz --steps steps.toml -o job --size 250 --output copc
-    pointloom tile plan survey/ --steps steps.toml --estimate --workers 16
     """
     if options["size"] is not None and options["points"] is not None:
         refuse("--size and --points both choose the tiles; give one")
-    if workers is not None and not estimates:
-        refuse("--workers goes with --estimate here; `pointloom tile run DIR --workers N` works the tiles off")
     if from_crs is not None and to_crs is None:
         refuse("--from-crs goes with --to-crs")
     chain: Any = steps
@@ -156,14 +153,6 @@ def plan(
 
         parse_steps(steps)  # so that errors name the file
         chain = [*read_toml(steps), {"step": "reproject", "to_crs": to_crs, "from_crs": from_crs}]
-    if estimates:
-        from ...scale.estimate import estimate_tiles
-
-        with Progress() as progress:
-            report = estimate_tiles(sources, chain, workers=workers or 1, progress=progress, **options)
-        return answer_with(report, "estimate", as_json)
-    if folder is None:
-        refuse("missing option '-o'; give the folder of the job")
     from ...scale.plan import plan_tiles
     from ..jobs.tiles import report_of
 
@@ -175,8 +164,7 @@ def plan(
 @tile.command("run", short_help="Work the tiles off.")
 @FOLDER
 @click.option("--serial", is_flag=True, help="In this process; the default.")
-@click.option("--workers", type=COUNT, metavar="N", help="By N processes; one that dies is replaced.")
-@click.option("--dask", type=COUNT, metavar="N", help="By N processes of a dask cluster of this machine.")
+@click.option("--workers", type=COUNT, metavar="N", help="By N processes of this machine (dask.distributed).")
 @click.option("--scheduler", metavar="ADDRESS", help="By the workers of a dask scheduler, as tcp://host:8786.")
 @click.option("--part", type=Part(), metavar="K/N", help="Only the K-th of N shares of the tiles, for array jobs.")
 @click.option("--tile", "name", type=TileName(), metavar="X_Y", help="Only this tile, again if it failed.")
@@ -188,7 +176,6 @@ def run(
     folder: Path,
     serial: bool,
     workers: int | None,
-    dask: int | None,
     scheduler: str | None,
     part: tuple[int, int] | None,
     name: str | None,
@@ -207,15 +194,15 @@ def run(
     pointloom tile run /shared/job --part $SLURM_ARRAY_TASK_ID/400
     pointloom tile run job --tile 3_4
     """
-    if serial + bool(workers) + bool(dask) + bool(scheduler) > 1:
-        refuse("--serial, --workers, --dask and --scheduler exclude each other; give one")
+    if serial + bool(workers) + bool(scheduler) > 1:
+        refuse("--serial, --workers and --scheduler exclude each other; give one")
     if part and name:
         refuse("--part and --tile both choose tiles; give one")
     from ...scale.runners import run_tiles
     from ..jobs.tiles import report_of
 
     with Progress() as progress:
-        runner = {"workers": workers or 0, "dask": dask or 0, "scheduler": scheduler, "device": device}
+        runner = {"workers": workers or 0, "scheduler": scheduler, "device": device}
         told = run_tiles(folder, part=part, tile=name, progress=progress, **runner)
     return answer_with(report_of("run", told, is_part=bool(part or name)), str(folder), as_json)
 

@@ -223,9 +223,7 @@ def status_of(manifest: Manifest, job: Job) -> JobStatus:
     )
 
 
-def progress_of(manifest: Manifest) -> tuple[int, int, int]:
-    """(stage, tasks of it that are over, deaths): what grows while anything is done."""
-    stage = stage_of(manifest)
-    over = f"(SELECT count(*) FROM tasks WHERE stage = ? AND state IN {OVER})"
-    (row,) = manifest.rows(f"SELECT {over} AS over, (SELECT sum(attempts) FROM tasks) AS deaths", stage)
-    return stage, row["over"], row["deaths"] or 0
+def over_in(manifest: Manifest, stage: int) -> int:
+    """How many tasks of a stage are over."""
+    (row,) = manifest.rows(f"SELECT count(*) AS n FROM tasks WHERE stage = ? AND state IN {OVER}", stage)
+    return row["n"]

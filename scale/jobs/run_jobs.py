@@ -3,28 +3,31 @@
 from __future__ import annotations
 
 import json
-import os
-import sys
-import time
-from collections.abc import Callable
-from contextlib import ExitStack
-from functools import partial
+from functools import lru_cache, partial
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from ...core.checks import check_count, check_progress
 from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress, say_nothing
-from ..gpus import held_gpus
-from ..manifest import NAME, Manifest, a_worker, damage_as_file_errors
-from ..runners import LOOK, check_part, oversee, start_worker
+from ..manifest import NAME, Manifest, damage_as_file_errors, said_of
+from ..processes import run_tasks
+from ..runners import check_part
 from .fusion import FusionJob
-from .job import Job, JobStatus, advance, done_in, open_manifest, progress_of, stage_of, status_of
+from .job import Job, JobStatus, advance, done_in, open_manifest, over_in, stage_of, status_of
 from .scans import RegistrationJob
 from .sequences import SequencesJob
 
 KINDS: dict[str, type[Job]] = {kind.KIND: kind for kind in (FusionJob, SequencesJob, RegistrationJob)}
-_WORKER = "from pointloom.scale.jobs.run_jobs import main; main()"
+
+
+class _Task(NamedTuple):
+    """A row of the tasks."""
+
+    number: int
+    stage: int
+    name: str
+    told: str
 
 
 def run_job(
@@ -43,7 +46,7 @@ def run_job(
 
     Args:
         folder: Of `plan_fusion`, `plan_sequences` or `plan_registration`.
-        workers: Processes; 0 works in this one.
+        workers: Processes of this machine, as of `run_tiles`; 0 works in this one.
         part: (17, 400): only the 17th of 400 shares of the tasks, for array jobs of a cluster whose machines share the
             folder. A share ends where it needs what others have to do: run it again.
         device: "cpu", or "cuda": each worker has a GPU to itself, which no other run of this machine takes meanwhile;
@@ -54,7 +57,7 @@ def run_job(
         A JobStatus; look at `failed` and `aside`.
 
     Raises:
-        FileError: There is no plan, it is of other files or of another version, or workers die before they do anything.
+        FileError: There is no plan, it is of other files or of another version, or workers cannot be started.
         DeviceError: There is no such device, or fewer GPUs are free than workers want.
 
     Notes:
@@ -63,24 +66,14 @@ def run_job(
     count, share = check_count("workers", workers, minimum=0), check_part(part)
     report = check_progress(progress)
     manifest, job = open_job(folder)
-    with manifest, ExitStack() as held:
+    with manifest:
         with damage_as_file_errors(manifest.folder / NAME):
             job.check(partial(done_in, manifest))
-        gpus = held.enter_context(held_gpus(device, count or 1))
         manifest.give_back()
         tell = partial(_tell, manifest, job, report)
         tell()
-        if count:
-            start = partial(start_worker, _WORKER, [str(manifest.folder.absolute()), *map(str, share)], count, gpus)
-            oversee(manifest, start, count, tell, progress_of)
-        else:
-            job.device = gpus[0].alias if gpus else device
-            try:
-                with a_worker(manifest.folder) as owner:
-                    _work(manifest, job, owner, share, tell)
-            except BaseException:
-                manifest.give_back(is_death=False)
-                raise
+        call = partial(_do_alone, str(manifest.folder.absolute()))
+        run_tasks(manifest, partial(_Taskbook, manifest, job, share), call, tell, workers=count, device=device)
         tell()
         return status_of(manifest, job)
 
@@ -145,63 +138,82 @@ def finished_job(folder: FilePath, kind: type[Job]) -> tuple[Manifest, Any]:
     return manifest, job
 
 
-def _work(
-    manifest: Manifest, job: Job, owner: str, part: tuple[int, int], tell: Callable[[], None], parent: int = 0
-) -> None:
-    """Claim and do tasks until none is left for this worker, or its parent is gone."""
-    which, of = part
-    while not parent or os.getppid() == parent:
-        stage = stage_of(manifest)
-        row = manifest.claim("tasks", owner, "stage = ? AND id % ? = ?", stage, of, which - 1)
-        if row is not None:
-            _do(manifest, job, row, owner)
-            tell()
-            continue
-        counts = manifest.counts("tasks", "stage = ?", stage)
-        if counts["running"]:
-            if not manifest.give_back():
-                time.sleep(LOOK)
-        elif counts["waiting"]:
-            if of > 1:
-                return  # of other shares
-        elif counts["failed"] + counts["aside"] or stage == len(job.STAGES) - 1:
-            return
-        else:
-            advance(manifest, job, stage)
+class _Taskbook:
+    """What one run claims and settles in the manifest of a job.
+
+    Args:
+        manifest: Of the job.
+        job: The job.
+        part: (which, of how many): its share of the tasks.
+        owner: The run's name.
+    """
+
+    def __init__(self, manifest: Manifest, job: Job, part: tuple[int, int], owner: str):
+        self._manifest, self._job, self._part, self._owner = manifest, job, part, owner
+
+    def take(self) -> _Task | bool:
+        """Claim the next task, and begin the stage after one that is done; as `processes.Book`."""
+        which, of = self._part
+        while True:
+            stage = stage_of(self._manifest)
+            row = self._manifest.claim("tasks", self._owner, "stage = ? AND id % ? = ?", stage, of, which - 1)
+            if row is not None:
+                return _Task(row["id"], row["stage"], row["name"], row["told"])
+            counts = self._manifest.counts("tasks", "stage = ?", stage)
+            if counts["running"]:
+                return True
+            if counts["waiting"]:
+                if of > 1:
+                    return False  # of other shares
+            elif counts["failed"] + counts["aside"] or stage == len(self._job.STAGES) - 1:
+                return False
+            else:
+                advance(self._manifest, self._job, stage)
+
+    def do(self, task: _Task, device: str) -> str:
+        """Do a task in this process; what it found, as JSON."""
+        self._job.device = device
+        return _do(self._job, task)
+
+    def settle(self, task: _Task, found: str) -> None:
+        """Write down what a task found."""
+        self._manifest.settle("tasks", task.number, self._owner, state="done", found=found, error=None)
+
+    def fail(self, task: _Task, error: Exception) -> None:
+        """Write down the error of a task."""
+        self._manifest.settle("tasks", task.number, self._owner, state="failed", error=said_of(error))
+
+    def set_aside(self, task: _Task, reason: str) -> None:
+        """Write down that workers died at a task."""
+        self._manifest.settle("tasks", task.number, self._owner, state="aside", error=reason)
 
 
-def _do(manifest: Manifest, job: Job, row: Any, owner: str) -> None:
-    begin = time.monotonic()
-    try:
-        found = json.dumps(job.do(row["stage"], row["name"], json.loads(row["told"])), allow_nan=False)
-    except (Exception, MemoryError) as error:
-        said = " ".join(f"{type(error).__name__}: {error}".split())[:2000]
-        manifest.settle("tasks", row["id"], owner, state="failed", error=said)
-        return
-    seconds = time.monotonic() - begin
-    manifest.settle("tasks", row["id"], owner, state="done", found=found, seconds=seconds, error=None)
+def _do(job: Job, task: _Task) -> str:
+    return json.dumps(job.do(task.stage, task.name, json.loads(task.told)), allow_nan=False)
+
+
+def _do_alone(folder: str, task: _Task, device: str) -> str:
+    """Do a task in a worker process, which claims nothing."""
+    job = _job_of(folder, (Path(folder) / NAME).stat().st_ino)
+    job.device = device
+    return _do(job, task)
+
+
+@lru_cache(maxsize=4)
+def _job_of(folder: str, inode: int) -> Job:
+    manifest, job = open_job(folder)
+    manifest.base.close()
+    return job
 
 
 def _tell(manifest: Manifest, job: Job, report: ReportProgress) -> None:
     """Tell how many tasks of the stages so far are over."""
     if report is say_nothing:
         return
-    stage, over, _ = progress_of(manifest)
+    stage = stage_of(manifest)
+    over = over_in(manifest, stage)
     for earlier in range(stage):
         (row,) = manifest.rows("SELECT count(*) AS n FROM tasks WHERE stage = ?", earlier)
         report(job.STAGES[earlier], row["n"], row["n"])
     (row,) = manifest.rows("SELECT count(*) AS n FROM tasks WHERE stage = ?", stage)
     report(job.STAGES[stage], over, row["n"])
-
-
-def main() -> None:
-    """A worker process: `main FOLDER WHICH OF PARENT DEVICE`; it ends when nothing is left for it."""
-    folder, which, of, parent, device = sys.argv[1:]
-    manifest, job = open_job(Path(folder))
-    job.device = device
-    with manifest, a_worker(manifest.folder) as owner:
-        _work(manifest, job, owner, (int(which), int(of)), _say_nothing, int(parent))
-
-
-def _say_nothing() -> None:
-    pass

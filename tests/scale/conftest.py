@@ -21,6 +21,15 @@ def job(files, tmp_path):
 
 
 @pytest.fixture(scope="session")
+def two_workers():
+    """Address of a scheduler with two worker processes, which are restarted when they die."""
+    distributed = pytest.importorskip("distributed")
+    told = {"threads_per_worker": 1, "memory_limit": 0, "dashboard_address": "127.0.0.1:0", "silence_logs": "CRITICAL"}
+    with distributed.LocalCluster(2, host="127.0.0.1", scheduler_kwargs={"allowed_failures": 2}, **told) as found:
+        yield found.scheduler_address
+
+
+@pytest.fixture(scope="session")
 def expected(tmp_path_factory):
     folder = tmp_path_factory.mktemp("expected")
     return rows_of(tiled(survey(folder, count=2000), RADIUS, folder / "job", size=100.0)[0])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 import sys
 
@@ -95,10 +96,10 @@ def rows_of(cloud):
     return rows[np.lexsort(rows.T)]
 
 
-def kill_runner(call, job, stage):
-    """Start a run of a job with two workers, and kill its runner when a task of this stage is done."""
+def kill_runner(call, job, stage, workers=0):
+    """Start a run of a job, and kill its runner when a task of this stage is done; its workers end, too."""
     told = "lambda *words: print(*words, flush=True)"
-    program = f"import sys, pointloom as loom; {call}(sys.argv[1], workers=2, progress={told})"
+    program = f"import sys, pointloom as loom; {call}(sys.argv[1], workers={workers}, progress={told})"
     runner = subprocess.Popen(
         [sys.executable, "-c", program, str(job)],
         env=os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)},
@@ -106,8 +107,11 @@ def kill_runner(call, job, stage):
         text=True,
     )
     with runner:
-        assert any(line.startswith(stage) and not line.startswith(f"{stage} 0 ") for line in runner.stdout)
+        done = re.compile(rf"{stage}.* [1-9]\d* \d+\n")
+        assert any(done.fullmatch(line) for line in runner.stdout)
+        # The workers have the pipe, too: its end tells that none is left.
         runner.kill()
+        runner.stdout.read()
 
 
 def plan_of(folder):

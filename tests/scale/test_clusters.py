@@ -237,7 +237,7 @@ def test_a_tile_that_is_damaged_after_the_result_was_made_is_made_again(files, t
 KILLED = """
 import os, signal, sys
 import pointloom as loom
-from pointloom.scale import runners, {module}
+from pointloom.scale import {module}
 def die(*arguments, **named):
     os.kill(os.getpid(), signal.SIGKILL)
 die.dumps = die
@@ -267,7 +267,7 @@ def test_runs_that_are_killed_between_passes_go_on(files, tmp_path, module, name
     assert done.returncode == -signal.SIGKILL
     status = loom.scale.tile_status(job)
     assert status.done == 0 and (status.which_pass, status.passes) == (2, 2)
-    assert loom.scale.run_tiles(job, workers=2).is_finished
+    assert loom.scale.run_tiles(job).is_finished
     assert not [*(job / "joined").glob("*.part")]
     cloud = labels_in_memory(whole_cloud(files, np.array(plan_of(job)["origin"])), DBSCAN)
     np.testing.assert_array_equal(labelled(finished(job)), labelled(cloud))

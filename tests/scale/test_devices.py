@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
-import sys
+import contextlib
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.scale import gpus, runners
+from pointloom.scale import gpus, processes
+from pointloom.scale.gpus import reserved_device
 
 from .scenes import STEP, finished, in_memory, plan_of, rows_of, survey, whole_cloud
 from .test_same_answer import CHAINS
@@ -65,48 +64,30 @@ def test_a_device_that_is_not_there_is_named(files, tmp_path):
 def three_gpus(monkeypatch, tmp_path):
     """A machine of three GPUs, whose locks lie in a folder of the test."""
     made = [SimpleNamespace(is_cuda=True, alias=f"cuda:{k}", uuid=f"GPU-{k}", ordinal=k) for k in range(3)]
-    monkeypatch.delenv("CUDA_VISIBLE_DEVICES", raising=False)
     monkeypatch.setattr(gpus.tempfile, "gettempdir", lambda: str(tmp_path))
     monkeypatch.setattr("warp.get_cuda_devices", lambda: made)
     monkeypatch.setattr(gpus, "resolve_device", lambda name: made[int(name[5:] or 0)])
 
 
 @pytest.mark.usefixtures("three_gpus")
-def test_two_runs_of_a_machine_take_other_gpus():
-    with gpus.held_gpus("cuda", 2) as first, gpus.held_gpus("cuda", 1) as second:
-        assert [gpu.name for gpu in first + second] == ["GPU-0", "GPU-1", "GPU-2"]
-        with pytest.raises(loom.DeviceError, match="0 of 3 GPUs are free"), gpus.held_gpus("cuda", 1):
-            pass
-        with pytest.raises(loom.DeviceError, match="0 of 1 GPUs are free"), gpus.held_gpus("cuda:1", 1):
-            pass
-    with gpus.held_gpus("cuda:1", 1) as third:
-        assert third[0].alias == "cuda:1"
+def test_each_process_takes_another_gpu():
+    """As by processes: each opening of a lock file is one holder of the lock."""
+    with reserved_device("cuda") as first, reserved_device("cuda") as second:
+        assert (first, second) == ("cuda:0", "cuda:1")
+        for taken, said in (("cuda", "all of 3 GPUs are in use"), ("cuda:1", "all of 1 GPUs are in use")):
+            error = pytest.raises(loom.DeviceError, match=said)
+            with reserved_device("cuda:2"), error, reserved_device(taken):
+                pass
+    with reserved_device("cuda:1") as third:
+        assert third == "cuda:1"
 
 
 @pytest.mark.usefixtures("three_gpus")
-def test_a_gpu_is_its_workers_when_the_runner_is_gone():
-    with gpus.held_gpus("cuda:2", 1) as (gpu,):
-        worker = subprocess.Popen([sys.executable, "-c", "input()"], stdin=subprocess.PIPE, pass_fds=[gpu.lock])
-    with pytest.raises(loom.DeviceError, match="are free"), gpus.held_gpus("cuda:2", 1):
-        pass
-    worker.communicate(b"\n")
-    with gpus.held_gpus("cuda:2", 1) as held:
-        assert len(held) == 1
-
-
-@pytest.mark.usefixtures("three_gpus")
-def test_each_worker_sees_its_own_gpu_alone(monkeypatch, tmp_path):
-    started = []
-    monkeypatch.setattr(runners.subprocess, "Popen", lambda command, **how: started.append((command, how)))
-    monkeypatch.setenv("CUDA_VISIBLE_DEVICES", "5,GPU-x,7")
-    with gpus.held_gpus("cuda", 2) as held:
-        for place in range(2):
-            runners._start(tmp_path, (1, 1), 2, held, place)
-        assert [how["env"]["CUDA_VISIBLE_DEVICES"] for _, how in started] == ["5", "GPU-x"]
-        assert [how["pass_fds"] for _, how in started] == [[gpu.lock] for gpu in held]
-        assert all(command[-1] == "cuda:0" for command, _ in started)
-    runners._start(tmp_path, (1, 1), 2, [], 0)
-    assert (
-        started[-1][0][-1] == "cpu"
-        and started[-1][1]["env"]["CUDA_VISIBLE_DEVICES"] == os.environ["CUDA_VISIBLE_DEVICES"]
-    )
+def test_a_worker_keeps_its_gpu(monkeypatch):
+    monkeypatch.setattr(processes, "_devices", {})
+    with contextlib.ExitStack() as held:
+        monkeypatch.setattr(processes, "_held", held)
+        processes._prepare("cuda")
+        assert processes._call(lambda _, device: device, None, "cuda") == "cuda:0"
+        with reserved_device("cuda") as other:
+            assert other == "cuda:1"

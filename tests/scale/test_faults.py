@@ -1,9 +1,7 @@
 """What goes wrong is an error by name, or a tile named at the end; nothing is lost or doubled."""
 
 import os
-import random
 import struct
-import threading
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
@@ -13,11 +11,11 @@ import pointloom as loom
 from pointloom.core.errors import FileError
 from pointloom.files.points.las_writer import write_las
 from pointloom.files.table import PointTable
-from pointloom.scale import plan, runners
 from pointloom.scale import plan as plan_module
+from pointloom.scale import tasks
 from pointloom.scale.manifest import Manifest, a_worker
 
-from .scenes import CORNER, RADIUS, SIDE, STEP, finished, kill_runner, plan_of, rows_of, survey, tiled
+from .scenes import CORNER, RADIUS, SIDE, STEP, finished, plan_of, rows_of, survey, tiled
 
 
 @pytest.mark.parametrize(
@@ -207,14 +205,15 @@ def test_a_file_names_no_function(files, tmp_path):
     assert not called.exists() and not (tmp_path / "job").exists()
 
 
-@pytest.mark.parametrize("workers", [0, pytest.param(1, marks=pytest.mark.slow)])
-def test_a_manifest_allows_no_function(files, tmp_path, monkeypatch, workers):
+@pytest.mark.parametrize("runner", [None, pytest.param("two_workers", marks=pytest.mark.slow)])
+def test_a_manifest_allows_no_function(files, tmp_path, monkeypatch, runner, request):
     job = tmp_path / "job"
     loom.scale.plan_tiles(files, [{"step": "function", "call": fails_in_the_east, "reach": 0}], job, size=20.0)
-    monkeypatch.setattr(plan, "_passed", {})  # as in another process
+    monkeypatch.setattr(plan_module, "_passed", {})  # as in another process
     with pytest.raises(FileError, match=r"plan\.sqlite: steps: call: .*fails_in_the_east'"):
         loom.scale.run_tiles(job)
-    assert loom.scale.run_tiles(job, functions=[fails_in_the_east], workers=workers).is_finished
+    scheduler = runner and request.getfixturevalue(runner)
+    assert loom.scale.run_tiles(job, functions=[fails_in_the_east], scheduler=scheduler).is_finished
 
 
 def test_empty_tiles_and_a_halo_larger_than_tiles(tmp_path):
@@ -226,29 +225,6 @@ def test_empty_tiles_and_a_halo_larger_than_tiles(tmp_path):
     other, _ = tiled(tmp_path / "two.laz", steps, tmp_path / "one", size=100.0)
     assert loom.scale.tile_status(tmp_path / "job").empty > 3
     np.testing.assert_array_equal(rows_of(found), rows_of(other))
-
-
-@pytest.mark.slow
-def test_workers_that_are_killed_at_random_lose_and_double_nothing(files, tmp_path, expected, monkeypatch):
-    job, started, start = tmp_path / "job", [], runners._start
-    monkeypatch.setattr(runners, "_start", lambda *a, **k: started.append(start(*a, **k)) or started[-1])
-    loom.scale.plan_tiles(files, RADIUS, job, size=4.0)
-    chance, results = random.Random(5), []
-    run = threading.Thread(target=lambda: results.append(loom.scale.run_tiles(job, workers=2)))
-    run.start()
-    kills = 0
-    while run.is_alive() and kills < 6:
-        run.join(0.5 + chance.random())
-        alive = [worker for worker in started if worker.poll() is None]
-        if alive:
-            chance.choice(alive).kill()
-            kills += 1
-    run.join()
-    (status,) = results
-    assert kills and status.aside + status.failed == 0
-    assert status.is_finished and status.points_in == status.points
-    np.testing.assert_array_equal(rows_of(finished(job)), expected)
-    assert not [*job.rglob("*.part")]
 
 
 def test_a_tile_that_holds_too_much_is_named(tmp_path, monkeypatch):
@@ -273,32 +249,20 @@ def test_a_damaged_file_is_an_error_by_name_and_leaves_no_bucket(files, tmp_path
 
 
 @pytest.mark.slow
-def test_a_runner_that_is_killed_takes_its_workers_along_and_is_gone_on_with(files, tmp_path, expected):
-    job = tmp_path / "job"
-    loom.scale.plan_tiles(files, RADIUS, job, size=4.0)
-    kill_runner("loom.scale.run_tiles", job, "tiles")
-    before = loom.scale.tile_status(job)
-    assert before.done and not before.is_finished
-    status = loom.scale.run_tiles(job)
-    assert status.is_finished and status.points_in == status.points
-    np.testing.assert_array_equal(rows_of(finished(job)), expected)
-    assert not [*(job / "locks").iterdir()]
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("workers", [0, 1])
-def test_progress_is_told_of_files_and_of_every_pass_over_the_tiles(files, tmp_path, workers):
+@pytest.mark.parametrize("runner", [None, "two_workers"])
+def test_progress_is_told_of_files_and_of_every_pass_over_the_tiles(files, tmp_path, runner, request):
+    scheduler = runner and request.getfixturevalue(runner)
     steps = [{"step": "remove_statistical_outlier", "nb_neighbors": 4, "std_ratio": 3.0}]
     loom.scale.plan_tiles(files, steps, tmp_path / "job", size=20.0)
     told = []
-    loom.scale.run_tiles(tmp_path / "job", workers=workers, progress=lambda *words: told.append(words))
+    loom.scale.run_tiles(tmp_path / "job", scheduler=scheduler, progress=lambda *words: told.append(words))
     assert list(dict.fromkeys(stage for stage, _, _ in told)) == ["files", "pass 1 of 2", "pass 2 of 2"]
     assert told[0] == ("files", 0, 2) and told[-1] == ("pass 2 of 2", 9, 9)
     for stage, total in (("files", 2), ("pass 1 of 2", 9), ("pass 2 of 2", 9)):
         done = [count for name, count, of in told if name == stage and of == total]
         assert done == sorted(done) and done[-1] == total
     told.clear()
-    loom.scale.run_tiles(tmp_path / "job", workers=workers, progress=lambda *words: told.append(words))
+    loom.scale.run_tiles(tmp_path / "job", scheduler=scheduler, progress=lambda *words: told.append(words))
     assert told[-1] == ("pass 2 of 2", 9, 9)
 
 
@@ -324,7 +288,7 @@ def test_an_interrupted_run_holds_nothing_against_its_tile(job, monkeypatch):
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patch:
-        patch.setattr(runners, "do_task", interrupted)
+        patch.setattr(tasks, "do_task", interrupted)
         for _ in range(4):
             with pytest.raises(KeyboardInterrupt):
                 loom.scale.run_tiles(job)

@@ -16,8 +16,9 @@ import pytest
 
 import pointloom as loom
 from pointloom.core.errors import FileError
-from pointloom.scale import buckets, finish, runners, sources
-from pointloom.scale.manifest import NAME, Manifest, canonical, hash_of, only_one
+from pointloom.scale import buckets, finish, sources, tasks
+from pointloom.scale.manifest import NAME, Manifest, a_worker, canonical, hash_of, only_one
+from pointloom.scale.plan import open_plan
 
 from .scenes import RADIUS, finished, rows_of
 
@@ -42,13 +43,13 @@ def files_up_to(size):
 
 def on_a_full_disk(monkeypatch, table, size):
     """Tasks of a table find no room for files beyond a size."""
-    work = runners.do_task
+    work = tasks.do_task
 
     def full(plan, folder, task, owner):
         with files_up_to(size) if task.table == table else contextlib.nullcontext():
             return work(plan, folder, task, owner)
 
-    monkeypatch.setattr(runners, "do_task", full)
+    monkeypatch.setattr(tasks, "do_task", full)
 
 
 def test_a_disk_that_is_full_while_rows_are_laid_is_named_and_leaves_nothing(job, expected, monkeypatch):
@@ -157,7 +158,7 @@ def test_a_damaged_chunk_of_an_octree_fails_its_tiles_by_name(files, tmp_path):
 
 @pytest.mark.parametrize("fault", ["flipped", "cut"])
 def test_a_bucket_that_is_damaged_fails_its_tile_by_name(job, fault):
-    runners.run_tiles(job)
+    loom.scale.run_tiles(job)
     with Manifest(job) as manifest, manifest.change() as base:
         base.execute("UPDATE tiles SET state = 'waiting' WHERE id = 0")
     path = job / "buckets" / "000000" / "0.blocks"
@@ -172,8 +173,8 @@ def test_a_bucket_that_is_damaged_fails_its_tile_by_name(job, fault):
 def test_rows_that_are_laid_already_are_not_laid_again_under_those_who_read_them(job):
     """A worker of a cluster may outlive its runner, and begin a file that another run has laid meanwhile."""
     loom.scale.run_tiles(job)
-    manifest, plan = runners.open_plan(job)
-    with manifest, runners.a_worker(job) as alive:
+    manifest, plan = open_plan(job)
+    with manifest, a_worker(job) as alive:
         before = (job / "buckets" / "000000" / "index.json").stat()
         (row,) = manifest.rows("SELECT points, full, bytes FROM sources WHERE id = 0")
         found = buckets.fill_buckets(plan, job, 0, "late")
@@ -235,7 +236,7 @@ def test_an_octree_that_is_written_to_while_it_is_read_fails_the_tile(files, tmp
 
 def test_a_copy_of_a_job_that_is_worked_on_is_a_job(job, tmp_path, expected):
     """The folder is copied while its manifest is open and a tile is claimed; the copy has no such worker."""
-    with Manifest(job) as manifest, runners.a_worker(job) as alive:
+    with Manifest(job) as manifest, a_worker(job) as alive:
         manifest.claim("sources", alive)
         shutil.copytree(job, tmp_path / "copy")
         assert_goes_on(tmp_path / "copy", expected)
@@ -284,7 +285,7 @@ def test_folders_and_files_without_rights_are_named(files, tmp_path, what):
 def test_two_runs_with_workers_on_one_folder_do_all_tiles_once(files, tmp_path, expected):
     job = tmp_path / "job"
     loom.scale.plan_tiles(files, RADIUS, job, size=4.0)
-    program = "import sys, pointloom as loom; assert loom.scale.run_tiles(sys.argv[1], workers=2).is_finished"
+    program = "import sys, pointloom as loom; assert loom.scale.run_tiles(sys.argv[1], workers=1).is_finished"
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path), "POINTLOOM_CPU_THREADS": "1"}
     runs = [subprocess.Popen([sys.executable, "-c", program, str(job)], env=environment) for _ in range(2)]
     assert [run.wait() for run in runs] == [0, 0]
@@ -292,15 +293,6 @@ def test_two_runs_with_workers_on_one_folder_do_all_tiles_once(files, tmp_path, 
     assert status.points_in == status.points
     np.testing.assert_array_equal(rows_of(finished(job)), expected)
     assert not [*(job / "locks").iterdir()] and not [*job.rglob("*.part")]
-
-
-def test_a_worker_whose_parent_is_gone_ends_after_its_tile(job, monkeypatch):
-    """The number of the parent is given to the worker; another process is its parent once that has gone."""
-    runs = []
-    monkeypatch.setattr(runners, "do_task", lambda *given: runs.append(given) or pytest.fail("no task is done"))
-    monkeypatch.setattr(sys, "argv", ["-c", str(job), "1", "1", "1", "cpu"])
-    runners.main()
-    assert not runs and loom.scale.tile_status(job).running == 0
 
 
 def rewritten(job, change):

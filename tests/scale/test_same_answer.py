@@ -155,7 +155,7 @@ def test_files_that_are_far_from_the_area_are_not_laid(tmp_path):
 
 
 @pytest.mark.slow
-def test_a_file_that_turns_out_to_be_needed_is_laid_then(tmp_path, monkeypatch):
+def test_a_file_that_turns_out_to_be_needed_is_laid_then(tmp_path, monkeypatch, two_workers):
     files = strips(tmp_path)
     steps = [{"step": "estimate_normals", "max_nn": 12}]
     low = CORNER[:2] + 2
@@ -163,7 +163,7 @@ def test_a_file_that_turns_out_to_be_needed_is_laid_then(tmp_path, monkeypatch):
         patch.setattr(plan_module, "far_files", lambda *_: {1, 2, 3})
         loom.scale.plan_tiles(files, steps, tmp_path / "job", size=10.0, only=[*low, *(low + 4)])
     assert laid(tmp_path / "job") == [0]
-    assert loom.scale.run_tiles(tmp_path / "job", workers=2).is_finished
+    assert loom.scale.run_tiles(tmp_path / "job", scheduler=two_workers).is_finished
     assert laid(tmp_path / "job") == [0, 1]
     expected = in_memory(whole_cloud(files, np.array(plan_of(tmp_path / "job")["origin"])), steps, None)
     mask = ((expected.points - CORNER)[:, :2] < 9.999).all(axis=1)

@@ -1,0 +1,336 @@
+"""Tasks run by this process, by processes of this machine, or by the workers of a dask scheduler.
+
+Several processes are always workers of dask.distributed, which restarts workers that die and repeats their tasks. The
+calling process claims tasks in the manifest and records their results. The workers read the files of the job.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import importlib
+import logging
+import os
+import threading
+import time
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import Any, Protocol, TypeVar
+
+from .. import __version__  # pyright: ignore[reportMissingImports]
+from ..core.errors import DeviceError, FileError
+from .gpus import reserved_device
+from .manifest import DIED, MOST_ATTEMPTS, NAME, Manifest, a_worker
+
+LOOK = 0.2  # [s] between queries for tasks that other runs may release
+PATIENCE = 10.0  # [s] for a connection to a scheduler
+MAX_WITHOUT_WORKERS = 60.0  # [s]
+_QUIET = ("client", "core", "scheduler", "comm", "batched", "nanny")  # loggers of distributed
+_PRELOAD = "import signal; signal.signal(signal.SIGINT, signal.SIG_IGN)"  # Ctrl-C ends the process that started them
+Result = TypeVar("Result")
+
+
+class Book(Protocol):
+    """The tasks that one run claims in a manifest."""
+
+    def take(self) -> Any:
+        """Claim a task. True if one may follow after running tasks, False if none is left."""
+        ...
+
+    def do(self, task: Any, device: str) -> Any:
+        """Run a task in this process."""
+        ...
+
+    def settle(self, task: Any, found: Any) -> None:
+        """Record the result of a task."""
+        ...
+
+    def fail(self, task: Any, error: Exception) -> None:
+        """Record the error of a task."""
+        ...
+
+    def set_aside(self, task: Any, reason: str) -> None:
+        """Record that workers died repeatedly at a task."""
+        ...
+
+
+def run_tasks(
+    manifest: Manifest,
+    book_of: Callable[[str], Book],
+    call: Callable[[Any, str], Any],
+    tell: Callable[[], None],
+    *,
+    workers: int = 0,
+    scheduler: str | None = None,
+    security: Any = None,
+    device: str = "cpu",
+) -> None:
+    """Run all tasks that this run can claim.
+
+    Args:
+        manifest: Of the job.
+        book_of: Returns the book for the name of this run.
+        call: Called in worker processes with a task and a device; they import it.
+        tell: Called after each task.
+        workers: Processes of this machine.
+        scheduler: The address of a dask scheduler instead; None and 0 workers run the tasks in this process.
+        security: A `distributed.Security` for the scheduler.
+        device: "cpu" or "cuda": a GPU for each process.
+
+    Raises:
+        FileError: distributed is not installed, the workers cannot be started or have another version of pointloom, or
+            the scheduler cannot be reached.
+        DeviceError: There is no such device, or no GPU is free for a worker.
+    """
+    path = manifest.folder / NAME
+    try:
+        with contextlib.ExitStack() as stack:
+            book = book_of(stack.enter_context(a_worker(manifest.folder)))
+            if scheduler is not None:
+                client = stack.enter_context(_remote_client(path, scheduler, security))
+            elif workers:
+                client = stack.enter_context(_local_client(path, workers))
+            else:
+                _run_here(manifest, book, stack.enter_context(reserved_device(device)), tell)
+                return
+            _run_on(client, manifest, book, call, device, tell)
+    except BaseException:
+        manifest.give_back(is_death=False)
+        raise
+
+
+class Processes:
+    """Worker processes of this machine that apply functions to many arguments; 0 uses this process.
+
+    Args:
+        count: Number of processes.
+        path: The output file, for errors.
+    """
+
+    def __init__(self, count: int, path: Any):
+        self.count, self._path, self._client = count, path, None
+        self._stack = contextlib.ExitStack()
+
+    def __enter__(self) -> Processes:
+        if self.count:
+            self._client = self._stack.enter_context(_local_client(self._path, self.count))
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._stack.close()
+
+    def map(self, call: Callable[..., Result], tasks: Iterable[tuple[Any, ...]]) -> Iterator[Result]:
+        """Yield `call(*task)` in the order of the tasks; about one result per process is computed ahead.
+
+        Raises:
+            FileError: Processes died repeatedly at one task.
+        """
+        if self._client is None:
+            yield from (call(*task) for task in tasks)
+            return
+        waiting: deque[Any] = deque()
+        for task in tasks:
+            waiting.append(self._client.submit(call, *task, pure=False))
+            if len(waiting) > self.count:
+                yield self._result(waiting.popleft())
+        while waiting:
+            yield self._result(waiting.popleft())
+
+    def _result(self, future: Any) -> Any:
+        try:
+            return future.result()
+        except importlib.import_module("distributed").KilledWorker as error:
+            raise FileError(self._path, DIED, remedy="Take fewer workers") from error
+
+
+def _run_here(manifest: Manifest, book: Book, device: str, tell: Callable[[], None]) -> None:
+    while (task := book.take()) is not False:
+        if task is True:
+            if not manifest.give_back():
+                time.sleep(LOOK)
+            continue
+        try:
+            found = book.do(task, device)
+        except Exception as error:  # of steps, which may be a user's
+            book.fail(task, error)
+        else:
+            book.settle(task, found)
+        tell()
+
+
+def _run_on(
+    client: Any, manifest: Manifest, book: Book, call: Callable[..., Any], device: str, tell: Callable[[], None]
+) -> None:
+    """Run the tasks on the workers of a client, one at a time on each: dask counts a death against all of its tasks."""
+    path, running, ready = manifest.folder / NAME, {}, set[str]()
+    seen = time.monotonic()
+    while True:
+        workers = _workers(client, path)
+        ready |= _prepared(client, path, workers - ready, device)
+        task: Any = None
+        while len(running) < len(workers) and not isinstance(task := book.take(), bool):
+            running[client.submit(_call, call, task, device, pure=False)] = task
+        if not running and task is False:
+            return
+        seen = time.monotonic() if workers else seen
+        if time.monotonic() - seen > MAX_WITHOUT_WORKERS:
+            reason = f"there was no worker at {client.scheduler.address} for a minute"
+            raise FileError(path, reason, remedy="Start some: dask worker ADDRESS --nthreads 1 --memory-limit 0")
+        for future in _ended(running):
+            _settle(path, book, running.pop(future), future)
+            tell()
+        if task is True:
+            manifest.give_back()
+
+
+def _ended(running: dict[Any, Any]) -> list[Any]:
+    """The futures that end within LOOK seconds."""
+    if not running:
+        time.sleep(LOOK)
+        return []
+    try:
+        wait = importlib.import_module("distributed").wait
+        return list(wait([*running], timeout=LOOK, return_when="FIRST_COMPLETED").done)
+    except TimeoutError:
+        return []
+
+
+def _settle(path: Path, book: Book, task: Any, future: Any) -> None:
+    if future.cancelled() or future.status == "lost":
+        reason = "the scheduler has gone, or it dropped a task"
+        raise FileError(path, reason, remedy="Run it again, it goes on")
+    try:
+        found = future.result()
+    except importlib.import_module("distributed").KilledWorker:
+        book.set_aside(task, DIED)
+    except Exception as error:  # of steps, which may be a user's
+        book.fail(task, error)
+    else:
+        book.settle(task, found)
+
+
+@contextlib.contextmanager
+def _local_client(path: Any, count: int) -> Iterator[Any]:
+    """A client of so many new processes of this machine, which end with this one."""
+    distributed, config = _imported(path, "distributed"), _imported(path, "dask.config")
+    threads = os.environ.get("POINTLOOM_CPU_THREADS") or str(max(1, (os.cpu_count() or 1) // count))
+    options: dict[str, Any] = {"n_workers": count, "threads_per_worker": 1, "memory_limit": 0, "host": "127.0.0.1"}
+    options |= {"dashboard_address": "127.0.0.1:0", "scheduler_kwargs": {"allowed_failures": MOST_ATTEMPTS - 1}}
+    options |= {"env": {"POINTLOOM_CPU_THREADS": threads, "RAYON_NUM_THREADS": threads}, "preload": _PRELOAD}
+    # By default distributed sets variables in the environment of this process.
+    environment = {"distributed.nanny.pre-spawn-environ": {"PYTHONHASHSEED": "random"}}
+    with contextlib.ExitStack() as stack:
+        stack.enter_context(_quiet())
+        stack.enter_context(config.set(environment))
+        try:
+            cluster = stack.enter_context(distributed.LocalCluster(**options, silence_logs=logging.CRITICAL))
+        except RuntimeError as error:
+            remedy = 'In a script, call it below `if __name__ == "__main__":`'
+            reason = f"the worker processes did not start: {error}".rstrip(".")
+            raise FileError(path, reason, remedy=remedy) from error
+        client = distributed.Client(cluster, set_as_default=False, direct_to_workers=True)
+        stack.enter_context(client)
+        stack.enter_context(client.as_current())
+        yield client
+
+
+@contextlib.contextmanager
+def _remote_client(path: Path, address: str, security: Any) -> Iterator[Any]:
+    """A client of a scheduler."""
+    distributed = _imported(path, "distributed")
+    with contextlib.ExitStack() as stack:
+        stack.enter_context(_quiet())
+        try:
+            with ThreadPoolExecutor(1) as pool:  # a Client that finds none is waited for again when it is released
+                pool.submit(lambda: asyncio.run(_touch(distributed, address, security))).result()
+            client = distributed.Client(address, timeout=PATIENCE, set_as_default=False, security=security)
+        except (OSError, ValueError, TimeoutError, RuntimeError, TypeError) as error:
+            reason = f"there is no scheduler at {address}: {error or type(error).__name__}"
+            raise FileError(path, reason, remedy="Start `dask scheduler` and give its address") from error
+        stack.callback(_close, client)
+        stack.enter_context(client.as_current())
+        yield client
+
+
+def _imported(path: Any, module: str) -> Any:
+    try:
+        return importlib.import_module(module)
+    except ImportError as error:
+        reason = "several worker processes need the package distributed"
+        raise FileError(path, reason, remedy='pip install "pointloom[tiling]"') from error
+
+
+def _close(client: Any) -> None:
+    with contextlib.suppress(TimeoutError, OSError):  # of a scheduler that has gone
+        client.close(timeout=2)
+
+
+async def _touch(distributed: Any, address: str, security: Any) -> None:
+    """Open a connection to the scheduler, and close it."""
+    arguments = (security or distributed.Security()).get_connection_args("client")
+    (await distributed.comm.connect(address, timeout=PATIENCE, **arguments)).abort()
+
+
+@contextlib.contextmanager
+def _quiet() -> Iterator[None]:
+    """Have distributed not print what is an error here, or none, such as a connection that ends."""
+    loggers = [logging.getLogger(f"distributed.{name}") for name in _QUIET]
+    levels = [logger.level for logger in loggers]
+    for logger in loggers:
+        logger.setLevel(logging.CRITICAL)
+    try:
+        yield
+    finally:
+        for logger, level in zip(loggers, levels, strict=True):
+            logger.setLevel(level)
+
+
+def _workers(client: Any, path: Path) -> set[str]:
+    """The addresses of the workers."""
+    try:
+        if client.status == "running":
+            return {*client.nthreads()}
+    except (OSError, TimeoutError):
+        pass
+    raise FileError(path, f"the scheduler at {client.scheduler.address} has gone", remedy="Run it again, it goes on")
+
+
+def _prepared(client: Any, path: Path, workers: set[str], device: str) -> set[str]:
+    """Reserve the devices of new workers and check their versions; those that answered."""
+    told = client.run(_prepare, device, workers=[*workers], on_error="return") if workers else {}
+    told = {address: version for address, version in told.items() if not isinstance(version, OSError)}
+    for address, version in told.items():
+        if isinstance(version, DeviceError):
+            raise version
+        if isinstance(version, BaseException):
+            raise FileError(path, f"the worker at {address} cannot load pointloom: {version}")
+        if version != __version__:
+            reason = f"the worker at {address} has pointloom {version}, this is {__version__}"
+            raise FileError(path, reason, remedy="Install one version on all machines")
+    return {*told}
+
+
+_ONE = threading.Lock()  # a worker may have several threads, and has one device
+_held = contextlib.ExitStack()
+_devices: dict[str, str] = {}  # those that this process has reserved, by what was asked for
+
+
+def _device(asked: str) -> str:
+    if asked not in _devices:
+        _devices[asked] = _held.enter_context(reserved_device(asked))
+    return _devices[asked]
+
+
+def _prepare(device: str) -> str:
+    """In a worker: reserve its device; its version of pointloom."""
+    with _ONE:
+        _device(device)
+    return __version__
+
+
+def _call(call: Callable[..., Any], task: Any, device: str) -> Any:
+    """In a worker: run a task."""
+    with _ONE:
+        return call(task, _device(device))
