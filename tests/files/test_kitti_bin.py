@@ -104,8 +104,19 @@ def test_runs_of_scans_and_commands_take_columns(tmp_path, capsys):
         ["convert", scan, copy],
         ["sample", scan, copy, "--voxel", "0.1", "--force"],
         ["odometry", str(folder), "-o", str(tmp_path / "poses.kitti")],
+        ["register", scan, copy, "--init", "identity", "--voxel", "0.5"],
+        ["multiway", str(folder), "-o", str(tmp_path / "poses.tum"), "--voxel", "0.5"],
+        ["change", scan, copy, "--cylinder", "0.6"],
+        ["view", scan, copy, "--screenshot", str(tmp_path / "view.png")],
     ):
         with pytest.raises(SystemExit) as leaving:
             cli([*words, *names])
         assert leaving.value.code in (0, 3), capsys.readouterr().err  # 3: one wall is poor for odometry
     assert loom.read_point_cloud(copy).attributes.keys() == {"intensity", "ring"}
+    for words in (["register", copy, copy], ["change", copy, copy], ["view", copy, "--save-html", "a.html"]):
+        with pytest.raises(SystemExit):
+            cli([*words, *names])
+        assert "columns: only .xyz" in capsys.readouterr().err
+    with pytest.raises(SystemExit):
+        cli(["multiway", str(folder), "-o", "a.tum", "--voxel", "1", "--job", "job", *names])
+    assert "--columns does not go with --job" in capsys.readouterr().err
