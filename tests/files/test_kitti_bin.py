@@ -120,3 +120,12 @@ def test_runs_of_scans_and_commands_take_columns(tmp_path, capsys):
     with pytest.raises(SystemExit):
         cli(["multiway", str(folder), "-o", "a.tum", "--voxel", "1", "--job", "job", *names])
     assert "--columns does not go with --job" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("dtype", ["<u2", ">u2", "<i4", "<f8", ">f4", ">f8"])
+@pytest.mark.filterwarnings("error")
+def test_numbers_of_another_type_are_refused(tmp_path, rng, dtype):
+    numbers = rng.integers(500, 4000, (1000, 12)) if dtype[1] in "ui" else rng.random((1000, 12)) * 20
+    numbers.astype(dtype).tofile(tmp_path / "a.bin")
+    with pytest.raises(FileError, match="no scan of float32"):
+        loom.read_point_cloud(tmp_path / "a.bin")
