@@ -210,10 +210,11 @@ def held_by_stl(mesh: MeshTable) -> tuple[MeshTable, list[str]]:
     optional = {"normals": mesh.vertex_normals, "colors": mesh.vertex_colors, "textures": mesh.triangle_uvs}
     names = [name for name, values in optional.items() if values is not None]
     colors = mesh.triangle_attributes.get("colors")
-    held = {} if colors is None or not _is_colors(colors) else {"colors": colors[:, :3]}
+    held = {}
+    if colors is not None and _is_colors(colors):
+        held = {"colors": colors[:, :3]}
+        names += ["opacity of triangle colors"] if (colors[:, 3:] < 1).any() else []
     names += [*mesh.attributes, *(f"triangle {name}" for name in mesh.triangle_attributes if name not in held)]
-    if held and colors.shape[1] == 4 and (colors[:, 3] < 1).any():
-        names.append("opacity of triangle colors")
     return MeshTable(mesh.vertices, mesh.triangles, triangle_attributes=held), names
 
 
