@@ -166,7 +166,7 @@ def rasterize(
         cell: The side of a cell [m].
         kind: "dtm", the height of the ground at each cell's centre; "dsm", the highest first return in a cell; "chm",
             canopy height: the dsm less the dtm; "density", points per square unit; "intensity", the mean of the
-            attribute of that name; "lowest", the lowest point in a cell.
+            finite values of that attribute; "lowest", the lowest point in a cell.
         method: Of heights of the ground between its points: "idw", by inverse distance; "tin", on Delaunay triangles,
             made by SciPy on the CPU.
         reach: With "idw" how far a cell's centre may be from ground points [m], 20 cells where it is None; with "tin"

@@ -18,6 +18,7 @@ from ...core.wording import format_share
 from ...drawing.change.pictures import draw, paint
 from ...drawing.render.picture_files import check_picture
 from ...files.meshes import tables
+from ...files.points.formats import columns_of
 from ...files.points.las import open_las
 from ...files.points.las_crs import crs_name
 from ...files.points.point_cloud import cloud_of, table_of
@@ -139,7 +140,7 @@ def change_files(
         check_picture(picture, overwrite=job.form["overwrite"])
     check_systems(earlier, later)
     with job.stage("read"):
-        first, after = _read(job, earlier, later)
+        first, after = _read(job, earlier, later, settings.get("columns"))
     lengths = {"normal_radii": normal_radii, "cylinder_radius": cylinder_radius, "max_distance": max_distance}
     if isinstance(first, PointCloud):
         compared = _with_cloud(job, first, after, cores, lengths, registration_error, orientation)
@@ -159,8 +160,11 @@ class Compared(NamedTuple):
     lengths: dict[str, Any]
 
 
-def _read(job: Job, earlier: FilePath, later: FilePath) -> tuple[PointCloud | TriangleMesh, PointCloud]:
-    tables_read = tables.read_table(earlier), tables.read_table(later)
+def _read(
+    job: Job, earlier: FilePath, later: FilePath, columns: Sequence[str] | None
+) -> tuple[PointCloud | TriangleMesh, PointCloud]:
+    paths = earlier, later
+    tables_read = [tables.read_table(*each) for each in zip(paths, columns_of(paths, columns), strict=True)]
     job.unit = common_unit(f"{earlier}, {later}", (table.unit for table in tables_read))
     first, second = tables_read
     if isinstance(second, MeshTable):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -77,6 +78,7 @@ def register_folder(
     level: bool = False,
     merged: FilePath | None = None,
     graph: FilePath | None = None,
+    columns: Sequence[str] | None = None,
     device: Any = "auto",
     overwrite: bool = False,
     progress: ReportProgress | None = None,
@@ -92,6 +94,7 @@ def register_folder(
         level: Whether all clouds are level, so that none is tilted.
         merged: A cloud of all that could be placed, with the attributes that all of them have.
         graph: A .json file for the pose graph.
+        columns: The names of the columns of the clouds, for .bin, .csv, .txt and .xyz; None takes those of the files.
         device: Where to compute.
         overwrite: Replace outputs that exist.
         progress: Called with each stage, and in that of the pairs with how many are done and how many there are.
@@ -111,7 +114,7 @@ def register_folder(
     with job.stage("read", told=False):
         for done, path in enumerate(paths):
             job.tell("read", done, len(paths))
-            clouds.append(read_cloud(path, where))
+            clouds.append(read_cloud(path, where, columns))
         job.tell("read", len(paths), len(paths))
     job.unit = common_unit("clouds", (cloud.unit for cloud in clouds))
     with job.stage("voxels", told=False):

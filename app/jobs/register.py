@@ -22,6 +22,7 @@ from ...core.units import common_unit
 from ...drawing.render.pair_picture import draw_pair
 from ...drawing.render.picture_files import check_picture
 from ...files.meshes import tables
+from ...files.points.formats import columns_of
 from ...files.points.point_cloud import cloud_of, table_of
 from ...files.table import MeshTable
 from ...pcd.cloud import PointCloud
@@ -77,6 +78,7 @@ def register_files(
     prior_sigma: tuple[float, float] | None = None,
     aligned: FilePath | None = None,
     picture: FilePath | None = None,
+    columns: Sequence[str] | None = None,
     device: Any = "auto",
     overwrite: bool = False,
     progress: ReportProgress | None = None,
@@ -93,6 +95,7 @@ def register_files(
         prior_sigma: How well: standard deviations of its translation [m] and rotation [degrees].
         aligned: A file for the source on the target, with all its attributes.
         picture: A .png file for both clouds before (left) and after (right).
+        columns: The names of the columns of both, for .bin, .csv, .txt and .xyz; None takes those of the files.
         device, overwrite, progress: As of `Settings`.
 
     Returns:
@@ -112,7 +115,8 @@ def register_files(
         check_picture(picture, overwrite=overwrite)
     where, start, known = job.device, _start(init), _known(prior, prior_sigma)
     with job.stage("read"):
-        clouds = read_cloud(source, where), read_cloud(target, where)
+        first, second = columns_of([source, target], columns)
+        clouds = read_cloud(source, where, first), read_cloud(target, where, second)
     job.unit = common_unit("source, target", (cloud.unit for cloud in clouds))
     try:
         with AnnouncedStages(job.clock, job.tell, untold=("voxels", "rate")) as tell:
@@ -130,13 +134,13 @@ def register_files(
     )
 
 
-def read_cloud(path: FilePath, device: Any) -> PointCloud:
+def read_cloud(path: FilePath, device: Any, columns: Sequence[str] | None = None) -> PointCloud:
     """A cloud with all its attributes; of a mesh the vertices.
 
     Raises:
         FileError: It cannot be read, or holds no finite point.
     """
-    table = tables.read_table(path)
+    table = tables.read_table(path, columns)
     cloud = cloud_of(tables.points_of(table) if isinstance(table, MeshTable) else table, path, device=device)
     if not len(probe_points(cloud)):
         held = f"{len(cloud):,} points, none of them finite" if len(cloud) else "no point"

@@ -11,7 +11,7 @@ from .answer import answer_with
 from .console import Progress
 from .mesh_command import Lengths
 from .mesh_toolbox import ANY
-from .options import FILE, LENGTH, device_option, force_option, json_option, refuse, refuse_same
+from .options import FILE, LENGTH, columns_option, device_option, force_option, json_option, refuse, refuse_same
 from .registration_commands import RANGE
 
 
@@ -36,6 +36,7 @@ from .registration_commands import RANGE
     help="Distances are positive to this side.",
 )  # fmt: skip
 @click.option("--limit", type=LENGTH, metavar="M", help="The distance of the darkest colours [m]; fitted if not given.")
+@columns_option()
 @device_option()
 @json_option()
 @force_option()

@@ -66,6 +66,7 @@ RANGE = Number("a distance in metres, 0 or above", lambda number: 0 <= number < 
 @click.option("--aligned", type=FILE, metavar="FILE", help="Write the cloud A where it lies on B.")
 @click.option("--picture", type=FILE, metavar="PNG", help="Draw A orange and B blue, before (left) and after (right).")
 @record_option("every step of ICP, A orange and B blue")
+@columns_option()
 @device_option()
 @from_option()
 @json_option()
@@ -145,6 +146,7 @@ def _motions(free: str | None, init: str) -> list[str] | None:
 )
 @click.option("--place-error", type=LENGTH, metavar="M", help="How far positions of --places may be off [m].")
 @record_option("the pairs that are tried, and where the clouds end up")
+@columns_option()
 @device_option()
 @json_option()
 @force_option()
@@ -171,6 +173,8 @@ def multiway(folder: Path, output: Path, as_json: bool, force: bool, **options: 
         for name, value in (("--merged", options.pop("merged")), ("--record", options.pop("record_as"))):
             if value is not None:
                 refuse(f"{name} holds all clouds in memory, which --job does not")
+        if options.pop("columns") is not None:
+            refuse("--columns does not go with --job, whose processes read the files by their own columns")
         if options["voxel_size"] is None:
             refuse("missing option '--voxel'; --job does not choose it, as it would read all scans before")
         if place_error is not None and places is None:

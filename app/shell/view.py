@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from .options import FILE, SCALE, force_option, json_option, refuse, refuse_same
+from .options import FILE, SCALE, columns_option, force_option, json_option, refuse, refuse_same
 from .pipes import from_option, open_pipes
 
 _COLORMAPS = ("viridis", "plasma", "inferno", "magma", "cividis", "turbo", "gray", "coolwarm", "jet")
@@ -41,6 +41,7 @@ _COLORMAPS = ("viridis", "plasma", "inferno", "magma", "cividis", "turbo", "gray
 @click.option("--point-size", type=SCALE, metavar="PX", help="Diameter of points [px].")
 @click.option("--topic", metavar="NAME", help="Of recordings: which clouds; the only ones if not given.")
 @click.option("--frame", metavar="NAME", help="Of recordings: the frame of tf that all clouds are brought together in.")
+@columns_option()
 @from_option()
 @json_option()
 @force_option()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +24,7 @@ from ...drawing.viewer.items import make_item
 from ...drawing.viewer.stills import as_entry, with_colors, write_geometries
 from ...drawing.viewer.view_files import first_looks, read_scene
 from ...files.bags.recording import is_recording
+from ...files.points.formats import columns_of
 from ...pcd.cloud import PointCloud
 from .answer import answer_with
 from .console import Progress, print_json
@@ -57,6 +59,7 @@ class ViewJob:
         up: Which axis is up; None takes that of the files.
         max_points: Of the page.
         topic, frame: Of recordings: which clouds, and the frame that they are brought together in.
+        columns: The names of the columns, for .bin, .csv, .txt and .xyz; None takes those of the files.
         force: Replace outputs that exist.
         port, host, no_open, linger: Of the server.
 
@@ -78,6 +81,7 @@ class ViewJob:
         force: bool,
         topic: str | None = None,
         frame: str | None = None,
+        columns: Sequence[str] | None = None,
         **server: Any,
     ):
         self.files, self._ends = ends.sources, ends
@@ -86,6 +90,7 @@ class ViewJob:
         self.color_by, self.colormap, self.point_size = color_by, colormap, point_size
         self.up = None if up is None else check_up(up)
         self._recorded = {"topic": topic, "frame": frame}
+        self._columns = columns_of(self.files, columns)
         self.clock = Clock()
         self.view = None if view_file is None else read_view(view_file, width=SIZE[0], height=SIZE[1])
         for path in self.files:
@@ -107,7 +112,7 @@ class ViewJob:
                 tell(stage, done, total)
 
             options: dict[str, Any] = {"max_points": self.max_points, "color_by": self.color_by, "progress": report}
-            options |= {"in_parts": in_parts, **self._recorded}
+            options |= {"in_parts": in_parts, "columns": self._columns, **self._recorded}
             named, trees = read_scene(list(self.files), style, **options)
         names = {
             name: INPUT for path, (name, _, _) in zip(self.files, named, strict=True) if str(path) in self._ends.names
@@ -152,7 +157,7 @@ class ViewJob:
             if self.view is not None:
                 viewer.set_view(self.view)
             first: list[Named] = []
-            if not self._ends.names:  # what comes through a pipe has been waited for
+            if not self._ends.names and not any(self._columns):  # a pipe has been waited for
                 first = first_looks(self.files, min(self.max_points, FIRST_LOOK), larger_than=self.max_points)
             if first:
                 viewer.add_named(first)

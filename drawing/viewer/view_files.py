@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import os
 import zipfile
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -48,6 +49,7 @@ def read_scene(
     in_parts: bool = False,
     topic: str | None = None,
     frame: str | None = None,
+    columns: Sequence[Sequence[str] | None] | None = None,
 ) -> tuple[list[Named], dict[str, Any]]:
     """What files hold, each under its name, and the levels of detail of clouds that are too large to be sent whole.
 
@@ -60,13 +62,15 @@ def read_scene(
         device: Where it is computed.
         in_parts: Whether of such a cloud in a COPC file only the coarse levels are read, and a `CopcTree` is given.
         topic, frame: Of recordings, as `read_recording` takes them.
+        columns: The names of the columns of each file, which is read at once then; None takes those of the file.
 
     Raises:
         FileError: A file that is missing, damaged or of no kind that is shown.
     """
     entries: dict[str, Any] = {}
     trees: dict[str, Any] = {}
-    for path, name in zip(paths, _names(paths), strict=True):
+    given = columns or [None] * len(paths)
+    for path, name, names in zip(paths, _names(paths), given, strict=True):
         if is_recording(path):
             entries[name] = read_recording(path, topic, frame, device=device)
             continue
@@ -74,9 +78,9 @@ def read_scene(
         if octree is not None:
             entries[name], trees[name] = octree.head, octree
             continue
-        tree = _read_large(path, max_points, color_by, progress, device)
+        tree = _read_large(path, max_points, color_by, progress, device) if names is None else None
         if tree is None:
-            entries[name] = read_geometry(path, device=device)
+            entries[name] = read_geometry(path, device=device, columns=names)
         else:
             entries[name], trees[name] = _cloud_of(tree, path), tree
     if len(entries) > 1:  # several clouds without colours get different ones
@@ -118,8 +122,8 @@ def first_looks(paths: list[Path], count: int, *, larger_than: int) -> list[Name
     return found
 
 
-def read_geometry(path: str | os.PathLike[str], *, device: Any = None) -> Any:
-    """What a file holds, by its name and content.
+def read_geometry(path: str | os.PathLike[str], *, device: Any = None, columns: Sequence[str] | None = None) -> Any:
+    """What a file holds, by its name and content; a cloud if its columns are named.
 
     Raises:
         FileError: A file that is missing, damaged or of no kind that is shown.
@@ -132,6 +136,8 @@ def read_geometry(path: str | os.PathLike[str], *, device: Any = None) -> Any:
         raise FileError(path, "does not exist")
     if suffix == ".json":
         return _read_json(path)
+    if columns is not None:
+        return read_point_cloud(path, device=device, columns=columns)
     if suffix in (".log", ".tum", ".kitti") or (suffix == ".txt" and _is_trajectory(path)):
         return read_trajectory(path)
     if suffix == ".npz" and _is_volume(path):

@@ -9,8 +9,10 @@ bits a channel in the opposite order, and the default color where the flag is se
 "color r g b" or "color r g b a", inside a facet for that facet, outside for those that follow. Facets without a color
 are white, with a warning. Attribute bytes that are no colors are left behind with a warning.
 
+Written are colors of triangles, as VisCAM and SolidView have them: rounded to 5 bits a channel.
+
 Not held: which triangles share a vertex, float64 positions (rounded), vertex normals (the format stores facet normals,
-which are computed from the corners), and, left out with a warning, colors, attributes and textures.
+which are computed from the corners), and, left out with a warning, vertex colors, other attributes and textures.
 
 Source: 3D Systems, "StereoLithography Interface Specification" (1989); Wikipedia, "STL (file format)", for colors.
 """
@@ -20,6 +22,7 @@ from __future__ import annotations
 import os
 import warnings
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -203,11 +206,22 @@ def _merge(corners: NDArray[np.floating]) -> tuple[NDArray[np.floating], NDArray
 
 
 def held_by_stl(mesh: MeshTable) -> tuple[MeshTable, list[str]]:
-    """The places of a mesh, and the names of all else that it has."""
+    """The positions of a mesh and the colors of its triangles, and the names of all else that it has."""
     optional = {"normals": mesh.vertex_normals, "colors": mesh.vertex_colors, "textures": mesh.triangle_uvs}
     names = [name for name, values in optional.items() if values is not None]
-    names += [*mesh.attributes, *(f"triangle {name}" for name in mesh.triangle_attributes)]
-    return MeshTable(mesh.vertices, mesh.triangles), names
+    colors = mesh.triangle_attributes.get("colors")
+    held = {}
+    if colors is not None and _is_colors(colors):
+        held = {"colors": colors[:, :3]}
+        names += ["opacity of triangle colors"] if (colors[:, 3:] < 1).any() else []
+    names += [*mesh.attributes, *(f"triangle {name}" for name in mesh.triangle_attributes if name not in held)]
+    return MeshTable(mesh.vertices, mesh.triangles, triangle_attributes=held), names
+
+
+def _is_colors(values: NDArray[Any]) -> bool:
+    """True if an attribute of triangles has values that the two bytes of a facet hold: rows of 3 or 4 in 0..1."""
+    is_float = values.ndim == 2 and values.shape[1] in (3, 4) and values.dtype.kind == "f"
+    return is_float and bool(((values >= 0) & (values <= 1)).all())
 
 
 def write_stl(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool = True) -> None:
@@ -224,7 +238,7 @@ def write_stl(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool 
         ValueError: An array of the mesh has the wrong shape, or a triangle names a missing vertex.
 
     Warns:
-        UserWarning: The mesh has colours, attributes or textures, which STL cannot hold.
+        UserWarning: The mesh has vertex colors, other attributes or textures, which STL cannot hold.
     """
     path = check_writable(path, overwrite=overwrite)
     mesh, lost = held_by_stl(mesh.checked())
@@ -236,6 +250,7 @@ def write_stl(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool 
     if bad.any():
         raise FileError(path, "a corner is not finite in float32", where=f"triangle {int(np.flatnonzero(bad)[0])}")
     warn_left_out(path, "STL", [name for name in lost if name != "normals"])
+    colors = mesh.triangle_attributes.get("colors")
     with atomic_write(path, overwrite=overwrite) as file:
         file.write(_HEADER + np.uint32(len(mesh.triangles)).astype("<u4").tobytes())
         for begin in range(0, len(mesh.triangles), CHUNK_ROWS):
@@ -246,4 +261,7 @@ def write_stl(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool 
             facets = np.zeros(len(rows), _FACET)
             facets["normal"] = np.divide(normals, lengths, out=np.zeros_like(normals), where=lengths > 0)
             facets["corners"] = single[rows]
+            if colors is not None:
+                fives = np.round(colors[begin : begin + CHUNK_ROWS] * 31).astype(np.uint16)
+                facets["attribute_bytes"] = _FLAG | fives[:, 0] << 10 | fives[:, 1] << 5 | fives[:, 2]
             file.write(facets.tobytes())

@@ -16,7 +16,7 @@ from typing import IO
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image, ImageFile, JpegImagePlugin, PngImagePlugin
+from PIL import BmpImagePlugin, Image, ImageFile, JpegImagePlugin, PngImagePlugin, TgaImagePlugin, TiffImagePlugin
 
 from ...core.atomic import atomic_write, check_writable
 from ...core.errors import FileError
@@ -32,6 +32,8 @@ PIXEL_LIMIT = 2**28
 
 # A 7-Scenes depth map takes 119 KiB and 7 ms at level 1, 90 KiB and 20 ms at level 6, the default.
 _PNG_LEVEL = 1
+
+_TEXTURE_MODES = ("1", "L", "LA", "P", "PA", "RGB", "RGBA")
 
 _NPY_MAGIC = b"\x93NUMPY"
 
@@ -102,7 +104,9 @@ def read_color(path: str | os.PathLike[str]) -> NDArray[np.uint8]:
 
 
 def decode_texture(path: str | os.PathLike[str], data: bytes) -> NDArray[np.uint8]:
-    """The bytes of a PNG or JPEG file as RGB, or RGBA if it has transparency, by a channel or tRNS; gray is replicated.
+    """The bytes of a picture as RGB, or RGBA if it has transparency, by a channel or tRNS; gray is replicated.
+
+    Read are PNG and JPEG, and TIFF, BMP and TGA (by the name) of 8 bits a channel.
 
     Args:
         path: The file, for errors.
@@ -114,6 +118,8 @@ def decode_texture(path: str | os.PathLike[str], data: bytes) -> NDArray[np.uint
     Raises:
         FileError: Damaged, too large, of another kind, or 16-bit grey.
     """
+    if plugin := _plugin_of(path, data):
+        return _decode_other(path, data, plugin)
     header = _parse_header(path, io.BytesIO(data))
     check_color_header(path, header)
     has_alpha = header.kind == "png" and (header.channels in (2, 4) or b"tRNS" in data[: data.find(b"IDAT")])
@@ -140,9 +146,21 @@ def read_picture_header(path: str | os.PathLike[str]) -> PictureHeader:
         raise FileError(path, f"cannot be read: {error.strerror or error}") from error
 
 
-def parse_picture_header(path: str | os.PathLike[str], data: Source | memoryview) -> PictureHeader:
-    """The same of a file's bytes; `path` is for errors."""
-    return _parse_header(path, io.BytesIO(data))
+def texture_size(path: str | os.PathLike[str], data: Source | memoryview) -> tuple[int, int]:
+    """Width and height of a picture that `decode_texture` takes; no pixel is decoded.
+
+    Raises:
+        FileError: Of another kind, damaged or too large.
+    """
+    plugin = _plugin_of(path, data)
+    if plugin is None:
+        header = _parse_header(path, io.BytesIO(data))
+        return header.width, header.height
+    with _open_picture(path, io.BytesIO(data), plugin) as picture:
+        width, height = picture.size
+    if not 0 < width * height <= PIXEL_LIMIT:
+        raise FileError(path, f"expected 1 to {PIXEL_LIMIT} pixels, got {width} x {height}", where="header")
+    return width, height
 
 
 def check_depth_header(path: str | os.PathLike[str], header: PictureHeader) -> None:
@@ -217,9 +235,7 @@ def _parse_header(path: str | os.PathLike[str], file: IO[bytes]) -> PictureHeade
 def _decode(path: str | os.PathLike[str], data: bytes, header: PictureHeader, mode: str) -> NDArray:
     if header.kind == "png":
         return _decode_pixels(path, whole_png(path, data), header, mode)
-    if ImageFile.LOAD_TRUNCATED_IMAGES:
-        remedy = "Set PIL.ImageFile.LOAD_TRUNCATED_IMAGES = False before pictures are read"
-        raise FileError(path, "somebody told Pillow to make up the pixels that a JPEG lacks", remedy=remedy)
+    _check_whole(path)
     pixels, *others = (_decode_pixels(path, part, header, mode) for part in testable_jpegs(path, data))
     if not all(np.array_equal(pixels, other) for other in others):
         reason = "cut off or damaged: one of its scans ends before the picture does"
@@ -249,6 +265,35 @@ def _open_picture(
     """The picture by its own class: `Image.open` would guess the kind and warn of sizes that are allowed here."""
     with foreign_errors(path, "damaged picture"):
         return plugin(file)
+
+
+def _plugin_of(path: str | os.PathLike[str], data: Source | bytes | memoryview) -> type[ImageFile.ImageFile] | None:
+    """Pillow's class for a TIFF, BMP or TGA file, of which the last has no mark but its name; None for other kinds."""
+    start = bytes(data[:4])
+    if start in (b"II*\0", b"MM\0*"):
+        return TiffImagePlugin.TiffImageFile
+    if start.startswith(b"BM"):
+        return BmpImagePlugin.BmpImageFile
+    is_targa = Path(path).suffix.lower() == ".tga" and not start.startswith((PNG_MAGIC[:4], JPEG_MAGIC))
+    return TgaImagePlugin.TgaImageFile if is_targa else None
+
+
+def _decode_other(path: str | os.PathLike[str], data: bytes, plugin: type[ImageFile.ImageFile]) -> NDArray[np.uint8]:
+    texture_size(path, data)  # which bounds the memory
+    _check_whole(path)
+    with _open_picture(path, io.BytesIO(data), plugin) as picture, foreign_errors(path, "damaged picture"):
+        if picture.mode not in _TEXTURE_MODES:
+            raise FileError(path, f"expected 8 bits of gray or color a channel, got {picture.mode}")
+        picture.load()
+        has_alpha = picture.mode in ("LA", "PA", "RGBA") or "transparency" in picture.info
+        return np.array(picture.convert("RGBA" if has_alpha else "RGB"))
+
+
+def _check_whole(path: str | os.PathLike[str]) -> None:
+    """Raise an error if Pillow fills in the pixels that a file lacks."""
+    if ImageFile.LOAD_TRUNCATED_IMAGES:
+        remedy = "Set PIL.ImageFile.LOAD_TRUNCATED_IMAGES = False before pictures are read"
+        raise FileError(path, "somebody told Pillow to make up the pixels that a picture lacks", remedy=remedy)
 
 
 def _decode_npy(path: str | os.PathLike[str], data: bytes) -> NDArray[np.float32]:

@@ -18,7 +18,7 @@ from ...core.errors import FileError
 from ...core.escaped_text import escaped
 from ...core.paths import path_of
 from ..source import Source, open_source
-from .image_files import decode_texture, encode_png, parse_picture_header
+from .image_files import decode_texture, encode_png, texture_size
 
 # The pictures of one mesh, together: 16 pages of 8192 x 8192, 3 GiB as RGB.
 TOTAL_PIXELS = 2**30
@@ -68,8 +68,8 @@ def read_textures(
     A picture that several names mean is decoded once, and they share it.
 
     Returns:
-        The pictures; none at all, with a warning, if one is missing, damaged or neither PNG nor JPEG, or if
-        all of them are too large together.
+        The pictures; none at all, with a warning, if one is missing, damaged or of none of the kinds of
+        `decode_texture`, or if all of them are too large together.
     """
     places = [find_beside(path, name, outside_files=outside_files) for name in names]
     missing = [name for name, place in zip(names, places, strict=True) if place is None]
@@ -94,15 +94,15 @@ def decode_textures(
 
     Args:
         path: The mesh file.
-        given: The name of each, for errors, and the bytes of a PNG or JPEG file.
+        given: The name of each, for errors, and the bytes of a file.
 
     Raises:
         FileError: A picture is damaged, or all of them are too large together; that is seen before any is decoded.
     """
-    headers = [parse_picture_header(name, data) for name, data in given.values()]
-    total = sum(header.width * header.height for header in headers)
+    sizes = [texture_size(name, data) for name, data in given.values()]
+    total = sum(width * height for width, height in sizes)
     if total > TOTAL_PIXELS:
-        reason = f"its {len(headers)} pictures come to {total:,} pixels together, more than {TOTAL_PIXELS:,}"
+        reason = f"its {len(sizes)} pictures come to {total:,} pixels together, more than {TOTAL_PIXELS:,}"
         raise FileError(path, reason, remedy="Write them smaller, or part the mesh into several files")
     pictures = {}
     for key, (name, data) in given.items():

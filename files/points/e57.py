@@ -1,10 +1,11 @@
 """E57 files of scans; the package pye57 (libE57Format) reads them. Writing is e57_writer.py's matter.
 
 The points of one scan, or of all with the attribute `scan_index`, each scan moved by its pose T_world_scan; spherical
-coordinates become cartesian ones; points that the scanner marked as invalid are left out. Colours are taken to 0..1 by
-the scan's limits. rowIndex, columnIndex, returnIndex, returnCount, timeStamp and intensity become attributes of the
-same name in our spelling, in the narrowest type that holds them; normals are those of the extension "nor". Of several
-scans only what all of them have is kept. Pictures and scanner data are not read. All lengths are metres.
+coordinates become cartesian ones; points that the scanner marked as invalid are left out. Intensities and times that it
+marked so are NaN, and colors are white with a warning. Colours are taken to 0..1 by the scan's limits. rowIndex,
+columnIndex, returnIndex, returnCount, timeStamp and intensity become attributes of the same name in our spelling, in
+the narrowest type that holds them; normals are those of the extension "nor". Of several scans only what all of them
+have is kept. Pictures and scanner data are not read. All lengths are metres.
 
 Source: ASTM E2807-11; the extension "nor" of libe57.org.
 """
@@ -14,6 +15,7 @@ from __future__ import annotations
 import contextlib
 import importlib
 import os
+import warnings
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
@@ -22,6 +24,7 @@ from numpy.typing import NDArray
 
 from ...core.coordinates import quiet
 from ...core.errors import FileError
+from ...core.escaped_text import escaped
 from ...core.quaternions import quaternions_to_rotations
 from ...core.units import METRE
 from ..columns import stack_colors, stack_normals
@@ -37,6 +40,9 @@ _SPHERICAL: tuple[str, ...] = ("sphericalRange", "sphericalAzimuth", "sphericalE
 COLORS: tuple[str, ...] = ("colorRed", "colorGreen", "colorBlue")
 NORMALS: tuple[str, ...] = ("nor:normalX", "nor:normalY", "nor:normalZ")
 _INVALID = ("cartesianInvalidState", "sphericalInvalidState")  # 0 is valid, 1 a direction without a range
+
+_FLAGS = {"intensity": "isIntensityInvalid", "timeStamp": "isTimeStampInvalid"}  # 1 where a point has no such value
+_COLOR_FLAG = "isColorInvalid"
 
 _SCANNER_DATA = (
     "description", "sensorVendor", "sensorModel", "sensorSerialNumber", "sensorHardwareVersion",
@@ -176,23 +182,46 @@ def read_scan(path: Any, image: Any, scan: Any, *, placed: bool = True) -> Point
         for names in (COLORS, NORMALS):
             wanted |= dict.fromkeys(names, np.dtype(np.float32)) if all(name in fields for name in names) else {}
         invalid = _INVALID[place is _SPHERICAL]
-        wanted |= {invalid: np.dtype(np.int8)} if invalid in fields else {}
+        flags = [invalid, *(flag for name, flag in _FLAGS.items() if name in wanted)]
+        flags += [_COLOR_FLAG] if COLORS[0] in wanted else []
+        wanted |= {name: np.dtype(np.int8) for name in flags if name in fields}
         columns = _read_columns(path, image, scan["points"], wanted)
         limits = _color_limits(scan, fields) if COLORS[0] in wanted else []
     if invalid in columns:
         valid = columns.pop(invalid) == 0
         columns = {name: values[valid] for name, values in columns.items()}
+    for name, flag in _FLAGS.items():
+        if flag in columns and columns[flag].any():
+            columns[name] = np.where(columns[flag] != 0, np.nan, columns[name].astype(_with_nan(columns[name].dtype)))
     points = _to_cartesian(*(columns[name] for name in place), is_spherical=place is _SPHERICAL) @ R.T + translation
     colors = normals = None
     if limits:
         channels = [(columns[name] - low) / (high - low) for name, (low, high) in zip(COLORS, limits, strict=True)]
         colors = stack_colors(path, [channel.astype(np.float32) for channel in channels])
+        if colors is not None and _COLOR_FLAG in columns:
+            colors = _with_white(path, colors, columns[_COLOR_FLAG] != 0)
     if NORMALS[0] in columns:
         stored = np.stack([columns[name] for name in NORMALS], axis=1)
         normals = stack_normals(path, [*(stored @ R.T).T])
     attributes = {ours: columns[name] for name, ours in ATTRIBUTES.items() if name in columns}
     attributes = {name: v.view(np.int64) if v.dtype == np.int64 else v for name, v in attributes.items()}
     return PointTable(points, normals, colors, attributes, unit=METRE)
+
+
+def _with_nan(dtype: np.dtype[Any]) -> np.dtype[Any]:
+    """The type of floats that holds all numbers of a type, of 64-bit integers those up to 2^53."""
+    return np.result_type(dtype, np.float32)
+
+
+def _with_white(path: Any, colors: NDArray[Any], is_missing: NDArray[np.bool_]) -> NDArray[Any] | None:
+    """The colors, white where a point has none, with a warning; None if no point has one."""
+    if is_missing.all():
+        return None
+    if is_missing.any():
+        message = f"{path}: {np.count_nonzero(is_missing)} of {len(colors)} points have no color; they are white"
+        warnings.warn(escaped(message), UserWarning, stacklevel=4)
+        colors = np.where(is_missing[:, None], np.float32(1), colors)
+    return colors
 
 
 def _read_columns(path: Any, image: Any, vector: Any, wanted: dict[str, np.dtype[Any]]) -> dict[str, NDArray[Any]]:

@@ -43,6 +43,19 @@ _NAMED_COLUMNS: dict[str, Callable[..., PointTable]] = {
 }  # fmt: skip
 
 
+def columns_of(paths: Sequence[str | os.PathLike[str]], columns: Sequence[str] | None) -> list[Sequence[str] | None]:
+    """The names of the columns for each of several files: `columns` if its format takes them, else None.
+
+    Raises:
+        ValueError: No format takes them.
+    """
+    takes = [Path(path).suffix.lower() in _NAMED_COLUMNS for path in paths]
+    if columns is not None and not any(takes):
+        found = escaped(", ".join(dict.fromkeys(Path(path).suffix for path in paths)))
+        raise ValueError(f"columns: only {', '.join(_NAMED_COLUMNS)} take them, got {found}")
+    return [columns if is_taken else None for is_taken in takes]
+
+
 def read_points(path: str | os.PathLike[str], columns: Sequence[str] | None = None) -> PointTable:
     """Read a cloud by the reader of its extension, which is one of READERS, with the names of its columns if given.
 

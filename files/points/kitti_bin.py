@@ -16,6 +16,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from ...core.coordinates import quiet
 from ...core.errors import FileError
 from ..source import open_source
 from ..table import PointTable
@@ -31,11 +32,13 @@ LAYOUTS = {
     8: "x y z and five others",
 }
 FARTHEST = 1e6  # [m] no scanner sees as far; other data read as float32 nearly always holds larger numbers
+NEAREST = 1e-12  # [m] whole numbers of 8 to 32 bits read as float32 are smaller, or larger than that
 MIN_POINTS = 64  # fewer points have no reliable statistics
 SAMPLE = 840 * 120  # numbers that the statistics are made of: whole points of each layout
 PERIOD_MARGIN = 0.1  # of the variance that another number of columns has to explain beside that of KITTI
 
 
+@quiet()
 def read_kitti_bin(path: str | os.PathLike[str], columns: Sequence[str] | None = None) -> PointTable:
     """Read one scan of float32 columns.
 
@@ -61,8 +64,11 @@ def read_kitti_bin(path: str | os.PathLike[str], columns: Sequence[str] | None =
     if columns is None:
         _check_layout(path, rows)
     points = rows[:, [names.index(axis) for axis in ("x", "y", "z")]]
-    with np.errstate(invalid="ignore"):
-        wild = np.isfinite(points) & (np.abs(points) > FARTHEST)
+    wild = np.isfinite(points) & (np.abs(points) > FARTHEST)
+    tiny = np.abs(points[points != 0]) < NEAREST
+    if tiny.sum() > tiny.size / 2:
+        reason = f"most coordinates are below {NEAREST:g}; this is no scan of float32 {', '.join(names)}"
+        raise FileError(path, reason, remedy="Numbers of another type, such as whole ones, have no reader here")
     if wild.any():
         row, axis = (int(v) for v in np.argwhere(wild)[0])
         reason = f"point {row} has the coordinate {points[row, axis]}; this is no scan of float32 {', '.join(names)}"

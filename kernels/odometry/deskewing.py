@@ -16,6 +16,7 @@ from ..array_types import Doubles, Points
 from ..arrays.runs import Runs, elements_of, row_of
 from ..lang import (
     INFINITY,
+    NAN,
     array,
     atomic_max,
     cross,
@@ -117,13 +118,15 @@ def fold_times_kernel(ends: array(dtype=float64), span: array(dtype=float64)):
 def deskew_points_kernel(
     points: array(dtype=vec3), times: array(dtype=float64), origin: vec3d, motion: ScrewMotion, out: array(dtype=vec3)
 ):
-    """Each point as seen at the last time; NaN where its time is none."""
+    """Each point as seen at the last time; NaN where its time is none, unless no point has one."""
     i = tid()
     first = motion.span[0]
     last = motion.span[1]
     share = 0.0
     if last > first:
         share = float((times[i] - last) / (last - first))
+    elif last == first and not isfinite(times[i]):
+        share = float(NAN)
     p = narrow(widen(points[i]) + origin)
     out[i] = move_along_screw(p, share, motion)
 

@@ -111,7 +111,7 @@ class CellGroups:
 
         Args:
             values: A number a point.
-            kind: HIGHEST or LOWEST value, COUNT of points, or MEAN value, summed in the points' order.
+            kind: HIGHEST or LOWEST value, COUNT of points, or MEAN of the finite values, summed in the points' order.
         """
         out = empty(self.cells.size, float64, self.points.device)
         launch(measure_cells_kernel, self.cells.size, [self, values, kind, out])
@@ -120,11 +120,12 @@ class CellGroups:
 
 @kernel
 def measure_cells_kernel(groups: CellGroups, values: array(dtype=float64), kind: int, out: array(dtype=float64)):
-    """The highest, the lowest, the number or the mean of the values of a cell's points."""
+    """The highest, the lowest, the number or the mean of the finite values of a cell's points."""
     i = tid()
     first = groups.starts[i]
     end = groups.starts[i + 1]
     total = float64(0.0)
+    count = float64(0.0)
     if kind == COUNT:
         total = float64(end - first)
     elif first == end:
@@ -138,10 +139,11 @@ def measure_cells_kernel(groups: CellGroups, values: array(dtype=float64), kind:
                 total = max(total, value)
             elif kind == LOWEST:
                 total = min(total, value)
-            else:
+            elif isfinite(value):
                 total += value
+                count += 1.0
         if kind == MEAN:
-            total = total / float64(end - first)
+            total = total / count
     out[i] = total
 
 

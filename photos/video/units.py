@@ -319,9 +319,8 @@ def _of_lengths(units: Units, model: SfmModel) -> Fit:
         try:
             return _scaled(scale_from_known(model, a, b, metres), "known", METRES)
         except ValueError:
-            raise ValueError(
-                f"known: {shown(first)} and {shown(second)} were taken at one place; give two that lie apart"
-            ) from None
+            pair = f"{shown(first)} and {shown(second)}"
+            raise ValueError(f"known: {pair} were taken at one place; give two that lie apart") from None
     if units.scale is not None:
         return _scaled(units.scale, "scale", METRES)
     return _scaled(1.0, None, ARBITRARY)

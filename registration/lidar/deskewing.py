@@ -42,7 +42,7 @@ def deskew_point_cloud(cloud: PointCloud, T_start_end: ArrayLike, timestamps: Ar
         as they are.
 
     Raises:
-        ValueError: No times, times of another length, or a motion that is not rigid.
+        ValueError: No times, times of another length, none that is finite, or a motion that is not rigid.
 
     Notes:
         The first and last times are those of points that are finite and not at zero. One launch, 12 B a point, the
@@ -64,6 +64,8 @@ def deskew_point_cloud(cloud: PointCloud, T_start_end: ArrayLike, timestamps: Ar
         raise ValueError(f"timestamps: the cloud has no attribute of the names {names}; give timestamps=")
     span = bound_times(cloud.device_array("points"), times)
     first, last = download(span)  # sync
+    if first > last and len(cloud) and not np.isfinite(download(times)).any():  # sync, only for errors
+        raise ValueError(f"timestamps: expected finite times, got none for {len(cloud):,} points")
     if first == last and len(cloud) > MIN_TIMES:
         warn_of_coarse_times(1, len(cloud))
     twist = twist_of(to_local(T, cloud.origin, cloud.origin))

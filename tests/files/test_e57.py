@@ -6,6 +6,7 @@ import struct
 import subprocess
 import sys
 import tracemalloc
+from contextlib import nullcontext
 
 import numpy as np
 import pye57
@@ -362,3 +363,39 @@ def test_an_exception_at_any_point_of_the_writing_leaves_the_process_alive(tmp_p
     done = subprocess.run([sys.executable, "-c", code, tmp_path / "a.e57"], capture_output=True, text=True, check=False)
     assert (done.returncode, done.stdout) == (0, f"{sorted([error, 'done'])}\n")
     assert [path.name for path in tmp_path.iterdir()] == ["a.e57"]
+
+
+def integer(low, high):
+    return lambda image: libe57.IntegerNode(image, 0, low, high)
+
+
+@pytest.mark.parametrize("bits", [8, 16])
+def test_intensities_and_times_that_are_marked_invalid_are_nan(tmp_path, bits):
+    flag, most = (np.array([0, 1, 0, 1], np.int8), integer(0, 1)), 2**bits - 1
+    values = np.array([1, 2, 3, most], f"u{bits // 8}")
+    columns = {f"cartesian{axis}": (np.arange(4.0), double) for axis in "XYZ"}
+    columns |= {"intensity": (values, integer(0, most)), "isIntensityInvalid": flag}
+    columns |= {"timeStamp": (np.arange(4.0), double), "isTimeStampInvalid": flag}
+    write_raw(tmp_path / "a.e57", columns)
+    attributes = read_e57(tmp_path / "a.e57", scan=0).attributes
+    np.testing.assert_array_equal(attributes["intensity"], [1, np.nan, 3, np.nan])
+    np.testing.assert_array_equal(attributes["time_stamp"], [0, np.nan, 2, np.nan])
+    assert attributes["intensity"].dtype == np.float32 and attributes.keys() == {"intensity", "time_stamp"}
+    columns["isIntensityInvalid"] = (np.zeros(4, np.int8), integer(0, 1))
+    write_raw(tmp_path / "a.e57", columns)
+    assert read_e57(tmp_path / "a.e57").attributes["intensity"].dtype == values.dtype
+
+
+@pytest.mark.parametrize("flags", [[0, 1, 0], [1, 1, 1], [0, 0, 0]])
+def test_colors_that_are_marked_invalid_are_white_with_a_warning(tmp_path, flags):
+    columns = {f"cartesian{axis}": (np.arange(3.0), double) for axis in "XYZ"}
+    channel = (np.array([0, 51, 255], np.uint8), integer(0, 255))
+    columns |= {f"color{name}": channel for name in ("Red", "Green", "Blue")}
+    columns |= {"isColorInvalid": (np.array(flags, np.int8), integer(0, 1))}
+    write_raw(tmp_path / "a.e57", columns)
+    with pytest.warns(UserWarning, match="1 of 3 points have no color") if sum(flags) == 1 else nullcontext():
+        colors = read_e57(tmp_path / "a.e57").colors
+    if sum(flags) == 3:
+        assert colors is None
+    else:
+        np.testing.assert_allclose(colors[:, 0], [0, 1 if flags[1] else 0.2, 1], atol=1e-6)

@@ -104,8 +104,28 @@ def test_runs_of_scans_and_commands_take_columns(tmp_path, capsys):
         ["convert", scan, copy],
         ["downsample", scan, copy, "--voxel", "0.1", "--force"],
         ["odometry", str(folder), "-o", str(tmp_path / "poses.kitti")],
+        ["register", scan, copy, "--init", "identity", "--voxel", "0.5"],
+        ["multiway", str(folder), "-o", str(tmp_path / "poses.tum"), "--voxel", "0.5"],
+        ["change", scan, copy, "--cylinder", "0.6"],
+        ["view", scan, copy, "--screenshot", str(tmp_path / "view.png")],
     ):
         with pytest.raises(SystemExit) as leaving:
             cli([*words, *names])
         assert leaving.value.code in (0, 3), capsys.readouterr().err  # 3: one wall is poor for odometry
     assert loom.read_point_cloud(copy).attributes.keys() == {"intensity", "ring"}
+    for words in (["register", copy, copy], ["change", copy, copy], ["view", copy, "--save-html", "a.html"]):
+        with pytest.raises(SystemExit):
+            cli([*words, *names])
+        assert "columns: only .xyz" in capsys.readouterr().err
+    with pytest.raises(SystemExit):
+        cli(["multiway", str(folder), "-o", "a.tum", "--voxel", "1", "--job", "job", *names])
+    assert "--columns does not go with --job" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("dtype", ["<u2", ">u2", "<i4", "<f8", ">f4", ">f8"])
+@pytest.mark.filterwarnings("error")
+def test_numbers_of_another_type_are_refused(tmp_path, rng, dtype):
+    numbers = rng.integers(500, 4000, (1000, 12)) if dtype[1] in "ui" else rng.random((1000, 12)) * 20
+    numbers.astype(dtype).tofile(tmp_path / "a.bin")
+    with pytest.raises(FileError, match="no scan of float32"):
+        loom.read_point_cloud(tmp_path / "a.bin")

@@ -5,12 +5,15 @@ from __future__ import annotations
 import struct
 import warnings
 from contextlib import nullcontext
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from pointloom.files.meshes.mesh_formats import read_mesh
+from pointloom.files.meshes.stl import write_stl
 from pointloom.files.points.ply import read_ply
+from pointloom.files.table import MeshTable
 
 from .gltf_scenes import one_triangle
 
@@ -95,6 +98,23 @@ def test_colors_of_a_binary_stl_are_those_of_its_triangles(tmp_path, header, val
         mesh = read_mesh(path)
     assert len(mesh.triangles) == 2
     check_triangle_colors(mesh, wanted)
+
+
+def test_colors_of_triangles_are_written_to_stl(tmp_path):
+    fives = np.array([[0, 15, 31], [31, 1, 2]])
+    mesh = MeshTable(np.eye(3), np.array([[0, 1, 2], [0, 2, 1]]), triangle_attributes={"colors": fives / 31})
+    write_stl(tmp_path / "m.stl", mesh)
+    again = read_mesh(tmp_path / "m.stl").triangle_attributes["colors"]
+    np.testing.assert_array_equal(again, (fives / 31).astype("f4"))
+    for values, lost in (
+        (np.c_[fives / 31, [1, 0.5]], "opacity of triangle colors"),
+        (fives / 31 + 0.1, "triangle colors"),
+        (np.full((2, 3), np.nan), "triangle colors"),
+        (fives, "triangle colors"),
+        (np.zeros(2), "triangle colors"),
+    ):
+        with pytest.warns(UserWarning, match=f"m.stl: {lost} left out"):
+            write_stl(tmp_path / "m.stl", replace(mesh, triangle_attributes={"colors": values}))
 
 
 FACET = ["outer loop", "vertex 0 0 0", "vertex 1 0 0", "vertex 0 1 0", "endloop", "endfacet"]

@@ -14,6 +14,7 @@ from pointloom.core.errors import FileError
 from pointloom.files.meshes.glb import read_glb
 from pointloom.files.meshes.glb_writer import write_glb, write_gltf
 from pointloom.files.meshes.obj import read_obj, write_obj
+from pointloom.files.pictures import image_files
 from pointloom.files.pictures.image_files import encode_png, write_png
 from pointloom.files.points.ply import read_ply_mesh, write_ply_mesh
 from pointloom.files.table import MeshTable
@@ -263,7 +264,7 @@ def test_scales_and_shifts_of_a_picture_are_in_the_texture_coordinates_of_its_ma
     np.testing.assert_array_equal(mesh.triangle_uvs, [*(plain * [2, 3] + [0.5, 0]), *(plain * [4, 1])])
 
 
-@pytest.mark.parametrize("kind", ["BMP", "TIFF", "TGA", "text"])
+@pytest.mark.parametrize("kind", ["WEBP", "TGA", "text"])  # TGA has no mark but its name, which is .png here
 @pytest.mark.parametrize("suffix", [".obj", ".ply"])
 def test_a_picture_of_another_kind_leaves_textures_behind_with_a_warning(tmp_path, suffix, kind):
     FORMATS[suffix][0](tmp_path / f"m{suffix}", square())
@@ -274,6 +275,40 @@ def test_a_picture_of_another_kind_leaves_textures_behind_with_a_warning(tmp_pat
     with pytest.warns(UserWarning, match="the textures are left behind.*neither PNG nor JPEG"):
         mesh = FORMATS[suffix][1](tmp_path / f"m{suffix}")
     assert (len(mesh.triangles), mesh.textures) == (2, ())
+
+
+@pytest.mark.parametrize("mode", ["RGB", "RGBA", "L", "P", "1"])
+@pytest.mark.parametrize("name", ["p.bmp", "p.tif", "P.TGA"])
+def test_pictures_of_other_kinds_are_those_of_pillow(tmp_path, name, mode):
+    picture = Image.fromarray(PICTURE)
+    if mode == "RGBA":
+        picture.putalpha(80)
+    picture = picture.convert(mode)
+    picture.save(tmp_path / name)
+    found = read_obj(obj(tmp_path, "usemtl a\n" + FACE, f"newmtl a\nmap_Kd {name}\nd 0.5\n")).textures[0]
+    has_alpha = mode == "RGBA" and name != "p.bmp"  # whose fourth byte Pillow writes and does not read
+    np.testing.assert_array_equal(found, np.array(picture.convert("RGBA" if has_alpha else "RGB")))
+
+
+@pytest.mark.parametrize("name", ["p.bmp", "p.tif", "p.tga"])
+def test_pictures_of_other_kinds_are_read_strictly(tmp_path, name, monkeypatch):
+    path = obj(tmp_path, "usemtl a\n" + FACE, f"newmtl a\nmap_Kd {name}\n")
+    Image.fromarray(np.tile(PICTURE, (8, 8, 1))).save(tmp_path / name)
+    whole = (tmp_path / name).read_bytes()
+    (tmp_path / name).write_bytes(whole[: len(whole) // 2])
+    with pytest.warns(UserWarning, match="the textures are left behind.*damaged picture"):
+        assert read_obj(path).textures == ()
+    (tmp_path / name).write_bytes(whole)
+    monkeypatch.setattr(image_files, "PIXEL_LIMIT", 10)
+    with pytest.warns(UserWarning, match="the textures are left behind.*expected 1 to 10 pixels"):
+        assert read_obj(path).textures == ()
+
+
+def test_a_texture_of_16_bits_is_left_behind(tmp_path):
+    Image.fromarray(np.full((4, 4), 4000, np.uint16)).save(tmp_path / "p.tif")
+    path = obj(tmp_path, "usemtl a\n" + FACE, "newmtl a\nmap_Kd p.tif\n")
+    with pytest.warns(UserWarning, match="the textures are left behind.*expected 8 bits of gray or color"):
+        assert read_obj(path).textures == ()
 
 
 @pytest.mark.parametrize(

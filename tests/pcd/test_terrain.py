@@ -284,3 +284,10 @@ def test_a_raster_that_exceeds_the_memory_is_refused_with_numbers(monkeypatch, r
         MemoryError, match=r"cell: 1 makes [\d,]+ x [\d,]+ cells, which take 0\.\d+ GB, and cpu has 0\.00"
     ):
         loom.terrain.rasterize(loom.PointCloud(rng.random((5, 3)) * 50, **GROUND), 1.0)
+
+
+@pytest.mark.parametrize("value", [np.nan, np.inf])
+def test_an_intensity_that_is_not_finite_is_left_out_of_the_mean(device, value):
+    points = [[0.5, 0.5, 0], [0.6, 0.5, 0], [0.7, 0.5, 0], [1.5, 0.5, 0]]
+    cloud = loom.PointCloud(points, intensity=[1.0, value, 4.0, value], device=device)
+    np.testing.assert_array_equal(loom.terrain.rasterize(cloud, 1.0, "intensity").values, [[2.5, np.nan]])

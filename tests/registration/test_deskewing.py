@@ -132,3 +132,14 @@ def test_equal_times_and_empty_scans_are_left_alone(device, times):
     T = np.eye(4)
     T[1, 3] = 5.0
     np.testing.assert_array_equal(deskew_point_cloud(loom.PointCloud(points, device=device), T, times).points, points)
+
+
+@pytest.mark.parametrize("value", [np.nan, np.inf])
+def test_times_that_are_not_finite_are_never_taken_for_the_end_of_the_scan(device, value):
+    scan = loom.PointCloud(np.arange(12.0).reshape(4, 3) + 1, device=device)
+    T = np.eye(4)
+    T[0, 3] = 1.0
+    found = deskew_point_cloud(scan, T, [value, 5.0, 5.0, value]).points  # one finite time
+    np.testing.assert_array_equal(np.isnan(found).any(axis=1), [True, False, False, True])
+    with pytest.raises(ValueError, match="timestamps: expected finite times, got none for 4 points"):
+        deskew_point_cloud(scan, T, np.full(4, value))
