@@ -585,8 +585,6 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "mvs, estimate_depth_maps": estimated_depth_maps,
     "mvs, estimate_depth_maps, plain wall": plain_depth_maps,
     "room, film": filmed_room,
-    "sfm.detect_keypoints, match_keypoints": found_and_matched,
-    "demo, video": filmed_room,
     "mvs, filter_depth_maps": filtered_depth_maps,
     "mvs, fuse": fused_depth_maps,
     "tsdf, integrate_points": scanned_volume,
