@@ -27,19 +27,19 @@ class PlacedReport(MultiwayReport):
     """What `place_scans` did: a MultiwayReport that tells of every pair that was tried.
 
     Attributes:
-        remarks: What the job says of its scans.
+        notes: What the job says of its scans.
     """
 
-    remarks: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
 
     def to_json(self) -> dict[str, Any]:
         """All of it on one level, with `tried`: a verdict for each pair."""
-        return super().to_json() | {"remarks": plain(self.remarks)}
+        return super().to_json() | {"notes": plain(self.notes)}
 
     @property
     def note(self) -> str | None:
         """What the job says of its scans."""
-        return "; ".join(self.remarks) or super().note
+        return "; ".join(self.notes) or super().note
 
 
 def place_scans(
@@ -111,7 +111,7 @@ def place_scans(
             write_poses_and_graph(job, found, output, graph)
     names = tuple(path.name for path in paths)
     done = job.done(placement_warning([Path(path).name for path in found.not_placed], len(names), is_written))
-    return PlacedReport(done, where, voxel_size, True, names, found.points, found, status.remarks)
+    return PlacedReport(done, where, voxel_size, True, names, found.points, found, status.notes)
 
 
 def places_of(path: FilePath, count: int) -> list[NDArray[np.float64] | None]:

@@ -159,7 +159,7 @@ def judge_case(case: Case) -> Judged:
         result = loom.sfm.reconstruct(Path(name) / "pictures", Path(name) / "work", **options)
     wrong, error = errors_of(result.model, truth)
     refused = not result.reliable
-    said = "; ".join(filter(None, ["; ".join(result.warnings), *result.verdict.remarks]))
+    said = "; ".join(filter(None, ["; ".join(result.warnings), *result.verdict.notes]))
     return Judged(
         AREA, case.name, 1, wrong, wrong and not refused, refused and not wrong, said, error, "", case.held_out
     )

@@ -105,12 +105,12 @@ class RecordedFrames:
         return self._rows
 
     @property
-    def remarks(self) -> list[str]:
+    def notes(self) -> list[str]:
         """Time stamps that stand still, go back or jump, each naming its frame."""
         watch = TimeWatch()
         for i, (time, _, _) in enumerate(self._rows):
             watch.see(f"frame-{i:06d}", time)
-        return watch.remarks
+        return watch.notes
 
     def read(self, index: int) -> Frame:
         """Decode a frame; a negative index counts from the end.

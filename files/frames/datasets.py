@@ -104,12 +104,12 @@ class RGBDDataset:
         return f"RGBDDataset({self.layout}, {len(self)} frames {poses}, {size}, depth_scale {self.depth_scale:g})"
 
     @property
-    def remarks(self) -> list[str]:
+    def notes(self) -> list[str]:
         """Time stamps that stand still, go back or jump, each naming its frame."""
         watch = TimeWatch()
         for files in self.frames:
             watch.see(files.name, files.timestamp)
-        return watch.remarks
+        return watch.notes
 
     def read(self, index: int) -> Frame:
         """Decode a frame; a negative index counts from the end.

@@ -80,10 +80,10 @@ class DepthCamera:
         self._watch, self._lens, self._open = TimeWatch(), None, False
 
     @property
-    def remarks(self) -> list[str]:
+    def notes(self) -> list[str]:
         """Time stamps that stood still, went back or jumped, and frames that the driver lost."""
         lost = [f"{self.dropped} frames were lost before they reached the program"] if self.dropped else []
-        return [*self._watch.remarks, *lost]
+        return [*self._watch.notes, *lost]
 
     def __enter__(self) -> Self:
         return self

@@ -16,12 +16,12 @@ class TimeWatch:
     """Notices time stamps that stand still, go back or jump.
 
     Attributes:
-        remarks: What was noticed, each naming its frame; the first 100.
+        notes: What was noticed, each naming its frame; the first 100.
         count: How often something was noticed.
     """
 
     def __init__(self) -> None:
-        self.remarks: list[str] = []
+        self.notes: list[str] = []
         self.count = 0
         self._last: float | None = None
         self._steps: deque[float] = deque(maxlen=31)
@@ -45,5 +45,5 @@ class TimeWatch:
     def remark(self, text: str) -> None:
         """Note something; what exceeds the list is counted."""
         self.count += 1
-        if len(self.remarks) < MOST_REMARKS:
-            self.remarks.append(text)
+        if len(self.notes) < MOST_REMARKS:
+            self.notes.append(text)

@@ -63,9 +63,9 @@ class LatestFrames:
             return self._dropped + getattr(self._source, "dropped", 0)
 
     @property
-    def remarks(self) -> list[str]:
+    def notes(self) -> list[str]:
         """What the source noticed, and how many frames were dropped, if any."""
-        said = list(getattr(self._source, "remarks", []))
+        said = list(getattr(self._source, "notes", []))
         return (
             [*said, f"{self._dropped} frames dropped: newer ones came before they were taken"]
             if self._dropped

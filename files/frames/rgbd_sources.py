@@ -18,7 +18,7 @@ from .frame_times import TimeWatch
 class RGBDSource(Protocol):
     """RGB-D frames of one camera, in order of capture; a source that knows how many has a length too.
 
-    Sources that lose frames on purpose or notice something say so: `dropped` counts, `remarks` lists.
+    Sources that lose frames on purpose or notice something say so: `dropped` counts, `notes` lists.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -68,9 +68,9 @@ class FrameStream:
             yield frame
 
     @property
-    def remarks(self) -> list[str]:
+    def notes(self) -> list[str]:
         """Time stamps that stood still, went back or jumped in the frames so far, each naming its frame."""
-        return list(self._watch.remarks)
+        return list(self._watch.notes)
 
 
 class CountedFrameStream(FrameStream):
@@ -94,7 +94,7 @@ def frames_from(
         resize_color: Bring colour of another size to that of depth; the view must be the same.
 
     Returns:
-        A source. It copies each frame when its turn comes and keeps none; `remarks` tells of time stamps that jump.
+        A source. It copies each frame when its turn comes and keeps none; `notes` tells of time stamps that jump.
 
     Raises:
         TypeError: No iterable, no camera; while iterating, depth of 8 bits or another type, named by its frame.

@@ -68,7 +68,7 @@ def depth_of_pictures(
         progress: Called with the stage, how many of its steps are done, and how many there are.
 
     Returns:
-        What was done; "poor" says why the result is poor, or is None. Where the references and the map do not agree
+        What was done; `warnings` says why the result is unreliable. Where the references and the map do not agree
         nothing is written for that picture.
 
     Raises:

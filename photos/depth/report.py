@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from ...cameras.camera import PinholeCameraIntrinsic
-from ...core.reports import Fields, in_columns
+from ...core.reports import Assessed, Fields, in_columns, quality
 from ...core.wording import format_bytes, format_seconds, format_share
 from .estimation import ARBITRARY, DepthEstimate
 
@@ -16,7 +16,7 @@ FEW_POINTS = 0.2  # share of the pixels
 
 
 @dataclass(frozen=True, eq=False)
-class PictureDepth:
+class PictureDepth(Assessed):
     """The figures of one picture.
 
     Attributes:
@@ -83,8 +83,9 @@ class PictureDepth:
         """Share of the pixels that became points."""
         return self.point_count / (self.size[0] * self.size[1])
 
-    def why_poor(self) -> list[str]:
-        """What is wrong with it, and what to do about it."""
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         reasons, share = [], self.inlier_share
         if share is not None and share < FEW_INLIERS:
             reasons.append(
@@ -93,7 +94,7 @@ class PictureDepth:
             )
         if self.kept_share < FEW_POINTS:
             reasons.append(f"only {self.kept_share:.1%} of the pixels became points; keep edges, or align")
-        return reasons
+        return tuple(reasons)
 
     def to_json(self) -> dict[str, Any]:
         """The same in JSON's types."""
@@ -172,7 +173,7 @@ class DepthFailure:
 
 
 @dataclass(frozen=True, eq=False)
-class DepthReport:
+class DepthReport(Assessed):
     """What became of a picture, or of those of a folder; printed, it is what `pointloom depth` says.
 
     Attributes:
@@ -191,7 +192,7 @@ class DepthReport:
     Example:
         >>> import pointloom as loom
         >>> network = ("net.onnx", "dpt", "MIT", "CPUExecutionProvider")
-        >>> loom.DepthReport("photo.jpg", False, *network, "cpu", (), (), {"open": 0.1}, 2**20).poor is None
+        >>> loom.DepthReport("photo.jpg", False, *network, "cpu", (), (), {"open": 0.1}, 2**20).reliable
         True
     """
 
@@ -214,8 +215,8 @@ class DepthReport:
         return tuple(file for each in self.pictures for file in each.files)
 
     @property
-    def poor(self) -> str | None:
-        """What is wrong with the result, with the remedy, or None."""
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         reasons = []
         if self.failures:
             first = self.failures[0].reason
@@ -224,8 +225,8 @@ class DepthReport:
             reasons.append(f"{many if self.is_folder else ''}{first}; nothing was written{where}")
         for each in self.pictures:
             name = f"{Path(each.picture).name}: " if self.is_folder else ""
-            reasons += [f"{name}{reason}" for reason in each.why_poor()]
-        return "; ".join(reasons) or None
+            reasons += [f"{name}{reason}" for reason in each.warnings]
+        return tuple(reasons)
 
     def to_json(self) -> dict[str, Any]:
         """The report that the command prints, in JSON's types."""
@@ -242,7 +243,7 @@ class DepthReport:
             "seconds": self.seconds,
             "peak_bytes": self.peak_bytes,
             "files": list(self.files),
-            "poor": self.poor,
+            **quality(self),
             "note": self.note,
         }
 

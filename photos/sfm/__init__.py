@@ -8,14 +8,14 @@ Example:
 
         choice = loom.sfm.choose_frames("house.mp4", "frames")
         result = loom.sfm.reconstruct("frames", "work")
-        if result.poor:
-            print(result.poor)
+        if not result.reliable:
+            print(result.warnings)
         loom.write_trajectory("poses.log", result.model.trajectory())
 
     What is found of a set of pictures is judged without COLMAP too:
 
     >>> import pointloom as loom
-    >>> loom.sfm.judge_model(None, 20).registered_count
+    >>> loom.sfm.assess_model(None, 20).registered_count
     0
 """
 

@@ -8,6 +8,8 @@ from .mapping import SfmResult as SfmResult
 from .mapping import map_pictures as map_pictures
 from .matches import MatchReport as MatchReport
 from .matches import match as match
+from .model_quality import ModelQuality as ModelQuality
+from .model_quality import assess_model as assess_model
 from .picture_places import PicturePlace as PicturePlace
 from .picture_places import PicturePlaces as PicturePlaces
 from .picture_places import read_picture_places as read_picture_places
@@ -16,5 +18,3 @@ from .training_folder import TrainingFolder as TrainingFolder
 from .training_folder import write_training_folder as write_training_folder
 from .triangulation import TriangulationResult as TriangulationResult
 from .triangulation import triangulate as triangulate
-from .verdict import Verdict as Verdict
-from .verdict import judge_model as judge_model

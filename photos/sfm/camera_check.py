@@ -92,7 +92,7 @@ class CameraCheck:
         off = "lengths along and across the view may be off by as much, one against the other"
         return [f"the pictures do not fix the focal length ({rises}), so that {off}: {_REMEDY}"]
 
-    def remarks(self) -> list[str]:
+    def notes(self) -> list[str]:
         """What is to be known of cameras that are believed."""
         said = []
         if self.parted:

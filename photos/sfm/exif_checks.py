@@ -75,14 +75,14 @@ def doubts_of_orientation(paths: Iterable[Path]) -> list[str]:
                 told = _number(inner, _WIDTH), _number(inner, _HEIGHT)
                 if told == (header.height, header.width) and header.width != header.height:
                     swapped.append(path.name)
-    remarks = []
+    notes = []
     if unknown:
         said = f"EXIF of {counted(len(unknown), 'picture')} tells no way to lie that there is"
-        remarks.append(f"{said}, taken as stored: {some_of(unknown)}")
+        notes.append(f"{said}, taken as stored: {some_of(unknown)}")
     if swapped:
         said = "turned as EXIF says, though by the size that it tells they were turned before"
-        remarks.append(f"{counted(len(swapped), 'picture')} {said}: {some_of(swapped)}")
-    return remarks
+        notes.append(f"{counted(len(swapped), 'picture')} {said}: {some_of(swapped)}")
+    return notes
 
 
 def _inner(path: FilePath) -> dict[int, Any]:

@@ -52,7 +52,7 @@ class FeatureReport:
         peak_bytes: The most memory that COLMAP was seen to hold [B].
         camera_count: Cameras that the pictures are taken for: one for each size and lens that EXIF tells.
         on_gpu: Whether COLMAP found them on a GPU.
-        remarks: What EXIF tells of lenses and is not believed.
+        notes: What EXIF tells of lenses and is not believed.
     """
 
     database: str
@@ -63,7 +63,7 @@ class FeatureReport:
     peak_bytes: int
     camera_count: int = 1
     on_gpu: bool = False
-    remarks: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
 
     @property
     def poor_names(self) -> tuple[str, ...]:
@@ -75,7 +75,7 @@ class FeatureReport:
         sizes = [{"width": w, "height": h, "count": count} for (w, h), count in self.sizes.items()]
         lists = {"names": list(self.names), "counts": list(self.counts), "poor_names": list(self.poor_names)}
         fields = {"database": self.database, "seconds": self.seconds, "peak_bytes": self.peak_bytes}
-        more = {"camera_count": self.camera_count, "on_gpu": self.on_gpu, "remarks": list(self.remarks)}
+        more = {"camera_count": self.camera_count, "on_gpu": self.on_gpu, "notes": list(self.notes)}
         return fields | lists | {"sizes": sizes} | more
 
 

@@ -21,7 +21,7 @@ class FrameChoice:
         frames_promised: Frames that the head of the video says there are; None where it does not.
         blurred_count: Frames that were blurred, beside their neighbours.
         left_out: What could not be used, by name or number, and why.
-        remarks: What whoever reads the result should know, as sentences.
+        notes: What whoever reads the result should know, as sentences.
         seconds: Time it took [s].
         peak_bytes: The most memory that the program that decodes was seen to hold [B].
     """
@@ -36,12 +36,12 @@ class FrameChoice:
     frames_promised: int | None = None
     blurred_count: int = 0
     left_out: dict[str, str] = dataclasses.field(default_factory=dict)
-    remarks: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
     seconds: float = 0.0
     peak_bytes: int = 0
 
     def to_json(self) -> dict[str, Any]:
         """The same in JSON's types."""
         sizes = [{"width": w, "height": h, "count": count} for (w, h), count in self.sizes.items()]
-        lists = {"names": list(self.names), "numbers": list(self.numbers), "remarks": list(self.remarks)}
+        lists = {"names": list(self.names), "numbers": list(self.numbers), "notes": list(self.notes)}
         return {f.name: getattr(self, f.name) for f in dataclasses.fields(self)} | lists | {"sizes": sizes}

@@ -65,7 +65,7 @@ def choose_frames(
         progress: Called with the stage ("look", "write"), how many of its steps are done, and how many there are.
 
     Returns:
-        What was taken, what was left out and why, and remarks: a video with fewer frames than it promises, black
+        What was taken, what was left out and why, and notes: a video with fewer frames than it promises, black
         frames, pictures of several sizes.
 
     Raises:

@@ -11,6 +11,7 @@ from typing import Any
 from ...core.checks import check_progress, check_seed
 from ...core.errors import DatasetError, FileError, FilePath
 from ...core.progress import ReportProgress
+from ...core.reports import Assessed, quality
 from ...core.timing import Clock
 from ...files.models.colmap import read_colmap_model
 from ...files.models.sfm_model import SfmModel
@@ -18,22 +19,22 @@ from .camera_check import CameraCheck
 from .colmap_jobs import MAX_SECONDS, open_database, run_job, scratch_beside
 from .frames import check_option
 from .limited_process import check_limits
+from .model_quality import ModelQuality, assess_model
 from .picture_folder import check_place
 from .picture_writing import new_folder
-from .verdict import Verdict, judge_model
 
 MAPPERS = ("auto", "incremental", "global")
 MANY_PICTURES = 150  # up to which adjusting all after each few costs about as much as placing all at once
 
 
 @dataclasses.dataclass(frozen=True)
-class SfmResult:
+class SfmResult(Assessed):
     """What became of a set of pictures.
 
     Args:
         model: The largest model that was found; None where there is none.
         folder: Where it lies, in COLMAP's format.
-        verdict: What it is worth, and why it is poor.
+        quality: Its quality.
         missing: Names of pictures without a pose.
         seconds: Time of each stage [s].
         peak_bytes: The most memory that COLMAP was seen to hold in each [B].
@@ -41,20 +42,20 @@ class SfmResult:
 
     model: SfmModel | None
     folder: str
-    verdict: Verdict
+    quality: ModelQuality
     missing: tuple[str, ...]
     seconds: dict[str, float]
     peak_bytes: dict[str, int]
 
     @property
-    def poor(self) -> str | None:
-        """Why the result is poor, with the remedy; None where it is good."""
-        return self.verdict.poor
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks, each with its remedy; empty if the result is reliable."""
+        return self.quality.warnings
 
     def to_json(self) -> dict[str, Any]:
         """All but the model in JSON's types."""
         fields = {"folder": self.folder, "missing": list(self.missing), "seconds": self.seconds}
-        return fields | {"peak_bytes": self.peak_bytes, "verdict": self.verdict.to_json(), "poor": self.poor}
+        return fields | {"peak_bytes": self.peak_bytes, "quality": self.quality.to_json(), **quality(self)}
 
 
 def map_pictures(
@@ -86,7 +87,7 @@ def map_pictures(
             with each model.
 
     Returns:
-        The model with the most pictures, and a verdict. A poor model, and none at all, is a result, not an error.
+        The largest model and its quality. An unreliable model, or none at all, is a result, not an error.
 
     Raises:
         FileError: No such files, a folder that is not empty; pycolmap is missing; COLMAP failed or passed a limit; a
@@ -122,10 +123,10 @@ def map_pictures(
         done, peak = _map(job, database, target, names, say, limits)
     model = read_colmap_model(target) if done["sizes"] else None
     told = {"model_sizes": done["sizes"] or None, "focal": CameraCheck.from_json(done["cameras"])}
-    verdict = judge_model(model, len(names), fix_intrinsic=fix_intrinsic, **told)
+    assessed = assess_model(model, len(names), fix_intrinsic=fix_intrinsic, **told)
     missing = tuple(sorted(set(names) - set(model.names if model else ())))
     clock.stop("model")
-    return SfmResult(model, os.fspath(target), verdict, missing, clock.seconds, {"model": peak})
+    return SfmResult(model, os.fspath(target), assessed, missing, clock.seconds, {"model": peak})
 
 
 def choose_mapper(picture_count: int) -> str:

@@ -131,7 +131,7 @@ def _without_hidden(
         names=tuple(choice.names[k] for k in kept),
         numbers=tuple(choice.numbers[k] for k in kept),
         left_out=choice.left_out | hidden,
-        remarks=(*choice.remarks, *told_of_masks(list(hidden), missing)),
+        notes=(*choice.notes, *told_of_masks(list(hidden), missing)),
     )
 
 
@@ -145,12 +145,12 @@ def _check_found(source: Path, masks: Any, missing: list[str], count: int) -> No
 
 def told_of_masks(hidden: list[str], missing: list[str]) -> list[str]:
     """That masks hide pictures wholly, and that pictures have none."""
-    remarks = []
+    notes = []
     if hidden:
-        remarks.append(f"{counted(len(hidden), 'picture')} left out, whose masks hide all: {some_of(hidden)}")
+        notes.append(f"{counted(len(hidden), 'picture')} left out, whose masks hide all: {some_of(hidden)}")
     if missing:
-        remarks.append(f"{counted(len(missing), 'picture')} without a mask, taken whole: {some_of(missing)}")
-    return remarks
+        notes.append(f"{counted(len(missing), 'picture')} without a mask, taken whole: {some_of(missing)}")
+    return notes
 
 
 def hides_all(mask: NDArray[np.bool_]) -> bool:

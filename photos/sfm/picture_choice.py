@@ -81,8 +81,8 @@ def choose_pictures(source: Path, wanted: Wanted, say: ReportProgress) -> FrameC
         sizes=dict(sizes.most_common()),
         frame_count=len(paths),
         left_out=left_out,
-        remarks=tuple(
-            _remarks(source, len(paths), len(chosen), left_out, sizes)
+        notes=tuple(
+            _notes(source, len(paths), len(chosen), left_out, sizes)
             + told_twice(second)
             + _lenses([paths[n] for n in numbers])
             + doubts_of_orientation([paths[n] for n in numbers])
@@ -148,21 +148,21 @@ def told_twice(paths: list[Path]) -> list[str]:
     return [f"of photographs that lie there as JPEG or PNG as well: {some_of([path.name for path in paths])}"]
 
 
-def _remarks(
+def _notes(
     source: Path, count: int, chosen: int, left_out: dict[str, str], sizes: Counter[tuple[int, int]]
 ) -> list[str]:
-    remarks = []
+    notes = []
     if chosen < count:
-        remarks.append(f"{chosen} of {count} pictures are taken, evenly in the order of their names (max_frames)")
+        notes.append(f"{chosen} of {count} pictures are taken, evenly in the order of their names (max_frames)")
     if left_out:
         said = [f"{name} ({reason})" for name, reason in left_out.items()]
-        remarks.append(f"{counted(len(left_out), 'picture')} cannot be used and left out: {some_of(said)}")
+        notes.append(f"{counted(len(left_out), 'picture')} cannot be used and left out: {some_of(said)}")
     if others := unread_pictures(source):
-        remarks.append(f"of kinds that are not read, convert them to PNG or JPEG: {some_of(others)}")
+        notes.append(f"of kinds that are not read, convert them to PNG or JPEG: {some_of(others)}")
     if len(sizes) > 1:
         said = [f"{number} of {width} x {height}" for (width, height), number in sizes.most_common()]
-        remarks.append(f"pictures of {len(sizes)} sizes, each taken for a camera of its own: {some_of(said)}")
-    return remarks
+        notes.append(f"pictures of {len(sizes)} sizes, each taken for a camera of its own: {some_of(said)}")
+    return notes
 
 
 def _lenses(paths: list[Path]) -> list[str]:

@@ -104,14 +104,14 @@ class PicturePlaces:
         latitude = float(np.median([place.latitude for place in self.places]))
         return WorldFrame(latitude, longitude, float(np.median(altitudes)) if altitudes else 0.0)
 
-    def remarks(self) -> list[str]:
+    def notes(self) -> list[str]:
         """What is to be told of pictures whose place is not believed."""
         said = [f"{name} ({reason})" for name, reason in self.refused.items()]
-        remarks = [f"GPS of {counted(len(said), 'picture')} is not believed: {some_of(said)}"] if said else []
+        notes = [f"GPS of {counted(len(said), 'picture')} is not believed: {some_of(said)}"] if said else []
         said = [f"{name} ({metres:g} m)" for name, metres in self.altitudes_refused.items()]
         if said:
-            remarks.append(f"the altitude of {counted(len(said), 'picture')} is not believed: {some_of(said)}")
-        return remarks
+            notes.append(f"the altitude of {counted(len(said), 'picture')} is not believed: {some_of(said)}")
+        return notes
 
     def to_json(self) -> dict[str, Any]:
         """The same in JSON's types."""

@@ -122,7 +122,7 @@ class PoseCheck:
             )
         return reasons
 
-    def remarks(self) -> list[str]:
+    def notes(self) -> list[str]:
         """What is to be known of poses that are believed."""
         if self.strays and not self.are_wrong:
             return [f"poses that do not fit the others: {', '.join(self.strays[:8])}"]

@@ -35,7 +35,7 @@ class PosedPictures:
     without_picture: tuple[str, ...]
 
     @property
-    def remarks(self) -> tuple[str, ...]:
+    def notes(self) -> tuple[str, ...]:
         """What has no partner, in words."""
         said = []
         for names, what in (

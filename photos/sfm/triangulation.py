@@ -15,6 +15,7 @@ from ...core.checks import check_progress, check_seed
 from ...core.devices import resolve_device
 from ...core.errors import FilePath
 from ...core.progress import ReportProgress
+from ...core.reports import Assessed, quality
 from ...core.timing import Clock
 from ...files.models.sfm_model import SfmModel
 from ...files.pictures.image_files import read_color
@@ -23,10 +24,10 @@ from .feature_rays import FeatureRays, focal_of, read_feature_rays
 from .features import MAX_FEATURES, MAX_SIZE, find_features
 from .guided_matches import PairMatches, match_guided, pairs_in_view
 from .limited_process import check_limits
+from .model_quality import FINDING_SIZE, ModelQuality, assess_model
 from .picture_folder import check_place, list_pictures
 from .pose_check import NEAR, PoseCheck, check_poses
 from .posed_pictures import with_poses
-from .verdict import FINDING_SIZE, Verdict, judge_model
 
 LEAST_DISTANCE = 1.0  # [px] of a picture as features are found in it: those of SIFT are off by a third of that
 FEWEST_VIEWS = 3  # of a point where there are so many pictures: any two rays that meet make one of two
@@ -36,13 +37,13 @@ FEWEST_MATCHES = 8  # of a pair
 
 
 @dataclasses.dataclass(frozen=True)
-class TriangulationResult:
+class TriangulationResult(Assessed):
     """What pictures with known poses see.
 
     Args:
         model: The cameras as they were given, of the pictures that are there, and the points; no points where the
             poses do not fit.
-        verdict: What it is worth, and why it is poor.
+        quality: Its quality.
         without_pose: Pictures of the folder without a pose.
         without_picture: Names of cameras without a picture.
         seconds: Time of each stage [s].
@@ -50,22 +51,22 @@ class TriangulationResult:
     """
 
     model: SfmModel
-    verdict: Verdict
+    quality: ModelQuality
     without_pose: tuple[str, ...]
     without_picture: tuple[str, ...]
     seconds: dict[str, float]
     peak_bytes: dict[str, int]
 
     @property
-    def poor(self) -> str | None:
-        """Why the result is poor, with the remedy; None where it is good."""
-        return self.verdict.poor
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks, each with its remedy; empty if the result is reliable."""
+        return self.quality.warnings
 
     def to_json(self) -> dict[str, Any]:
         """All but the model in JSON's types."""
         names = {"without_pose": list(self.without_pose), "without_picture": list(self.without_picture)}
         told = {"seconds": self.seconds, "peak_bytes": self.peak_bytes}
-        return names | told | {"verdict": self.verdict.to_json(), "poor": self.poor}
+        return names | told | {"quality": self.quality.to_json(), **quality(self)}
 
 
 def triangulate(
@@ -99,8 +100,8 @@ def triangulate(
         progress: Called with the stage ("features", "matches"), how many of its steps are done, and how many there are.
 
     Returns:
-        The model with points, and a verdict. That the poses do not fit the pictures is a result, not an error:
-        `verdict.poses` has the figures.
+        The model with points, and its quality. That the poses do not fit the pictures is a result, not an error:
+        `quality.poses` has the figures.
 
     Raises:
         FileError: No such pictures, fewer than two with a camera, one that is damaged or of another size than its
@@ -139,9 +140,9 @@ def triangulate(
         clock.stop("matches")
         model, peak = points_of(database, posed.model, matches, check, folder, seed=seed, **limits)
     clock.stop("points")
-    verdict = judge_model(model, posed.picture_count, fix_intrinsic=True, poses=check)
+    assessed = assess_model(model, posed.picture_count, fix_intrinsic=True, poses=check)
     missing = posed.without_pose, posed.without_picture
-    return TriangulationResult(model, verdict, *missing, clock.seconds, {"features": found.peak_bytes, "points": peak})
+    return TriangulationResult(model, assessed, *missing, clock.seconds, {"features": found.peak_bytes, "points": peak})
 
 
 def match_posed(

@@ -41,7 +41,7 @@ def choose_video_frames(
         frames_promised=video.promised,
         blurred_count=picker.blurred,
         left_out={str(number): "black, or all of one brightness" for number in picker.blank},
-        remarks=tuple(_remarks(video, picker, count, len(numbers), said)),
+        notes=tuple(_notes(video, picker, count, len(numbers), said)),
         peak_bytes=max(peak, peak_of_writing),
     )
 
@@ -72,21 +72,21 @@ def _write(
         return names, sizes, frames.peak_bytes
 
 
-def _remarks(video: VideoFile, picker: FramePicker, count: int, chosen: int, said: str) -> list[str]:
-    remarks, said = [], said.split(" / ")[0]
+def _notes(video: VideoFile, picker: FramePicker, count: int, chosen: int, said: str) -> list[str]:
+    notes, said = [], said.split(" / ")[0]
     promised = video.promised or 0
     # A duration times a mean rate is off by a frame or two in videos that are whole.
     if count < promised - (0 if video.is_counted else 2):
         complaint = f" ({said})" if said else ""
-        remarks.append(f"the video is damaged or cut off: {count} of {promised} frames came{complaint}")
+        notes.append(f"the video is damaged or cut off: {count} of {promised} frames came{complaint}")
     elif said:
-        remarks.append(f"the video is damaged: {said}")
+        notes.append(f"the video is damaged: {said}")
     if picker.blank:
         numbers = some_of([str(number) for number in picker.blank])
-        remarks.append(f"{counted(len(picker.blank), 'frame')} black or blank and left out: {numbers}")
+        notes.append(f"{counted(len(picker.blank), 'frame')} black or blank and left out: {numbers}")
     if picker.still:
         told = f"the camera stood still for some {picker.still * picker.max_gap} frames, which show nothing new"
-        remarks.append(f"{told}; they are left out")
+        notes.append(f"{told}; they are left out")
     if len(picker.chosen) > chosen:
-        remarks.append(f"{chosen} of {len(picker.chosen)} frames that are worth it are taken, evenly (max_frames)")
-    return remarks
+        notes.append(f"{chosen} of {len(picker.chosen)} frames that are worth it are taken, evenly (max_frames)")
+    return notes

@@ -7,7 +7,7 @@ Example:
     What `pointloom video walk.mp4 -o room.ply` does, with what comes out as objects:
 
         result = loom.video.reconstruct("walk.mp4", outputs=loom.video.Outputs(mesh="room.ply"))
-        print(result.poor or result)  # what the command prints
+        print(result.warnings or result)  # what the command prints
         result.mesh, result.cloud, result.model
 
     Settings are checked before any work:

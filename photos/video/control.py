@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from ...core.reports import failed
 from ...files.models.sfm_model import SfmModel
 from ...pcd.geodesy import WorldFrame
 from ...registration.rigid import fit_pose
@@ -129,18 +130,18 @@ def _by_points(
         _residual(p, found, coordinates.targets[p.name], fit, p.name in control.checks, wrong) for p in control.points
     )
     gps = None if coordinates.frame is None or places is None else _gaps(model, places, coordinates.frame, fit.T)
-    doubts = [
+    problems = [
         _why_wrong(rows, wrong),
         _why_off(rows, worse, len(used)),
-        bars.why_doubted(fit.T),
+        bars.problem(fit.T),
         _why_far(gps, control),
     ]
-    remarks = (_off(rows, worse),) if TOLD < worse <= ROUGH else ()
+    notes = (_off(rows, worse),) if TOLD < worse <= ROUGH else ()
     sigmas = np.sqrt(np.diag(fit.covariance))
     tilt, yaw = math.degrees(float(sigmas[1:3].max())), math.degrees(float(sigmas[3]))
     return ControlFit(
         coordinates.frame, control.crs, coordinates.origin, fit.T, fit.scale, float(sigmas[0]), tilt, yaw, worse,
-        rows, bars.residuals(fit.T), True, gps, "; ".join(doubt for doubt in doubts if doubt) or None, remarks,
+        rows, bars.residuals(fit.T), True, gps, failed(*problems), notes,
     )  # fmt: skip
 
 
@@ -178,14 +179,14 @@ def _residual(
     known = _sigmas([point], found, fit.T)
     spread = np.diag(fit.covariance_of(place[None])[0])
     sigma = np.sqrt(np.maximum(known[0] ** 2 + (-spread if use == CONTROL else spread), 0))
-    remarks = [f"without the marks in {', '.join(marked.left_out)}"] if marked.left_out else []
+    notes = [f"without the marks in {', '.join(marked.left_out)}"] if marked.left_out else []
     off = float(deviations(fit, place[None], target[None], known)[0])
     if use == UNUSED:
-        remarks.append(f"contradicts the others, {off:.0f} standard deviations off")
+        notes.append(f"contradicts the others, {off:.0f} standard deviations off")
     elif is_check and off > ROUGH:
-        remarks.append(f"{off:.0f} standard deviations off")
+        notes.append(f"{off:.0f} standard deviations off")
     return ControlResidual(
-        point.name, use, fit.of(place[None])[0] - target, sigma, marked.rms, len(marked.errors), "; ".join(remarks)
+        point.name, use, fit.of(place[None])[0] - target, sigma, marked.rms, len(marked.errors), "; ".join(notes)
     )
 
 
@@ -232,7 +233,7 @@ def _why_far(gps: GpsGaps | None, control: GroundControl) -> str:
 
 
 def _by_lengths(control: GroundControl, found: dict[str, MarkedPoint], bars: Bars, reason: str) -> ControlFit:
-    """A scale alone; told as poor where the points should have settled more."""
+    """A scale alone, with a warning if the points should have determined more."""
     T, sigma, bars = fit_bars(bars)
     remark = "scale bars set the size alone"
     rows = tuple(
@@ -241,9 +242,9 @@ def _by_lengths(control: GroundControl, found: dict[str, MarkedPoint], bars: Bar
         )
         for p in control.points
     )
-    doubts = [reason if control.fitted and not control.why_open() else "", bars.why_doubted(T)]
-    remarks = (f"the points are not used: {control.why_open()}",) if control.fitted and control.why_open() else ()
+    problems = [reason if control.fitted and not control.why_open() else "", bars.problem(T)]
+    notes = (f"the points are not used: {control.why_open()}",) if control.fitted and control.why_open() else ()
     return ControlFit(
         None, control.crs, np.zeros(3), T, float(T[0, 0]), sigma, math.nan, math.nan, math.nan, rows, bars.residuals(T),
-        False, None, "; ".join(doubt for doubt in doubts if doubt) or None, remarks,
+        False, None, failed(*problems), notes,
     )  # fmt: skip

@@ -158,8 +158,8 @@ class ControlFit:
         points, bars: How each fits.
         is_placed: Whether the frame is that of the points; with lengths alone it is the model's own.
         gps: How the places that pictures tell fit it, which are not used.
-        poor: What is wrong, and what to do about it, or None.
-        remarks: What is to be known of it.
+        warnings: Failed quality checks, each with its remedy; empty if the fit is reliable.
+        notes: What is to be known of it.
     """
 
     frame: WorldFrame | None
@@ -175,8 +175,13 @@ class ControlFit:
     bars: tuple[BarResidual, ...]
     is_placed: bool
     gps: GpsGaps | None = None
-    poor: str | None = None
-    remarks: tuple[str, ...] = ()
+    warnings: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+
+    @property
+    def reliable(self) -> bool:
+        """True if no quality check failed."""
+        return not self.warnings
 
     def rms(self, use: str) -> float:
         """Root mean square distance of the points of a use, "control" or "check" [m]; NaN where there are none."""
@@ -216,7 +221,7 @@ class ControlFit:
         lines += [f"  {row}" for row in (*self.points, *self.bars)]
         if self.gps is not None:
             lines.append(str(self.gps))
-        lines += self.remarks
+        lines += self.notes
         if self.frame is not None:
             lines.append(f"{self.frame}" + (f"; points in {self.crs}" if self.crs != f"EPSG:{self.frame.epsg}" else ""))
         elif self.is_placed:

@@ -78,7 +78,7 @@ class PlacesFit:
         """The pictures whose places do not fit the others."""
         return tuple(name for name, fits in zip(self.names, self.inliers, strict=True) if not fits)
 
-    def why_doubted(self) -> str | None:
+    def problem(self) -> str | None:
         """What is wrong with places that hardly fit, or None."""
         wrong = len(self.left_out)
         if not (self.horizontal_rms > DOUBTED * self.extent or wrong > MOST_WRONG * len(self.names)):

@@ -63,8 +63,8 @@ def reconstruct(
         progress: Called with the stage, how many of its steps are done, and how many there are (0: nobody knows).
 
     Returns:
-        Mesh, points and model in one frame, with the figures of all stages. `poor` says why the result is poor or
-        missing, or is None: that pictures do not suffice is a result, not an error.
+        Mesh, points and model in one frame, with the figures of all stages. `warnings` says why
+        the result is unreliable or missing: insufficient images are a result, not an error.
 
     Raises:
         TypeError, ValueError: An argument out of range, or a picture that `known` names and that is not there.
@@ -143,17 +143,17 @@ def _run(
     found = run_to("model", chain, given, stages)
     mesh = cloud = model = fit = None
     figures = VideoFigures.of_stages(chain.made)
-    reasons = figures.why_model_poor()
+    reasons = figures.model_warnings()
     if not figures.is_hopeless:
         model = motion.read_model(found)
         fit = fit_units(settings.units, model)  # before the long work: it may be refused
         fit = fit if settings.cameras is None else fit_as_given(fit)
-        reasons += [] if fit.poor is None else [fit.poor]
+        reasons += fit.warnings
         model = model.transform(fit.T_world_model)
         outputs.check_fit(fit, model.points)
         surface_made = run_to("mesh", chain, given, stages)
         figures = VideoFigures.of_stages(chain.made)
-        reasons += figures.why_depth_poor()
+        reasons += figures.depth_warnings()
         cloud = read_point_cloud(chain.made["fused"].folder / surface.CLOUD, device=device).transform(fit.T_world_model)
         if figures.triangle_count:
             mesh = read_triangle_mesh(surface_made.folder / surface.MESH, device=device)
@@ -167,7 +167,7 @@ def _run(
         model=model,
         fit=fit,
         figures=figures,
-        reasons=tuple(reasons),
+        warnings=tuple(reasons),
         stages={name: _report_of(chain.made.get(name)) for name in STAGES},
         files=(),
         work=None if work is None else os.fspath(work),

@@ -21,13 +21,13 @@ from ..sfm.colmap_jobs import MAX_SECONDS
 from ..sfm.frame_picker import spaced
 from ..sfm.guided_matches import read_matches, write_matches
 from ..sfm.masks import KEPT, MakeMask, check_some_left, hides_all, mask_as_stored, told_of_masks, write_mask
+from ..sfm.model_quality import assess_model
 from ..sfm.picture_choice import told_twice
 from ..sfm.picture_folder import UPRIGHT, list_photographs, read_header, read_orientation, read_stored
 from ..sfm.picture_writing import write_bytes, write_picture
 from ..sfm.pose_check import PoseCheck
 from ..sfm.posed_pictures import with_poses
 from ..sfm.triangulation import match_posed, points_of
-from ..sfm.verdict import judge_model
 from .motion import DATABASE, MASKS, MODEL, PICTURES, described, masks_of, only_turned
 from .settings import Settings
 
@@ -73,12 +73,12 @@ def take_pictures(
         raise DatasetError(source, "holds pictures whose names differ by their ending alone", remedy="Rename them")
     model = SfmModel(tuple(names), tuple(cameras), found.model.T_camera_world[kept])
     write_colmap_model(folder / CAMERAS, model)
-    remarks = [*found.remarks, *hides.remarks]
+    notes = [*found.notes, *hides.notes]
     if len(chosen) < len(found.paths):
-        remarks.append(f"{len(chosen)} of {len(found.paths)} pictures are taken, evenly by their names (max_frames)")
-    remarks += [f"not used, {line}" for line in given.left_out[:4]] + told_twice(second)
+        notes.append(f"{len(chosen)} of {len(found.paths)} pictures are taken, evenly by their names (max_frames)")
+    notes += [f"not used, {line}" for line in given.left_out[:4]] + told_twice(second)
     missing = len(found.without_pose) * len(names) // len(found.paths)
-    return {"kept": len(names), "frames": len(paths), "remarks": remarks, "missing": missing}
+    return {"kept": len(names), "frames": len(paths), "notes": notes, "missing": missing}
 
 
 class _Masks:
@@ -123,7 +123,7 @@ class _Masks:
             check_some_left(self.source, self.masks, self.hidden, self.missing, kept)
 
     @property
-    def remarks(self) -> list[str]:
+    def notes(self) -> list[str]:
         """What is to be told."""
         return told_of_masks(self.hidden, self.missing)
 
@@ -168,8 +168,8 @@ def triangulate(
     found = read_matches(matches.folder / MATCHES)
     where = features.folder / DATABASE, model, found, check, frames.folder / PICTURES
     whole, _ = points_of(*where, seed=seed, max_seconds=MAX_SECONDS, max_memory=None)
-    verdict = judge_model(whole, len(model) + frames.told["missing"], fix_intrinsic=True, poses=check)
+    assessed = assess_model(whole, len(model) + frames.told["missing"], fix_intrinsic=True, poses=check)
     write_colmap_model(folder / MODEL, whole)
     cameras = tuple(dict.fromkeys(whole.cameras))
     told = {"missing": [], "cameras": [described(camera) for camera in cameras]}
-    return verdict.to_json() | told | {"turned": only_turned(verdict, cameras)}
+    return assessed.to_json() | told | {"turned": only_turned(assessed, cameras)}

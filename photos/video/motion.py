@@ -18,10 +18,10 @@ from ...files.models.sfm_model import SfmModel
 from ...files.pictures.image_files import read_picture_header
 from .. import sfm
 from ..sfm.masks import FOLDER, MakeMask, mask_folder
+from ..sfm.model_quality import MIN_ANGLE, MIN_PARALLAX, ModelQuality
 from ..sfm.picture_folder import check_place
 from ..sfm.picture_writing import counted, some_of
 from ..sfm.sphere_pictures import cut_spheres, with_all_faces
-from ..sfm.verdict import MIN_ANGLE, MIN_PARALLAX, Verdict
 
 PICTURES, DATABASE, MODEL = "pictures", "database.db", "sparse"
 MASKS, SPHERES = PICTURES + FOLDER, "spheres"
@@ -131,21 +131,21 @@ def map_pictures(
     given = {"fix_intrinsic": fixed_camera, "mapper": mapper, "seed": seed, "progress": say}
     found = sfm.map_pictures(frames.folder / PICTURES, matches.folder / DATABASE, folder / MODEL, **given)
     cameras = () if found.model is None else tuple(dict.fromkeys(found.model.cameras))
-    missing, remarks = list(found.missing), []
+    missing, notes = list(found.missing), []
     if panorama and found.model is not None:
         whole, added = with_all_faces(found.model, picture_names(frames))
         if added:
             write_colmap_model(folder / MODEL, whole)
             missing = [name for name in missing if name not in set(added)]
-            remarks.append(f"{counted(len(added), 'face')} placed by others of the same picture: {some_of(added)}")
-    told = {"missing": missing, "cameras": [described(camera) for camera in cameras], "remarks": remarks}
-    return found.verdict.to_json() | told | {"turned": only_turned(found.verdict, cameras)}
+            notes.append(f"{counted(len(added), 'face')} placed by others of the same picture: {some_of(added)}")
+    told = {"missing": missing, "cameras": [described(camera) for camera in cameras], "notes": notes}
+    return found.quality.to_json() | told | {"turned": only_turned(found.quality, cameras)}
 
 
-def only_turned(verdict: Verdict, cameras: Sequence[CameraModel]) -> bool:
+def only_turned(quality: ModelQuality, cameras: Sequence[CameraModel]) -> bool:
     """Whether depth cannot be told from where the pictures were taken: a NaN says so too."""
     longer = max((max(camera.width, camera.height) for camera in cameras), default=1)
-    return not (verdict.angle >= MIN_ANGLE and verdict.parallax >= MIN_PARALLAX * longer)
+    return not (quality.angle >= MIN_ANGLE and quality.parallax >= MIN_PARALLAX * longer)
 
 
 def described(camera: CameraModel) -> str:

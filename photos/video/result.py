@@ -6,14 +6,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from ...core.reports import Fields, in_columns
+from ...core.reports import Fields, in_columns, quality
 from ...core.stages import Made
 from ...core.wording import format_bounds, format_bytes, format_share
 from ...files.models.sfm_model import SfmModel
 from ...meshing.mesh.mesh import TriangleMesh
 from ...pcd.cloud import PointCloud
+from ..sfm.model_quality import ModelQuality
 from ..sfm.training_folder import TrainingFolder
-from ..sfm.verdict import Verdict
 from .units import ARBITRARY, UNKNOWN, Fit
 
 LEAST_KEPT = 0.2  # share of the pixels whose depth other pictures confirm
@@ -26,8 +26,8 @@ class VideoFigures:
     Attributes:
         frame_count: Frames of the video, or pictures of the folder, that there were.
         picture_count: Pictures that were taken of them.
-        remarks: What whoever films should know.
-        verdict: What the model of structure from motion is worth: pictures that have a place, points, errors.
+        notes: What whoever films should know.
+        quality: Quality of the model of structure from motion.
         cameras: The lenses that were found, in words.
         only_turned: The camera turned without moving, so that nothing is known of depth.
         picture_size: Width and height of the first picture that depth was found in [px].
@@ -40,8 +40,8 @@ class VideoFigures:
 
     frame_count: int
     picture_count: int
-    remarks: tuple[str, ...]
-    verdict: Verdict
+    notes: tuple[str, ...]
+    quality: ModelQuality
     cameras: tuple[str, ...]
     only_turned: bool
     picture_size: tuple[int, int] | None = None
@@ -56,14 +56,14 @@ class VideoFigures:
     def of_stages(cls, made: Mapping[str, Made]) -> VideoFigures:
         """The figures in what the stages told, which is what their records hold."""
         frames, model = made["frames"].told, made["model"].told
-        verdict = Verdict.from_json(model)
-        features = made["features"].told.get("remarks", ()) if "features" in made else ()
+        quality = ModelQuality.from_json(model)
+        features = made["features"].told.get("notes", ()) if "features" in made else ()
         taken = (
             frames["frames"],
             frames["kept"],
-            (*frames["remarks"], *features, *model.get("remarks", ()), *verdict.remarks),
+            (*frames["notes"], *features, *model.get("notes", ()), *quality.notes),
         )
-        placed = verdict, tuple(model["cameras"]), model["turned"]
+        placed = quality, tuple(model["cameras"]), model["turned"]
         if "mesh" not in made:
             return cls(*taken, *placed)
         width, height = made["undistorted"].told["sizes"][0]
@@ -74,20 +74,20 @@ class VideoFigures:
     @property
     def is_hopeless(self) -> bool:
         """Whether no depth can come of the model: no picture is placed, or the camera only turned."""
-        return not self.verdict.registered_count or self.only_turned
+        return not self.quality.registered_count or self.only_turned
 
-    def why_model_poor(self) -> list[str]:
-        """What is wrong with the model, and what to do about it."""
-        reasons = [*self.verdict.reasons]
+    def model_warnings(self) -> list[str]:
+        """Failed checks of the model, each with its remedy."""
+        reasons = [*self.quality.warnings]
         if self.is_hopeless:
-            wrong = self.verdict.poses is not None and self.verdict.poses.are_wrong
+            wrong = self.quality.poses is not None and self.quality.poses.are_wrong
             if not wrong and not any("only turn" in reason for reason in reasons):
                 reasons.append("nothing is known of depth: move, do not only turn")
             reasons.append("nothing was written")
         return reasons
 
-    def why_depth_poor(self) -> list[str]:
-        """Whether too little of the depth is left, or nothing, and what to do about it."""
+    def depth_warnings(self) -> list[str]:
+        """A warning if too little of the depth is confirmed, with the remedy."""
         share = self.confirmed_share
         if share is None or share >= LEAST_KEPT:
             return []
@@ -127,7 +127,7 @@ class VideoResult:
             Mesh, cloud and model lie in one frame, in the unit that `fit` tells.
         fit: How the unit was settled, and the similarity from the model that was found; None where `model` is.
         figures: How many pictures were placed, how well, how much of the depth was confirmed, how large the mesh is.
-        reasons: Why the result is poor or missing, with the remedy; empty where it is good.
+        warnings: Failed quality checks, each with its remedy; empty if the result is reliable.
         stages: What each stage told and cost, None where it was not reached.
         files: Those that were written.
         work: The folder of the stages' files, where one was asked for.
@@ -142,7 +142,7 @@ class VideoResult:
     model: SfmModel | None
     fit: Fit | None
     figures: VideoFigures
-    reasons: tuple[str, ...]
+    warnings: tuple[str, ...]
     stages: Mapping[str, StageReport | None]
     files: tuple[str, ...]
     work: str | None
@@ -150,9 +150,9 @@ class VideoResult:
     training: TrainingFolder | None = None
 
     @property
-    def poor(self) -> str | None:
-        """The reasons in one line; None where the result is good."""
-        return "; ".join(self.reasons) or None
+    def reliable(self) -> bool:
+        """True if no quality check failed."""
+        return not self.warnings
 
     @property
     def units(self) -> str:
@@ -180,7 +180,7 @@ class VideoResult:
             "files": list(self.files),
             "training": None if self.training is None else self.training.to_json(),
             "peak_bytes": self.peak_bytes,
-            "poor": self.poor,
+            **quality(self),
             "work": self.work,
         }
 
@@ -188,8 +188,8 @@ class VideoResult:
         """What was done as labels and values for the terminal."""
         found = self.figures
         return [
-            ("pictures", "\n".join([self._pictures_line(), *found.remarks])),
-            *([("camera", _camera_line(found))] if found.verdict.point_count else []),
+            ("pictures", "\n".join([self._pictures_line(), *found.notes])),
+            *([("camera", _camera_line(found))] if found.quality.point_count else []),
             *([("depth", _depth_line(found))] if found.picture_size else []),
             *([("mesh", _mesh_line(found))] if found.vertex_count is not None else []),
             ("units", UNKNOWN if self.fit is None else str(self.fit)),
@@ -206,7 +206,7 @@ class VideoResult:
 
     def _pictures_line(self) -> str:
         chosen = f"chosen from {self.figures.frame_count:,}, on {self.device}"
-        return f"{self.figures.verdict.registered_count} of {self.figures.picture_count} placed, {chosen}"
+        return f"{self.figures.quality.registered_count} of {self.figures.picture_count} placed, {chosen}"
 
     def _again_line(self) -> str:
         """Which stages were made again since another version had made them."""
@@ -223,9 +223,9 @@ class VideoResult:
 
 
 def _camera_line(found: VideoFigures) -> str:
-    verdict = found.verdict
-    seen = f"seen under {verdict.angle:.1f} degrees (median)"
-    return f"{'; '.join(found.cameras)}\n{verdict.point_count:,} points to {verdict.error:.2f} px, {seen}"
+    quality = found.quality
+    seen = f"seen under {quality.angle:.1f} degrees (median)"
+    return f"{'; '.join(found.cameras)}\n{quality.point_count:,} points to {quality.error:.2f} px, {seen}"
 
 
 def _depth_line(found: VideoFigures) -> str:

@@ -96,7 +96,7 @@ class Bars:
             rows.append(BarResidual(bar, scale * self.length(k), self.sigma(k, T), use, remark))
         return tuple(rows)
 
-    def why_doubted(self, T: Array) -> str:
+    def problem(self, T: Array) -> str:
         """Which bars contradict the rest, or each other; "" where none do."""
         scale = scale_of(T)
 

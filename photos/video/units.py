@@ -15,6 +15,7 @@ from ...cameras.pose_text import read_lines
 from ...core.checks import check_positive, shown
 from ...core.errors import FileError, FilePath
 from ...core.records import digest_of, digest_of_file
+from ...core.reports import failed
 from ...core.wording import few_of
 from ...files.models.sfm_model import SfmModel
 from ...pcd.geodesy import WorldFrame
@@ -50,8 +51,8 @@ class Units:
         scale: Metres in a unit of the model.
         known: Two pictures, and the distance of their cameras [m].
         align: File of known camera places: poses (.log, .txt, .tum: by the pictures' numbers), or lines `name x y z`;
-            "exif" for the places that pictures tell, poor where they settle nothing; "none" for the frame in which the
-            model was found.
+            "exif" for the places that pictures tell, unreliable if they do not suffice; "none" for the frame in which
+            the model was found.
         places: What pictures tell; None has `reconstruct` read it from the folder.
         control: Ground control, or its file, as `read_ground_control` reads it: three or more points that pictures show
             and whose coordinates are known. GPS of the pictures is measured against it and not used.
@@ -173,10 +174,10 @@ class Fit:
         scale: Metres in a unit of the model; 1 where nobody knows.
         by: What settled it: "scale", "known", "align", "exif", "control", "scale_bars", "cameras", or None.
         places: With the file of `align`, how the known places agree with those found.
-        poor: Why it is doubted, or None.
+        warnings: Failed quality checks; empty if the fit is reliable.
         gps: How the places that pictures tell fit, where they settled it.
         up: What is up in the model, where that was asked.
-        remarks: What is to be known of it.
+        notes: What is to be known of it.
         control: How ground control and scale bars fit, where they settled it.
     """
 
@@ -185,11 +186,16 @@ class Fit:
     scale: float
     by: str | None
     places: KnownPlaces | None = None
-    poor: str | None = None
+    warnings: tuple[str, ...] = ()
     gps: PlacesFit | None = None
     up: UpDirection | None = None
-    remarks: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
     control: ControlFit | None = None
+
+    @property
+    def reliable(self) -> bool:
+        """True if no quality check failed."""
+        return not self.warnings
 
     @property
     def frame(self) -> WorldFrame | None:
@@ -214,7 +220,7 @@ class Fit:
         return lines
 
     def to_json(self) -> dict[str, Any]:
-        """All but the similarity and the doubt, in JSON's types."""
+        """All but the similarity and the warnings, in JSON types."""
         told: dict[str, Any] = {"units": self.units, "scale": self.scale, "by": self.by}
         if self.gps is not None:
             told["gps"] = self.gps.to_json()
@@ -222,8 +228,8 @@ class Fit:
             told["control"] = self.control.to_json()
         if self.up is not None and self.up.direction is not None:
             told["up"] = {"by": self.up.by, "sigma_degrees": self.up.sigma}
-        if self.remarks:
-            told["remarks"] = list(self.remarks)
+        if self.notes:
+            told["notes"] = list(self.notes)
         if (known := self.places) is not None:
             told |= {"places": known.count, "left_out": list(known.left_out)}
             told |= {"rms_m": known.rms_m, "extent_m": known.extent_m}
@@ -231,7 +237,7 @@ class Fit:
 
     def __str__(self) -> str:
         first, *more = self._line().split("\n")
-        return "\n".join([first + ", upright" * self.is_upright, *more, *self.remarks])
+        return "\n".join([first + ", upright" * self.is_upright, *more, *self.notes])
 
     def _line(self) -> str:
         if self.units == ARBITRARY:
@@ -275,27 +281,28 @@ def fit_units(units: Units, model: SfmModel) -> Fit:
     if units.uses_places and units.places is not None and len(units.places):
         try:
             gps = fit_places(model, units.places, up)
-            doubt = gps.why_doubted()
+            problem = gps.problem()
         except NotSettledError as error:
-            gps, doubt = None, str(error)
-        remarks = tuple(units.places.remarks())
-        if gps is not None and (doubt is None or units.align == EXIF):
-            return Fit(gps.T_world_model, METRES, gps.scale, EXIF, poor=doubt, gps=gps, up=up, remarks=remarks)
-        told = f"GPS of the pictures is not used: {doubt}"
-        poor = told if units.align == EXIF else None
-        return _upright(replace(_of_lengths(units, model), poor=poor, remarks=(*remarks, told)), up)
+            gps, problem = None, str(error)
+        notes = tuple(units.places.notes())
+        if gps is not None and (problem is None or units.align == EXIF):
+            known: dict[str, Any] = {"warnings": failed(problem), "gps": gps, "up": up, "notes": notes}
+            return Fit(gps.T_world_model, METRES, gps.scale, EXIF, **known)
+        told = f"GPS of the images is not used: {problem}"
+        warnings = (told,) if units.align == EXIF else ()
+        return _upright(replace(_of_lengths(units, model), warnings=warnings, notes=(*notes, told)), up)
     return _upright(_of_lengths(units, model), up)
 
 
 def _by_ground(units: Units, ground: GroundControl, model: SfmModel) -> Fit:
-    """By control points, or by scale bars alone; by what else is known, and poor, where they settle nothing."""
+    """By control points, or by scale bars alone; by what else is known, and unreliable, if they do not suffice."""
     try:
         found = fit_control(model, ground, units.places)
     except NotSettledError as error:
         without = fit_units(replace(units, control=None, scale_bars=None), model)
-        why = "; ".join(each for each in (f"ground control is not used: {error}", without.poor) if each)
-        return replace(without, poor=why)
-    fit = Fit(found.T_world_model, METRES, found.scale, "control" if found.is_placed else "scale_bars", poor=found.poor)
+        return replace(without, warnings=(f"ground control is not used: {error}", *without.warnings))
+    by = "control" if found.is_placed else "scale_bars"
+    fit = Fit(found.T_world_model, METRES, found.scale, by, warnings=found.warnings)
     fit = replace(fit, control=found)
     if found.is_placed or units.align == NONE:
         return fit
@@ -365,11 +372,11 @@ def _aligned(path: FilePath, model: SfmModel) -> Fit:
     known = np.array([positions[name] for name in found.names])
     left_out = tuple(name for name, fits in zip(found.names, found.inliers, strict=True) if not fits)
     places = KnownPlaces(len(found.names), left_out, found.rmse, float(np.linalg.norm(np.ptp(known, axis=0))))
-    doubt = _why_doubted(places, path)
-    return Fit(found.transformation, METRES, found.scale, "align", places, doubt)
+    problem = _problem(places, path)
+    return Fit(found.transformation, METRES, found.scale, "align", places, failed(problem))
 
 
-def _why_doubted(places: KnownPlaces, path: FilePath) -> str | None:
+def _problem(places: KnownPlaces, path: FilePath) -> str | None:
     """What is wrong with known places that hardly fit, or None."""
     if not (places.rms_m > DOUBTED * places.extent_m or len(places.left_out) > MOST_WRONG * places.count):
         return None
@@ -393,7 +400,7 @@ def _check_told(places: PicturePlaces | None, names: Sequence[str]) -> None:
         raise ValueError('align: "exif" is of the photographs in a folder; a video tells no places')
     count = len(places_of(places, tuple(names)))
     if count < FEWEST:
-        refused = "; ".join(places.remarks())
+        refused = "; ".join(places.notes())
         raise ValueError(
             f'align: "exif": {count} of {len(names)} pictures tell where they were taken; {FEWEST} or more settle size '
             f"and position{'. ' + refused if refused else ''}"

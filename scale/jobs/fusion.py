@@ -90,7 +90,7 @@ class FusionJob(Job):
                 meeting[_cube(name)] += numbers
         return [Task(_name(cube), {"cube": cube, "frames": _runs(meeting[cube])}) for cube in sorted(filled)]
 
-    def remarks(self, done: Callable[[int], Iterator[Done]]) -> list[str]:
+    def notes(self, done: Callable[[int], Iterator[Done]]) -> list[str]:
         """Frames that were left out."""
         found = [f"left out: {name}" for name in self.plan["left_out"]]
         return found + [f"left out: {reason}" for task in done(0) for reason in task.found["left_out"]]

@@ -78,7 +78,7 @@ class Job(ABC):
         """The tasks of the stage after one that is done; `done(stage)` gives the tasks of any before."""
         raise NotImplementedError
 
-    def remarks(self, done: Callable[[int], Iterator[Done]]) -> list[str]:
+    def notes(self, done: Callable[[int], Iterator[Done]]) -> list[str]:
         """What is to be told of the tasks that are done, beside how many there are."""
         return []
 
@@ -95,7 +95,7 @@ class JobStatus:
             that would come again; at those set aside workers died.
         is_finished: Whether all stages are done.
         troubles: The task and the error, of those that failed or were set aside.
-        remarks: What was left out, and why.
+        notes: What was left out, and why.
     """
 
     folder: str
@@ -108,7 +108,7 @@ class JobStatus:
     aside: int
     is_finished: bool
     troubles: dict[str, str]
-    remarks: tuple[str, ...]
+    notes: tuple[str, ...]
 
     def to_json(self) -> str:
         """All of it as JSON."""
@@ -119,7 +119,7 @@ class JobStatus:
         told = [f"{self.job}: {self.done} of {total} tasks done" + ("" if self.is_finished else f", at {self.stage}")]
         names = ("waiting", "running", "failed", "aside")
         told += [f"{count} {name}" for name in names if (count := getattr(self, name))]
-        lines = [*(f"{name}: {error}" for name, error in self.troubles.items()), *self.remarks]
+        lines = [*(f"{name}: {error}" for name, error in self.troubles.items()), *self.notes]
         return "; ".join(told) + "".join(f"\n  {escaped(line)}" for line in lines)
 
 
@@ -211,7 +211,7 @@ def status_of(manifest: Manifest, job: Job) -> JobStatus:
     left = sum(counts[state] for state in counts if state not in ("done", "empty"))
     bad = manifest.rows("SELECT name, error FROM tasks WHERE state IN ('failed', 'aside') ORDER BY id")
     with damage_as_file_errors(manifest.folder / NAME):
-        remarks = tuple(job.remarks(lambda earlier: done_in(manifest, earlier)))
+        notes = tuple(job.notes(lambda earlier: done_in(manifest, earlier)))
     return JobStatus(
         folder=str(manifest.folder),
         job=job.KIND,
@@ -219,7 +219,7 @@ def status_of(manifest: Manifest, job: Job) -> JobStatus:
         **{state: counts[state] for state in ("waiting", "running", "done", "failed", "aside")},
         is_finished=not left and stage == len(job.STAGES) - 1,
         troubles={row["name"]: row["error"] or "" for row in bad},
-        remarks=remarks,
+        notes=notes,
     )
 
 

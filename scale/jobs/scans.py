@@ -100,7 +100,7 @@ class RegistrationJob(Job):
         (graph,) = done(3)
         return [_task(pair_of(told), is_known=False) for told in graph.found["candidates"]]
 
-    def remarks(self, done: Callable[[int], Iterator[Done]]) -> list[str]:
+    def notes(self, done: Callable[[int], Iterator[Done]]) -> list[str]:
         """Scans that show no surface, and units that go ill together."""
         scans = list(done(0))
         names = [self.plan["scans"][task.told["scan"]] for task in scans]

@@ -47,14 +47,14 @@ class SequencesJob(Job):
         config = ReconstructionConfig.from_names(plan["config"])
         how = {"resume": True, "refine": plan["refine"], "slac": plan["slac"], "device": self.device}
         report = run_system(source, config, folder, **how)
-        figures = {"frames": report.frames, "used": report.used, "poor": report.poor, "files": list(report.files)}
-        return figures | {"left_out": source.left_out, "stamp": stamp}
+        figures = {"frames": report.frames, "used": report.used, "files": list(report.files)}
+        return figures | {"warnings": list(report.warnings)} | {"left_out": source.left_out, "stamp": stamp}
 
-    def remarks(self, done: Callable[[int], Iterator[Done]]) -> list[str]:
-        """Sequences whose result is poor, and what was left out."""
+    def notes(self, done: Callable[[int], Iterator[Done]]) -> list[str]:
+        """Sequences whose result is unreliable, and what was left out."""
         said = []
         for task in done(0):
-            said += [f"{task.name}: {task.found['poor']}"] if task.found["poor"] else []
+            said += [f"{task.name}: {warning}" for warning in task.found["warnings"]]
             said += [f"{task.name}: left out: {reason}" for reason in task.found["left_out"]]
         return said
 

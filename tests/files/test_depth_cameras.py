@@ -83,7 +83,7 @@ def test_each_depth_map_comes_once_and_with_the_colour_closest_in_time(realsense
     camera = loom.RealSenseCamera()
     pairs = [(frame.depth[0, 0] - 1000, frame.color[0, 0, 2]) for frame in take(camera, 5)]
     assert pairs == [(1, 1), (2, 2), (3, 2), (4, 4), (5, 5)]
-    assert (camera.dropped, camera.remarks) == (0, [])
+    assert (camera.dropped, camera.notes) == (0, [])
 
 
 def test_a_frame_that_waits_for_its_colour_is_not_lost_with_the_camera(realsense):
@@ -100,7 +100,7 @@ def test_frames_that_the_driver_lost_are_counted(realsense):
     camera = loom.RealSenseCamera()
     take(camera, 4)
     assert (camera.count, camera.dropped) == (4, 4)
-    assert camera.remarks == ["4 frames were lost before they reached the program"]
+    assert camera.notes == ["4 frames were lost before they reached the program"]
 
 
 @pytest.mark.parametrize(

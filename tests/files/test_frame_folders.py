@@ -71,7 +71,7 @@ def test_a_single_pose_that_is_missing_is_none(tmp_path):
 def test_tum_frames_have_the_times_of_their_depth(tmp_path):
     source = open_frames(make_tum(tmp_path / "set"), intrinsic=SMALL)
     assert [frame.timestamp for frame in source] == pytest.approx([100.0, 100.1, 100.2])
-    assert source.remarks == []
+    assert source.notes == []
 
 
 def test_times_that_jump_are_told_by_frame(tmp_path):
@@ -82,8 +82,8 @@ def test_times_that_jump_are_told_by_frame(tmp_path):
             old.rename(folder / name / f"{new:.6f}.png")
         write_listing(folder, name, times)
     without_poses(folder)
-    remarks = open_frames(folder, intrinsic=SMALL).remarks
-    assert remarks == ["103.000000: comes 2.400 s after the frame before it, where 0.100 s are usual"]
+    notes = open_frames(folder, intrinsic=SMALL).notes
+    assert notes == ["103.000000: comes 2.400 s after the frame before it, where 0.100 s are usual"]
 
 
 @pytest.mark.parametrize("gone", ["depth", "color"])

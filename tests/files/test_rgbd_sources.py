@@ -88,7 +88,7 @@ def test_times_that_stand_still_go_back_or_jump_are_told():
     times = [0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.6, 3.0, 1.0, 1.1]
     source = stream(*((COLOR, DEPTH, t) for t in times))
     assert len(list(source)) == len(times)
-    assert source.remarks == [
+    assert source.notes == [
         "frame-000007: its time stamp is equal to that of the frame before it",
         "frame-000008: comes 2.400 s after the frame before it, where 0.100 s are usual",
         "frame-000009: its time stamp is 2.000 s before that of the frame before it",
@@ -99,11 +99,11 @@ def test_a_steady_stream_and_one_without_times_cause_no_remarks_and_an_endless_o
     for times in ([None] * 9, [0.033 * i for i in range(9)], [0, 0.1, 0.3, 0.4, 0.5, 0.7, 0.8, 1.1]):
         source = stream(*((COLOR, DEPTH, t) for t in times))
         list(source)
-        assert source.remarks == []
+        assert source.notes == []
     watch = TimeWatch()
     for i in range(3 * MOST_REMARKS):
         watch.see(str(i), 1.0)
-    assert (len(watch.remarks), watch.count) == (MOST_REMARKS, 3 * MOST_REMARKS - 1)
+    assert (len(watch.notes), watch.count) == (MOST_REMARKS, 3 * MOST_REMARKS - 1)
 
 
 def test_sources_of_all_kinds_are_rgbd_sources(tmp_path):
@@ -133,7 +133,7 @@ def test_a_slow_job_gets_the_newest_frame_and_the_others_are_counted():
     assert done.wait(60)
     assert [frame.timestamp for frame in frames] == [9]
     assert latest.dropped == 8
-    assert latest.remarks == ["8 frames dropped: newer ones came before they were taken"]
+    assert latest.notes == ["8 frames dropped: newer ones came before they were taken"]
 
 
 def test_a_fast_job_gets_all_frames():
@@ -142,7 +142,7 @@ def test_a_fast_job_gets_all_frames():
     for frame in latest:
         taken.append(frame.timestamp)
         gate.release()
-    assert taken == [0, 1, 2, 3, 4, 5] and (latest.dropped, latest.remarks) == (0, [])
+    assert taken == [0, 1, 2, 3, 4, 5] and (latest.dropped, latest.notes) == (0, [])
 
 
 def test_an_error_of_the_source_comes_after_the_frames_before_it():

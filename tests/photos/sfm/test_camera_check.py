@@ -15,7 +15,7 @@ import pytest
 import pointloom as loom
 from pointloom.photos.sfm import colmap_worker
 from pointloom.photos.sfm.camera_check import CameraCheck
-from pointloom.photos.sfm.verdict import Verdict
+from pointloom.photos.sfm.model_quality import ModelQuality
 
 from .conftest import has_pycolmap
 from .test_verdict import FOCAL, HEIGHT, WIDTH, model_of, views
@@ -61,7 +61,7 @@ def test_a_focal_length_that_the_pictures_do_not_fix_is_told():
 def test_exif_settles_what_the_pictures_leave_open():
     check = CameraCheck(found=663, rise=0.0, error=0.4, exif=525, freed_error=0.401)
     assert check.reasons() == []
-    (remark,) = check.remarks()
+    (remark,) = check.notes()
     assert "it is EXIF's, 525 px: lengths along and across the view may differ by 5 %" in remark
 
 
@@ -69,17 +69,17 @@ def test_pictures_of_several_focal_lengths_are_told_or_have_cameras_of_their_own
     figures = {"found": 600.0, "rise": 0.1, "error": 1.4, "own_error": 0.4}
     assert "several focal lengths (with one for each the error falls from 1.4 to 0.4 px)" in told(**figures)
     parted = CameraCheck(**figures | {"parted": 2})
-    assert parted.reasons() == [] and "2 of other focal lengths do" in parted.remarks()[0]
+    assert parted.reasons() == [] and "2 of other focal lengths do" in parted.notes()[0]
     assert "several focal lengths" in told(given=525, freed_error=1.2, **figures)
 
 
 def test_a_check_and_a_verdict_are_read_again_from_json():
     check = CameraCheck(found=663, rise=0.0, error=0.4)
-    verdict = dataclasses.replace(loom.sfm.judge_model(None, 3), focal=check)
-    again = Verdict.from_json(json.loads(json.dumps(verdict.to_json(), allow_nan=False)))
+    quality = dataclasses.replace(loom.sfm.assess_model(None, 3), focal=check)
+    again = ModelQuality.from_json(json.loads(json.dumps(quality.to_json(), allow_nan=False)))
     assert again.focal is not None and again.focal.reasons() == check.reasons() and math.isnan(again.focal.given)
-    older = {key: value for key, value in verdict.to_json().items() if key not in ("focal", "remarks")}
-    assert Verdict.from_json(older).focal is None
+    older = {key: value for key, value in quality.to_json().items() if key not in ("focal", "notes")}
+    assert ModelQuality.from_json(older).focal is None
 
 
 @pytest.fixture
@@ -92,16 +92,16 @@ def test_points_that_are_more_than_a_pixel_off_are_told(points):
     for error, size, refused in ((0.9, 1, False), (1.1, 1, True), (1.5, 4, False), (1.7, 4, True)):
         cameras = [loom.CameraModel("PINHOLE", size * WIDTH, size * HEIGHT, [FOCAL, FOCAL, 9, 9])] * len(model)
         found = dataclasses.replace(model, cameras=cameras, errors=np.full(len(points), error))
-        said = loom.sfm.judge_model(found, 4, focal=CameraCheck()).poor or ""
+        said = loom.sfm.assess_model(found, 4, focal=CameraCheck()).poor or ""
         assert ("px off what the model shows" in said) == refused
 
 
 def test_what_the_pictures_say_of_the_focal_length_makes_a_verdict(points):
     model = model_of(views(4, side=1.0, turn=0.3), points)
-    verdict = loom.sfm.judge_model(model, 4, focal=CameraCheck(found=600, rise=0.001, error=0.4))
-    assert verdict.poor is not None and verdict.poor.startswith("the pictures do not fix the focal length")
-    kept = loom.sfm.judge_model(model, 4, focal=CameraCheck(found=600, rise=0.001, error=0.4, exif=1, freed_error=0.4))
-    assert kept.poor is None and kept.to_json()["remarks"] == list(kept.remarks) != []
+    quality = loom.sfm.assess_model(model, 4, focal=CameraCheck(found=600, rise=0.001, error=0.4))
+    assert quality.poor is not None and quality.poor.startswith("the pictures do not fix the focal length")
+    kept = loom.sfm.assess_model(model, 4, focal=CameraCheck(found=600, rise=0.001, error=0.4, exif=1, freed_error=0.4))
+    assert kept.poor is None and kept.to_json()["notes"] == list(kept.notes) != []
 
 
 ASK = """

@@ -47,7 +47,7 @@ def cameras_of(database) -> list[tuple[float, int]]:
 def test_pictures_of_one_size_are_cameras_by_what_exif_tells(walked, tmp_path):
     write_photographs(tmp_path / "photos", walked[:5], [28, 50, 28, None, 50])
     choice = loom.sfm.choose_frames(tmp_path / "photos", tmp_path / "frames")
-    assert any("EXIF tells of 3 cameras or focal lengths" in remark for remark in choice.remarks)
+    assert any("EXIF tells of 3 cameras or focal lengths" in remark for remark in choice.notes)
     found = loom.sfm.find_features(tmp_path / "frames", tmp_path / "f.db", max_features=100)
     assert (found.camera_count, found.sizes) == (3, {(WIDTH, HEIGHT): 5})
     diagonal = np.hypot(WIDTH, HEIGHT) / np.hypot(36, 24)
@@ -68,7 +68,7 @@ def test_a_zoom_that_nobody_told_of_becomes_two_cameras(tmp_path):
     for name, camera in zip(result.model.names, result.model.cameras, strict=True):
         factor = 1.5 if int(name.split()[1][0]) % 2 else 1.0
         assert camera.params[0] == pytest.approx(factor * FOCAL, rel=0.03)
-    assert "2 of other focal lengths do" in " ".join(result.verdict.remarks)
+    assert "2 of other focal lengths do" in " ".join(result.quality.notes)
 
 
 @pytest.mark.slow
@@ -77,7 +77,7 @@ def test_a_camera_that_was_given_wrongly_is_told_with_both_focal_lengths(walked,
     wrong = loom.PinholeCameraIntrinsic(WIDTH, HEIGHT, 1.2 * FOCAL, 1.2 * FOCAL, 159.5, 119.5)
     result = loom.sfm.reconstruct(pictures, tmp_path / "work", max_features=800, intrinsic=wrong)
     assert result.poor is not None and "360 px were given" in result.poor
-    assert result.verdict.focal is not None and result.verdict.focal.found == pytest.approx(FOCAL, rel=0.03)
+    assert result.quality.focal is not None and result.quality.focal.found == pytest.approx(FOCAL, rel=0.03)
 
 
 @pytest.mark.slow
@@ -94,5 +94,5 @@ def test_straight_ahead_no_focal_length_is_found_and_that_of_exif_is_kept(tmp_pa
     else:
         kept = 32 * np.hypot(WIDTH, HEIGHT) / np.hypot(36, 24)  # 296 of 300
         assert result.model.cameras[0].params[0] == pytest.approx(kept, rel=1e-3)
-        assert "it is EXIF's, 295.8 px" in " ".join(result.verdict.remarks)
+        assert "it is EXIF's, 295.8 px" in " ".join(result.quality.notes)
         assert result.poor is None or "focal length" not in result.poor

@@ -136,7 +136,7 @@ def test_frames_of_a_video_are_those_of_the_numbers_in_their_names(make_video, p
         video, tmp_path / "out here", kind="png", reader=reader, progress=lambda *step: steps.append(step)
     )
     assert (choice.kind, choice.reader, choice.frame_count, choice.frames_promised) == ("video", reader, 40, 40)
-    assert len(choice.names) >= 8 and choice.sizes == {(160, 120): len(choice.names)} and choice.remarks == ()
+    assert len(choice.names) >= 8 and choice.sizes == {(160, 120): len(choice.names)} and choice.notes == ()
     assert sorted(path.name for path in (tmp_path / "out here").iterdir()) == list(choice.names)
     for name, number in zip(choice.names, choice.numbers, strict=True):
         assert name == f"frame_{number:06d}.png"
@@ -158,7 +158,7 @@ def test_a_video_that_was_cut_off_says_how_many_frames_are_missing(make_video, p
     cut.write_bytes(whole.read_bytes()[: whole.stat().st_size // 2])
     choice = loom.sfm.choose_frames(cut, tmp_path / "out", reader=reader)
     assert 30 < choice.frame_count < 90 and choice.frames_promised == 120
-    assert f"the video is damaged or cut off: {choice.frame_count} of 120 frames came" in choice.remarks[0]
+    assert f"the video is damaged or cut off: {choice.frame_count} of 120 frames came" in choice.notes[0]
 
 
 @READERS
@@ -282,7 +282,7 @@ def test_black_frames_and_too_many_frames_are_told(make_video, panned, tmp_path)
     video = make_video("v.mp4", [np.zeros_like(panned[0])] * 3 + panned)
     choice = loom.sfm.choose_frames(video, tmp_path / "out", max_frames=4)
     assert len(choice.names) == 4 and set(choice.left_out) == {"0", "1", "2"}
-    assert choice.remarks[0] == "3 frames black or blank and left out: 0, 1, 2" and "max_frames" in choice.remarks[1]
+    assert choice.notes[0] == "3 frames black or blank and left out: 0, 1, 2" and "max_frames" in choice.notes[1]
 
 
 def test_a_video_that_takes_too_long_is_given_up(make_video, panned, tmp_path):
@@ -340,14 +340,14 @@ def test_photographs_that_cannot_be_used_are_named(panned, tmp_path):
     choice = loom.sfm.choose_frames(source, tmp_path / "out")
     assert choice.names == ("view 0.png", "view 3.png")
     assert set(choice.left_out) == {"view 1.png", "view 2.png", "lens cap.png"}
-    assert "3 pictures cannot be used and left out" in choice.remarks[0] and "wall.nef" in choice.remarks[1]
+    assert "3 pictures cannot be used and left out" in choice.notes[0] and "wall.nef" in choice.notes[1]
 
 
 def test_photographs_of_several_sizes_are_told(panned, tmp_path):
     source = write_pictures(tmp_path / "in", [panned[0], panned[1][:, :100], panned[2]])
     choice = loom.sfm.choose_frames(source, tmp_path / "out", max_size=80)
     assert choice.sizes == {(80, 60): 2, (67, 80): 1}
-    assert "pictures of 2 sizes, each taken for a camera of its own: 2 of 80 x 60, 1 of 67 x 80" in choice.remarks
+    assert "pictures of 2 sizes, each taken for a camera of its own: 2 of 80 x 60, 1 of 67 x 80" in choice.notes
 
 
 def test_a_folder_without_a_picture_that_can_be_used_is_refused(panned, tmp_path):

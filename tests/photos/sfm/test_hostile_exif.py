@@ -101,13 +101,13 @@ def test_mapping_begins_with_no_focal_length_that_is_not_believed(tmp_path):
         if not prior:
             assert share == pytest.approx(0.85), (name, told)
         assert not (prior and doubt), (name, told)
-    told = [remark.split(":")[0] for remark in found.remarks]
+    told = [remark.split(":")[0] for remark in found.notes]
     assert told == [
         f"EXIF's focal length of {k:02d}.jpg is not believed"
         for k, (_, _, doubt) in enumerate(FOCAL_LENGTHS)
         if doubt is not None
     ]
-    assert found.to_json()["remarks"] == list(found.remarks)
+    assert found.to_json()["notes"] == list(found.notes)
 
 
 @pytest.mark.parametrize("metres", [-4e8, 20_001.0])
@@ -115,7 +115,7 @@ def test_an_altitude_beyond_the_air_is_told_and_the_place_counts_without(tmp_pat
     sign = b"\1" if metres < 0 else b"\0"
     places = loom.sfm.read_picture_places([shot(tmp_path / "a.jpg", gps=PLACE | {5: sign, 6: abs(metres)})])
     assert places.places[0].altitude is None and places.altitudes_refused == {"a.jpg": metres}
-    assert places.remarks() == [f"the altitude of 1 picture is not believed: a.jpg ({metres:g} m)"]
+    assert places.notes() == [f"the altitude of 1 picture is not believed: a.jpg ({metres:g} m)"]
     assert places.to_json()["altitudes_refused"] == {"a.jpg": metres}
 
 
@@ -129,7 +129,7 @@ def test_an_orientation_that_there_is_not_is_as_stored_and_told(tmp_path, value)
         path.write_bytes(data.replace(entry, b"\x01\x12" + value + b"\0\0\0\1"))
     choice = loom.sfm.choose_frames(source, tmp_path / "out")
     assert choice.sizes == {SIZE: 1} and read_orientation(path) == 1
-    told = any("tells no way to lie that there is, taken as stored: a.jpg" in remark for remark in choice.remarks)
+    told = any("tells no way to lie that there is, taken as stored: a.jpg" in remark for remark in choice.notes)
     assert told == (value in (9, b"\0\2"))  # of the others Pillow says nothing at all
 
 
@@ -150,7 +150,7 @@ def test_an_orientation_that_the_told_size_contradicts_is_told(tmp_path):
     shot(source / "c.jpg", tags={0x0112: 6}, xmp=xmp)  # EXIF's word counts
     choice = loom.sfm.choose_frames(source, tmp_path / "out")
     assert choice.sizes == {SIZE[::-1]: 3}
-    (remark,) = [remark for remark in choice.remarks if "turned before" in remark]
+    (remark,) = [remark for remark in choice.notes if "turned before" in remark]
     assert remark.endswith(": a.jpg")
 
 

@@ -13,9 +13,9 @@ from pointloom.core.errors import FileError
 from pointloom.kernels.features.epipolar_matching import LineFeatures, LineSearches, match_along_lines
 from pointloom.photos.sfm import triangulation
 from pointloom.photos.sfm.guided_matches import essential_of, match_guided, pairs_in_view, read_matches, write_matches
+from pointloom.photos.sfm.model_quality import ModelQuality, assess_model
 from pointloom.photos.sfm.pose_check import check_poses
 from pointloom.photos.sfm.posed_pictures import with_poses as pictures_with_poses
-from pointloom.photos.sfm.verdict import Verdict, judge_model
 
 from .conftest import has_pycolmap, write_pictures
 from .made_features import FOCAL, POINTS, features_of, rays_as, some_looks, walk, with_poses
@@ -134,10 +134,10 @@ def test_poses_with_a_usual_mistake_are_told_with_it(model, features, mistake, s
     assert check.are_wrong
     (reason,) = check.reasons(len(model))
     assert said in reason
-    verdict = judge_model(wrong, len(wrong), fix_intrinsic=True, poses=check)
-    assert verdict.poor == reason
-    again = Verdict.from_json(verdict.to_json())
-    assert (again.reasons, again.poses.share) == (verdict.reasons, check.share)
+    quality = assess_model(wrong, len(wrong), fix_intrinsic=True, poses=check)
+    assert quality.poor == reason
+    again = ModelQuality.from_json(quality.to_json())
+    assert (again.reasons, again.poses.share) == (quality.reasons, check.share)
 
 
 @pytest.mark.parametrize("factor", [0.5, 1.25])
@@ -160,7 +160,7 @@ def test_one_wrong_pose_among_many_is_named(model, features):
     poses[3] = np.linalg.inv(poses[3]) @ QUARTER
     check = checked(with_poses(model, poses), features)
     assert check.strays == (model.names[3],)
-    assert model.names[3] in check.remarks()[0]
+    assert model.names[3] in check.notes()[0]
 
 
 def blank(folder, names, size=(WIDTH, HEIGHT)):
@@ -183,7 +183,7 @@ def test_cameras_find_their_pictures_by_name_with_or_without_the_ending(tmp_path
     assert found.model.names == ("IMG_1.png", "IMG_2.1.png", "IMG_3.jpg")
     assert found.model.centers[:, 0].tolist() == [1, 2, 0]  # each with its own pose
     assert (found.without_pose, found.without_picture) == (("other.png",), ("IMG_9",))
-    assert found.remarks == ("1 pictures have no pose: other.png", "1 poses have no picture: IMG_9")
+    assert found.notes == ("1 pictures have no pose: other.png", "1 poses have no picture: IMG_9")
 
 
 def test_names_that_do_not_fit_or_mean_several_are_refused(tmp_path):
@@ -235,4 +235,4 @@ def test_pictures_with_poses_become_points_on_the_surface(walked, tmp_path):
     inverted = loom.SfmModel(right.names, right.cameras, right.T_world_camera)
     wrong = loom.sfm.triangulate(folder, inverted, max_features=1200)
     assert "turned round" in wrong.poor and not len(wrong.model.points)
-    assert wrong.to_json()["verdict"]["poses"]["share"] < 0.4
+    assert wrong.to_json()["quality"]["poses"]["share"] < 0.4

@@ -27,7 +27,7 @@ def test_a_mask_is_found_under_the_names_that_are_usual(panned, tmp_path, name):
     choice = loom.sfm.choose_frames(source, tmp_path / "out", masks=masks)
     found = masks_of(tmp_path / "out_masks")
     assert list(found) == ["a.jpg.png"] and np.array_equal(found["a.jpg.png"], left_half(SIZE))
-    assert choice.remarks == ("1 picture without a mask, taken whole: b.jpg",)
+    assert choice.notes == ("1 picture without a mask, taken whole: b.jpg",)
 
 
 def test_masks_turn_and_shrink_with_their_pictures(panned, tmp_path):

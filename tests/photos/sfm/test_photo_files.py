@@ -137,7 +137,7 @@ def test_what_is_cut_off_is_left_out_and_named(tmp_path, kind, share):
     (source / f"bad.{kind}").write_bytes(data[: int(share * len(data))])
     choice = loom.sfm.choose_frames(source, tmp_path / "out")
     assert choice.names == ("good.png",) and list(choice.left_out) == [f"bad.{kind}"]
-    assert f"bad.{kind}" in choice.remarks[0]
+    assert f"bad.{kind}" in choice.notes[0]
     assert kind != "dng" or choice.left_out["bad.dng"].split(":")[0] == ("cut off" if share else "empty")
 
 
@@ -183,7 +183,7 @@ def test_a_raw_file_beside_its_jpeg_is_the_same_photograph(tmp_path):
     (source / "Img_1.DNG").write_bytes(b"not even read")
     choice = loom.sfm.choose_frames(source, tmp_path / "out")
     assert choice.names == ("IMG_1.jpg", "IMG_2.jpg") and choice.frame_count == 2
-    assert choice.remarks == ("of photographs that lie there as JPEG or PNG as well: Img_1.DNG",)
+    assert choice.notes == ("of photographs that lie there as JPEG or PNG as well: Img_1.DNG",)
 
 
 def test_deep_grey_tiff_becomes_grey_of_8_bits(tmp_path):

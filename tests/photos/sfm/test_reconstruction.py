@@ -60,7 +60,7 @@ def test_each_stage_says_what_it_found(stages):
     assert stages.features.sizes == {(WIDTH, HEIGHT): COUNT}
     assert (stages.matches.pairs, stages.matches.pair_count) == ("exhaustive", COUNT * (COUNT - 1) // 2)
     assert stages.matches.verified_count == 28 and stages.matches.isolated == ()
-    assert stages.result.verdict.model_sizes == (COUNT,)
+    assert stages.result.quality.model_sizes == (COUNT,)
     assert all(peak > 2**20 for peak in (stages.features.peak_bytes, stages.matches.peak_bytes))
     for stage, total in (("features", COUNT), ("pairs", 28), ("model", COUNT)):
         steps = [step for step in stages.said if step[0] == stage]

@@ -25,7 +25,7 @@ loom.sfm.find_features(pictures=pictures, database=new(), {FOUND})
 loom.sfm.match(database=database, matches=new(), pairs="auto", overlap=10, neighbours=5, use_gpu=None, {LIMITS})
 loom.sfm.map_pictures(pictures=pictures, matches=database, folder=new(), mapper="auto", {LIMITS})
 loom.sfm.reconstruct(pictures=pictures, work=new(), pairs="auto", overlap=10, mapper="auto", {FOUND})
-loom.sfm.judge_model(model=model, picture_count=3, model_sizes=[2, 1], focal=None, poses=None)
+loom.sfm.assess_model(model=model, picture_count=3, model_sizes=[2, 1], focal=None, poses=None)
 loom.sfm.read_picture_places(source=pictures)
 loom.sfm.write_training_folder(folder=new(), model=model, pictures=[grey, grey], masks=[None, seen], max_size=64, shift=True, device="cpu", overwrite=True, progress=None)
 loom.sfm.triangulate(pictures=pictures, cameras=posed, max_size=640, max_features=500, device="cpu", {LIMITS})
@@ -40,7 +40,7 @@ RESULTS = {
     "FeatureReport",
     "MatchReport",
     "SfmResult",
-    "Verdict",
+    "ModelQuality",
 }
 
 

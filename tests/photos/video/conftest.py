@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.photos.sfm.verdict import Verdict
+from pointloom.photos.sfm.model_quality import ModelQuality
 from pointloom.photos.video import chain, motion, surface
 from pointloom.photos.video.units import fit_units
 
@@ -53,7 +53,7 @@ def quick(monkeypatch):
         kept = min(COUNT, max_frames)
         for number in range(0, 10 * kept, 10):
             (folder / motion.PICTURES / f"frame_{number:06d}.png").write_bytes(source.read_bytes() + b"%d" % number)
-        return {"kept": kept, "frames": 80, "remarks": ["the video is damaged: 80 of 90 frames came"]}
+        return {"kept": kept, "frames": 80, "notes": ["the video is damaged: 80 of 90 frames came"]}
 
     @stage("features")
     def find_features(folder, say, *, frames, intrinsic, seed):
@@ -69,14 +69,14 @@ def quick(monkeypatch):
     @stage("model")
     def map_pictures(folder, say, *, frames, matches, fixed_camera, seed):
         names = motion.picture_names(frames)[: state.registered]
-        verdict = Verdict(COUNT, len(names), (len(names),), 100, 50.0, 8.0, 30.0, 0.4, tuple(state.reasons))
+        quality = ModelQuality(COUNT, len(names), (len(names),), 100, 50.0, 8.0, 30.0, 0.4, tuple(state.reasons))
         if names:
             poses = np.tile(np.eye(4), (len(names), 1, 1))
             poses[:, 0, 3], poses[::2, 1, 3] = -0.5 * np.arange(len(names)), 1.0  # half a unit apart, in a zigzag
             camera = loom.CameraModel("PINHOLE", 64, 48, [50, 50, 32, 24])
             loom.write_colmap_model(folder / motion.MODEL, loom.SfmModel(names, [camera] * len(names), poses))
         told = {"missing": [], "cameras": ["PINHOLE 64 x 48: 50 50 32 24"], "turned": state.turned}
-        return verdict.to_json() | told
+        return quality.to_json() | told
 
     @stage("undistorted")
     def straighten(folder, say, *, frames, model, max_size, device):

@@ -32,7 +32,7 @@ def test_exact_marks_through_a_lens_with_distortion_give_utm_coordinates_exactly
     control = control_of(poses, points, checks=("E",))
     model = model_of(poses)
     fit = fit_units(Units(control=control), model)
-    assert (fit.units, fit.by, fit.poor, fit.remarks, fit.is_upright) == ("metres", "control", None, (), True)
+    assert (fit.units, fit.by, fit.poor, fit.notes, fit.is_upright) == ("metres", "control", None, (), True)
     scale, tilt, off = errors(fit, model, poses)
     assert abs(scale) < 1e-9 and off < 1e-6 and tilt < 1e-3  # up, some 33 m away, is turned by 0.0003 degrees
     found = fit.frame.to_utm(model.transform(fit.T_world_model).centers, 32632)

@@ -18,7 +18,7 @@ def settle(poses, places, align=None, **known):
 def test_exact_gps_gives_the_true_place_by_itself(flight, wild):
     poses = flight()
     fit, model = settle(poses, told(poses, wild=wild))
-    assert (fit.units, fit.by, fit.poor, fit.remarks) == ("metres", "exif", None, ())
+    assert (fit.units, fit.by, fit.poor, fit.notes) == ("metres", "exif", None, ())
     assert fit.gps.left_out == tuple(f"IMG_{k:04d}.jpg" for k in wild)
     scale, tilt, off = errors(fit, model, poses)
     assert abs(scale) < 1e-8 and off < 1e-5
@@ -60,7 +60,7 @@ def test_a_straight_walk_is_settled_by_level_cameras_and_not_without_them():
     alike[:, :3, 3] = poses[:, :3, 3]
     fit, _ = settle(alike, told(poses, 0.2, sigma=0.2))
     assert (fit.units, fit.by, fit.poor) == ("arbitrary", None, None)
-    assert "GPS of the pictures is not used" in fit.remarks[0] and "on a line" in fit.remarks[0]
+    assert "GPS of the pictures is not used" in fit.notes[0] and "on a line" in fit.notes[0]
 
 
 def test_pictures_without_altitudes_are_settled_in_plan():
@@ -86,7 +86,7 @@ def test_places_that_settle_nothing_are_told_and_poor_where_they_were_asked_for(
     fit, _ = settle(poses, places)
     assert (fit.units, fit.poor) == ("arbitrary", None)
     assert fit.is_upright
-    assert reason.split("|")[0] in fit.remarks[-1] or any(each in fit.remarks[-1] for each in reason.split("|"))
+    assert reason.split("|")[0] in fit.notes[-1] or any(each in fit.notes[-1] for each in reason.split("|"))
     asked, _ = settle(poses, places, "exif")
     assert asked.poor is not None
 

@@ -65,7 +65,7 @@ def test_pictures_are_taken_with_the_cameras_of_their_names_and_the_rest_is_told
     told, model, pictures = take(tmp_path, source, xml)
     assert dict(zip(model.names, model.centers[:, 0], strict=True)) == {"a.png": 1.0, "b.png": 2.0, "c.png": 0.0}
     assert (told["kept"], told["missing"]) == (3, 1)
-    assert told["remarks"] == ["1 pictures have no pose: extra.png", "1 poses have no picture: gone"]
+    assert told["notes"] == ["1 pictures have no pose: extra.png", "1 poses have no picture: gone"]
     assert (pictures / "a.png").read_bytes() == (source / "a.png").read_bytes()
 
 

@@ -54,7 +54,7 @@ def test_a_folder_to_train_from_is_written_beside_the_mesh_and_in_its_unit(quick
         (folder / motion.PICTURES).mkdir()
         for number in range(0, 10 * COUNT, 10):
             write_png(folder / motion.PICTURES / f"frame_{number:06d}.png", np.full((48, 64, 3), number, np.uint8))
-        return {"kept": COUNT, "frames": 80, "remarks": []}
+        return {"kept": COUNT, "frames": 80, "notes": []}
 
     monkeypatch.setitem(chain.STAGES, "frames", take_frames)
     scene = tmp_path / "scene"

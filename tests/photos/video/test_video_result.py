@@ -25,7 +25,7 @@ def test_a_film_becomes_objects_and_no_files(quick, film, tmp_path, monkeypatch)
     assert (len(result.mesh), len(result.cloud), len(result.model)) == (2, 3, COUNT)
     assert (result.files, result.work, result.poor, result.units) == ((), None, None, "arbitrary")
     found = result.figures
-    assert (found.frame_count, found.picture_count, found.verdict.registered_count) == (80, COUNT, COUNT)
+    assert (found.frame_count, found.picture_count, found.quality.registered_count) == (80, COUNT, COUNT)
     assert (found.picture_size, found.confirmed_share, found.triangle_count) == ((64, 48), 0.6, 2)
 
 

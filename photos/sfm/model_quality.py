@@ -1,4 +1,4 @@
-"""Whether a model of structure from motion is to be believed, and what to do where it is not."""
+"""Quality of a model of structure from motion: `assess_model`."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from ...core.checks import check_count, check_list
+from ...core.reports import quality
 from ...files.models.sfm_model import SfmModel
 from .camera_check import CameraCheck
 from .parallax import parallax, triangulation_angles
@@ -28,8 +29,8 @@ _MOVE = "move, do not only turn: walk sideways around what you film"
 
 
 @dataclasses.dataclass(frozen=True)
-class Verdict:
-    """What a model is worth.
+class ModelQuality:
+    """Quality of a model of structure from motion.
 
     Args:
         picture_count: Pictures that there were.
@@ -40,7 +41,7 @@ class Verdict:
         angle: Median over points of the widest angle between two of its rays [degrees]; NaN without points.
         parallax: How far off points would be seen by a camera that only turned [px]; NaN where nobody can tell.
         error: Median reprojection error [px]; NaN without points.
-        reasons: Why the result is poor, with the remedy; empty where it is good.
+        warnings: Failed quality checks, each with its remedy; empty if the model is reliable.
         focal: What the pictures say of the focal length; None where nobody asked.
         poses: What they say of poses that were given; None where they were found.
     """
@@ -53,31 +54,31 @@ class Verdict:
     angle: float
     parallax: float
     error: float
-    reasons: tuple[str, ...]
+    warnings: tuple[str, ...]
     focal: CameraCheck | None = None
     poses: PoseCheck | None = None
 
     @property
-    def remarks(self) -> tuple[str, ...]:
+    def notes(self) -> tuple[str, ...]:
         """What is to be known of a result though it is good: cameras that differ, a focal length that is EXIF's."""
-        return tuple(line for check in (self.focal, self.poses) if check is not None for line in check.remarks())
+        return tuple(line for check in (self.focal, self.poses) if check is not None for line in check.notes())
 
     @property
-    def poor(self) -> str | None:
-        """The reasons in one line, as reports hold them; None where the result is good."""
-        return "; ".join(self.reasons) or None
+    def reliable(self) -> bool:
+        """True if no quality check failed."""
+        return not self.warnings
 
     def to_json(self) -> dict[str, Any]:
         """The same in JSON's types; NaN becomes None."""
-        fields = dataclasses.asdict(self) | {"model_sizes": list(self.model_sizes), "reasons": list(self.reasons)}
+        fields = dataclasses.asdict(self) | {"model_sizes": list(self.model_sizes), **quality(self)}
         asked = {"focal": self.focal, "poses": self.poses}
         fields |= {name: None if check is None else check.to_json() for name, check in asked.items()}
-        fields |= {"remarks": list(self.remarks)}
+        fields |= {"notes": list(self.notes)}
         numbers = {key: value for key, value in fields.items() if isinstance(value, float)}
         return fields | {key: None if math.isnan(value) else value for key, value in numbers.items()}
 
     @classmethod
-    def from_json(cls, told: Mapping[str, Any]) -> Verdict:
+    def from_json(cls, told: Mapping[str, Any]) -> ModelQuality:
         """What `to_json` gave, read again; other keys are passed over.
 
         Raises:
@@ -86,13 +87,13 @@ class Verdict:
         names = [field.name for field in dataclasses.fields(cls) if field.name not in ("focal", "poses")]
         found: dict[str, Any] = {name: told[name] for name in names}
         found |= {name: math.nan if found[name] is None else found[name] for name in ("angle", "parallax", "error")}
-        found |= {name: tuple(found[name]) for name in ("model_sizes", "reasons")}
+        found |= {name: tuple(found[name]) for name in ("model_sizes", "warnings")}
         focal, poses = told.get("focal"), told.get("poses")  # older records have none
         found["focal"] = None if focal is None else CameraCheck.from_json(focal)
         return cls(**found, poses=None if poses is None else PoseCheck.from_json(poses))
 
 
-def judge_model(
+def assess_model(
     model: SfmModel | None,
     picture_count: int,
     *,
@@ -100,8 +101,8 @@ def judge_model(
     fix_intrinsic: bool = False,
     focal: CameraCheck | None = None,
     poses: PoseCheck | None = None,
-) -> Verdict:
-    """Say what a model is worth: how many pictures it places, and how well they fix the depth of its points.
+) -> ModelQuality:
+    """Assess a model: how many images have a pose, and how well they determine the depth of its points.
 
     Args:
         model: What was found; None for nothing.
@@ -112,7 +113,7 @@ def judge_model(
         poses: What they say of poses that were given, as `triangulate` has asked.
 
     Returns:
-        The figures, and the reasons why the result is poor: fewer than 60 % of the pictures are placed; others form
+        The figures, and a warning for each failed check: fewer than 60 % of the pictures are placed; others form
         models of their own, and this one has less than 95 %; points are seen under less than 2 degrees, or as a camera
         would see them that only turns; they are more than a pixel off (median; of larger pictures, of 1600 of a side);
         the focal length is not what the pictures ask for, or they fix none; too few points.
@@ -126,16 +127,16 @@ def judge_model(
 
     Example:
         >>> import pointloom as loom
-        >>> verdict = loom.sfm.judge_model(None, 12)
-        >>> verdict.registered_count, verdict.poor.split(":")[0]
+        >>> found = loom.sfm.assess_model(None, 12)
+        >>> found.registered_count, found.warnings[0].split(":")[0]
         (0, 'none of the 12 pictures could be placed')
     """
     if model is not None and not isinstance(model, SfmModel):
         raise TypeError(f"model: expected an SfmModel or None, got {type(model).__name__}")
     if focal is not None and not isinstance(focal, CameraCheck):
-        raise TypeError(f"focal: expected a Verdict's `focal` or None, got {type(focal).__name__}")
+        raise TypeError(f"focal: expected a ModelQuality's `focal` or None, got {type(focal).__name__}")
     if poses is not None and not isinstance(poses, PoseCheck):
-        raise TypeError(f"poses: expected a Verdict's `poses` or None, got {type(poses).__name__}")
+        raise TypeError(f"poses: expected a ModelQuality's `poses` or None, got {type(poses).__name__}")
     registered = 0 if model is None else len(model)
     check_count("picture_count", picture_count, minimum=registered)
     given = [registered] if model_sizes is None else check_list("model_sizes", model_sizes, "counts")
@@ -146,10 +147,10 @@ def judge_model(
             "far enough apart. See that they overlap by two thirds, are sharp and show something with a pattern; "
             + _MOVE
         )
-        return Verdict(picture_count, 0, (), 0, 0.0, math.nan, math.nan, math.nan, (nothing,))
+        return ModelQuality(picture_count, 0, (), 0, 0.0, math.nan, math.nan, math.nan, (nothing,))
     seen = np.bincount(model.observations[:, 0], minlength=registered)
     errors = model.errors[np.isfinite(model.errors)]
-    verdict = Verdict(
+    found = ModelQuality(
         picture_count,
         registered,
         sizes,
@@ -163,10 +164,10 @@ def judge_model(
         poses,
     )
     longer = max((max(camera.width, camera.height) for camera in model.cameras), default=1)
-    return dataclasses.replace(verdict, reasons=tuple(_reasons(verdict, longer)))
+    return dataclasses.replace(found, warnings=tuple(_warnings(found, longer)))
 
 
-def _reasons(found: Verdict, longer_side: int) -> list[str]:
+def _warnings(found: ModelQuality, longer_side: int) -> list[str]:
     reasons = [] if found.poses is None else found.poses.reasons(found.registered_count)
     count, registered = found.picture_count, found.registered_count
     if found.poses is not None and found.poses.are_wrong:
