@@ -58,16 +58,14 @@ class Leavings:
         folder: Of the job.
         step: The step's number.
         counts: How many things each tile's file is about; tiles that left nothing are not there.
-        is_whole: Whether all tiles are there, as in every job but one that is measured by a few of its tiles.
 
     Attributes:
         path: The folder of what they left.
         tiles: The numbers of the tiles, ascending.
-        is_whole: As given.
     """
 
-    def __init__(self, folder: Path, step: int, counts: dict[int, int], *, is_whole: bool = True):
-        self.path, self._counts, self.is_whole = folder / LEFT / str(step), counts, is_whole
+    def __init__(self, folder: Path, step: int, counts: dict[int, int]):
+        self.path, self._counts = folder / LEFT / str(step), counts
         self.tiles = sorted(counts)
         self._open = lru_cache(maxsize=64)(self._read)
 

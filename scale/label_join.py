@@ -123,8 +123,6 @@ def _links(left: Leavings, begins: dict[int, int]) -> NDArray[np.int64]:
         homes, cuts = np.unique(owners, return_index=True)
         for home, begin, end in zip(homes.tolist(), cuts.tolist(), [*cuts[1:].tolist(), len(owners)], strict=False):
             if home not in left:
-                if not left.is_whole:
-                    continue
                 raise _disagreement(left, tile, home)
             other, keys = left[home], arrays["borrowed_keys"][begin:end]
             at = np.searchsorted(other["lent_keys"], keys)

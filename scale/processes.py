@@ -21,6 +21,7 @@ from typing import Any, Protocol, TypeVar
 
 from .. import __version__  # pyright: ignore[reportMissingImports]
 from ..core.errors import DeviceError, FileError
+from ..core.verbosity import LOGGER
 from .gpus import reserved_device
 from .manifest import DIED, MOST_ATTEMPTS, NAME, Manifest, a_worker
 
@@ -230,6 +231,7 @@ def _local_client(path: Any, count: int) -> Iterator[Any]:
             remedy = 'In a script, call it below `if __name__ == "__main__":`'
             reason = f"the worker processes did not start: {error}".rstrip(".")
             raise FileError(path, reason, remedy=remedy) from error
+        LOGGER.debug("dashboard of the workers: %s", cluster.dashboard_link)
         client = distributed.Client(cluster, set_as_default=False, direct_to_workers=True)
         stack.enter_context(client)
         stack.enter_context(client.as_current())

@@ -103,7 +103,7 @@ CALLS = [
     (f"{TILES} --only 3,2,1,4", "expected X0,Y0,X1,Y1"),
     (f"{TILES} --only 1,2,3,nan", "expected X0,Y0,X1,Y1"),
     (f"{TILES} --output ply", "'laz', 'copc'"),
-    (f"{TILES} --workers 2", "--workers goes with --estimate"),
+    ("tile plan survey --steps steps.toml", "missing option '-o'"),
     ("tile run job --serial --workers 2", "give one"),
     ("tile run job --part 1/2 --tile 0_0", "give one"),
     ("tile run job --part 0/2", "such as 17/400"),

@@ -237,7 +237,7 @@ def test_a_tile_that_is_damaged_after_the_result_was_made_is_made_again(files, t
 KILLED = """
 import os, signal, sys
 import pointloom as loom
-from pointloom.scale import {module}
+from pointloom.scale import runners, {module}
 def die(*arguments, **named):
     os.kill(os.getpid(), signal.SIGKILL)
 die.dumps = die
