@@ -130,12 +130,7 @@ def _by_points(
         _residual(p, found, coordinates.targets[p.name], fit, p.name in control.checks, wrong) for p in control.points
     )
     gps = None if coordinates.frame is None or places is None else _gaps(model, places, coordinates.frame, fit.T)
-    problems = [
-        _why_wrong(rows, wrong),
-        _why_off(rows, worse, len(used)),
-        bars.problem(fit.T),
-        _why_far(gps, control),
-    ]
+    problems = [_why_wrong(rows, wrong), _why_off(rows, worse, len(used)), bars.problem(fit.T), _why_far(gps, control)]
     notes = (_off(rows, worse),) if TOLD < worse <= ROUGH else ()
     sigmas = np.sqrt(np.diag(fit.covariance))
     tilt, yaw = math.degrees(float(sigmas[1:3].max())), math.degrees(float(sigmas[3]))

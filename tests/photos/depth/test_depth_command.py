@@ -12,7 +12,7 @@ from pointloom.files.points import ply
 from pointloom.photos.depth import job
 from pointloom.photos.depth.presets import DEFAULT
 
-from ...app.commands import answer, names_in, poor_answer, refusal, run
+from ...app.commands import answer, names_in, refusal, run, unreliable
 from .test_estimation import CAMERA, PICTURE, SIDE, scene, sparse_model
 from .tiny_networks import fixed_map, linear
 
@@ -36,7 +36,7 @@ def test_a_picture_becomes_a_cloud_in_metres(folder):
     extras = ["--picture", folder / "out.png", "--depth-map", folder / "depth.npy"]
     report = answer(*words(folder, "--align", folder / "z.npy", "--intrinsic", folder / "camera.json", *extras))
     (each,) = report["pictures"]
-    assert (report["provider"], report["preset"], report["poor"]) == ("CPUExecutionProvider", DEFAULT, None)
+    assert (report["provider"], report["preset"], report["reliable"]) == ("CPUExecutionProvider", DEFAULT, True)
     assert (each["unit"], each["is_metric"], each["inlier_share"], each["references"]) == ("m", True, 1.0, SIDE**2)
     assert each["camera"] == {
         "fx": 500.0, "fy": 510.0, "cx": 250.0, "cy": 262.0, "width": SIDE, "height": SIDE, "source": "given"
@@ -75,9 +75,9 @@ def test_two_distances_are_told_to_be_unchecked(folder):
 def test_what_does_not_agree_is_refused_as_poor_and_nothing_is_written(folder):
     before = names_in(folder)
     np.save(folder / "falling.npy", (8.0 - scene()).astype(np.float32))
-    report = poor_answer(*words(folder, "--align", folder / "falling.npy", "--picture", folder / "out.png"))
-    assert "check that they are of this picture" in report["poor"]
-    assert "nothing was written" in report["poor"]
+    report = unreliable(*words(folder, "--align", folder / "falling.npy", "--picture", folder / "out.png"))
+    assert "check that they are of this picture" in str(report["warnings"])
+    assert "nothing was written" in str(report["warnings"])
     assert report["files"] == []
     assert names_in(folder) == sorted([*before, "falling.npy"])
 
@@ -87,8 +87,8 @@ def test_few_references_that_agree_are_a_poor_result(folder):
     rows = np.random.default_rng(0).random(sensor.shape)
     sensor[rows < 0.8] *= np.random.default_rng(1).uniform(1.3, 9, (rows < 0.8).sum())
     np.save(folder / "noisy.npy", sensor.astype(np.float32))
-    report = poor_answer(*words(folder, "--align", folder / "noisy.npy"))
-    assert "references agree with the map within 10 %" in report["poor"]
+    report = unreliable(*words(folder, "--align", folder / "noisy.npy"))
+    assert "references agree with the map within 10 %" in str(report["warnings"])
     assert (folder / "out.ply").exists()
 
 
@@ -99,8 +99,8 @@ def test_a_map_of_which_hardly_anything_is_left_is_a_poor_result(folder):
     fixed_map(folder / "net.onnx", v)
     sensor = np.where(v > 0.3, 1 / np.maximum(v, 0.3) * 0.3, 0)
     np.save(folder / "near.npy", sensor.astype(np.float32))
-    report = poor_answer(*words(folder, "--align", folder / "near.npy"))
-    assert "of the pixels became points" in report["poor"]
+    report = unreliable(*words(folder, "--align", folder / "near.npy"))
+    assert "of the pixels became points" in str(report["warnings"])
 
 
 @pytest.mark.slow
@@ -129,10 +129,12 @@ def test_a_folder_is_aligned_to_one_colmap_model(folder):
     for name in ("left.png", "photo.png"):
         Image.fromarray(PICTURE).save(pictures / name)
     loom.write_colmap_model(folder / "work" / "sparse" / "0", sparse_model(scene()))
-    report = poor_answer(*words(folder, "--align", folder / "work", picture="pictures", output="clouds"))
+    report = unreliable(*words(folder, "--align", folder / "work", picture="pictures", output="clouds"))
     (each,) = report["pictures"]
     assert (each["unit"], each["is_metric"], each["references"]) == ("the sparse model's", False, 120)
-    assert report["poor"].startswith("1 of 2 pictures became nothing: align: 2 references lie in the picture")
+    assert "; ".join(report["warnings"]).startswith(
+        "1 of 2 pictures became nothing: align: 2 references lie in the picture"
+    )
     assert b"comment pointloom depth: in the unit of the sparse model" in (folder / "clouds" / "photo.ply").read_bytes()
 
 
@@ -141,10 +143,10 @@ def test_a_damaged_picture_of_a_folder_does_not_stop_the_others(folder):
     pictures.mkdir()
     Image.fromarray(PICTURE).save(pictures / "good.png")
     (pictures / "bad.png").write_bytes(b"no picture")
-    report = poor_answer(*words(folder, picture="pictures", output="clouds"))
+    report = unreliable(*words(folder, picture="pictures", output="clouds"))
     assert names_in(folder / "clouds") == ["good.ply"]
     assert [each["picture"] for each in report["failures"]] == [str(pictures / "bad.png")]
-    assert "1 of 2 pictures became nothing" in report["poor"]
+    assert "1 of 2 pictures became nothing" in str(report["warnings"])
     (pictures / "good.png").unlink()
     assert "neither PNG nor JPEG" in refusal(*words(folder, "--force", picture="pictures", output="clouds"))
 
@@ -223,7 +225,7 @@ def test_the_same_files_twice(folder):
 
 
 def test_other_formats_and_existing_files(folder):
-    assert answer(*words(folder, output="out.npz"))["poor"] is None
+    assert answer(*words(folder, output="out.npz"))["reliable"]
     assert len(loom.read_point_cloud(folder / "out.npz")) > 0.9 * SIDE**2
     assert "exists already" in refusal(*words(folder, output="out.npz"))
     assert json.loads(run(*words(folder, "--json", "--force", output="out.npz")).stdout)["command"] == "depth"
@@ -253,5 +255,5 @@ def test_the_call_from_python_gives_what_the_command_prints(folder):
              for text in (str(report), shown.stdout)]  # fmt: skip
     assert lines[0] == lines[1]
     (each,) = report.pictures
-    assert (each.unit, each.inlier_share, report.poor) == ("m", 1.0, None)
+    assert (each.unit, each.inlier_share, report.reliable) == ("m", 1.0, True)
     assert each.point_count == len(loom.read_point_cloud(folder / "out.ply"))

@@ -18,7 +18,7 @@ from pointloom.photos.sfm.camera_check import CameraCheck
 from pointloom.photos.sfm.model_quality import ModelQuality
 
 from .conftest import has_pycolmap
-from .test_verdict import FOCAL, HEIGHT, WIDTH, model_of, views
+from .test_model_quality import FOCAL, HEIGHT, WIDTH, model_of, views
 
 
 def told(**figures: float) -> str:
@@ -92,16 +92,16 @@ def test_points_that_are_more_than_a_pixel_off_are_told(points):
     for error, size, refused in ((0.9, 1, False), (1.1, 1, True), (1.5, 4, False), (1.7, 4, True)):
         cameras = [loom.CameraModel("PINHOLE", size * WIDTH, size * HEIGHT, [FOCAL, FOCAL, 9, 9])] * len(model)
         found = dataclasses.replace(model, cameras=cameras, errors=np.full(len(points), error))
-        said = loom.sfm.assess_model(found, 4, focal=CameraCheck()).poor or ""
+        said = loom.sfm.assess_model(found, 4, focal=CameraCheck()).warnings
         assert ("px off what the model shows" in said) == refused
 
 
 def test_what_the_pictures_say_of_the_focal_length_makes_a_verdict(points):
     model = model_of(views(4, side=1.0, turn=0.3), points)
     quality = loom.sfm.assess_model(model, 4, focal=CameraCheck(found=600, rise=0.001, error=0.4))
-    assert quality.poor is not None and quality.poor.startswith("the pictures do not fix the focal length")
+    assert not quality.reliable and "; ".join(quality.warnings).startswith("the pictures do not fix the focal length")
     kept = loom.sfm.assess_model(model, 4, focal=CameraCheck(found=600, rise=0.001, error=0.4, exif=1, freed_error=0.4))
-    assert kept.poor is None and kept.to_json()["notes"] == list(kept.notes) != []
+    assert kept.reliable and kept.to_json()["notes"] == list(kept.notes) != []
 
 
 ASK = """

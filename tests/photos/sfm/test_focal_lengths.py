@@ -76,7 +76,7 @@ def test_a_camera_that_was_given_wrongly_is_told_with_both_focal_lengths(walked,
     pictures = write_pictures(tmp_path / "p", walked)
     wrong = loom.PinholeCameraIntrinsic(WIDTH, HEIGHT, 1.2 * FOCAL, 1.2 * FOCAL, 159.5, 119.5)
     result = loom.sfm.reconstruct(pictures, tmp_path / "work", max_features=800, intrinsic=wrong)
-    assert result.poor is not None and "360 px were given" in result.poor
+    assert not result.reliable and "360 px were given" in str(result.warnings)
     assert result.quality.focal is not None and result.quality.focal.found == pytest.approx(FOCAL, rel=0.03)
 
 
@@ -90,9 +90,9 @@ def test_straight_ahead_no_focal_length_is_found_and_that_of_exif_is_kept(tmp_pa
     result = loom.sfm.reconstruct(tmp_path / "p", tmp_path / "work", max_features=800)
     assert result.model is not None
     if film is None:
-        assert result.poor is not None and "the pictures do not fix the focal length" in result.poor
+        assert not result.reliable and "the pictures do not fix the focal length" in str(result.warnings)
     else:
         kept = 32 * np.hypot(WIDTH, HEIGHT) / np.hypot(36, 24)  # 296 of 300
         assert result.model.cameras[0].params[0] == pytest.approx(kept, rel=1e-3)
         assert "it is EXIF's, 295.8 px" in " ".join(result.quality.notes)
-        assert result.poor is None or "focal length" not in result.poor
+        assert result.reliable or "focal length" not in str(result.warnings)

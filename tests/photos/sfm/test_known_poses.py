@@ -135,9 +135,9 @@ def test_poses_with_a_usual_mistake_are_told_with_it(model, features, mistake, s
     (reason,) = check.reasons(len(model))
     assert said in reason
     quality = assess_model(wrong, len(wrong), fix_intrinsic=True, poses=check)
-    assert quality.poor == reason
+    assert "; ".join(quality.warnings) == reason
     again = ModelQuality.from_json(quality.to_json())
-    assert (again.reasons, again.poses.share) == (quality.reasons, check.share)
+    assert (again.warnings, again.poses.share) == (quality.warnings, check.share)
 
 
 @pytest.mark.parametrize("factor", [0.5, 1.25])
@@ -229,10 +229,10 @@ def test_pictures_with_poses_become_points_on_the_surface(walked, tmp_path):
     camera = loom.CameraModel("PINHOLE", WIDTH, HEIGHT, [SCENE_FOCAL, SCENE_FOCAL, WIDTH / 2, HEIGHT / 2])
     right = loom.SfmModel([name[:-4] for name in names], [camera] * len(names), np.array(scene_poses(len(names))))
     found = loom.sfm.triangulate(folder, right, max_features=1200)
-    assert found.poor is None and len(found.model.points) > 300
+    assert found.reliable and len(found.model.points) > 300
     again = loom.sfm.triangulate(folder, right, max_features=1200)
     np.testing.assert_array_equal(found.model.points, again.model.points)
     inverted = loom.SfmModel(right.names, right.cameras, right.T_world_camera)
     wrong = loom.sfm.triangulate(folder, inverted, max_features=1200)
-    assert "turned round" in wrong.poor and not len(wrong.model.points)
+    assert "turned round" in str(wrong.warnings) and not len(wrong.model.points)
     assert wrong.to_json()["quality"]["poses"]["share"] < 0.4

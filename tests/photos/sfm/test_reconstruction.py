@@ -33,7 +33,7 @@ def content(database) -> list:
 @pytest.mark.slow
 def test_all_pictures_are_placed_where_they_were_taken(stages):
     model = stages.result.model
-    assert stages.result.poor is None and len(model) == COUNT and stages.result.missing == ()
+    assert stages.result.reliable and len(model) == COUNT and stages.result.missing == ()
     truth = np.linalg.inv(walk(COUNT))
     scale, R, t = fit_similarity(model.centers, truth[:, :3, 3])
     off = np.linalg.norm(scale * model.centers @ R.T + t - truth[:, :3, 3], axis=1)
@@ -107,7 +107,7 @@ def test_a_camera_that_is_known_is_kept_and_scaled_to_the_pictures(walked, tmp_p
     pictures = write_pictures(tmp_path / "pictures", walked)
     twice = loom.PinholeCameraIntrinsic(2 * WIDTH, 2 * HEIGHT, 2 * FOCAL, 2 * FOCAL, WIDTH - 0.5, HEIGHT - 0.5)
     result = loom.sfm.reconstruct(pictures, tmp_path / "work", intrinsic=twice, max_features=500)
-    assert len(result.model) == COUNT and result.poor is None
+    assert len(result.model) == COUNT and result.reliable
     camera = result.model.cameras[0]
     assert (camera.model, camera.params) == ("PINHOLE", (FOCAL, FOCAL, WIDTH / 2, HEIGHT / 2))
     assert set(result.seconds) == {"features", "pairs", "model"}
@@ -127,7 +127,7 @@ def test_a_camera_that_only_turns_is_found_out(tmp_path):
     """COLMAP places all of them, with a focal length that makes up motion."""
     pictures = write_pictures(tmp_path / "pictures", [picture(T) for T in walk(6, turn_only=True)])
     result = loom.sfm.reconstruct(pictures, tmp_path / "work", max_features=500)
-    assert "move, do not only turn" in result.poor
+    assert "move, do not only turn" in str(result.warnings)
 
 
 def test_blank_pictures_give_no_model_but_a_verdict(tmp_path):
@@ -138,7 +138,7 @@ def test_blank_pictures_give_no_model_but_a_verdict(tmp_path):
     assert matched.verified_count == 0 and len(matched.isolated) == 3
     result = loom.sfm.map_pictures(pictures, tmp_path / "m.db", tmp_path / "sparse")
     assert result.model is None and len(result.missing) == 3
-    assert "none of the 3 pictures could be placed" in result.poor
+    assert "none of the 3 pictures could be placed" in str(result.warnings)
     for report in (found, matched, result):
         assert json.loads(json.dumps(report.to_json(), allow_nan=False))
 

@@ -6,7 +6,7 @@ import pytest
 import pointloom as loom
 from pointloom.photos.video import motion
 
-from ...app.commands import answer, poor_answer, refusal, run
+from ...app.commands import answer, refusal, run, unreliable
 from .test_video_command import output
 
 __all__ = ["output"]
@@ -49,7 +49,7 @@ def test_control_is_told_in_report_and_summary_and_makes_the_mesh_alone_again(pi
     quick.ran.clear()
     report = answer(*args[:-1], "--force", "--resume", "--control", pictured)
     assert quick.ran == ["mesh"]
-    assert (report["fit"]["by"], report["units"], report["poor"]) == ("control", "metres", None)
+    assert (report["fit"]["by"], report["units"], report["reliable"]) == ("control", "metres", True)
     assert abs(report["fit"]["scale"] - 2) < 1e-4 and len(report["fit"]["control"]["points"]) == 6
     assert report["fit"]["control"]["control_rms_m"] < 1e-4
     quick.ran.clear()
@@ -77,7 +77,7 @@ def test_a_blunder_has_exit_code_3_and_its_name(pictured, film, output):
     first = next(line for line in text.splitlines() if line.endswith(" C"))
     place = " ".join(first.split()[:3])
     pictured.write_text(text.replace(place, f"{float(first.split()[0]) + 40} {' '.join(first.split()[1:3])}"))
-    assert "C by 40" in poor_answer("video", film, "-o", output, "--control", pictured)["poor"]
+    assert "C by 40" in str(unreliable("video", film, "-o", output, "--control", pictured)["warnings"])
 
 
 def test_scale_bars_alone_set_the_size(pictured, film, output, tmp_path):

@@ -18,7 +18,7 @@ def settle(poses, places, align=None, **known):
 def test_exact_gps_gives_the_true_place_by_itself(flight, wild):
     poses = flight()
     fit, model = settle(poses, told(poses, wild=wild))
-    assert (fit.units, fit.by, fit.poor, fit.notes) == ("metres", "exif", None, ())
+    assert (fit.units, fit.by, fit.reliable, fit.notes) == ("metres", "exif", True, ())
     assert fit.gps.left_out == tuple(f"IMG_{k:04d}.jpg" for k in wild)
     scale, tilt, off = errors(fit, model, poses)
     assert abs(scale) < 1e-8 and off < 1e-5
@@ -59,8 +59,8 @@ def test_a_straight_walk_is_settled_by_level_cameras_and_not_without_them():
     alike = np.array([poses[0]] * len(poses))
     alike[:, :3, 3] = poses[:, :3, 3]
     fit, _ = settle(alike, told(poses, 0.2, sigma=0.2))
-    assert (fit.units, fit.by, fit.poor) == ("arbitrary", None, None)
-    assert "GPS of the pictures is not used" in fit.notes[0] and "on a line" in fit.notes[0]
+    assert (fit.units, fit.by, fit.reliable) == ("arbitrary", None, True)
+    assert "GPS of the images is not used" in fit.notes[0] and "on a line" in fit.notes[0]
 
 
 def test_pictures_without_altitudes_are_settled_in_plan():
@@ -84,11 +84,11 @@ def test_places_that_settle_nothing_are_told_and_poor_where_they_were_asked_for(
     poses = oblique()
     places = change(poses)
     fit, _ = settle(poses, places)
-    assert (fit.units, fit.poor) == ("arbitrary", None)
+    assert (fit.units, fit.reliable) == ("arbitrary", True)
     assert fit.is_upright
     assert reason.split("|")[0] in fit.notes[-1] or any(each in fit.notes[-1] for each in reason.split("|"))
     asked, _ = settle(poses, places, "exif")
-    assert asked.poor is not None
+    assert not asked.reliable
 
 
 def test_other_units_and_none_leave_gps_aside():

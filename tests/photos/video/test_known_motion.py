@@ -15,7 +15,7 @@ from pointloom.photos.sfm.pose_check import PoseCheck
 from pointloom.photos.video import chain, known_motion
 from pointloom.photos.video.units import OF_POSES, fit_as_given, fit_units
 
-from ...app.commands import answer, poor_answer, refusal
+from ...app.commands import answer, refusal, unreliable
 from ..sfm.conftest import has_pycolmap, write_pictures
 from ..sfm.scene import FOCAL, HEIGHT, WIDTH, picture, walk
 
@@ -128,9 +128,11 @@ def test_poses_that_do_not_fit_end_with_exit_code_3_and_no_file(tmp_path, monkey
     nothing = SimpleNamespace(pairs=np.zeros((0, 2), int), firsts=np.zeros(1, int), matches=np.zeros((0, 2), int))
     monkeypatch.setattr(known_motion, "match_posed", lambda *_, **__: (nothing, check))
     monkeypatch.setitem(chain.KNOWN_STAGES, "features", lambda folder, say, *, frames, seed: {})
-    report = poor_answer("video", source, "-o", tmp_path / "mesh.ply", "--cloud", tmp_path / "c.ply", "--cameras", xml)
-    assert "only 3 % of the matches" in report["poor"] and "each pose is turned round" in report["poor"]
-    assert "move, do not only turn" not in report["poor"]
+    report = unreliable("video", source, "-o", tmp_path / "mesh.ply", "--cloud", tmp_path / "c.ply", "--cameras", xml)
+    assert "only 3 % of the matches" in str(report["warnings"]) and "each pose is turned round" in str(
+        report["warnings"]
+    )
+    assert "move, do not only turn" not in str(report["warnings"])
     assert report["files"] == [] and not (tmp_path / "mesh.ply").exists() and not (tmp_path / "c.ply").exists()
 
 

@@ -74,7 +74,7 @@ def errors_of_cameras(folder, views):
 @pytest.mark.slow
 def test_photos_alone_show_where_they_were_taken_and_what_they_show(made, views):
     report, folder = made
-    assert (report["model"]["registered_count"], report["units"], report["poor"]) == (COUNT, "arbitrary", None)
+    assert (report["model"]["registered_count"], report["units"], report["reliable"]) == (COUNT, "arbitrary", True)
     assert report["fused"]["share"] > 0.6
     errors = errors_of_cameras(folder, views)
     assert errors.absolute_translation.rmse < 0.005 * np.linalg.norm(np.ptp(views.poses[:, :3, 3], axis=0))

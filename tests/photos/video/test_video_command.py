@@ -10,7 +10,7 @@ from pointloom.core.work_folder import held
 from pointloom.files.pictures.image_files import write_png
 from pointloom.photos.video import chain, motion
 
-from ...app.commands import answer, names_in, poor_answer, refusal, run
+from ...app.commands import answer, names_in, refusal, run, unreliable
 from .conftest import COUNT
 
 STAGES = ["frames", "features", "matches", "model", "undistorted", "depth", "fused", "mesh"]
@@ -32,7 +32,7 @@ def test_a_video_becomes_a_mesh_and_a_report_of_each_stage(quick, film, output, 
     assert quick.ran == STAGES
     assert list(report["stages"]) == STAGES
     assert all(not stage["kept"] and stage["cpu_seconds"] >= 0 for stage in report["stages"].values())
-    assert (report["model"]["registered_count"], report["fused"]["share"], report["poor"]) == (COUNT, 0.6, None)
+    assert (report["model"]["registered_count"], report["fused"]["share"], report["reliable"]) == (COUNT, 0.6, True)
     assert report["files"] == [str(output)]
     assert json.loads((tmp_path / "work" / "report.json").read_text()) == report
     assert names_in(tmp_path / "work") == sorted([*STAGES, "records", "report.json", "video.json"])
@@ -162,25 +162,24 @@ def test_known_places_move_the_mesh_and_the_poses(quick, film, output, tmp_path)
 
 def test_a_camera_that_only_turned_makes_no_mesh(quick, film, output, tmp_path):
     quick.turned, quick.reasons = True, ["the camera hardly moved: move, do not only turn"]
-    report = poor_answer("video", film, "-o", output, "--work", tmp_path / "work")
-    assert report["poor"] == "the camera hardly moved: move, do not only turn; nothing was written"
+    report = unreliable("video", film, "-o", output, "--work", tmp_path / "work")
+    assert "; ".join(report["warnings"]) == "the camera hardly moved: move, do not only turn; nothing was written"
     assert quick.ran == STAGES[:4]
     assert not output.exists()
-    assert json.loads((tmp_path / "work" / "report.json").read_text())["poor"] == report["poor"]
+    assert json.loads((tmp_path / "work" / "report.json").read_text())["warnings"] == report["warnings"]
 
 
 def test_a_poor_mesh_is_written_and_the_remedy_told(quick, film, output):
     quick.reasons, quick.share = ["only 4 of 8 pictures could be placed: film more slowly"], 0.15
-    poor = poor_answer("video", film, "-o", output)["poor"]
-    assert poor.startswith("only 4 of 8 pictures could be placed: film more slowly; ")
-    assert "the depth of 15.0% of the pixels" in poor
-    assert "move closer" in poor
+    first, second = unreliable("video", film, "-o", output)["warnings"]
+    assert first == "only 4 of 8 pictures could be placed: film more slowly"
+    assert "the depth of 15.0% of the pixels" in second
     assert output.exists()
 
 
 def test_an_empty_mesh_is_not_written(quick, film, output):
     quick.triangles = 0
-    assert "the mesh is empty" in poor_answer("video", film, "-o", output)["poor"]
+    assert "the mesh is empty" in str(unreliable("video", film, "-o", output)["warnings"])
     assert not output.exists()
 
 

@@ -23,7 +23,7 @@ def test_a_film_becomes_objects_and_no_files(quick, film, tmp_path, monkeypatch)
     result = loom.video.reconstruct(film)
     assert names_in(tmp_path) == ["walk.mp4"]
     assert (len(result.mesh), len(result.cloud), len(result.model)) == (2, 3, COUNT)
-    assert (result.files, result.work, result.poor, result.units) == ((), None, None, "arbitrary")
+    assert (result.files, result.work, result.reliable, result.units) == ((), None, True, "arbitrary")
     found = result.figures
     assert (found.frame_count, found.picture_count, found.quality.registered_count) == (80, COUNT, COUNT)
     assert (found.picture_size, found.confirmed_share, found.triangle_count) == ((64, 48), 0.6, 2)
@@ -57,7 +57,7 @@ def test_a_result_that_is_read_again_from_its_records_is_the_same(quick, film, t
     again = loom.video.reconstruct(film, work=tmp_path / "work", resume=True)
     assert quick.ran == []
     assert again.figures == first.figures
-    assert again.reasons == first.reasons and len(first.reasons) == 2
+    assert again.warnings == first.warnings and len(first.warnings) == 2
     assert in_json(again) == in_json(first)
 
 
