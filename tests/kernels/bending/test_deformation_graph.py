@@ -49,7 +49,9 @@ def test_points_normals_and_volumes_follow_the_graph(device, count, spread):
     normals = rng.normal(size=(8, 3)).astype(np.float32)
     normals[1] = 0
     place = wp.get_device(device)
-    graph = DeformationGraph(*(upload(x, t, place) for x, t in zip((nodes, rotations, centers), (vec3, mat33d, vec3d))))
+    graph = DeformationGraph(
+        upload(nodes, vec3, place), upload(rotations, mat33d, place), upload(centers, vec3d, place)
+    )
     influence = Influence(upload(points, vec3, place), graph)
 
     def position(p):
