@@ -1,7 +1,8 @@
 """Which loops of a kernel have an iteration whatever the values of its variables are.
 
 `range(3)`, `range(i, i + N)`, `range(-n, n + 1)`; loops over a chunk, `range(i * run, min((i + 1) * run, count))`, or a
-window, `range(max(i - n, 0), min(i + n + 1, count))`; and `range(count)` under `if count > 3`.
+window, `range(max(i - n, 0), min(i + n + 1, count))`; `range(count)` under `if count > 3` or in another loop over
+`range(count)`; and the members of a key, `range(groups.starts[i], groups.starts[i + 1])` of `groups: UniqueKeys`.
 """
 
 from __future__ import annotations
@@ -21,6 +22,18 @@ def is_traversal(node: ast.AST) -> bool:
 
 def _names(node: ast.AST) -> set[str]:
     return {n.id for n in ast.walk(node) if isinstance(n, ast.Name)}
+
+
+def _base(target: ast.expr) -> str:
+    """The variable of an element or a field."""
+    while isinstance(target, ast.Subscript | ast.Attribute):
+        target = target.value
+    return ast.unparse(target)
+
+
+def _limits(loop: ast.For) -> list[ast.expr]:
+    """The first value of a range, and its end."""
+    return [ast.Constant(0), *loop.iter.args][-2:]  # type: ignore[attr-defined]
 
 
 def _targets(node: ast.AST) -> list[ast.expr]:
@@ -44,18 +57,30 @@ class Loops:
 
     def __init__(self, function: ast.FunctionDef) -> None:
         self.assigned: dict[str, list[ast.expr]] = {}
-        self.conditions: dict[ast.AST, list[ast.expr]] = {}  # of `if` around each loop
+        self.conditions: dict[ast.AST, list[ast.expr]] = {}  # of the statements around each loop
         for node in ast.walk(function):
             if isinstance(node, ast.Assign | ast.AugAssign):
                 value = node.value if isinstance(node, ast.Assign) else node.target
                 for target in _targets(node):
                     self.assigned.setdefault(ast.unparse(target), []).append(value)
             elif isinstance(node, ast.If):
-                body = [n for s in node.body for n in ast.walk(s)]
-                changed = {name for n in body for t in _targets(n) for name in _names(t)}
-                if not changed & _names(node.test):
-                    for loop in (n for n in body if isinstance(n, ast.For)):
-                        self.conditions.setdefault(loop, []).append(node.test)
+                self.add_condition(node, node.test)
+            elif isinstance(node, ast.For) and not is_traversal(node):
+                first, last = _limits(node)
+                self.add_condition(node, ast.Compare(first, [ast.LtE()], [node.target]))
+                self.add_condition(node, ast.Compare(node.target, [ast.Lt()], [last]))
+        arguments = function.args.args
+        self.groups = [
+            each.arg for each in arguments if each.annotation and ast.unparse(each.annotation) == "UniqueKeys"
+        ]
+
+    def add_condition(self, node: ast.If | ast.For, condition: ast.expr) -> None:
+        """Note what is true in the body of a statement, unless the body changes it."""
+        body = [n for s in node.body for n in ast.walk(s)]
+        changed = {_base(target) for n in body for target in _targets(n)}
+        if not changed & _names(condition):
+            for loop in (n for n in body if isinstance(n, ast.For)):
+                self.conditions.setdefault(loop, []).append(condition)
 
     def expanded(self, node: ast.expr) -> ast.expr:
         """The expression with the values of its variables that are assigned once."""
@@ -95,7 +120,9 @@ class Loops:
         """True if a loop has at least one iteration. The length of a chunk is above 0, other variables may be 0."""
         if not isinstance(node, ast.For) or not isinstance(node.iter, ast.Call) or is_traversal(node):
             return False
-        first, last = (self.expanded(each) for each in ([ast.Constant(0), *node.iter.args])[-2:])
+        first, last = (self.expanded(each) for each in _limits(node))
+        if any(re.fullmatch(rf"{each}\.starts\[.*\]", ast.unparse(first)) for each in self.groups):
+            return ast.unparse(last) == ast.unparse(first)[:-1] + " + 1]"
         products = [n for n in ast.walk(first) if isinstance(n, ast.BinOp) and isinstance(n.op, ast.Mult)]
         lengths = frozenset(ast.unparse(n.right) for n in products)
         conditions = [self.expanded(condition) for condition in self.conditions.get(node, [])]
