@@ -75,7 +75,7 @@ kernel-coverage: $(EMULATION) ## Lines and branches of kernels that no test take
 	@$(BIN)/python tests/emulated_cuda/compile_kernels.py
 	@EMULATED_CUDA_ORDER=$${EMULATED_CUDA_ORDER:-3} $(PYTEST) --emulated-cuda$(if $(filter quick,$(TESTS)),-quick) \
 		--ignore tests/emulated_cuda/test_compiled_ahead.py $(ON_DEVICE) $(ARGS); status=$$?; \
-	$(BIN)/python tests/emulated_cuda/kernel_coverage.py $(MARKS) --missed $(dir $(MARKS))missed.txt; exit $$status
+	PYTHONPATH=tests $(BIN)/python -m emulated_cuda.kernel_coverage $(MARKS) --missed $(dir $(MARKS))missed.txt; exit $$status
 
 oracle: $(FULL) ## Compute Open3D's stored answers again (tests/oracle_answers)
 	@$(BIN)/python -m pytest -n 0 -q --oracle write $(ARGS)

@@ -1,7 +1,7 @@
 """Coverage of kernels: the lines and branches of their Python source that no thread of the emulated device takes.
 
     make kernel-coverage                              the quick set of tests; TESTS=full for all tests of cuda:0
-    python tests/emulated_cuda/kernel_coverage.py MARKS [--missed FILE]     the table of a run
+    PYTHONPATH=tests python -m emulated_cuda.kernel_coverage MARKS [--missed FILE]     the table of a run
 
 With EMULATED_CUDA_COVERAGE=MARKS, Warp compiles each function of `kernels/` with marks: one call at its start and one
 around each condition. A call becomes the instruction `covered` of PTX. It is volatile, so NVRTC cannot remove it where
@@ -22,14 +22,14 @@ import copy
 import ctypes
 import functools
 import mmap
-import operator
-import random
 import re
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
+
+from .loop_ranges import Loops, is_traversal
 
 ROOT = Path(__file__).resolve().parents[2]
 KERNELS = ROOT / "kernels"
@@ -165,7 +165,7 @@ def _number_nodes(source: Any) -> None:
         number = numbers.get(_key(node)) if hasattr(node, "lineno") else None
         if number is not None:
             node.mark = number  # type: ignore[attr-defined]
-        if isinstance(node, ast.For) and getattr(getattr(node.iter, "func", None), "id", "") != "range":
+        if is_traversal(node):
             node.body[0].begins = node.mark  # type: ignore[attr-defined]  of a walk only whether its body ran is marked
 
 
@@ -267,10 +267,10 @@ class _Reader:
         if not any(self.byte(node, COMPILED) for node in marked):
             self.found.unused.append(function.name)
             return
-        number = _Number(function)
+        loops = Loops(function)
         for node in marked:
             texts = _OUTCOMES.get(type(node))
-            if texts is None or not self.byte(node, COMPILED) or _is_walk(node) or number.always_runs(node):
+            if texts is None or not self.byte(node, COMPILED) or is_traversal(node) or loops.always_run(node):
                 continue
             for which, text in zip((FALSE, TRUE), texts, strict=True):
                 key = node.lineno, node.col_offset, text  # type: ignore[attr-defined]
@@ -306,49 +306,6 @@ _OUTCOMES: dict[type, tuple[str, str]] = {
     ast.For: ("`for` never without an iteration", "`for` never with an iteration"),
     ast.IfExp: ("choice never false", "choice never true"),
 }
-
-
-def _is_walk(node: ast.AST) -> bool:
-    return isinstance(node, ast.For) and getattr(getattr(node.iter, "func", None), "id", "") != "range"
-
-
-class _Number:
-    """The value of an expression with random numbers in the place of its variables, and of its constants such as N."""
-
-    def __init__(self, function: ast.FunctionDef) -> None:
-        self.assigned: dict[str, list[ast.expr]] = {}
-        for node in ast.walk(function):
-            if isinstance(node, ast.Assign | ast.AugAssign):
-                targets = node.targets if isinstance(node, ast.Assign) else [node.target]
-                value = node.value if isinstance(node, ast.Assign) else node.target
-                for target in targets:
-                    self.assigned.setdefault(ast.unparse(target), []).append(value)
-
-    def of(self, node: ast.expr, seed: int) -> int:
-        """The value; `min` and `max`, which cut a chunk or window at the ends of an array, are their first argument."""
-        if isinstance(node, ast.Constant):
-            return int(node.value)  # type: ignore[arg-type]
-        if isinstance(node, ast.BinOp) and type(node.op) in _ARITHMETIC:
-            return _ARITHMETIC[type(node.op)](self.of(node.left, seed), self.of(node.right, seed))
-        text = ast.unparse(node)
-        if isinstance(node, ast.Call) and (text.startswith(("int(", "min(")) or re.match(r"max\(.*, [01]\)$", text)):
-            return self.of(node.args[0], seed)
-        values = self.assigned.get(text, [])
-        if len(values) == 1 and not isinstance(values[0], ast.Name):
-            return self.of(values[0], seed)
-        return random.Random(f"{seed} {text}").choice((0, 1, 3)) + text.isupper()
-
-    def always_runs(self, node: ast.AST) -> bool:
-        """Whether a loop has an iteration whatever its variables are: `range(3)`, `range(i * N, (i + 1) * N)`."""
-        if not isinstance(node, ast.For) or not isinstance(node.iter, ast.Call) or _is_walk(node):
-            return False
-        first, last = ([ast.Constant(0), *node.iter.args])[-2:]
-        return all(self.of(first, seed) < self.of(last, seed) for seed in range(40))
-
-
-_ARITHMETIC: dict[type, Callable[[int, int], int]] = {
-    ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.LShift: lambda a, b: a << max(b, 0),
-}  # fmt: skip
 
 
 def coverage_of(marks: bytes) -> list[FileCoverage]:

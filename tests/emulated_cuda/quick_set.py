@@ -10,7 +10,18 @@ CHOSEN = {
     "tests/pcd/test_cloud.py": "uploads, downloads, moves between devices",
     "tests/pcd/test_interop.py": "arrays of other libraries, streams, pickles",
     "tests/registration/test_icp_input.py": "graphs over clouds that are empty, few, not finite or far apart",
+    "tests/registration/test_icp_freedom.py::test_the_pose_is": "steps of jobs that may move in some ways only",
+    "tests/registration/test_icp_freedom.py::test_a_batch_has": "pivots and priors of each job, a job without pairs",
+    "tests/registration/test_icp_freedom.py::test_empty_clouds": "one point, no scale to estimate",
+    "tests/registration/test_icp_prior.py::test_half_a_turn": "logarithms of all rotations",
+    "tests/registration/test_icp_prior.py::test_a_prior_that": "motions that a prior alone determines",
+    "tests/registration/test_nonrigid.py::test_fewer_nodes": "a graph of one node",
+    "tests/registration/test_nonrigid.py::test_points_that": "a few steps of a body with points that are not finite",
+    "tests/registration/test_nonrigid.py::test_the_far_side": "pairs that their normals exclude",
     "tests/meshing/test_tsdf_integration.py": "blocks that frames touch, volumes that grow",
+    "tests/meshing/test_splat_fusion.py::test_views_of": "the surface and colors of splats",
+    "tests/pcd/test_splat_pictures.py": "splats of pixels, before and behind what is solid",
+    "tests/photos/mvs/test_plane_priors.py": "planes of image regions without texture",
 }
 
 

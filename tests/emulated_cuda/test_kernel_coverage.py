@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import json
 import os
 import subprocess
@@ -9,6 +10,8 @@ import sys
 from pathlib import Path
 
 import pytest
+
+from .loop_ranges import Loops
 
 KERNELS = """\
 from pointloom.kernels.lang import array, func, int32, kernel, loop, tid
@@ -103,3 +106,32 @@ def test_missed_lines_and_branches_are_those_that_no_thread_took(missed, case):
     lines, branches = missed[list(CASES).index(case)]
     assert lines == sorted(CASES[case][0] + UNUSED)
     assert [f"{line} {text.split('never ')[1].split()[0]}" for line, _, text in branches] == CASES[case][1]
+
+
+@pytest.mark.parametrize(
+    ("loop", "runs"),
+    [
+        ("range(i, i + N)", True),
+        ("range(-n, n + 1)", True),
+        ("range(i * run, min((i + 1) * run, count))", True),
+        ("range(max(i - n, 0), min(i + n + 1, count))", True),
+        ("range(count)", False),
+        ("range(starts[i], starts[i + 1])", False),
+        ("range(groups.starts[i], groups.starts[i + 1])", True),
+        ("range(groups.starts[i] + 1, groups.starts[i + 1])", False),
+        ("range(i * run, count)", False),
+        ("range(first, last) in if last - first > 2", True),
+        ("range(first, last) in if last > 2", False),
+        ("range(count) in if count > 0", True),
+        ("range(n) in if count > 0", False),
+        ("range(n) in for j in range(n)", True),
+        ("range(j + 1, n) in for j in range(n - 1)", True),
+        ("range(j + 1, n) in for j in range(n)", False),
+    ],
+)
+def test_a_loop_always_runs_by_its_chunk_window_or_condition(loop, runs):
+    loop, _, around = loop.partition(" in ")
+    lines = "def f(groups: UniqueKeys):", f"    {around or 'if x'}:", f"        for k in {loop}:", "            f(k)"
+    function = ast.parse("\n".join(lines)).body[0]
+    node = next(n for n in ast.walk(function) if isinstance(n, ast.For) and n.target.id == "k")
+    assert Loops(function).always_run(node) == runs

@@ -109,6 +109,22 @@ def test_a_picture_is_that_of_the_equations(degree, device):
         assert (np.abs(found - expected) > 3e-5).mean() < 1e-3
 
 
+def test_what_is_solid_hides_the_splats_behind_it(device):
+    """A mesh over the left half of the picture, 2 m away."""
+    splats, T = made(device=device), np.eye(4)
+    corners = [[-9, -9, 2], [0, -9, 2], [0, 9, 2], [-9, 9, 2]]
+    wall = loom.TriangleMesh(corners, [[0, 1, 2], [0, 2, 3]], vertex_colors=np.full((4, 3), 0.2), device=device)
+    view, background = loom.View(CAMERA, T), (0.6, 0.8, 1.0)
+    picture = np.asarray(loom.render([splats, wall], view, shading="none", background=background)) / 255
+    for columns, chosen, solid in (
+        (slice(0, 32), splats.centers[:, 2] < 2, (0.2, 0.2, 0.2)),
+        (slice(35, 70), splats.centers[:, 2] < 9, background),
+    ):
+        color, left, *_ = reference(splats.select_by_index(np.flatnonzero(chosen)), CAMERA, T)
+        expected = np.clip(color + left[..., None] * solid, 0, 1)[:, columns]
+        assert np.quantile(np.abs(picture[:, columns] - expected), 0.99) < 3 / 255
+
+
 def test_a_picture_at_utm_coordinates_is_the_same(device):
     near, far = made(device=device), made(device=device, at=UTM)
     one, other = near.rasterize(CAMERA, pose_at([0, 0, -1.5])), far.rasterize(CAMERA, pose_at(UTM - [0, 0, 1.5]))

@@ -1,5 +1,7 @@
 """ICP that may move in some ways only: against dense least squares, and what is fixed stays where `init` has it."""
 
+from itertools import product
+
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
@@ -133,13 +135,14 @@ def test_turns_about_two_axes_stay_so_from_scale_to_scale(device, rng):
 def test_a_batch_has_a_pivot_and_a_prior_for_each_job(device, pair):
     source, target = on(device, *pair)
     priors = [
-        reg.Prior(as_pose([0, 0, a], [a, 0, 0]), sigma_translation=0.01, sigma_rotation=0.02) for a in (0.0, 0.05)
+        reg.Prior(as_pose([0, 0, a], [a, 0, 0]), sigma_translation=0.01, sigma_rotation=0.02) for a in (0.0, 0.05, 0.0)
     ]
-    pivots = np.array([[0.0, 0.0, 0.0], [1.0, 0.5, 0.0]])
+    pivots = np.array([[0.0, 0.0, 0.0], [1.0, 0.5, 0.0], [0.0, 0.0, 0.0]])
     shared = {"free": ("x", "y", "z", "yaw"), "noise": 0.05, "weights": np.linspace(0, 1, len(source))}
-    inits = np.stack([np.eye(4), np.eye(4)])
+    inits = np.stack([np.eye(4), np.eye(4), as_pose([0, 0, 0], [100, 0, 0])])  # the last one has no pairs
     found = reg.registration_icp_batch(source, target, 0.3, inits, PLANE, LONG, pivot=pivots, prior=priors, **shared)
-    for job, result in enumerate(found):
+    assert found[2].reason == "no correspondences"
+    for job, result in enumerate(found[:2]):
         one = reg.registration_icp(
             source, target, 0.3, None, PLANE, LONG, pivot=pivots[job], prior=priors[job], **shared
         )
@@ -179,8 +182,8 @@ def test_empty_clouds_and_single_points_move_as_they_may(device):
     for points in (np.zeros((0, 3)), np.zeros((1, 3)), np.zeros((2, 3))):
         source = loom.PointCloud(points, device=device)
         target = loom.PointCloud(points + np.array([0.05, 0.02, 0.0]), device=device)
-        for free in (("x",), ("yaw",), ("roll", "pitch", "yaw")):
-            result = reg.registration_icp(source, target, 0.1, None, None, LONG, free=free)
+        for free, kind in product((("x",), ("yaw",), ("roll", "pitch", "yaw")), ("point", "scaled")):
+            result = reg.registration_icp(source, target, 0.1, None, KINDS[kind], LONG, free=free)
             wanted = [0.05 * (free == ("x",) and len(points) > 0), 0, 0]
             np.testing.assert_allclose(result.transformation[:3, 3], wanted, atol=1e-7)
 

@@ -32,10 +32,11 @@ def frame(width: int) -> np.ndarray:
     return (u < width) | (v < width) | (u >= WIDTH - width) | (v >= HEIGHT - width)
 
 
-def test_a_plain_place_takes_the_plane_of_what_is_sure_around_it(device):
+@pytest.mark.parametrize("every", [1, 23])  # 23: fewer sure pixels than threads that sum them
+def test_a_plain_place_takes_the_plane_of_what_is_sure_around_it(device, every):
     w, textured = 0.5 + 0.002 * u - 0.001 * v, frame(10)
     noisy = w + np.random.default_rng(0).normal(0, 0.1 / PIXELS_PER, w.shape)
-    priors = given(device, noisy, textured, ~textured)
+    priors = given(device, noisy, textured & ((7 * u + 13 * v) % every == 0), ~textured)
     np.testing.assert_allclose(priors[~textured][:, 0], w[~textured], atol=0.1 / PIXELS_PER)
     np.testing.assert_allclose(priors[~textured][:, 1:3], np.tile([0.002, -0.001], ((~textured).sum(), 1)), atol=1e-4)
     assert (priors[~textured][:, 3] == 1).all()
@@ -56,7 +57,7 @@ def test_two_walls_of_one_colour_have_a_plane_each(device):
     assert (off < 0.01).mean() > 0.9  # all but about the corner, which nothing marks
 
 
-@pytest.mark.parametrize("kind", ["nothing sure", "a line", "a mess", "a speck"])
+@pytest.mark.parametrize("kind", ["nothing sure", "a line", "a band", "a mess", "a speck"])
 def test_where_no_plane_is_certain_there_is_no_prior(device, kind):
     w, textured = 0.5 + 0.002 * u, frame(10)
     sure, plain = textured, ~textured
@@ -64,6 +65,8 @@ def test_where_no_plane_is_certain_there_is_no_prior(device, kind):
         sure = textured & False
     elif kind == "a line":
         sure = textured & (v == 9)
+    elif kind == "a band":
+        sure = textured & (v > 6) & (v < 10)
     elif kind == "a mess":
         w = np.random.default_rng(1).uniform(0.2, 1.0, w.shape)
     else:
@@ -105,6 +108,6 @@ def test_places_are_what_hangs_together_and_what_is_sure_about_them(device, seed
 
 def test_a_pixel_takes_the_plane_of_what_is_near_it(device):
     w, textured = np.where(u < WIDTH // 2, 0.5, 0.7), frame(10)
-    priors = given(device, w, textured, ~textured)
+    priors = given(device, np.where((u + v) % 9 == 0, 0.9, w), textured, ~textured)  # and some pixels on no plane
     inner = ~textured & (np.abs(u - WIDTH // 2) > 4)
     np.testing.assert_allclose(priors[inner][:, 0], w[inner], atol=1e-6)

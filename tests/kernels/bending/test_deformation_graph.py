@@ -1,0 +1,89 @@
+"""Deformation graphs and borders of surfaces against float64 NumPy."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import warp as wp
+from scipy.spatial.transform import Rotation
+
+from pointloom.kernels.bending.deformation_graph import (
+    DeformationGraph,
+    Influence,
+    bend_normals,
+    bend_points,
+    bend_wide,
+    measure_volumes,
+)
+from pointloom.kernels.bending.surface_pairs import find_borders
+from pointloom.kernels.lang import mat33d, vec3, vec3d
+from pointloom.kernels.memory import download, upload
+from pointloom.kernels.search.point_tree import PointTree
+
+
+def weights_of(p: np.ndarray, nodes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The nodes that move a point, and their weights."""
+    d = np.linalg.norm(nodes - p, axis=1)
+    near = np.argsort(d, kind="stable")[:5]
+    end = d[near[-1]] * (1 if len(near) == 5 else 2)
+    near = near[:4]
+    w = np.maximum(1 - d[near] / end, 0) ** 2 if end > 0 else np.zeros(len(near))
+    if not w.any():
+        w[0] = 1
+    return near, w / w.sum()
+
+
+def bent(p: np.ndarray, nodes: np.ndarray, rotations: np.ndarray, centers: np.ndarray) -> np.ndarray:
+    near, w = weights_of(p, nodes)
+    return sum(w[k] * (rotations[j] @ (p - nodes[j]) + centers[j]) for k, j in enumerate(near))
+
+
+@pytest.mark.parametrize(("count", "spread"), [(1, 1.0), (3, 1.0), (6, 0.0), (9, 1.0)])
+def test_points_normals_and_volumes_follow_the_graph(device, count, spread):
+    """One node, fewer nodes than a point takes, nodes at one position, and enough of them."""
+    rng = np.random.default_rng(count)
+    nodes = (0.25 + spread * rng.uniform(-1, 1, (count, 3))).astype(np.float32)
+    rotations = Rotation.from_rotvec(0.3 * rng.normal(size=(count, 3))).as_matrix()
+    centers = nodes + 0.2 * rng.normal(size=(count, 3))
+    points = np.vstack([nodes[:1], rng.uniform(-1, 1, (6, 3)), [[np.nan, 0, 0]]]).astype(np.float32)
+    normals = rng.normal(size=(8, 3)).astype(np.float32)
+    normals[1] = 0
+    place = wp.get_device(device)
+    graph = DeformationGraph(
+        upload(nodes, vec3, place), upload(rotations, mat33d, place), upload(centers, vec3d, place)
+    )
+    influence = Influence(upload(points, vec3, place), graph)
+
+    def position(p):
+        return bent(p, nodes.astype(float), rotations, centers)
+
+    finite = points[:-1].astype(float)
+    expected = np.array([position(p) for p in finite])
+    for moved, origin in ((bend_points(graph, influence), 0), (bend_wide(graph, influence, (5, 6, 7)), [5, 6, 7])):
+        np.testing.assert_allclose(download(moved)[:-1] - origin, expected, atol=1e-6)
+        assert np.isnan(download(moved)[-1, 0])
+    step = 1e-6 * np.eye(3)
+    slopes = np.array([np.stack([position(p + e) - position(p - e) for e in step], axis=1) for p in finite]) / 2e-6
+    volumes = np.linalg.det(slopes)
+    np.testing.assert_allclose(download(measure_volumes(graph, influence)), [*volumes, np.nan], rtol=1e-4)
+    turned = volumes[:, None] * np.linalg.solve(slopes.transpose(0, 2, 1), normals[:-1, :, None])[:, :, 0]
+    sizes = np.linalg.norm(turned, axis=1, keepdims=True)
+    turned *= np.linalg.norm(normals[:-1], axis=1, keepdims=True) / np.where(sizes > 0, sizes, 1)
+    found = download(bend_normals(graph, influence, upload(normals, vec3, place)))
+    np.testing.assert_allclose(found, [*turned, normals[-1]], atol=1e-4)
+
+
+@pytest.mark.parametrize("side", [3, 8])
+def test_the_border_is_where_the_mean_of_the_neighbors_is_aside(device, side):
+    """Of 9 points nothing is said: too few have neighbors enough."""
+    grid = np.stack(np.meshgrid(*[np.arange(side)] * 2), axis=-1).reshape(-1, 2)
+    points = np.column_stack([grid, 0.1 * np.sin(grid[:, 0])]).astype(np.float32)
+    points += np.random.default_rng(0).uniform(-0.1, 0.1, points.shape).astype(np.float32)  # no equal distances
+    normals = np.tile(np.float32([0, 0, 1]), (side * side, 1))
+    place = wp.get_device(device)
+    found = download(find_borders(PointTree(upload(points, vec3, place)), upload(normals, vec3, place)))
+    d = np.linalg.norm(points[:, None].astype(float) - points, axis=2)
+    near = np.argsort(d, axis=1)[:, :20]
+    aside = np.linalg.norm((points[near].astype(float).mean(axis=1) - points)[:, :2], axis=1)
+    borders = aside > 0.3 * np.take_along_axis(d, near, axis=1)[:, -1]
+    np.testing.assert_array_equal(found, borders if side * side > 10 else False)
