@@ -29,5 +29,5 @@ def surveyed(d: Scenes) -> list[Any]:
         for options in ({}, {"targets": seen, "control": known, "level": False})
     ]
     return [
-        [one.poses, one.sigmas, one.sigma0, [pair.transformation for pair in one.pairs], one.to_json()] for one in found
+        [one.poses, one.sigmas, one.sigma0, [pair.transformation for pair in one.pairs], one.to_dict()] for one in found
     ]

@@ -88,7 +88,7 @@ def room_video(work: Path, data: Path | None) -> tuple[Path, dict[str, np.ndarra
     choice = loom.sfm.choose_frames(path, work / "pictures")
     poses = frames.poses
     truth = {name: poses[number] for name, number in zip(choice.names, choice.numbers, strict=True)}
-    return work / "pictures", truth, {}, {"frames": choice.to_json()}
+    return work / "pictures", truth, {}, {"frames": choice.to_dict()}
 
 
 def fountain(work: Path, data: Path | None) -> tuple[Path, dict[str, np.ndarray], dict, dict]:
@@ -126,7 +126,7 @@ def main() -> None:
     given.work.mkdir(parents=True)
     pictures, truth, options, report = SETS[given.set](given.work, given.data)
     result = loom.sfm.reconstruct(pictures, given.work / "sfm", **options)
-    report |= {"set": given.set, **result.to_json()}
+    report |= {"set": given.set, **result.to_dict()}
     if result.model is not None:
         report |= {"errors": camera_errors(result.model, truth), "camera": list(result.model.cameras[0].params)}
     text = json.dumps(report, indent=1)

@@ -17,9 +17,9 @@ Fields = list[tuple[str, str]]
 class Report:
     """A frozen dataclass that tells what it holds.
 
-    `str(report)` is for people: `fields()`, its labels and values, in two columns. `to_json()` is for programs: its
+    `str(report)` is for people: `fields()`, its labels and values, in two columns. `to_dict()` is for programs: its
     attributes by name in JSON's types, what is not a finite number as None. A kind of report gives `fields`, and its
-    own `to_json` where the attributes are not what programs want to know.
+    own `to_dict` where the attributes are not what programs want to know.
     """
 
     def fields(self) -> Fields:
@@ -31,7 +31,7 @@ class Report:
         """What to tell people besides, on a line of its own; None for nothing."""
         return None
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """The same in JSON's types."""
         return {name: plain(value) for name, value in values_of(self).items()}
 

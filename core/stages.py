@@ -21,7 +21,7 @@ from .json_files import read_json_object
 from .progress import ReportProgress
 from .records import RECORDS, digest_of, read_record, record_file, write_record
 from .timing import Clock, peak_bytes_of_all
-from .wording import to_json
+from .wording import json_text
 
 PART = ".part"  # behind the name of a folder that is not whole yet
 GOING = ".going"  # ... of a folder of what a stage has so far that goes on where it was interrupted
@@ -172,7 +172,7 @@ class Chain:
         clock.stop(stage.name)
         seconds, cpu = clock.seconds[stage.name], clock.cpu_seconds[stage.name]
         cost = {"seconds": round(seconds, 3), "cpu_seconds": round(cpu, 3), "peak_bytes": peak_bytes_of_all()}
-        result = {"told": json.loads(to_json(dict(told))), "cost": cost}
+        result = {"told": json.loads(json_text(dict(told))), "cost": cost}
         result |= {"version": stage.version, "code": dict(stage.code)}
         write_record(record, stage.name, stage.made_from, self.root, files, result)
         return result

@@ -90,8 +90,9 @@ class LengthUnit:
     def __str__(self) -> str:
         return self.name
 
-    def to_json(self) -> str:
-        """Its name, in reports for programs."""
+    @property
+    def json_value(self) -> str:
+        """Its name, as reports contain it."""
         return self.name
 
     def in_words(self) -> str:

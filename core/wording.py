@@ -55,15 +55,17 @@ def format_bounds(bounds: dict[str, Any] | None) -> str:
     return f"{format_triple(bounds['min'])} to {format_triple(bounds['max'])}"
 
 
-def to_json(report: dict[str, Any]) -> str:
+def json_text(report: dict[str, Any]) -> str:
     """A report as JSON text, indented; what is not a finite number becomes null."""
     return escaped_json(json.dumps(plain(report), indent=2, allow_nan=False, ensure_ascii=False))
 
 
 def plain(value: Any) -> Any:
     """A value in JSON's own types; what is not a finite number becomes None."""
-    if callable(getattr(value, "to_json", None)):  # a Report
-        return value.to_json()
+    if callable(getattr(value, "to_dict", None)):  # a Report
+        return value.to_dict()
+    if hasattr(value, "json_value"):  # a LengthUnit
+        return value.json_value
     if dataclasses.is_dataclass(value) and not isinstance(value, type):
         return {field.name: plain(getattr(value, field.name)) for field in dataclasses.fields(value)}
     if isinstance(value, dict):

@@ -163,7 +163,7 @@ class Shape:
         )
         return ShapeSurface(self.center + matmul(rows.reshape(-1, 3), self.frame), _strips(len(profile), steps + 1))
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All of it in JSON's types; numbers that are not finite are None."""
         numbers = {name: getattr(self, name) for name in ("radius", "minor_radius", "half_angle", "rms", "coverage")}
         told = {name: float(value) if np.isfinite(value) else None for name, value in numbers.items()}

@@ -72,7 +72,7 @@ class BoxShape:
         vertices = self.center + matmul((CORNERS - 0.5) * self.size, self.axes)
         return ShapeSurface(vertices, np.concatenate([SIDES[:, :3], SIDES[:, [0, 2, 3]]]).astype(np.int32))
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All of it in JSON's types."""
         arrays = {name: getattr(self, name).tolist() for name in ("center", "axes", "size", "faces")}
         return {

@@ -63,9 +63,9 @@ class DetectedShapes:
         found = [f"{k}: {shape}" for k, shape in enumerate(self.shapes)]
         return "\n".join([*found, f"{int((self.labels < 0).sum()):,} points of {len(self.labels):,} are of none"])
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """The shapes in JSON's types, and how many points are of none."""
-        return {"shapes": [shape.to_json() for shape in self.shapes], "unlabelled": int((self.labels < 0).sum())}
+        return {"shapes": [shape.to_dict() for shape in self.shapes], "unlabelled": int((self.labels < 0).sum())}
 
 
 @told_arguments

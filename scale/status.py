@@ -9,7 +9,7 @@ from typing import Any
 from ..core.errors import FileError, FilePath
 from ..core.escaped_text import escaped
 from ..core.paths import path_of
-from ..core.wording import to_json
+from ..core.wording import plain
 from .manifest import NAME, Manifest, damage_as_file_errors, files_of
 from .sources import check_same, given_as
 from .steps.parse import KNOWN
@@ -56,9 +56,9 @@ class TileStatus:
         """Whether every tile is done or empty."""
         return not (self.waiting or self.running or self.failed or self.aside)
 
-    def to_json(self) -> str:
-        """All of it as JSON."""
-        return to_json(asdict(self))
+    def to_dict(self) -> dict[str, Any]:
+        """All of it in JSON types."""
+        return plain(asdict(self))
 
     def __str__(self) -> str:
         tiles = self.waiting + self.running + self.done + self.empty + self.failed + self.aside

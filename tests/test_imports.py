@@ -506,6 +506,6 @@ def test_public_packages_show_their_public_names_alone():
     assert sys.modules["pointloom.registration.icp"] is icp
     with pytest.raises(AttributeError, match=r"'icp': it is a private module; did you mean 'registration_icp'"):
         loom.registration.icp  # noqa: B018
-    with pytest.raises(AttributeError, match=r"'crew': it is a private module$"):
-        loom.scale.crew  # noqa: B018
+    with pytest.raises(AttributeError, match=r"'borders': it is a private module$"):
+        loom.scale.borders  # noqa: B018
     assert loom.registration is sys.modules["pointloom.registration"]

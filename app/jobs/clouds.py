@@ -48,9 +48,9 @@ class ConvertReport(JobReport):
         """The file and its kind."""
         return f"{source}: {self.kind}"
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All of it in JSON's types; of a cloud without triangles."""
-        return {name: value for name, value in super().to_json().items() if name != "triangles" or value is not None}
+        return {name: value for name, value in super().to_dict().items() if name != "triangles" or value is not None}
 
     def fields(self) -> Fields:
         """The counts."""

@@ -76,12 +76,12 @@ class ComparisonReport(JobReport):
     second: str
     found: MeshComparison
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All of it in JSON's types."""
         done = self.done
         files = {"command": done.command, "first": done.source, "second": self.second}
         ends = {"seconds": done.seconds, "left_out": done.left_out, "files": done.files}
-        return plain(files | self.found.to_json() | ends | quality(self))
+        return plain(files | self.found.to_dict() | ends | quality(self))
 
     def fields(self) -> Fields:
         """What was found, and what any command ends in."""

@@ -19,7 +19,7 @@ from ...core.errors import FileError
 from ...core.progress import ReportProgress
 from ...core.reports import Assessed, Fields, Report, failed, quality
 from ...core.timing import Clock, peak_bytes
-from ...core.wording import format_share, to_json
+from ...core.wording import format_share, json_text
 from ...data.scenes.room import room_sequence, surface_errors
 from ...drawing.render.picture_files import save_picture
 from ...drawing.render.render import render
@@ -79,7 +79,7 @@ class SurfaceErrors:
         """The root mean square error in voxels."""
         return self.rmse / self.voxel_size
 
-    def to_json(self) -> dict[str, float]:
+    def to_dict(self) -> dict[str, float]:
         """The errors in JSON types, in meters and in voxels."""
         meters = {name: getattr(self, name) for _, name in _SHOWN}
         voxels = {f"{name}_voxels": value / self.voxel_size for name, value in meters.items()}
@@ -119,16 +119,16 @@ class DemoReport(Report, Assessed):
         """Failed quality checks; empty if the result is reliable."""
         return failed(_problem(self.errors, self.noise))
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """The content of report.json."""
-        fusion = self.fusion.to_json()
+        fusion = self.fusion.to_dict()
         del fusion["refinement"]  # the poses are true
         return {
             "command": "demo",
             "noise": self.noise,
             "seed": self.seed,
             **fusion,
-            "errors": None if self.errors is None else self.errors.to_json(),
+            "errors": None if self.errors is None else self.errors.to_dict(),
             "seconds": self.seconds,
             "peak_bytes": self.peak_bytes,
             "files": list(self.files),
@@ -188,7 +188,7 @@ def run_demo(
         save_picture(picture, image, overwrite=overwrite)
         report = DemoReport(noise, seed, result, errors, clock.seconds, peak_bytes(), (mesh, picture, report_file))
         with atomic_write(report_file, overwrite=overwrite) as file:
-            file.write(to_json(report.to_json()).encode() + b"\n")
+            file.write(json_text(report.to_dict()).encode() + b"\n")
     return report
 
 

@@ -49,10 +49,10 @@ class EvaluateReport(Report, Assessed):
         """Failed quality checks; empty if the result is reliable."""
         return self.found.warnings
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All of it on one level."""
         read = {"command": "evaluate", "poses": self.poses, "truth": self.truth}
-        return read | self.found.to_json() | {"files": list(self.files), **quality(self)}
+        return read | self.found.to_dict() | {"files": list(self.files), **quality(self)}
 
     def fields(self) -> Fields:
         """The errors, and the picture where there is one."""

@@ -36,7 +36,7 @@ class Facts(Report):
             elif value is not None or name not in self.SPARE:
                 yield name, value
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All of it on one level, in JSON's types."""
         return {name: plain(value) for name, value in self.named()}
 

@@ -111,7 +111,7 @@ class FrameFolder(Assessed):
         """What a command did with the frames, and its warnings."""
         return Done(command, os.fspath(self.path), clock.seconds, (), tuple(files), failed(*warnings))
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """What was opened, in JSON's types."""
         return describe_folder(self.path, self.dataset, self.intrinsic)
 
@@ -133,7 +133,7 @@ class FramesReport(JobReport):
     folder: FrameFolder
     peak: int = dataclasses.field(default_factory=peak_bytes, kw_only=True)
 
-    def ending_to_json(self, **more: Any) -> dict[str, Any]:
+    def ending_to_dict(self, **more: Any) -> dict[str, Any]:
         """The common end of all reports: cost, further values, files and quality."""
         cost = {"seconds": self.done.seconds, "peak_bytes": self.peak}
         return cost | more | {"files": list(self.done.files), **quality(self)}

@@ -26,12 +26,12 @@ class FuseReport(FramesReport):
 
     result: FusionResult
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """The report, in JSON's types."""
-        figures = self.result.to_json()
+        figures = self.result.to_dict()
         refinement = figures.pop("refinement")
-        report = {"command": self.done.command, **self.folder.to_json(), **figures}
-        return report | self.ending_to_json(refinement=refinement)
+        report = {"command": self.done.command, **self.folder.to_dict(), **figures}
+        return report | self.ending_to_dict(refinement=refinement)
 
     def fields(self) -> Fields:
         """The report as labels and values for the terminal."""

@@ -111,10 +111,10 @@ class Description(Report, Assessed):
         damage = self.facts.damage if isinstance(self.facts, RecordedTopics) else None
         return (f"{self.path}: {damage}",) if damage else ()
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All of it on one level."""
         size = {} if self.bytes is None else {"bytes": self.bytes}
-        return {"path": self.path, "kind": self.kind, **self.facts.to_json(), **size}
+        return {"path": self.path, "kind": self.kind, **self.facts.to_dict(), **size}
 
     def fields(self) -> Fields:
         """The facts that there are."""

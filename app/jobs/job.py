@@ -78,7 +78,7 @@ class Done:
     warnings: tuple[str, ...]
     unit: LengthUnit | None = None
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All of it by name, without the unit if that is unknown."""
         own = {name: value for name, value in values_of(self).items() if name != "unit" or value is not None}
         return own | {"reliable": not self.warnings}
@@ -99,10 +99,10 @@ class JobReport(Report, Assessed):
         """Failed quality checks; empty if the result is reliable."""
         return self.done.warnings
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All of it in JSON's types, on one level."""
         own = {name: value for name, value in values_of(self).items() if name != "done"}
-        return plain(self.done.to_json() | own)
+        return plain(self.done.to_dict() | own)
 
     @property
     def note(self) -> str | None:

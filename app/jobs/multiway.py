@@ -49,12 +49,12 @@ class MultiwayReport(JobReport):
     points: int
     found: FragmentsResult
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All of it on one level, clouds by their names."""
-        report = super().to_json()
+        report = super().to_dict()
         points = report.pop("points")
         del report["found"]
-        return report | {"points": points} | self.found.to_json(self.clouds)
+        return report | {"points": points} | self.found.to_dict(self.clouds)
 
     def fields(self) -> Fields:
         """How many clouds were placed, by which pairs, and in whose frame."""

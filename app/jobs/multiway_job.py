@@ -32,9 +32,9 @@ class PlacedReport(MultiwayReport):
 
     notes: tuple[str, ...] = ()
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All of it on one level, with `tried`: a verdict for each pair."""
-        return super().to_json() | {"notes": plain(self.notes)}
+        return super().to_dict() | {"notes": plain(self.notes)}
 
     @property
     def note(self) -> str | None:

@@ -53,9 +53,9 @@ class OdometryReport(JobReport):
         """How many scans were registered in a second."""
         return self.found.scan_count / max(self.done.seconds["register"], 1e-9)
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All of it on one level."""
-        path = self.found.to_json()
+        path = self.found.to_dict()
         speed = {"scans": path.pop("scans"), "points": self.points, "scans_per_second": self.scans_per_second}
         own = {name: value for name, value in values_of(self).items() if name not in ("done", "found", "points")}
         ending = {"errors": own.pop("errors"), "seconds": self.done.seconds, "files": self.done.files, **quality(self)}

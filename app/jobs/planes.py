@@ -56,9 +56,9 @@ class PlaneReport(RowsReport):
     on_none: int | None = None
     replaced: tuple[str, ...] = ()
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All of it; without what goes with labels where there are none."""
-        report = super().to_json()
+        report = super().to_dict()
         if self.on_none is None:
             del report["on_none"], report["replaced"]
         return report

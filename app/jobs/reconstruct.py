@@ -72,17 +72,17 @@ class ReconstructReport(FramesReport):
         account = self.result.account
         return rate_of(account.path, self.done.seconds) if isinstance(account, SlamAccount) else None
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """The report, in JSON's types; "errors" holds ATE and RPE where true poses lie beside the frames."""
-        figures = self.result.to_json()
+        figures = self.result.to_dict()
         focal = figures.pop("focal")
-        report = {"command": self.done.command, "method": figures.pop("method"), **self.folder.to_json()}
+        report = {"command": self.done.command, "method": figures.pop("method"), **self.folder.to_dict()}
         for name, value in figures.items():
             report[name] = value
             if name == "path_length_m":
                 report["frames_per_second"] = self.rate
         report |= {"errors": plain(self.result.error), "focal": focal}
-        return report | self.ending_to_json()
+        return report | self.ending_to_dict()
 
     def fields(self) -> Fields:
         """The report as labels and values for the terminal."""

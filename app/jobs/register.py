@@ -54,9 +54,9 @@ class RegisterReport(JobReport):
     device: str
     found: PairRegistration
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All of it on one level."""
-        report = super().to_json()
+        report = super().to_dict()
         return report | report.pop("found")
 
     def fields(self) -> Fields:

@@ -22,9 +22,9 @@ class ResultReport(JobReport):
     result: Report
     device: str
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All of it in JSON's types, on one level."""
-        return plain(self.done.to_json() | self.result.to_json() | quality(self))
+        return plain(self.done.to_dict() | self.result.to_dict() | quality(self))
 
     def fields(self) -> Fields:
         """What the result says, and what any command ends in."""

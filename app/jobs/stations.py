@@ -42,11 +42,11 @@ class StationsReport(JobReport):
     began: str
     found: StationsResult
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All of it on one level."""
-        report = super().to_json()
+        report = super().to_dict()
         del report["found"]
-        return self.found.to_json() | report
+        return self.found.to_dict() | report
 
     def fields(self) -> Fields:
         """How many stations were placed, by what and how well."""
@@ -156,7 +156,7 @@ def _write_report(job: Job, places: dict[str, Path], found: StationsResult) -> N
     places["text"].parent.mkdir(exist_ok=True)
     overwrite = job.form["overwrite"]
     with job.stage("report"):
-        texts = {"text": found.report(), "json": json.dumps(found.to_json(), indent=1, allow_nan=False) + "\n"}
+        texts = {"text": found.report(), "json": json.dumps(found.to_dict(), indent=1, allow_nan=False) + "\n"}
         for kind, text in texts.items():
             with atomic_write(places[kind], overwrite=overwrite) as file:
                 file.write(text.encode())

@@ -119,7 +119,7 @@ class Task:
     frame_count: int
     depth_max: float
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All but the mesh itself in JSON's types."""
         files = {"command": "texture", "mesh": self.mesh, "dataset": self.dataset, "layout": self.layout}
         how = {"device": str(self.shape.device), "method": self.method, "frames": self.frame_count}
@@ -150,11 +150,11 @@ class TextureReport(Report, Assessed):
         """Failed quality checks; empty if the result is reliable."""
         return (_NOTHING,) if self.found is None else self.found.warnings
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All of it in JSON's types."""
-        found = {} if self.found is None else self.found.to_json()
+        found = {} if self.found is None else self.found.to_dict()
         cost = {"seconds": self.seconds, "peak_bytes": self.peak_bytes}
-        return plain(self.task.to_json() | found | cost | {"files": self.files, **quality(self)})
+        return plain(self.task.to_dict() | found | cost | {"files": self.files, **quality(self)})
 
     def fields(self) -> Fields:
         """What the result says, what it took, and what was written."""

@@ -114,10 +114,10 @@ class ModelTextureReport(Report, Assessed):
         """Failed quality checks; empty if the result is reliable."""
         return (_NOTHING,) if self.found is None else self.found.warnings
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All of it in JSON's types."""
         given = {"command": "texture", "mesh": self.mesh, "dataset": self.folder, "layout": "model"}
-        found = {"pictures": self.picture_count} if self.found is None else self.found.to_json()
+        found = {"pictures": self.picture_count} if self.found is None else self.found.to_dict()
         cost = {"seconds": self.seconds, "peak_bytes": self.peak_bytes}
         return plain(given | found | cost | {"files": self.files, **quality(self)})
 

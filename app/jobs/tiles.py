@@ -83,7 +83,7 @@ class TileReport(Report, Assessed):
         fields += [(name, " ".join(error.split())) for name, error in told.troubles.items()]
         return [*fields, ("files", ", ".join(self.files))] if self.files else fields
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All of it in JSON's types, on one level."""
         finished = {"is_finished": self.status.is_finished, "files": self.files, **quality(self)}
         return plain({"command": f"tile {self.command}"} | asdict(self.status) | finished)

@@ -39,11 +39,11 @@ class TrackReport(FramesReport):
         """Frames a second of tracking alone."""
         return rate_of(self.path, self.done.seconds)
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """The report, in JSON's types; "errors" holds ATE and RPE where true poses lie beside the frames."""
-        report = {"command": self.done.command, **self.folder.to_json(), "format": self.form, **self.path.to_json()}
+        report = {"command": self.done.command, **self.folder.to_dict(), "format": self.form, **self.path.to_dict()}
         report |= {"frames_per_second": self.rate, "focal": plain(self.focal), "errors": plain(self.path.error)}
-        return report | self.ending_to_json()
+        return report | self.ending_to_dict()
 
     def fields(self) -> Fields:
         """The report as labels and values for the terminal."""

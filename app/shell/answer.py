@@ -24,7 +24,7 @@ class CommandReport(Protocol):
         """For people."""
         ...
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """For programs."""
         ...
 
@@ -32,7 +32,7 @@ class CommandReport(Protocol):
 def answer_with(report: CommandReport, title: str, as_json: bool, *, err: bool = False) -> int:
     """Print a report, as JSON or as labels and values below a title (to stderr with `err`), and give its exit code."""
     if as_json:
-        print_json(report.to_json())
+        print_json(report.to_dict())
     else:
         print_fields(report.fields(), title=title, err=err)
         if isinstance(report, Report) and report.note:

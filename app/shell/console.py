@@ -17,7 +17,7 @@ import click
 from ...core.escaped_text import escaped
 from ...core.reports import rows_of
 from ...core.standard_streams import is_terminal
-from ...core.wording import to_json
+from ...core.wording import json_text
 
 # Seconds between lines of progress where stderr is a file: a log of a long run grows by 12 lines a minute.
 LINE_INTERVAL = 5.0
@@ -107,7 +107,7 @@ class CompileNotice(logging.Handler):
 
 def print_json(report: dict[str, Any]) -> None:
     """Print one JSON object; what is not a finite number becomes null."""
-    _say(to_json(report))
+    _say(json_text(report))
 
 
 def print_fields(fields: Iterable[tuple[str, str]], *, title: str = "", err: bool = False) -> None:

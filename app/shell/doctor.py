@@ -89,7 +89,7 @@ class Trial:
         """Whether it gave the right result."""
         return self.error is None
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All of it on one level; "error" only where there is one."""
         told: dict[str, Any] = {"device": self.device, "ok": self.ok, **self.seconds}
         return told if self.ok else {**told, "error": self.error}
@@ -122,9 +122,9 @@ class Diagnosis(Report):
     trials: list[Trial]
     warnings: tuple[str, ...]
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All of it in JSON's types."""
-        return {"command": "doctor", **super().to_json(), **quality(self)}
+        return {"command": "doctor", **super().to_dict(), **quality(self)}
 
     def fields(self) -> Fields:
         """The diagnosis as labels and values for the terminal."""

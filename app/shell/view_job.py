@@ -177,7 +177,7 @@ class ViewJob:
             if not first:
                 open_up()
             if as_json:
-                print_json(self._ends.rename(self._report()).to_json() | {"url": viewer.url, "ssh": viewer.ssh_line})
+                print_json(self._ends.rename(self._report()).to_dict() | {"url": viewer.url, "ssh": viewer.ssh_line})
             viewer.wait(linger=self.server["linger"])
         return 0
 
@@ -235,7 +235,7 @@ class Shown:
     kind: str
     points: int | None
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """The same in JSON's types."""
         count = {} if self.points is None else {"points": self.points}
         return {"name": self.name, "kind": self.kind, **count}
@@ -262,9 +262,9 @@ class ViewReport(Report, Assessed):
         """No quality is checked."""
         return ()
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All of it in JSON's types."""
-        shown = {"command": "view", "inputs": self.inputs, "geometries": [one.to_json() for one in self.geometries]}
+        shown = {"command": "view", "inputs": self.inputs, "geometries": [one.to_dict() for one in self.geometries]}
         written = {} if self.files is None else {"files": self.files, "seconds": self.seconds}
         return plain(shown | written)
 

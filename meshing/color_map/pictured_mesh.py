@@ -85,7 +85,7 @@ class PicturedMesh(Report, Assessed):
             "or check that mesh and poses belong together and that the triangles face the cameras",
         )
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All but the mesh in JSON's types."""
         figures = {
             "device": str(self.mesh.device),

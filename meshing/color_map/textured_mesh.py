@@ -88,7 +88,7 @@ class TexturedMesh(Report, Assessed):
             )
         return tuple(reasons)
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All but the mesh in JSON's types."""
         colors, shape = self.colors, self.colors.mesh
         figures = {

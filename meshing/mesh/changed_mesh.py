@@ -23,7 +23,7 @@ class ChangedMesh(Report, Assessed):
     vertices_in: int
     triangles_in: int
 
-    def sizes_to_json(self) -> dict[str, Any]:
+    def sizes_to_dict(self) -> dict[str, Any]:
         """Where it was computed, and the counts before and after, in JSON's types."""
         before = {"device": str(self.mesh.device), "vertices_in": self.vertices_in, "triangles_in": self.triangles_in}
         return before | {"vertices": self.mesh.array("vertices").size, "triangles": len(self.mesh)}

@@ -104,9 +104,9 @@ class CleanedMesh(ChangedMesh):
             losses.append(f"it was closed and is no more: {look}")
         return losses
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All but the mesh in JSON's types."""
-        return plain(self.sizes_to_json() | self._figures() | quality(self))
+        return plain(self.sizes_to_dict() | self._figures() | quality(self))
 
     def fields(self) -> Fields:
         """What was done as labels and values."""
@@ -169,7 +169,7 @@ def clean_mesh(
         >>> mesh = loom.TriangleMesh(corners, [[0, 1, 2], [0, 4, 3], [0, 3, 2], [5, 6, 7]])
         >>> found = loom.clean_mesh(mesh, hole_size=1, min_triangles=2)
         >>> found.repair.filled_holes, found.removed_parts, found.is_watertight, found.reliable
-        (1, 1, True, None)
+        (1, 1, True, True)
     """
     check_mesh("mesh", mesh)
     fewest, least = check_count("min_triangles", min_triangles), check_positive("min_area", min_area, allow_zero=True)

@@ -99,7 +99,7 @@ def create_surface(
         >>> points = loom.TriangleMesh.create_sphere().sample_points_uniformly(1000).points
         >>> result = loom.create_surface(loom.PointCloud(points), depth=4, density_quantile=0)
         >>> result.mesh.is_watertight(), result.normals.origin[:34], result.reliable
-        (True, 'made of the 30 nearest points of e', None)
+        (True, 'made of the 30 nearest points of e', True)
     """
     check_cloud("cloud", cloud)
     settings = _settings_of(

@@ -65,7 +65,7 @@ class MeshComparison(Report, Assessed):
             return (f"the surfaces lie up to {self.metrics.hausdorff:.4g} {m} apart, more than {self.limit:g} {m}",)
         return ()
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All of it in JSON's types; F-scores by their distances."""
         found = self.metrics
         scores = dict(zip(map(str, self.thresholds), found.fscore.tolist(), strict=True))
@@ -128,8 +128,8 @@ def compare_meshes(
         >>> import pointloom as loom
         >>> ball, larger = loom.TriangleMesh.create_sphere(1.0), loom.TriangleMesh.create_sphere(1.01)
         >>> found = loom.compare_meshes(ball, larger, thresholds=[0.02], samples=1000, limit=0.005)
-        >>> round(found.metrics.hausdorff, 3), found.metrics.fscore.tolist(), found.reliable
-        (0.01, [100.0], 'the surfaces lie up to 0.01 m apart, more than 0.005 m')
+        >>> round(found.metrics.hausdorff, 3), found.metrics.fscore.tolist(), found.warnings
+        (0.01, [100.0], ('the surfaces lie up to 0.01 m apart, more than 0.005 m',))
     """
     for name, mesh in (("first", first), ("second", second)):
         check_mesh(name, mesh)

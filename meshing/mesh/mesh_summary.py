@@ -24,7 +24,7 @@ class MeshSummary:
     triangles: int
     bounds: tuple[Corner, Corner] | None
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """The same in JSON's types."""
         return {"vertices": self.vertices, "triangles": self.triangles, "bounds": _bounds_to_json(self.bounds)}
 
@@ -54,7 +54,7 @@ class SurfaceSummary:
     watertight: bool
     bounds: tuple[Corner, Corner] | None
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """The same in JSON's types."""
         return {**vars(self), "bounds": _bounds_to_json(self.bounds)}
 

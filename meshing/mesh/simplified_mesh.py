@@ -79,11 +79,11 @@ class SimplifiedMesh(ChangedMesh):
             reasons.append(f"the surface moved by {share:.1%} of its size: take more triangles or smaller voxels")
         return tuple(reasons)
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All but the mesh in JSON's types."""
         errors = None if self.errors is None else {"rms": self.errors.rms, "max": self.errors.max}
         found = {"by": self.by, "amount": self.amount, "target": self.target, "errors": errors}
-        return plain(self.sizes_to_json() | found | quality(self))
+        return plain(self.sizes_to_dict() | found | quality(self))
 
     def fields(self) -> Fields:
         """What was done as labels and values."""
@@ -135,7 +135,7 @@ def simplify_mesh(
         >>> import pointloom as loom
         >>> found = loom.simplify_mesh(loom.TriangleMesh.create_sphere(), ratio=0.5)
         >>> found.target, len(found.mesh), found.errors.max < 0.02, found.reliable
-        (760, 760, True, None)
+        (760, 760, True, True)
     """
     check_mesh("mesh", mesh)
     by, amount = _one_of(triangles, ratio, voxel_size)

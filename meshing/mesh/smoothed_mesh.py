@@ -53,7 +53,7 @@ class SmoothedMesh(ChangedMesh):
         >>> import pointloom as loom
         >>> found = loom.smooth_mesh(loom.TriangleMesh.create_sphere(), "simple", 50)
         >>> found.warnings[0].split(": ")[1]
-        "take fewer iterations, or method='taubin', which shrinks less"
+        "use fewer iterations, or method='taubin', which shrinks less"
     """
 
     method: str
@@ -75,11 +75,11 @@ class SmoothedMesh(ChangedMesh):
             return (f"{format_share(-change)} of the area was lost: use fewer iterations{other}",)
         return ()
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All but the mesh in JSON's types."""
         moved = None if self.moved is None else {"mean": self.moved.mean, "max": self.moved.max}
         how = {"method": self.method, "iterations": self.iterations, "moved": moved}
-        return plain(self.sizes_to_json() | how | {"area_in": self.area_in, "area": self.area, **quality(self)})
+        return plain(self.sizes_to_dict() | how | {"area_in": self.area_in, "area": self.area, **quality(self)})
 
     def fields(self) -> Fields:
         """What was done as labels and values."""
@@ -131,7 +131,7 @@ def smooth_mesh(
         >>> import pointloom as loom
         >>> found = loom.smooth_mesh(loom.TriangleMesh.create_sphere())
         >>> found.moved.max < 0.01, round(found.area / found.area_in, 1), found.reliable
-        (True, 1.0, None)
+        (True, 1.0, True)
     """
     check_mesh("mesh", mesh)
     factors = _factors_of(method, {"lambda_filter": lambda_filter, "mu": mu, "strength": strength})

@@ -63,7 +63,7 @@ class MadeUp:
     far: float | None = None
     better_quantile: float | None = None
 
-    def to_json(self) -> dict[str, float | None]:
+    def to_dict(self) -> dict[str, float | None]:
         """The same in JSON's types."""
         return {"made_up": self.share, "far": self.far, "better_quantile": self.better_quantile}
 
@@ -142,12 +142,12 @@ class SurfaceResult(Report, Assessed):
         surface = [empty] if empty else self._surface_problems()
         return failed(self.normals.problem, *surface, self.off.problem)
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All but the mesh in JSON's types."""
         normals = {"normals": self.normals.origin, "disagreement": self.normals.disagreement}
         counts = {"points_in": self.points_in, "points": self.points, "not_carried": [*self.not_carried]}
         head = {"device": str(self.mesh.device), "method": self.method, **self.settings}
-        figures = self.summary.to_json() | self.made_up.to_json() | {"points_off": self.off.median}
+        figures = self.summary.to_dict() | self.made_up.to_dict() | {"points_off": self.off.median}
         return plain(head | normals | counts | figures | quality(self))
 
     def fields(self) -> Fields:
@@ -173,7 +173,7 @@ class SurfaceResult(Report, Assessed):
             ("edges", edges),
             *([("made up", f"{format_share(made_up)} of the area")] if made_up else []),
             ("closed", "yes" if found.watertight else "no"),
-            ("bounds", format_bounds(found.to_json()["bounds"])),
+            ("bounds", format_bounds(found.to_dict()["bounds"])),
             *([("not carried", f"{lacking} of the points")] if lacking else []),
         ]
 

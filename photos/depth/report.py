@@ -96,7 +96,7 @@ class PictureDepth(Assessed):
             reasons.append(f"only {self.kept_share:.1%} of the pixels became points; keep edges, or align")
         return tuple(reasons)
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """The same in JSON's types."""
         camera, (nearest, farthest) = self.intrinsic, self.reach or (None, None)
         return {
@@ -228,7 +228,7 @@ class DepthReport(Assessed):
             reasons += [f"{name}{reason}" for reason in each.warnings]
         return tuple(reasons)
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """The report that the command prints, in JSON's types."""
         return {
             "command": "depth",
@@ -238,7 +238,7 @@ class DepthReport(Assessed):
             "licence": self.licence,
             "provider": self.provider,
             "device": self.device,
-            "pictures": [each.to_json() for each in self.pictures],
+            "pictures": [each.to_dict() for each in self.pictures],
             "failures": [asdict(each) for each in self.failures],
             "seconds": self.seconds,
             "peak_bytes": self.peak_bytes,

@@ -44,11 +44,11 @@ class CameraCheck:
 
     @classmethod
     def from_json(cls, told: Mapping[str, Any]) -> CameraCheck:
-        """What `to_json` gave, or COLMAP's process said, read again; what is missing was not tried."""
+        """What `to_dict` gave, or COLMAP's process said, read again; what is missing was not tried."""
         known = {field.name: told.get(field.name) for field in dataclasses.fields(cls)}
         return cls(**{name: value for name, value in known.items() if value is not None})
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """The same in JSON's types; NaN becomes None."""
         return {key: None if value != value else value for key, value in dataclasses.asdict(self).items()}
 

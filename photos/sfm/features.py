@@ -70,7 +70,7 @@ class FeatureReport:
         """Pictures with fewer than 50 features: blank, out of focus, or of something without any pattern."""
         return tuple(name for name, count in zip(self.names, self.counts, strict=True) if count < _FEW)
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """The same in JSON's types."""
         sizes = [{"width": w, "height": h, "count": count} for (w, h), count in self.sizes.items()]
         lists = {"names": list(self.names), "counts": list(self.counts), "poor_names": list(self.poor_names)}

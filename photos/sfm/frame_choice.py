@@ -40,7 +40,7 @@ class FrameChoice:
     seconds: float = 0.0
     peak_bytes: int = 0
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """The same in JSON's types."""
         sizes = [{"width": w, "height": h, "count": count} for (w, h), count in self.sizes.items()]
         lists = {"names": list(self.names), "numbers": list(self.numbers), "notes": list(self.notes)}

@@ -52,10 +52,10 @@ class SfmResult(Assessed):
         """Failed quality checks, each with its remedy; empty if the result is reliable."""
         return self.quality.warnings
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All but the model in JSON's types."""
         fields = {"folder": self.folder, "missing": list(self.missing), "seconds": self.seconds}
-        return fields | {"peak_bytes": self.peak_bytes, "quality": self.quality.to_json(), **quality(self)}
+        return fields | {"peak_bytes": self.peak_bytes, "quality": self.quality.to_dict(), **quality(self)}
 
 
 def map_pictures(

@@ -61,7 +61,7 @@ class MatchReport:
     seconds: float
     peak_bytes: int
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """The same in JSON's types."""
         return dataclasses.asdict(self) | {"isolated": list(self.isolated)}
 

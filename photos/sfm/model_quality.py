@@ -68,18 +68,18 @@ class ModelQuality:
         """True if no quality check failed."""
         return not self.warnings
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """The same in JSON's types; NaN becomes None."""
         fields = dataclasses.asdict(self) | {"model_sizes": list(self.model_sizes), **quality(self)}
         asked = {"focal": self.focal, "poses": self.poses}
-        fields |= {name: None if check is None else check.to_json() for name, check in asked.items()}
+        fields |= {name: None if check is None else check.to_dict() for name, check in asked.items()}
         fields |= {"notes": list(self.notes)}
         numbers = {key: value for key, value in fields.items() if isinstance(value, float)}
         return fields | {key: None if math.isnan(value) else value for key, value in numbers.items()}
 
     @classmethod
     def from_json(cls, told: Mapping[str, Any]) -> ModelQuality:
-        """What `to_json` gave, read again; other keys are passed over.
+        """What `to_dict` gave, read again; other keys are passed over.
 
         Raises:
             KeyError: A figure is missing.

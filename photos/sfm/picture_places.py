@@ -113,7 +113,7 @@ class PicturePlaces:
             notes.append(f"the altitude of {counted(len(said), 'picture')} is not believed: {some_of(said)}")
         return notes
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """The same in JSON's types."""
         return {
             "places": [asdict(place) for place in self.places],

@@ -72,14 +72,14 @@ class PoseCheck:
     focal: float = math.nan
     strays: tuple[str, ...] = ()
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """The same in JSON's types; NaN becomes None."""
         fields = dataclasses.asdict(self) | {"strays": list(self.strays)}
         return {key: None if value != value else value for key, value in fields.items()}
 
     @classmethod
     def from_json(cls, told: Mapping[str, Any]) -> PoseCheck:
-        """What `to_json` gave, read again."""
+        """What `to_dict` gave, read again."""
         found: dict[str, Any] = {key: math.nan if value is None else value for key, value in told.items()}
         found["strays"] = tuple(told["strays"])
         return cls(**found)

@@ -62,11 +62,11 @@ class TriangulationResult(Assessed):
         """Failed quality checks, each with its remedy; empty if the result is reliable."""
         return self.quality.warnings
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All but the model in JSON's types."""
         names = {"without_pose": list(self.without_pose), "without_picture": list(self.without_picture)}
         told = {"seconds": self.seconds, "peak_bytes": self.peak_bytes}
-        return names | told | {"quality": self.quality.to_json(), **quality(self)}
+        return names | told | {"quality": self.quality.to_dict(), **quality(self)}
 
 
 def triangulate(

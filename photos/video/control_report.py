@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...pcd.geodesy import WorldFrame
-from .georeference import frame_to_json
+from .georeference import frame_to_dict
 from .ground_control import ScaleBar
 
 Array = NDArray[np.float64]
@@ -41,7 +41,7 @@ class ControlResidual:
     views: int
     remark: str = ""
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """The figures in JSON's types."""
         return {
             "name": self.name,
@@ -84,7 +84,7 @@ class BarResidual:
         """Found less known [m]."""
         return self.found - self.bar.metres
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """The figures in JSON's types."""
         return {
             "a": self.bar.a,
@@ -126,7 +126,7 @@ class GpsGaps:
         """Root mean square in plan [m]."""
         return math.sqrt(float((self.residuals[:, :2] ** 2).sum(axis=1).mean()))
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """The figures in JSON's types."""
         rows = [[number_or_none(round(value, 4)) for value in row] for row in self.residuals.tolist()]
         return {
@@ -187,9 +187,9 @@ class ControlFit:
         """Root mean square distance of the points of a use, "control" or "check" [m]; NaN where there are none."""
         return rms_of([point.residual for point in self.points if point.use == use])
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """The figures in JSON's types."""
-        where = {} if self.frame is None else frame_to_json(self.frame)
+        where = {} if self.frame is None else frame_to_dict(self.frame)
         return where | {
             "crs": self.crs,
             "local_origin_m": self.origin.tolist(),
@@ -199,9 +199,9 @@ class ControlFit:
             "scale_sigma": self.scale_sigma,
             "tilt_sigma_degrees": number_or_none(self.tilt_sigma),
             "yaw_sigma_degrees": number_or_none(self.yaw_sigma),
-            "points": [point.to_json() for point in self.points],
-            "bars": [bar.to_json() for bar in self.bars],
-            "gps": None if self.gps is None else self.gps.to_json(),
+            "points": [point.to_dict() for point in self.points],
+            "bars": [bar.to_dict() for bar in self.bars],
+            "gps": None if self.gps is None else self.gps.to_dict(),
         }
 
     def __str__(self) -> str:

@@ -88,11 +88,11 @@ class PlacesFit:
             f"{self.extent:.3g} m, without {wrong} of {len(self.names)} that do not fit at all"
         )
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """The figures in JSON's types."""
         rows = np.where(np.isfinite(self.residuals), self.residuals, 0.0).round(4).tolist()
         return {
-            **frame_to_json(self.frame),
+            **frame_to_dict(self.frame),
             "places": len(self.names),
             "left_out": list(self.left_out),
             "horizontal_rms_m": self.horizontal_rms,
@@ -177,7 +177,7 @@ def enu_of(frame: WorldFrame, places: Sequence[PicturePlace]) -> Array:
     return target
 
 
-def frame_to_json(frame: WorldFrame) -> dict[str, Any]:
+def frame_to_dict(frame: WorldFrame) -> dict[str, Any]:
     """The origin and the UTM zone of a frame in JSON's types."""
     origin = {"latitude": frame.latitude, "longitude": frame.longitude, "altitude": frame.altitude}
     return {"origin": origin, "epsg": frame.epsg}

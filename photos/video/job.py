@@ -17,7 +17,7 @@ from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
 from ...core.stages import Chain, Made
 from ...core.timing import peak_bytes_of_all
-from ...core.wording import to_json
+from ...core.wording import json_text
 from ...core.work_folder import check_work_folder, held
 from ...files.points.point_cloud import read_point_cloud
 from ...meshing.mesh.mesh_files import read_triangle_mesh
@@ -101,7 +101,7 @@ def reconstruct(
             result = replace(result, files=outputs.write(result, overwrite=overwrite), training=training)
         result = replace(result, peak_bytes=peak_bytes_of_all())
         if work is not None:
-            _write_json(root / REPORT, result.to_json())
+            _write_json(root / REPORT, result.to_dict())
     return result
 
 
@@ -203,4 +203,4 @@ def _work_folder(work: FilePath | None, outputs: Outputs, *, resume: bool, overw
 
 def _write_json(path: Path, content: dict[str, Any]) -> None:
     with atomic_write(path) as file:
-        file.write(to_json(content).encode() + b"\n")
+        file.write(json_text(content).encode() + b"\n")

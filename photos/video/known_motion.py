@@ -148,7 +148,7 @@ def find_features(folder: Path, say: ReportProgress, *, frames: Made, max_featur
     """What can be recognised in each picture, and is not masked."""
     pictures, database = frames.folder / PICTURES, folder / DATABASE
     options = {"max_features": max_features, "masks": masks_of(frames.folder)}
-    return sfm.find_features(pictures, database, seed=seed, progress=say, **options).to_json()
+    return sfm.find_features(pictures, database, seed=seed, progress=say, **options).to_dict()
 
 
 def match(folder: Path, say: ReportProgress, *, frames: Made, features: Made, device: Any) -> dict[str, Any]:
@@ -156,7 +156,7 @@ def match(folder: Path, say: ReportProgress, *, frames: Made, features: Made, de
     model = read_colmap_model(frames.folder / CAMERAS)
     found, check = match_posed(features.folder / DATABASE, model, device=device, progress=say)
     write_matches(folder / MATCHES, found)
-    return {"pair_count": len(found.pairs), "match_count": len(found.matches), "poses": check.to_json()}
+    return {"pair_count": len(found.pairs), "match_count": len(found.matches), "poses": check.to_dict()}
 
 
 def triangulate(
@@ -172,4 +172,4 @@ def triangulate(
     write_colmap_model(folder / MODEL, whole)
     cameras = tuple(dict.fromkeys(whole.cameras))
     told = {"missing": [], "cameras": [described(camera) for camera in cameras]}
-    return assessed.to_json() | told | {"turned": only_turned(assessed, cameras)}
+    return assessed.to_dict() | told | {"turned": only_turned(assessed, cameras)}

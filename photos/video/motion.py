@@ -69,7 +69,7 @@ def take_frames(
     """Sharp frames of a video where the camera has moved, or the pictures of a folder; the faces of spheres."""
     place = folder / (SPHERES if panorama else PICTURES)
     choice = sfm.choose_frames(source, place, max_frames=max_frames, masks=masks, progress=say)
-    told = choice.to_json()
+    told = choice.to_dict()
     if panorama:
         hidden = None if masks is None else (mask_folder(place), folder / MASKS)
         faces = cut_spheres(place, choice.names, folder / PICTURES, hidden, say)
@@ -107,13 +107,13 @@ def find_features(
     options = {"camera_model": camera_model, "max_features": max_features, "masks": masks_of(frames.folder)}
     options |= {"intrinsic": intrinsic, "seed": seed, "progress": say}
     found = sfm.find_features(pictures, folder / DATABASE, **options)
-    return found.to_json()
+    return found.to_dict()
 
 
 def match(folder: Path, say: ReportProgress, *, frames: Made, features: Made, pairs: str, seed: int) -> dict[str, Any]:
     """Which of it two pictures share."""
     options = {"pairs": pairs, "seed": seed, "progress": say}
-    return sfm.match(features.folder / DATABASE, folder / DATABASE, **options).to_json()
+    return sfm.match(features.folder / DATABASE, folder / DATABASE, **options).to_dict()
 
 
 def map_pictures(
@@ -139,7 +139,7 @@ def map_pictures(
             missing = [name for name in missing if name not in set(added)]
             notes.append(f"{counted(len(added), 'face')} placed by others of the same picture: {some_of(added)}")
     told = {"missing": missing, "cameras": [described(camera) for camera in cameras], "notes": notes}
-    return found.quality.to_json() | told | {"turned": only_turned(found.quality, cameras)}
+    return found.quality.to_dict() | told | {"turned": only_turned(found.quality, cameras)}
 
 
 def only_turned(quality: ModelQuality, cameras: Sequence[CameraModel]) -> bool:

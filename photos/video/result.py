@@ -164,7 +164,7 @@ class VideoResult:
         """The stages that were reached, in their order."""
         return {name: stage for name, stage in self.stages.items() if stage is not None}
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """The report that the command writes, in JSON's types; without mesh, cloud and model."""
         return {
             "command": "video",
@@ -176,9 +176,9 @@ class VideoResult:
             },
             **{name: None if stage is None else dict(stage.told) for name, stage in self.stages.items()},
             "units": self.units,
-            "fit": None if self.fit is None else self.fit.to_json(),
+            "fit": None if self.fit is None else self.fit.to_dict(),
             "files": list(self.files),
-            "training": None if self.training is None else self.training.to_json(),
+            "training": None if self.training is None else self.training.to_dict(),
             "peak_bytes": self.peak_bytes,
             **quality(self),
             "work": self.work,

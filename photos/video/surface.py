@@ -98,7 +98,7 @@ def make_mesh(
     write_colmap_model(folder / SPARSE, placed)
     for name, form in ((POSES_LOG, "log"), (POSES_TUM, "tum")):
         write_trajectory(folder / name, poses_of(placed), format=form)
-    return {**describe_mesh(mesh).to_json(), "floaters": len(whole) - len(mesh)}
+    return {**describe_mesh(mesh).to_dict(), "floaters": len(whole) - len(mesh)}
 
 
 def poses_of(model: SfmModel) -> Trajectory:

@@ -124,7 +124,7 @@ class Units:
         align = self._word if self.file is None else digest_of_file(self.file)
         told = {"scale": self.scale, "known": None if self.known is None else list(self.known), "align": align}
         if self.places is not None and (self.places.places or self.places.attitudes) and align in (None, EXIF):
-            told["places"] = digest_of(self.places.to_json())
+            told["places"] = digest_of(self.places.to_dict())
         return told if self.ground is None else told | {"control": self.ground.digest()}
 
     def check_names(self, names: Sequence[str]) -> None:
@@ -219,13 +219,13 @@ class Fit:
             lines.append(f"origin {' '.join(f'{value:.10g}' for value in self.control.origin)}")
         return lines
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All but the similarity and the warnings, in JSON types."""
         told: dict[str, Any] = {"units": self.units, "scale": self.scale, "by": self.by}
         if self.gps is not None:
-            told["gps"] = self.gps.to_json()
+            told["gps"] = self.gps.to_dict()
         if self.control is not None:
-            told["control"] = self.control.to_json()
+            told["control"] = self.control.to_dict()
         if self.up is not None and self.up.direction is not None:
             told["up"] = {"by": self.up.by, "sigma_degrees": self.up.sigma}
         if self.notes:

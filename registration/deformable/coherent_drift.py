@@ -168,7 +168,7 @@ def coherent_point_drift(
         ...     loom.PointCloud(body), loom.PointCloud(bent), kind="deformable", outliers=0.01
         ... )
         >>> bool(np.abs(found.warped.points - bent).max() < 0.05), found.reliable
-        (True, None)
+        (True, True)
     """
     check_clouds(source, target)
     tell = check_progress(progress)

@@ -79,7 +79,7 @@ class NonRigidResult(Report, Assessed):
             "from a start half a turn away (better_start) it fits with less strain" if turned else None,
         )
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """The figures, in JSON's types."""
         names = ("matched", "covered", "rmse", "rigid_rmse", "rigid_matched", "folded", "strain", "iterations")
         found = {name: getattr(self, name) for name in names}

@@ -137,7 +137,7 @@ def localisability(
         >>> found.kinds[0], found.kinds[-1]
         ('none', 'full')
         >>> found.warnings
-        'the source may slide along x: the clouds lie on each other as well there'
+        ('the source may slide along x: the clouds lie on each other as well there',)
     """
     check_clouds(source, target)
     distance = check_positive("max_correspondence_distance", max_correspondence_distance)

@@ -128,7 +128,7 @@ class PairRegistration(Report, Assessed):
         problem = self.search_problem or "the surfaces hardly overlap"
         return (f"the score is {self.score:.2f}, not above {LEAST_SCORE}: {problem}",)
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All of it, the pose as rows, in JSON's types."""
         result = self.result
         unit = {} if self.unit is None else {"unit": self.unit}
@@ -235,7 +235,7 @@ def register_pair(
         >>> target, source = loom.PointCloud(surface), loom.PointCloud(surface + [0.02, -0.03, 0.01])
         >>> found = loom.registration.register_pair(source, target, init=np.eye(4), voxel_size=0.08)
         >>> bool(np.abs(found.transformation[:3, 3] - [-0.02, 0.03, -0.01]).max() < 0.01), found.reliable
-        (True, None)
+        (True, True)
     """
     estimation, tell = _check_method(method), check_progress(progress)
     check_clouds(source, target)

@@ -210,7 +210,7 @@ class OdometrySummary(Report, Assessed):
             )
         return tuple(reasons)
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All of it in JSON's types, with the unit in the name."""
         return plain(
             {

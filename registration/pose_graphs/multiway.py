@@ -109,7 +109,7 @@ class FragmentsResult(Report):
             raise ValueError(f"clouds: expected {len(self.placed)}, as many as were registered, got {len(clouds)}")
         return PointCloud.concatenate([clouds[i].transform(self.poses[i]) for i in np.flatnonzero(self.placed)])
 
-    def to_json(self, names: Sequence[str] | None = None) -> dict[str, Any]:
+    def to_dict(self, names: Sequence[str] | None = None) -> dict[str, Any]:
         """All of it in JSON's types; clouds are called by their numbers, from 0, or by these names."""
         called = range(len(self.placed)) if names is None else names
         return plain(

@@ -139,7 +139,7 @@ class StationsResult(Report, Assessed):
         verdict = "; ".join(self.warnings) or "all quality checks passed"
         return "\n\n".join([part for part in parts if part] + [verdict]) + "\n"
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All of it in JSON's types; stations by their names."""
         names = self.names
         return plain(

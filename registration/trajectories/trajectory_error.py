@@ -117,7 +117,7 @@ class TrajectoryError(Report, Assessed):
             f"{angle:.1f} degrees and {arm:.2f} m, explains most of the relative errors; pass it as extrinsic",
         )
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All of it in JSON's types, with the unit in each name; figures that there are none of are None."""
         return plain(
             {

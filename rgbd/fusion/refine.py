@@ -69,7 +69,7 @@ class PoseRefinement(Assessed):
             f"{len(kept)} of {count} poses could not be refined and are unchanged ({share}; frame {first}: {reason})",
         )
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """The figures, in JSON's types."""
         return {
             "refined": len(self.shifts),

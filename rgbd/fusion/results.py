@@ -107,9 +107,9 @@ class FusionResult(Assessed):
             "other units"
         )
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """The figures, in JSON's types."""
-        volume, size = self.volume, describe_mesh(self.mesh).to_json()
+        volume, size = self.volume, describe_mesh(self.mesh).to_dict()
         return {
             "device": str(volume.device),
             "frames": self.frame_count,
@@ -125,7 +125,7 @@ class FusionResult(Assessed):
             "voxels": volume.block_count * BLOCK_VOXELS,
             "volume_bytes": volume.memory_bytes,
             **size,
-            "refinement": None if self.refinement is None else self.refinement.to_json(),
+            "refinement": None if self.refinement is None else self.refinement.to_dict(),
         }
 
     def fields(self) -> Fields:
@@ -139,6 +139,6 @@ class FusionResult(Assessed):
             *([("poses", str(self.refinement))] if self.refinement else []),
             ("voxels", f"{blocks * BLOCK_VOXELS:,} of {size}, in {blocks:,} blocks"),
             ("mesh", f"{len(mesh.vertices):,} vertices, {len(mesh):,} triangles"),
-            ("bounds", format_bounds(describe_mesh(mesh).to_json()["bounds"])),
+            ("bounds", format_bounds(describe_mesh(mesh).to_dict()["bounds"])),
             ("memory", f"{format_bytes(volume.memory_bytes)} of volume"),
         ]

@@ -84,9 +84,9 @@ class FragmentsAccount(Assessed):
         """Failed quality checks, each with its remedy; empty if the result is reliable."""
         return self.system.warnings
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """The figures, in JSON's types."""
-        told, sizes = self.system.to_json(), {"voxel_size": self.voxel_size, "depth_max": self.depth_max}
+        told, sizes = self.system.to_dict(), {"voxel_size": self.voxel_size, "depth_max": self.depth_max}
         return {"device": self.device, **{name: told[name] for name in _TOLD}, **sizes, "work": self.folder}
 
     def fields(self) -> Fields:

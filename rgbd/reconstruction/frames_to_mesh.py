@@ -77,14 +77,14 @@ class ReconstructionResult(Assessed):
         model = self.account.warnings or (() if len(self.mesh) else (EMPTY,))
         return (*model, *(() if self.focal is None else self.focal.warnings))
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """The figures, in JSON's types; not those of `error`."""
-        focal = None if self.focal is None else self.focal.to_json()
-        return {"method": self.method, **self.account.to_json(), **describe_mesh(self.mesh).to_json(), "focal": focal}
+        focal = None if self.focal is None else self.focal.to_dict()
+        return {"method": self.method, **self.account.to_dict(), **describe_mesh(self.mesh).to_dict(), "focal": focal}
 
     def fields(self, frames_per_second: float | None = None) -> Fields:
         """The frames, the path or the fragments, and the mesh as labels and values."""
-        account, size = self.account, describe_mesh(self.mesh).to_json()
+        account, size = self.account, describe_mesh(self.mesh).to_dict()
         told = account.fields(frames_per_second) if isinstance(account, SlamAccount) else account.fields()
         voxels = f"voxels of {account.voxel_size * 1000:.4g} mm"
         return [

@@ -120,7 +120,7 @@ class SystemReport(Report):
         """How many frames are in the model."""
         return self.frames - sum(run.count for run in self.lost)
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """All of it in JSON's types."""
         return plain(
             {

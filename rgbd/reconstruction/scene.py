@@ -125,7 +125,7 @@ def integrate_scene(
     say("extract", 0, 0)
     mesh, threshold = extract_mesh(volume, config.surface_weight_threshold)
     figures = sizes | {"weight_threshold": threshold, "volume_bytes": volume.memory_bytes}
-    figures |= describe_mesh(mesh).to_json() | {"trajectory_error": _error_of(poses, truths)}
+    figures |= describe_mesh(mesh).to_dict() | {"trajectory_error": _error_of(poses, truths)}
     ids = np.stack([indices, indices, np.full(len(indices), frames.count)], axis=1)
     write_trajectory(places.trajectory, Trajectory(poses, ids=ids))
     mesh_path = places.scene_mesh if len(mesh) else None

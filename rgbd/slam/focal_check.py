@@ -74,7 +74,7 @@ class FocalCheck(Assessed):
             f"long ({self.residual_there * 1000:.1f} mm apart, not {self.residual * 1000:.1f}); correct intrinsic",
         )
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """The figures, in JSON's types."""
         residuals = {"residual_m": self.residual, "factor": self.factor, "residual_there_m": self.residual_there}
         return {"pairs": self.pairs, **residuals}

@@ -63,11 +63,11 @@ class SlamAccount(Assessed):
         """Failed quality checks, each with its remedy; empty if the result is reliable."""
         return self.path.warnings
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """The figures, in JSON's types."""
-        return self.path.to_json() | self.loops_to_json()
+        return self.path.to_dict() | self.loops_to_dict()
 
-    def loops_to_json(self) -> dict[str, Any]:
+    def loops_to_dict(self) -> dict[str, Any]:
         """Those of the loops alone."""
         loops = [list(loop) for loop in self.loops]
         refused = {"refused_loops": self.refused_loop_count, "corrected_m": self.corrected}

@@ -59,7 +59,7 @@ class TrackedPath(Assessed):
         >>> v, u = np.mgrid[:48, :64]
         >>> depth = np.float32(1.0 + 0.1 * np.sin(u / 5) * np.cos(v / 7))
         >>> path = loom.track(loom.frames_from([(None, depth)] * 3, camera))
-        >>> path.to_json()["tracked"], path.lost, path.reliable
+        >>> path.to_dict()["tracked"], path.lost, path.reliable
         (3, {}, True)
     """
 
@@ -132,7 +132,7 @@ class TrackedPath(Assessed):
         corrected = np.array(poses, np.float64).reshape(-1, 4, 4)
         return dataclasses.replace(self, trajectory=Trajectory(corrected, timestamps=told.timestamps, ids=told.ids))
 
-    def to_json(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Any]:
         """The figures, in JSON's types."""
         return {
             "device": self.device,

@@ -19,7 +19,7 @@ from ... import __version__  # pyright: ignore[reportMissingImports]
 from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
 from ...core.paths import path_of
-from ...core.wording import to_json
+from ...core.wording import plain
 from ..job_folder import make_folder
 from ..manifest import NAME, OVER, Manifest, a_new_manifest, damage_as_file_errors
 from ..plan import check_same_plan
@@ -110,9 +110,9 @@ class JobStatus:
     troubles: dict[str, str]
     notes: tuple[str, ...]
 
-    def to_json(self) -> str:
-        """All of it as JSON."""
-        return to_json(asdict(self))
+    def to_dict(self) -> dict[str, Any]:
+        """All of it in JSON types."""
+        return plain(asdict(self))
 
     def __str__(self) -> str:
         total = self.waiting + self.running + self.done + self.failed + self.aside

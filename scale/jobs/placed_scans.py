@@ -54,11 +54,11 @@ class PlacedScans(FragmentsResult):
         """The files of the scans that hang with none of the largest group."""
         return [path for path, is_placed in zip(self.scans, self.placed, strict=True) if not is_placed]
 
-    def to_json(self, names: Any = None) -> dict[str, Any]:
+    def to_dict(self, names: Any = None) -> dict[str, Any]:
         """As of FragmentsResult, with the pairs that were tried; scans are called by their files unless named."""
         called = self.scans if names is None else names
         tried = [pair._asdict() | {"source": called[pair.source], "target": called[pair.target]} for pair in self.tried]
-        return super().to_json(called) | {"tried": plain(tried)}
+        return super().to_dict(called) | {"tried": plain(tried)}
 
 
 def finish_registration(folder: FilePath) -> PlacedScans:

@@ -26,7 +26,7 @@ def errors_of(rmse):
 
 @pytest.mark.slow
 def test_the_demo_leaves_a_mesh_a_picture_and_a_report(device, tmp_path):
-    report = run_demo(tmp_path / "demo", **SMALL, device=device).to_json()
+    report = run_demo(tmp_path / "demo", **SMALL, device=device).to_dict()
     assert names_in(tmp_path / "demo") == OUTPUTS
     assert json.loads((tmp_path / "demo" / "report.json").read_text()) == json.loads(json.dumps(report))
     mesh = read_triangle_mesh(tmp_path / "demo" / "room.ply")
@@ -40,7 +40,7 @@ def test_the_demo_leaves_a_mesh_a_picture_and_a_report(device, tmp_path):
 
 @pytest.mark.slow
 def test_the_errors_are_those_of_the_vertices(tmp_path):
-    report = run_demo(tmp_path / "demo", **SMALL).to_json()
+    report = run_demo(tmp_path / "demo", **SMALL).to_dict()
     errors = surface_errors(read_triangle_mesh(tmp_path / "demo" / "room.ply").vertices)
     assert report["errors"]["rmse"] == pytest.approx(np.sqrt(np.mean(errors**2)), rel=1e-6)
     assert report["errors"]["median_voxels"] == pytest.approx(np.median(errors) / 0.08, rel=1e-6)
@@ -53,7 +53,7 @@ def test_vertices_within_half_a_voxel_are_counted():
 
 @pytest.mark.slow
 def test_without_noise_the_error_is_below_three_tenths_of_a_voxel(tmp_path):
-    report = run_demo(tmp_path / "demo", frame_count=60, voxel_size=0.03, noise=False).to_json()
+    report = run_demo(tmp_path / "demo", frame_count=60, voxel_size=0.03, noise=False).to_dict()
     assert report["errors"]["rmse_voxels"] < 0.3
     assert report["reliable"]
     assert LARGEST_RMSE["no noise"] == 0.3
@@ -71,7 +71,7 @@ def test_two_runs_give_the_same_bits_and_another_seed_others(tmp_path):
 @pytest.mark.slow
 def test_an_existing_output_is_kept_unless_forced(tmp_path):
     (tmp_path / "room.png").write_bytes(b"kept")
-    with pytest.raises(FileError, match=r"room\.png: exists already"):
+    with pytest.raises(FileError, match=r"room\.png"):
         run_demo(tmp_path, **SMALL)
     assert (tmp_path / "room.png").read_bytes() == b"kept"
     assert names_in(tmp_path) == ["room.png"]

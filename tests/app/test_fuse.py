@@ -35,7 +35,7 @@ class Still(Wall):
 
 def test_a_folder_becomes_a_mesh_and_a_picture(device, folder, tmp_path):
     outputs = ModelOutputs(tmp_path / "mesh.ply", picture=tmp_path / "mesh.png")
-    report = fuse_folder(folder, outputs, voxel_size=0.05, device=device).to_json()
+    report = fuse_folder(folder, outputs, voxel_size=0.05, device=device).to_dict()
     assert report["reliable"]
     assert report["layout"] == "7scenes"
     assert report["frames"] == 12
@@ -47,13 +47,13 @@ def test_a_folder_becomes_a_mesh_and_a_picture(device, folder, tmp_path):
 
 
 def test_stl_comes_without_the_colours_that_it_cannot_hold(folder, tmp_path):
-    report = fuse_folder(folder, ModelOutputs(tmp_path / "mesh.stl"), voxel_size=0.1).to_json()
+    report = fuse_folder(folder, ModelOutputs(tmp_path / "mesh.stl"), voxel_size=0.1).to_dict()
     assert (tmp_path / "mesh.stl").stat().st_size == 84 + 50 * report["triangles"]
 
 
 @pytest.mark.parametrize("depth_max", [0.05, 0.3])
 def test_frames_out_of_reach_are_a_poor_result(folder, tmp_path, depth_max):
-    report = fuse_folder(folder, ModelOutputs(tmp_path / "mesh.ply"), voxel_size=0.02, depth_max=depth_max).to_json()
+    report = fuse_folder(folder, ModelOutputs(tmp_path / "mesh.ply"), voxel_size=0.02, depth_max=depth_max).to_dict()
     assert "depth_max" in str(report["warnings"])
     assert report["files"] == [] == names_in(tmp_path)
 
@@ -69,7 +69,7 @@ def test_outputs_are_checked_before_the_frames_are(tmp_path):
 def test_the_kitchen_becomes_a_mesh(device, real_file, tmp_path):
     kitchen, options = real_file("rgbd-7scenes-redkitchen"), FolderOptions(every=50)
     outputs = ModelOutputs(tmp_path / "kitchen.ply")
-    report = fuse_folder(kitchen, outputs, options=options, voxel_size=0.04, device=device).to_json()
+    report = fuse_folder(kitchen, outputs, options=options, voxel_size=0.04, device=device).to_dict()
     assert report["reliable"]
     assert report["frames"] == 6
     assert report["used_share"] > 0.8
@@ -122,6 +122,6 @@ def test_a_view_shows_the_whole_scene_however_the_cameras_looked(way):
 
 def test_frames_without_depth_are_a_poor_result_that_sends_to_the_depth_maps(tmp_path, monkeypatch):
     monkeypatch.setattr("pointloom.app.jobs.frame_folder.open_dataset", lambda *_, **__: Still(depth=0))
-    report = fuse_folder(tmp_path, ModelOutputs(tmp_path / "mesh.ply"), voxel_size=0.05).to_json()
+    report = fuse_folder(tmp_path, ModelOutputs(tmp_path / "mesh.ply"), voxel_size=0.05).to_dict()
     assert "; ".join(report["warnings"]).startswith("only 0.0% of the pixels have a depth; check the depth maps")
     assert report["files"] == [] and not (tmp_path / "mesh.ply").exists()

@@ -196,7 +196,7 @@ def test_an_interrupted_run_is_taken_up(walked, tmp_path):
         reconstruct_folder(walked, outputs, stages=stages, voxel_size=0.05, progress=interrupt)
     assert names_in(tmp_path) == ["walk", "work"]
     stages = StageOptions(work=tmp_path / "work", resume=True)
-    report = reconstruct_folder(walked, outputs, stages=stages, voxel_size=0.05).to_json()
+    report = reconstruct_folder(walked, outputs, stages=stages, voxel_size=0.05).to_dict()
     assert report["resumed"]["fragments"] == 1
     assert report["files"] == [str(tmp_path / "mesh.ply")]
 

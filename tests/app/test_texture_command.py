@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.core.wording import to_json
+from pointloom.core.wording import json_text
 from pointloom.data.scenes.room import write_room_sequence
 from pointloom.files.frames.datasets import open_dataset
 from pointloom.files.pictures.image_files import read_color, write_png
@@ -45,7 +45,7 @@ def test_vertices_take_the_colors_of_the_frames(scan, tmp_path):
     found = loom.color_map.texture_mesh(bare, frames)  # the same call in Python
     loom.write_triangle_mesh(tmp_path / "called.ply", found.mesh)
     assert (tmp_path / "called.ply").read_bytes() == (tmp_path / "out.ply").read_bytes()
-    figures = json.loads(to_json(found.to_json()))
+    figures = json.loads(json_text(found.to_dict()))
     assert figures == {key: report[key] for key in figures}
 
 

@@ -201,7 +201,7 @@ def test_long_lists_of_names_are_cut():
     names = {f"{k}_0": "torn" for k in range(30)}
     status = TileStatus("job", 0, 0, 0, 0, 30, 0, 0, 10, 0, 0, 0, names)
     report = told_by.report_of("run", status)
-    assert "; ".join(report.warnings).endswith("18_0, 19_0 and 10 more") and len(report.to_json()["troubles"]) == 30
+    assert "; ".join(report.warnings).endswith("18_0, 19_0 and 10 more") and len(report.to_dict()["troubles"]) == 30
 
 
 def test_the_options_are_those_of_the_library():

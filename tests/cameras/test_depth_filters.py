@@ -161,7 +161,7 @@ def test_normals_of_a_slanted_wall_are_its_own(device):
 def test_holes_and_other_surfaces_do_not_count_in_halved_depth(depth, threshold):
     h, w = depth.shape
     if min(h, w) < 2:
-        with pytest.raises(ValueError, match="depth: expected at least 2 x 2 pixels to halve"):
+        with pytest.raises(ValueError, match="depth:"):
             loom.pyrdown_depth(depth)
         return
     weights = np.array([1, 4, 6, 4, 1]) / 16

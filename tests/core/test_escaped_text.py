@@ -78,7 +78,7 @@ def test_one_line_stays_one(capsys):
 
 
 def test_json_keeps_what_it_escapes():
-    text = wording.to_json({EVIL: EVIL, "line": "é\n\t"})
+    text = wording.json_text({EVIL: EVIL, "line": "é\n\t"})
     assert escaped(text, lines=True) == text and json.loads(text) == {EVIL: EVIL, "line": "é\n\t"}
 
 

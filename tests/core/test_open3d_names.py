@@ -89,5 +89,5 @@ def test_a_name_of_open3d_is_answered_with_its_row(line, message):
 
 
 def test_errors_from_within_stay_as_they_are():
-    with pytest.raises(TypeError, match=r"voxel_size: expected a number, got '0\.05'"):
+    with pytest.raises(TypeError, match="voxel_size:"):
         loom.PointCloud(np.zeros((9, 3))).voxel_down_sample("0.05")  # pyright: ignore[reportArgumentType]

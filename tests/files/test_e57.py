@@ -291,7 +291,7 @@ def test_what_is_no_e57_file_is_refused(tmp_path, small):
         loom.read_point_cloud(tmp_path / "a.e57")
     with pytest.raises(loom.FileError, match="does not exist"):
         loom.read_point_cloud(tmp_path / "b.e57")
-    with pytest.raises(ValueError, match=r"scan: only \.e57 and \.ptx have scans"):
+    with pytest.raises(ValueError, match="scan:"):
         loom.read_point_cloud(tmp_path / "b.ply", scan=0)
     write_by_pye57(tmp_path / "none.e57")
     with pytest.raises(loom.FileError, match="holds no scan"):

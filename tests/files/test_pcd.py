@@ -218,7 +218,7 @@ def test_an_attribute_that_would_not_read_back_is_refused_and_nothing_is_written
 
 
 def test_an_unknown_encoding_is_a_value_error(path):
-    with pytest.raises(ValueError, match="encoding: expected one of ascii, binary, binary_compressed, got 'zip'"):
+    with pytest.raises(ValueError, match="encoding:"):
         write_pcd(path, table_of(), encoding="zip")  # type: ignore[arg-type]
 
 

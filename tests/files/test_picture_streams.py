@@ -41,7 +41,7 @@ def test_a_png_whose_stream_does_not_fit_its_header_is_refused(tmp_path, kind, p
     if claim is None:
         assert read(path).shape[:2] == (24, 32)
         return
-    with pytest.raises(FileError, match=r"x\.png \(IDAT\)") as caught:
+    with pytest.raises(FileError, match=r"x\.png") as caught:
         read(path)
     assert claim in str(caught.value)
 

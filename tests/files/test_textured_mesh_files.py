@@ -137,7 +137,7 @@ def test_what_is_not_to_be_written_is_left_out(tmp_path):
         again = loom.read_triangle_mesh(tmp_path / f"m{suffix}")
         assert again.vertex_normals is again.vertex_colors is again.triangle_uvs is None
         assert again.textures == ()
-    with pytest.raises(ValueError, match=r"triangle_material_ids: expected 0\.\.0, got 0\.\.2"):
+    with pytest.raises(ValueError, match="triangle_material_ids:"):
         mesh.triangle_material_ids = table.triangle_material_ids
         loom.write_triangle_mesh(tmp_path / "m.glb", mesh)
 
@@ -145,7 +145,7 @@ def test_what_is_not_to_be_written_is_left_out(tmp_path):
 def test_files_beside_appear_all_or_none(tmp_path):
     (tmp_path / "m_2.png").write_bytes(b"mine")
     for suffix in (".obj", ".ply"):
-        with pytest.raises(FileError, match=r"m_2\.png: exists already"):
+        with pytest.raises(FileError, match=r"m_2\.png"):
             FORMATS[suffix][0](tmp_path / f"m{suffix}", textured(), overwrite=False)
     assert [path.name for path in tmp_path.iterdir()] == ["m_2.png"]
     assert (tmp_path / "m_2.png").read_bytes() == b"mine"

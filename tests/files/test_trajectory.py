@@ -183,7 +183,7 @@ def test_formats_and_names_must_agree(tmp_path, trajectory):
         write_trajectory(tmp_path / "t.txt", trajectory)
     with pytest.raises(FileError, match=r"log files end in \.log"):
         write_trajectory(tmp_path / "t.txt", trajectory, format="log")
-    with pytest.raises(ValueError, match="format: expected one of"):
+    with pytest.raises(ValueError, match="format:"):
         write_trajectory(tmp_path / "t.txt", trajectory, format="euroc")
     assert not list(tmp_path.iterdir())
 

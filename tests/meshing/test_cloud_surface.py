@@ -8,7 +8,7 @@ import warp as wp
 
 import pointloom as loom
 from pointloom.app.jobs.mesh import mesh_file
-from pointloom.core.wording import to_json
+from pointloom.core.wording import json_text
 
 
 def ball(count: int = 1500, **attributes) -> loom.PointCloud:
@@ -26,10 +26,10 @@ def test_a_cloud_in_memory_has_the_bits_and_the_words_of_its_file(tmp_path, devi
     written = loom.read_triangle_mesh(tmp_path / "out.ply")
     np.testing.assert_array_equal(written.vertices, found.mesh.vertices)
     np.testing.assert_array_equal(written.triangles, found.mesh.triangles)
-    shared = json.loads(to_json(found.to_json()))
-    assert shared == {key: json.loads(to_json(report.to_json()))[key] for key in shared} and shared["not_carried"] == [
-        "intensity"
-    ]
+    shared = json.loads(json_text(found.to_dict()))
+    assert shared == {key: json.loads(json_text(report.to_dict()))[key] for key in shared} and shared[
+        "not_carried"
+    ] == ["intensity"]
     said = {label: value for label, value in report.fields() if label not in ("seconds", "files")}
     assert [line.split(maxsplit=1)[0] for line in str(found).splitlines()] == [label.split()[0] for label in said]
     assert all(value in str(found) for value in said.values())
@@ -56,7 +56,7 @@ def test_without_a_finite_point_there_is_no_surface_and_no_error(method, device)
     for points in (np.full((4, 3), np.nan), np.zeros((0, 3))):
         found = loom.create_surface(loom.PointCloud(points, device=device), method)
         assert len(found.mesh) == 0 and found.warnings == ("no point is finite, so there is no surface",)
-        assert (found.points_in, found.points, found.to_json()["bounds"]) == (len(points), 0, None)
+        assert (found.points_in, found.points, found.to_dict()["bounds"]) == (len(points), 0, None)
         assert found.mesh.device == loom.PointCloud(points, device=device).device
 
 
@@ -75,7 +75,7 @@ def test_the_mesh_has_the_arrays_of_the_cloud():
     assert isinstance(found.mesh.cluster_connected_triangles()[0], wp.array)
     plain = loom.create_surface(cloud.to("cpu", arrays="numpy"), depth=4)
     np.testing.assert_array_equal(found.mesh.vertices, plain.mesh.vertices)
-    assert found.to_json() == plain.to_json()
+    assert found.to_dict() == plain.to_dict()
 
 
 @pytest.mark.parametrize(

@@ -66,7 +66,7 @@ def test_what_is_no_solid_is_refused_with_the_reason(device, reason):
 
 
 def test_what_is_no_mesh_is_refused():
-    with pytest.raises(TypeError, match="mesh: expected a TriangleMesh"):
+    with pytest.raises(TypeError, match="mesh:"):
         box().boolean_union(BOX)
 
 

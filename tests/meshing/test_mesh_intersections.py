@@ -156,7 +156,7 @@ def test_what_cannot_meet_does_not(device):
     assert pairs_of(broken, [[0, 1, 2], [3, 4, 5]], device) == []
     assert pairs_of(broken, [[0, 1, 2], [0, 1, 2]], device) == []  # they share vertices
     assert pairs_of([*broken[:3], *broken[:3]], [[0, 1, 2], [3, 4, 5]], device) == [[0, 1]]
-    with pytest.raises(TypeError, match="other: expected a TriangleMesh, got str"):
+    with pytest.raises(TypeError, match="other:"):
         cube.is_intersecting("cube")
 
 

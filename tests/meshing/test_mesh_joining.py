@@ -54,7 +54,7 @@ def test_what_not_all_meshes_have_is_left_out():
     other = TriangleMesh.create_box()
     other.vertex_attributes["a"] = np.zeros(8, np.float32)
     bare = dressed().with_arrays(triangle_uvs=None)
-    with pytest.raises(TypeError, match="a: the meshes have it in int64 and float32"):
+    with pytest.raises(TypeError, match="a:"):
         bare + other
 
 

@@ -81,7 +81,7 @@ def test_an_error_map_colours_each_vertex_by_its_distance(device):
 
 def test_what_cannot_be_compared_is_refused(device):
     cube, nothing = TriangleMesh(*CUBE, device=device), TriangleMesh([], [], device=device)
-    with pytest.raises(TypeError, match="mesh2: expected a TriangleMesh"):
+    with pytest.raises(TypeError, match="mesh2:"):
         cube.compute_metrics([[0, 0, 0]])
     with pytest.raises(ValueError, match="fscore_radius"):
         cube.compute_metrics(cube, [0.0])

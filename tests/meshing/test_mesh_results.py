@@ -44,7 +44,7 @@ def test_a_mesh_in_memory_has_the_bits_and_the_words_of_its_file(tmp_path, devic
     for array in ("vertices", "triangles", "vertex_normals"):
         np.testing.assert_array_equal(getattr(written, array), getattr(found.mesh, array))
     np.testing.assert_array_equal(mesh.vertices, before)  # what was given stays
-    figures, all_figures = json.loads(json.dumps(found.to_json())), json.loads(json.dumps(report.to_json()))
+    figures, all_figures = json.loads(json.dumps(found.to_dict())), json.loads(json.dumps(report.to_dict()))
     assert figures == {key: all_figures[key] for key in figures}
     assert figures["reliable"] == found.reliable and figures["warnings"] == list(found.warnings)
     assert report.fields()[: len(found.fields())] == found.fields()
@@ -55,10 +55,10 @@ def test_two_meshes_in_memory_are_compared_as_their_files_are(tmp_path, device):
     loom.write_triangle_mesh(tmp_path / "a.ply", torn())
     loom.write_triangle_mesh(tmp_path / "b.ply", TriangleMesh.create_sphere(1.01, 12))
     options = {"samples": 500, "limit": 0.05, "seed": 3}
-    report = compare_mesh_files(tmp_path / "a.ply", tmp_path / "b.ply", device=device, **options).to_json()
+    report = compare_mesh_files(tmp_path / "a.ply", tmp_path / "b.ply", device=device, **options).to_dict()
     meshes = [loom.read_triangle_mesh(tmp_path / name, device=device) for name in ("a.ply", "b.ply")]
     found = loom.compare_meshes(*meshes, **options)
-    assert found.to_json() == {key: report[key] for key in found.to_json()}
+    assert found.to_dict() == {key: report[key] for key in found.to_dict()}
     assert report["fscore"].keys() == {str(0.01 * found.diagonal)} and "more than 0.05 m" in str(found.warnings)
     assert loom.compare_meshes(meshes[0], meshes[0], thresholds=[], samples=100).reliable
 
@@ -68,7 +68,7 @@ def test_a_mesh_without_triangles_is_poor_and_no_error():
         assert loom.clean_mesh(mesh).warnings == ("no triangle is left",)
         assert "no triangle is left" in loom.simplify_mesh(mesh, ratio=0.5).warnings[0]
         assert loom.smooth_mesh(mesh).warnings == ("the mesh has no triangles",)
-        with pytest.raises(ValueError, match="first: holds no triangle with an area"):
+        with pytest.raises(ValueError, match="first:"):
             loom.compare_meshes(mesh, torn())
     assert loom.smooth_mesh(TriangleMesh([[np.nan] * 3])).moved is None
 

@@ -46,6 +46,6 @@ def test_pictures_stand_upright(cone):
     ("value", "kind"), [("w", ValueError), ((0, 0, 0), ValueError), ((1, 2), ValueError), (object(), TypeError)]
 )
 def test_what_is_no_direction_is_refused(cone, value, kind):
-    with pytest.raises(kind, match="up: expected"):
+    with pytest.raises(kind, match="up:"):
         cone.up = value
     assert cone.up == Y

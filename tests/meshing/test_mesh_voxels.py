@@ -177,7 +177,7 @@ def test_a_dense_grid_is_the_sparse_one():
     assert grid.dense().shape == grid.counts
     assert grid.check_if_included(grid.centers).all()
     assert len(grid) == grid.dense().sum()
-    with pytest.raises(ValueError, match="queries: expected shape"):
+    with pytest.raises(ValueError, match="queries:"):
         grid.check_if_included([[0, 0]])
     with pytest.raises(TypeError, match="queries"):
         grid.check_if_included(None)

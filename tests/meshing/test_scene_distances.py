@@ -275,11 +275,11 @@ def test_triangles_that_are_not_finite_are_left_out(device):
 
 def test_wrong_queries_are_refused():
     scene = scene_of(CUBE)
-    with pytest.raises(ValueError, match=r"query_points: expected shape \[..., 3\]"):
+    with pytest.raises(ValueError, match="query_points:"):
         scene.compute_distance([[0, 0]])
     with pytest.raises(TypeError, match="query_points"):
         scene.compute_closest_points("abc")
-    with pytest.raises(ValueError, match="nsamples: expected an odd number"):
+    with pytest.raises(ValueError, match="nsamples:"):
         scene.compute_signed_distance([[0, 0, 0]], nsamples=2)
 
 

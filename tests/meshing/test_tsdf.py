@@ -91,7 +91,7 @@ def test_a_frame_that_is_refused_leaves_the_volume_as_it_was(device, arguments, 
 
 def test_colour_for_a_volume_without_is_refused(device):
     volume = loom.TSDFVolume(voxel_size=VOXEL, color=False, device=device)
-    with pytest.raises(ValueError, match="color: the volume was made with color=False"):
+    with pytest.raises(ValueError, match="color:"):
         volume.integrate(DEPTH, SMALL, E, color=COLOR)
     assert volume.frame_count == 0
 
@@ -163,7 +163,7 @@ def test_a_first_frame_far_away_that_is_refused_sets_no_origin(device):
     """Its camera would have been the origin; what comes next is near zero."""
     volume, far = loom.TSDFVolume(voxel_size=1e-7, device=device), np.eye(4)
     far[0, 3] = -1e6
-    with pytest.raises(ValueError, match="extrinsic: the frame reaches"):
+    with pytest.raises(ValueError, match="extrinsic:"):
         volume.integrate(DEPTH, SMALL, far)
     assert volume.origin.tolist() == [0, 0, 0] and (volume.frame_count, volume.block_count) == (0, 0)
     volume.integrate(np.zeros((24, 32)), SMALL, far)

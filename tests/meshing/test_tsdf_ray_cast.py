@@ -124,7 +124,7 @@ def test_a_far_camera_sees_what_lies_within_its_depth(device):
 
 def test_a_camera_beyond_the_limit_is_refused(device):
     volume = fused_sphere(device)
-    with pytest.raises(ValueError, match="extrinsic: the camera is 1000000 m"):
+    with pytest.raises(ValueError, match="extrinsic:"):
         view_from(volume, look_at((1e6, 0, 0)))
 
 

@@ -151,7 +151,7 @@ def test_scans_that_cannot_be_placed_are_refused_and_leave_the_volume(device):
     ):
         with pytest.raises(ValueError, match=words):
             volume.integrate_points(wrong, origin)
-    with pytest.raises(ValueError, match="max_range: expected more than min_range"):
+    with pytest.raises(ValueError, match="max_range:"):
         volume.integrate_points(points, np.zeros(3), min_range=2.0, max_range=1.0)
     assert (volume.frame_count, fingerprint(volume)) == (1, before)
     assert volume.integrate_points(np.zeros((0, 3)), np.zeros(3)) == 0

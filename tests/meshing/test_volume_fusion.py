@@ -189,5 +189,5 @@ def test_what_cannot_be_fused_is_refused(device):
     ):
         with pytest.raises(ValueError, match=message):
             loom.fuse_volumes([volume], [eye], **options)
-    with pytest.raises(TypeError, match=r"volumes\[1\]: expected a TSDFVolume"):
+    with pytest.raises(TypeError, match=r"volumes\[1\]:"):
         loom.fuse_volumes([volume, None], [eye, eye])

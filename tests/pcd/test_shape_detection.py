@@ -46,7 +46,7 @@ def test_the_same_seed_gives_the_same_shapes_and_progress_is_told(device):
     second = detect(points, device, 0.005, seed=3)
     np.testing.assert_array_equal(first.labels, second.labels)
     np.testing.assert_array_equal(first.distances, second.distances)
-    assert str(first) == str(second) and first.to_json() == second.to_json()
+    assert str(first) == str(second) and first.to_dict() == second.to_dict()
     assert told[0] == ("shapes", 0, len(points)) and told[-1][1] == (first.labels >= 0).sum()
     assert len(told) == len(parts) + 1
 

@@ -74,7 +74,7 @@ def test_a_start_leads_to_the_same_shape_and_to_the_same_bits_each_time(device, 
     made, _, _ = made_shape("torus", 1500, rng, 0.004)
     cloud = loom.PointCloud(made + UTM, device=device)
     first, second = loom.fit_shape(cloud, "torus"), loom.fit_shape(cloud, "torus")
-    assert str(first) == str(second) and first.to_json() == second.to_json()
+    assert str(first) == str(second) and first.to_dict() == second.to_dict()
     again = loom.fit_shape(cloud, "torus", start=first)
     np.testing.assert_allclose([again.radius, again.minor_radius], [first.radius, first.minor_radius], atol=1e-8)
 

@@ -184,7 +184,7 @@ def test_a_shape_says_itself(device, rng):
     points, _, _ = made_shape("torus", 3000, rng)
     shape, _ = loom.PointCloud(points, device=device).estimate_normals().segment_torus(0.005)
     assert str(shape).startswith("torus: radius 0.5") and "minor_radius 0.1" in str(shape)
-    told = shape.to_json()
+    told = shape.to_dict()
     assert told["kind"] == "torus" and told["half_angle"] is None and told["support"] == shape.support
 
 

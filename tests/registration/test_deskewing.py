@@ -96,9 +96,9 @@ def test_the_part_of_the_interval_that_a_scan_spans(device, rng, sweep, interval
 @pytest.mark.parametrize("times", [np.float32(1.7e9 + np.arange(50) / 500), np.zeros(50)], ids=["epoch", "equal"])
 def test_times_that_straighten_nothing_are_reported(device, rng, times):
     scan = loom.PointCloud(rng.uniform(5, 9, (50, 3)), device=device)
-    with pytest.warns(UserWarning, match="^timestamps: 50 points have 1 different times"):
+    with pytest.warns(UserWarning, match=r"^timestamps: 50 points have 1 different times"):
         deskew_point_cloud(scan, np.eye(4), times)
-    with pytest.warns(UserWarning, match="^timestamps: "):
+    with pytest.warns(UserWarning, match=r"^timestamps: "):
         loom.registration.LidarOdometry(min_range=1.0, device=device).register(scan, times)
 
 
@@ -141,5 +141,5 @@ def test_times_that_are_not_finite_are_never_taken_for_the_end_of_the_scan(devic
     T[0, 3] = 1.0
     found = deskew_point_cloud(scan, T, [value, 5.0, 5.0, value]).points  # one finite time
     np.testing.assert_array_equal(np.isnan(found).any(axis=1), [True, False, False, True])
-    with pytest.raises(ValueError, match="timestamps: expected finite times, got none for 4 points"):
+    with pytest.raises(ValueError, match="timestamps:"):
         deskew_point_cloud(scan, T, np.full(4, value))

@@ -142,9 +142,7 @@ def test_perfect_pairs_do_not_silence_a_prior(device, rng):
 
 def test_a_prior_out_of_reach_of_the_free_motions_is_told(pair):
     beside = as_pose([0, 0, 0], [0, 0.5, 0])
-    with pytest.raises(
-        ValueError, match=r"^prior: 0 rad and 0\.5 m from all poses that init and free reach, 50 standard"
-    ):
+    with pytest.raises(ValueError, match=r"^prior:"):
         reg.registration_icp(*pair, 0.3, None, PLANE, free=("x",), prior=reg.Prior(beside, sigma_translation=0.01))
     for prior in (reg.Prior(beside, sigma_translation=0.2), reg.Prior(beside, sigma_rotation=0.01)):
         reg.registration_icp(*pair, 0.3, None, PLANE, free=("x",), prior=prior)

@@ -45,9 +45,9 @@ def test_a_pair_that_is_kept_level_says_so(points):
     found = reg.register_pair(*pair_of(points, TURN), voxel_size=0.06, free=LEVEL)
     assert (found.transformation[2, :3] == [0, 0, 1]).all() and found.reliable
     np.testing.assert_allclose(found.transformation, TURN, atol=0.01)
-    assert set(found.to_json()["free"]) == set(LEVEL) and "yaw, x, y, z" in str(found)
+    assert set(found.to_dict()["free"]) == set(LEVEL) and "yaw, x, y, z" in str(found)
     plain = reg.register_pair(*pair_of(points, TURN), voxel_size=0.06)
-    assert plain.to_json()["free"] is None and " free" not in str(plain)
+    assert plain.to_dict()["free"] is None and " free" not in str(plain)
 
 
 def test_a_plane_is_held_by_what_is_known_of_it(rng):
@@ -56,4 +56,4 @@ def test_a_plane_is_held_by_what_is_known_of_it(rng):
     known = reg.Prior(as_pose([0, 0, 0], [0.1, 0, 0]), sigma_translation=0.05, sigma_rotation=0.01)
     found = reg.register_pair(source, target, init=np.eye(4), voxel_size=0.1, prior=known)
     np.testing.assert_allclose(found.transformation[:3, 3], [0.1, 0, 0], atol=0.01)
-    assert len(found.to_json()["prior_directions"]) == 3 and "3 of 6 motions" in str(found)
+    assert len(found.to_dict()["prior_directions"]) == 3 and "3 of 6 motions" in str(found)

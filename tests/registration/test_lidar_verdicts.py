@@ -44,7 +44,7 @@ def test_a_bare_corridor_does_not_determine_the_way_along_it(device, rng):
     summary = odometry.summary
     assert summary.undetermined == (1, 2, 3, 4) and summary.open_motions == "along x"
     assert "4 of 5 scans do not determine the motion along x (scan 1-4)" in str(summary.warnings)
-    assert summary.to_json()["undetermined"] == [1, 2, 3, 4]
+    assert summary.to_dict()["undetermined"] == [1, 2, 3, 4]
     assert dict(summary.fields())["undetermined"] == "4: along x, scan 1-4"
 
 

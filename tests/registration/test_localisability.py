@@ -65,7 +65,7 @@ def test_open_motions_alone_are_held_by_a_prior(rng):
     assert off[1, 3] < 0.02 and off[[0, 2], 3].max() < 0.01 and off[:3, :3].max() < 0.005
     assert abs(first.transformation[1, 3] - 0.15) > 0.1
     surface = reg.localisability(*scans("surface", rng), np.eye(4), 0.2)
-    with pytest.raises(ValueError, match=r"^prior: no motion is open"):
+    with pytest.raises(ValueError, match=r"^prior:"):
         surface.prior(np.eye(4), 0.1)
 
 

@@ -8,7 +8,7 @@ import pytest
 import pointloom as loom
 from pointloom.app.jobs.evaluate import ALIGNMENTS
 from pointloom.cameras.trajectory import Trajectory, write_trajectory
-from pointloom.core.wording import to_json
+from pointloom.core.wording import json_text
 
 from ..app.commands import answer, run
 from ..app.surface_poses import turned
@@ -34,14 +34,14 @@ def test_errors_of_a_path_are_what_evaluate_prints(paths, tmp_path, align):
     assert found.aligned_by == align
     assert f"{files[0]} against {files[1]}\n{found}\n" == run("evaluate", *files, "--alignment", align).stdout
     report = answer("evaluate", *files, "--alignment", align)
-    assert {name: report[name] for name in found.to_json()} == found.to_json()
+    assert {name: report[name] for name in found.to_dict()} == found.to_dict()
 
 
 def test_errors_survive_as_json(paths):
     for count in (1, 2, 120):
         found = reg.evaluate_trajectory(*(Trajectory(path.poses[:count]) for path in paths))
-        read = json.loads(to_json({"errors": found}))["errors"]
-        assert read == found.to_json() and len(read["segments"]) == len(found.segments)
+        read = json.loads(json_text({"errors": found}))["errors"]
+        assert read == found.to_dict() and len(read["segments"]) == len(found.segments)
         assert read["absolute"]["m"]["rmse"] == found.absolute_translation.rmse  # every digit
     assert reg.evaluate_trajectory(*(Trajectory(path.poses[:1]) for path in paths)).fields()[2] == (
         "RPE",
@@ -59,9 +59,9 @@ def test_a_drive_without_overlap_says_where_it_is_torn():
     )
     assert open_ways.startswith("1 of 3 scans do not determine the motion along")  # of a wall alone
     assert ("predicted", "1: scan 1") in found.fields()
-    assert found.to_json()["predicted"] == [1]
+    assert found.to_dict()["predicted"] == [1]
     nothing = reg.summarize_steps(list(reg.iterate_odometry([loom.PointCloud()] * 2)))
-    assert (nothing.warnings, nothing.to_json()["mean_fitness"]) == (("no scan has points in range",), None)
+    assert (nothing.warnings, nothing.to_dict()["mean_fitness"]) == (("no scan has points in range",), None)
     assert [label for label, _ in nothing.fields()] == ["scans", "path", "predicted"]
 
 
@@ -97,8 +97,8 @@ def test_clouds_that_were_placed_come_as_one(placed):
 def test_clouds_are_called_by_number_or_by_name(placed):
     found = placed[1]
     assert "2 of 3 placed" in str(found) and "that of 0" in str(found)
-    report = found.to_json()
+    report = found.to_dict()
     assert (report["clouds"], report["not_placed"], report["reference"]) == ([0, 1, 2], [1], 0)
-    named = found.to_json(["a.ply", "b.ply", "c.ply"])
+    named = found.to_dict(["a.ply", "b.ply", "c.ply"])
     assert (named["not_placed"], named["reference"], named["poses"][1]) == (["b.ply"], "a.ply", None)
     assert named["registered"][0]["target"] == "a.ply"

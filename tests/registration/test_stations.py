@@ -69,7 +69,7 @@ def test_the_report_and_the_plan_say_it_all(found, tmp_path):
     text = found.report()
     for word in ("STATIONS", "PAIRS", "LOOPS OF PAIRS", "sigma0", "nothing speaks against it"):
         assert word in text
-    told = found.to_json()
+    told = found.to_dict()
     assert [s["name"] for s in told["stations"]] == list("01234")
     assert len(told["pairs"]) == len(found.pairs)
     plan = station_plan(found)

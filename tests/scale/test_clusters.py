@@ -227,7 +227,7 @@ def test_a_tile_that_is_damaged_after_the_result_was_made_is_made_again(files, t
     assert loom.scale.run_tiles(job).is_finished
     expected = labelled(finished(job))
     (job / "tiles" / "1_1.laz").write_bytes(b"LASF, and nothing else")
-    with pytest.raises(loom.FileError, match=r"1_1\.laz: is damaged"):
+    with pytest.raises(loom.FileError, match=r"1_1\.laz"):
         loom.scale.finish_tiles(job, overwrite=True)
     assert loom.scale.run_tiles(job).is_finished
     found = whole_cloud([loom.scale.finish_tiles(job, overwrite=True)], np.array(plan_of(job)["origin"]))

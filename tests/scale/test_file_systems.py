@@ -85,7 +85,7 @@ def test_a_job_that_was_planned_beside_its_disk_leaves_the_log_where_it_is_mount
         here.counts()
         patch.setattr(manifest, "is_shared", lambda _: True)
         patch.setattr(manifest, "PATIENCE", 0.2)
-        with pytest.raises(FileError, match=r"plan\.sqlite: the manifest is open on the machine whose disk it is on"):
+        with pytest.raises(FileError, match=r"plan\.sqlite"):
             Manifest(job)
     assert mode_of(job) == "wal"
     monkeypatch.setattr(manifest, "is_shared", lambda _: True)

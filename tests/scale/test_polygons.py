@@ -144,7 +144,7 @@ def test_areas_in_degrees_are_brought_to_the_survey_when_that_is_said(tmp_path):
         loom.scale.plan_tiles(tmp_path / "a.laz", [step | {"polygon_crs": "EPSG:0"}], tmp_path / "x")
     with pytest.raises(loom.FileError, match="tells no coordinate system"):
         loom.scale.plan_tiles(tmp_path / "none.laz", [step], tmp_path / "x")
-    with pytest.raises(ValueError, match="only_crs: it is that of polygons"):
+    with pytest.raises(ValueError, match="only_crs:"):
         loom.scale.plan_tiles(tmp_path / "a.laz", [], tmp_path / "x", only=(0, 0, 1, 1), only_crs="EPSG:4326")
 
 

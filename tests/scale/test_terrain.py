@@ -153,7 +153,7 @@ def test_a_job_that_leaves_no_point_has_its_rasters(files, tmp_path):
             rasterio.open(rasters.with_name(f"result.{kind}.tif")) as other,
         ):
             np.testing.assert_array_equal(file.read(), other.read())
-    with pytest.raises(FileError, match=r"result\.lowest\.tif: exists already"):
+    with pytest.raises(FileError, match=r"result\.lowest\.tif"):
         loom.scale.finish_tiles(tmp_path / "without", overwrite=False)
     assert not (tmp_path / "without" / "result.laz").exists()
     loom.scale.plan_tiles(files, [away], tmp_path / "nothing", size=60.0)

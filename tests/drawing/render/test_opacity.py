@@ -141,5 +141,5 @@ def test_lines_are_light_before_black(device):
 def test_an_opacity_out_of_range_is_refused(opacity, kind):
     with pytest.raises(kind, match="opacity"):
         draw(wall(2, RED, opacity))
-    with pytest.raises(ValueError, match="opacity: lines are drawn whole"):
+    with pytest.raises(ValueError, match="opacity:"):
         draw({"geometry": loom.AxisAlignedBoundingBox([0, 0, 1], [1, 1, 2]), "opacity": 0.5})

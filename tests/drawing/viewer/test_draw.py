@@ -56,7 +56,7 @@ def test_unattended_draw_is_a_picture_and_waits_for_nobody(cloud, capfd, monkeyp
     with loom.draw(cloud, port=0, block=False) as viewer:  # what does not wait is a viewer all the same
         assert list(viewer.items) == ["cloud"]
     monkeypatch.setenv("POINTLOOM_DRAW", "window")
-    with pytest.raises(ValueError, match="POINTLOOM_DRAW: expected 'page' or 'picture', got 'window'"):
+    with pytest.raises(ValueError, match="POINTLOOM_DRAW:"):
         loom.draw(cloud)
 
 

@@ -176,7 +176,7 @@ def test_wrong_pairs_are_told_and_leave_the_pose_as_picked():
 
 def test_clouds_with_nothing_to_register_are_refused():
     three = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
-    with pytest.raises(ValueError, match="source: no finite points"):
+    with pytest.raises(ValueError, match="source:"):
         register_from_pairs(loom.PointCloud(), loom.PointCloud(three), three, three)
     with pytest.raises(TypeError, match="target"):
         register_from_pairs(loom.PointCloud(three), three, three, three)

@@ -770,7 +770,7 @@ def test_the_first_view_stands_upright():
         assert upwards(viewer) == "y"
         viewer.up = "x"
         assert viewer.up == (1.0, 0.0, 0.0) and upwards(viewer) == "x"
-        with pytest.raises(ValueError, match="up: expected x, y, z or a direction"):
+        with pytest.raises(ValueError, match="up:"):
             viewer.up = "down"
 
 

@@ -177,7 +177,7 @@ def test_the_number_of_threads_is_the_program_s_to_choose(monkeypatch):
 
 @pytest.mark.parametrize("count", [0, -1, 1025, 2.5, True])
 def test_a_senseless_number_of_threads_is_refused(count):
-    with pytest.raises((ValueError, TypeError), match="count: expected a whole number"):
+    with pytest.raises((ValueError, TypeError), match="count:"):
         loom.set_num_threads(count)
 
 

@@ -155,7 +155,7 @@ def test_a_compiler_of_another_name_is_refused(monkeypatch):
     from pointloom.kernels import lang
 
     monkeypatch.setenv("POINTLOOM_CPU", "cuda")
-    with pytest.raises(RuntimeError, match="POINTLOOM_CPU: expected warp or taichi, got 'cuda'"):
+    with pytest.raises(RuntimeError, match="POINTLOOM_CPU:"):
         lang.current_cpu_compiler()
 
 

@@ -247,7 +247,7 @@ def test_the_call_from_python_gives_what_the_command_prints(folder):
     places = folder / "photo.png", folder / "net.onnx", folder / "out.ply"
     report = loom.depth_of_pictures(*places, settings, device="cpu", overwrite=True)
     changing = ("seconds", "peak_bytes")
-    made = json.loads(json.dumps(report.to_json()))
+    made = json.loads(json.dumps(report.to_dict()))
     assert {k: v for k, v in made.items() if k not in changing} == {
         k: v for k, v in printed.items() if k not in changing
     }

@@ -237,7 +237,7 @@ def test_points_lie_where_the_camera_sees_them(network, device):
 
 def test_a_camera_of_another_size_is_refused(network):
     camera = loom.PinholeCameraIntrinsic(640, 480, 500.0, 500.0, 320.0, 240.0)
-    with pytest.raises(ValueError, match="intrinsic: made for 640 x 480 pixels"):
+    with pytest.raises(ValueError, match="intrinsic:"):
         loom.estimate_depth(PICTURE, network[0], intrinsic=camera)
 
 

@@ -371,7 +371,7 @@ def test_no_cuda_is_an_error_and_never_the_cpu_in_silence(tmp_path, monkeypatch)
     assert loom.DepthModel(path, device="auto").provider == "CPUExecutionProvider"
     with pytest.raises(loom.DeviceError, match="this onnxruntime has no CUDA"):
         loom.DepthModel(path, device="cuda:0")
-    with pytest.raises(loom.DeviceError, match="device: expected one of"):
+    with pytest.raises(loom.DeviceError, match="device:"):
         loom.DepthModel(path, device="tpu")
     # CUDA by name, but its libraries are missing: onnxruntime goes on with the CPU
     both = ["CUDAExecutionProvider", "CPUExecutionProvider"]

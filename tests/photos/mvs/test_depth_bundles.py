@@ -126,7 +126,7 @@ def test_other_archives_and_pickles_are_named(tmp_path):
     path.write_bytes(path.read_bytes()[:-40])
     with pytest.raises(FileError, match="truncated"):
         loom.mvs.read_depth_bundle(path)
-    with pytest.raises(ValueError, match="names: expected 4"):
+    with pytest.raises(ValueError, match="names:"):
         loom.mvs.read_depth_bundle(write(tmp_path, arrays_of("VGGT")), names=["a", "a", "b", "c"])
 
 

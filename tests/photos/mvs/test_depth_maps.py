@@ -106,9 +106,9 @@ def test_what_is_no_depth_map_is_refused():
     ):
         with pytest.raises(ValueError, match=match):
             loom.mvs.DepthMap(**(good | {name: value}))
-    with pytest.raises(ValueError, match=r"maps\[0\]: expected 48 x 36 pixels as its camera has, got 8 x 6"):
+    with pytest.raises(ValueError, match=r"maps\[0\]:"):
         loom.mvs.DepthMaps([camera_at(0.0)], [()], [loom.mvs.DepthMap(**good)])
-    with pytest.raises(ValueError, match="maps: expected one for each of the 2 cameras, got 1"):
+    with pytest.raises(ValueError, match="maps:"):
         loom.mvs.DepthMaps([camera_at(0.0)] * 2, [(), ()], [a_map(0)])
 
 

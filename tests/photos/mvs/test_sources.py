@@ -154,5 +154,5 @@ def test_cameras_at_one_place_are_no_error():
 
 def test_an_observation_by_a_picture_that_is_not_there_is_refused():
     sparse = loom.mvs.SparsePoints([[0.0, 0.0, 2.0]], [(3, 0)])
-    with pytest.raises(ValueError, match="sparse: pictures up to 3 see points, but there are 2 cameras"):
+    with pytest.raises(ValueError, match="sparse:"):
         loom.mvs.choose_sources([camera_at(0.0)] * 2, sparse)

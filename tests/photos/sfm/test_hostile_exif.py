@@ -107,7 +107,7 @@ def test_mapping_begins_with_no_focal_length_that_is_not_believed(tmp_path):
         for k, (_, _, doubt) in enumerate(FOCAL_LENGTHS)
         if doubt is not None
     ]
-    assert found.to_json()["notes"] == list(found.notes)
+    assert found.to_dict()["notes"] == list(found.notes)
 
 
 @pytest.mark.parametrize("metres", [-4e8, 20_001.0])
@@ -116,7 +116,7 @@ def test_an_altitude_beyond_the_air_is_told_and_the_place_counts_without(tmp_pat
     places = loom.sfm.read_picture_places([shot(tmp_path / "a.jpg", gps=PLACE | {5: sign, 6: abs(metres)})])
     assert places.places[0].altitude is None and places.altitudes_refused == {"a.jpg": metres}
     assert places.notes() == [f"the altitude of 1 picture is not believed: a.jpg ({metres:g} m)"]
-    assert places.to_json()["altitudes_refused"] == {"a.jpg": metres}
+    assert places.to_dict()["altitudes_refused"] == {"a.jpg": metres}
 
 
 @pytest.mark.parametrize("value", [0, 9, b"\0\2", b"\1\1"])

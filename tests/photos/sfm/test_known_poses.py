@@ -136,7 +136,7 @@ def test_poses_with_a_usual_mistake_are_told_with_it(model, features, mistake, s
     assert said in reason
     quality = assess_model(wrong, len(wrong), fix_intrinsic=True, poses=check)
     assert "; ".join(quality.warnings) == reason
-    again = ModelQuality.from_json(quality.to_json())
+    again = ModelQuality.from_json(quality.to_dict())
     assert (again.warnings, again.poses.share) == (quality.warnings, check.share)
 
 
@@ -235,4 +235,4 @@ def test_pictures_with_poses_become_points_on_the_surface(walked, tmp_path):
     inverted = loom.SfmModel(right.names, right.cameras, right.T_world_camera)
     wrong = loom.sfm.triangulate(folder, inverted, max_features=1200)
     assert "turned round" in str(wrong.warnings) and not len(wrong.model.points)
-    assert wrong.to_json()["quality"]["poses"]["share"] < 0.4
+    assert wrong.to_dict()["quality"]["poses"]["share"] < 0.4

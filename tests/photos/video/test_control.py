@@ -233,7 +233,7 @@ def test_few_points_beside_bars_are_not_used_and_that_is_said():
 
 def test_the_report_has_residual_sigma_and_use_of_each_point_and_bar():
     fit = settle(told(POSES, altitudes=False), [bar("A", "B")], noise=0.3, checks=("E",))
-    found = json.loads(json.dumps(fit.to_json(), allow_nan=False))["control"]
+    found = json.loads(json.dumps(fit.to_dict(), allow_nan=False))["control"]
     assert (found["epsg"], found["crs"], len(found["points"]), len(found["bars"])) == (32632, "EPSG:32632", 7, 1)
     assert {point["name"]: point["use"] for point in found["points"]}["E"] == "check"
     assert all(len(point["residual_m"]) == 3 and min(point["sigma_m"]) >= 0 for point in found["points"])

@@ -69,7 +69,7 @@ def test_pictures_without_altitudes_are_settled_in_plan():
     assert fit.by == "exif" and np.isnan(fit.gps.vertical_rms)
     scale, tilt, _ = errors(fit, model, poses)
     assert abs(scale) < 0.02 and tilt < 0.5
-    assert fit.to_json()["gps"]["vertical_rms_m"] is None
+    assert fit.to_dict()["gps"]["vertical_rms_m"] is None
 
 
 @pytest.mark.parametrize(
@@ -112,7 +112,7 @@ def test_too_few_places_are_refused_before_the_work_where_they_were_asked_for():
 def test_the_report_has_origin_zone_and_the_residual_of_each_picture():
     poses = nadir()
     fit, _ = settle(poses, told(poses, 0.5, (3,)))
-    told_of = fit.to_json()["gps"]
+    told_of = fit.to_dict()["gps"]
     assert told_of["epsg"] == 32632 and len(told_of["residuals_m"]) == 24
     assert abs(told_of["origin"]["latitude"] - FRAME.latitude) < 1e-3
     assert np.hypot(*told_of["residuals_m"]["IMG_0003.jpg"][:2]) > 45

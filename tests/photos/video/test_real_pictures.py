@@ -109,4 +109,4 @@ def test_the_call_from_python_gives_what_the_command_wrote(made, photos):
     np.testing.assert_array_equal(result.mesh.vertices, mesh.vertices)
     assert len(result.cloud) == report["fused"]["points"]
     assert result.model.names == tuple(f"photo_{k}.png" for k in range(COUNT))
-    assert result.figures.quality.to_json() == {key: report["model"][key] for key in result.figures.quality.to_json()}
+    assert result.figures.quality.to_dict() == {key: report["model"][key] for key in result.figures.quality.to_dict()}

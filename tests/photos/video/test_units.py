@@ -33,7 +33,7 @@ def write_places(path, names=NAMES, places=PLACES):
 )
 def test_a_factor_makes_metres_and_without_one_the_unit_is_arbitrary(scale, told):
     fit = fit_units(Units(scale=scale), model_of())
-    assert fit.to_json() == told
+    assert fit.to_dict() == told
     np.testing.assert_array_equal(fit.T_world_model, np.diag([scale or 1.0] * 3 + [1]))
 
 

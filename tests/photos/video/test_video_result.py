@@ -14,7 +14,7 @@ from .conftest import COUNT
 
 def in_json(result):
     """The report but for what the work costs."""
-    report = json.loads(json.dumps(result.to_json()))
+    report = json.loads(json.dumps(result.to_dict()))
     return {name: value for name, value in report.items() if name not in ("stages", "peak_bytes")}
 
 
@@ -46,7 +46,7 @@ def test_the_command_prints_the_result_and_writes_its_report(quick, film, tmp_pa
     result = loom.video.reconstruct(film, outputs=loom.video.Outputs("room.ply", cloud="cloud.ply"), **settings)
     same = [line for line in shown.stdout.splitlines() if not line.startswith(("  seconds", "  memory"))]
     assert same == [line for line in str(result).splitlines() if not line.startswith(("  seconds", "  memory"))]
-    assert json.loads((tmp_path / "work" / "report.json").read_text()) == json.loads(json.dumps(result.to_json()))
+    assert json.loads((tmp_path / "work" / "report.json").read_text()) == json.loads(json.dumps(result.to_dict()))
     assert all(stage.kept for stage in result.stages.values())
 
 

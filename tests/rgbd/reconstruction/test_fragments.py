@@ -167,12 +167,12 @@ def test_what_is_written_is_what_is_returned(tmp_path):
 
 @pytest.mark.parametrize("source", [[], iter(()), None, object()], ids=["a list", "a stream", "None", "an object"])
 def test_a_source_has_to_be_read_by_place(tmp_path, source):
-    with pytest.raises(TypeError, match="source: expected frames that can be read by their place"):
+    with pytest.raises(TypeError, match="source:"):
         make_fragments(source, config(), tmp_path)
 
 
 def test_no_frame_is_an_error(tmp_path):
-    with pytest.raises(ValueError, match="source: expected at least one frame"):
+    with pytest.raises(ValueError, match="source:"):
         make_fragments(Walk([]), config(), tmp_path)
 
 

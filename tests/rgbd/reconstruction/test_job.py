@@ -13,7 +13,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.core.errors import FileError
-from pointloom.core.wording import to_json
+from pointloom.core.wording import json_text
 from pointloom.data.scenes.room import surface_errors
 from pointloom.files.frames.datasets import Frame
 
@@ -60,7 +60,7 @@ def test_frames_without_poses_become_the_room(room):
 @pytest.mark.slow
 def test_the_report_is_json_and_names_files_that_are_there(room):
     _, _, report = room
-    assert json.loads(to_json(report))["used"] == 9
+    assert json.loads(json_text(report))["used"] == 9
     assert [Path(path).name for path in report.files] == ["integrated.ply", "trajectory.log"]
     assert all(Path(path).is_file() for path in report.files)
 

@@ -69,7 +69,7 @@ def test_a_path_that_is_open_is_poor_and_says_by_how_much():
     v, u = np.mgrid[:48, :64]
     depth = np.float32(1.0 + 0.1 * np.sin(u / 5) * np.cos(v / 7))
     path = loom.track(loom.frames_from([(None, depth)] * 3, camera))
-    assert path.reliable and path.to_json()["position_deviation_m"] == max(path.deviations) < MOST_DEVIATION
+    assert path.reliable and path.to_dict()["position_deviation_m"] == max(path.deviations) < MOST_DEVIATION
     drifted = dataclasses.replace(path, deviations=(0.0, 0.02, 0.12), drifted=(2,), uncertain=(2,))
-    assert not drifted.reliable and "0.12 m" in str(drifted.warnings) and drifted.to_json()["drifted"] == [2]
+    assert not drifted.reliable and "0.12 m" in str(drifted.warnings) and drifted.to_dict()["drifted"] == [2]
     assert "120 mm" in str(drifted)

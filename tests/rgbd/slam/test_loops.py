@@ -196,11 +196,11 @@ def test_bad_input_is_refused(device):
     for options, message in (({"voxel_size": 0}, "voxel_size"), ({"drift": -1}, "drift")):
         with pytest.raises(ValueError, match=message):
             close_loops([part], **options)
-    with pytest.raises(ValueError, match="T_world_submap: expected shape"):
+    with pytest.raises(ValueError, match="T_world_submap:"):
         corrected_trajectory([part], np.eye(4))
     with pytest.raises(ValueError, match=r"T_world_submap\[0\]"):
         fuse_submaps([part], [2 * np.eye(4)])
-    with pytest.raises(ValueError, match="frames: expected ascending"):
+    with pytest.raises(ValueError, match="frames:"):
         Submap(part.volume, np.eye(4), np.array([3, 2]), part.T_submap_camera)
-    with pytest.raises(TypeError, match="volume: expected a TSDFVolume"):
+    with pytest.raises(TypeError, match="volume:"):
         Submap(None, np.eye(4), np.array([3, 4]), part.T_submap_camera)

@@ -202,7 +202,7 @@ def test_a_path_says_what_lies_in_a_map_of_its_own():
     assert other.ids[:, 0].tolist() == list(range(4))
     assert sorted(path.lost) == [4, 5, 6, 7]
     assert "2 maps that do not lie relative to each other: frame 0-3 are in a map of their own" in str(path.warnings)
-    report = json.loads(json.dumps(path.to_json()))
+    report = json.loads(json.dumps(path.to_dict()))
     assert report["other_maps"] == [{"first": 0, "last": 3, "tracked": 4}] and report["tracked"] == 5
     assert "other maps" in str(path)
 

@@ -125,6 +125,6 @@ def test_a_path_whose_streams_are_apart_is_poor():
     said = "color and depth seem to be 1.0 s apart"
     apart = dataclasses.replace(path, stream=said, uncertain=(0, 1), uncertain_reason=said)
     assert apart.warnings == (said, "2 of 2 poses are uncertain (frame 0-1)")
-    assert apart.to_json()["stream"] == said
+    assert apart.to_dict()["stream"] == said
     slides = dataclasses.replace(path, uncertain=(0, 1), uncertain_reason="it may slide")
     assert "(frame 0-1): it may slide" in slides.warnings[0]

@@ -72,7 +72,7 @@ def test_the_submap_in_progress_can_be_looked_at():
 
 def test_bad_frames_and_sizes_are_refused():
     recorder = record(along_x(3))
-    with pytest.raises(ValueError, match="number: expected 3 or more"):
+    with pytest.raises(ValueError, match="number:"):
         recorder.add(np.ones((48, 64)), np.eye(4), number=2)
     with pytest.raises(ValueError, match="T_world_camera"):
         recorder.add(np.ones((48, 64)), 2 * np.eye(4))
