@@ -20,6 +20,8 @@ CHOSEN = {
     "tests/registration/test_nonrigid.py::test_the_far_side": "pairs that their normals exclude",
     "tests/meshing/test_tsdf_integration.py": "blocks that frames touch, volumes that grow",
     "tests/meshing/test_splat_fusion.py::test_views_of": "the surface and colors of splats",
+    "tests/meshing/test_mesh_cutting.py": "clips and slices of meshes",
+    "tests/pcd/test_visibility.py": "hidden points",
     "tests/pcd/test_splat_pictures.py": "splats of pixels, before and behind what is solid",
     "tests/photos/mvs/test_plane_priors.py": "planes of image regions without texture",
 }

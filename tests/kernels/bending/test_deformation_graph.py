@@ -79,7 +79,7 @@ def test_the_border_is_where_the_mean_of_the_neighbors_is_aside(device, side):
     grid = np.stack(np.meshgrid(*[np.arange(side)] * 2), axis=-1).reshape(-1, 2)
     points = np.column_stack([grid, 0.1 * np.sin(grid[:, 0])]).astype(np.float32)
     points += np.random.default_rng(0).uniform(-0.1, 0.1, points.shape).astype(np.float32)  # no equal distances
-    normals = np.tile(np.float32([0, 0, 1]), (side * side, 1))
+    normals = np.tile(np.array([0, 0, 1], np.float32), (side * side, 1))
     place = wp.get_device(device)
     found = download(find_borders(PointTree(upload(points, vec3, place)), upload(normals, vec3, place)))
     d = np.linalg.norm(points[:, None].astype(float) - points, axis=2)
