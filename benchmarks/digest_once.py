@@ -303,7 +303,7 @@ def rgbd_odometry(d: Scenes) -> list[Any]:
     ]
     depths = [depth for _, depth in pictures]
     information = odometry.compute_odometry_information_matrix(*depths, camera, np.eye(4), 0.07)
-    return [information] + [[r.transformation, r.information, r.inliers, r.reason] for r in results]
+    return [information] + [[r.transformation, r.information, r.inliers, r.reliable] for r in results]
 
 
 def albedo(d: Scenes) -> Any:
