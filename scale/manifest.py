@@ -43,6 +43,7 @@ _REMEDIES = {  # of a manifest that is not there, or is of something else; by wh
 STATES = ("waiting", "running", "done", "empty", "failed", "aside")
 # Errors of Python for values that are not as this version writes them.
 DAMAGE = (EOFError, LookupError, TypeError, ValueError, AttributeError, OverflowError, RecursionError)
+DISTRIBUTES = " distributes"
 _OWNER = re.compile(r"[0-9A-Za-z ]{1,64}")
 NOT_LAID = -1  # in place of a full colour: a file that is far from all tiles
 OVER = ("done", "empty", "failed", "aside")  # states that a tile leaves by `retry` alone
@@ -168,12 +169,12 @@ class Manifest:
 
         After some deaths a task is set aside; that a worker was told to end is none.
         """
-        counted = int(is_death)
         given = 0
         for owner in self.owners():
             lock = lock_of(self.folder, owner)
             if not is_dead(self.folder, owner):
                 continue
+            counted = int(is_death and not owner.endswith(DISTRIBUTES))
             with self.change() as base:
                 for table in self.tables:
                     query = (
@@ -333,9 +334,12 @@ def lock_of(folder: Path, owner: Any) -> Path:
 
 
 @contextlib.contextmanager
-def a_worker(folder: Path) -> Iterator[str]:
-    """The name of a worker that lives as long as the block, and as its process at most."""
-    owner = uuid.uuid4().hex
+def a_worker(folder: Path, *, computes: bool = True) -> Iterator[str]:
+    """The name of an owner of tasks that exists as long as the block, and as its process at most.
+
+    The name of a process that only distributes tasks ends in DISTRIBUTES: its death says nothing about the tasks.
+    """
+    owner = uuid.uuid4().hex + ("" if computes else DISTRIBUTES)
     path = lock_of(folder, owner)
     with told_as_file_errors(path):
         path.parent.mkdir(exist_ok=True)

@@ -88,7 +88,8 @@ def run_tasks(
     path = manifest.folder / NAME
     try:
         with contextlib.ExitStack() as stack:
-            book = book_of(stack.enter_context(a_worker(manifest.folder)))
+            computes = scheduler is None and not workers
+            book = book_of(stack.enter_context(a_worker(manifest.folder, computes=computes)))
             if scheduler is not None:
                 client = stack.enter_context(_remote_client(path, scheduler, security))
             elif workers:
