@@ -26,6 +26,7 @@ STAGES: dict[str, tuple[list[str], dict[str, str]]] = {
     "cuda-architectures": (["make", "check-cuda"], {}),
     "fuzz": (FUZZ, {}),
     "nightly-tests": (["make", "test-all", "ARGS=-m nightly"], {}),
+    "taichi": (["make", "test-all", "ARGS=--taichi"], {}),
     "gallery": (["make", "docs"], {}),
     "flakes": (["make", "flakes"], {}),
     "mutants": (["make", "mutants", "ARGS=--all"], {}),

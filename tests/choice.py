@@ -2,9 +2,9 @@
 
 `make test` is `pytest --quick`, `make test-all` is pytest without it. `--quick` leaves out the tests that are marked
 `slow` or `nightly`, those that need Open3D itself (tests/oracle.py) and all runs on Taichi, which is optional. `--rest`
-runs those but the `nightly` ones, and the tests that use stored answers of Open3D once more with Open3D. Without either
-option the tests of tests/kernels that take `device`, and others marked `both_compilers`, run on Warp and on Taichi. All
-operations are compared on the two compilers by tests/test_compilers.py.
+runs those but the `nightly` ones and Taichi's, and the tests that use stored answers of Open3D once more with Open3D.
+`--taichi` runs Taichi's alone, as `make nightly` does. Without an option the tests of tests/kernels that take `device`,
+and others marked `both_compilers`, run on Warp and on Taichi. tests/test_compilers.py compares all operations on the two.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ import pytest
 
 from . import oracle
 
-OPTION, REST = "--quick", "--rest"
+OPTION, REST, TAICHI = "--quick", "--rest", "--taichi"
 COMPILERS = {"cpu-taichi": "taichi", "cpu-warp": "warp"}
 HAS_TAICHI = importlib.util.find_spec("taichi") is not None
 TESTS = Path(__file__).parent
@@ -35,6 +35,7 @@ DEAREST = (
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption(OPTION, action="store_true", help="the tests of `make test`: no slow ones, no Open3D, no Taichi")
     parser.addoption(REST, action="store_true", help="the tests that --quick leaves out, and Open3D's stored answers")
+    parser.addoption(TAICHI, action="store_true", help="the tests that run on Taichi")
 
 
 def places_of(definition: pytest.Item) -> list[str]:
@@ -46,6 +47,7 @@ def places_of(definition: pytest.Item) -> list[str]:
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Leave out tests, and begin with the groups that take longest in processes of pytest-xdist."""
     quick, rest, mode = config.getoption(OPTION), config.getoption(REST), oracle.mode_of(config)
+    taichi = config.getoption(TAICHI)
     kept = [
         item
         for item in items
@@ -53,6 +55,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         and oracle.is_selected(mode, fixtures_of(item))
         and not (quick and is_left_out(item))
         and (not rest or is_in_rest(item))
+        and (not taichi or needs_taichi(item))
     ]
     if len(kept) < len(items):
         chosen = set(kept)
@@ -70,7 +73,9 @@ def is_left_out(item: pytest.Item) -> bool:
 
 def is_in_rest(item: pytest.Item) -> bool:
     """True if CI runs a test after `make test`."""
-    return not item.get_closest_marker("nightly") and (is_left_out(item) or "oracle" in fixtures_of(item))
+    if item.get_closest_marker("nightly") is not None or needs_taichi(item):
+        return False
+    return is_left_out(item) or "oracle" in fixtures_of(item)
 
 
 def fixtures_of(item: pytest.Item) -> Sequence[str]:
