@@ -1,6 +1,6 @@
 """PointCloud: points with named attributes, as a structure of arrays on one device.
 
-What a cloud can do lies in one file a subject; PointCloud brings them together.
+The operations are in one module per topic; PointCloud inherits them.
 """
 
 from __future__ import annotations

@@ -34,7 +34,11 @@ _COVARIANCES = "covariances"  # [n, 9] here, [n, 3, 3] in Open3D
 
 
 class Conversion(Selection):
-    """The part of PointCloud that converts it to and from images and other libraries."""
+    """The part of PointCloud that converts it to and from images and other libraries.
+
+    A pickled cloud contains NumPy arrays. It returns to the device of the same name, else to the first GPU if it was on
+    one. `copy.copy` shares the arrays as `copy()` does, `copy.deepcopy` copies them on their device.
+    """
 
     @classmethod
     @told_arguments

@@ -1,6 +1,6 @@
 """TriangleMesh: shared vertices and triangles on one device.
 
-What a mesh can do lies in one file a subject; TriangleMesh brings them together.
+The operations are in one module per topic; TriangleMesh inherits them.
 """
 
 from __future__ import annotations

@@ -58,7 +58,6 @@ class MeshArrays(InUnit, KnownNames, Movable):
     """The arrays of a mesh by name, checked where they are assigned; TriangleMesh adds the operations."""
 
     _arrays: dict[str, wp.array]
-    _attributes: dict[str, dict[str, wp.array]]
     _textures: tuple[NDArray[np.uint8], ...]
     _up: Direction | None = None
     _device: Any

@@ -44,7 +44,11 @@ MOST_VERTICES = 2**22  # of a shape: far beyond what a picture of one shows
 
 
 class MeshPrimitives(MeshMeasures):
-    """The part of TriangleMesh that creates primitives and swept shapes."""
+    """The part of TriangleMesh that creates primitives and swept shapes.
+
+    Vertices, triangles and texture coordinates of primitives are Open3D's, in its order. Sweeps run in NumPy: they are
+    small, and made once.
+    """
 
     @classmethod
     def create_box(

@@ -107,7 +107,14 @@ class MeshRepairReport:
 
 
 class MeshRepair(MeshMeasures):
-    """The part of TriangleMesh that examines its topology, repairs it and combines it with other meshes."""
+    """The part of TriangleMesh that examines its topology, repairs it and combines it with other meshes.
+
+    Intersections: triangles include their edges and corners, so triangles that touch intersect. The decision is exact
+    for the stored float32 coordinates, whatever their size: float64 with an error bound, and integers where the bound
+    leaves it open. Open3D reports triangles that are apart in one plane (#5117, #5525) and misses some that touch.
+    Triangles without area count as edges. Lists of triangles omit those with a corner that is not finite;
+    `is_self_intersecting` and `is_intersecting` raise ValueError for them.
+    """
 
     def get_non_manifold_edges(self, allow_boundary_edges: bool = True) -> NDArray[np.int32]:
         """The edges that more than two triangles have.
