@@ -1,6 +1,6 @@
 """PointCloud: points with named attributes, as a structure of arrays on one device.
 
-What a cloud can do lies in one file a subject; PointCloud brings them together.
+The operations are in one module per topic; PointCloud inherits them.
 """
 
 from __future__ import annotations
@@ -16,23 +16,14 @@ from ..core.devices import resolve_device
 from ..core.told_arguments import told_arguments
 from ..core.units import LengthUnit, check_unit
 from ..kernels.memory import move
-from .clusters import Clusters
-from .depth_clouds import DepthClouds
-from .distances import Distances
-from .hulls import Hulls
-from .interop import Interop
+from .bounds import Bounds
+from .conversion import Conversion
 from .kept_tree import KeptTree
-from .motion import Motion
 from .normals import Normals
-from .outliers import Outliers
-from .regions import Regions
-from .sampling import Sampling
-from .smoothing import Smoothing
+from .segmentation import Segmentation
 
 
-class PointCloud(
-    Sampling, Normals, Motion, Distances, Outliers, Clusters, Regions, Hulls, Smoothing, DepthClouds, Interop
-):
+class PointCloud(Normals, Bounds, Segmentation, Conversion):
     """Points in space with attributes, on one device.
 
     Operations return a new cloud and leave this one as it is: `cloud = cloud.estimate_normals()`.

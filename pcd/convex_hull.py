@@ -59,6 +59,31 @@ class ConvexHull(ToldNames):
 
 
 @dataclass(frozen=True, eq=False)
+class VisibleSurface:
+    """The points that a camera sees, joined by triangles that face it.
+
+    `loom.TriangleMesh(surface.vertices, surface.triangles)` makes a mesh of it.
+
+    Attributes:
+        vertices: Shape [m, 3], the visible points' world coordinates [m].
+        triangles: int32 [t, 3], rows of `vertices`, counter-clockwise seen from the camera.
+
+    Example:
+        >>> import pointloom as loom
+        >>> cloud = loom.PointCloud([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0.1, 0.1, -5]])
+        >>> surface, indices = cloud.hidden_point_removal([0.2, 0.2, 3], 100)
+        >>> surface, indices.tolist()
+        (VisibleSurface(3 vertices, 1 triangles), [0, 1, 2])
+    """
+
+    vertices: NDArray[np.float64]
+    triangles: NDArray[np.int32]
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({len(self.vertices):,} vertices, {len(self.triangles):,} triangles)"
+
+
+@dataclass(frozen=True, eq=False)
 class Extremes:
     """What the hull of some positions consists of, whatever its dimension.
 

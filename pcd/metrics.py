@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from ..core.checks import check_numeric, check_positive
 from ..kernels.extent.distance_sums import summarize_distances
+from .bounds import measure_to
 from .cloud import PointCloud
-from .distances import measure_to
 from .point_arrays import check_cloud
 
 

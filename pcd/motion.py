@@ -7,15 +7,10 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..core.checks import LARGEST_NUMBER, check_finite, check_positive, check_rigid, check_shape, check_transformation
-from ..core.coordinates import FLOAT32_MAX, origin_under
+from ..core.checks import LARGEST_NUMBER, check_finite, check_positive, check_rigid, check_shape
 from ..core.dropped_results import returns_new
 from ..core.known_names import ToldNames
-from ..kernels.algebra.transform import transform_covariances, transform_directions, transform_points
-from ..kernels.lang import float32
-from ..kernels.linear_algebra import inv, matmul
-from .bounding import Bounding
-from .units import unit_under
+from ..kernels.linear_algebra import matmul
 
 
 class Movable(ToldNames):
@@ -80,57 +75,6 @@ class Movable(ToldNames):
 
     def _middle(self, center: ArrayLike | None) -> NDArray[np.float64]:
         return self._finite_center() if center is None else check_finite("center", check_shape("center", center, (3,)))
-
-
-class Motion(Bounding, Movable):
-    """The part of PointCloud that moves it."""
-
-    @returns_new
-    def transform(self, transformation: ArrayLike) -> Self:
-        """The cloud under a 4x4 affine map, computed in float64; normals are turned, and keep their lengths.
-
-        Covariances C become A C A^T, with A the map's 3x3 part (Open3D's are right for rotations alone). A map that
-        changes lengths by more than rounding of a rotation may (1 %) leaves the cloud without a known unit.
-
-        Raises:
-            ValueError: Not finite, not invertible, or the last row is not (0, 0, 0, 1).
-        """
-        return self._mapped("transformation", check_transformation("transformation", transformation))
-
-    # ------------------------------------------------------------------------------------------ internals
-
-    def _mapped(self, name: str, T: NDArray[np.float64]) -> Self:
-        """The cloud under an affine map; errors call it by the argument that it was made of."""
-        A, t = T[:3, :3], T[:3, 3]
-        moved = matmul(A, self._origin) + t
-        origin = origin_under(name, A, t, *self.device_bounds(), moved)
-        cloud = self._under(A, moved - origin, origin)
-        cloud._unit = unit_under(self._unit, A)
-        return cloud
-
-    def _enlarged(self, factor: float) -> Self:
-        reach = np.abs(np.array(self.device_bounds()) - self._origin).max() * factor
-        if not reach <= FLOAT32_MAX:
-            raise ValueError(f"unit: takes points {reach:.3g} from their origin, farther than float32 holds")
-        return self._under(factor * np.eye(3), np.zeros(3), self._origin * factor)
-
-    def _under(self, A: NDArray[np.float64], shift: NDArray[np.float64], origin: NDArray[np.float64]) -> Self:
-        """The cloud about another origin, its arrays under a map from the old one to the new one."""
-        arrays = dict(self._arrays)
-        arrays["points"] = transform_points(arrays["points"], A, shift)
-        is_shift = np.array_equal(A, np.eye(3))  # normals and covariances stay what they are
-        if self.has_normals and not is_shift:
-            arrays["normals"] = transform_directions(arrays["normals"], inv(A).T)
-        if (
-            not is_shift
-            and "covariances" in arrays
-            and arrays["covariances"].dtype == float32
-            and arrays["covariances"].shape[1:] == (9,)
-        ):
-            arrays["covariances"] = transform_covariances(arrays["covariances"], A)
-        cloud = self.with_arrays(arrays, grid=self.grid)
-        cloud._origin = origin
-        return cloud
 
 
 def map_about(A: NDArray[np.float64], center: NDArray[np.float64], step: Any = 0.0) -> NDArray[np.float64]:

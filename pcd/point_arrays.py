@@ -1,9 +1,9 @@
-"""What a cloud holds: positions about a float64 origin and named attributes, as arrays on one device."""
+"""Arrays of a cloud: positions about a float64 origin and named attributes, on one device."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, MutableMapping
 from typing import Any, Self
 
 import numpy as np
@@ -18,17 +18,50 @@ from ..core.dropped_results import returns_new
 from ..core.escaped_text import escaped
 from ..core.gpu_arrays import take_colors, take_column, take_points, take_vectors
 from ..core.html_tables import array_type, html_table
+from ..core.known_names import KnownNames
+from ..core.yes_or_no import YesOrNo
 from ..kernels.lang import vec3
 from ..kernels.language.device_lock import turn_on
 from ..kernels.memory import download, move, upload
 from ..kernels.search.point_tree import PointTree
-from .attributes import VECTORS, Attributes
-from .cloud_questions import CloudQuestions
 from .kept_tree import KeptTree
 from .units import InUnit
 
+VECTORS = ("points", "normals", "colors")
 
-class PointArrays(InUnit, CloudQuestions):
+
+class Attributes(MutableMapping[str, NDArray[Any]]):
+    """Attributes by name, as read-only NumPy arrays of shape [n] or [n, c]: all but points, normals and colours."""
+
+    def __init__(self, cloud: PointArrays):
+        self._cloud = cloud
+
+    def __getitem__(self, name: str) -> NDArray[Any]:
+        if name in VECTORS or name not in self._cloud:
+            raise KeyError(name)
+        return self._cloud[name]
+
+    def __setitem__(self, name: str, values: ArrayLike) -> None:
+        if name in VECTORS:
+            raise KeyError(f"{name}: assign cloud.{name}")
+        self._cloud[name] = values
+
+    def __delitem__(self, name: str) -> None:
+        if name in VECTORS or name not in self._cloud:
+            raise KeyError(name)
+        del self._cloud._arrays[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter([name for name in self._cloud._arrays if name not in VECTORS])
+
+    def __len__(self) -> int:
+        return sum(name not in VECTORS for name in self._cloud._arrays)
+
+    def __repr__(self) -> str:
+        return "{" + ", ".join(f"{name!r}: {values.dtype} {list(values.shape)}" for name, values in self.items()) + "}"
+
+
+class PointArrays(InUnit, KnownNames):
     """The arrays of a cloud by name, checked where they are assigned; PointCloud adds the operations.
 
     What is read is a copy that cannot be written to, so that no change is lost in silence: change a `.copy()` of it and
@@ -38,12 +71,40 @@ class PointArrays(InUnit, CloudQuestions):
         grid: Rows and columns where the points are the pixels of an image, row by row; else None.
     """
 
-    _how_to_add = "An attribute of the points is added by cloud[{name!r}] = values"
     _arrays: dict[str, wp.array]
+    _how_to_add = "An attribute of the points is added by cloud[{name!r}] = values"
     _kept: KeptTree  # of the points
     _origin: NDArray[np.float64]
     _library: str = NUMPY  # whose arrays operations return, see array_libraries.py
     grid: tuple[int, int] | None
+
+    def __len__(self) -> int:
+        return self._arrays["points"].size
+
+    @property
+    def has_points(self) -> YesOrNo:
+        """Whether there are points; may be called, too."""
+        return YesOrNo(len(self))
+
+    @property
+    def has_normals(self) -> YesOrNo:
+        """Whether there are normals; may be called, too."""
+        return YesOrNo("normals" in self._arrays)
+
+    @property
+    def has_colors(self) -> YesOrNo:
+        """Whether there are colours; may be called, too."""
+        return YesOrNo("colors" in self._arrays)
+
+    @property
+    def has_covariances(self) -> YesOrNo:
+        """Whether `estimate_covariances` has been here; may be called, too."""
+        return YesOrNo("covariances" in self._arrays)
+
+    @property
+    def is_empty(self) -> YesOrNo:
+        """Whether there is no point; may be called, too."""
+        return YesOrNo(len(self) == 0)
 
     def __repr__(self) -> str:
         names = escaped(", ".join(n for n in self._arrays if n != "points"))

@@ -24,9 +24,9 @@ from ..kernels.segmentation.shape_parts import largest_part, rows_labelled, writ
 from ..kernels.segmentation.shape_search import Found, ShapeLimits, ShapeSearch, chance_of
 from .cloud import PointCloud
 from .point_arrays import check_cloud
+from .segmentation import check_samples, limits_of, search_of
 from .shape import KINDS, Shape
 from .shape_verdicts import is_flat, is_open, plane_of, shape_of
-from .shapes import check_samples, limits_of, search_of
 
 LEAST, LEAST_SHARE = 100, 0.01  # points of a shape where none are given: at least, and of the cloud
 STEPS = 5.0  # medians of the distance of neighbours that points of one part may lie apart

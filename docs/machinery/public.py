@@ -19,7 +19,6 @@ GROUPS = {
     "pcd": "Clouds",
     "pcd.boxes": "Boxes, hulls, lines, voxels",
     "pcd.convex_hull": "Boxes, hulls, lines, voxels",
-    "pcd.hulls": "Boxes, hulls, lines, voxels",
     "pcd.line_set": "Boxes, hulls, lines, voxels",
     "pcd.polygon_volume": "Boxes, hulls, lines, voxels",
     "meshing.mesh.voxel_grid": "Boxes, hulls, lines, voxels",

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.upward import AXES, UP, up_under
-from ...meshing.mesh.mesh_up import Upright
+from ...meshing.mesh.mesh_arrays import MeshArrays
 from .parts import Triple
 
 DIRECTION: Triple = (-0.65, 0.7, -0.75)  # down from the front right, as onto a doll's house
@@ -22,7 +22,7 @@ def up_of(geometries: Iterable[tuple[Any, Any]]) -> Triple:
 
 def told_up(geometry: Any, pose: Any = None) -> Triple | None:
     """What is up in a geometry that says so, where its 4x4 pose moves it; None where it does not say."""
-    up = geometry.up if isinstance(geometry, Upright) else None
+    up = geometry.up if isinstance(geometry, MeshArrays) else None
     return up if pose is None else up_under(up, pose[:3, :3])
 
 

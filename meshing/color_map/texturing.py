@@ -17,7 +17,7 @@ from ...files.frames.frames import depth_unit
 from ...files.frames.rgbd_sources import RGBDSource
 from ...kernels.linear_algebra import inv
 from ..mesh.mesh import TriangleMesh
-from ..mesh.mesh_albedo import MOST_TEXELS
+from ..mesh.mesh_texture import MOST_TEXELS
 from .optimizers import run_non_rigid_optimizer, run_rigid_optimizer
 from .options import NonRigidOptimizerOption, RigidOptimizerOption
 from .results import ColorMapResult

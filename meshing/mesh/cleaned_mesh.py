@@ -12,7 +12,7 @@ from ...core.units import symbol_of
 from ...core.wording import format_share, plain
 from .changed_mesh import ChangedMesh, sizes_before
 from .mesh import TriangleMesh
-from .mesh_intersections import check_mesh
+from .mesh_arrays import check_mesh
 from .mesh_repair import MeshRepairReport
 
 MOST_GONE = 0.02  # of the triangles that found no place: more, and parts of the surface may be missing

@@ -19,11 +19,10 @@ from ...kernels.reconstruction.sample_cells import MAX_DEPTH
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
 from ...pcd.search import NearestNeighborSearch
-from .alpha_shape import why_flat
 from .mesh import TriangleMesh
 from .mesh_metrics import points_about
+from .mesh_reconstruction import MIN_DEPTH, NormalsWarning, why_flat
 from .mesh_summary import describe_surface
-from .poisson import MIN_DEPTH, NormalsWarning
 from .surface_result import MADE_UP, MadeUp, NormalsUsed, PointsOff, SurfaceResult
 
 Cut = Callable[[float], TriangleMesh]

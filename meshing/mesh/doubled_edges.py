@@ -14,9 +14,9 @@ from ...kernels.memory import download, full, upload
 from ...kernels.meshes.corner_vertices import find_doubled_edges
 from ...kernels.meshes.mixed_rows import with_vertices_on_edges
 from .mesh_attributes import each
-from .mesh_cleaning import MeshCleaning
+from .mesh_selection import MeshSelection
 
-MeshType = TypeVar("MeshType", bound=MeshCleaning)
+MeshType = TypeVar("MeshType", bound=MeshSelection)
 
 
 def part_doubled_edges(mesh: MeshType, twins: Indices) -> MeshType:

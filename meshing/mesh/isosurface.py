@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from ...core.array_libraries import library_of
-from .isosurfaces import extract_level
 from .mesh import TriangleMesh
+from .mesh_reconstruction import extract_level
 
 
 def marching_cubes(

@@ -1,6 +1,6 @@
 """TriangleMesh: shared vertices and triangles on one device.
 
-What a mesh can do lies in one file a subject; TriangleMesh brings them together.
+The operations are in one module per topic; TriangleMesh inherits them.
 """
 
 from __future__ import annotations
@@ -18,62 +18,16 @@ from ...core.told_arguments import told_arguments
 from ...files.table import MeshTable
 from ...kernels.lang import vec3, vec3i
 from ...kernels.memory import upload
-from .alpha_shape import AlphaShapes
-from .ball_pivoting import BallPivoting
-from .isosurfaces import Isosurfaces
-from .mesh_albedo import MeshAlbedo
-from .mesh_atlas import MeshAtlas
 from .mesh_attributes import assign_all
-from .mesh_booleans import MeshBooleans
-from .mesh_components import MeshComponents
-from .mesh_curvature import MeshCurvatures
-from .mesh_cutting import MeshCutting
-from .mesh_deformation import MeshDeformation
-from .mesh_extent import MeshExtent
-from .mesh_geodesics import MeshGeodesics
-from .mesh_intersections import MeshIntersections
-from .mesh_metrics import MeshMetrics
-from .mesh_pickling import MeshPickling
+from .mesh_primitives import MeshPrimitives
+from .mesh_reconstruction import MeshReconstruction
 from .mesh_remeshing import MeshRemeshing
 from .mesh_repair import MeshRepair
-from .mesh_round_shapes import MeshRoundShapes
 from .mesh_rows import ATTRIBUTES
-from .mesh_sampling import MeshSampling
-from .mesh_simplification import MeshSimplification
-from .mesh_smoothing import MeshSmoothing
-from .mesh_subdivision import MeshSubdivision
-from .mesh_sweeps import MeshSweeps
-from .mesh_voxels import MeshVoxels
-from .poisson import Poisson
+from .mesh_texture import MeshTexture
 
 
-class TriangleMesh(
-    MeshExtent,
-    MeshSweeps,
-    Isosurfaces,
-    MeshComponents,
-    MeshRepair,
-    MeshBooleans,
-    MeshIntersections,
-    MeshMetrics,
-    MeshSmoothing,
-    MeshSubdivision,
-    MeshDeformation,
-    MeshCurvatures,
-    MeshGeodesics,
-    MeshVoxels,
-    MeshRoundShapes,
-    MeshAtlas,
-    MeshAlbedo,
-    MeshSimplification,
-    MeshRemeshing,
-    MeshPickling,
-    MeshSampling,
-    MeshCutting,
-    Poisson,
-    BallPivoting,
-    AlphaShapes,
-):
+class TriangleMesh(MeshPrimitives, MeshRepair, MeshRemeshing, MeshReconstruction, MeshTexture):
     """A triangle mesh: vertices, the triangles between them, and optionally a normal and a colour at each vertex, and
     texture coordinates at each triangle's corners with the pictures that they point into.
 

@@ -1,38 +1,138 @@
-"""What a mesh holds: vertices about a float64 origin, triangles, and what belongs to either, on one device."""
+"""Arrays of a mesh: vertices, triangles and attributes on one device, sums of meshes, affine maps."""
 
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any, Self
 
 import numpy as np
 import warp as wp
-from numpy.typing import DTypeLike, NDArray
+from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from ...core.array_libraries import NUMPY, check_library, hand_out, library_of
-from ...core.checks import check_colors, check_name, check_numeric, check_rows, check_textures, is_on_gpu
+from ...core.checks import (
+    check_color,
+    check_colors,
+    check_finite,
+    check_list,
+    check_name,
+    check_numeric,
+    check_rows,
+    check_shape,
+    check_textures,
+    check_transformation,
+    is_on_gpu,
+)
+from ...core.coordinates import origin_under
 from ...core.devices import check_same_device, resolve_device
 from ...core.dropped_results import returns_new
 from ...core.gpu_arrays import take_colors, take_vectors
+from ...core.html_tables import array_type, html_table
+from ...core.known_names import KnownNames
+from ...core.pickled_arrays import device_like, pickled, unpickled, unpickling
+from ...core.upward import Direction, check_up, up_under
+from ...core.yes_or_no import YesOrNo
+from ...files.table import MeshTable
+from ...kernels.algebra.transform import transform_directions, transform_points
+from ...kernels.arrays.bounds import bound_points
+from ...kernels.arrays.concatenation import concatenate_points, concatenate_rows
 from ...kernels.arrays.select import gather_rows
+from ...kernels.extent.mean_covariance import mean_and_covariance
 from ...kernels.lang import int32, vec2, vec3
-from ...kernels.memory import clone, download, move, upload
-from ...kernels.meshes.mesh_edits import gather_corners, gather_triangles
+from ...kernels.linear_algebra import det, inv, matmul
+from ...kernels.memory import clone, download, full, move, upload, zeros
+from ...kernels.meshes import mesh_edits
+from ...kernels.meshes.mesh_edits import gather_corners, gather_triangles, raise_numbers, shift_triangles
+from ...pcd.motion import Movable
 from ...pcd.point_arrays import PointArrays, read_only
+from ...pcd.units import InUnit, unit_under
+from .finite_corners import check_finite_corners
 from .mesh_attributes import MeshAttributes, each, listed, rows_of
-from .mesh_questions import MeshQuestions
 from .mesh_rows import ATTRIBUTES, PER_TRIANGLE, PER_VERTEX, TEXTURE, as_triples, check_attributes, kind_and_count
-from .mesh_up import Upright
+
+MOST = 2**31 - 1  # vertices and triangles are counted in 32 bits
 
 
-class MeshArrays(Upright, MeshQuestions):
+class MeshArrays(InUnit, KnownNames, Movable):
     """The arrays of a mesh by name, checked where they are assigned; TriangleMesh adds the operations."""
 
+    _arrays: dict[str, wp.array]
+    _textures: tuple[NDArray[np.uint8], ...]
+    _up: Direction | None = None
     _device: Any
     _origin: NDArray[np.float64]
     _attributes: dict[str, dict[str, wp.array]]  # by the names in ATTRIBUTES
     _library: str = NUMPY  # whose arrays operations return, see core/array_libraries.py
+
+    def __len__(self) -> int:
+        return self._arrays["triangles"].size
+
+    def _repr_html_(self) -> str:
+        """The mesh in a notebook: what it holds, a row each."""
+        arrays = [*self._arrays.items()]
+        arrays += [(f"{kind}[{name!r}]", held) for kind, of in self._attributes.items() for name, held in of.items()]
+        arrays += [(f"textures[{number}]", picture) for number, picture in enumerate(self._textures)]
+        return html_table(repr(self), ((name, array_type(values)) for name, values in arrays))
+
+    @property
+    def has_vertices(self) -> YesOrNo:
+        """Whether there are vertices; may be called, too."""
+        return YesOrNo(self._arrays["vertices"].size)
+
+    @property
+    def has_triangles(self) -> YesOrNo:
+        """Whether there are triangles; may be called, too."""
+        return YesOrNo(len(self))
+
+    @property
+    def has_vertex_normals(self) -> YesOrNo:
+        """Whether there are normals of vertices; may be called, too."""
+        return YesOrNo("vertex_normals" in self._arrays)
+
+    @property
+    def has_vertex_colors(self) -> YesOrNo:
+        """Whether there are colours of vertices; may be called, too."""
+        return YesOrNo("vertex_colors" in self._arrays)
+
+    @property
+    def has_triangle_uvs(self) -> YesOrNo:
+        """Whether there are texture coordinates; may be called, too."""
+        return YesOrNo("triangle_uvs" in self._arrays)
+
+    @property
+    def has_textures(self) -> YesOrNo:
+        """Whether there are pictures to be drawn on it; may be called, too."""
+        return YesOrNo(len(self._textures))
+
+    @property
+    def is_empty(self) -> YesOrNo:
+        """Whether there is no vertex; may be called, too."""
+        return YesOrNo(self._arrays["vertices"].size == 0)
+
+    @property
+    def up(self) -> Direction | None:
+        """Which way is up, a direction of length 1, as a file of glTF or you told it; None where it is not known.
+
+        Views that are fitted (`render`, recordings, the viewer) show it upright; where it is not known, z is up. To
+        assign an axis ("y") or a direction turns no vertex. It goes along through operations, and turns with the mesh.
+
+        Raises:
+            TypeError: What is assigned is no text and no direction.
+            ValueError: Another text than x, y and z, or a direction of no length.
+
+        Example:
+            >>> import numpy as np, pointloom as loom
+            >>> mesh = loom.TriangleMesh.create_cone()
+            >>> mesh.up = "y"
+            >>> mesh.rotate(np.array([[1.0, 0, 0], [0, 0, -1], [0, 1, 0]]), (0, 0, 0)).up
+            (0.0, 0.0, 1.0)
+        """
+        return self._up
+
+    @up.setter
+    def up(self, value: Any) -> None:
+        self._up = None if value is None else check_up(value)
 
     @classmethod
     def from_device_arrays(
@@ -379,3 +479,232 @@ class MeshArrays(Upright, MeshQuestions):
         changed: dict[str, Any] = each(self._arrays, change)
         changed |= {kind: each(held, change) for kind, held in self._attributes.items()}
         return self.with_arrays(**changed)
+
+    def __add__(self, other: Any) -> Self:
+        """The triangles of both meshes, see `concatenate`."""
+        if not isinstance(other, MeshArrays):
+            return NotImplemented
+        return self.concatenate([self, other])
+
+    def __radd__(self, other: Any) -> Self:
+        """The mesh itself for 0, where `sum` begins."""
+        if isinstance(other, int) and other == 0:
+            return self.copy()
+        return NotImplemented
+
+    @classmethod
+    def concatenate(cls, meshes: Iterable[MeshArrays]) -> Self:
+        """The triangles of several meshes, one behind the other; nothing is merged, see `remove_duplicated_vertices`.
+
+        Of normals, colours, textures and further attributes those are kept that all meshes have, as Open3D's `+` does;
+        meshes without vertices have no say. Textures follow each other, and material numbers with them. The result
+        takes the origin of the mesh with most vertices.
+
+        Args:
+            meshes: At least one, all on one device.
+
+        Raises:
+            ValueError: No mesh, an attribute whose columns differ, or more than 2^31 - 1 vertices or triangles.
+            TypeError: Not meshes, or an attribute whose types differ.
+            DeviceError: Meshes on different devices.
+
+        Warns:
+            UserWarning: Some meshes are textured and some are not, so textures are left out.
+
+        Example:
+            >>> import pointloom as loom
+            >>> box = loom.TriangleMesh.create_box()
+            >>> both = box + box.translate([2, 0, 0])
+            >>> both.get_volume(), len(loom.TriangleMesh.concatenate([box] * 10))
+            (2.0, 120)
+        """
+        given = check_list("meshes", meshes, "triangle meshes")
+        if not given:
+            raise ValueError("meshes: expected at least one mesh, got none")
+        for mesh in given:
+            if not isinstance(mesh, MeshArrays):
+                raise TypeError(f"meshes: expected TriangleMesh, got {type(mesh).__name__}")
+            check_same_device("meshes", mesh.device, given[0].device)
+        parts = [mesh for mesh in given if mesh._arrays["vertices"].size] or given[:1]
+        for name in ("vertices", "triangles"):
+            if sum(mesh._arrays[name].size for mesh in parts) > MOST:
+                raise ValueError(f"meshes: more than 2^31 - 1 {name}; keep them in several meshes")
+        return cls._joined(parts)
+
+    @classmethod
+    def _joined(cls, parts: list[MeshArrays]) -> Self:
+        origin = max(parts, key=lambda mesh: mesh._arrays["vertices"].size)._origin
+        shifts = [mesh._origin - origin for mesh in parts]
+        arrays: dict[str, Any] = {
+            "vertices": concatenate_points([mesh._arrays["vertices"] for mesh in parts], shifts),
+            "triangles": concatenate_rows(_numbered(parts)),
+        }
+        for name in ("vertex_normals", "vertex_colors"):
+            if all(name in mesh._arrays for mesh in parts):
+                arrays[name] = concatenate_rows([mesh._arrays[name] for mesh in parts])
+        for kind in ATTRIBUTES:
+            shared = [n for n in parts[0]._attributes[kind] if all(n in mesh._attributes[kind] for mesh in parts)]
+            arrays[kind] = {
+                name: _joined_columns(name, [mesh._attributes[kind][name] for mesh in parts]) for name in shared
+            }
+        return cls.from_device_arrays(**arrays | _joined_textures(parts), origin=origin, library=parts[0]._library)
+
+    def __getstate__(self) -> dict[str, Any]:
+        """The mesh as NumPy arrays and the name of its device, for pickle."""
+        state = {"arrays": pickled(self._arrays), "origin": self._origin, "device": str(self._device)}
+        attributes = {kind: pickled(held) for kind, held in self._attributes.items()}
+        state |= {"textures": self._textures, "library": self._library, "attributes": attributes}
+        return state | {"unit": self._unit, "up": self._up}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """The mesh on the device that it was on; on the first GPU where there is another number of them.
+
+        Raises:
+            ValueError: The state is damaged: arrays of wrong types or lengths, or triangles beyond the vertices.
+            DeviceError: It was on a GPU, and here is none.
+        """
+        with unpickling("mesh"):
+            device, given = device_like("mesh", state["device"]), state["arrays"]
+            vertices, triangles = (np.asarray(given[name][0]).reshape(-1, 3) for name in ("vertices", "triangles"))
+            ids = given["triangle_material_ids"][0] if "triangle_material_ids" in given else None
+            MeshTable(vertices, triangles, triangle_material_ids=ids).checked()
+            arrays: dict[str, Any] = unpickled(given, device)
+            arrays |= {kind: unpickled(state["attributes"][kind], device) for kind in ATTRIBUTES}
+            mesh = self.from_device_arrays(
+                **arrays,
+                textures=check_textures("textures", state["textures"]),
+                origin=check_finite("origin", check_shape("origin", state["origin"], (3,))),
+                library=check_library("library", state["library"]),
+            )
+            mesh.unit, mesh.up = state.get("unit"), state.get("up")
+        vars(self).update(vars(mesh))
+
+    @returns_new
+    def transform(self, transformation: Any) -> Self:
+        """Move the mesh by an affine transformation.
+
+        Args:
+            transformation: A finite 4x4 matrix with last row (0, 0, 0, 1) and an inverse.
+
+        Returns:
+            The moved mesh. Normals turn with the surface (by the inverse transpose; Open3D turns them as if they were
+            directions) and keep their lengths. A reflection reverses the triangles: their outside stays outside.
+
+        Raises:
+            ValueError: Another matrix.
+        """
+        return self._mapped("transformation", check_transformation("transformation", transformation))
+
+    def _mapped(self, name: str, T: NDArray[np.float64]) -> Self:
+        """The mesh under an affine map; errors call it by the argument that it was made of."""
+        A, determinant = T[:3, :3], float(det(T[:3, :3]))
+        if determinant == 0:
+            raise ValueError(f"{name}: expected a matrix with an inverse, got one that flattens space")
+        target = matmul(A, self._origin) + T[:3, 3]
+        low, high, finite = bound_points(self._arrays["vertices"])  # sync
+        low, high = (low, high) if finite else (np.zeros(3), np.zeros(3))
+        origin = origin_under(name, A, target, low, high, target)
+        arrays: dict[str, Any] = {"vertices": transform_points(self._arrays["vertices"], A, target - origin)}
+        if "vertex_normals" in self._arrays and not np.array_equal(A, np.eye(3)):
+            arrays["vertex_normals"] = transform_directions(self._arrays["vertex_normals"], inv(A).T)
+        if determinant < 0:
+            arrays["triangles"] = mesh_edits.flip_triangles(self._arrays["triangles"])
+            if "triangle_uvs" in self._arrays:
+                arrays["triangle_uvs"] = mesh_edits.flip_corners(self._arrays["triangle_uvs"])
+        mesh = self.with_arrays(origin=origin, **arrays)
+        mesh._unit, mesh._up = unit_under(self._unit, A), up_under(self._up, A)
+        return mesh
+
+    def _enlarged(self, factor: float) -> Self:
+        vertices = transform_points(self._arrays["vertices"], factor * np.eye(3), np.zeros(3))
+        return self.with_arrays(origin=self._origin * factor, vertices=vertices)
+
+    def get_center(self) -> NDArray[np.float64]:
+        """The mean of the finite vertices [m], shape [3]; zeros where there is none.
+
+        Raises:
+            ValueError: A triangle has a corner that is not finite.
+        """
+        check_finite_corners("get_center", self)
+        return self._finite_center()
+
+    def _finite_center(self) -> NDArray[np.float64]:
+        count, mean, _ = mean_and_covariance(self._arrays["vertices"])
+        return mean + self._origin if count else np.zeros(3)
+
+    @returns_new
+    def paint_uniform_color(self, color: ArrayLike) -> Self:
+        """The mesh with one colour for all vertices.
+
+        Args:
+            color: Red, green and blue, 0..1; Open3D clips what lies outside, here it is an error.
+
+        Raises:
+            ValueError: Not three numbers, or outside 0..1.
+
+        Example:
+            >>> import pointloom as loom
+            >>> loom.TriangleMesh.create_plane().paint_uniform_color([1, 0.5, 0]).vertex_colors[0].tolist()
+            [1.0, 0.5, 0.0]
+        """
+        rgb = check_color("color", color)
+        colors = full(self._arrays["vertices"].size, vec3(*rgb.tolist()), vec3, self.device)
+        return self.with_arrays(vertex_colors=colors)
+
+
+def check_mesh(name: str, mesh: Any) -> None:
+    """Refuse what is no mesh.
+
+    Raises:
+        TypeError: It is none.
+    """
+    if not isinstance(mesh, MeshArrays):
+        raise TypeError(f"{name}: expected a TriangleMesh, got {type(mesh).__name__}")
+
+
+def _numbered(parts: list[MeshArrays]) -> list[Any]:
+    """The triangles of each mesh by the vertices of all."""
+    numbered, start = [], 0
+    for mesh in parts:
+        triangles = mesh._arrays["triangles"]
+        numbered.append(shift_triangles(triangles, start) if start else triangles)
+        start += mesh._arrays["vertices"].size
+    return numbered
+
+
+def _joined_columns(name: str, columns: list[Any]) -> Any:
+    """Values of one attribute behind one another."""
+    first = columns[0]
+    for column in columns:
+        if column.dtype != first.dtype:
+            kinds = f"{first.dtype.__name__} and {column.dtype.__name__}"
+            raise TypeError(f"{name}: the meshes have it in {kinds}; convert one of them")
+        if column.shape[1:] != first.shape[1:]:
+            raise ValueError(
+                f"{name}: the meshes have it in rows of {list(first.shape[1:])} and {list(column.shape[1:])}"
+            )
+    return concatenate_rows(columns)
+
+
+def _joined_textures(parts: list[MeshArrays]) -> dict[str, Any]:
+    """Texture coordinates, material numbers and pictures, as `from_device_arrays` takes them."""
+    triangled = [mesh for mesh in parts if len(mesh)]
+    names = ("triangle_uvs", "triangle_material_ids")
+    if any("triangle_uvs" in mesh._arrays for mesh in triangled):
+        kinds = {("triangle_uvs" in mesh._arrays, bool(mesh._textures)) for mesh in triangled}
+        if len(kinds) > 1:
+            warnings.warn("textures: left out, as not all meshes have them", stacklevel=4)
+            return {}
+    joined: dict[str, Any] = {"textures": tuple(picture for mesh in triangled for picture in mesh._textures)}
+    if triangled and "triangle_uvs" in triangled[0]._arrays:
+        joined[names[0]] = concatenate_rows([mesh._arrays[names[0]] for mesh in triangled])
+    has_pictures = bool(joined["textures"])
+    if (has_pictures and len(triangled) > 1) or (triangled and all(names[1] in mesh._arrays for mesh in triangled)):
+        ids, first = [], 0
+        for mesh in triangled:
+            own = mesh._arrays.get(names[1])
+            own = zeros(len(mesh), int32, mesh._device) if own is None else own
+            ids.append(raise_numbers(own, first) if first else own)
+            first += len(mesh._textures)
+        joined[names[1]] = concatenate_rows(ids)
+    return joined

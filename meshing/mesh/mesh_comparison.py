@@ -13,7 +13,7 @@ from ...core.units import LengthUnit, symbol_of
 from ...core.wording import format_share, plain
 from .finite_corners import check_finite_corners
 from .mesh import TriangleMesh
-from .mesh_intersections import check_mesh
+from .mesh_arrays import check_mesh
 from .mesh_metrics import SurfaceMetrics
 
 THRESHOLD = 0.01  # of the second mesh's diagonal: the distance of the F-score where none is given

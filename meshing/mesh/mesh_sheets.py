@@ -23,9 +23,9 @@ from ...kernels.meshes.part_votes import keep_alone, mark_open_sides
 from ...kernels.meshes.sheets import Sheets, mask_loose
 from .covered_parts import Copies, find_covered, find_doubled
 from .doubled_edges import part_doubled_edges
-from .mesh_cleaning import MeshCleaning
+from .mesh_selection import MeshSelection
 
-MeshType = TypeVar("MeshType", bound=MeshCleaning)
+MeshType = TypeVar("MeshType", bound=MeshSelection)
 
 
 @dataclass(frozen=True)
@@ -107,7 +107,7 @@ def _sew(mesh: MeshType, placed: Triangles, loose: Mask, folded: Indices, repeat
     )
 
 
-def _find_worthless(mesh: MeshCleaning, placed: Triangles, loose: Mask) -> tuple[Indices, Indices, Indices]:
+def _find_worthless(mesh: MeshSelection, placed: Triangles, loose: Mask) -> tuple[Indices, Indices, Indices]:
     """(rows that name a position twice, that repeat an earlier one, that do so whichever way round) of loose ones."""
     rows = positions_of(loose)  # sync
     own = gather_triangles(placed, rows)
@@ -123,7 +123,7 @@ def _find_worthless(mesh: MeshCleaning, placed: Triangles, loose: Mask) -> tuple
     return gather_rows(rows, folded), gather_rows(rows_left, again), gather_rows(rows_left, turned)
 
 
-def _find_parts_to_drop(mesh: MeshCleaning, sheets: Sheets, placed: Triangles, loose: Mask) -> tuple[Indices, Indices]:
+def _find_parts_to_drop(mesh: MeshSelection, sheets: Sheets, placed: Triangles, loose: Mask) -> tuple[Indices, Indices]:
     """(rows of parts that are copies of others, rows of single triangles that found no partner)."""
     count, device = placed.size, placed.device
     classes, class_count = find_copies(placed, mesh.device_arrays["vertices"].size)  # sync

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from .mesh import TriangleMesh
-from .mesh_topology import count_edges
+from .mesh_repair import count_edges
 
 Corner = tuple[float, float, float]
 

@@ -14,7 +14,7 @@ from ...core.wording import plain
 from .changed_mesh import ChangedMesh, sizes_before
 from .finite_corners import find_wrong_corner
 from .mesh import TriangleMesh
-from .mesh_intersections import check_mesh
+from .mesh_arrays import check_mesh
 
 MISSED = 1.05  # times the triangles wanted: more, and the target is missed
 FAR = 0.01  # of the box's diagonal: a root mean square distance above this is another surface

@@ -14,8 +14,8 @@ from ...core.units import symbol_of
 from ...core.wording import format_share, plain
 from .changed_mesh import ChangedMesh, sizes_before
 from .mesh import TriangleMesh
-from .mesh_intersections import check_mesh
-from .mesh_smoothing import MOST_PASSES
+from .mesh_arrays import check_mesh
+from .mesh_remeshing import MOST_PASSES
 
 METHODS = ("taubin", "laplacian", "simple", "sharpen")
 SHRUNK = 0.1  # of the area: more, and the shape goes with the noise

@@ -8,10 +8,9 @@ from typing import Any
 from ...core.reports import Assessed, Fields, Report, failed, in_columns, quality, with_warnings
 from ...core.units import LengthUnit, symbol_of
 from ...core.wording import format_bounds, format_share, plain
-from .alpha_shape import FLAT_REMEDY
 from .mesh import TriangleMesh
+from .mesh_reconstruction import FLAT_REMEDY, OPPOSED
 from .mesh_summary import SurfaceSummary
-from .poisson import OPPOSED
 
 # Thresholds of the quality checks.
 TORN = 0.1  # share of edges at a border: 30 x 30 squares have 4 %, a ball that rolls through the gaps makes 30 %

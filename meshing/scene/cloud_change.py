@@ -22,7 +22,7 @@ from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
 from ..mesh.finite_corners import check_finite_corners
 from ..mesh.mesh import TriangleMesh
-from ..mesh.mesh_intersections import check_mesh
+from ..mesh.mesh_arrays import check_mesh
 
 
 @dataclass(frozen=True, eq=False)

@@ -18,7 +18,7 @@ from ...kernels.rays.scene_trees import SceneTrees
 from ...kernels.rays.triangle_tree import TriangleTree
 from ..mesh.finite_corners import find_wrong_corner
 from ..mesh.mesh import TriangleMesh
-from ..mesh.mesh_intersections import check_mesh
+from ..mesh.mesh_arrays import check_mesh
 
 
 class SceneGeometries(KnownNames):

@@ -18,7 +18,7 @@ from ...kernels.lang import int32
 from ...kernels.memory import download, full, upload
 from ...kernels.segmentation.cluster_labels import NOISE, label_borders, rename_cores
 from ...kernels.segmentation.dbscan import cluster_cores
-from ...pcd.clusters import ANY
+from ...pcd.segmentation import ANY
 from ..label_join import MOST_INT32, join_labels, leave
 from .step import Part, Sight, Step
 

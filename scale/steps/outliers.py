@@ -11,7 +11,7 @@ from ...core.checks import check_count, check_positive
 from ...kernels.memory import download
 from ...kernels.search.neighbor_distances import average_distances
 from ...kernels.segmentation.neighbor_counts import mask_crowded
-from ...pcd.outliers import ROUNDING
+from ...pcd.selection import ROUNDING
 from ..exact_sums import ExactSums
 from .step import Part, Step
 

@@ -42,7 +42,7 @@ from .meshing.mesh.mesh_comparison import compare_meshes as compare_meshes
 from .meshing.mesh.mesh_files import read_triangle_mesh as read_triangle_mesh
 from .meshing.mesh.mesh_files import write_triangle_mesh as write_triangle_mesh
 from .meshing.mesh.mesh_repair import MeshRepairReport as MeshRepairReport
-from .meshing.mesh.poisson import NormalsWarning as NormalsWarning
+from .meshing.mesh.mesh_reconstruction import NormalsWarning as NormalsWarning
 from .meshing.mesh.simplified_mesh import SimplifiedMesh as SimplifiedMesh
 from .meshing.mesh.simplified_mesh import simplify_mesh as simplify_mesh
 from .meshing.mesh.smoothed_mesh import SmoothedMesh as SmoothedMesh
@@ -93,7 +93,7 @@ from .pcd.geographic import project_to_utm as project_to_utm
 from .pcd.geographic import utm_epsg as utm_epsg
 from .pcd.ground import classify_ground as classify_ground
 from .pcd.terrain import height_above_ground as height_above_ground
-from .pcd.hulls import VisibleSurface as VisibleSurface
+from .pcd.convex_hull import VisibleSurface as VisibleSurface
 from .pcd.shape import Shape as Shape
 from .pcd.shape_boxes import BoxShape as BoxShape
 from .pcd.shape_boxes import find_boxes as find_boxes

@@ -9,7 +9,7 @@ from scipy.spatial import cKDTree
 
 import pointloom as loom
 from pointloom import TriangleMesh
-from pointloom.meshing.mesh import mesh_sampling
+from pointloom.meshing.mesh import mesh_measures
 
 from .open3d_meshes import in_open3d
 
@@ -213,7 +213,7 @@ def test_more_points_than_an_even_choice_takes_are_refused(device, monkeypatch):
         mesh.sample_points_poisson_disk(10, init_factor=2**30)
     with pytest.raises(ValueError, match="pcl:"):
         mesh.sample_points_poisson_disk(4, pcl=loom.PointCloud([*SQUARE[0][:3], [0, np.nan, 0]]))
-    monkeypatch.setattr(mesh_sampling, "MOST_SAMPLES", 3)
+    monkeypatch.setattr(mesh_measures, "MOST_SAMPLES", 3)
     with pytest.raises(ValueError, match="pcl:"):
         mesh.sample_points_poisson_disk(2, pcl=loom.PointCloud(SQUARE[0]))
 

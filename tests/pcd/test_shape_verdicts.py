@@ -12,7 +12,7 @@ from pointloom.kernels.segmentation.shape_fit import frame_of
 from pointloom.kernels.segmentation.shape_models import PLANE
 from pointloom.kernels.segmentation.shape_rivals import Band, count_band
 from pointloom.kernels.segmentation.shape_search import Found
-from pointloom.pcd.shapes import limits_of, search_of
+from pointloom.pcd.segmentation import limits_of, search_of
 
 from .made_shapes import made_shape
 

@@ -1,0 +1,108 @@
+"""Arrays of swept outlines: rings, walls, and checks of outlines."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...core.checks import check_finite, check_number, check_numeric, check_rows
+from ...kernels.linear_algebra import matmul, norm
+from .flat_polygons import signed_area
+
+SAME_AREA = 1e-6  # of a polygon's area: what its triangles may be off
+LARGEST_STEP = 1e30  # [m] or times: float32 ends at 3e38
+
+
+def check_length(name: str, value: Any) -> float:
+    """A number that places can be multiplied by or moved by, and stay within float32 about their middle."""
+    number = check_number(name, value)
+    if abs(number) > LARGEST_STEP:
+        raise ValueError(f"{name}: expected a number up to {LARGEST_STEP:g}, got {number:g}")
+    return number
+
+
+def number_ring_vertices(rings: NDArray[np.float64], is_closed: bool) -> NDArray[np.int64]:
+    """The number of each vertex at each place, [k, m]; those that stay where they are have one."""
+    count, width = rings.shape[:2]
+    numbers = np.arange(count * width).reshape(count, width)
+    numbers[:, (rings == rings[0]).all(axis=(0, 2))] = numbers[:1, (rings == rings[0]).all(axis=(0, 2))]
+    if is_closed:
+        numbers[-1] = numbers[0]
+    return numbers
+
+
+def wall_triangles(numbers: NDArray[np.int64], lines: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Two triangles for each step of each line, [2 (k - 1) n, 3]."""
+    a, b = numbers[:-1, lines[:, 0]], numbers[:-1, lines[:, 1]]
+    c, d = numbers[1:, lines[:, 1]], numbers[1:, lines[:, 0]]
+    return (
+        np.concatenate(
+            [
+                np.stack(corners, -1)
+                for pair in zip(a, b, c, d, strict=True)
+                for corners in ((pair[0], pair[1], pair[2]), (pair[0], pair[2], pair[3]))
+            ]
+        )
+        if len(a)
+        else np.zeros((0, 3), np.int64)
+    )
+
+
+def used_vertices(triangles: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """(the vertices that triangles use, the triangles by their places among them)."""
+    triangles = triangles[(triangles != np.roll(triangles, 1, axis=1)).all(axis=1)]
+    used, numbers = np.unique(triangles, return_inverse=True)
+    return used, numbers.reshape(-1, 3)
+
+
+def signed_volume(places: NDArray[np.float64], triangles: NDArray[np.int64]) -> float:
+    """Six times the volume inside the finite triangles, below zero where they face inwards."""
+    corners = places[triangles]
+    corners = corners[np.isfinite(corners).all(axis=(1, 2))]
+    if not len(corners):
+        return 0.0
+    corners = corners - corners[0, 0]
+    return float(np.einsum("ti,ti->", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])))
+
+
+def check_ring(name: str, points: ArrayLike) -> NDArray[np.float64]:
+    """The points of an outline, without the first one again at its end."""
+    given = check_numeric(name, points)
+    width = 3 if given.ndim == 2 and given.shape[1] == 3 else 2
+    ring = check_finite(name, check_rows(name, points, width, dtype=np.float64))
+    if len(ring) > 1 and (ring[0] == ring[-1]).all():
+        ring = ring[:-1]
+    if len(ring) < 3:
+        raise ValueError(f"{name}: expected three corners or more, got {len(ring)}")
+    return ring
+
+
+def flatten_outline(places: NDArray[np.float64], count: int) -> NDArray[np.float64]:
+    """Places [n, 2] or [n, 3] in the plane of the first `count`."""
+    if places.shape[1] == 2:
+        return places - places[0]
+    local = places - places[0]
+    ring = local[:count]
+    normal = np.cross(ring, np.roll(ring, -1, axis=0)).sum(axis=0)
+    size, length = norm(normal), np.linalg.norm(np.roll(ring, -1, axis=0) - ring, axis=1).sum()
+    if not size > 1e-12 * length**2:
+        raise ValueError("outline: its corners lie on a line, or it crosses itself")
+    normal /= size
+    off = np.abs(matmul(local, normal)).max()
+    if off > 1e-6 * length:
+        raise ValueError(f"outline, holes: corners lie up to {off:g} m off their plane")
+    u = np.cross(np.eye(3)[np.abs(normal).argmin()], normal)
+    u /= norm(u)
+    return matmul(local, np.array([u, np.cross(normal, u)]).T)
+
+
+def check_area(flat: NDArray[np.float64], order: list[Any], triangles: NDArray[np.int64]) -> None:
+    """Refuse triangles that overlap."""
+    a, b, c = flat[triangles].transpose(1, 0, 2)
+    doubled = (b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]
+    whole = sum(signed_area(flat[rows]) for rows in order)
+    scale = sum(abs(signed_area(flat[rows])) for rows in order)
+    if not abs(np.abs(doubled).sum() / 2 - whole) <= SAME_AREA * scale or not whole > 0:
+        raise ValueError("outline, holes: they cross themselves or each other")
