@@ -296,7 +296,6 @@ class ToTaichi(ast.NodeTransformer):
         return ast.Continue() if self.in_kernel else node
 
     def _number(self, node: ast.expr) -> int | float | None:
-        """The value of a literal, a module constant or one of them with a minus."""
         match node:
             case ast.Constant(value=int() | float() as value) if not isinstance(value, bool):
                 return value
@@ -674,8 +673,6 @@ def _builtins(ti: Any) -> dict[str, Any]:
 
 
 def _by_kind(ti: Any) -> list[Callable]:
-    """Those that are one thing for numbers and another for vectors."""
-
     def isfinite(x):
         if ti.static(is_vector(x)):
             return (x - x).sum() == 0  # a component that is not finite leaves NaN

@@ -172,7 +172,6 @@ class VoxelMap:
         self.table = HashTable(device)
 
     def _begin(self, count: int) -> None:
-        """Begin to count changes of so many voxels."""
         self.totals, self.changes = full(2, count, int32, self.device), Changes(count, self.device)
         self._told, self._read = Readback(self.totals), (0, count)
 

@@ -447,7 +447,6 @@ def exact_sides(vertices: Points, lowest: np.ndarray, extremes: np.ndarray, thre
 
 
 def _about(vertices: Points) -> list[Integers]:
-    """What exact sides begin with, on the device."""
     return [find_lowest_bits(vertices), find_extremes(vertices)]
 
 

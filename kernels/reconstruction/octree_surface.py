@@ -411,7 +411,6 @@ class OctreeSurface:
         (self._loops, self._loop_ends), (self._middles, self._middle_ends) = scans
 
     def _pairs(self) -> Iterable[tuple[LevelSurface, LevelSurface]]:
-        """Each level's surface and that of the level below it."""
         return zip(self._surfaces, [*self._surfaces[1:], self._surfaces[-1]], strict=True)
 
     def _write(self, cube: Cube, is_linear: bool) -> None:

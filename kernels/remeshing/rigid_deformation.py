@@ -341,7 +341,6 @@ def deform_rigidly(
 
 
 def _solve(level: Level, bending: Bending, solver: LaplacianSolver) -> None:
-    """The positions that the rotations want."""
     launch(pull_vertices_kernel, level.count, [level, bending])
     solver.solve(bending.right)
 

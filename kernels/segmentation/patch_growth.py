@@ -412,7 +412,6 @@ class Patches:
         return upload(ranks, int32, self.device), by_rank
 
     def _grow(self, growing: np.ndarray) -> None:
-        """Let the chosen patches grow over free points."""
         size, planes = self.labels.size, self._planes()
         ranks, by_rank = self._ranked(self.similar)
         by_rank = upload(by_rank, int32, self.device)
