@@ -191,7 +191,6 @@ def _factor(lens: Lens, t: Array) -> Array:
 
 
 def _factor_slope(lens: Lens, t: Array, factor: Array) -> Array:
-    """The derivative of N / D by the squared radius."""
     a, b = lens.radial, lens.rational
     above = a[0] + t * (2.0 * a[1] + t * (3.0 * a[2] + t * 4.0 * a[3]))
     below = b[0] + t * (2.0 * b[1] + t * 3.0 * b[2])

@@ -222,7 +222,6 @@ def restore_folder(path: str | os.PathLike[str]) -> None:
 
 
 def _old_folders(path: Path) -> list[Path]:
-    """What remains of folders that were being replaced, the latest last."""
     pattern = re.compile(rf"\.{re.escape(path.name)}\.[0-9a-f]{{16}}\.old")
     try:
         with os.scandir(path.absolute().parent) as entries:

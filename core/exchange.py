@@ -132,7 +132,6 @@ def _say_who_reads(source: Any, device: Any) -> None:
 
 
 def _over(array: wp.array, dtype: Any, shape: tuple[int, ...]) -> wp.array:
-    """Another view of an array's memory, which keeps it alive."""
     view = wp.array(ptr=array.ptr, dtype=dtype, shape=shape, device=array.device, copy=False)
     view._ref = array
     return view

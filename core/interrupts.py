@@ -38,7 +38,6 @@ def signal_exception(error: BaseException, handled: BaseException | None = None)
 
 
 def _handler_codes() -> set[CodeType]:
-    """The code of all Python functions that handle signals."""
     codes = (_code_of(signal.getsignal(number)) for number in signal.valid_signals())
     return {code for code in codes if code is not None}
 

@@ -83,7 +83,6 @@ def _annotated(kind: type) -> frozenset[str]:
 
 @functools.lru_cache(1024)
 def _message(kind: type, name: str, how_to_add: str = "") -> str:
-    """What is said of a name that a class does not have."""
     said = f"{kind.__name__} has no attribute {name!r}"
     if name.startswith("_"):
         return said

@@ -61,7 +61,6 @@ def nearest_rotations(M: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def _polar_factors(R: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The orthogonal polar factors of regular matrices."""
     for _ in range(MAX_NEWTON_STEPS):
         inverses = _cofactors(R) / det(R)[:, None, None]  # transposed
         scales = np.sqrt(_sizes(inverses) / _sizes(R))[:, None, None]

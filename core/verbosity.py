@@ -62,7 +62,6 @@ class Lines(logging.Handler):
 
 
 def _print(text: str) -> None:
-    """Write a line to stderr."""
     write_to_stderr(f"pointloom: {escaped(text, lines=True)}")
 
 

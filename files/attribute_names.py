@@ -89,7 +89,6 @@ def rename(
 
 
 def _parts(name: str, values: NDArray[Any], rules: NameRules) -> set[str]:
-    """The names that an attribute takes in the file."""
     if not rules.in_parts or values.ndim < 2:
         return {name}
     return {f"{name}_{k}" for k in range(values.shape[1])}

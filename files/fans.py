@@ -95,7 +95,6 @@ def _fans(lengths: Places) -> Places:
 
 
 def _by_length(lengths: Places, largest: int) -> list[tuple[int, Places]]:
-    """The faces of more than three corners by how many they have."""
     if (lengths == largest).all():
         return [(largest, np.arange(len(lengths)))]
     order = np.argsort(lengths, kind="stable")

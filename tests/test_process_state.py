@@ -25,7 +25,7 @@ FORBIDDEN = {
 }  # fmt: skip
 ALLOWED = {
     "app/shell/cli.py", "app/shell/doctor.py", "app/shell/group.py", "kernels/cuda_cache.py",
-    "kernels/language/taichi_compiler.py", "kernels/language/taichi_lifetime.py", "photos/sfm/opencv_worker.py",
+    "kernels/language/taichi_compiler.py", "photos/sfm/opencv_worker.py",
 }  # fmt: skip
 
 

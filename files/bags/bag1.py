@@ -31,8 +31,6 @@ class _Info(NamedTuple):
 
 
 class _Bag:
-    """The records of a bag."""
-
     def __init__(self, path: Path, source: Any):
         self.path, self.source = path, source
         self.found = Contents(path, self.payload)

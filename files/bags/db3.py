@@ -71,8 +71,6 @@ def _compare_with_index(database: sqlite3.Connection, found: Contents) -> None:
 
 
 class _Payload:
-    """Reads messages by row."""
-
     def __init__(self, path: Path, database: sqlite3.Connection):
         self._path, self._database = path, database
 

@@ -37,8 +37,6 @@ class _Chunk(Chunk):
 
 
 class _File:
-    """The records of a file."""
-
     def __init__(self, path: Path, source: Any):
         self.path, self.source = path, source
         self.schemas: dict[int, str] = {0: ""}

@@ -135,7 +135,6 @@ class RecordedFrames:
             raise FileError(path, str(error), remedy="Give the intrinsic of these pictures") from error
 
     def _pairs(self, tolerance: float) -> list[tuple[float, Any, Any]]:
-        """Time, depth and colour of each frame, in the order of times."""
         depth = self._stamped(self.depth)
         if self.color is None:
             return [(time, row, None) for time, row in depth]
@@ -159,7 +158,6 @@ class RecordedFrames:
         return sorted(found, key=lambda pair: pair[0])
 
     def _find_camera(self) -> PinholeCameraIntrinsic:
-        """The camera of the topic of infos that stands beside the one of depth."""
         path, place = self._recording.path, self.depth
         for suffix in _SUFFIXES:
             place = place.removesuffix(suffix)

@@ -132,7 +132,6 @@ class RecordedTransforms:
         return product
 
     def _joint_at(self, frame: str, times: NDArray[np.float64] | None) -> Matrix:
-        """T_parent_frame at times."""
         joint = self._joints[frame]
         if joint.times is None:
             return _matrices(joint.places, joint.turns)

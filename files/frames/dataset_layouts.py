@@ -183,7 +183,6 @@ def list_redwood(folder: Path, demand: Demand | None = None) -> list[FrameFiles]
 
 
 def _pair_poses(folder: Path, log: Path, depths: list[Path]) -> dict[Path, NDArray[np.float64]]:
-    """The pose of each depth map, by the ids of the log."""
     trajectory = read_poses_and_gaps(log)
     assert trajectory.ids is not None
     if len(trajectory) != len(depths):
@@ -308,7 +307,6 @@ def list_tum(folder: Path, demand: Demand | None = None) -> tuple[list[FrameFile
 
 
 def _read_timed_poses(truth: Path) -> tuple[list[float], NDArray[np.float64]]:
-    """Times in order and the poses at them."""
     trajectory = read_poses_and_gaps(truth)
     if trajectory.timestamps is None:
         raise DatasetError(truth, "has no times", remedy="Expected timestamp tx ty tz qx qy qz qw")

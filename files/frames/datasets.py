@@ -273,7 +273,6 @@ def _open(
     demand: Demand,
     resize: bool,
 ) -> RGBDDataset:
-    """A folder of known layout."""
     if layout == "7scenes":
         frames = list_seven_scenes(folder, every, demand)
     elif layout == "redwood":
@@ -332,7 +331,6 @@ def _layout_without_poses(folder: Path, marks: dict[str, dict[str, bool]]) -> st
 
 
 def _detect_layout(folder: Path, looked: dict[str, dict[str, bool]]) -> str:
-    """The one layout whose files are present."""
     found = [layout for layout, marks in looked.items() if all(marks.values())]
     if len(found) == 1:
         return found[0]

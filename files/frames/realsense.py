@@ -153,7 +153,6 @@ class RealSenseCamera(DepthCamera):
                 raise CameraError(f"{self.name} sent nothing for {self.timeout:g} s after {self.count} frames")
 
     def _ended(self) -> bool:
-        """Whether a recording has been played to its end."""
         return self._playback is not None and self._playback.current_status() == self._driver.playback_status.stopped
 
     def _stop(self) -> None:

@@ -116,7 +116,6 @@ def frames_from(
 
 
 def _frame_of(item: Any, name: str) -> Frame:
-    """Colour and depth in whatever form, not looked at yet."""
     if isinstance(item, tuple | list):
         if len(item) not in (2, 3):
             raise ValueError(f"{name}: expected (color, depth) or (color, depth, time), got {len(item)} values")

@@ -61,8 +61,6 @@ def read_glb(path: str | os.PathLike[str], *, outside_files: bool = False) -> Me
 
 
 class _Parts:
-    """The primitives of a file, gathered one by one."""
-
     def __init__(self, file: GltfFile):
         self.file, self.arrays, self.left = file, GltfArrays(file), LeftBehind(file)
         self.looks = Materials(self.arrays, self.left)
@@ -134,7 +132,6 @@ class _Parts:
         return None
 
     def _attributes(self) -> dict[str, NDArray[np.generic]]:
-        """The attributes of vertices that all primitives have, of one width."""
         found = {}
         for name in dict.fromkeys(name for part in self.vertices for name in part.attributes):
             parts = [part.attributes.get(name) for part in self.vertices]

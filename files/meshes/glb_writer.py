@@ -186,7 +186,6 @@ def _split_seams(mesh: MeshTable) -> tuple[NDArray[np.int64], NDArray[np.int64],
 def _assemble(
     columns: dict[str, NDArray[Any]], corners: NDArray[np.int64], mesh: MeshTable, origin: NDArray[np.float64]
 ) -> _Scene:
-    """The scene of these values at vertices and these corners."""
     body = _Body()
     attributes = {name: body.add_array(values, _VERTEX_TARGET, name == "POSITION") for name, values in columns.items()}
     ids = mesh.triangle_material_ids if mesh.textures else None
@@ -235,8 +234,6 @@ def _material(texture: int, mode: str) -> dict[str, Any]:
 
 
 class _Body:
-    """The binary chunk while it grows, and the JSON that says what lies where."""
-
     def __init__(self):
         self.data = bytearray()
         self.views: list[dict[str, Any]] = []

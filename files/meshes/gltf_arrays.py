@@ -105,7 +105,6 @@ class GltfArrays:
     def _elements(
         self, holder: dict[str, Any], dtype: np.dtype[Any], width: int, count: int, name: str, *, steps: bool = True
     ) -> NDArray[Any]:
-        """Elements of a buffer view, copied in the machine's byte order."""
         file = self.file
         data, stride = self.view(holder.get("bufferView"), name)
         begin, size = file.whole(holder, "byteOffset", name, 0), width * dtype.itemsize
@@ -132,7 +131,6 @@ class GltfArrays:
         values[rows] = self._elements(fresh, dtype, values.shape[1], count, what, steps=False)
 
     def _as_said(self, given: NDArray[Any], count: int, dtype: np.dtype[Any], width: int, name: str) -> NDArray[Any]:
-        """What came out of a compressed mesh, held against what its accessor says."""
         if given.shape != (count, width):
             raise self.file.error(f"{name} says {count} x {width}, its compressed mesh holds {list(given.shape)}")
         if given.dtype == dtype:

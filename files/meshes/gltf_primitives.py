@@ -191,7 +191,6 @@ class Primitive:
         return found
 
     def _morphed(self, name: str, values: NDArray[Any], components: str, placing: Placing) -> NDArray[Any]:
-        """Values with those of its morph targets added, by their weights."""
         if not self._targets:
             return values
         self._left.add("morph targets, but for their default weights")
@@ -214,7 +213,6 @@ class Primitive:
         return moved
 
     def _place(self, vertices: Vertices, placing: Placing) -> None:
-        """Move vertices to the world, by joints or by the node."""
         if placing.joints is None:
             T = placing.T
             if np.array_equal(T, np.eye(4)):

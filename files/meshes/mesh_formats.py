@@ -88,7 +88,6 @@ def write_mesh(path: str | os.PathLike[str], mesh: MeshTable, *, ascii: bool, ov
 
 
 def _with_fitting_names(path: str | os.PathLike[str], mesh: MeshTable) -> MeshTable:
-    """The mesh with attributes under names that PLY holds."""
     rules = name_rules(mesh.vertex_normals, mesh.vertex_colors)
     of_vertices = rename(path, "PLY", mesh.attributes, rules, stacklevel=5)
     colors = mesh.triangle_attributes.get("colors")

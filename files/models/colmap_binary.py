@@ -29,8 +29,6 @@ _ROWS = 1 << 16  # records gathered at a time
 
 
 class _Reader:
-    """The bytes of a file and the place that was reached."""
-
     def __init__(self, path: Path):
         self.path, self.data, self.at = path, open_source(path), 0
         self.size = len(self.data)
@@ -162,7 +160,6 @@ def read_points(path: Path) -> Points:
 
 
 def _find_records(file: _Reader, count: int) -> NDArray[np.int64]:
-    """Where each point's record begins."""
     starts, at, data = [0] * count, file.at, file.data
     unpack, size, last = _COUNT.unpack_from, _STEP.itemsize, file.size - 8
     for i in range(count):

@@ -213,7 +213,6 @@ def _check_tracks(
     starts: NDArray[np.int64],
     owners: NDArray[np.int64],
 ) -> None:
-    """Hold that each track names keypoints that belong to its point."""
     tracks = points.tracks
     if not len(tracks):
         return

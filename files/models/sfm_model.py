@@ -367,7 +367,6 @@ def _sorted(
 
 
 def _check_similarity(transformation: Any) -> tuple[NDArray[np.float64], NDArray[np.float64], float]:
-    """Rotation, translation and scale."""
     T = check_shape("transformation", transformation, (4, 4))
     scale = float(np.cbrt(np.linalg.det(T[:3, :3]))) if np.isfinite(T).all() and np.abs(T).max() < 1e30 else np.nan
     if not scale > 1e-30:

@@ -91,7 +91,6 @@ def write_content(
 
 
 def _lens(camera: CameraModel) -> dict[str, Any]:
-    """The keys of a lens, with every coefficient."""
     if camera.model not in WRITTEN:
         reason = f"model: transforms.json has no camera model {camera.model}"
         raise ValueError(f"{reason}; straighten the pictures first, see loom.undistort_picture")

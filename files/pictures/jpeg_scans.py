@@ -41,8 +41,6 @@ _REMEDY = "Fetch or write the file again"
 
 @dataclass
 class _Layout:
-    """Where a file's scans lie, and what its frame says of them."""
-
     width: int = 0
     height: int = 0
     is_progressive: bool = False

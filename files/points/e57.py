@@ -156,7 +156,6 @@ def _libe57() -> Any:
 
 
 def _fields(scan: Any) -> dict[str, Any]:
-    """The prototype's numeric nodes by name."""
     libe57 = _libe57()
     kinds = {
         libe57.NodeType.E57_FLOAT: libe57.FloatNode,
@@ -273,7 +272,6 @@ def read_pose(path: Any, scan: Any) -> tuple[NDArray[np.float64], NDArray[np.flo
 
 
 def _narrowest(node: Any) -> np.dtype[Any]:
-    """The type for a field's values."""
     libe57 = _libe57()
     if isinstance(node, libe57.FloatNode):
         return np.dtype(np.float32 if node.precision() == libe57.E57_SINGLE else np.float64)

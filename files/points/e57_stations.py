@@ -88,7 +88,6 @@ _Scans = tuple[list[PointTable], list[str], NDArray[np.float64], NDArray[np.bool
 
 
 def _e57_scans(path: str | os.PathLike[str]) -> _Scans:
-    """The points, the name, the pose and whether there is one, of each scan."""
     with open_e57(path) as (image, scans):
         tables = [read_scan(path, image, node, placed=False) for node in scans]
         with foreign_errors(path, "its list of scans is damaged"):

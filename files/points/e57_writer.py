@@ -66,7 +66,6 @@ def write_e57(
 
 
 def _in_scan(columns: dict[str, NDArray[Any]], pose: NDArray[np.float64]) -> dict[str, NDArray[Any]]:
-    """Columns with positions and normals in the coordinates of a scan."""
     points = np.stack([columns[name] for name in CARTESIAN], axis=1).astype(np.float64)
     columns = columns | dict(zip(CARTESIAN, ((points - pose[:3, 3]) @ pose[:3, :3]).T, strict=True))
     if NORMALS[0] in columns:

@@ -78,7 +78,6 @@ def read_kitti_bin(path: str | os.PathLike[str], columns: Sequence[str] | None =
 
 
 def _fitting(size: int) -> str:
-    """The layouts that a number of bytes is a multiple of, for messages."""
     layouts = [layout for width, layout in LAYOUTS.items() if not size % (4 * width)]
     return f"; give columns= with all names. The size fits {'; '.join(layouts)}" if layouts else ""
 

@@ -239,5 +239,4 @@ def _read_records(path: Any, source: Source, form: struct.Struct, begin: int, en
 
 
 def _text(field: bytes) -> str:
-    """A field of fixed length, up to its first zero byte."""
     return field.split(b"\0")[0].decode("utf-8", "replace").strip()

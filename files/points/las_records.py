@@ -54,7 +54,6 @@ def _is_waveform(record: LasRecord) -> bool:
 
 
 def _carried(like: LasHeader) -> list[LasRecord]:
-    """The records of another file that are copied."""
     kept = [record for record in like.records if _key(record) not in (*_LAYOUT, _SPATIAL_INDEX)]
     return [record for record in kept if not _is_waveform(record)]
 

@@ -159,7 +159,6 @@ def check_chunk(path: Any, header: LasHeader, chunk: bytes, what: str) -> None:
 
 
 def _check_record(path: Any, record: bytes, header: LasHeader) -> tuple[int, int, int]:
-    """The compressor, the points of a chunk, and the layers of a chunk."""
     if len(record) < _FIELDS.size:
         raise FileError(path, f"the LASzip record has {len(record)} bytes, at least {_FIELDS.size} are needed")
     fields = _FIELDS.unpack_from(record)

@@ -56,8 +56,6 @@ def read_rows(path: Any, source: Source, header: PlyHeader, wanted: Wanted) -> d
 
 
 class _BinaryRows:
-    """Walks a binary payload element by element."""
-
     def __init__(self, path: Any, source: Source, header: PlyHeader):
         self._path, self._source, self._offset = path, source, header.size
 
@@ -159,12 +157,10 @@ class _BinaryRows:
         return columns
 
     def _pick(self, offsets: NDArray[np.int64], dtype: np.dtype[Any]) -> NDArray[Any]:
-        """The values at these byte offsets."""
         text = np.frombuffer(self._source, np.uint8)
         return text[offsets[:, None] + np.arange(dtype.itemsize)].view(dtype)[:, 0]
 
     def _row_starts(self, element: Element) -> tuple[NDArray[np.int64], int]:
-        """The byte at which each row begins, and the one behind the last row."""
         steps: list[tuple[int, Callable[..., tuple[Any, ...]], int, int]] = []
         skip = 0
         for prop in element.properties:
@@ -208,8 +204,6 @@ _STRUCT_CODES = {"i1": "b", "u1": "B", "i2": "h", "u2": "H", "i4": "i", "u4": "I
 
 
 class _TextRows:
-    """Walks a text payload element by element."""
-
     def __init__(self, path: Any, source: Source, header: PlyHeader):
         self._path = path
         self._rows = AsciiRows(path, bytes(source[header.size :]), header.line_count + 1)

@@ -186,7 +186,6 @@ def _open(path: str | os.PathLike[str]) -> tuple[_Lines, list[_Scan]]:
 
 
 def _read_header(lines: _Lines, at: int) -> _Scan:
-    """The header that begins at a line."""
     columns = lines.whole(at, "the number of columns of a scan")
     if lines.count - at < _HEADER_LINES:
         reason = f"truncated: the header of a scan has {lines.count - at} of {_HEADER_LINES} lines"
@@ -210,7 +209,6 @@ def _read_header(lines: _Lines, at: int) -> _Scan:
 
 
 def _read_scan(lines: _Lines, scan: _Scan) -> PointTable:
-    """The points of a scan, in the scanner's coordinates."""
     count, width = scan.shape[0] * scan.shape[1], 0
     kept, parts = [np.empty(0, np.int64)], [np.empty((0, 4))]
     for begin in range(scan.first, scan.first + count, _BLOCK):

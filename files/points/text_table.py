@@ -166,7 +166,6 @@ def _is_count(fields: list[bytes]) -> bool:
 
 
 def _is_wider_below(body: bytes, end: int) -> bool:
-    """Whether the next line of values has more than one of them."""
     for _, _, line in _lines(body[end + 1 : end + 1 + (1 << 16)]):
         bare = line.strip()
         if bare and not bare.startswith(b"#"):
@@ -246,7 +245,6 @@ def _why_wrong(names: Sequence[str]) -> str:
 
 
 def _rows_of(path: Path, body: bytes, head: _Head) -> tuple[AsciiRows, bytes]:
-    """The rows below the head, and their text with its delimiters."""
     begin = 0
     for _ in range(head.lines):
         begin = body.find(b"\n", begin) + 1 or len(body)

@@ -116,7 +116,6 @@ def _unpacked(values: NDArray[Any], places: Any) -> NDArray[np.float64]:
 def _between(
     bounds: Columns, what: str, axes: str, number: NDArray[np.int64], parts: NDArray[np.float64]
 ) -> NDArray[np.float64]:
-    """Values between the bounds of their chunks."""
     low, high = (np.stack([bounds[f"{end}_{what}{axis}"][number] for axis in axes], axis=1) for end in ("min", "max"))
     return low * (1 - parts) + high * parts
 

@@ -365,6 +365,5 @@ class BendingSteps:
         return float(np.sqrt(squares / max(number, 1)))
 
     def _gather(self) -> None:
-        """What the rows' pulls come to at each node."""
         given = [self.influence, self.rows]
         reduce_segments(sum_node_pulls, self.rows.blocks, self.live, given, self.partials, self.system.sums)

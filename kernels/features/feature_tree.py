@@ -10,7 +10,7 @@ on over four axes, every other slab backwards, so that what follows each other l
 their order. No result depends on the axes or on the order of the tree.
 
 Build: 4 d + 200 B a row of memory for d columns, 60 d operations a row, four sorts. The axes are those of a sample,
-found on the host. The pruning is exact: see `limit_of` in feature_search.py for how far the coordinates are rounded.
+found on the host. The pruning is exact: see `limit_of` in feature_matching.py for how far the coordinates are rounded.
 Source: Leutenegger, Lopez and Edgington, "STR: a simple and efficient algorithm for R-tree packing", ICDE 1997.
 """
 

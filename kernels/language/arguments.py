@@ -106,7 +106,6 @@ def acceptor(annotations: Sequence[Any]) -> Callable[[Sequence[Any]], tuple[list
 
 
 def _reader(annotation: Any) -> Callable[[Any], Any]:
-    """What reads a number, vector or matrix."""
     kind = type_of(annotation)
     assert kind is not None
     if kind.shape:

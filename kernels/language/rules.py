@@ -200,7 +200,6 @@ def _declared(annotation: Any, vocabulary: Vocabulary) -> Inferred:
 
 
 def _check_form(source: Source, node: ast.AST) -> None:
-    """Refuse constructs by their form alone."""
     if type(node) in FORBIDDEN:
         source.fail(node, f"{FORBIDDEN[type(node)]} are not in the kernel language")
     match node:

@@ -1,7 +1,23 @@
 """The half of the shared language that Taichi compiles: every CPU core. The one file that imports Taichi.
 
-A per-thread body becomes the body of a parallel loop (taichi_source.py), whose source reaches Taichi through
+A per-thread body becomes the body of a parallel loop, whose source reaches Taichi through
 linecache. Taichi works on the Warp arrays' own buffers, with no copy.
+
+From the source of a kernel as it is written to the source that Taichi compiles; trees of Python's ast in and out.
+`return` turns into `continue`, `atomic_x(a, i, v)` into `ti.atomic_x(a[i], v)`, `%` into the remainder of C, and plain
+numbers get the precision that Warp gives them.
+
+How Taichi starts and ends in a process, beside others that share its folder of compiled kernels. Taichi guards that
+folder by a file, ticache.lock, which it makes, removes, and waits for 0.2 s. It reads the list of kernels when the
+first one is compiled and writes it with the new ones when its program ends: left to itself after the interpreter, in a
+destructor. So without what is here
+
+- a process that is killed in its turn leaves the file behind: all that come later compile everything, in silence;
+- one that waits longer compiles everything too, or loses what it compiled;
+- a kernel whose file is gone while the list names it is compiled in each process, and never kept again;
+- a folder that is removed while Taichi writes ends the process by abort(), as does a thread that the system refuses.
+
+Our processes take turns by flock(), which the system takes back from one that dies. Written for Taichi 1.7.
 """
 
 from __future__ import annotations
@@ -9,12 +25,17 @@ from __future__ import annotations
 import ast
 import atexit
 import contextlib
+import ctypes
 import io
 import linecache
 import os
+import re
+import threading
+import time
 import warnings
 import weakref
 from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
 from typing import Any
 
 import warp as wp
@@ -24,17 +45,293 @@ from .cache_folders import cache_folder, is_writable, temporary_cache
 from .cpu_pool import default_thread_count
 from .device_lock import lock
 from .prepared_launches import Recorder, TaichiLaunch
-from .taichi_lifetime import OwnProgram, TaichiUnavailableError, require_threads, same_arithmetic
-from .taichi_source import (
-    CHUNK_LOOP,
-    NEGATED,
-    REDUCTION,
-    SEGMENT_REDUCTION,
-    ToTaichi,
-    copy_tree,
-    in_parallel,
-    without_docstring,
-)
+
+try:
+    import fcntl
+except ImportError:  # Windows: Taichi's own lock has to do
+    fcntl = None
+
+PATIENCE = 10.0  # [s] for a turn, which takes some ms; then it is done without
+LEFT_BEHIND = 2.0  # [s] after which a ticache.lock is nobody's
+
+
+class TaichiUnavailableError(RuntimeError):
+    """Taichi cannot serve here; the message says why and how to mend it."""
+
+
+def require_threads(count: int) -> None:
+    """Start as many threads as Taichi will, and end them: it aborts where the system refuses it one.
+
+    Raises:
+        TaichiUnavailableError: The system refuses one.
+    """
+    end, threads = threading.Event(), list[threading.Thread]()
+    try:
+        for _ in range(count):
+            thread = threading.Thread(target=end.wait, daemon=True)
+            thread.start()
+            threads.append(thread)
+    except RuntimeError as error:
+        raise TaichiUnavailableError(
+            f"the system refuses this process {count} threads (a limit of the user's or the container's tasks); "
+            "POINTLOOM_CPU_THREADS asks for fewer"
+        ) from error
+    finally:
+        end.set()
+        for thread in threads:
+            thread.join()
+
+
+class KernelFolder:
+    """The folder of compiled kernels, or none where they are not kept."""
+
+    def __init__(self, path: str | None) -> None:
+        self.path = Path(path) if path else None
+
+    @contextlib.contextmanager
+    def turn(self) -> Iterator[None]:
+        """Be the one process of ours that reads or writes the folder, and find it in order."""
+        if self.path is None:
+            yield
+            return
+        with contextlib.ExitStack() as held:
+            with contextlib.suppress(OSError):  # a full disk, a file system without locks
+                self.path.mkdir(parents=True, exist_ok=True)
+                file = held.enter_context((self.path / "pointloom.lock").open("w"))
+                _take_lock(file.fileno(), held)
+                _remove_left_lock(self.path / "ticache.lock")
+                _forget_lost_kernels(self.path)
+            yield
+
+
+def _take_lock(descriptor: int, held: contextlib.ExitStack) -> None:
+    """Lock a file until the stack ends, or the process."""
+    last = time.monotonic() + PATIENCE
+    while fcntl is not None and time.monotonic() < last:
+        try:
+            fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            time.sleep(0.005)
+        else:
+            held.callback(fcntl.flock, descriptor, fcntl.LOCK_UN)  # closing is not enough where another thread forked
+            return
+
+
+def _remove_left_lock(path: Path) -> None:
+    """Remove Taichi's lock if its process is dead: it is none of ours, and no program holds it as long."""
+    with contextlib.suppress(FileNotFoundError):
+        while 0 <= time.time() - path.stat().st_mtime < LEFT_BEHIND:
+            time.sleep(0.02)
+        path.unlink()
+
+
+def _forget_lost_kernels(folder: Path) -> None:
+    """Remove the list of kernels if one of them is not there, for Taichi to write a new one."""
+    listing = folder / "ticache.tcb"
+    with contextlib.suppress(FileNotFoundError):
+        named = set(re.findall(r"T[0-9a-f]{64}", listing.read_bytes().decode("latin-1")))
+        there = {path.stem for path in folder.glob("*.tic")}
+        if not named <= there:
+            listing.unlink()
+
+
+class OwnProgram:
+    """Taichi's program that this process started by itself, and not its user."""
+
+    def __init__(self, ti: Any, impl: Any) -> None:
+        """Call it when Taichi has just started: has it read the list of kernels, which it does for the first kernel."""
+        self._ti, self._impl = ti, impl
+        self._program = weakref.ref(impl.get_runtime().prog)
+        self._folder = KernelFolder(ti.cfg.offline_cache_file_path if ti.cfg.offline_cache else None)
+        with self._folder.turn(), warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # Taichi's compiler uses what newer Pythons deprecate
+            ti.kernel(_nothing)()
+
+    def end(self) -> None:
+        """End it while an error in that is an exception still; what it compiled is kept in the folder."""
+        if self._impl.get_runtime().prog is not self._program():
+            return
+        with self._folder.turn():
+            try:
+                self._ti.reset()
+            except Exception:
+                self.keep_for_ever()  # its destructor would try again, and abort
+
+    def keep_for_ever(self) -> None:
+        """Never destroy it."""
+        program = self._program()
+        if program is not None:
+            ctypes.pythonapi.Py_IncRef(ctypes.py_object(program))
+
+
+def _nothing():
+    pass
+
+
+@contextlib.contextmanager
+def same_arithmetic() -> Iterator[None]:
+    """Give this thread its floating-point mode back: ti.init makes it flush subnormal numbers to zero, NumPy's too."""
+    try:
+        libc = ctypes.CDLL(None)
+        read, write = libc.fegetenv, libc.fesetenv
+    except (OSError, AttributeError, TypeError):  # a platform whose C library has no such function
+        yield
+        return
+    mode = ctypes.create_string_buffer(64)  # fenv_t: 32 bytes on x86-64, 8 on ARM
+    read(mode)
+    try:
+        yield
+    finally:
+        write(mode)
+
+
+NEGATED = "negated_"  # the name of what stands for a minus sign
+TURNS = 512  # turns of a parallel loop that Taichi gives to a core at once
+
+TURNS_LOOP = f"""
+for turn_ in range(chunk_count_ * {TURNS}):
+    if turn_ % {TURNS} == 0:
+        chunk_ = turn_ // {TURNS}
+"""
+# first + min(...), not min((chunk_ + 1) * size, count): that product can pass 2^31
+CHUNK_LOOP = """
+for i in range(chunk_ * chunk_size_, chunk_ * chunk_size_ + min(chunk_size_, thread_count_ - chunk_ * chunk_size_)):
+    pass
+"""
+# Two parts of one launch: blocks on all cores, then their sums; what stands within an `if` is on one core.
+REDUCTION = """
+def {name}_sum({arguments}count_, block_, partials_, out_, block_count_, chunk_size_, chunk_count_):
+    first_ = chunk_ * chunk_size_
+    for b_ in range(first_, first_ + min(chunk_size_, block_count_ - first_)):
+        total_ = vector_(0)
+        for i_ in range(b_ * block_, b_ * block_ + min(block_, count_ - b_ * block_)):
+            total_ += element_({arguments}i_)
+        partials_[b_] = total_
+    if block_count_ > 0:
+        sum_ = vector_(0)
+        for k_ in range(block_count_):
+            sum_ += partials_[k_]
+        out_[0] = sum_
+"""
+SEGMENT_REDUCTION = """
+def {name}_sum({arguments}firsts_, lasts_, owners_, starts_, live_, partials_, out_, segment_count_,
+               block_count_, chunk_size_, chunk_count_):
+    first_ = chunk_ * chunk_size_
+    for b_ in range(first_, first_ + min(chunk_size_, block_count_ - first_)):
+        if live_[owners_[b_]] != 0:
+            total_ = vector_(0)
+            for i_ in range(firsts_[b_], lasts_[b_]):
+                total_ += element_({arguments}i_)
+            partials_[b_] = total_
+    for s_ in range(segment_count_):
+        if live_[s_] != 0:
+            sum_ = vector_(0)
+            for k_ in range(starts_[s_], starts_[s_ + 1]):
+                sum_ += partials_[k_]
+            out_[s_] = sum_
+"""
+
+
+class ToTaichi(ast.NodeTransformer):
+    """Rewrites what the two compilers spell or read differently.
+
+    Taichi folds expressions of plain numbers in Python, in float64; Warp computes them in the type that they have in
+    the kernel. So the first number of such an expression is given its type.
+    """
+
+    def __init__(self, names: dict[str, Any], is_builtin: Callable, *, in_kernel: bool) -> None:
+        self.names, self.is_builtin, self.in_kernel = names, is_builtin, in_kernel
+
+    def visit_Call(self, node: ast.Call) -> ast.AST:
+        """Atomics, numbers that take their type from a constructor, built-ins of plain numbers."""
+        self.generic_visit(node)
+        name = node.func.id if isinstance(node.func, ast.Name) else ""
+        if name.startswith("atomic_"):
+            target, *index, value = node.args
+            place = index[0] if len(index) == 1 else ast.Tuple(index, ast.Load())
+            cell = ast.Subscript(target, place, ast.Load())
+            return ast.Call(ast.Attribute(ast.Name("ti_", ast.Load()), name, ast.Load()), [cell, value], [])
+        made = self.names.get(name)
+        scalar = getattr(getattr(made, "_wp_scalar_type_", made), "__name__", name)
+        is_vector = hasattr(made, "_wp_scalar_type_")
+        numbers = [self._number(argument) for argument in node.args]
+        if not is_vector and scalar in {"float", "float32", "float64"} and isinstance(numbers[0], int):
+            node.args = [ast.Constant(float(numbers[0]))]  # Taichi's float64(1) is an error
+        elif is_vector and scalar == "float64":  # Taichi's vec3d(0.1) holds float32(0.1)
+            node.args = [
+                argument if number is None else _call("f64", ast.Constant(float(number)))
+                for argument, number in zip(node.args, numbers, strict=True)
+            ]
+        elif (name in {"min", "max", "abs"} or self.is_builtin(made)) and any(isinstance(n, float) for n in numbers):
+            if None not in numbers:
+                node.args[0] = _call("f32", node.args[0])
+        return node
+
+    def visit_BinOp(self, node: ast.BinOp) -> ast.AST:
+        """`%` as in C; the first of two plain numbers gets its type."""
+        self.generic_visit(node)
+        if isinstance(self._number(node.left), float) and isinstance(self._number(node.right), float):
+            node.left = _call("f32", node.left)
+        if isinstance(node.op, ast.Mod):
+            return _call("raw_mod", node.left, node.right)
+        return node
+
+    def visit_UnaryOp(self, node: ast.UnaryOp) -> ast.AST:
+        """`-x` as Warp has it: of a scalar 0 - x, so that of zero it is zero, and not minus zero."""
+        self.generic_visit(node)
+        if isinstance(node.op, ast.USub) and self._number(node) is None:
+            return ast.Call(ast.Name(NEGATED, ast.Load()), [node.operand], [])
+        return node
+
+    def visit_AugAssign(self, node: ast.AugAssign) -> ast.AST:
+        """`a %= b` as `a = a % b`."""
+        self.generic_visit(node)
+        if isinstance(node.op, ast.Mod):
+            return ast.Assign([node.target], _call("raw_mod", _loaded(node.target), node.value))
+        return node
+
+    def visit_Return(self, node: ast.Return) -> ast.AST:
+        """The end of a thread is the end of a turn of the loop."""
+        self.generic_visit(node)
+        return ast.Continue() if self.in_kernel else node
+
+    def _number(self, node: ast.expr) -> int | float | None:
+        match node:
+            case ast.Constant(value=int() | float() as value) if not isinstance(value, bool):
+                return value
+            case ast.Name(id=name) if type(self.names.get(name)) in (int, float):
+                return self.names[name]
+            case ast.UnaryOp(op=ast.USub(), operand=operand):
+                value = self._number(operand)
+                return None if value is None else -value
+        return None
+
+
+def _call(name: str, *arguments: ast.expr) -> ast.Call:
+    return ast.Call(ast.Attribute(ast.Name("ti_", ast.Load()), name, ast.Load()), list(arguments), [])
+
+
+def _loaded(target: ast.expr) -> ast.expr:
+    return ast.parse(ast.unparse(target), mode="eval").body
+
+
+def in_parallel(body: list[ast.stmt]) -> ast.For:
+    """A parallel loop over chunks around a body that works on `chunk_`."""
+    loop: ast.For = ast.parse(TURNS_LOOP).body[0]  # type: ignore[assignment]
+    loop.body[0].body += body  # type: ignore[attr-defined]
+    return loop
+
+
+def copy_tree(definition: ast.FunctionDef) -> ast.FunctionDef:
+    """A copy that may be changed."""
+    return ast.parse(ast.unparse(definition)).body[0]  # type: ignore[return-value]
+
+
+def without_docstring(definition: ast.FunctionDef) -> list[ast.stmt]:
+    """The statements of a function."""
+    first = definition.body[0]
+    is_doc = isinstance(first, ast.Expr) and isinstance(first.value, ast.Constant)
+    return definition.body[1:] if is_doc else definition.body
 
 
 def _after_fork() -> None:
@@ -376,8 +673,6 @@ def _builtins(ti: Any) -> dict[str, Any]:
 
 
 def _by_kind(ti: Any) -> list[Callable]:
-    """Those that are one thing for numbers and another for vectors."""
-
     def isfinite(x):
         if ti.static(is_vector(x)):
             return (x - x).sum() == 0  # a component that is not finite leaves NaN

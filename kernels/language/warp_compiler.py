@@ -1,23 +1,102 @@
-"""The half of the shared language that Warp compiles: for CUDA, and for all cores of the CPU."""
+"""The half of the shared language that Warp compiles: for CUDA, and for all cores of the CPU.
+
+Other bounds of registers than kernels ask for, to be tried on a GPU: POINTLOOM_MOST_REGISTERS=KERNEL=NUMBER,... A
+kernel says by `@kernel(most_registers=80)` what a thread of it may hold on CUDA. Whether a bound is right is seen on a
+GPU alone: a lower one lets more threads in and has the assembler spill. A kernel that is named here is compiled with
+the number beside it, 0 for no bound at all; a variant for CUDA goes by its own name, a sum by that of its function. The
+number is part of the hash of the kernel's module, so each build is kept beside the others, and no archive of kernels
+compiled ahead has it.
+"""
 
 from __future__ import annotations
 
+import contextlib
 import ctypes
+import functools
 import linecache
 import os
 import sys
+import tempfile
 import types
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Any
+from typing import IO, Any
 
 import warp as wp
 
 from . import cuda_code, pool_code
 from .cache_folders import cache_folder, is_writable, other_writers, temporary_cache
-from .quiet import lines_removed_from_stderr
-from .register_limits import most_registers_of
+
+STDERR = 2
+
+
+@contextlib.contextmanager
+def lines_removed_from_stderr(phrase: str) -> Iterator[None]:
+    """Drop the lines with a phrase that the block writes to file descriptor 2; all others are written after it.
+
+    The descriptor belongs to the whole process, so the block has to be short. Python's own stream, which may be None,
+    closed or of any class, is not used. If the descriptor is closed or no temporary file can be made, nothing is
+    dropped.
+    """
+    captured = _redirected()
+    if captured is None:
+        yield
+        return
+    file, stderr = captured
+    try:
+        yield
+    finally:
+        os.dup2(stderr, STDERR)
+        os.close(stderr)
+        with file:
+            file.seek(0)
+            kept = b"".join(line for line in file if phrase.encode() not in line)
+        with contextlib.suppress(OSError):
+            os.write(STDERR, kept)
+
+
+def _redirected() -> tuple[IO[bytes], int] | None:
+    """A temporary file in place of descriptor 2, and a copy of the descriptor; None if that is impossible."""
+    try:
+        os.fstat(STDERR)
+        file = tempfile.TemporaryFile()
+    except OSError:
+        return None
+    try:
+        stderr = os.dup(STDERR)
+    except OSError:
+        file.close()
+        return None
+    os.dup2(file.fileno(), STDERR)
+    return file, stderr
+
+
+VARIABLE = "POINTLOOM_MOST_REGISTERS"
+HIGHEST = 255  # that an instruction can name
+
+
+def most_registers_of(name: str, own: int) -> int:
+    """Registers at most that a thread of the kernel may hold on CUDA, 0 for any number: `own` where none is tried.
+
+    Raises:
+        ValueError: What the environment says has another form.
+    """
+    return _tried(os.environ.get(VARIABLE, "")).get(name, own)
+
+
+@functools.cache
+def _tried(text: str) -> dict[str, int]:
+    found = {}
+    for part in filter(None, text.split(",")):
+        name, _, number = (word.strip() for word in part.partition("="))
+        if not name.isidentifier() or not number.isdecimal() or int(number) > HIGHEST:
+            raise ValueError(
+                f"{VARIABLE}: expected KERNEL=NUMBER,KERNEL=NUMBER,... with numbers from 0 to {HIGHEST}, got {text!r}"
+            )
+        found[name] = int(number)
+    return found
+
 
 wp.config.log_level = wp.LOG_ERROR  # no banner on stdout: it belongs to the program
 

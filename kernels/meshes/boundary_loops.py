@@ -179,7 +179,6 @@ def mark_loops_kernel(jumps: array(dtype=int32), mask: array(dtype=uint8)):
 
 
 def _jump(kernel: Kernel, jumps: Integers, values: LongIntegers) -> tuple[Integers, LongIntegers]:
-    """Follow jumps until each spans all there are."""
     count, device = jumps.size, jumps.device
     for _ in range(max(1, count.bit_length())):
         new_jumps, new_values = empty(count, int32, device), empty(count, int64, device)

@@ -104,7 +104,6 @@ class Elimination:
         return not download(lacking)[0]  # sync
 
     def _list_counted(self, near: Neighborhood) -> None:
-        """Count the neighbours first."""
         device, count = self.tree.device, self.tree.count
         counts = empty(count, int32, device)
         near.visit(count_neighbors_kernel, near.places, [counts])

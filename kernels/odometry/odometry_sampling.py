@@ -180,7 +180,6 @@ def thin_in_turn(points: Points, voxel_sizes: Sequence[float], least: float, mos
 
 
 def _cells_within(most: float, voxel_size: float) -> LocalCells:
-    """The voxels of a range about the sensor."""
     reach = math.ceil(most / voxel_size) + 1
     cells = LocalCells(voxel_size, (0, 0, 0), reach)
     if cells.bits > 20:

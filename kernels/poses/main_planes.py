@@ -274,7 +274,6 @@ def find_main_planes(
 
 
 def _ranks_of(mask: Mask) -> Array1[int32]:
-    """How many elements of a mask are set up to each."""
     ranks = empty(mask.size, int32, mask.device)
     if mask.device.is_cuda:
         launch(count_mask_kernel, mask.size, [mask, ranks])

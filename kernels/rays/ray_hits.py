@@ -1,28 +1,385 @@
 """The next triangle that a ray meets in a scene: by parameter, then by the number of the place, then of the triangle.
 
 All queries of rays are this one. It takes each place whose box the ray enters, the nearest first, turns the ray into
-the frame of the mesh there, and walks that mesh's tree (ray_walk.py); what is farther than the best so far is left out.
+the frame of the mesh there, and walks that mesh's tree; what is farther than the best so far is left out.
 Equal parameters go to the smallest numbers, whatever the trees look like.
+
+The walk of a ray through a tree of boxes, and the triangles that it meets in a leaf. A ray is seen along its main axis,
+the largest component of its direction, as in Woop, Benthin and Wald, "Watertight ray/triangle intersection", JCGT 2(1),
+2013: it is sheared to that axis, and what is left is where the origin lies in a triangle of the plane. The float32
+products of that test are compared, and where they are equal float64 decides, which holds them exactly: the side on
+which a ray passes an edge is the same for both triangles there, and no ray slips between them. Depth along the main
+axis and weights are float64; on an edge or a corner the depth is that of the edge or the corner alone, the same bits
+for all triangles there.
+
+A box is entered wherever a triangle in it could be met: its sides stand off by a margin that is larger than the
+rounding of the sheared corners and of the box's own test, so what is found depends on no box. The children of a node
+are measured together and the nearest is entered first; which are left is one byte a level, so there is no stack.
 """
 
+from ..algebra.plain_min_max import larger, smaller
 from ..algebra.transform import narrow, widen
-from ..lang import INFINITY, array, float64, func, int64, isfinite, loop, vec3, vec3d, vec3i, vector
-from ..search.tree_walk import bits_of
-from .ray_walk import (
-    is_ray,
-    lanes_met,
-    leaf_walk,
-    leaves_on_ray,
-    meet_triangle,
-    near_sides,
-    next_leaf,
-    rates_of,
-    ray_axes,
-    shear_of,
-    signed_margins,
+from ..lang import (
+    INFINITY,
+    array,
+    float32,
+    float64,
+    float_bits,
+    func,
+    int32,
+    int64,
+    isfinite,
+    loop,
+    vec3,
+    vec3d,
+    vec3i,
+    vector,
 )
+from ..search.point_tree import FAN, SIDES
+from ..search.tree_walk import bits_of
 from .scene_trees import FIRST_LEAF, MOTION, NUMBER, ROOT, ROW, SceneTrees
-from .triangle_tree import LEAF
+from .triangle_tree import LEAF, LEAF_NUMBERS
+
+BYTE = 255
+WHOLE_BYTE = 255
+FLATTEST = 1.0e-30
+MARGIN = 1.0e-6  # of the reach from the origin to the farthest corner: 16 roundings of float32, twice what there are
+STEEPEST = 1.0e30  # of the main axis' share to another's; steeper moves by less than the margin
+NOT_ENTERED = 0x7FFFFFFF  # larger than the bits of any number
+entry_keys = vector(8, int32)
+leaf_walk = vector(4, int64)
+lane_numbers = vector(8, float32)
+depth_and_weights = vector(4, float64)
+weights_and_depth = vector(3, float64)
+
+
+@func
+def find_main_axis(d: vec3) -> int:
+    """The axis of the largest component."""
+    axis = 0
+    if abs(d[1]) > abs(d[0]):
+        axis = 1
+    if abs(d[2]) > abs(d[axis]):
+        axis = 2
+    return axis
+
+
+@func
+def ray_axes(d: vec3) -> vec3i:
+    """The two other axes, and the main one."""
+    axis = find_main_axis(d)
+    return vec3i((axis + 1) % 3, (axis + 2) % 3, axis)
+
+
+@func
+def is_ray(o: vec3, d: vec3) -> int:
+    """1 where origin and direction are finite and the direction is not zero."""
+    found = 0
+    if isfinite(o) and isfinite(d):
+        if max(abs(d[0]), max(abs(d[1]), abs(d[2]))) > 0.0:
+            found = 1
+    return found
+
+
+@func
+def shear_of(d: vec3, axes: vec3i) -> vec3:
+    """How far the ray moves along the other axes a unit of the main one, and the main component."""
+    main = d[axes[2]]
+    return vec3(d[axes[0]] / main, d[axes[1]] / main, main)
+
+
+@func
+def signed_margins(o: vec3, d: vec3, low: vec3, high: vec3, axes: vec3i) -> vec3:
+    """How much the boxes' sides stand off, by axis, with the sign of the direction."""
+    reach = vec3(0.0, 0.0, 0.0)
+    for k in range(3):
+        reach[k] = larger(abs(low[k] - o[k]), abs(high[k] - o[k]))
+    main = reach[axes[2]]
+    for k in range(3):
+        margin = (reach[k] + main) * MARGIN
+        reach[k] = margin if d[k] >= 0.0 else -margin
+    return reach
+
+
+@func
+def rates_of(d: vec3, axes: vec3i) -> vec3:
+    """How much depth along the main axis a unit of each axis takes; with the direction's sign."""
+    main = abs(d[axes[2]])
+    rates = vec3(0.0, 0.0, 0.0)
+    for k in range(3):
+        rate = smaller(main / larger(abs(d[k]), main * FLATTEST), STEEPEST)
+        rates[k] = rate if d[k] >= 0.0 else -rate
+    return rates
+
+
+@func
+def near_sides(d: vec3) -> vec3i:
+    """Where in a record the sides begin at which the ray enters boxes, by axis."""
+    sides = vec3i(0, 0, 0)
+    for k in range(3):
+        sides[k] = k * FAN if d[k] >= 0.0 else (k + 3) * FAN
+    return sides
+
+
+@func
+def measure_entries(
+    boxes: array(dtype=float32), record: int, near: vec3i, a: vec3, b: vec3, rates: vec3, begin: float, reach: float
+) -> entry_keys:
+    """Where a ray enters the boxes of a node's children: the bits of the depth, the lowest three the child's number.
+
+    NOT_ENTERED for those that it does not enter by `reach`. Bits of depths, none negative, compare as the depths do.
+    """
+    at = record * SIDES
+    x0 = at + near[0]
+    y0 = at + near[1]
+    z0 = at + near[2]
+    x1 = at + 3 * FAN - near[0]
+    y1 = at + 5 * FAN - near[1]
+    z1 = at + 7 * FAN - near[2]
+    keys = entry_keys(0)
+    for j in range(FAN):
+        x = (boxes[x0 + j] - a[0]) * rates[0]
+        y = (boxes[y0 + j] - a[1]) * rates[1]
+        z = (boxes[z0 + j] - a[2]) * rates[2]
+        first = larger(larger(x, y), larger(z, begin))
+        u = (boxes[x1 + j] - b[0]) * rates[0]
+        v = (boxes[y1 + j] - b[1]) * rates[1]
+        w = (boxes[z1 + j] - b[2]) * rates[2]
+        last = smaller(smaller(u, v), smaller(w, reach))
+        keys[j] = ((float_bits(first) & ~7) | j) if first <= last else NOT_ENTERED
+    return keys
+
+
+@func
+def first_entered(keys: entry_keys, left: int) -> int:
+    """The smallest key of the children whose bits are set."""
+    passed = BYTE ^ left
+    open_keys = keys
+    for j in range(FAN):
+        open_keys[j] = NOT_ENTERED if ((passed >> j) & 1) == 1 else keys[j]
+    a = min(min(open_keys[0], open_keys[1]), min(open_keys[2], open_keys[3]))
+    b = min(min(open_keys[4], open_keys[5]), min(open_keys[6], open_keys[7]))
+    return min(a, b)
+
+
+@func
+def entered_bits(keys: entry_keys) -> int:
+    """A byte: bit j is set where child j is entered."""
+    bits = keys
+    for j in range(FAN):
+        bits[j] = ((keys[j] - NOT_ENTERED) >> 31) & (1 << j)
+    return ((bits[0] | bits[1]) | (bits[2] | bits[3])) | ((bits[4] | bits[5]) | (bits[6] | bits[7]))
+
+
+@loop
+def leaves_on_ray(
+    levels: array(dtype=int32),
+    first: int,
+    root: int,
+    boxes: array(dtype=float32),
+    near: vec3i,
+    a: vec3,
+    b: vec3,
+    rates: vec3,
+    begin: float,
+    reach: float,
+) -> int:
+    """The leaves whose boxes a ray enters by `reach`, which the body may shrink; the nearest of siblings first."""
+    level = root
+    node = 0
+    pending = ~int64(0)
+    while level <= root:
+        place = int64(FAN * max(level - 1, 0))
+        left = int(BYTE)
+        if level > 0:
+            left = int(pending >> place) & BYTE
+        key = int(NOT_ENTERED)
+        if left != 0:
+            keys = measure_entries(boxes, levels[first + level] + node, near, a, b, rates, begin, reach)
+            key = first_entered(keys, left)
+            if level == 0:
+                while key < NOT_ENTERED and key <= (float_bits(reach) | 7):
+                    leaf = node * FAN + (key & 7)
+                    yield leaf
+                    left = left ^ (1 << (key & 7))
+                    key = first_entered(keys, left)
+                key = NOT_ENTERED
+            else:
+                others = entered_bits(keys) & left & ~(1 << (key & 7))
+                pending = (pending & ~(int64(WHOLE_BYTE) << place)) | (int64(others) << place)
+        if key < NOT_ENTERED:
+            node = node * FAN + (key & 7)
+            level = level - 1
+            if level > 0:
+                pending = pending | (int64(WHOLE_BYTE) << int64(FAN * (level - 1)))
+        else:
+            node = node // FAN
+            level = level + 1
+
+
+@func
+def next_leaf(
+    step: leaf_walk,
+    levels: array(dtype=int32),
+    root: int,
+    boxes: array(dtype=float32),
+    near: vec3i,
+    a: vec3,
+    b: vec3,
+    rates: vec3,
+    begin: float,
+    reach: float,
+) -> leaf_walk:
+    """Go on to the next leaf of a small tree, in the order of `leaves_on_ray`; -1 where there is no other.
+
+    The walk is the level, the node, a byte a level of what is left to visit, and the leaf.
+    """
+    level = int(step[0])
+    node = int(step[1])
+    pending = step[2]
+    leaf = -1
+    while leaf < 0 and level <= root:
+        place = int64(FAN * level)
+        left = int(pending >> place) & BYTE
+        key = int(NOT_ENTERED)
+        if left != 0:
+            keys = measure_entries(boxes, levels[level] + node, near, a, b, rates, begin, reach)
+            key = first_entered(keys, left)
+            others = entered_bits(keys) & left & ~(1 << (key & 7))
+            pending = (pending & ~(int64(WHOLE_BYTE) << place)) | (int64(others) << place)
+        if key == NOT_ENTERED:
+            node = node // FAN
+            level = level + 1
+        else:
+            if level == 0:
+                leaf = node * FAN + (key & 7)
+            else:
+                node = node * FAN + (key & 7)
+                level = level - 1
+                pending = pending | (int64(WHOLE_BYTE) << int64(FAN * level))
+    return leaf_walk(int64(level), int64(node), pending, int64(leaf))
+
+
+@func
+def lanes_met(corners: array(dtype=float32), leaf: int, o: vec3, axes: vec3i, shear: vec3) -> int:
+    """A bit for each triangle of a leaf that the ray meets as far as float32 tells; those that it does are among them.
+
+    Of two products that differ the float32 ones never stand the other way round; equal ones count for either side.
+    """
+    x = leaf * LEAF_NUMBERS + axes[0] * LEAF
+    y = leaf * LEAF_NUMBERS + axes[1] * LEAF
+    z = leaf * LEAF_NUMBERS + axes[2] * LEAF
+    ox = o[axes[0]]
+    oy = o[axes[1]]
+    oz = o[axes[2]]
+    sides = lane_numbers(0.0)
+    for j in range(LEAF):
+        az = corners[z + j] - oz
+        ax = (corners[x + j] - ox) - shear[0] * az
+        ay = (corners[y + j] - oy) - shear[1] * az
+        bz = corners[z + 3 * LEAF + j] - oz
+        bx = (corners[x + 3 * LEAF + j] - ox) - shear[0] * bz
+        by = (corners[y + 3 * LEAF + j] - oy) - shear[1] * bz
+        cz = corners[z + 6 * LEAF + j] - oz
+        cx = (corners[x + 6 * LEAF + j] - ox) - shear[0] * cz
+        cy = (corners[y + 6 * LEAF + j] - oy) - shear[1] * cz
+        u = cx * by - cy * bx
+        v = ax * cy - ay * cx
+        w = bx * ay - by * ax
+        # not negative where all three have one sign, or none
+        sides[j] = larger(smaller(u, smaller(v, w)), -larger(u, larger(v, w)))
+    found = 0
+    for j in range(LEAF):
+        found = found | ((1 << j) if sides[j] >= 0.0 else 0)
+    return found
+
+
+@func
+def cross_products(ax: float, ay: float, bx: float, by: float) -> float64:
+    """ax by - ay bx; both products are exact, so its sign is."""
+    return float64(ax) * float64(by) - float64(ay) * float64(bx)
+
+
+@func
+def meet_edge(ax: float, ay: float, az: float, bx: float, by: float, bz: float) -> weights_and_depth:
+    """The weights of two points in the plane at the zero between them, and the depth there.
+
+    The same bits for (b, a), the other way round: it is the edge's lower end that they are counted from. One division
+    comes last, so where all is whole numbers the depth of an origin that lies on the edge is zero and nothing else.
+    """
+    swapped = 1 if bx < ax or (bx == ax and by < ay) else 0
+    p = float64(bx if swapped == 1 else ax)
+    q = float64(ax if swapped == 1 else bx)
+    if abs(float64(by) - float64(ay)) > abs(q - p):
+        p = float64(by if swapped == 1 else ay)
+        q = float64(ay if swapped == 1 else by)
+    near = float64(bz if swapped == 1 else az)
+    far = float64(az if swapped == 1 else bz)
+    share = -p / (q - p)
+    rest = 1.0 - share
+    depth = (near * q - far * p) / (q - p)
+    weights = weights_and_depth(rest, share, depth)
+    if swapped == 1:
+        weights = weights_and_depth(share, rest, depth)
+    return weights
+
+
+@func
+def meet_triangle(
+    corners: array(dtype=float32), leaf: int, lane: int, o: vec3, axes: vec3i, shear: vec3
+) -> depth_and_weights:
+    """The depth along the main axis at which a ray's line meets a triangle, and the weights of its corners.
+
+    The depth is infinite where it meets it nowhere, or along all of it.
+    """
+    at = leaf * LEAF_NUMBERS + lane
+    x = at + axes[0] * LEAF
+    y = at + axes[1] * LEAF
+    z = at + axes[2] * LEAF
+    oz = o[axes[2]]
+    az = corners[z] - oz
+    ax = (corners[x] - o[axes[0]]) - shear[0] * az
+    ay = (corners[y] - o[axes[1]]) - shear[1] * az
+    bz = corners[z + 3 * LEAF] - oz
+    bx = (corners[x + 3 * LEAF] - o[axes[0]]) - shear[0] * bz
+    by = (corners[y + 3 * LEAF] - o[axes[1]]) - shear[1] * bz
+    cz = corners[z + 6 * LEAF] - oz
+    cx = (corners[x + 6 * LEAF] - o[axes[0]]) - shear[0] * cz
+    cy = (corners[y + 6 * LEAF] - o[axes[1]]) - shear[1] * cz
+    zero = float64(0.0)
+    one = float64(1.0)
+    u = cross_products(cx, cy, bx, by)
+    v = cross_products(ax, ay, cx, cy)
+    w = cross_products(bx, by, ax, ay)
+    total = u + v + w
+    met = depth_and_weights(float64(INFINITY), zero, zero, zero)
+    if total != zero and (min(u, min(v, w)) >= zero or max(u, max(v, w)) <= zero):
+        depth = (u * float64(az) + v * float64(bz) + w * float64(cz)) / total
+        u = u / total + zero  # no minus zero
+        v = v / total + zero
+        w = w / total + zero
+        if u == zero and v != zero and w != zero:
+            edge = meet_edge(bx, by, bz, cx, cy, cz)
+            v = edge[0]
+            w = edge[1]
+            depth = edge[2]
+        if v == zero and w != zero and u != zero:
+            edge = meet_edge(cx, cy, cz, ax, ay, az)
+            w = edge[0]
+            u = edge[1]
+            depth = edge[2]
+        if w == zero and u != zero and v != zero:
+            edge = meet_edge(ax, ay, az, bx, by, bz)
+            u = edge[0]
+            v = edge[1]
+            depth = edge[2]
+        if u == one or v == one or w == one:
+            depth = u * float64(az) + v * float64(bz) + w * float64(cz)  # the corner's own
+        if shear[2] < 0.0:
+            depth = zero - depth  # no minus zero
+        met = depth_and_weights(depth, u, v, w)
+    return met
+
 
 WIDER = 1.000001  # of a depth that bounds a walk from above: the roundings of its product
 NARROWER = 0.999999  # and from below

@@ -99,7 +99,6 @@ class SceneTrees:
 
 
 def _joined(trees: Sequence[TriangleTree], name: str, dtype: type[Element]) -> Array1[Element]:
-    """One array of all trees, of which each tree's own becomes a part."""
     parts = [getattr(tree, name) for tree in trees]
     if len(parts) == 1:
         return parts[0]

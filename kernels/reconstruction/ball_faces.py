@@ -1,14 +1,36 @@
 """All triangles of some points on which a ball of one radius rests and is empty, on the side of their normals.
 
 A triangle is found once, at the corner that comes first on the tree's curve: its neighbours within twice the radius are
-gathered and sorted by distance, the circles of the pairs are cut by the others (ball_arcs.py), nearest first, and what
-touches an end of an arc that is left is tried exactly (ball_geometry.py). For k neighbours that is some k^2 / 2 steps
+gathered and sorted by distance, the circles of the pairs are cut by the others, nearest first, and what
+touches an end of an arc that is left is tried exactly. For k neighbours that is some k^2 / 2 steps
 at worst, and far fewer where the points are dense for the ball; the naive search of triples takes k^4.
 
 Nothing is found about points that are not asked for, but all of a tree's points are in the way of balls.
 
 A point takes 56 B of scratch memory a neighbour while its thread works on it, and 100 B of room for results; points are
 taken in parts, and those that need more room than others are done again with what they need.
+
+The ball of a given radius on three points, and whether it holds a fourth: exact but for rounding, ties by index. All is
+in float64 relative to the first of the three, whose differences to the others are exact for float32 coordinates of
+similar size. With edges B and C, N = B x C and a fourth point D, the ball's centre is
+
+    x = (K + s N sqrt(R)) / (2 |N|^2),  K = |C|^2 (N x B) + |B|^2 (C x N),  R = 4 r^2 |N|^2 - |B|^2 |C|^2 |B - C|^2,
+
+so D lies inside exactly where |D|^2 |N|^2 - D.K - s (D.N) sqrt(R) < 0: a polynomial and one root, homogeneous of degree
+six, and hence the same decision at every scale. Where the value lies within its own rounding D counts as on the ball,
+as points of a grid do, and the tie is broken as if each point were a ball itself, larger the lower its index, by
+amounts each of which outweighs all later ones (Edelsbrunner and Muecke, "Simulation of simplicity", ACM TOG 1990). The
+four points of a square then give two triangles of the four, any number on one circle a fan about the lowest index.
+
+Bernardini et al., "The ball-pivoting algorithm for surface reconstruction", IEEE TVCG 1999.
+
+Where a ball that touches two points may lie without holding a third: arcs of the circle of its centres. The centres of
+the balls on points 0 and b are a circle about the middle of b. Each other point q forbids the arc of it that lies
+nearer than the radius; where what is left begins, the ball touches b, q and 0 and holds nothing: a triangle. So the
+triangles on an edge are found in one pass over the neighbours, and most edges have no arc left after few.
+
+Arcs are kept too long rather than too short: what is found here is tried exactly afterwards.
+Directions on the circle are numbers from 0 to 4 that grow with the angle, without sines.
 """
 
 import numpy as np
@@ -42,8 +64,307 @@ from ..memory import empty, fill
 from ..search.bucket_walk import points_in_reach
 from ..search.neighbor_keys import keep_nearest
 from ..search.point_tree import BUCKET, PointTree
-from .ball_arcs import ARCS, FULL_TURN, NEAR, across, arc_sag, forbid_arc, passes_arc, point_at
-from .ball_geometry import ball_center, holds_point, root_of_ball, side_of_normals, width_of_circle
+
+ARCS = 8  # kept of a circle; where more are left one is not split, so that too much of it stays
+SHARE = 1.0e-9  # of the numbers that an arc's ends are computed from, by which it is taken to be shorter
+LOSS = 1.0e-14  # of the lengths, which covers what those numbers lose to rounding
+NEAR = 2.0e-8  # of the lengths: five times what SHARE makes an arc longer, so that what touches its end is known
+FULL_TURN = 4.0
+
+
+@func
+def across(b: vec3d) -> vec3d:
+    """A unit vector at a right angle to b."""
+    axis = vec3d(0.0, 0.0, 1.0)
+    if abs(b[2]) > abs(b[0]) and abs(b[2]) > abs(b[1]):
+        axis = vec3d(1.0, 0.0, 0.0)
+    v = cross(b, axis)
+    return v / sqrt(dot(v, v))
+
+
+@func
+def turn_of(x: float64, y: float64) -> float64:
+    """A direction as a number from 0 to 4, a quarter turn each."""
+    turn = float64(0.0)
+    if y >= 0.0:
+        if x >= 0.0:
+            turn = y / (x + y)
+        else:
+            turn = 1.0 - x / (y - x)
+    else:
+        if x < 0.0:
+            turn = 2.0 + y / (x + y)
+        else:
+            turn = 3.0 + x / (x - y)
+    return turn
+
+
+@func
+def point_at(turn: float64, u: vec3d, v: vec3d) -> vec3d:
+    """The unit vector in a direction, u being 0 and v 1."""
+    x = 1.0 - turn
+    y = turn
+    if turn >= 1.0:
+        y = 2.0 - turn
+    if turn >= 2.0:
+        x = turn - 3.0
+    if turn >= 3.0:
+        y = turn - 4.0
+    return (u * x + v * y) / sqrt(x * x + y * y)
+
+
+@func
+def cut_arcs(arcs: array(dtype=float64), at: int, count: int, start: float64, end: float64) -> int:
+    """Take what lies between start and end out of the arcs; how many are left.
+
+    An arc's start stands at 2 j, its end behind it.
+    """
+    left = count
+    j = 0
+    while j < left:
+        low = arcs[at + 2 * j]
+        high = arcs[at + 2 * j + 1]
+        if end <= low or start >= high:
+            j += 1
+        elif start <= low and end >= high:
+            left -= 1
+            arcs[at + 2 * j] = arcs[at + 2 * left]
+            arcs[at + 2 * j + 1] = arcs[at + 2 * left + 1]
+        else:
+            if start <= low:
+                arcs[at + 2 * j] = end
+            elif end >= high:
+                arcs[at + 2 * j + 1] = start
+            elif left < ARCS:
+                arcs[at + 2 * j + 1] = start
+                arcs[at + 2 * left] = end
+                arcs[at + 2 * left + 1] = high
+                left += 1
+            j += 1
+    return left
+
+
+@func
+def cut_turns(arcs: array(dtype=float64), at: int, count: int, start: float64, end: float64) -> int:
+    """`cut_arcs` where the end may lie beyond a full turn, and so before the start."""
+    left = count
+    if start <= end:
+        left = cut_arcs(arcs, at, left, start, end)
+    else:
+        left = cut_arcs(arcs, at, left, start, float64(FULL_TURN))
+        left = cut_arcs(arcs, at, left, 0.0, end)
+    return left
+
+
+@func
+def forbid_arc(
+    arcs: array(dtype=float64),
+    at: int,
+    count: int,
+    q: vec3d,
+    size: float64,
+    b: vec3d,
+    length: float64,
+    u: vec3d,
+    v: vec3d,
+    height: float64,
+) -> int:
+    """Take the arc out on whose balls a point q at this distance lies inside; how many are left.
+
+    The centres are b / 2 + height (u cos + v sin), b of this length. q lies inside where cos(angle to q) exceeds
+    q.(q - b) / (2 height |q'|), q' its part at a right angle to b.
+    """
+    left = count
+    rise = dot(q, q - b)
+    x = dot(q, u)
+    y = dot(q, v)
+    reach = 2.0 * height * sqrt(x * x + y * y)
+    rise += float64(SHARE) * (abs(rise) + reach) + float64(LOSS) * size * (size + length + height)
+    if rise < reach:
+        if rise <= -reach:
+            left = 0
+        else:
+            s = sqrt(max(reach * reach - rise * rise, 0.0))  # cosine and sine, times reach
+            start = turn_of(x * rise + y * s, y * rise - x * s)
+            left = cut_turns(arcs, at, left, start, turn_of(x * rise - y * s, y * rise + x * s))
+    return left
+
+
+@func
+def arc_sag(first: vec3d, last: vec3d, low: float64, high: float64, height: float64, slack: float64) -> float64:
+    """How much nearer than the centres at both ends of an arc its others can be to a point, as `passes_arc` takes it.
+
+    2 height (1 - cos(half the arc)) and a slack, so that a point on a ball at an end does not pass; more than any point
+    can pass by for half a turn and beyond.
+    """
+    gap = first - last
+    half = dot(gap, gap) * 0.25  # (height sin(half the arc))^2
+    sag = 4.0 * height
+    if high - low < 1.5:
+        sag = 2.0 * (height - sqrt(max(height * height - half, 0.0)))
+    return sag + slack
+
+
+@func
+def passes_arc(q: vec3d, size: float64, first: vec3d, last: vec3d, sag: float64) -> int:
+    """1 where a point at this distance surely lies outside all balls of an arc, from the centres at its ends."""
+    near = max(dot(q, first), dot(q, last))
+    passes = 0
+    if size * (size - sag) > 2.0 * near:
+        passes = 1
+    return passes
+
+
+ROUNDING = 1.0e-14  # times the magnitudes: some 45 ulp, three times what the operations of the polynomial can lose
+FACING = 1.0e-15  # times the lengths: a normal at a right angle agrees with a face, as in Open3D
+THINNEST = 1.0e-20  # squared sine of the angle below which three points are one line: float32 cannot tell them apart
+FLAT = 1.0e-10  # times the magnitudes: a centre is known to so much where the triangle is as thin as it may be
+TAKEN = 4  # more than the places of four points
+
+
+@func
+def side_of_normals(n: vec3d, a: vec3, b: vec3, c: vec3) -> int:
+    """1 where a face with normal n agrees with the normals of its corners, -1 where its back does, else 0."""
+    p = widen(a)
+    q = widen(b)
+    r = widen(c)
+    x = dot(n, p)
+    y = dot(n, q)
+    z = dot(n, r)
+    size = sqrt(dot(n, n)) * float64(FACING)
+    side = 0
+    if x + y + z > 0.0:
+        side = 1
+    if x + y + z < 0.0:
+        side = -1
+    s = float64(side)
+    if s * x < -size * sqrt(dot(p, p)) or s * y < -size * sqrt(dot(q, q)) or s * z < -size * sqrt(dot(r, r)):
+        side = 0
+    return side
+
+
+@func
+def root_of_ball(b: vec3d, c: vec3d, radius: float64) -> float64:
+    """sqrt(R) of the ball on 0, b and c; -1 where the points are in line or their circle is larger than the ball.
+
+    Where the circle is the ball's to rounding its centre is the circle's.
+    """
+    n = cross(b, c)
+    nn = dot(n, n)
+    bb = dot(b, b)
+    cc = dot(c, c)
+    d = b - c
+    whole = 4.0 * radius * radius * nn
+    rest = whole - bb * cc * dot(d, d)
+    root = float64(-1.0)
+    if nn > float64(THINNEST) * bb * cc and rest >= -whole * float64(ROUNDING):
+        root = sqrt(max(rest, 0.0))
+    return root
+
+
+@func
+def ball_center(b: vec3d, c: vec3d, root: float64, side: int) -> vec3d:
+    """The centre of the ball on 0, b and c, on one side of b x c."""
+    n = cross(b, c)
+    k = cross(n, b) * dot(c, c) + cross(c, n) * dot(b, b)
+    return (k + n * (root * float64(side))) * (0.5 / dot(n, n))
+
+
+@func
+def width_of_circle(b: vec3d, c: vec3d, radius: float64) -> float:
+    """The circle's squared radius through 0, b and c as a share of the ball's."""
+    n = cross(b, c)
+    d = b - c
+    return float(dot(b, b) * dot(c, c) * dot(d, d) / (4.0 * radius * radius * dot(n, n)))
+
+
+@func
+def sign_of(x: float64, bound: float64) -> int:
+    """-1, 0 or 1; 0 within the bound."""
+    sign = 0
+    if x > bound:
+        sign = 1
+    if x < -bound:
+        sign = -1
+    return sign
+
+
+@func
+def weigh_tie(on_a: int, on_b: int, on_c: int, a: int, b: int, c: int, d: int) -> int:
+    """Whether D, on the ball of A, B and C, counts as inside: 1 or -1, from the signs of D's coordinates by them.
+
+    The lowest index whose coordinate is not zero decides; that of D itself is -1.
+    """
+    decided = 0
+    passed = -1
+    for turn in range(TAKEN):
+        lowest = d
+        sign = -1
+        if d <= passed:
+            sign = 0
+            lowest = 0x7FFFFFFF
+        if a > passed and a < lowest:
+            lowest = a
+            sign = on_a
+        if b > passed and b < lowest:
+            lowest = b
+            sign = on_b
+        if c > passed and c < lowest:
+            lowest = c
+            sign = on_c
+        passed = lowest
+        if decided == 0:
+            decided = sign
+    return -decided
+
+
+@func
+def break_tie(b: vec3d, c: vec3d, d: vec3d, root: float64, side: int, ia: int, ib: int, ic: int, at: int) -> int:
+    """1 where d, which lies on the ball on 0, b and c, counts as inside, else -1."""
+    n = cross(b, c)
+    lengths = sqrt(dot(b, b) * dot(c, c))
+    v = b - d
+    w = c - d
+    on_a = 0
+    on_b = 0
+    on_c = 0
+    if abs(dot(d, n)) <= float64(ROUNDING) * sqrt(dot(d, d)) * lengths:  # in the plane of the others: on their circle
+        on_a = sign_of(dot(n, cross(v, w)), float64(ROUNDING) * lengths * sqrt(dot(v, v) * dot(w, w)))
+        on_b = sign_of(dot(n, cross(d, c)), float64(ROUNDING) * lengths * sqrt(dot(c, c) * dot(d, d)))
+        on_c = sign_of(dot(n, cross(b, d)), float64(ROUNDING) * lengths * sqrt(dot(b, b) * dot(d, d)))
+    else:  # coordinates as seen from the centre
+        x = ball_center(b, c, root, side)
+        size = sqrt(dot(x, x)) * float64(FLAT)
+        on_a = -side * sign_of(dot(d - x, cross(v, w)), size * sqrt(dot(v, v) * dot(w, w)))
+        on_b = -side * sign_of(-dot(x, cross(d, c)), size * sqrt(dot(d, d) * dot(c, c)))
+        on_c = -side * sign_of(-dot(x, cross(b, d)), size * sqrt(dot(b, b) * dot(d, d)))
+    return weigh_tie(on_a, on_b, on_c, ia, ib, ic, at)
+
+
+@func
+def holds_point(
+    b: vec3d, c: vec3d, d: vec3d, root: float64, side: int, radius: float64, ia: int, ib: int, ic: int, at: int
+) -> int:
+    """1 where the ball on 0, b and c holds d, ties by the indices of the four; -1 where not."""
+    n = cross(b, c)
+    nn = dot(n, n)
+    bb = dot(b, b)
+    cc = dot(c, c)
+    dd = dot(d, d)
+    k = cross(n, b) * cc + cross(c, n) * bb
+    height = dot(d, n)
+    value = dd * nn - dot(d, k) - float64(side) * height * root
+    lengths = sqrt(bb * cc)
+    far = sqrt(dd)
+    whole = 4.0 * radius * radius * lengths * sqrt(nn)
+    loss = float64(ROUNDING) * (whole + bb * cc * dot(b - c, b - c))  # of R
+    bound = float64(ROUNDING) * far * lengths * (lengths * (far + sqrt(bb) + sqrt(cc)) + root)
+    bound += abs(height) * loss / (root + sqrt(loss))
+    inside = -sign_of(value, bound)
+    if inside == 0:
+        inside = break_tie(b, c, d, root, side, ia, ib, ic, at)
+    return inside
+
 
 FIRST_ROOM = 96  # neighbours that scratch memory is laid out for at first
 FIRST_SLOTS = 8  # triangles a point, which has some two as the first of their corners

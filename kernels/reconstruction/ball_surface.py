@@ -1,27 +1,305 @@
 """Ball pivoting without an order: radius by radius, the triangles of all empty balls, and their conflicts settled.
 
 The triangles on which an empty ball of one radius rests are faces of the Delaunay tetrahedra, so no two of them cut
-through each other; ball_faces.py finds them, ball_conflicts.py settles who takes an edge. A larger radius is for what
+through each other; ball_faces.py finds them, then it is settled who takes an edge. A larger radius is for what
 the smaller ones left: points without a triangle, and those of edges with one triangle.
 
 20 B a point for a second tree where some points take no part; 100 B a point for each radius, and 60 B a half-edge.
+
+Which triangles stay where several want the same side of an edge, and which points the next radius is for. Of all
+triangles at most one runs an edge in each direction; so every edge has at most two, and neighbours turn the same way.
+The choice is greedy and free of any order: in each round a triangle is taken that comes before all undecided ones it
+shares a directed edge with, by (the radius of its circle, its vertices), and those that share one with a triangle taken
+are refused. What earlier radii took stays.
+
+Triangles of a later radius grow from what is there: one waits unless it touches a point that no triangle had before
+this radius, or lies on an edge that has a triangle on its other side only.
+
+A round reads the half-edges around three vertices a triangle that is still undecided; some ten rounds of ever fewer.
+About 60 B a half-edge, most of it for one sort.
 """
 
 from collections.abc import Callable, Iterable
 
 from ..algebra.transform import widen
-from ..array_types import Indices, Mask, Points, Triangles, Vectors
+from ..array_types import Bytes, Indices, Mask, Points, Scalars, Triangles, Vectors
 from ..arrays.concatenation import concatenate_rows
-from ..arrays.select import gather_rows, positions_of_each
+from ..arrays.select import gather_rows, positions_of, positions_of_each
 from ..arrays.sort import argsort_keys, positions
-from ..lang import array, dot, func, int32, int64, isfinite, kernel, launch, tid, uint8, vec3, vec3i
-from ..memory import download, empty, full, zeros
+from ..lang import (
+    array,
+    dot,
+    float32,
+    func,
+    int32,
+    int64,
+    isfinite,
+    kernel,
+    launch,
+    loop_while,
+    struct,
+    tid,
+    uint8,
+    vec3,
+    vec3i,
+)
+from ..memory import copy, download, empty, full, zeros
 from ..meshes.mesh_edits import gather_triangles
+from ..meshes.mesh_topology import CornersByVertex, corner_vertex, next_corner
 from ..sampling.duplicates import first_occurrences, same_point
 from ..search.point_tree import PointTree
 from ..search.tree_search import count_within_kernel, reach_of
-from .ball_conflicts import BallMesh, close_radius, settle_conflicts
 from .ball_faces import BallPoints, list_faces
+
+REFUSED, UNDECIDED, TAKEN = 0, 1, 2
+
+
+@kernel
+def find_ends_kernel(triangles: array(dtype=vec3i), around: CornersByVertex, ends: array(dtype=int32)):
+    """The vertices that the half-edges run to, listed by the vertices that they start from."""
+    i = tid()
+    ends[i] = corner_vertex(triangles, next_corner(around.corners[i]))
+
+
+@struct
+class BallMesh:
+    """Triangles that are taken, undecided or refused, and the half-edges that start from each vertex.
+
+    Attributes:
+        triangles: vec3i [t], those of earlier radii first.
+        widths: float32 [t], by which they are taken first.
+        around: The half-edges by vertex: half-edge h starts from corner h.
+        ends: int32 [3 t], the vertices that they run to, in the order of `around`.
+        states: uint8 [t].
+        waiting: uint8 [t], 1 where a triangle has nothing yet to grow from.
+        seen: uint8 [n], 1 at vertices that had a triangle before this radius.
+        order: int32 [n], the numbers by which triangles are compared where their circles are equal.
+    """
+
+    triangles: array(dtype=vec3i)
+    widths: array(dtype=float32)
+    around: CornersByVertex
+    ends: array(dtype=int32)
+    states: array(dtype=uint8)
+    waiting: array(dtype=uint8)
+    seen: array(dtype=uint8)
+    order: array(dtype=int32)
+
+    def __init__(self, kept: Triangles, found: Triangles, widths: Scalars, seen: Bytes, order: Indices) -> None:
+        device, count = kept.device, kept.size + found.size
+        self.triangles, self.seen, self.order = concatenate_rows([kept, found]), seen, order
+        self.widths = concatenate_rows([zeros(kept.size, float32, device), widths])
+        self.around = CornersByVertex(self.triangles, seen.size)
+        self.ends = empty(3 * count, int32, device)
+        launch(find_ends_kernel, 3 * count, [self.triangles, self.around, self.ends])
+        self.states, self.waiting = full(count, UNDECIDED, uint8, device), zeros(count, uint8, device)
+        copy(self.states, full(kept.size, TAKEN, uint8, device), count=kept.size)
+
+
+@func
+def sorted_corners(t: vec3i, order: array(dtype=int32)) -> vec3i:
+    """The numbers of a triangle's vertices, ascending."""
+    a = order[t[0]]
+    b = order[t[1]]
+    c = order[t[2]]
+    low = min(min(a, b), c)
+    high = max(max(a, b), c)
+    middle = max(min(a, b), min(max(a, b), c))
+    return vec3i(low, middle, high)
+
+
+@func
+def comes_before(a: int, b: int, mesh: BallMesh) -> int:
+    """1 where triangle a is taken rather than b."""
+    before = 0
+    if mesh.widths[a] < mesh.widths[b]:
+        before = 1
+    if mesh.widths[a] == mesh.widths[b]:
+        p = sorted_corners(mesh.triangles[a], mesh.order)
+        q = sorted_corners(mesh.triangles[b], mesh.order)
+        if p[0] < q[0] or (p[0] == q[0] and (p[1] < q[1] or (p[1] == q[1] and p[2] < q[2]))):
+            before = 1
+    return before
+
+
+@func
+def has_taken_edge(a: int, b: int, mesh: BallMesh) -> int:
+    """1 where a triangle that is taken runs from a to b."""
+    found = 0
+    for j in range(mesh.around.starts[a], mesh.around.starts[a + 1]):
+        if mesh.ends[j] == b:
+            if mesh.states[mesh.around.corners[j] // 3] == uint8(TAKEN):
+                found = 1
+    return found
+
+
+@func
+def can_grow(t: int, mesh: BallMesh) -> int:
+    """1 where a triangle touches a vertex that had none, or lies on an edge with one on its other side only."""
+    grows = 0
+    for k in range(3):
+        a = corner_vertex(mesh.triangles, 3 * t + k)
+        b = corner_vertex(mesh.triangles, next_corner(3 * t + k))
+        if mesh.seen[a] == 0:
+            grows = 1
+        else:
+            grows = max(grows, has_taken_edge(b, a, mesh))
+    return grows
+
+
+@kernel
+def find_waiting_kernel(undecided: array(dtype=int32), mesh: BallMesh, changed: array(dtype=int32)):
+    """Which triangles have nothing yet to grow from; nothing has changed in this round yet."""
+    i = tid()
+    if i == 0:
+        changed[0] = 0
+    t = undecided[i]
+    if mesh.states[t] == uint8(UNDECIDED):
+        mesh.waiting[t] = uint8(1 - can_grow(t, mesh))
+
+
+@kernel
+def decide_kernel(undecided: array(dtype=int32), mesh: BallMesh, decided: array(dtype=uint8)):
+    """The state of each undecided triangle after this round; others keep theirs."""
+    i = tid()
+    t = undecided[i]
+    state = int(TAKEN)
+    if mesh.waiting[t] == 1:
+        state = UNDECIDED
+    sides = int(3)
+    if mesh.states[t] != uint8(UNDECIDED):
+        state = int(mesh.states[t])
+        sides = 0
+    for k in range(sides):
+        a = corner_vertex(mesh.triangles, 3 * t + k)
+        b = corner_vertex(mesh.triangles, next_corner(3 * t + k))
+        for j in range(mesh.around.starts[a], mesh.around.starts[a + 1]):
+            other = mesh.around.corners[j] // 3
+            if mesh.ends[j] == b and other != t:
+                rival = int(mesh.states[other])
+                if rival == TAKEN:
+                    state = REFUSED
+                elif rival == UNDECIDED and state == TAKEN and mesh.waiting[other] == 0:
+                    if comes_before(other, t, mesh) == 1:
+                        state = UNDECIDED
+    decided[i] = uint8(state)
+
+
+@kernel
+def settle_kernel(
+    undecided: array(dtype=int32),
+    decided: array(dtype=uint8),
+    mesh: BallMesh,
+    left: array(dtype=uint8),
+    changed: array(dtype=int32),
+):
+    """Make the round's decisions; 1 where there is none yet. Whichever thread notes a change, it writes 1."""
+    i = tid()
+    t = undecided[i]
+    if mesh.states[t] != decided[i]:
+        mesh.states[t] = decided[i]
+        changed[0] = 1
+    open = 0
+    if decided[i] == uint8(UNDECIDED):
+        open = 1
+    left[i] = uint8(open)
+
+
+@kernel
+def mark_taken_kernel(mesh: BallMesh, asked: array(dtype=uint8), taken: array(dtype=uint8), rims: array(dtype=uint8)):
+    """Mark the vertices that have triangles, and those of edges with one triangle; all threads write the same.
+
+    An edge with one triangle lies between two vertices that were asked for: the others have all their triangles.
+    """
+    i = tid()
+    if mesh.states[i] == uint8(TAKEN):
+        for k in range(3):
+            a = corner_vertex(mesh.triangles, 3 * i + k)
+            b = corner_vertex(mesh.triangles, next_corner(3 * i + k))
+            taken[a] = 1
+            if asked[a] != 0 and asked[b] != 0:
+                if has_taken_edge(b, a, mesh) == 0:
+                    rims[a] = 1
+                    rims[b] = 1
+
+
+@kernel
+def ask_again_kernel(seen: array(dtype=uint8), rims: array(dtype=uint8), asked: array(dtype=uint8)):
+    """The vertices that the next radius is for: without a triangle, or of an edge with one triangle."""
+    i = tid()
+    wanted = 0
+    if seen[i] == 0 or rims[i] != 0:
+        wanted = 1
+    asked[i] = uint8(wanted)
+
+
+@kernel
+def part_triangles_kernel(
+    mesh: BallMesh, asked: array(dtype=uint8), open: array(dtype=uint8), closed: array(dtype=uint8)
+):
+    """Part the triangles that are taken: those of a vertex that is asked for, and the others."""
+    i = tid()
+    near = 0
+    far = 0
+    if mesh.states[i] == uint8(TAKEN):
+        t = mesh.triangles[i]
+        far = 1
+        if asked[t[0]] != 0 or asked[t[1]] != 0 or asked[t[2]] != 0:
+            near = 1
+            far = 0
+    open[i] = uint8(near)
+    closed[i] = uint8(far)
+
+
+def settle_conflicts(mesh: BallMesh, first: int) -> None:
+    """Decide which triangles are taken; those from number `first` on are undecided. No wait.
+
+    On CUDA the rounds are one loop of the device over all of them, on the CPU each takes what the one before left.
+    """
+    device = mesh.triangles.device
+    undecided = (
+        positions(mesh.triangles.size, device)[first:] if first < mesh.triangles.size else empty(0, int32, device)
+    )
+    changed = full(1, 1, int32, device)
+    decided, left = empty(undecided.size, uint8, device), empty(undecided.size, uint8, device)
+
+    def settle() -> None:
+        launch(find_waiting_kernel, undecided.size, [undecided, mesh, changed])
+        launch(decide_kernel, undecided.size, [undecided, mesh, decided])
+        launch(settle_kernel, undecided.size, [undecided, decided, mesh, left, changed])
+
+    if device.is_cuda and undecided.size:
+        loop_while(changed, settle)
+        return
+    before = undecided.size + 1
+    while undecided.size and undecided.size < before:
+        before = undecided.size
+        decided, left = empty(before, uint8, device), empty(before, uint8, device)
+        settle()
+        undecided = gather_rows(undecided, positions_of(left))
+
+
+def close_radius(mesh: BallMesh, asked: Bytes) -> tuple[Triangles, Triangles, Indices]:
+    """What a radius leaves: which vertices the next is for, and its triangles in two parts.
+
+    Args:
+        mesh: A BallMesh whose conflicts are settled.
+        asked: uint8 [n], the vertices that this radius was for; gets those that the next is for. `mesh.seen` gets those
+            that have triangles.
+
+    Returns:
+        (open, closed, places): vec3i triangles of vertices that the next radius is for, and all others; and those
+        vertices, int32. One sync.
+    """
+    device = asked.device
+    rims = zeros(asked.size, uint8, device)
+    near, far = (empty(mesh.triangles.size, uint8, device) for _ in range(2))
+    launch(mark_taken_kernel, mesh.triangles.size, [mesh, asked, mesh.seen, rims])
+    launch(ask_again_kernel, asked.size, [mesh.seen, rims, asked])
+    launch(part_triangles_kernel, mesh.triangles.size, [mesh, asked, near, far])
+    open_rows, closed_rows, places = positions_of_each(near, far, asked)  # sync
+    return gather_triangles(mesh.triangles, open_rows), gather_triangles(mesh.triangles, closed_rows), places
+
 
 SAMPLE = 64  # points by which the number of neighbours is guessed
 

@@ -3,33 +3,567 @@
 A round: edges get the prices that they lack, those up to a limit are looked at, some are picked that are not next to
 each other, the cheapest of them collapse, and what that changed is found anew. Some 70 launches, most of them over what
 is left and little more.
+
+Edges that collapse at once: none has an end next to an end of another. The least key of the edges at each vertex is
+found; an edge whose key is the least at both its ends and at all vertices around them is looked at, and chosen where it
+may collapse (Luby, "A simple parallel algorithm for the maximal independent set problem", 1986, with prices for random
+numbers). What is next to a chosen edge is out, what may not collapse is out until something near it moves, and the rest
+chooses again.
+
+Which edges are looked at in a round, and which of those that may collapse do: numbers found by counts in bins. The
+price up to which edges are looked at is that of a bin. Towards the end the cheapest edges are found to the one with
+which enough triangles are gone: digit by digit of their keys, as a radix sort would, without their order. A block of
+bins is summed, then a thread a block finds out whether the number falls into it: 64 numbers are read, and 64 more.
+
+Chosen edges collapse: their vertices move and take what belongs to both ends, their triangles go. One thread an edge;
+no two of them share a triangle, so each writes its own. Where the vertex comes to lie off the edge, normals, colours
+and texture coordinates are those of the place in the triangle of the edge beneath it.
 """
 
 from collections.abc import Sequence
 
-from ..array_types import Indices
-from ..arrays.loop_scan import LoopList
-from ..lang import DeviceLoop, array, float64, int32, kernel, launch, tid, uint8
-from ..memory import empty, full, host_view
+from ..algebra.transform import narrow, widen
+from ..array_types import Bytes, Indices, Keys
+from ..arrays.loop_scan import LoopList, LoopScan
+from ..arrays.packed_keys import NO_KEY
+from ..lang import (
+    DeviceLoop,
+    array,
+    atomic_add,
+    atomic_min,
+    dot,
+    float64,
+    func,
+    int32,
+    int64,
+    kernel,
+    launch,
+    length,
+    tid,
+    uint8,
+    vec2,
+    vec3,
+    vec3d,
+    vec3i,
+)
+from ..memory import empty, fill, full, host_view, zeros
+from ..meshes.mesh_topology import corner_vertex, next_corner
 from .collapse_mesh import (
     BENDING,
     BIN,
     CHOSEN,
     EDGES,
     EVERY,
+    FREE,
     PICKED,
+    REFUSED_KEY,
     SEAMS,
     SLOTS,
     SQUEEZE,
+    STALE_KEY,
     TRIANGLES,
     VERTICES,
     CollapseMesh,
+    edge_at,
+    edge_valence,
+    last_corner,
+    uv_at,
 )
-from .edge_bins import EdgeBins
-from .edge_choice import EdgeChoice
-from .edge_collapse import EdgeCollapse
-from .edge_prices import mark_cheap_edges_kernel, price_edges_kernel
+from .edge_prices import BINS, STEP, mark_cheap_edges_kernel, may_collapse, place_vertex, placement, price_edges_kernel
+from .quadrics import quadric
 from .squeezed_mesh import Squeezing, left_vertices
+
+
+@func
+def place_in_triangle(a: vec3d, b: vec3d, c: vec3d, x: vec3d) -> vec3d:
+    """The shares of a triangle's corners at the foot of x, none negative; c has none in a triangle without area."""
+    u = b - a
+    v = c - a
+    w = x - a
+    uu = dot(u, u)
+    uv = dot(u, v)
+    vv = dot(v, v)
+    uw = dot(u, w)
+    vw = dot(v, w)
+    zero = float64(0.0)
+    one = float64(1.0)
+    tip = zero + zero
+    area = uu * vv - uv * uv
+    if area > zero:
+        tip = min(max((uu * vw - uv * uw) / area, zero), one)
+    share = zero + zero
+    if uu > zero:
+        share = min(max((uw - tip * uv) / uu, zero), one - tip)
+    return vec3d(one - tip - share, share, tip)
+
+
+@kernel
+def place_edges_kernel(
+    mesh: CollapseMesh,
+    edges: array(dtype=int32),
+    places: array(dtype=vec3d),
+    shares: array(dtype=vec3d),
+    tips: array(dtype=int32),
+):
+    """Where the vertices of edges come to lie.
+
+    `shares` are those of the first end, the other end and the tip of the triangle beneath, whose corner is in `tips`.
+    """
+    i = tid()
+    if i >= mesh.numbers[CHOSEN]:
+        return
+    h = edges[i]
+    a = corner_vertex(mesh.triangles, h)
+    b = corner_vertex(mesh.triangles, next_corner(h))
+    mode = placement(mesh, h, a, b)
+    place = place_vertex(mesh, a, b, mode)
+    x = vec3d(place[0], place[1], place[2])
+    p = mesh.positions[a]
+    r = mesh.positions[b]
+    best = place_in_triangle(p, r, p, x)
+    tip = -1
+    if int(mesh.kinds[a]) == FREE and int(mesh.kinds[b]) == FREE:
+        for j in range(mesh.starts[a], mesh.starts[a + 1]):
+            g = edge_at(mesh, j, b)
+            if g >= 0:
+                other = last_corner(g)
+                here = place_in_triangle(p, r, mesh.positions[corner_vertex(mesh.triangles, other)], x)
+                if here[2] > best[2]:
+                    best = here
+                    tip = other
+    places[i] = x
+    shares[i] = best
+    tips[i] = tip
+
+
+@kernel
+def collapse_edges_kernel(
+    mesh: CollapseMesh,
+    edges: array(dtype=int32),
+    places: array(dtype=vec3d),
+    partners: array(dtype=int32),
+    positions: array(dtype=vec3d),
+    quadrics: array(dtype=quadric),
+    triangles: array(dtype=vec3i),
+    keys: array(dtype=int64),
+    moved: array(dtype=int32),
+):
+    """Move the first end of each edge to where its vertex comes to lie, and give it the triangles of the other end.
+
+    `moved` are the first ends.
+    """
+    i = tid()
+    if i >= mesh.numbers[CHOSEN]:
+        return
+    h = edges[i]
+    a = corner_vertex(triangles, h)
+    b = corner_vertex(triangles, next_corner(h))
+    partners[a] = b
+    partners[b] = -2 - a
+    quadrics[a] = quadrics[a] + quadrics[b]
+    positions[a] = places[i]
+    moved[i] = a
+    for j in range(mesh.starts[b], mesh.starts[b + 1]):
+        s = mesh.spokes[j]
+        c = mesh.corners[j]
+        k = c % 3
+        t = vec3i(a, s[0], s[1])
+        if k == 1:
+            t = vec3i(s[1], a, s[0])
+        if k == 2:
+            t = vec3i(s[0], s[1], a)
+        if s[0] == a or s[1] == a:
+            t = vec3i(-1, -1, -1)
+            for m in range(3):
+                keys[3 * (c // 3) + m] = int64(NO_KEY)
+        triangles[c // 3] = t
+
+
+@kernel
+def merge_rows_kernel(
+    mesh: CollapseMesh,
+    edges: array(dtype=int32),
+    shares: array(dtype=vec3d),
+    tips: array(dtype=int32),
+    unit: int,
+    rows: array(dtype=vec3),
+):
+    """The rows of vertices that edges become; of unit length where `unit` is 1 and there is a length."""
+    i = tid()
+    if i >= mesh.numbers[CHOSEN]:
+        return
+    h = edges[i]
+    a = corner_vertex(mesh.triangles, h)
+    s = shares[i]
+    row = widen(rows[a]) * s[0]
+    if s[1] > 0.0:
+        row = row + widen(rows[corner_vertex(mesh.triangles, next_corner(h))]) * s[1]
+    if tips[i] >= 0:
+        row = row + widen(rows[corner_vertex(mesh.triangles, tips[i])]) * s[2]
+    size = length(row)
+    if unit == 1 and size > 0.0:
+        row = row / size
+    rows[a] = narrow(row)
+
+
+@func
+def merged_uv(mesh: CollapseMesh, a: int, b: int, v: int, old: vec2, s: vec3d, tip: int) -> vec2:
+    """What the coordinates `old` of a corner at v, one end of the edge a, b, become.
+
+    They go with the triangle at the edge that has the same at v; with none they stay.
+    """
+    new = old
+    found = 0
+    for j in range(mesh.starts[a], mesh.starts[a + 1]):
+        g = edge_at(mesh, j, b)
+        if g >= 0 and found == 0:
+            p = uv_at(mesh, g, a)
+            q = uv_at(mesh, g, b)
+            here = p
+            if v == b:
+                here = q
+            if here[0] == old[0] and here[1] == old[1]:
+                found = 1
+                new = p * float(s[0]) + q * float(s[1])
+                if tip >= 0:
+                    new = new + mesh.uvs[tip] * float(s[2])
+    return new
+
+
+@kernel
+def merge_uvs_kernel(
+    mesh: CollapseMesh,
+    edges: array(dtype=int32),
+    shares: array(dtype=vec3d),
+    tips: array(dtype=int32),
+    uvs: array(dtype=vec2),
+):
+    """The texture coordinates of the corners around edges that collapse; `uvs` are not those of the mesh."""
+    i = tid()
+    if i >= mesh.numbers[CHOSEN]:
+        return
+    h = edges[i]
+    a = corner_vertex(mesh.triangles, h)
+    b = corner_vertex(mesh.triangles, next_corner(h))
+    for j in range(mesh.starts[a], mesh.starts[a + 1]):
+        c = mesh.corners[j]
+        uvs[c] = merged_uv(mesh, a, b, a, mesh.uvs[c], shares[i], tips[i])
+    for j in range(mesh.starts[b], mesh.starts[b + 1]):
+        d = mesh.corners[j]
+        uvs[d] = merged_uv(mesh, a, b, b, mesh.uvs[d], shares[i], tips[i])
+
+
+@kernel
+def take_uvs_kernel(mesh: CollapseMesh, edges: array(dtype=int32), merged: array(dtype=vec2), uvs: array(dtype=vec2)):
+    """The coordinates of the corners around edges that collapse become what they were merged to."""
+    i = tid()
+    if i >= mesh.numbers[CHOSEN]:
+        return
+    h = edges[i]
+    v = corner_vertex(mesh.triangles, h)
+    for end in range(2):
+        for j in range(mesh.starts[v], mesh.starts[v + 1]):
+            c = mesh.corners[j]
+            uvs[c] = merged[c]
+        v = corner_vertex(mesh.triangles, next_corner(h))
+
+
+class EdgeCollapse:
+    """Room to collapse edges.
+
+    Args:
+        mesh: CollapseMesh.
+        most: Edges at once.
+        unit: For each of the mesh's rows whether they have unit length.
+
+    Attributes:
+        moved: The vertices that edges have become, int32.
+    """
+
+    def __init__(self, mesh: CollapseMesh, most: int, unit: Sequence[bool]) -> None:
+        device, self.most, self.unit = mesh.numbers.device, most, unit
+        self.moved: Indices = empty(most, int32, device)
+        self._places, self._shares = empty(most, vec3d, device), empty(most, vec3d, device)
+        self._tips, self._partners = empty(most, int32, device), empty(mesh.positions.size, int32, device)
+        self._scan = LoopScan(mesh.positions.size, device)
+
+    def run(self, mesh: CollapseMesh, twin: CollapseMesh, edges: Indices) -> None:
+        """Collapse edges of which none is next to another: int32 half-edges, as many as the record says."""
+        count, vertices = mesh.live(CHOSEN, self.most), mesh.live(VERTICES, mesh.positions.size)
+        launch(place_edges_kernel, count, [mesh, edges, self._places, self._shares, self._tips])
+        for rows, is_unit in zip(mesh.rows, self.unit, strict=True):
+            launch(merge_rows_kernel, count, [mesh, edges, self._shares, self._tips, int(is_unit), rows])
+        if mesh.has_uvs:
+            launch(merge_uvs_kernel, count, [mesh, edges, self._shares, self._tips, twin.uvs])
+            launch(take_uvs_kernel, count, [mesh, edges, twin.uvs, mesh.uvs])
+        fill(self._partners[:vertices], -1)
+        outputs = [self._partners, mesh.positions, mesh.quadrics, mesh.triangles, mesh.keys, self.moved]
+        launch(collapse_edges_kernel, count, [mesh, edges, self._places, *outputs])
+        mesh.join_corners(self._partners, twin, self._scan)
+
+
+LEAST = 4  # edges are looked at in any case
+BLOCKS = 64  # of bins
+BLOCK = BINS // BLOCKS
+DIGIT_BITS = 12  # of BINS
+PRICE_SHIFT = 32 + STEP  # of a key: below are zeros and its own number
+DIGITS = 4  # of a key: 11 bits of the price and 32 of its own number
+
+
+@kernel
+def sum_bins_kernel(bins: array(dtype=int32), blocks: array(dtype=int32)):
+    """The sum of each block of bins."""
+    i = tid()
+    total = 0
+    for j in range(i * BLOCK, (i + 1) * BLOCK):
+        total += bins[j]
+    blocks[i] = total
+
+
+@func
+def sum_of_blocks(blocks: array(dtype=int32), count: int) -> int:
+    """The sum of the first blocks."""
+    total = 0
+    for j in range(count):
+        total += blocks[j]
+    return total
+
+
+@kernel
+def limit_prices_kernel(blocks: array(dtype=int32), target: int, bins: array(dtype=int32), numbers: array(dtype=int32)):
+    """The bin of the dearest edge to be looked at, -1 where there is none; and bins of zero for the next round.
+
+    They are a share of all, and no more than triangles are to go: towards the end only the cheapest should.
+    """
+    i = tid()
+    before = sum_of_blocks(blocks, i)
+    total = sum_of_blocks(blocks, BLOCKS)
+    excess = numbers[TRIANGLES] - target
+    share = int((int64(total) * 7 + 19) // 20)  # 0.35, rounded up: more is faster and less exact
+    wanted = min(max(min(share, excess), LEAST), total)
+    if i == 0 and total == 0:
+        numbers[BIN] = -1
+    has_limit = 0
+    if total > 0 and before < wanted and before + blocks[i] >= wanted:
+        has_limit = 1
+    for j in range(i * BLOCK, (i + 1) * BLOCK):
+        if has_limit == 1 and before < wanted:
+            before += bins[j]
+            if before >= wanted:
+                numbers[BIN] = j
+        bins[j] = 0
+
+
+@func
+def short_key(key: int64) -> int64:
+    """A key without the bits that are zero in all."""
+    return ((key >> int64(PRICE_SHIFT)) << int64(32)) | (key & int64(0xFFFFFFFF))
+
+
+@func
+def is_cut(mesh: CollapseMesh, target: int) -> int:
+    """1 where more than enough triangles might go."""
+    return 1 if 2 * mesh.numbers[PICKED] > mesh.numbers[TRIANGLES] - target else 0
+
+
+@kernel
+def count_gone_kernel(
+    mesh: CollapseMesh,
+    edges: array(dtype=int32),
+    target: int,
+    digit: int,
+    heads: array(dtype=int64),
+    bins: array(dtype=int32),
+):
+    """How many triangles go with the edges of each digit, of those whose digits before are the ones that were found."""
+    i = tid()
+    cut = is_cut(mesh, target)
+    if i >= mesh.numbers[PICKED] or cut == 0:
+        return
+    h = edges[i]
+    key = short_key(mesh.keys[h])
+    rest = DIGIT_BITS * (DIGITS - 1 - digit)
+    if (key >> int64(rest + DIGIT_BITS)) == heads[digit]:
+        a = corner_vertex(mesh.triangles, h)
+        b = corner_vertex(mesh.triangles, next_corner(h))
+        atomic_add(bins, int((key >> int64(rest)) & int64(BINS - 1)), edge_valence(mesh, a, b))  # whole numbers
+
+
+@kernel
+def find_digit_kernel(
+    mesh: CollapseMesh,
+    blocks: array(dtype=int32),
+    target: int,
+    digit: int,
+    heads: array(dtype=int64),
+    rests: array(dtype=int32),
+    bins: array(dtype=int32),
+):
+    """The next digit of the dearest key to be taken, and how many triangles are to go with it; the highest for all."""
+    i = tid()
+    if is_cut(mesh, target) == 0:
+        return
+    wanted = mesh.numbers[TRIANGLES] - target
+    if digit > 0:
+        wanted = rests[digit]
+    before = sum_of_blocks(blocks, i)
+    after = before + blocks[i]
+    found = -1
+    if i == BLOCKS - 1 and after < wanted:
+        found = BINS - 1
+        rests[digit + 1] = wanted
+    for j in range(i * BLOCK, (i + 1) * BLOCK):
+        if before < wanted:
+            if before + bins[j] >= wanted:
+                found = j
+                rests[digit + 1] = wanted - before
+        before += bins[j]
+        bins[j] = 0
+    if found >= 0:
+        heads[digit + 1] = (heads[digit] << int64(DIGIT_BITS)) | int64(found)
+
+
+@kernel
+def mark_cheapest_kernel(
+    mesh: CollapseMesh, edges: array(dtype=int32), target: int, heads: array(dtype=int64), mask: array(dtype=uint8)
+):
+    """1 for the edges up to the key that was found; for all where no more triangles would go than are to."""
+    i = tid()
+    taken = 0
+    if i < mesh.numbers[PICKED]:
+        if is_cut(mesh, target) == 0:
+            taken = 1
+        elif short_key(mesh.keys[edges[i]]) <= heads[DIGITS]:
+            taken = 1
+    mask[i] = uint8(taken)
+
+
+class EdgeBins:
+    """Room for the counts; the bins are zero between two steps."""
+
+    def __init__(self, target: int, numbers: Indices) -> None:
+        device = numbers.device
+        self.target, self.numbers = target, numbers
+        self.bins, self._blocks = zeros(BINS, int32, device), empty(BLOCKS, int32, device)
+        self._heads: Keys = full(DIGITS + 1, 0, int64, device)
+        self._rests = zeros(DIGITS + 1, int32, device)
+
+    def limit_prices(self) -> None:
+        """Find the bin up to which edges are looked at, of the prices that were counted."""
+        launch(sum_bins_kernel, BLOCKS, [self.bins, self._blocks])
+        launch(limit_prices_kernel, BLOCKS, [self._blocks, self.target, self.bins, self.numbers])
+
+    def mark_cheapest(self, mesh: CollapseMesh, edges: Indices, count: int, mask: Bytes) -> None:
+        """Mark the cheapest of the picked edges, as many as it takes for the target; all where they are not enough."""
+        for digit in range(DIGITS):
+            launch(count_gone_kernel, count, [mesh, edges, self.target, digit, self._heads, self.bins])
+            launch(sum_bins_kernel, BLOCKS, [self.bins, self._blocks])
+            arguments = [mesh, self._blocks, self.target, digit, self._heads, self._rests, self.bins]
+            launch(find_digit_kernel, BLOCKS, arguments)
+        launch(mark_cheapest_kernel, count, [mesh, edges, self.target, self._heads, mask])
+
+
+@kernel
+def take_edges_kernel(
+    mesh: CollapseMesh, edges: array(dtype=int32), blocked: array(dtype=uint8), least: array(dtype=int64)
+):
+    """The least key of the edges at each vertex, of edges with no end blocked; a minimum is the same in any order."""
+    i = tid()
+    if i >= mesh.numbers[EDGES]:
+        return
+    h = edges[i]
+    key = mesh.keys[h]
+    if key < int64(STALE_KEY):
+        a = corner_vertex(mesh.triangles, h)
+        b = corner_vertex(mesh.triangles, next_corner(h))
+        if blocked[a] == 0 and blocked[b] == 0:
+            atomic_min(least, a, key)
+            atomic_min(least, b, key)
+
+
+@func
+def is_least_around(mesh: CollapseMesh, v: int, key: int64, least: array(dtype=int64)) -> int:
+    """1 where no vertex around v has an edge with a lower key."""
+    found = 1
+    j = mesh.starts[v]
+    while j < mesh.starts[v + 1] and found == 1:
+        s = mesh.spokes[j]
+        if least[s[0]] < key or least[s[1]] < key:
+            found = 0
+        j += 1
+    return found
+
+
+@func
+def block_around(mesh: CollapseMesh, v: int, blocked: array(dtype=uint8)):
+    """Block a vertex and those around it; threads that meet write the same."""
+    blocked[v] = 1
+    for j in range(mesh.starts[v], mesh.starts[v + 1]):
+        s = mesh.spokes[j]
+        blocked[s[0]] = 1
+        blocked[s[1]] = 1
+
+
+@kernel
+def choose_edges_kernel(
+    mesh: CollapseMesh,
+    edges: array(dtype=int32),
+    least: array(dtype=int64),
+    keys: array(dtype=int64),
+    chosen: array(dtype=uint8),
+    blocked: array(dtype=uint8),
+):
+    """Choose or refuse the edges whose key is the least all around; `keys` are those of the mesh."""
+    i = tid()
+    if i >= mesh.numbers[EDGES]:
+        return
+    h = edges[i]
+    key = mesh.keys[h]
+    a = corner_vertex(mesh.triangles, h)
+    b = corner_vertex(mesh.triangles, next_corner(h))
+    if least[a] == key and least[b] == key:
+        first = is_least_around(mesh, a, key, least)
+        if first == 1:
+            first = is_least_around(mesh, b, key, least)
+        if first == 1:
+            if may_collapse(mesh, h, a, b, mesh.numbers[BENDING]) == 1:
+                chosen[i] = 1
+                block_around(mesh, a, blocked)
+                block_around(mesh, b, blocked)
+            else:
+                keys[h] = int64(REFUSED_KEY)
+
+
+class EdgeChoice:
+    """Room to choose edges.
+
+    Attributes:
+        chosen: uint8 mask of edges; zero behind those there are.
+    """
+
+    def __init__(self, mesh: CollapseMesh) -> None:
+        device = mesh.numbers.device
+        self.chosen: Bytes = empty(mesh.keys.size, uint8, device)
+        self._least = empty(mesh.positions.size, int64, device)
+
+    def run(self, mesh: CollapseMesh, edges: Indices, turns: int) -> None:
+        """Choose edges that may collapse at once; `mesh.touched` becomes 1 for their vertices and those around them.
+
+        Args:
+            mesh: CollapseMesh, whose keys of refused edges change.
+            edges: int32, the owners of edges to choose from, as many as the record says.
+            turns: How often the rest chooses again.
+        """
+        count, vertices = mesh.live(EDGES, edges.size), mesh.live(VERTICES, mesh.positions.size)
+        fill(self.chosen[:count], 0)
+        fill(mesh.touched[:vertices], 0)
+        least = self._least[:vertices]
+        for _ in range(turns):
+            fill(least, NO_KEY)
+            launch(take_edges_kernel, count, [mesh, edges, mesh.touched, self._least])
+            arguments = [mesh, edges, self._least, mesh.keys, self.chosen, mesh.touched]
+            launch(choose_edges_kernel, count, arguments)
+
 
 TURNS = 3  # of choosing a round
 LEFT, PARTS = 3, 4  # where fewer of the triangles are left, what is gone is squeezed out

@@ -111,7 +111,6 @@ class Decimation:
         return mesh if rows.size == triangles.size else self._mesh_at(rows, mesh)
 
     def _mesh_at(self, rows: Indices, mesh: CollapseMesh) -> CollapseMesh:
-        """Some triangles of a mesh."""
         uvs = gather_corners(mesh.uvs, rows) if mesh.has_uvs else None
         materials = gather_rows(mesh.materials, rows) if mesh.has_materials else None
         return CollapseMesh(mesh.positions, gather_triangles(mesh.triangles, rows), uvs, materials, mesh.rows)
@@ -140,7 +139,6 @@ class Decimation:
             self._drop_lone()
 
     def _drop_lone(self) -> None:
-        """Drop the smallest of the triangles that share no edge with another."""
         mesh = self.mesh
         count, device = mesh.triangles.size, mesh.triangles.device
         keys, mask = empty(count, int64, device), full(count, 1, uint8, device)

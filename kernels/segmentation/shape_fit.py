@@ -246,7 +246,6 @@ class ShapeFitter:
 
 
 def _first_state(kinds: ArrayLike, shapes: Shapes, chosen: Selection | None) -> dict[str, tuple[ArrayLike, type]]:
-    """The numbers that fits begin with."""
     of, given = np.asarray(kinds), np.asarray(shapes, np.float64).reshape(-1, NUMBERS)
     k, width = len(of), len(fit_sums(0.0))
     axes = [np.eye(3) if kind == SPHERE else frame_of(shape[3:6]) for kind, shape in zip(of, given, strict=True)]

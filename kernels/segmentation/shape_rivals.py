@@ -156,5 +156,4 @@ class RivalStarts:
 
 
 def _spread(fit: ShapeFit, kind: int) -> float:
-    """The standard deviation of distances, less what the unknowns took."""
     return fit.rms * float(np.sqrt(fit.count / max(fit.count - len(FREE[kind]), 1)))

@@ -209,7 +209,6 @@ def find_places(judged: Array1[vec2], width: int) -> Places | None:
 
 
 def _list_pairs(judged: Array1[vec2], width: int, labels: Indices, numbers: Integers, roots: Indices) -> Keys:
-    """What is sure about each place, ascending."""
     device, size = judged.device, judged.size
     counts, none = empty(size, int32, device), empty(0, int64, device)
     launch(list_near_kernel, size, [judged, width, labels, numbers, empty(0, int32, device), counts, none])

@@ -292,7 +292,6 @@ def list_sightings(masks: Iterable[Mask]) -> Sightings:
 
 
 def _rows_of(masks: Sequence[Mask]) -> list[Indices]:
-    """The vertices of each mask, ascending."""
     if len(masks) < 2:
         return [positions_of(mask) for mask in masks]  # sync
     device, count, whole = masks[0].device, masks[0].size, concatenate_rows(masks)

@@ -393,7 +393,6 @@ class WarpSearch(ColorSearch):
         return bool(running)
 
     def _gather(self) -> None:
-        """The normal equations of the anchors."""
         warps, system = self.warps, self.system
         shared = [self.vertices, self.sightings]
         launch(number_cells_kernel, self.sightings.count, [*shared, self.pictures, warps, warps.count, self.keys])

@@ -337,7 +337,6 @@ class DeviceFrames:
         return True
 
     def _find(self) -> None:
-        """Launch what finds and counts the touched blocks."""
         shape, values, table = self._shape, self._blocks.record.values, self._blocks.table
         assert shape is not None
         fill(self._largest, 0)

@@ -230,7 +230,6 @@ def gather_voxels_kernel(values: array(dtype=int32), blocks: array(dtype=int32),
 
 
 def _check_blocks(count: int, device: Device) -> None:
-    """Refuse more blocks than can be counted or have room."""
     if count > MOST_BLOCKS:
         raise ValueError(
             f"the distance field would need {count:,} blocks of {SIDE}^3 voxels, more than {MOST_BLOCKS:,}; "
@@ -324,7 +323,6 @@ def find_distances(cells: Cells, reach: Reach, signed_in: tuple[int, int, int] |
 
 
 def _known_alone(keys: Keys, sqdists: Integers, nearest: Integers) -> tuple[Keys, Integers, Integers]:
-    """The blocks in which a distance is known."""
     device = keys.device
     known = empty(keys.size, uint8, device)
     launch(mark_known_kernel, keys.size, [sqdists, known])

@@ -292,7 +292,6 @@ def reached_blocks(blocks: VoxelBlocks, back: np.ndarray) -> Keys:
 
 
 def _distinct(parts: Sequence[Keys], device: Device) -> Keys:
-    """The distinct keys of several ascending lists, ascending."""
     parts = [part for part in parts if part.size]
     if not parts:
         return empty(0, int64, device)

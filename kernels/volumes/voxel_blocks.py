@@ -89,7 +89,6 @@ class VoxelBlocks:
             self._move(min(MAX_BLOCKS, max(count, 2 * self.keys.size)))
 
     def _move(self, capacity: int) -> None:
-        """Arrays for so many blocks, with those that count."""
         voxels = capacity * BLOCK_VOXELS
         keys = empty(capacity, int64, self.device)
         colors = zeros((voxels if self.has_color else 1, 3), uint16, self.device)
@@ -115,7 +114,6 @@ class VoxelBlocks:
             self._list_keys()
 
     def _copy_to(self, keys: Keys, distances: Scalars, weights: Array1[uint16], colors: Array2[uint16]) -> None:
-        """Copy the blocks that count to the front of other arrays."""
         count = self._counted()
         if not count:  # nor any arrays, at first
             return

@@ -78,8 +78,6 @@ def recover_pinhole(points: Numbers, valid: NDArray[np.bool_], focal: tuple[floa
 
 @dataclasses.dataclass(frozen=True)
 class _Sample:
-    """Points with z from the nearest, and their pixels from the middle."""
-
     x: Numbers
     y: Numbers
     z: Numbers

@@ -129,7 +129,6 @@ def _lines(d: Numbers, y: Numbers, first: NDArray[np.int64], second: NDArray[np.
 
 
 def _scales(d: Numbers, y: Numbers) -> Numbers:
-    """The scale of each reference, and no shift."""
     return np.stack([y / d, np.zeros_like(y)], 1)
 
 

@@ -223,7 +223,6 @@ def _is_known(camera_source: str) -> bool:
 
 
 def _own_camera(found: OwnCamera, photo: Photo) -> PinholeCameraIntrinsic:
-    """The camera that the network found in the picture."""
     height, width = photo.color.shape[:2]
     return PinholeCameraIntrinsic(width, height, found.fx, found.fy, found.cx, found.cy)
 
@@ -273,7 +272,6 @@ def _inverse_depth(reading: Reading, network: DepthModel, camera: PinholeCameraI
 
 
 def _of_parts(network: DepthModel, camera: PinholeCameraIntrinsic, source: str) -> Callable[[NDArray[np.uint8]], Map]:
-    """What gives the inverse depth of a part of the picture."""
     return lambda part: _inverse_depth(network._read(part, camera, is_known=_is_known(source)), network, camera)
 
 

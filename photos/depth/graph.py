@@ -116,7 +116,6 @@ def _number(tensor: Any) -> float | None:
 
 
 def _external_files(model: Any) -> Iterator[str]:
-    """Names of the files in which tensors anywhere in the model are kept."""
     from onnx import TensorProto
 
     waiting = [model]

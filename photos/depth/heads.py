@@ -102,7 +102,6 @@ class _Place:
 
 
 def _functions(place: _Place) -> dict[tuple[str, str], Graph]:
-    """The model's functions, which the outermost graph holds."""
     return (place.calls[0][0] if place.calls else place.graph).functions
 
 

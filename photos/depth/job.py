@@ -231,7 +231,6 @@ class _Extras:
 
 
 def _unit_comment(found: DepthEstimate) -> str:
-    """The line of a PLY file that says what its numbers mean."""
     if found.unit == ARBITRARY:
         return "pointloom depth: units arbitrary, the nearest point at depth 1; align to get metres"
     if found.unit == "m":

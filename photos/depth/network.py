@@ -109,7 +109,6 @@ class DepthModel:
         return self._run_placed(take_photo(picture).color)[0]
 
     def _placement(self, height: int, width: int) -> Placement:
-        """Where a picture of this size lies in the input."""
         return place(self._preset, height, width, self._signature.fixed)
 
     def _run_placed(self, picture: NDArray[np.uint8]) -> tuple[Map, Placement]:
@@ -187,7 +186,6 @@ def wants_cuda(device: Any) -> bool:
 
 
 def _providers(ort: Any, device: Any) -> list[Any]:
-    """What onnxruntime may run on, the first one foremost."""
     has_cuda = CUDA in ort.get_available_providers()
     if wants_cuda(device) and not has_cuda:
         raise DeviceError(

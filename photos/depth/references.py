@@ -157,7 +157,6 @@ def _of_model(model: SfmModel, name: str | None, size: tuple[int, int]) -> Refer
 
 
 def _number_of(model: SfmModel, name: str) -> int:
-    """The picture of this name, or the only one of this name in any folder."""
     if name in model.names:
         return model.index_of(name)
     matches = [number for number, other in enumerate(model.names) if Path(other).name == name]
@@ -169,7 +168,6 @@ def _number_of(model: SfmModel, name: str) -> int:
 
 
 def _pinhole_of(camera: CameraModel, size: tuple[int, int]) -> PinholeCameraIntrinsic:
-    """The pinhole camera that a lens is near its axis, at the picture's size."""
     ahead, right, left, below, above = camera.project(
         [[0, 0, 1], [AXIS, 0, 1], [-AXIS, 0, 1], [0, AXIS, 1], [0, -AXIS, 1]]
     )
@@ -183,7 +181,6 @@ def _pinhole_of(camera: CameraModel, size: tuple[int, int]) -> PinholeCameraIntr
 
 
 def _check_shape(what: str, width: int, height: int, size: tuple[int, int]) -> None:
-    """Refuse sizes that cannot show the same view."""
     if abs(width * size[0] - height * size[1]) > max(width, height, *size):
         is_turned = (width - height) * (size[1] - size[0]) < 0
         turned = "; if EXIF turned the picture upright, turn this too" if is_turned else ""
@@ -193,7 +190,6 @@ def _check_shape(what: str, width: int, height: int, size: tuple[int, int]) -> N
 
 
 def _scaled(pixels: NDArray[np.float64], width: int, height: int, size: tuple[int, int]) -> NDArray[np.float64]:
-    """Pixels of a picture of one size in that of another."""
     return (pixels + 0.5) * (size[1] / width, size[0] / height) - 0.5
 
 

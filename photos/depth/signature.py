@@ -153,7 +153,6 @@ def note_on(head: Head, preset: Preset) -> str | None:
 
 
 def _check_names(path: str, session: Any, preset: Preset) -> None:
-    """Refuse a model with names that another network's exports have."""
     names = [each.name for each in (*session.get_inputs(), *session.get_outputs())]
     told = {_TELLING[name]: name for name in names if name in _TELLING}
     family = "metric3d-v2" if preset.name == "metric3d-convnext" else preset.name
@@ -208,7 +207,6 @@ def _check_fixed(path: str, where: str, preset: Preset, rows: int | None, column
 
 
 def _check_outputs(path: str, session: Any, preset: Preset) -> dict[str, str]:
-    """The names of the outputs that are read, by what they hold."""
     outputs = session.get_outputs()
     names = [each.name for each in outputs]
     is_alone = len(names) == 1 and not preset.needed

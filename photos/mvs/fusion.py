@@ -236,7 +236,6 @@ def _overlaps(maps: DepthMaps) -> NDArray[np.bool_]:
 
 
 def _sampled(maps: DepthMaps, i: int) -> NDArray[np.float64]:
-    """Some points of a map in the world."""
     depth, camera = maps[i].depth, maps.cameras[i]
     rows = np.flatnonzero(depth)
     rows = rows[:: max(1, len(rows) // SAMPLES)]
@@ -247,7 +246,6 @@ def _sampled(maps: DepthMaps, i: int) -> NDArray[np.float64]:
 
 
 def _sees(camera: PosedCamera, points: NDArray[np.float64]) -> bool:
-    """Whether any of these lies in a camera's picture."""
     lens, local = camera.intrinsic, points @ camera.T_camera_world[:3, :3].T + camera.T_camera_world[:3, 3]
     local = local[local[:, 2] > 0]
     u = lens.fx * local[:, 0] / local[:, 2] + lens.cx

@@ -169,7 +169,6 @@ def depth_in_view(i: int, cameras: tuple[PosedCamera, ...], low: float, high: fl
 def _by_camera(
     i: int, cameras: tuple[PosedCamera, ...], centers: NDArray[np.float64], step: float, most: int
 ) -> tuple[int, ...]:
-    """Sources of a picture of which nothing is known but its camera."""
     if len(cameras) < 2:
         return ()
     axes = np.array([camera.T_camera_world[2, :3] for camera in cameras])
@@ -182,7 +181,6 @@ def _by_camera(
 
 
 def _step(centers: NDArray[np.float64]) -> float:
-    """The median distance of a camera to the nearest one elsewhere."""
     distinct = np.unique(centers, axis=0)
     if len(distinct) < 2:
         return 0.0

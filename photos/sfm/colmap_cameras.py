@@ -325,7 +325,6 @@ def spread_of_parts(pycolmap: Any, model: Any) -> float:
 
 
 def _cell(xy: Any, size: tuple[int, int]) -> int:
-    """In which of the cells of a picture a place is."""
     column, row = (min(max(int(at * _CELLS / side), 0), _CELLS - 1) for at, side in zip(xy, size, strict=True))
     return row * _CELLS + column
 
@@ -336,7 +335,6 @@ def _jackknife(logs: list[float]) -> float:
 
 
 def _log_focal(model: Any) -> float:
-    """Mean logarithm of the focal lengths."""
     return float(np.mean([math.log(focal_length(model.camera(number))) for number in used_cameras(model)]))
 
 

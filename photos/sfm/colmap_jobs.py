@@ -94,7 +94,6 @@ _NOUNS = {"features": "finding features", "matches": "matching", "model": "mappi
 
 
 def _what_failed(stage: str, last: dict[str, Any], process: LimitedProcess, folder: Path) -> tuple[str, str]:
-    """Why a job did not end well, and what to do about it."""
     noun = _NOUNS[stage]
     if "missing" in last:
         return "structure from motion needs the package pycolmap", 'pip install "pointloom[sfm]"'

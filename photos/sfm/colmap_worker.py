@@ -130,7 +130,6 @@ def on_gpu(pycolmap: Any, job: dict[str, Any]) -> bool:
 
 
 def _cuda_devices() -> int:
-    """How many the driver shows."""
     try:
         driver = ctypes.CDLL("libcuda.so.1")
     except OSError:

@@ -179,7 +179,6 @@ def _doubts(folder: Path, groups: dict[Group, list[str]]) -> dict[str, str]:
 def _job_of(
     folder: Path, groups: dict[Group, list[str]], camera_model: str, intrinsic: Any, doubts: dict[str, str]
 ) -> dict[str, Any]:
-    """Which pictures there are, and the cameras of their groups."""
     cameras = [
         _group(size, names, camera_model, intrinsic) | {"doubted": names[0] in doubts}
         for (size, _), names in groups.items()
@@ -301,7 +300,6 @@ def _group(
 
 
 def _features_of(database: Path) -> tuple[tuple[str, ...], tuple[int, ...]]:
-    """The names of the pictures of a database, and how many features each has."""
     query = "SELECT name, coalesce(rows, 0) FROM images LEFT JOIN keypoints USING (image_id) ORDER BY image_id"
     with open_database(database) as connection:
         rows = connection.execute(query).fetchall()

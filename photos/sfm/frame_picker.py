@@ -191,7 +191,6 @@ class FramePicker:
             self._judge()
 
     def _judge(self) -> None:
-        """Decide whether one of the frames around the next place is kept."""
         place = self._judged
         self._judged += 1
         if self._is_blurred(place):

@@ -140,7 +140,6 @@ def choose_mapper(picture_count: int) -> str:
 
 
 def _names_of(database: Path) -> list[str]:
-    """The names of the pictures of a database, which must have been matched."""
     with open_database(database) as connection:
         names = [name for (name,) in connection.execute("SELECT name FROM images")]
         (tried,) = connection.execute("SELECT count(*) FROM two_view_geometries").fetchone()

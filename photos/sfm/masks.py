@@ -207,7 +207,6 @@ def mask_as_stored(masks: FilePath | MakeMask, picture: Path, size: tuple[int, i
 
 
 def _place_of(masks: FilePath, names: Sequence[str]) -> Path | None:
-    """The mask of a picture by one of its names."""
     places = (Path(masks) / f"{name}{ending}" for name in dict.fromkeys(names) for ending in _ENDINGS)
     return next((place for place in places if place.is_file()), None)
 

@@ -161,7 +161,6 @@ def _settled(pairs: str, kind: str, count: int) -> str:
 
 
 def _kind_of(database: Path) -> str:
-    """What the features of a database are."""
     with open_database(database) as connection:
         columns = {row[1] for row in connection.execute("PRAGMA table_info(descriptors)")}
         if "type" not in columns:

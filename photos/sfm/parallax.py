@@ -137,7 +137,6 @@ def _turning_error(first: Array, second: Array, weights: Array, factor: float, d
 
 
 def _bent(rays: Array, factor: float, distortion: float) -> Array:
-    """Rays of a camera with another focal length and distortion."""
     radius = (rays**2).sum(axis=2, keepdims=True)
     bent = rays * factor * (1.0 + distortion * radius)
     return np.concatenate([bent, np.ones_like(radius)], axis=2)

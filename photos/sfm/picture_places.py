@@ -222,7 +222,6 @@ def _place_of(name: str, gps: dict[int, Any], xmp: Xmp, *, turned: bool) -> Pict
 
 
 def _degrees(gps: dict[int, Any], tag: int, sign_tag: int, signs: str, what: str, most: float) -> float:
-    """An angle of degrees, minutes and seconds with its hemisphere."""
     raw = gps.get(tag)
     parts = list(raw) if isinstance(raw, tuple | list) else [raw]
     numbers = [_number(part) for part in parts]

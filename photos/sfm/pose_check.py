@@ -325,7 +325,6 @@ def _other_conventions(model: SfmModel) -> Iterator[tuple[str, Array]]:
 
 
 def _other_orders(model: SfmModel) -> Iterator[tuple[str, Array]]:
-    """The poses given to other pictures."""
     natural = _natural_order(model)
     T, count = model.T_camera_world, len(model)
     place = np.empty(count, int)

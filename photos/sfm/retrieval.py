@@ -123,7 +123,6 @@ def pairs_that_look_alike(database: Path, neighbours: int, *, seed: int) -> list
 
 
 def _sums(values: Descriptors, groups: NDArray[np.int64], count: int) -> NDArray[np.int64]:
-    """The sum of the rows of each group."""
     order = np.argsort(groups, kind="stable")
     starts = np.searchsorted(groups[order], np.arange(count + 1))
     sums = np.zeros((count, values.shape[1]), np.int64)

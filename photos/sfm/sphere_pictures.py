@@ -106,6 +106,5 @@ def with_all_faces(model: SfmModel, names: Sequence[str]) -> tuple[SfmModel, lis
 
 
 def _sphere_and_face(name: str) -> tuple[str, int]:
-    """The picture that a face is of, and which face."""
     sphere, _, face = Path(name).stem.rpartition("_")
     return sphere, FACES.index(face)

@@ -207,7 +207,6 @@ def points_of(
 def _often_seen(
     points: NDArray[np.float64], seen: NDArray[np.int64], fewest: int
 ) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
-    """The points that so many pictures see, and what sees them."""
     pairs = np.unique(seen[:, [2, 0]], axis=0)
     kept = np.bincount(pairs[:, 0], minlength=len(points)) >= fewest
     place, seen = np.cumsum(kept) - 1, seen[kept[seen[:, 2]]]

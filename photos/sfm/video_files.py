@@ -124,7 +124,6 @@ def _probe_opencv(path: Path, container: str) -> VideoFile:
 
 
 def _answer(path: Path, command: Sequence[str], *, stdin: str = "") -> tuple[str, str]:
-    """What a program answers, and the last of what it says beside."""
     with LimitedProcess(command, max_seconds=_PROBE_SECONDS, stdin=stdin) as process:
         assert process.stdout is not None
         said = process.stdout.read().decode(errors="replace")

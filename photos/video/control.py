@@ -39,8 +39,6 @@ FAR = 300.0  # [m] between control and GPS: no satellite errs so much, and a wro
 
 @dataclass(frozen=True, eq=False)
 class _Coordinates:
-    """Where metres count from, and the points in them."""
-
     frame: WorldFrame | None
     origin: Array
     targets: dict[str, Array]
@@ -186,7 +184,6 @@ def _residual(
 
 
 def _why_wrong(rows: tuple[ControlResidual, ...], wrong: set[str]) -> str:
-    """The points that were left out, with what is to be done."""
     if not wrong:
         return ""
     told = ", ".join(f"{row.name} by {np.linalg.norm(row.residual):.3g} m" for row in rows if row.name in wrong)  # pyright: ignore[reportArgumentType, reportCallIssue]
@@ -194,7 +191,6 @@ def _why_wrong(rows: tuple[ControlResidual, ...], wrong: set[str]) -> str:
 
 
 def _off(rows: tuple[ControlResidual, ...], worse: float) -> str:
-    """How far the points are off that were used, and which most."""
     used = [(float(np.linalg.norm(row.residual)), row.name) for row in rows if row.use == CONTROL]  # pyright: ignore[reportArgumentType, reportCallIssue]
     most, name = max(used)
     return f"the control points are {worse:.1f} times farther off than they are told to be sure, {name} by {most:.3g} m"
@@ -218,7 +214,6 @@ def _gaps(model: SfmModel, places: PicturePlaces, frame: WorldFrame, T: Array) -
 
 
 def _why_far(gps: GpsGaps | None, control: GroundControl) -> str:
-    """Whether control lies elsewhere on the Earth than the pictures say."""
     if gps is None or not (far := float(np.linalg.norm(gps.shift[:2]))) > FAR:
         return ""
     return (

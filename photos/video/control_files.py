@@ -119,8 +119,6 @@ def _lines_of(place: Path) -> list[tuple[int, str]]:
 
 
 class _Found:
-    """What was read so far."""
-
     path: Path
 
     def __init__(self):
@@ -205,7 +203,6 @@ class _Found:
 
 
 def _parse_words(found: _Found, lines: list[tuple[int, str]]) -> None:
-    """A line with the coordinate system, then one for each mark."""
     crs = None
     names: dict[tuple[str, ...], str] = {}
     for number, line in lines:
@@ -230,7 +227,6 @@ def _are_numbers(words: list[str]) -> bool:
 
 
 def _parse_csv(found: _Found, lines: list[tuple[int, str]]) -> None:
-    """Lines with a head."""
     head: list[str] | None = None
     for number, line in lines:
         if match := re.match(r"#\s*crs\b[\s:=]*(.*)", line, re.IGNORECASE):

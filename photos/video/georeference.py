@@ -196,7 +196,6 @@ def _targets(frame: WorldFrame, places: list[PicturePlace]) -> tuple[Array, Arra
 
 
 def _first(model: SfmModel, names: tuple[str, ...], source: Array, target: Array, up: UpDirection) -> Array:
-    """A similarity that most places agree with."""
     level = None
     if up.direction is not None:
         level = fit_level(source, target, up.direction)
@@ -217,7 +216,6 @@ def _first(model: SfmModel, names: tuple[str, ...], source: Array, target: Array
 def _refined(
     source: Array, target: Array, sigma: Array, up: UpDirection, T: Array
 ) -> tuple[WeightedFit, NDArray[np.bool_]]:
-    """Fit by weights to those that agree, until they stay the same."""
     filled = np.where(np.isfinite(target), target, 0.0)
     if not np.isfinite(target[:, 2]).any():
         sigma = np.where(np.isfinite(sigma), sigma, NO_HEIGHT)  # so that the height of all is a number: zero

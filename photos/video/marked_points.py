@@ -129,7 +129,6 @@ def _widest(rays: Array) -> float:
 
 
 def _meeting(model: SfmModel, seen: list[tuple[int, Array]], rays: Array) -> Array:
-    """The place nearest to all rays."""
     centers = model.centers[[k for k, _ in seen]]
     across = skews(rays)
     squares = across.transpose(0, 2, 1) @ across

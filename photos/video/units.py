@@ -319,7 +319,6 @@ def _upright(fit: Fit, up: UpDirection) -> Fit:
 
 
 def _of_lengths(units: Units, model: SfmModel) -> Fit:
-    """By a factor, or by a distance, or nothing."""
     if units.known is not None:
         first, second, metres = units.known
         a, b = (model.names[picture_named(name, model.names, " in the model")] for name in (first, second))
@@ -387,7 +386,6 @@ def _problem(places: KnownPlaces, path: FilePath) -> str | None:
 
 
 def _positions(path: FilePath, names: Sequence[str], where: str) -> dict[str, NDArray[np.float64]]:
-    """Known places of enough pictures."""
     positions = read_positions(path, tuple(names))
     if len(positions) < FEWEST:
         reason = f"gives the places of {len(positions)} pictures {where}; {FEWEST} or more settle size and position"

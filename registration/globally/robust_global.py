@@ -76,7 +76,7 @@ def registration_robust_based_on_correspondence(
 
     Notes:
         Compatibility as in TEASER (Yang, Shi and Carlone 2021), ranked by common neighbours as in SC2-PCR (Chen et al.
-        2022), fitted as in Yang et al. 2020; see `pointloom.kernels.poses.compatibility_graph` and `consensus_poses`.
+        2022), fitted as in Yang et al. 2020; see `pointloom.kernels.poses.consensus_poses` and `consensus_poses`.
         Two correspondences count together only where their points lie more than the noise bound apart. Memory
         m^2 / 8 bytes and 1 kB a correspondence. The same bits from run to run, whatever the number of threads.
 

@@ -12,7 +12,7 @@ import pytest
 
 import pointloom
 from pointloom.core.standard_streams import is_terminal, write_to_stderr
-from pointloom.kernels.language.quiet import lines_removed_from_stderr
+from pointloom.kernels.language.warp_compiler import lines_removed_from_stderr
 
 PROGRAM = """
 import io, os, sys, traceback

@@ -9,8 +9,14 @@ from pointloom.kernels.algebra.camera import Camera
 from pointloom.kernels.arrays.packed_keys import NO_KEY
 from pointloom.kernels.drawing.lines import Pen, draw_lines
 from pointloom.kernels.drawing.points import Splat, count_in_squares, draw_points
-from pointloom.kernels.drawing.tiles import SIDE, TILE_BITS, LargeShapes
-from pointloom.kernels.drawing.triangles import draw_in_tiles, draw_triangles, draw_triangles_kernel
+from pointloom.kernels.drawing.triangles import (
+    SIDE,
+    TILE_BITS,
+    LargeShapes,
+    draw_in_tiles,
+    draw_triangles,
+    draw_triangles_kernel,
+)
 from pointloom.kernels.drawing.z_buffer import DepthBuffer, View
 from pointloom.kernels.lang import int32, launch, vec3
 

@@ -3,7 +3,7 @@
 import pytest
 
 from pointloom.kernels.lang import array, float32, kernel, segment_reduction, tid, vector
-from pointloom.kernels.language.register_limits import VARIABLE, most_registers_of
+from pointloom.kernels.language.warp_compiler import VARIABLE, most_registers_of
 
 Two = vector(2, float32)
 

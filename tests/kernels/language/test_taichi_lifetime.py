@@ -13,8 +13,8 @@ from pathlib import Path
 
 import pytest
 
-from pointloom.kernels.language import taichi_lifetime
-from pointloom.kernels.language.taichi_lifetime import KernelFolder, TaichiUnavailableError, require_threads
+from pointloom.kernels.language import taichi_compiler
+from pointloom.kernels.language.taichi_compiler import KernelFolder, TaichiUnavailableError, require_threads
 
 pytestmark = [pytest.mark.both_compilers, pytest.mark.taichi]
 
@@ -109,7 +109,7 @@ def test_one_process_at_a_time_has_its_turn(tmp_path):
 def test_the_turn_of_a_process_that_is_killed_ends(tmp_path):
     program = """
         import os, signal, sys
-        from pointloom.kernels.language.taichi_lifetime import KernelFolder
+        from pointloom.kernels.language.taichi_compiler import KernelFolder
         with KernelFolder(sys.argv[1]).turn():
             os.kill(os.getpid(), signal.SIGKILL)
     """
@@ -119,7 +119,7 @@ def test_the_turn_of_a_process_that_is_killed_ends(tmp_path):
 
 
 def test_a_turn_that_does_not_come_is_done_without(tmp_path, monkeypatch):
-    monkeypatch.setattr(taichi_lifetime, "PATIENCE", 0.0)
+    monkeypatch.setattr(taichi_compiler, "PATIENCE", 0.0)
     with KernelFolder(str(tmp_path)).turn(), KernelFolder(str(tmp_path)).turn():
         pass
 

@@ -12,8 +12,8 @@ from pointloom.kernels.meshes.clean_triangles import join_masks, mask_repeats
 from pointloom.kernels.meshes.mesh_edges import MeshEdges, count_sharers
 from pointloom.kernels.meshes.mesh_measures import measure
 from pointloom.kernels.meshes.mixed_rows import in_triangles
-from pointloom.kernels.meshes.open_edges import OpenEdges
 from pointloom.kernels.meshes.pseudonormals import volume_of_shell
+from pointloom.kernels.meshes.sheets import OpenEdges
 
 CORNERS = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
 FACES = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])

@@ -9,8 +9,7 @@ from hypothesis import strategies as st
 
 from pointloom.kernels.lang import cpu_compiler, int32, int64, vec3
 from pointloom.kernels.memory import upload
-from pointloom.kernels.poses.compatibility_graph import CompatibilityGraph, order_descending
-from pointloom.kernels.poses.consensus_poses import distinct_poses, find_consensus
+from pointloom.kernels.poses.consensus_poses import CompatibilityGraph, distinct_poses, find_consensus, order_descending
 from pointloom.kernels.poses.pair_fits import PairCoordinates
 
 

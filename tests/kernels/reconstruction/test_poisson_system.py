@@ -10,8 +10,8 @@ from scipy.sparse.linalg import spsolve
 
 from pointloom.kernels.lang import vec2d
 from pointloom.kernels.memory import download, upload
-from pointloom.kernels.reconstruction import poisson_solver
-from pointloom.kernels.reconstruction.poisson_solver import mean_at_samples, solve
+from pointloom.kernels.reconstruction import poisson
+from pointloom.kernels.reconstruction.poisson import mean_at_samples, solve
 from pointloom.kernels.reconstruction.poisson_system import constraints
 from pointloom.kernels.reconstruction.sample_density import ENDS
 
@@ -132,7 +132,7 @@ def test_right_hand_sides_are_integrals_over_the_cube(device, tolerances, depth)
 
 
 def test_a_solution_at_rest_is_that_of_a_sparse_solver(device, tolerances, monkeypatch):
-    monkeypatch.setattr(poisson_solver, "COARSE_SWEEPS", 150)
+    monkeypatch.setattr(poisson, "COARSE_SWEEPS", 150)
     pyramid, weight = scene(device), 0.05
     tests = constraints(pyramid)
     solutions = solve(pyramid, tests, weight, one_face(device))

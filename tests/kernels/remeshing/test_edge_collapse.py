@@ -24,9 +24,8 @@ from pointloom.kernels.remeshing.collapse_mesh import (
     VERTICES,
     CollapseMesh,
 )
-from pointloom.kernels.remeshing.collapse_rounds import CollapseRounds
+from pointloom.kernels.remeshing.collapse_rounds import CollapseRounds, EdgeBins
 from pointloom.kernels.remeshing.decimation import Decimation
-from pointloom.kernels.remeshing.edge_bins import EdgeBins
 
 from ...meshing.simplification_scenes import bumpy_torus, grid
 

@@ -10,7 +10,7 @@ from pointloom.kernels.lang import float64, int32, vec3d
 from pointloom.kernels.memory import upload, zeros
 from pointloom.kernels.meshes.mesh_edges import MeshEdges
 from pointloom.kernels.remeshing.graph_levels import Level
-from pointloom.kernels.remeshing.laplacian_solver import LaplacianSolver, UnsolvedError
+from pointloom.kernels.remeshing.rigid_deformation import LaplacianSolver, UnsolvedError
 
 from ...meshing.shape_scenes import icosphere
 

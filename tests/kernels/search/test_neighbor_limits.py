@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 
 from pointloom.core.devices import resolve_device
-from pointloom.kernels.features.fpfh import sum_histograms
-from pointloom.kernels.features.spfh import count_angles
+from pointloom.kernels.features.fpfh import count_angles, sum_histograms
 from pointloom.kernels.lang import float32, int32, vec3
 from pointloom.kernels.memory import empty, upload
 from pointloom.kernels.search import group_scratch

@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 from pointloom.kernels.lang import int32, vec3
 from pointloom.kernels.memory import download, full, upload
 from pointloom.kernels.search.point_tree import BUCKET, FAN, LEAF, PointTree
-from pointloom.kernels.surface import component_bridges
-from pointloom.kernels.surface.component_bridges import bridge_components
+from pointloom.kernels.surface import orientation
+from pointloom.kernels.surface.orientation import bridge_components
 from pointloom.kernels.surface.spanning_tree import HOPS, Forest, span_neighbors
 
 SETTINGS = settings(
@@ -168,16 +168,16 @@ def test_a_component_far_from_a_dense_one_is_bridged_by_the_nearest_pair(device,
 @pytest.mark.parametrize("count", [2, BUCKET + 1, FAN * BUCKET + 1, 700])
 def test_children_that_are_not_there_belong_to_no_component(device, count, rng, monkeypatch):
     """Whatever lay in the memory before: here the number of a component that there is."""
-    monkeypatch.setattr(component_bridges, "empty", lambda shape, dtype, place: full(shape, 1, dtype, place))
+    monkeypatch.setattr(orientation, "empty", lambda shape, dtype, place: full(shape, 1, dtype, place))
     tree = PointTree(upload(rng.random((count, 3)), vec3, device))
-    bridges = component_bridges.Bridges(tree, Forest(count, device))
+    bridges = orientation.Bridges(tree, Forest(count, device))
     bridges.label_nodes()
     owners, firsts = download(bridges.owners).reshape(-1, FAN), download(tree.levels)
     children = -(-count // LEAF)
     for first, last in itertools.pairwise(firsts):
         level = owners[first:last].ravel()
-        assert (level[:children] != component_bridges.EMPTY).all()
-        assert (level[children:] == component_bridges.EMPTY).all()
+        assert (level[:children] != orientation.EMPTY).all()
+        assert (level[children:] == orientation.EMPTY).all()
         children = last - first
 
 
