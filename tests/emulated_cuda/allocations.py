@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Iterator
-from contextlib import contextmanager
 from typing import Any
 
 from .findings import Findings, caller
 from .graphs import Graphs
 from .memory import FRESH, Memory
-from .settings import settings
 from .streams import CURRENT_STREAM, Streams, address_of
 
 DEVICE_POINTER, PINNED_POINTER, HOST_POINTER = 4, 2, 1  # Warp's kinds of memory
@@ -88,14 +85,6 @@ class Allocations:
 
     # ------------------------------------------------------------------------------------------ copies
 
-    @contextmanager
-    def _counted(self, name: str, read: int, written: int, *, source: int = 0, to: int = 0) -> Iterator[None]:
-        with self.findings.counted(name, read, written):
-            if self.findings.counters is not None and settings.counters:
-                self.findings.counters.touch(source, read, write=False)
-                self.findings.counters.touch(to, written, write=True)
-            yield
-
     def wp_memcpy_h2d(self, context, dest, src, n, stream=CURRENT_STREAM):
         found, to, source = self.streams.stream(stream, context), address_of(dest), address_of(src)
         if self.memory.holds(source):
@@ -110,8 +99,7 @@ class Allocations:
                 source = ctypes.string_at(source, n) if n else b""
 
         def copy() -> None:
-            with self._counted("(pinned copy to device)" if is_pinned else "(copy to device)", 0, n, to=to):
-                ctypes.memmove(self.memory.real(to, n, "copy to", write=True), source, n)
+            ctypes.memmove(self.memory.real(to, n, "copy to", write=True), source, n)
 
         self.streams.enqueue(found, copy, "memcpy")
         return True
@@ -125,8 +113,7 @@ class Allocations:
             if unwritten := self.memory.unwritten(source, n):
                 text = f"{unwritten} of {n} bytes, {where}; {self.memory.describe(source)}"
                 self.findings.note("copies", "uninitialised bytes copied to the host", text)
-            with self._counted("(pinned copy to host)" if is_pinned else "(copy to host)", n, 0, source=source):
-                ctypes.memmove(to, real, n)
+            ctypes.memmove(to, real, n)
 
         self.findings.counts["copies to host"] += 1
         self.findings.counts["bytes to host"] += n
@@ -141,8 +128,7 @@ class Allocations:
         to, source = address_of(dest), address_of(src)
 
         def copy() -> None:
-            with self._counted("(copy)", n, n, source=source, to=to):
-                self.memory.copy(to, source, n)
+            self.memory.copy(to, source, n)
 
         self.streams.enqueue(self.streams.stream(stream, context), copy, "memcpy")
         return True
@@ -156,8 +142,7 @@ class Allocations:
         to = address_of(dest)
 
         def fill() -> None:
-            with self._counted("(memset)", 0, n, to=to):
-                ctypes.memset(self.memory.real(to, n, "memset", write=True), value, n)
+            ctypes.memset(self.memory.real(to, n, "memset", write=True), value, n)
 
         self.streams.enqueue(self.streams.stream(stream, context), fill, "memset")
         return True
@@ -166,7 +151,6 @@ class Allocations:
         to, data = address_of(dest), ctypes.string_at(address_of(src), size) * count
 
         def fill() -> None:
-            with self._counted("(memtile)", 0, len(data), to=to):
-                ctypes.memmove(self.memory.real(to, len(data), "fill", write=True), data, len(data))
+            ctypes.memmove(self.memory.real(to, len(data), "fill", write=True), data, len(data))
 
         self.streams.enqueue(self.streams.stream(CURRENT_STREAM, context), fill, "kernel launch")

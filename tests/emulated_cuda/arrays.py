@@ -4,16 +4,13 @@ from __future__ import annotations
 
 import ctypes
 import functools
-import math
 from typing import Any
 
 from .findings import UNWRITTEN, CudaFault, Findings
 from .memory import FRESH, Memory
-from .settings import settings
 from .streams import CURRENT_STREAM, Streams, address_of
 
 PLAIN, INDEXED = 0, 1  # Warp's kinds of arrays
-DIGIT_BITS = 8  # of one pass of the device's radix sort, which reads and writes everything once
 WIDTHS = {"int": 4, "uint": 4, "int64": 8, "uint64": 8, "float": 4, "double": 8}
 
 
@@ -26,10 +23,6 @@ class Arrays:
             setattr(self, f"wp_radix_sort_pairs_{name}_device", functools.partial(self._sort, name))
             if not name.startswith("uint"):
                 setattr(self, f"wp_array_scan_{name}_device", functools.partial(self._scan, name))
-
-    def _touch(self, address: int, size: int, *, write: bool) -> None:
-        if self.findings.counters is not None and settings.counters:
-            self.findings.counters.touch(address_of(address), size, write=write)
 
     def _queue(self, operation: Any, context: Any = None) -> bool:
         self.streams.enqueue(self.streams.stream(CURRENT_STREAM, context), operation, "kernel launch")
@@ -66,13 +59,8 @@ class Arrays:
 
     def wp_array_copy_device(self, context, dst, src, dst_kind, src_kind, size):
         to, source = self._description(dst, dst_kind), self._description(src, src_kind)
-        total = size * _count(to, dst_kind)
 
         def copy() -> None:
-            with self.findings.counted("(array copy)", total, total):
-                copy_array()
-
-        def copy_array() -> None:
             a, b = self._located(to, dst_kind, size, write=True), self._located(source, src_kind, size, write=False)
             if not self.real.wp_array_copy_host(ctypes.byref(a), ctypes.byref(b), dst_kind, src_kind, size):
                 raise CudaFault("array copy failed")
@@ -84,8 +72,6 @@ class Arrays:
 
         def fill() -> None:
             located = self._located(described, kind, size, write=True)
-            with self.findings.counted("(array fill)", 0, size * _count(described, kind)):
-                pass
             self.real.wp_array_fill_host(ctypes.byref(located), kind, data, size)
 
         self._queue(fill, context)
@@ -97,9 +83,6 @@ class Arrays:
         def run() -> None:
             f = self.memory.real(source, (count - 1) * in_stride + width, "scan")
             t = self.memory.real(out, (count - 1) * out_stride + width, "scan", write=True)
-            with self.findings.counted("(scan)", width * count, width * count):
-                self._touch(source, width * count, write=False)
-                self._touch(out, width * count, write=True)
             scan(f, t, count, in_stride, out_stride, length, inclusive)
 
         return self._queue(run)
@@ -108,12 +91,7 @@ class Arrays:
         sort, width = getattr(self.real, f"wp_radix_sort_pairs_{name}_host"), WIDTHS[name]
 
         def run() -> None:
-            areas, turns = [], -(-(end - begin) // DIGIT_BITS)
-            total = (width + value_size) * count
-            with self.findings.counted("(radix sort)", width * count + turns * total, turns * total):
-                for _ in range(turns):
-                    self._touch(keys, 2 * width * count, write=True)
-                    self._touch(values, 2 * value_size * count, write=True)
+            areas = []
             for address, size in ((keys, width * count), (values, value_size * count)):
                 areas.append((self.memory.real(address, 2 * size, "sort"), size))
                 if self.memory.unwritten(address, size):
@@ -123,8 +101,3 @@ class Arrays:
                 ctypes.memset(real + size, FRESH, size)  # scratch: undefined afterwards
 
         self._queue(run)
-
-
-def _count(described: Any, kind: int) -> int:
-    plain = described if kind == PLAIN else described.data
-    return math.prod(plain.shape[: plain.ndim])

@@ -8,12 +8,8 @@ import sys
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from .settings import settings
-
-if TYPE_CHECKING:
-    from .counters import Counters
 
 # Faults and notes by their numbers in runtime/emulator.h
 FAULTS = (
@@ -81,8 +77,6 @@ class Findings:
         self.launches: dict[str, list] = {}  # kernel -> launches, threads, seconds
         self.kernels: dict[str, list[str]] = {}  # what the PTX of each kernel says by itself
         self.counts = dict.fromkeys(COUNTED, 0)
-        self.counters: Counters | None = None
-        self.playing = 0  # graphs that run just now, one within another
         self.seconds = {"translate": 0.0, "compile": 0.0, "run": 0.0}
 
     def fault(self, text: str) -> None:
@@ -102,21 +96,6 @@ class Findings:
         note = self.notes.setdefault((kernel, kind), Note(0, 0, first))
         note.count += count
         note.launches += 1
-
-    @contextlib.contextmanager
-    def counted(self, name: str, bytes_read: int = 0, bytes_written: int = 0, nodes: int = 0) -> Iterator[None]:
-        """Count what runs meanwhile as a launch of something that is no kernel."""
-        if self.counters is None or not settings.counters:
-            yield
-            return
-        sizes = {"bytes_read": bytes_read, "bytes_written": bytes_written, "nodes": nodes}
-        with self.counters.other(name, bool(self.playing), **sizes):
-            yield
-
-    def happened(self, name: str, nodes: int = 0) -> None:
-        """Count something that runs nothing on the device."""
-        with self.counted(name, nodes=nodes):
-            pass
 
     @contextlib.contextmanager
     def expected(self) -> Iterator[None]:

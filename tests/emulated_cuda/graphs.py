@@ -77,23 +77,13 @@ class Graphs:
     def wp_cuda_graph_create_exec(self, _, stream, graph, out):
         found = self.streams.named(graph)
         self.findings.counts["graphs made"] += 1
-        self.findings.happened("(graph made)", nodes=found.size)
         out._obj.value = self.streams.handle(found)
         return True
 
     def wp_cuda_graph_launch(self, graph, stream):
         self.findings.counts["graphs"] += 1
         found = self.streams.named(graph)
-
-        def play() -> None:
-            self.findings.happened("(graph launch)")
-            self.findings.playing += 1
-            try:
-                found.play()
-            finally:
-                self.findings.playing -= 1
-
-        self.streams.enqueue(self.streams.stream(stream), play, "graph launch")
+        self.streams.enqueue(self.streams.stream(stream), found.play, "graph launch")
         return True
 
     def wp_cuda_graph_destroy(self, _, graph):
@@ -130,11 +120,9 @@ class Graphs:
             for _ in range(ENDLESS):
                 if not value[0]:
                     return
-                self.findings.happened("(turn of a loop)")
                 graph.play()
             self.findings.fault(f"a captured loop of more than {ENDLESS:,} turns")
 
-        capture.bodies.append(graph)
         capture.nodes.append((loop, "conditional node"))
         return True
 
@@ -154,7 +142,6 @@ class Graphs:
         for out in (on_true, on_false):
             graph, identity = self._graph()
             branches.append(graph)
-            capture.bodies.append(graph)
             if out is not None:
                 out._obj.value = identity
         capture.nodes.append((lambda: branches[0 if self._flag(pointer) else 1].play(), "conditional node"))

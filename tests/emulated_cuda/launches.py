@@ -7,17 +7,16 @@ import hashlib
 import json
 import re
 import time
-from contextlib import AbstractContextManager, nullcontext
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from . import counters, gcc, ptx
+from . import gcc, ptx
 from .findings import FAULTS, NOTES, Findings, caller
 from .kernel_coverage import Marks
 from .memory import SPAN, Memory
 from .properties import OPT_IN_SHARED, STATIC_SHARED
-from .settings import Order, settings
+from .settings import settings
 from .streams import Streams, address_of
 
 LAUNCH_FAILED = 1
@@ -56,18 +55,8 @@ class State(ctypes.Structure):
 class LoadedKernel:
     """A kernel of a loaded module."""
 
-    def __init__(
-        self,
-        *,
-        kernel: ptx.Kernel,
-        entry: int,
-        window: int,
-        argument_names: list[str],
-        module: str,
-        tables: counters.Tables | None,
-    ):
+    def __init__(self, *, kernel: ptx.Kernel, entry: int, window: int, argument_names: list[str]):
         self.kernel, self.entry, self.window, self.argument_names = kernel, entry, window, argument_names
-        self.module, self.tables = module, tables  # the file of its PTX; what is known of it for counting
         self.name = re.sub(r"_[0-9a-f]{8}_cuda_kernel_forward$", "", kernel.name)
         self.dynamic_limit = STATIC_SHARED - kernel.static_shared
 
@@ -109,33 +98,24 @@ class Launches:
         self.state.tracks, self.state.byte_tracks = memory.tracks, memory.byte_tracks
         self.marks = Marks(Path(settings.coverage)) if settings.coverage else None
         self.state.covered = self.marks.address if self.marks else None
-        self.counters = findings.counters = counters.Counters(self.runtime)
 
     # ------------------------------------------------------------------------------------------ modules
 
-    def _compile(self, text: str) -> tuple[ctypes.CDLL, ptx.Translation, counters.Tables | None]:
+    def _compile(self, text: str) -> tuple[ctypes.CDLL, ptx.Translation]:
         """A module's library and what its kernels take, from the cache where they are there."""
-        is_counted = settings.counters > 0
         name = hashlib.sha256((gcc.headers_key() + _TRANSLATOR + text).encode()).hexdigest()[:24]
-        name += "-counted" * is_counted
-        described, blocks = gcc.cache_folder() / f"{name}.json", gcc.cache_folder() / f"{name}.blocks.json"
-        library, translation = self._build(name, text, described, blocks)
-        return library, translation, counters.tables_of(blocks) if is_counted else None
-
-    def _build(self, name: str, text: str, described: Path, blocks: Path) -> tuple[ctypes.CDLL, ptx.Translation]:
+        described = gcc.cache_folder() / f"{name}.json"
         if described.exists():
             window, kernels = json.loads(described.read_text())
             translation = ptx.Translation("", window, [ptx.Kernel(**k) for k in kernels])
             return ctypes.CDLL(str(gcc.cache_folder() / f"{name}.so")), translation
         start = time.process_time()
-        translation = ptx.translate(text, count=settings.counters > 0)
+        translation = ptx.translate(text)
         self.findings.seconds["translate"] += time.process_time() - start
         start = time.perf_counter()
         library = ctypes.CDLL(str(gcc.build_text(name, translation.source)))
         self.findings.seconds["compile"] += time.perf_counter() - start
         content = json.dumps([translation.shared_window, [asdict(k) for k in translation.kernels]])
-        if translation.counted is not None:
-            gcc.write_atomically(blocks, json.dumps(counters.described(translation)).encode())
         gcc.write_atomically(described, content.encode())  # last: who finds it finds the library
         return library, translation
 
@@ -144,7 +124,7 @@ class Launches:
         if not name.endswith(".ptx"):
             self.findings.error = "the emulated device loads PTX only: leave wp.config.cuda_output alone"
             return None
-        library, module, tables = self._compile(Path(name).read_bytes().decode(errors="replace"))
+        library, module = self._compile(Path(name).read_bytes().decode(errors="replace"))
         if self.marks:
             self.marks.note_module(_cuda_source(name))
         kernels = {}
@@ -155,8 +135,6 @@ class Launches:
                 entry=entry,
                 window=module.shared_window,
                 argument_names=_argument_names(name, kernel.name),
-                module=name,
-                tables=tables,
             )
             self.findings.kernels[kernels[kernel.name].name] = kernel.findings
         return self.streams.handle(kernels)
@@ -217,17 +195,16 @@ class Launches:
         counts["launches"] += 1
         counts["threads"] += threads
         ctypes.memset(state.note_count, 0, ctypes.sizeof(state.note_count))
-        with self._counted(found, grid, block, shared):
-            fault = self.runtime.emulator_launch(
-                found.entry,
-                parameters,
-                (ctypes.c_uint32 * 3)(*grid),
-                (ctypes.c_uint32 * 3)(block, 1, 1),
-                found.window + shared,
-                int(found.kernel.waits),
-                Order.FORWARD if settings.counters else settings.order,
-                settings.seed * 1_000_003 + counts["launches"],
-            )
+        fault = self.runtime.emulator_launch(
+            found.entry,
+            parameters,
+            (ctypes.c_uint32 * 3)(*grid),
+            (ctypes.c_uint32 * 3)(block, 1, 1),
+            found.window + shared,
+            int(found.kernel.waits),
+            settings.order,
+            settings.seed * 1_000_003 + counts["launches"],
+        )
         seconds = time.process_time() - start
         entry = self.findings.launches.setdefault(found.name, [0, 0, 0.0])
         entry[:] = entry[0] + 1, entry[1] + threads, entry[2] + seconds
@@ -235,12 +212,6 @@ class Launches:
         self._note(found, parameters, where)
         if fault:
             self._fault(found, fault, where)
-
-    def _counted(self, found: LoadedKernel, grid: tuple, block: int, shared: int) -> AbstractContextManager[None]:
-        if not settings.counters or found.tables is None:
-            return nullcontext()
-        shared += found.kernel.static_shared
-        return self.counters.launch(found, grid, block, shared, bool(self.findings.playing))
 
     def _note(self, found: LoadedKernel, parameters: bytes, where: str) -> None:
         state = self.state

@@ -27,8 +27,6 @@ class Settings:
     lazy: bool = True  # a launch runs when something waits for it; False: at once
     races: bool = False  # note accesses of two threads to the same bytes
     uninitialised: bool = True  # note reads of bytes that nobody wrote
-    counters: int = 0  # count what launches do, from about so many sampled blocks of each; 0: nothing is counted
-    counted_alone: str = ""  # kernels (a regular expression) of which only sampled blocks run: for results nobody reads
     memory: int = 8 << 30  # bytes of the device
     devices: int = 1  # how many; they share the memory, and none reaches another's
     compiler: bool = True  # 0: a kernel of pointloom's that would be compiled is a fault

@@ -36,17 +36,11 @@ class Graph:
     def __init__(self, identity: int):
         self.identity = identity
         self.nodes: list[tuple[Operation, str]] = []
-        self.bodies: list[Graph] = []
 
     def play(self) -> None:
         """Run all of it."""
         for operation, _ in list(self.nodes):
             operation()
-
-    @property
-    def size(self) -> int:
-        """Its nodes, those of the bodies of its loops and branches included."""
-        return len(self.nodes) + sum(body.size for body in self.bodies)
 
 
 class Stream:
@@ -224,7 +218,6 @@ class Streams:
         self.findings.counts["waits"] += 1
         self.flush_all()
         self.after_wait()
-        self.findings.happened("(wait)")
         return True
 
     # ------------------------------------------------------------------------------------------ streams
@@ -288,7 +281,6 @@ class Streams:
         self.findings.counts["waits"] += 1
         self.flush(found)
         self.after_wait()
-        self.findings.happened("(wait)")
         return True
 
     def wp_cuda_stream_wait_stream(self, stream, other, event, external=False):
@@ -317,7 +309,6 @@ class Streams:
         self.findings.counts["waits"] += 1
         self._flush_until(self.named(event))
         self.after_wait()
-        self.findings.happened("(wait)")
         return True
 
     def wp_cuda_event_elapsed_time(self, start, end):

@@ -10,7 +10,6 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from . import arithmetic, control, conversions, memory  # noqa: F401  they fill HANDLERS
-from .blocks import Blocks, FunctionBlocks
 from .instructions import HANDLERS, SIZES, Instruction, UnknownPtx, c_type, clean
 from .shuffles import ShuffleRun
 
@@ -102,9 +101,7 @@ class Function:
 class FunctionTranslator:
     """Writes one function in C."""
 
-    def __init__(
-        self, function: Function, functions: dict[str, Function], variables: Variables, counted: Blocks | None = None
-    ):
+    def __init__(self, function: Function, functions: dict[str, Function], variables: Variables):
         self.function, self.functions, self.variables = function, functions, variables
         self.registers: dict[str, int] = {}  # name -> bytes
         self.spaces: set[str] = {name for name, _, _ in function.returns}  # names of bytes on the stack
@@ -114,20 +111,18 @@ class FunctionTranslator:
         self.number = 0
         self.shuffles = ShuffleRun(self)
         self.longest_shuffle = 0
-        self.blocks = FunctionBlocks(counted, function.name) if counted is not None else None
 
     def in_c(self) -> str:
         """The whole function."""
         body = self.function.body or ""
         self.tables = {name: [t.strip() for t in targets.split(",")] for name, targets in _TABLE.findall(body)}
-        body = re.sub(r"(\.loc\s[^\n;]*)", r"\1;" if self.blocks else "", _TABLE.sub("", body))
+        body = re.sub(r"(\.loc\s[^\n;]*)", "", _TABLE.sub("", body))
         code, scopes, position = [], [], 0
         while found := _TOKEN.match(body, position):
             position = found.end()
             label, bracket, statement = found.groups()
             if label:
                 code += [*self.shuffles.end(), f"{clean(label)}:;"]
-                code += [self.blocks.label(label)] if self.blocks else []
             elif bracket:
                 if bracket == "{":
                     scopes.append(dict(self.registers))
@@ -139,8 +134,6 @@ class FunctionTranslator:
                 code += self._statement(" ".join(statement.split()))
         if body[position:].strip():
             raise UnknownPtx(f"cannot read {body[position : position + 80]!r}")
-        if self.blocks:
-            self.blocks.end()
         if self.longest_shuffle:
             self.declared.append(f"u32 sent[{self.longest_shuffle}], received[{self.longest_shuffle}]; u8 inside;")
         start = ["t->data = MODULE_DATA;", "t->data_size = MODULE_DATA_SIZE;"] if self.function.is_kernel else []
@@ -172,9 +165,6 @@ class FunctionTranslator:
             self._declare_bytes(*parameter(text), lines)
             return lines[0]
         if space == ".pragma":
-            return ""
-        if space == ".loc" and self.blocks:
-            self.blocks.line(text)
             return ""
         raise UnknownPtx(text)
 
@@ -273,7 +263,6 @@ class FunctionTranslator:
             guard, text = found.group(1).replace(" ", ""), found.group(2)
         opcode, _, operands = text.partition(" ")
         instruction = Instruction(opcode.split("."), split(operands), text, self.number, guard)
-        begin = self._count(instruction)
         try:
             handler = HANDLERS.get(instruction.op)
             code = handler(self, instruction) if handler else None
@@ -284,23 +273,7 @@ class FunctionTranslator:
             return []
         if guard:
             code = f"if ({'!' if guard.startswith('!') else ''}{clean(guard.lstrip('!'))}) {{ {code} }}"
-        if self.blocks:
-            self.blocks.after(instruction, self.tables)
-        return [*begin, *self.shuffles.add(instruction, code)]
-
-    def _count(self, i: Instruction) -> list[str]:
-        """C before an instruction that is counted."""
-        begin = self.blocks.before(i) if self.blocks else ""
-        return [*self.shuffles.end(), begin] if begin else []
-
-    def noted(self, space: str, size: int, access: str, i: Instruction, address: str) -> str:
-        """The address of an access as C, which leaves it in the trace of a thread that is counted."""
-        if self.blocks is None or {"param", "const"} & {p.split("::")[0] for p in i.parts}:
-            return address
-        site = self.blocks.site(space, size, access, i)
-        if space in ("global", "generic"):
-            return f"touched(t, {site}, {address}, {int(access != 'load')})"
-        return f"traced(t, {site}, {address})"
+        return self.shuffles.add(instruction, code)
 
     def float_value(self, i: Instruction, position: int) -> str:
         """A float operand, subnormals flushed where the instruction says so."""

@@ -36,7 +36,7 @@ def load(f: FunctionTranslator, i: Instruction) -> str | None:
     if count * size > 16:
         return None
     space = _space(f, i, i.operands[1])
-    address = f.noted(space, count * size, "load", i, f.address(i.operands[1]))
+    address = f.address(i.operands[1])
     where = f"{space}_load_{count * size}(t, {address}, {i.number})"
     if space == "local":
         where = f"(const u8 *)(uintptr_t){address}"
@@ -54,7 +54,7 @@ def store(f: FunctionTranslator, i: Instruction) -> str | None:
     if count * size > 16:
         return None
     space, kind = _space(f, i, i.operands[0]), bits_of(i.kind)
-    address = f.noted(space, count * size, "store", i, f.address(i.operands[0]))
+    address = f.address(i.operands[0])
     values = ", ".join(f.value(x, kind) for x in _elements(i.operands[1], count))
     where = f"{space}_store_{count * size}(t, {address}, {i.number}, value)"
     if space == "local":
@@ -77,7 +77,7 @@ def atomic(f: FunctionTranslator, i: Instruction) -> str | None:
     space, size, c = _space(f, i, operands[1]), SIZES[i.kind], c_type(i.kind)
     if space == "local":
         return None
-    address = f.noted(space, size, "atomic", i, f.address(operands[1]))
+    address = f.address(operands[1])
     x = f.value(operands[2], i.kind)
     new = {
         "add": f"old + {x}" if i.kind != "f16" else f"float_to_half(half_to_float(old) + half_to_float({x}))",

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, field
 
-from .blocks import Blocks
 from .function import Function, FunctionTranslator, parameter
 from .instructions import SIZES, UnknownPtx, clean
 
@@ -37,7 +36,6 @@ class Translation:
     source: str
     shared_window: int  # bytes of static shared memory, which dynamic memory follows
     kernels: list[Kernel]
-    counted: Blocks | None = None
 
 
 @dataclass
@@ -183,22 +181,21 @@ def _spread_calls(functions: dict[str, Function]) -> None:
                     f.findings |= g.findings
 
 
-def translate(text: str, *, count: bool = False) -> Translation:
-    """The C source of a module of PTX, and what its kernels take; with `count`, threads can leave traces."""
+def translate(text: str) -> Translation:
+    """The C source of a module of PTX, and what its kernels take."""
     text = re.sub(r"//[^\n]*", "", re.sub(r"/\*.*?\*/", "", text.rstrip("\0 \n"), flags=re.S))
     variables, functions = _read(text)
     written = [f for f in functions.values() if f.body is not None]
     bodies, unknown = [], set()
-    counted = Blocks(files=dict(re.findall(r'\.file\s+(\d+)\s+"([^"]*)"', text))) if count else None
     for function in written:
-        translator = FunctionTranslator(function, functions, variables, counted)
+        translator = FunctionTranslator(function, functions, variables)
         bodies.append(translator.in_c())
         unknown |= translator.unknown
     if unknown:
         raise UnknownPtx("not translated: " + "; ".join(sorted(unknown)[:20]))
     _spread_calls(functions)
     declared = [f"{f.signature()};" for f in written if not f.is_kernel]
-    head = ['#include "arithmetic.h"', *(['#include "counters.h"'] if count else []), *variables.in_c()]
+    head = ['#include "arithmetic.h"', *variables.in_c()]
     kernels = [
         Kernel(
             f.name,
@@ -216,4 +213,4 @@ def translate(text: str, *, count: bool = False) -> Translation:
         if f.is_kernel
     ]
     source = "\n".join([*head, *declared, *bodies])
-    return Translation(source, -(-variables.shared_size // 16) * 16, kernels, counted)
+    return Translation(source, -(-variables.shared_size // 16) * 16, kernels)

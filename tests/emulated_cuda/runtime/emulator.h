@@ -85,8 +85,6 @@ typedef struct Thread {
     u64 stack_low, stack_high;
     u8 *data; /* the module's own variables */
     u64 data_size;
-    u64 *trace, *trace_end; /* where the next event goes, of threads that are sampled (counters.h); NULL: of others */
-    u32 traced;             /* which of the traces it is */
 } Thread;
 
 /* The last accesses to four bytes, or to one, for the race detector. */

@@ -4,7 +4,6 @@
    are to be interrupted between memory accesses, are fibers: each has a stack, and one that waits hands over to the
    next directly. */
 #define _GNU_SOURCE
-#include "counters.h"
 #include "scheduler.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -218,7 +217,6 @@ static void run_fiber(void)
     Thread *t = &fibers[current].thread;
     if (launch.waits) {
         launch.entry(launch.parameters, t);
-        counters_ended(t);
         meeting_without(t);
     } else {
         while (launch.next < launch.total) {
@@ -275,11 +273,6 @@ static void run_fibers(u32 count)
 
 /* ------------------------------------------------------------------------------------------------ launches */
 
-/* Of a launch that is counted, which runs forward. */
-static int is_sampled(u64 block) { return COUNTERS && block % COUNTERS->every == COUNTERS->first; }
-
-static int is_left_out(u64 block) { return COUNTERS && COUNTERS->alone && !is_sampled(block); }
-
 static void run_waiting_block(u64 block, u8 *shared, u32 shared_size)
 {
     static Block meeting;
@@ -295,17 +288,8 @@ static void run_waiting_block(u64 block, u8 *shared, u32 shared_size)
         t->shared = shared;
         t->shared_size = shared_size;
         meeting.warps[k >> 5].live |= 1u << (k & 31);
-        t->trace = 0;
-        if (UNLIKELY(is_sampled(block)))
-            counters_trace(t, k);
     }
     run_fibers(threads);
-    if (UNLIKELY(is_sampled(block))) {
-        counters_begin_block();
-        for (u32 k = 0; k < threads; k += 32)
-            counters_replay(&fibers[k].thread, k, threads - k < 32 ? threads - k : 32);
-        counters_end_block();
-    }
 }
 
 static void run_interleaved(u8 *shared, u32 shared_size)
@@ -317,27 +301,10 @@ static void run_interleaved(u8 *shared, u32 shared_size)
         Thread *t = &fibers[k].thread;
         prepare_fiber(&fibers[k]);
         t->block = 0;
-        t->trace = 0;
         t->shared = shared;
         t->shared_size = shared_size;
     }
     run_fibers(count);
-}
-
-static void run_sampled(Thread *t, u64 block)
-{
-    counters_begin_block();
-    for (u32 first = 0; first < EMULATOR.block_threads; first += 32) {
-        u32 lanes = EMULATOR.block_threads - first < 32 ? EMULATOR.block_threads - first : 32;
-        for (u32 k = 0; k < lanes; k++) {
-            place_thread(t, block, first + k);
-            counters_trace(t, first + k);
-            launch.entry(launch.parameters, t);
-            counters_ended(t);
-        }
-        counters_replay(t, first, lanes);
-    }
-    counters_end_block();
 }
 
 static void run_in_turn(u8 *shared, u32 shared_size)
@@ -350,15 +317,9 @@ static void run_in_turn(u8 *shared, u32 shared_size)
     t.stack_low = t.stack_high - (8 << 20);
     for (u64 i = 0; i < launch.blocks.count; i++) {
         u64 block = at(&launch.blocks, i);
-        if (UNLIKELY(is_left_out(block)))
-            continue;
         place_block(&t, block);
         if (shared_size)
             memset(shared, 0xCB, shared_size);
-        if (UNLIKELY(is_sampled(block))) {
-            run_sampled(&t, block);
-            continue;
-        }
         for (u32 k = 0; k < EMULATOR.block_threads; k++) {
             place_thread(&t, block, (u32)at(&launch.threads, k));
             launch.entry(launch.parameters, &t);
@@ -415,8 +376,6 @@ u32 emulator_launch(Entry entry, const u8 *parameters, const u32 *grid, const u3
     }
     if (waits) {
         for (u64 i = 0; i < launch.blocks.count; i++) {
-            if (UNLIKELY(is_left_out(at(&launch.blocks, i))))
-                continue;
             if (shared_size)
                 memset(shared, 0xCB, shared_size);
             run_waiting_block(at(&launch.blocks, i), shared, shared_size);
