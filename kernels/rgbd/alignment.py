@@ -1,4 +1,4 @@
-"""The alignment of two frames, coarse to fine, without a host in its loop, and the sums that its verdict reads.
+"""The alignment of two frames, coarse to fine, without a host in its loop, and the sums that the checks of its reliability read.
 
 A step is two launches, whatever the level: sums over the pixels of the level at work, and the step. All levels stand in
 the same arrays, so the whole descent is one loop of the device. What it found comes back in one read. On CUDA the
@@ -191,7 +191,7 @@ def align_levels(
         rules: AlignmentRules.
         most_steps: Steps at most in each level from `rules.first_level` to `last`, the coarsest.
         last: That level of the source.
-        verdict_level: The source's level that the verdict's sums are taken in.
+        verdict_level: The source's level of the sums for the checks of reliability.
     """
     begin = first_state(source, pose, most_steps, rules.first_level, last)
     with _descent_of(source, target, rules, begin) as descent:

@@ -109,7 +109,7 @@ def step_alignment_kernel(
         x = damped_solution(total)
         turned = sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2])
         moved = sqrt(x[3] * x[3] + x[4] * x[4] + x[5] * x[5])
-        if turned < 1.0 and moved < 2.0:  # else, or NaN: no step to be believed
+        if turned < 1.0 and moved < 2.0:  # else, or NaN: the step is rejected
             pose = multiply44(small_motion(x), pose)
             state.pose[0] = pose
             limit = float64(rules.short_step) / float64(source.lenses[level][0])

@@ -1,4 +1,4 @@
-"""change: the library's M3C2 and distances from a mesh, what is written, and when it is not to be believed."""
+"""change: the library's M3C2 and distances from a mesh, what is written, and when it is unreliable."""
 
 import numpy as np
 import pytest

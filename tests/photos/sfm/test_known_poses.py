@@ -1,4 +1,4 @@
-"""Pictures with known poses: what is matched along their lines, and which poses are not believed."""
+"""Pictures with known poses: what is matched along their lines, and which poses are rejected."""
 
 from __future__ import annotations
 

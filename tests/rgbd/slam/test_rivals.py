@@ -1,4 +1,4 @@
-"""A place that looks like another: what beats its rivals is believed, what does not is uncertain."""
+"""A place that looks like another: a pose that beats its rivals is accepted, others are uncertain."""
 
 from __future__ import annotations
 
