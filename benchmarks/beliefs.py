@@ -181,7 +181,10 @@ def judge_all(scans: Sequence[Scan], most: int) -> Iterator[Belief]:
 
 def table(beliefs: Sequence[Belief]) -> list[str]:
     """Rows of Markdown: fractions that are accepted, by kind and by halves of the scenes."""
-    lines = ["| pairs | different scenes, accepted | overlapping, correct and accepted | wrong and accepted |", "|---|---|---|---|"]
+    lines = [
+        "| pairs | different scenes, accepted | overlapping, correct and accepted | wrong and accepted |",
+        "|---|---|---|---|",
+    ]
     kinds = list(dict.fromkeys(b.kind for b in beliefs))
     rows: list[tuple[str, Iterable[Belief]]] = [(f"{kind}s", [b for b in beliefs if b.kind == kind]) for kind in kinds]
     rows += [

@@ -87,7 +87,7 @@ SAID = 120  # characters of the warnings in a table
 def table(cases: Iterable[Judged]) -> list[str]:
     """Rows of Markdown: case by case."""
     lines = [
-        "| result | case | count | unreliable | of these accepted | reliable ones rejected | error | baseline | warnings |",
+        "| result | case | count | unreliable | of these accepted | reliable, rejected | error | baseline | warnings |",
         "|---|---|---|---|---|---|---|---|---|",
     ]
     for c in cases:

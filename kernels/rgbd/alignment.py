@@ -1,4 +1,4 @@
-"""The alignment of two frames, coarse to fine, without a host in its loop, and the sums that the checks of its reliability read.
+"""The alignment of two frames, coarse to fine, without a host in its loop, and the sums for checks of its reliability.
 
 A step is two launches, whatever the level: sums over the pixels of the level at work, and the step. All levels stand in
 the same arrays, so the whole descent is one loop of the device. What it found comes back in one read. On CUDA the

@@ -57,7 +57,7 @@ assert difference(result.transformation)[0] < 0.5 and difference(result.transfor
 # Two places
 # ----------
 #
-# Frames that do not overlap give an unreliable result with a warning. Other libraries return a matrix and a small error.
+# Frames that do not overlap give an unreliable result with a warning.
 
 far = frames[14]
 refused = od.align_frames(source, od.OdometryFrame(far.depth, camera, far.color, depth_scale=1.0))
