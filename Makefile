@@ -131,7 +131,7 @@ gpu-kit: $(FULL) ## Pack what a GPU machine without network needs, N MiB a call 
 gpu-run: $(BENCH) ## On a GPU: facts, all tests, benchmarks, profile; goes on where it ended (ARGS=--dry without a GPU)
 	@$(BIN)/python benchmarks/gpu_kit $(ARGS)
 
-trust: $(FULL) ## How often verdicts are wrong: answers believed, answers refused (half an hour, not in CI)
+trust: $(FULL) ## Rates of unreliable results accepted and reliable ones rejected (half an hour, not in CI)
 	@$(BIN)/python benchmarks/trust/run.py $(ARGS)
 
 bench: $(BENCH) ## Run the benchmarks beside the best peers

@@ -1,4 +1,4 @@
-"""Clouds of many scenes, for what registration believes of them: which belong together, and where they lie.
+"""Clouds of many scenes, for the poses that registration accepts: which belong together, and their poses.
 
 Made rooms, and all the data of the folder that POINTLOOM_DATA names; what is not there is left out.
 """

@@ -1,12 +1,12 @@
-"""What registration from no guess believes: of pairs that share nothing, and of pairs that overlap.
+"""Poses that global registration accepts: of pairs without overlap, and of pairs that overlap.
 
     POINTLOOM_DATA=... python benchmarks/beliefs.py [--only made --only kitchen] [--cache FOLDER] [--output FILE]
 
-Pairs of different scenes are of one kind (rooms, objects, streets, terrain), at two sizes of voxels each; a belief in
-one is wrong. Right pairs share at least 15 % of the smaller cloud; a belief is right within 5 degrees and 3 voxels.
+Pairs of different scenes are of one kind (rooms, objects, streets, terrain), at two sizes of voxels each; accepting
+one is wrong. Right pairs share at least 15% of the smaller cloud; a pose is correct within 5 degrees and 3 voxels.
 Each cloud is turned and shifted at random first. LEAST_REST of registration/globally/rating.py was chosen by one half
 of the scenes; the table says how pairs within the other half are judged. It prints the table of
-docs/registration.md and the pairs that are believed wrongly.
+docs/registration.md and the pairs that are accepted wrongly.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ class Belief:
         fitted: Whether the constants of the rating were fitted to both scenes, or to neither; None where to one.
         overlap: Share of the smaller cloud that lies on the other; 0 for different scenes.
         score: Of the pose found.
-        believed: Score above 0.5 and converged.
+        believed: Accepted: score above 0.5 and converged.
         right: Whether the pose found is the true one; never of different scenes.
         pose: T_target_source that was found.
         reason: As the result says it.
@@ -180,8 +180,11 @@ def judge_all(scans: Sequence[Scan], most: int) -> Iterator[Belief]:
 
 
 def table(beliefs: Sequence[Belief]) -> list[str]:
-    """Rows of Markdown: shares that are believed, by kind and by halves of the scenes."""
-    lines = ["| pairs | different scenes, believed | overlapping, believed rightly | wrongly |", "|---|---|---|---|"]
+    """Rows of Markdown: fractions that are accepted, by kind and by halves of the scenes."""
+    lines = [
+        "| pairs | different scenes, accepted | overlapping, correct and accepted | wrong and accepted |",
+        "|---|---|---|---|",
+    ]
     kinds = list(dict.fromkeys(b.kind for b in beliefs))
     rows: list[tuple[str, Iterable[Belief]]] = [(f"{kind}s", [b for b in beliefs if b.kind == kind]) for kind in kinds]
     rows += [
@@ -217,7 +220,7 @@ def main() -> None:
     print("\n".join(table(beliefs)))
     for b in beliefs:
         if b.believed and not b.right:
-            print(f"believed wrongly: {b.source} on {b.target}, voxels of {b.voxel:g} m, score {b.score:.2f}")
+            print(f"wrong but accepted: {b.source} on {b.target}, voxels of {b.voxel:g} m, score {b.score:.2f}")
     for line in missing:
         print(f"left out: {line}")
 

@@ -48,12 +48,12 @@ def run(name: str, work: Path, size: int) -> dict[str, Any]:
     result = loom.video.reconstruct(
         folder / "pictures", settings, outputs=outputs, work=folder / "work", overwrite=True, device="cpu"
     )
-    verdict, count = result.figures.verdict, result.figures.picture_count
+    quality, count = result.figures.quality, result.figures.picture_count
     report: dict[str, Any] = {
         "set": name,
         "pictures": count,
-        "placed": verdict.registered_count,
-        "error_px": verdict.error,
+        "placed": quality.registered_count,
+        "error_px": quality.error,
         "cameras": list(result.figures.cameras),
         "confirmed_share": result.figures.confirmed_share,
         "triangles": result.figures.triangle_count,

@@ -1,4 +1,4 @@
-"""register_nonrigid on scanned bodies that are bent by known fields: how far it ends from them, and what it believes.
+"""register_nonrigid on scanned bodies that are bent by known fields: its errors, and its warnings.
 
     POINTLOOM_DATA=<folder> python benchmarks/real_bends.py          # some minutes; the table of docs/bending.md
 
@@ -78,7 +78,7 @@ def measure(points: Array, bend, hole: bool) -> str:
     rigid = source @ found.rigid_pose[:3, :3].T + found.rigid_pose[:3, 3]
     away, stiff = tree.query(warped)[0], tree.query(rigid)[0]
     figures = f"{np.median(stiff):.4f} | {np.median(away):.4f} | {np.quantile(away, 0.95):.4f} | {np.median(near):.3f}"
-    return f"{figures} | {spent:.1f} | {'; '.join(found.warnings) or 'believed'} |"
+    return f"{figures} | {spent:.1f} | {'; '.join(found.warnings) or 'none'} |"
 
 
 def main() -> None:
@@ -86,7 +86,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--bodies", nargs="+", default=list(BODIES))
     options = parser.parse_args()
-    print("| body | bend | surface, rigid | surface | 95 % | points | CPU [s] | verdict |")
+    print("| body | bend | surface, rigid | surface | 95 % | points | CPU [s] | warnings |")
     print("|---|---|---|---|---|---|---|---|")
     for name in options.bodies:
         try:

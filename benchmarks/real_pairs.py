@@ -144,7 +144,7 @@ def _close(poses: dict[tuple[int, int], Array]) -> str:
 
 
 def score_bunny() -> str:
-    """Which of the pairs of ten range scans are believed, from no guess and random poses."""
+    """Which pairs of ten range scans are accepted by global registration from random poses."""
     import pointloom as loom
 
     pairs = [scans.bunny_pair(a, b) for a, b in itertools.combinations(scans.BUNNY_SCANS, 2)]
@@ -162,8 +162,8 @@ def score_bunny() -> str:
             missed.append(pair.name)
     return (
         f"Ten range scans of the bunny, all {len(pairs)} pairs from no guess and random poses, `register_globally` "
-        f"alone: {len(believed)} are believed, {wrong} of them wrongly, {_ends(believed)}° off (median / worst). Of "
-        f"{right} poses that are right, {len(missed)} are not believed ({', '.join(missed) or 'none'})."
+        f"alone: {len(believed)} are accepted, {wrong} of them wrong, {_ends(believed)}° off (median / worst). Of "
+        f"{right} correct poses, {len(missed)} are rejected ({', '.join(missed) or 'none'})."
     )
 
 

@@ -76,7 +76,7 @@ def compare(name: str, work: Path) -> None:
         kept = [k for k, each in enumerate(model.names) if each in truth]
         errors = sfm_accuracy.camera_errors(model, truth) if len(kept) == len(model) else {}
         share, turn = (100 * errors.get("share_of_extent", np.nan)), errors.get("mean_degrees", np.nan)
-        placed, error = f"{len(model)} of {result.verdict.picture_count}", result.verdict.error
+        placed, error = f"{len(model)} of {result.quality.picture_count}", result.quality.error
         print(
             f"| {name} | {mapper} | {placed} | {share:.3f} % | {turn:.3f} | {error:.2f} px | {spent:.0f} |", flush=True
         )

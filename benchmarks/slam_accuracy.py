@@ -2,7 +2,7 @@
 
     POINTLOOM_DATA=<folder> python benchmarks/slam_accuracy.py [--only kitchen] [--frames 600] [--size 320x240]
 
-One line a run: frames, verdicts, ATE after rigid alignment (root of the mean square, maximum), how many frames that are
+One line a run: frames, their status, ATE after rigid alignment (root mean square, maximum), how many frames that are
 tracked are off by more than 5 cm where the first pose is the true one, distance of the surface from the true one
 (median, 95 %), time of the CPU a frame. The plain loops are told once more after `close_loops`. The whole table takes a
 quarter of an hour on two cores; the kitchen needs POINTLOOM_DATA.

@@ -519,7 +519,7 @@ class Segmentation(Selection):
         if found is None or not found.rows.size:
             raise ValueError(
                 f"no {name} found: none of {most:,} samples spans one within the limits; raise distance_threshold or "
-                "normal_threshold_deg, or the normals may be poor: estimate_normals with a larger max_nn"
+                "normal_threshold_deg, or the normals may be inexact: estimate_normals with a larger max_nn"
             )
         shape = shape_of(search, found, limits, self._origin)
         return shape, self.handed_out(ascending(found.rows, len(self)))

@@ -96,7 +96,7 @@ def _undetermined(shape: Shape, fit: ShapeFit) -> str:
 def _shape_in_world(
     search: ShapeSearch, found: Found, origin: NDArray[np.float64], bounds: NDArray[np.float64], coverage: float
 ) -> Shape:
-    """A found shape in world coordinates without a verdict; bounds are of its points in its own frame."""
+    """A found shape in world coordinates without reasons; bounds are of its points in its own frame."""
     kind, fit = found.kind, found.fit
     place, frame, axis, covariance = fit.shape[:3], fit.frame, fit.shape[3:6], fit.covariance
     if kind == SPHERE:

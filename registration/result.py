@@ -68,7 +68,7 @@ class RegistrationResult:
 
     @property
     def score(self) -> float | None:
-        """How far to believe a result that began without a starting pose, 0..1; None of methods that refine one.
+        """Confidence in a result without an initial pose, 0..1; None of methods that refine one.
 
         Above 0.5 the clouds do lie on each other, as far as they tell.
         RANSAC and fast global registration rate their pose when this is first read.

@@ -33,7 +33,7 @@ class PlacedReport(MultiwayReport):
     notes: tuple[str, ...] = ()
 
     def to_dict(self) -> dict[str, Any]:
-        """All of it on one level, with `tried`: a verdict for each pair."""
+        """All of it on one level, with `tried`: the status of each pair."""
         return super().to_dict() | {"notes": plain(self.notes)}
 
     @property

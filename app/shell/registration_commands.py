@@ -161,7 +161,7 @@ def multiway(folder: Path, output: Path, as_json: bool, force: bool, **options: 
     --job is for hundreds of scans: a pair is a task, no process holds more than one scan or two thinned ones, and what
     is done stays in JOB when anything ends. --voxel is needed then. --places is a file of poses as -o writes it, or
     .kitti and .json with one for each scan in order: each scan is tried with the 12 (--loops) nearest whose boxes meet
-    its own, and scans that hang with few by what they look like. --json tells of each pair why it was believed or not.
+    its own, and scans that hang with few by what they look like. --json lists why each pair was accepted or rejected.
 
     \b
     pointloom multiway scans -o poses.log --merged all.ply

@@ -1,4 +1,4 @@
-"""What the machine is: GPU, driver, processor, packages; to be seen before anything is believed."""
+"""What the machine is: GPU, driver, processor, packages; read these before trusting any figure."""
 
 from __future__ import annotations
 

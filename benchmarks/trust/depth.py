@@ -9,7 +9,7 @@ how well a network bears another normalisation is its weights' affair, which are
 or outputs do not fit gives no answer to judge, and is left out. Under a preset that is not its own a file may be right
 by luck, as a metric network is under one of depth up to a scale; such cases stand in rows of their own.
 
-Not shown: real weights. Heads are those of the networks' code; the constants of the verdict (20 and 80 m) are theirs.
+Not shown: real weights. Heads are those of the networks' code; the constants of the check (20 and 80 m) are theirs.
 """
 
 from __future__ import annotations
@@ -93,7 +93,7 @@ def _judge_file(case: str, own: str, path: Path) -> Iterator[Judged]:
 def _count(area: str, case: str, chosen: set[str], wrong: set[str], said: dict[str, str | None], figure: str) -> Judged:
     believed = sorted(preset for preset in chosen & wrong if said[preset] is None)
     refused = sorted(preset for preset in chosen - wrong if said[preset] is not None)
-    words = [f"believed under {preset}" for preset in believed] + [f"refused under {preset}" for preset in refused]
+    words = [f"accepted under {preset}" for preset in believed] + [f"rejected under {preset}" for preset in refused]
     counts = len(chosen), len(chosen & wrong), len(believed), len(refused)
     return Judged(area, case, *counts, "; ".join(words), figure)
 

@@ -1,4 +1,4 @@
-"""Verdicts on frames with poses: fused, refined, painted on a mesh; on their camera; on clouds brought into one frame.
+"""Reliability of frames with poses: fused, refined, painted on a mesh; of their camera; of registered clouds.
 
 Frames are those of the made-up room with a sensor's noise. A fused surface is right where 90 % of its vertices lie
 within 3 cm of the room.

@@ -1,7 +1,7 @@
-"""Verdicts on places and with faults that chose no constant of pointloom (places.py, sensors.py).
+"""Reliability on places and with faults that no constant was chosen on (places.py, sensors.py).
 
 `tracking`, `scanning`, `registering` and `picturing` yield a Judged a case. What nobody can know, such as how far a
-camera went along a bare corridor, counts as wrong where it is believed and off, and not at all where it is refused.
+camera went along a bare corridor, counts as wrong if it is accepted and off, and does not count if it is rejected.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ def placed(frames: Sequence[CameraFrame], intrinsic: Any) -> tuple[Any, Array, A
 
 
 def judge_path(case: str, frames: Sequence[CameraFrame], camera: DepthCamera, known: bool) -> Iterator[Judged]:
-    """The verdicts on frames, and that on their path; `known` tells whether anybody could know where they were."""
+    """Reliability of the frames and of their path; `known` is False if their poses cannot be known."""
     path, numbers, off = placed(frames, camera.intrinsic)
     doubted = np.isin(numbers, path.uncertain)
     wrong, seen = off > OFF, sum(bool(f.depth.any()) for f in frames)
@@ -125,7 +125,7 @@ def _way(kind: str, count: int, seed: int) -> list[Array]:
 
 
 def judge_scans(case: str, scans: Sequence[Any], truth: Sequence[Array], known: bool) -> Judged:
-    """The verdict on a scanner's path."""
+    """Reliability of a scanner's path."""
     import pointloom as loom
 
     odometry = loom.registration.LidarOdometry(max_range=40, min_range=0.5)

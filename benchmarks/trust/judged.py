@@ -1,4 +1,4 @@
-"""What a verdict said of a case, what the truth is, and how often the two differ, with an interval."""
+"""Compare the reliability of results with the ground truth: counts, and rates with an interval."""
 
 from __future__ import annotations
 
@@ -14,16 +14,16 @@ class Judged:
     """One case.
 
     Attributes:
-        area: What was judged, a row of docs/trust.md: "focal length", "LiDAR odometry", "RGB-D tracking", ...
-        case: What it was shown, in a few words.
-        count: Answers in it: 1, or the frames or scans of a run.
+        area: The kind of result, a row of docs/trust.md: "focal length", "LiDAR odometry", "RGB-D tracking", ...
+        case: A short description of the input.
+        count: Results in it: 1, or the frames or scans of a run.
         wrong: How many of them are wrong by the truth.
-        wrong_believed: How many of the wrong ones the verdict let pass.
-        right_refused: How many of the right ones it refused.
-        said: The verdict in its own words, or what it says of the whole; empty where it says nothing.
+        wrong_believed: How many of the wrong ones were accepted.
+        right_refused: How many of the correct ones were rejected.
+        said: The warnings, joined; empty if there are none.
         error: The figure by which it is right or wrong, with its unit, such as "0.03 % of the centres".
-        peer: The same of the best peer on the same input, such as "KISS-ICP: 39.0 m"; empty where none was run.
-        held_out: Whether the case chose no constant of ours.
+        peer: The same of the best baseline on the same input, such as "KISS-ICP: 39.0 m"; empty where none was run.
+        held_out: Whether no constant was chosen on the case.
     """
 
     area: str
@@ -62,9 +62,9 @@ def share_in_words(hits: int, count: int) -> str:
 
 
 def rates(cases: Iterable[Judged]) -> list[str]:
-    """Rows of Markdown: by area, of the wrong answers how many were believed, of the right ones how many refused."""
+    """Rows of Markdown: for each area, the rates of unreliable results accepted and reliable results rejected."""
     chosen = list(cases)
-    lines = ["| verdict | wrong answers believed | right answers refused |", "|---|---|---|"]
+    lines = ["| result | unreliable results accepted | reliable results rejected |", "|---|---|---|"]
     for area in dict.fromkeys(case.area for case in chosen):
         lines.append(_rate(area, [case for case in chosen if case.area == area]))
         held_out = [case for case in chosen if case.area == area and case.held_out]
@@ -81,13 +81,13 @@ def _rate(name: str, cases: Sequence[Judged]) -> str:
     return f"| {name} | {believed} | {refused} |"
 
 
-SAID = 120  # letters of a verdict's words in a table
+SAID = 120  # characters of the warnings in a table
 
 
 def table(cases: Iterable[Judged]) -> list[str]:
     """Rows of Markdown: case by case."""
     lines = [
-        "| verdict | case | answers | wrong | of these believed | right ones refused | error | peer | said |",
+        "| result | case | count | unreliable | of these accepted | reliable, rejected | error | baseline | warnings |",
         "|---|---|---|---|---|---|---|---|---|",
     ]
     for c in cases:

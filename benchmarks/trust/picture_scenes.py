@@ -1,4 +1,4 @@
-"""Made pictures whose cameras are known, for verdicts on focal lengths: the room, and flights over made ground."""
+"""Made pictures whose cameras are known, for checks of focal lengths: the room, and flights over made ground."""
 
 from __future__ import annotations
 

@@ -1,9 +1,9 @@
-"""Verdicts on structure from motion: are focal lengths that are wrong told, and right ones believed?
+"""Reliability of structure from motion: are wrong focal lengths reported, and correct ones accepted?
 
     python benchmarks/trust/pictures.py [CASE ...]      the cases, or those with this in their name, as rows
 
 Made pictures of the furnished room and of ground from above, with exact cameras, and real sets whose cameras are known.
-An answer is wrong where a focal length is more than 5 % off, the centres of the cameras more than 1 % of their extent
+A result is wrong if a focal length is more than 5 % off, the centres of the cameras more than 1 % of their extent
 (root mean square, after the similarity that fits best), or fewer than 60 % of the pictures are placed.
 """
 
@@ -119,7 +119,7 @@ def real(
 
 
 def all_cases() -> list[Case]:
-    """The room and the flights as they were found to be wrongly believed, and beside them what is right."""
+    """The room and the flights whose wrong results were accepted once, and correct cases beside them."""
     walk, used = scenes.walk(COUNT), {"held_out": False}
     flat = lambda: flight(0.4, lens=True, tremble=0.4)  # noqa: E731
     return [
@@ -159,7 +159,7 @@ def judge_case(case: Case) -> Judged:
         result = loom.sfm.reconstruct(Path(name) / "pictures", Path(name) / "work", **options)
     wrong, error = errors_of(result.model, truth)
     refused = not result.reliable
-    said = "; ".join(filter(None, ["; ".join(result.warnings), *result.verdict.notes]))
+    said = "; ".join(filter(None, ["; ".join(result.warnings), *result.quality.notes]))
     return Judged(
         AREA, case.name, 1, wrong, wrong and not refused, refused and not wrong, said, error, "", case.held_out
     )

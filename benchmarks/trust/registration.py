@@ -1,6 +1,6 @@
-"""What registration from no guess believes of rooms whose furniture is as square as their walls, and of a kitchen.
+"""Poses that global registration accepts, of rooms whose furniture is as square as their walls, and of a kitchen.
 
-Pairs of parts of one room that share a part ought to be believed at the right pose, pairs of different rooms never.
+Overlapping pairs of one room should be accepted at the correct pose, pairs of different rooms never.
 Constants of the rating were chosen by rooms 0 to 15 and 100 to 109 of box_rooms.py; these are others.
 """
 
@@ -25,7 +25,7 @@ APART = 3  # of so many pairs of different rooms one is judged
 
 
 def judge() -> Iterator[Judged]:
-    """Belief in pairs that share a part, and in pairs that share nothing."""
+    """Accepted pairs with overlap, and accepted pairs without."""
     scans = [
         Scan(f"box room {seed} part {k}", f"box room {seed}", "room", points, pose)
         for seed in ROOMS

@@ -1,9 +1,9 @@
-"""How often verdicts are wrong: of wrong answers how many are believed, of right ones how many are refused.
+"""Rates of unreliable results accepted and of reliable results rejected.
 
     make trust [ARGS="--only scanning --output FILE"]        POINTLOOM_DATA names real data, where there is any
 
-Cases that ought to be refused and cases that ought to be believed, area by area: those of each area's own file, and
-made-up places of kinds that chose no constant (held_out.py). It prints the tables of docs/trust.md.
+Cases that should be rejected and cases that should be accepted, area by area: those of each area's own file, and
+synthetic places of kinds that no constant was chosen on (held_out.py). Prints the tables of docs/trust.md.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ OWN = (
 
 
 def areas() -> dict[str, Callable[[], Iterator[Judged]]]:
-    """What can be judged, by name."""
+    """The areas by name."""
     own = {
         name: (lambda name=name: importlib.import_module(name).judge())
         for name in OWN
@@ -50,7 +50,7 @@ def areas() -> dict[str, Callable[[], Iterator[Judged]]]:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--only", action="append", choices=list(areas()), help="an area; may be given several times")
-    parser.add_argument("--output", type=Path, help="what was said of each case, a line of JSON each")
+    parser.add_argument("--output", type=Path, help="write each case as a line of JSON")
     parser.add_argument("--cases", action="store_true", help="print each case, not the rates alone")
     parser.add_argument("--write", action="store_true", help="write the tables into docs/trust.md")
     parser.add_argument("--read", type=Path, action="append", help="take the cases of earlier runs' --output instead")

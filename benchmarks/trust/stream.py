@@ -24,7 +24,7 @@ from judged import Judged, table
 from real_data import DataMissingError, real_data
 
 AREA = "RGB-D streams"
-WRONG = 0.10  # [m] a tracked frame off by more is wrongly believed
+WRONG = 0.10  # [m] a tracked frame that is off by more is wrongly accepted
 VOXEL = 0.02  # [m]
 LATE = 30  # frames: a second
 

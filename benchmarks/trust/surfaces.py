@@ -1,4 +1,4 @@
-"""Verdicts on surfaces and meshes, held against the mesh that the points were drawn from.
+"""Reliability of surfaces and meshes, compared with the mesh that the points were drawn from.
 
 A surface is right where 95 % of it lie within 2 % of the shape's size of the truth, as much of the truth within as much
 of it, and its borders are no longer than eight times that size where the truth has none. Where points are missing, what

@@ -89,7 +89,7 @@ def units_of(header: LasHeader) -> LasUnits:
         both = LasUnits(text.plane, text.height or keys.height)
         return LasUnits(both.plane, both.height, _doubt_of(both))
     doubt = f"its GeoTIFF keys say that lengths are in {keys.plane}, its well-known text says {text.plane}"
-    return LasUnits(keys.plane, keys.height, f"{doubt}; the keys are believed, else set cloud.unit")
+    return LasUnits(keys.plane, keys.height, f"{doubt}; the keys are used, else set cloud.unit")
 
 
 def _doubt_of(units: LasUnits) -> str | None:

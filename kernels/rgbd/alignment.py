@@ -1,4 +1,4 @@
-"""The alignment of two frames, coarse to fine, without a host in its loop, and the sums that its verdict reads.
+"""The alignment of two frames, coarse to fine, without a host in its loop, and the sums for checks of its reliability.
 
 A step is two launches, whatever the level: sums over the pixels of the level at work, and the step. All levels stand in
 the same arrays, so the whole descent is one loop of the device. What it found comes back in one read. On CUDA the
@@ -274,7 +274,7 @@ def step_alignment_kernel(
         x = damped_solution(total)
         turned = sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2])
         moved = sqrt(x[3] * x[3] + x[4] * x[4] + x[5] * x[5])
-        if turned < 1.0 and moved < 2.0:  # else, or NaN: no step to be believed
+        if turned < 1.0 and moved < 2.0:  # else, or NaN: the step is rejected
             pose = multiply44(small_motion(x), pose)
             state.pose[0] = pose
             limit = float64(rules.short_step) / float64(source.lenses[level][0])
@@ -469,7 +469,7 @@ def align_levels(
         rules: AlignmentRules.
         most_steps: Steps at most in each level from `rules.first_level` to `last`, the coarsest.
         last: That level of the source.
-        verdict_level: The source's level that the verdict's sums are taken in.
+        verdict_level: The source's level of the sums for the checks of reliability.
     """
     begin = first_state(source, pose, most_steps, rules.first_level, last)
     with _descent_of(source, target, rules, begin) as descent:

@@ -1,4 +1,4 @@
-"""What planes come to: depth, normals, and how far to believe them.
+"""Depth, normals and confidence of planes.
 
 The confidence of a pixel is (1 - cost) n / (n + 1), where n is the number of sources whose own depth agrees with it:
 there and back within a pixel, and the depth that comes back within a hundredth. So it is 0 where nobody agrees, at most

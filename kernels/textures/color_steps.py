@@ -254,14 +254,14 @@ class ColorSearch:
         self.state = SearchState(most_turns, device)
 
     def measure(self) -> None:
-        """Means, sums and verdict of the present poses."""
+        """Means, sums and the decision on the present poses."""
         shared = [self.pictures, self.warps]
         launch(average_brightness_kernel, self.vertices.size, [self.vertices, self.sightings, *shared, self.proxies])
         given = [self.vertices, self.sightings, self.proxies, *shared]
         reduce_segments(sum_pair_rows, self.blocks, self.live, given, self.partials, self.sums)
 
     def judge(self) -> None:
-        """The verdict, and the best poses kept or restored."""
+        """The decision, and the best poses kept or restored."""
         launch(judge_turn_kernel, 1, [self.sums, self.ties, self.state])
         kept = [self.state, self.sums, self.pictures.poses, self.best_sums, self.best_poses]
         launch(keep_best_kernel, self.pictures.count, kept)

@@ -12,7 +12,7 @@ from ...core.reports import Assessed, Fields, Report, quality
 from ...core.wording import format_share, plain
 from ..mesh.mesh import TriangleMesh
 
-FEW_SEEN = 0.3  # share of the triangles that some picture shows, below which colours are not to be believed
+FEW_SEEN = 0.3  # share of the triangles that some picture shows, below which colors are unreliable
 
 
 @dataclass(frozen=True, eq=False)

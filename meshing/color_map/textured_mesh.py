@@ -1,4 +1,4 @@
-"""What giving a mesh the colours of frames comes to, and whether it is to be believed: `TexturedMesh`."""
+"""A mesh with the colors of frames, and its reliability: `TexturedMesh`."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A surface through the points of a cloud, normals, cut and verdict included: `create_surface`."""
+"""A surface of a cloud, with normals, cut and checks of its reliability: `create_surface`."""
 
 from __future__ import annotations
 
@@ -175,7 +175,7 @@ def _make(points: PointCloud, method: str, settings: dict[str, Any]) -> _Made:
         return _Made(TriangleMesh.from_point_cloud_ball_pivoting(points, settings["radii"]))
     if method == "alpha":
         return _Made(TriangleMesh.from_point_cloud_alpha_shape(points, settings["alpha"]))
-    with without_warnings(NormalsWarning):  # the verdict says so
+    with without_warnings(NormalsWarning):  # `warnings` of the result reports it
         mesh, densities = TriangleMesh.from_point_cloud_poisson(points, depth=settings["depth"])
 
     def cut(quantile: float) -> TriangleMesh:

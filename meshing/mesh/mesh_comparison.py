@@ -102,7 +102,7 @@ def compare_meshes(
     """Measure how far two surfaces lie apart, both ways, and say whether they are one thing at all.
 
     What `pointloom compare-meshes` does: `TriangleMesh.compute_metrics` with a distance for the F-score that suits the
-    mesh, and a verdict.
+    mesh, and checks of reliability.
 
     Args:
         first: A mesh.

@@ -1,4 +1,4 @@
-"""What a surface through points comes to, and whether it is to be believed: `SurfaceResult`."""
+"""A surface of a cloud and its reliability: `SurfaceResult`."""
 
 from __future__ import annotations
 

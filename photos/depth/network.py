@@ -87,7 +87,7 @@ class DepthModel:
 
     @property
     def note(self) -> str | None:
-        """What the file does not say of itself and the preset had to be believed for, or None."""
+        """What could not be checked in the file, so that the preset was trusted; or None."""
         return note_on(self._head, self._preset)
 
     def __repr__(self) -> str:

@@ -11,7 +11,7 @@ from ...core.reports import Assessed, Fields, in_columns, quality
 from ...core.wording import format_bytes, format_seconds, format_share
 from .estimation import ARBITRARY, DepthEstimate
 
-FEW_INLIERS = 0.3  # share of the references below which the map, or the references, are not to be believed
+FEW_INLIERS = 0.3  # share of the references below which the map, or the references, are unreliable
 FEW_POINTS = 0.2  # share of the pixels
 
 
@@ -187,7 +187,7 @@ class DepthReport(Assessed):
         failures: Those that became nothing.
         seconds: Time of each stage [s].
         peak_bytes: The most memory that this process has held [B].
-        note: What the network's file does not say of itself, so that the preset had to be believed; or None.
+        note: What could not be checked in the network's file, so that the preset was trusted; or None.
 
     Example:
         >>> import pointloom as loom

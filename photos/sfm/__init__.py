@@ -4,7 +4,7 @@ COLMAP does it (package pycolmap, `pip install "pointloom[sfm]"`), in a process 
 memory. Each public name is loaded when it is first used, as in `pointloom` itself.
 
 Example:
-    Frames of a video, where they were taken, and whether that is to be believed::
+    Frames of a video, their poses, and whether these are reliable::
 
         choice = loom.sfm.choose_frames("house.mp4", "frames")
         result = loom.sfm.reconstruct("frames", "work")

@@ -71,7 +71,7 @@ class CameraCheck:
         return self.spread <= MOST_SPREAD and off > 2 * MOST_SPREAD and self.error > (1 + FLAT) * self.freed_error
 
     def reasons(self) -> list[str]:
-        """Why the cameras are not to be believed, with the remedy."""
+        """Failed checks of the cameras, with the remedy."""
         best = self.error if math.isnan(self.given) else min(self.error, self.freed_error)
         if self.own_error < MUCH_BETTER * best and not self.parted:
             off = f"with one for each the error falls from {best:.2g} to {self.own_error:.2g} px"
@@ -93,7 +93,7 @@ class CameraCheck:
         return [f"the pictures do not fix the focal length ({rises}), so that {off}: {_REMEDY}"]
 
     def notes(self) -> list[str]:
-        """What is to be known of cameras that are believed."""
+        """Remarks on cameras that passed the checks."""
         said = []
         if self.parted:
             said.append(f"one camera does not explain the pictures, {self.parted} of other focal lengths do")

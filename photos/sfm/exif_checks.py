@@ -1,4 +1,4 @@
-"""What EXIF says of a lens and of how a picture lies, held against itself: what contradicts itself is not believed."""
+"""Consistency of EXIF: focal lengths and orientations that contradict other tags are rejected."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _TURNED = range(5, 9)  # orientations that swap width and height
 
 
 def doubt_of_focal(path: FilePath, size: tuple[int, int]) -> str | None:
-    """Why the focal length that EXIF tells is not believed; None where it is, or tells none.
+    """Why the focal length of EXIF is rejected; None if it is accepted or missing.
 
     Args:
         path: A picture.

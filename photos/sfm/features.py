@@ -52,7 +52,7 @@ class FeatureReport:
         peak_bytes: The most memory that COLMAP was seen to hold [B].
         camera_count: Cameras that the pictures are taken for: one for each size and lens that EXIF tells.
         on_gpu: Whether COLMAP found them on a GPU.
-        notes: What EXIF tells of lenses and is not believed.
+        notes: Lenses of EXIF that are rejected.
     """
 
     database: str
@@ -167,11 +167,11 @@ def find_features(
 
 
 def _told_doubts(doubts: dict[str, str]) -> tuple[str, ...]:
-    return tuple(f"EXIF's focal length of {name} is not believed: {reason}" for name, reason in doubts.items())
+    return tuple(f"EXIF's focal length of {name} is rejected: {reason}" for name, reason in doubts.items())
 
 
 def _doubts(folder: Path, groups: dict[Group, list[str]]) -> dict[str, str]:
-    """Why EXIF's focal length is not believed, by the first picture of each group of which that is so."""
+    """Why EXIF's focal length is rejected, by the first image of each group with such a one."""
     found = {names[0]: doubt_of_focal(folder / names[0], size) for (size, _), names in groups.items()}
     return {name: reason for name, reason in found.items() if reason is not None}
 

@@ -25,7 +25,7 @@ from .picture_writing import counted, some_of
 from .picture_xmp import Xmp, parse_xmp
 
 FARTHEST = 1e5  # [m] from the middle of the others: no set of pictures that show one thing is larger
-LOWEST, HIGHEST = -500.0, 20000.0  # [m] altitudes that are believed
+LOWEST, HIGHEST = -500.0, 20000.0  # [m] altitudes that are accepted
 WORST_SIGMA = 1000.0  # [m] of a position that says anything
 
 _GPS, _XMP_KEYS = 0x8825, ("xmp", "XML:com.adobe.xmp")
@@ -70,9 +70,9 @@ class PicturePlaces:
     Attributes:
         places: Of the pictures that say so sensibly, in their order.
         attitudes: Yaw, pitch and roll by name, of pictures without a place too.
-        refused: Why what a picture says is not believed, by its name.
+        refused: Why the position of an image is rejected, by its name.
         picture_count: How many pictures there are.
-        altitudes_refused: Altitudes that are not believed [m], by name; the place of such a picture counts without.
+        altitudes_refused: Altitudes that are rejected [m], by name; the place of such a picture counts without.
     """
 
     places: tuple[PicturePlace, ...]
@@ -105,12 +105,12 @@ class PicturePlaces:
         return WorldFrame(latitude, longitude, float(np.median(altitudes)) if altitudes else 0.0)
 
     def notes(self) -> list[str]:
-        """What is to be told of pictures whose place is not believed."""
+        """Remarks on images whose position is rejected."""
         said = [f"{name} ({reason})" for name, reason in self.refused.items()]
-        notes = [f"GPS of {counted(len(said), 'picture')} is not believed: {some_of(said)}"] if said else []
+        notes = [f"GPS of {counted(len(said), 'picture')} is rejected: {some_of(said)}"] if said else []
         said = [f"{name} ({metres:g} m)" for name, metres in self.altitudes_refused.items()]
         if said:
-            notes.append(f"the altitude of {counted(len(said), 'picture')} is not believed: {some_of(said)}")
+            notes.append(f"the altitude of {counted(len(said), 'picture')} is rejected: {some_of(said)}")
         return notes
 
     def to_dict(self) -> dict[str, Any]:
@@ -131,7 +131,7 @@ def read_picture_places(source: FilePath | Iterable[FilePath]) -> PicturePlaces:
         source: A folder of pictures, or the files.
 
     Returns:
-        The places, and why those of other pictures are not believed: latitudes beyond 90 degrees, numbers over zero,
+        The places, and why those of other pictures are rejected: latitudes beyond 90 degrees, numbers over zero,
         the 0, 0 of cameras without a fix, hemispheres that are not told, a place 100 km from the median of the others.
 
     Raises:

@@ -95,7 +95,7 @@ class PoseCheck:
         return abs(math.log(self.focal)) > FOCAL_OFF if self.focal == self.focal else False
 
     def reasons(self, picture_count: int) -> list[str]:
-        """Why the poses are not to be believed, and the likely cause."""
+        """Failed checks of the poses, with the likely cause."""
         if self.match_count < FEWEST:
             return [
                 f"no two pictures that overlap by the poses, or follow one another, show the same ({self.match_count} "
@@ -123,7 +123,7 @@ class PoseCheck:
         return reasons
 
     def notes(self) -> list[str]:
-        """What is to be known of poses that are believed."""
+        """Remarks on poses that passed the checks."""
         if self.strays and not self.are_wrong:
             return [f"poses that do not fit the others: {', '.join(self.strays[:8])}"]
         return []

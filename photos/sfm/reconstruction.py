@@ -57,7 +57,7 @@ def reconstruct(
             there are.
 
     Returns:
-        The model with the most pictures, and a verdict; times and memory of all stages.
+        The model with the most images and its quality; times and memory of all stages.
 
     Raises:
         FileError: As of the three; there is a model in `work` already.

@@ -1,4 +1,4 @@
-"""What `register_nonrigid` found, and whether to believe it."""
+"""Result of `register_nonrigid` and its reliability."""
 
 from __future__ import annotations
 

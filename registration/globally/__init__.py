@@ -1,1 +1,1 @@
-"""Poses from no guess: features, RANSAC, consensus, belief."""
+"""Global registration: features, RANSAC, consensus, score."""

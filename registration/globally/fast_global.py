@@ -166,7 +166,7 @@ def registration_fgr_based_on_correspondence(
 
     Returns:
         The pose with the least cost; fitness and error of the whole clouds within the option's distance. `converged`
-        says whether the last step moved next to nothing, `score` how far to believe the pose (`rate_registration` at
+        says whether the last step moved next to nothing, `score` rates the pose (`rate_registration` at
         three times that distance). With fewer than 10 correspondences, given or left by the test of triples: the
         identity, fitness and score 0, not converged, and a reason.
 

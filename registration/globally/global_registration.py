@@ -89,7 +89,7 @@ def register_globally(
 
     Returns:
         The pose, with a `score`: above 0.5 where the clouds do lie on each other there. `converged` says whether they
-        do, and `reason` why not: too little surface, no correspondences that agree, a best pose that is not believed, a
+        do, and `reason` why not: too little surface, no correspondences that agree, a best pose that is rejected, a
         motion that is free where the surfaces fit (a ball, a tube), a pose under which nothing matches but planes as
         any rooms have them, or under which one cloud stands where the other saw through, or several poses that fit
         alike, among which a symmetric scene leaves no choice. The pose is then the best that was found; the identity

@@ -79,7 +79,7 @@ class PairRegistration(Report, Assessed):
 
     Attributes:
         result: Of the last and finest scale of ICP; its iterations are those of all scales.
-        score: How far to believe that the clouds lie on each other there, 0..1, as of `rate_registration`.
+        score: Confidence that the clouds lie on each other there, 0..1, as of `rate_registration`.
         init: Where it began: "global" where it searched, else "given".
         method: What ICP brought together.
         voxel_size: Edge of the finest voxels [m].

@@ -93,7 +93,7 @@ def registration_ransac_based_on_feature_matching(
     Returns:
         The pose under which most source points have a target point within the distance; of equal ones that with the
         smaller distances. `iterations` are hypotheses drawn, `converged` whether the confidence was reached, `score`
-        how far to believe the pose (`rate_registration`). Without any pose: the identity, fitness and score 0, not
+        the confidence in the pose (`rate_registration`). Without any pose: the identity, fitness and score 0, not
         converged, and a reason.
 
     Raises:

@@ -1,4 +1,4 @@
-"""How far to believe a pose: do the clouds lie on each other there, and does that fix it?"""
+"""Confidence in a pose: do the clouds lie on each other there, and does that determine it?"""
 
 from __future__ import annotations
 
@@ -90,7 +90,7 @@ class Evidence(NamedTuple):
 
     @property
     def odds(self) -> float:
-        """Logarithm of the odds of the whole, not counting doubt; minus infinity without a match."""
+        """Logarithm of the odds of the whole, without the factor for few matches; minus infinity without a match."""
         if not self.matches:
             return -np.inf
         weighed = SHARE_WEIGHT * math.log(self.share + LEAST_SHARE)
@@ -152,7 +152,7 @@ NO_EVIDENCE = Evidence(0.0, 0.0, 0.0)
 def rate_registration(
     source: PointCloud, target: PointCloud, transformation: ArrayLike, max_correspondence_distance: float
 ) -> float:
-    """How far to believe that two clouds lie on each other under a pose.
+    """Confidence that two clouds lie on each other under a pose.
 
     Where the clouds come near each other under the right pose, most of what could fix the six motions matches: points
     lie close along the normal, and the normals agree. Under a wrong one surfaces cross, or a floor lies on a floor

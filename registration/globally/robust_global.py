@@ -183,7 +183,7 @@ def _conclude(result: RegistrationResult) -> None:
 
 
 def rate_support(support: NDArray[np.float64]) -> float:
-    """How far to believe the first of some poses by how much more support it has than the second, 0..1."""
+    """Confidence in the first of some poses by how much more support it has than the second, 0..1."""
     if not len(support):
         return 0.0
     chance = max(CHANCE, support[1] if len(support) > 1 else 0.0)

@@ -44,7 +44,7 @@ class FragmentPair(NamedTuple):
         source, target: Their indices.
         transformation: T_target_source, float64 [4, 4].
         fitness: Share of the source's voxels that lie on the target.
-        score: How far the registration from no guess was believed, 0..1; NaN for loops closed from a known pose.
+        score: Confidence of the global registration, 0..1; NaN for loops closed from a known pose.
     """
 
     source: int
@@ -79,7 +79,7 @@ class FragmentGraph(NamedTuple):
         poses: T_reference_cloud, float64 [n, 4, 4]; of those that are no members anything.
         groups: Which clouds hang together, int [n].
         members: The largest group, ascending; the first is the reference.
-        tree: The pairs that are believed without doubt, by their places in the list.
+        tree: The pairs that are accepted as certain, by their places in the list.
         graph: The optimised graph over the members.
     """
 

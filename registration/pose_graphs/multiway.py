@@ -47,7 +47,7 @@ Matrices = NDArray[np.float64]
 
 ALL_PAIRS = 40  # clouds up to which every pair is tried: 780 pairs
 NEARBY = 5  # clouds that follow one, each tried with it, where there are more
-SURE = 0.5  # score above which a pair is believed
+SURE = 0.5  # score above which a pair is accepted
 LEVEL_ENOUGH = 1e-6  # [rad] that a known pose of level clouds may tilt
 
 
@@ -61,7 +61,7 @@ class FragmentsResult(Report):
         reference: The cloud whose frame it is: the first of the largest group of clouds that hang together.
         groups: Which clouds hang together by pairs, int [n]: equal numbers do.
         pose_graph: The optimised graph over the placed clouds, its nodes in their order.
-        pairs: The pairs that were believed.
+        pairs: The accepted pairs.
     """
 
     poses: Matrices
@@ -151,7 +151,7 @@ def register_fragments(
 ) -> FragmentsResult:
     """Bring many clouds of one scene into one frame, from no starting poses.
 
-    Pairs are registered from no guess; those that are believed are refined, a tree of the pairs that most
+    Pairs are registered from no guess; accepted ones are refined, a tree of the pairs that most
     others agree with gives first poses, and the rest are loop closures of a pose graph, which drops the wrong ones.
     Then pairs that turn out to overlap are registered too, and the graph is optimised again.
 
@@ -162,7 +162,7 @@ def register_fragments(
             clouds, and the next 5 of more.
         seed: As of `register_globally`.
         known: Pairs whose pose is known from elsewhere, as from odometry: they are refined with the others, and not
-            registered from no guess. Their score says how far they are believed beside those that are found.
+            registered from no guess. Their score is their confidence beside those that are found.
         pairs: The pairs of clouds to try, by their indices; None for those that `neighbors` says.
         free: None, or ("x", "y", "z", "yaw") for clouds that are all level (`levelled`): pairs are sought, refined and
             adjusted in these motions, and no pose tilts. Known pairs have to be level, too.

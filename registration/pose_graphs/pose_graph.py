@@ -56,7 +56,7 @@ class PoseGraphEdge:
             translation [m]), symmetric, float64 [6, 6], as `get_information_matrix_from_point_clouds` gives it: the
             sum of squared distances that the misfit moves the correspondences by. [5, 5] is their number.
         uncertain: Whether the edge may be wrong altogether: a loop closure, not odometry.
-        confidence: How far an uncertain edge is believed, 0..1; `global_optimization` sets it. 1 where it is certain.
+        confidence: Confidence of an uncertain edge, 0..1; `global_optimization` sets it. 1 where it is certain.
 
     Raises:
         TypeError: Not numbers.

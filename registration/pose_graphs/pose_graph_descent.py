@@ -1,4 +1,4 @@
-"""Descent of a pose graph's residual, with the line process that decides how far uncertain edges are believed.
+"""Descent of a pose graph's residual, with the line process that sets the confidence of uncertain edges.
 
 Minimised over poses and confidences l (Choi, Zhou and Koltun 2015, eq. 2 and section 5), with l = 1 of certain edges:
 

@@ -117,7 +117,7 @@ class GlobalOptimizationGaussNewton(GlobalOptimizationMethod):
 
 
 class GlobalOptimizationLevenbergMarquardt(GlobalOptimizationMethod):
-    """Steps that are damped until they lower the residual; right from poor starts too."""
+    """Steps that are damped until they lower the residual; they converge from inexact initial poses too."""
 
 
 DAMPED = GlobalOptimizationLevenbergMarquardt()
@@ -136,7 +136,7 @@ def global_optimization(
 ) -> PoseGraph:
     """The poses that fit the edges best, without the loop closures that contradict the rest.
 
-    Two passes: optimise, drop uncertain edges that are not believed, optimise, drop again. An uncertain edge's
+    Two passes: optimise, drop uncertain edges of low confidence, optimise, drop again. An uncertain edge's
     confidence is (mu / (mu + r))^2 with its weighted squared residual r and mu = preference_loop_closure x
     max_correspondence_distance^2 x the edges' mean number of correspondences, information[5, 5].
 

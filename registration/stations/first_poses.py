@@ -15,11 +15,11 @@ from ..pose_graphs.spanning_tree import chain, spanning_tree
 from ..rigid import about_up, fit_pose, invert_pose, make_pose, rotation_vector
 from .observations import Array, ControlPoint, StationPair, TargetObservation
 
-BY_TARGETS = 0.25  # the support of a link by targets alone: below that of a pair of clouds that is believed
+BY_TARGETS = 0.25  # the support of a link by targets alone: below that of an accepted pair of clouds
 
 
 class Link(NamedTuple):
-    """A pose between two stations, and how far it is believed."""
+    """A pose between two stations, and its support."""
 
     source: int
     target: int
@@ -30,7 +30,7 @@ class Link(NamedTuple):
 def links_of(
     pairs: Sequence[StationPair], targets: Sequence[TargetObservation], level: bool, tolerance: float
 ) -> list[Link]:
-    """Links between stations: pairs, the more believed the more ways round three stations they close, and targets."""
+    """Links between stations: targets, and pairs, with more support the more loops of three stations they close."""
     known = {(p.source, p.target): p.transformation for p in pairs}
     known |= {(b, a): invert_pose(T) for (a, b), T in known.items()}
     links = []

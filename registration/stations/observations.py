@@ -113,7 +113,7 @@ class StationPair:
             zeros along what the clouds do not determine, and along what was not free.
         fitness: Share of the source's points that lie on the target, 0..1.
         rms: Of the distances of the matched points from the target's surface [m].
-        score: How far the pose is believed, 0..1.
+        score: Confidence in the pose, 0..1.
         reason: Why it is not used, or "".
     """
 

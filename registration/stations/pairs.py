@@ -40,7 +40,7 @@ LEAST_LIMIT = 0.01  # [voxels]
 GRADED = (12.0, 6.0, 3.0, 1.5, 1.0)  # times the limit of a match that counts, one after another
 MOST_BENT = np.radians(30.0)  # between the normals of a correspondence
 RATED_WITHIN = 1.5  # [voxels]
-SURE = 0.5  # score above which a pair is believed
+SURE = 0.5  # score above which a pair is accepted
 NEAR = 4.0  # [voxels] within which rough poses show an overlap
 BLOCK = 8.0  # [voxels] edge of the blocks whose matches err alike
 FEWEST_BLOCKS = 12  # with matches in them, below which a pose's errors cannot be told
@@ -109,7 +109,7 @@ class PairFinder:
     def find(
         self, pairs: Sequence[tuple[int, int]], poses: Array | None, tell: Callable[[str, int, int], None]
     ) -> list[StationPair]:
-        """The pairs registered; those that are not believed have a reason."""
+        """The pairs registered; rejected ones have a reason."""
         starts, believed, kept = [], [], []
         for done, (a, b) in enumerate(pairs):
             tell("pairs", done, len(pairs))
@@ -122,7 +122,7 @@ class PairFinder:
         return self._refined(kept, starts, believed)
 
     def _start(self, a: int, b: int, poses: Array | None) -> tuple[Array | None, float]:
-        """A first pose of a pair: by ICP from the rough one, and where that is not believed, searched for."""
+        """A first pose of a pair: by ICP from the rough one; if that is rejected, by search."""
         source, target = self.scans[a].cloud, self.scans[b].cloud
         if poses is not None:
             sizes = [scale * self.size for scale in COARSE_TO_FINE]

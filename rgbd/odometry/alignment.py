@@ -1,4 +1,4 @@
-"""One frame brought onto another, from a pose nearby, with a verdict."""
+"""One frame brought onto another, from a pose nearby, with checks of reliability."""
 
 from __future__ import annotations
 

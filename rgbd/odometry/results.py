@@ -1,4 +1,4 @@
-"""What the alignment of two frames found, and why it may not be believed."""
+"""Result of the alignment of two frames and its reliability."""
 
 from __future__ import annotations
 

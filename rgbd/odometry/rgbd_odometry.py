@@ -1,4 +1,4 @@
-"""Open3D's two odometries under its names, with a verdict that it does not have."""
+"""Open3D's two odometries under its names, with checks of reliability that it does not have."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def compute_rgbd_odometry(
         jacobian: Brightness alone or with surfaces; None: RGBDOdometryJacobianFromHybridTerm().
         option: None: OdometryOption().
         weights: "robust" weighs each pixel by the noise of the frames, as `align_frames`, and judges the result;
-            "open3d" does what Open3D 0.20 does, without a verdict.
+            "open3d" does what Open3D 0.20 does, without checks of reliability.
 
     Returns:
         The result, which unpacks as Open3D's (reliable, transformation, information).

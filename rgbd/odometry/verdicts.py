@@ -1,4 +1,4 @@
-"""Whether a motion that was found is to be believed."""
+"""Reliability of a motion between two frames."""
 
 from __future__ import annotations
 

@@ -58,7 +58,7 @@ def run_system(
 
     Returns:
         What was done: the frames in the model, those that are not, with stage and reason, the fragments, the files, and
-        why the result is poor, if it is. Where nothing hangs together no model is written, and that is said.
+        warnings if the result is unreliable. Where nothing hangs together no model is written, and that is said.
 
     Raises:
         TypeError, ValueError: As of `make_fragments` and, with `slac`, of `refine_with_slac`.

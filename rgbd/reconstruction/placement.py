@@ -27,7 +27,7 @@ Matrix = NDArray[np.float64]
 STAGE = "register"
 SETTINGS = ("voxel_size", "seed")
 THINNED = 4.0  # to the edge of a voxel: the finest that fragments are compared at
-SURE = 1.0  # how far a joint of odometry is believed beside what registration finds
+SURE = 1.0  # confidence of a joint of odometry beside what registration finds
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,7 +68,7 @@ def register_fragments(
 ) -> Placement:
     """Bring the fragments in a job's folder into one frame.
 
-    What odometry joined is refined; every other pair is registered from no guess and taken where it is believed; a pose
+    What odometry joined is refined; every other pair is registered from no guess and used if it is accepted; a pose
     graph over all drops loops that contradict the rest (`registration.register_fragments`).
 
     Args:

@@ -39,7 +39,7 @@ YOUNG = 60  # frames of a model that begins again where it holds what moves: two
 
 
 class DenseSLAM:
-    """Frame-to-model tracking with a verdict on each frame, and recovery where the camera was lost.
+    """Frame-to-model tracking with a status of each frame, and recovery where the camera was lost.
 
     Each frame is aligned with the model as seen from where constant velocity puts the camera, by surface and
     brightness. A frame that is not firmly on the model is not fused into it. A lost camera is found again from the
@@ -311,7 +311,7 @@ class DenseSLAM:
         """Find how maps lie to each other, where the camera was lost for long and began new ones, and join them.
 
         Their submaps are registered with each other from no guess, or the whole of them where no submaps are kept. A
-        pose is taken where `registration` believes it and the maps show the same from the cameras of either. Maps that
+        pose is taken if `registration` accepts it and the maps show the same from the cameras of either. Maps that
         are joined take the lower number: poses in `results` are then of one map.
 
         Returns:

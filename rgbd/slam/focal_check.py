@@ -145,7 +145,7 @@ def check_focal(
 
 
 def _judged(found: Sequence[Sequence[float]]) -> FocalCheck | None:
-    """The residuals of all pairs, those with the focal length given first, in one verdict."""
+    """The residuals of all pairs, those with the focal length given first, in one check."""
     if len(found) < FEWEST_PAIRS:
         return None
     table = np.array(found)

@@ -1,9 +1,9 @@
-"""How two maps lie to each other, and whether that is to be believed: a wrong join is worse than none.
+"""Relative pose of two maps and its reliability: a wrong join is worse than none.
 
 A pose comes from a frame that is recognised in a map that the camera left and from those that follow it there, or from
 the registration of pieces of the two. Either way the maps themselves have to bear it out: as seen from the cameras of
 either, what both show lies on each other in at least two views, hardly any view contradicts it, and `registration`'s
-rating believes the pose of their surfaces.
+score accepts the pose of their surfaces.
 """
 
 from __future__ import annotations
@@ -33,12 +33,12 @@ FAILING = 3  # and so many that are not end it
 WAY = 0.5  # as of view_distance: how far the camera went from the first of them to the last, some 12 cm or 9 degrees
 MOST_VIEWS = 24  # of each map
 LEAST_VIEWS = 2  # apart that have to bear a join out
-MOST_AGAINST = 0.25  # of those for it: views at the rim of a map, where it was seen seldom, are poor ones
+MOST_AGAINST = 0.25  # of those for it: views at the rim of a map, where it was seen seldom, are inexact
 CONTRADICTING = 0.5  # agreement below which a view speaks against it
 OFF = 0.06  # [m], [rad] that a view may be moved by, else it shows that the pose is wrong: what maps drift by is less
 VOXELS, LEAST_VOXEL = 2.5, 0.05  # of registration, as of loops
 REACH = 1.5  # [voxels] of a match
-BELIEVED = 0.5  # score above which `registration` believes a pose
+BELIEVED = 0.5  # score above which `registration` accepts a pose
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -50,7 +50,7 @@ class MapJoin:
         T_target_source: How the source lies to the target, float64 [4, 4].
         views: Views in which both show the same there.
         against: Views in which they contradict each other.
-        score: How far `registration` believes it, 0..1.
+        score: Confidence of `registration` in it, 0..1.
         refused: Why they were not joined; empty where they were.
     """
 
@@ -99,7 +99,7 @@ def apart(T: Pose) -> float:
 
 
 def judge_join(target: SlamMap, source: SlamMap, T_target_source: Pose) -> MapJoin:
-    """What the two maps say of a pose of one in the other; `refused` is empty where it is to be believed."""
+    """What the two maps say of a pose of one in the other; `refused` is empty if it is accepted."""
     T = T_target_source
     first, moves, against = _views(target, source, T)
     second, back, against_too = _views(source, target, invert_pose(T))
@@ -163,7 +163,7 @@ def _mean(poses: list[Pose]) -> Pose:
 
 
 def _rate(target: SlamMap, source: SlamMap, T: Pose) -> float:
-    """How far `registration` believes a pose of the two surfaces."""
+    """Confidence of `registration` in a pose of the two surfaces."""
     size = max(VOXELS * target.model.volume.voxel_size, LEAST_VOXEL)
     left, right = (_thinned(known, size) for known in (source, target))
     if min(len(left), len(right)) < FEWEST_POINTS:

@@ -1,7 +1,7 @@
 """Pairs of submaps that may show the same place: which those are, and whether they do.
 
 A pair is tried where the submaps can overlap, given how far tracking may have drifted between them; it is registered
-from where tracking put it, and from no guess where that may be too far. A pose is taken where `registration` believes
+from where tracking put it, and from no guess where that may be too far. A pose is taken if `registration` accepts
 it (registration/globally/rating.py) and it moves the submap no further than tracking may have drifted.
 """
 
@@ -34,8 +34,8 @@ Matrix = NDArray[np.float64]
 FAR = 5.0  # [voxels] of a correspondence at first; a start further off than this is tried from no guess too
 REACH = 1.5  # [voxels] of a correspondence at last
 OVERLAP = 0.2  # share of the smaller submap that has to lie on the other
-SURE = 0.5  # score above which a pose is believed that tracking has foretold
-SURER = 0.95  # and one as far from that as tracking may be off: wrong poses believed at 0.5 to 0.7 lie far off
+SURE = 0.5  # score above which a pose is accepted that tracking predicts
+SURER = 0.95  # and one as far from that as tracking may be off: wrong poses accepted at 0.5 to 0.7 lie far off
 STEPS = 30  # of ICP at each distance
 STILL = 1e-6
 AT_ONCE = 64  # pairs in the same launches
@@ -87,7 +87,7 @@ class Loop:
         source, target: Their places in the list of submaps.
         T_target_source: How the source lies to the target, float64 [4, 4].
         information: As of PoseGraphEdge, float64 [6, 6].
-        score: How far `registration` believes it, 0..1.
+        score: Confidence of `registration` in it, 0..1.
         overlap: Share of the source's voxels that lie on the target.
         residual: Distance of the surfaces from each other along their normals [m], root of the mean square, once they
             were refined: noise, what tracking lost within the two, and how the camera bends depth. NaN before.
@@ -170,7 +170,7 @@ def shift_of(box: Matrix, before: Matrix, after: Matrix) -> float:
 
 
 def verify_near(surfaces: Sequence[SubmapSurface], candidates: Sequence[Candidate]) -> list[Loop]:
-    """The candidates registered from where they are, each with its verdict."""
+    """The candidates registered from where they are, each accepted or rejected."""
     loops: list[Loop] = []
     for first in range(0, len(candidates), AT_ONCE):
         part = candidates[first : first + AT_ONCE]
@@ -184,7 +184,7 @@ def verify_far(surfaces: Sequence[SubmapSurface], candidates: Sequence[Candidate
     loops = []
     for c in candidates:
         found = register_described(surfaces[c.source].described, surfaces[c.target].described, seed=seed)
-        if found.score is not None and found.score > SURE:  # one of two poses that fit alike is not believed
+        if found.score is not None and found.score > SURE:  # one of two poses that fit alike is rejected
             loops += _register(surfaces, [c], found.transformation[None], coarse=False)
     return loops
 
@@ -228,7 +228,7 @@ def _judge(surfaces: Sequence[SubmapSurface], c: Candidate, T: Matrix, informati
         score = rate_surfaces(source.witness, target.witness, local, REACH * source.voxel_size).score
         asked = SURE + (SURER - SURE) * shift / c.limit if np.isfinite(c.limit) else SURE
         if score <= asked:
-            refused = f"it is not believed: score {score:.2f}, {asked:.2f} asked for {shift:.2f} m off tracking"
+            refused = f"score {score:.2f} is too low: {asked:.2f} is required for {shift:.2f} m off tracking"
     return Loop(c.source, c.target, T, information, score, fitness, shift, c.limit, refused)
 
 

@@ -28,7 +28,7 @@ class SlamAccount(Assessed):
         path: The path, once loops are closed, and what became of each frame.
         submap_count: How many submaps the run was cut into.
         loops: Pairs of submaps (target, source) that show the same place and were brought together.
-        refused_loop_count: Pairs that were tried and not believed.
+        refused_loop_count: Pairs that were tried and rejected.
         corrected: The farthest that a frame was moved by that [m].
     """
 

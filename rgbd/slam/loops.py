@@ -78,9 +78,9 @@ def close_loops(
     """Find submaps that show the same place, and move all submaps so that they do.
 
     Pairs that can overlap, given how far tracking may have drifted between them, are registered from where they lie,
-    and from no guess where that may be too far. Those that `registration` believes and that tracking allows become
+    and from no guess where that may be too far. Those that `registration` accepts and that tracking allows become
     loops of a pose graph, which drops those that contradict the rest. Poses that are right by then let more be found,
-    up to three times. A loop that moves a submap farther from where tracking has it has to be believed more firmly.
+    up to three times. A loop that moves a submap farther from where tracking has it needs a higher score.
 
     Args:
         submaps: At least one, in any order, all on one device.
@@ -182,7 +182,7 @@ class _Search:
         return find_candidates(self.surfaces, self.poses, SLACK + self.drift * self._ways(), known)
 
     def _find(self, candidates: list[Candidate]) -> list[Loop]:
-        """The candidates that are believed; first from where they are, then from no guess."""
+        """The accepted candidates; first from where they are, then from no guess."""
         near = [c for c in candidates if np.isfinite(c.limit)]
         loops = verify_near(self.surfaces, near)
         taken = {(loop.source, loop.target) for loop in loops if not loop.refused}

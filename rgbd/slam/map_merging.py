@@ -22,13 +22,13 @@ from .tracker import AGREED, clean_pose
 
 Pose = NDArray[np.float64]
 
-TRIED = 3  # poses that are looked at, the best believed first
+TRIED = 3  # poses that are looked at, the highest score first
 
 
 def find_join(target: SlamMap, source: SlamMap, results: list[TrackingResult], seed: int) -> MapJoin | None:
     """How two maps lie to each other by registration of their submaps, or of all of each where there are none.
 
-    None where no pose is believed; else the pose that the maps bear out, or the best one with why they do not.
+    None where no pose is accepted; else the pose that the maps bear out, or the best one with why they do not.
     """
     pieces = [_pieces(known, results) for known in (target, source)]
     if not all(pieces):
@@ -148,7 +148,7 @@ class Joining:
         return None
 
     def search(self) -> list[MapJoin]:
-        """Register all maps with each other and join those that are believed; what was tried just now."""
+        """Register all maps with each other and join accepted ones; what was tried just now."""
         first = len(self.judged)
         while (join := self._next()) is not None:
             self._join(join)

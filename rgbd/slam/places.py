@@ -1,7 +1,7 @@
 """A lost frame found on the model by its shape alone, from no guess, wherever the camera stands by now.
 
 The frame's points are registered with the model's by `registration`'s features and consensus, and taken where its
-score believes the pose. It takes as long as some frames, so it is tried less and less often while a camera is lost.
+score accepts the pose. It takes as long as some frames, so it is tried less and less often while a camera is lost.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ class PlaceSearch:
         return attempts in FIRST or (attempts > FIRST[-1] and attempts % LATER == 0)
 
     def find(self, frame: SensorFrame) -> Pose | None:
-        """T_world_camera of a frame, or None where none is believed."""
+        """T_world_camera of a frame, or None where none is accepted."""
         target = self._model()
         stride = max(1, round(frame.intrinsic.width / 320))
         cloud = PointCloud.from_device_depth(frame.depth, None, frame.intrinsic, None, stride, True, True)

@@ -15,7 +15,7 @@ Verdict = Literal["tracked", "uncertain", "lost"]
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class TrackingResult:
-    """Where a frame was taken, and whether to believe it.
+    """Pose of a frame and its status.
 
     Attributes:
         pose: T_world_camera, float64 [4, 4] [m]; None for a lost frame.
@@ -37,7 +37,7 @@ class TrackingResult:
         covariance: Of the pose about the camera, in the world's directions, rotation first [rad, m], float64 [6, 6]:
             what was open on the way from the first frame adds up, until the camera sees what is surer. Zero for the
             first frame and lost ones.
-        has_drifted: Whether that is the only doubt: the frame lies on the model, and is fused.
+        has_drifted: Whether that is the only reason: the frame lies on the model, and is fused.
         map: The map that the pose is of, by number: poses of two maps do not lie relative to each other.
     """
 
@@ -61,7 +61,7 @@ class TrackingResult:
 
     @property
     def is_tracked(self) -> bool:
-        """Whether the pose is to be believed."""
+        """True if the status is "tracked"."""
         return self.verdict == "tracked"
 
     @property

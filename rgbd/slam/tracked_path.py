@@ -19,7 +19,7 @@ from ...registration.trajectories.trajectory_error import TrajectoryError
 from .joins import MapJoin
 from .paths import error_against_truth, path_length
 
-MANY_UNCERTAIN = 0.2  # share of the frames with an uncertain pose, beyond which the path is not to be believed
+MANY_UNCERTAIN = 0.2  # share of the frames with an uncertain pose, beyond which the path is unreliable
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -48,7 +48,7 @@ class TrackedPath(Assessed):
             is known to be.
         deviations: Standard deviation [m] of the position of each placed frame along its most open direction, by what
             the frames on the way left open and by noise.
-        drifted: Frames whose position is open by too much for a pose to be believed; they are among the uncertain.
+        drifted: Frames whose position is too uncertain for a pose to be accepted; they are among the uncertain.
         other_maps: As `trajectory`, of each further map, the largest first, in coordinates of its own: the camera was
             lost for long before it, and nothing tells how it lies to the others.
         joins: A MapJoin for each two maps for which a pose was found: what spoke for it, and why it was refused.

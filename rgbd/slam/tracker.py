@@ -1,4 +1,4 @@
-"""From a frame to its pose: what is expected, where the model is poor, and when the camera was lost.
+"""From a frame to its pose: what is expected, where the model is inexact, and when the camera was lost.
 
 A frame is aligned with the model as it would be seen from where constant velocity puts the camera. Where that fails, it
 is tried from where the camera last stood, then against the frame before, which sees what the model does not have yet.
@@ -232,7 +232,7 @@ class Tracker:
         return [start for start in starts if _way(start, led) <= reach]
 
     def _beat_rivals(self, frame: SensorFrame, found: Attempt, starts: list[Pose], is_anew: bool) -> Attempt:
-        """A found frame tried at poses that look like its own: the one that explains it best, in doubt where another
+        """A found frame tried at poses that look like its own: the one that explains it best, uncertain where another
         explains it as well. What shows nothing of the model speaks neither for nor against a rival."""
         tried = [found]
         for start in starts:
@@ -310,7 +310,7 @@ class Tracker:
         return Attempt(at, found, "lost", "; ".join(found.warnings))
 
     def _judge(self, result: OdometryResult, least_overlap: float) -> tuple[Verdict, str]:
-        """The verdict on a recognition, beside what is usual in this run."""
+        """Accept or reject a recognition by comparing its residuals with typical ones of this run."""
         return judge_recognition(result, least_overlap, self.motion.shades, self.motion.gap)
 
     def _settle(self, frame: SensorFrame, found: Attempt) -> Attempt:

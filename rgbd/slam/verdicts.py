@@ -4,7 +4,7 @@ In tracking the start is near, so that a wrong pose is one that slid or that lef
 what both see agrees, whether the frame fixes its motion, and how far it jumped. People who walk about stand in front of
 the model and take part of the picture; the pixels that do lie on its surface agree in normals, distances and brightness
 at a right pose, whoever hides the others, and contradict a wrong one. From a keyframe the start says little, and the
-pair has to prove itself: that is odometry's verdict (rgbd/odometry/verdicts.py), with stricter shares.
+pair has to pass the checks of odometry (rgbd/odometry/verdicts.py), with stricter limits.
 """
 
 from __future__ import annotations
@@ -29,9 +29,9 @@ LEAST_EIGENVALUE = 0.005  # as of OdometryResult: rooms in tiny pictures 0.007 a
 MOST_SHIFT, MOST_TURN = 0.35, np.deg2rad(30.0)  # [m], from where the camera was expected: a jump
 MOST_DEVIATION = 0.035  # [m] of a position: 0.04 and more in a white office once 10 cm off | textured rooms up to 0.011
 MOST_OF_TRUNCATION = 0.44  # where that is more: coarser models hold less
-SURE_OVERLAP, SURE_AGREEMENT = 0.5, 0.75  # from a keyframe: enough to be believed
+SURE_OVERLAP, SURE_AGREEMENT = 0.5, 0.75  # from a keyframe: enough to be accepted
 RIM_OVERLAP = 0.3  # where motion led: a camera that went on while it was covered sees the model's rim
-SHAPE_OVERLAP = 0.08  # where registration believes the place already, and two frames agree on it
+SHAPE_OVERLAP = 0.08  # where registration accepts the place already, and two frames agree on it
 # Doors that look alike but for 9 % of white: 15 times the usual | right poses up to 1.9 times, at the rim of a model
 # without texture, by a grey value.
 MOST_SHADES, LEAST_SHADES = 2.0, 0.01  # times the brightness is off beside the usual, and by how much at least
@@ -90,7 +90,7 @@ def is_determined(result: OdometryResult) -> bool:
 def judge_tracking(
     result: OdometryResult, moved: NDArray[np.float64], usual_gap: float = math.nan
 ) -> tuple[Verdict, str]:
-    """The verdict on a frame that was aligned from where it was expected; `moved` is how far off that was, `usual_gap`
+    """Status of a frame that was aligned from where it was expected; `moved` is how far off that was, `usual_gap`
     how far the run's frames are off the model's surface [m]."""
     agreement = agreement_of(result)
     shift = float(norm(moved[:3, 3]))
@@ -117,7 +117,7 @@ def judge_tracking(
 def judge_recognition(
     result: OdometryResult, least_overlap: float, usual: float = math.nan, usual_gap: float = math.nan
 ) -> tuple[Verdict, str]:
-    """The verdict on a frame that was aligned from a place it may be at: it is found, or it stays lost; `usual` and
+    """Status of a frame that was aligned from a place it may be at: it is found, or it stays lost; `usual` and
     `usual_gap` [m] are how far the run's frames are off the model in brightness and in distance."""
     if not result.reliable and UNDETERMINED not in result.warnings:  # whose limit is for frames of full size
         return "lost", result.warnings[0]

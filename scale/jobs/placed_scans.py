@@ -25,7 +25,7 @@ class TriedPair(NamedTuple):
         by: Why they were: "known", "order", "place", "look", or "loop" where the poses told.
         score: As of `FragmentPair`; NaN for loops.
         verdict: "kept" in the pose graph; "dropped" where the rest contradicts it; "apart" where it joins scans of
-            another group than the largest; else why it is not believed.
+            another group than the largest; else why it is rejected.
     """
 
     source: int

@@ -185,7 +185,7 @@ class RegistrationJob(Job):
             raise FileError(path, f"a scan's surface cannot be read: {error}", remedy=remedy) from error
 
     def _refined(self, pair: FragmentPair) -> dict[str, Any]:
-        """What is told of a pair that is believed, refined by ICP."""
+        """Record of an accepted pair, refined by ICP."""
         (pair,), (information,) = refine_pairs(self._surfaces(pair), [pair], self.size, self.plan["free"])
         return {"pair": _told(pair), "information": information.tolist()}
 
@@ -285,7 +285,7 @@ def plan_registration(
 def placed(
     done: Callable[[int], Iterator[Done]], size: float, free: Sequence[str] | None
 ) -> tuple[FragmentGraph, list[FragmentPair]]:
-    """The graph over all that the tasks of a job that is done have found, and the pairs that are believed."""
+    """The graph over all that the tasks of a job that is done have found, and the accepted pairs."""
     (graph,) = done(3)
     found, pairs, information = _place_told(graph.told, size, free)
     closing = [task.found for task in done(4) if task.found["pair"]]
@@ -320,7 +320,7 @@ def _told(pair: FragmentPair) -> dict[str, Any]:
 
 
 def _doubted(pair: FragmentPair, doubt: str) -> dict[str, Any]:
-    """What is told of a pair that is not believed."""
+    """Record of a rejected pair."""
     return {"pair": None, "score": _told(pair)["score"], "doubt": doubt}
 
 
@@ -333,7 +333,7 @@ def _to_try(i: int, j: int) -> Task:
 
 
 def _believed(done: Callable[[int], Iterator[Done]]) -> list[tuple[dict[str, Any], Any]]:
-    """What was found of pairs that are believed: those that were known first, then by their scans."""
+    """What was found of accepted pairs: those that were known first, then by their scans."""
     found = [task for stage in (1, 2) for task in done(stage) if task.found["pair"]]
     known = [task for task in found if task.told["is_known"]]
     rest = [task for task in found if not task.told["is_known"]]

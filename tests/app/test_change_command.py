@@ -1,4 +1,4 @@
-"""change: the library's M3C2 and distances from a mesh, what is written, and when it is not to be believed."""
+"""change: the library's M3C2 and distances from a mesh, what is written, and when it is unreliable."""
 
 import numpy as np
 import pytest
@@ -87,7 +87,7 @@ def test_a_cloud_is_held_against_a_mesh(files):
     assert "Give the mesh first" in refusal("change", files / "after.npz", files / "design.ply")
 
 
-def test_epochs_that_are_not_registered_or_do_not_overlap_are_poor(files):
+def test_epochs_that_are_not_registered_or_do_not_overlap_are_unreliable(files):
     told = unreliable("change", files / "before.npz", files / "lifted.npz")
     assert "moved up, by 0.49" in str(told["warnings"]) and "register the epochs first" in str(told["warnings"])
     assert answer("change", files / "before.npz", files / "lifted.npz", "--registration-error", "0.4")["reliable"]

@@ -330,7 +330,7 @@ def test_fuse_says_which_camera_it_used(frames, tmp_path):
     assert f"from {frames / 'intrinsics.K.txt'}" in shown.stdout
 
 
-def test_a_camera_that_the_pictures_contradict_is_a_poor_result(frames, tmp_path):
+def test_a_camera_that_the_pictures_contradict_is_unreliable(frames, tmp_path):
     (frames / "camera-intrinsics.json").unlink()
     (frames / "intrinsics.K.txt").write_text("525 0 320\n0 525 240\n0 0 1\n")  # of 640 x 480; these are 160 x 120
     poor = "; ".join(unreliable("fuse", frames, "--voxel", "0.1", "-o", tmp_path / "out.ply")["warnings"])

@@ -125,7 +125,7 @@ def test_the_command_prints_a_table_or_one_json_object(tmp_path):
 
 
 @pytest.mark.slow
-def test_a_coarse_demo_is_a_poor_result(tmp_path, monkeypatch):
+def test_a_coarse_demo_is_unreliable(tmp_path, monkeypatch):
     monkeypatch.setitem(LARGEST_RMSE, "noise", 0.001)
     result = CliRunner().invoke(cli, ["demo", "-o", str(tmp_path / "demo"), "--frames", "6", "--voxel", "0.08"])
     assert result.exit_code == 3
@@ -134,7 +134,7 @@ def test_a_coarse_demo_is_a_poor_result(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize(("noise", "limit"), [(True, 1.0), (False, 0.3)])
-def test_a_demo_is_poor_beyond_its_own_limit_and_not_at_it(noise, limit):
+def test_a_demo_is_unreliable_beyond_its_own_limit_and_not_at_it(noise, limit):
     assert _problem(errors_of(limit), noise) is None
     assert "is 0.31 voxels, more than 0.3;" in _problem(errors_of(0.31), False)
     assert f"more than {limit:g}; take more frames" in _problem(errors_of(1.01 * limit), noise)

@@ -215,7 +215,7 @@ def test_text_is_written_where_the_format_has_it(cloud, tmp_path):
     assert "Leave out --ascii" in refusal("convert", cloud, tmp_path / "out.npz", "--ascii")
 
 
-def test_a_cloud_without_finite_points_is_a_poor_result(tmp_path):
+def test_a_cloud_without_finite_points_is_unreliable(tmp_path):
     loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(np.full((4, 3), np.nan)))
     report = unreliable("downsample", tmp_path / "a.ply", tmp_path / "b.ply", "--voxel", "1")
     assert report["files"] == [] and "no point is left of 4" in str(report["warnings"])
@@ -236,7 +236,7 @@ def test_normals_turn_to_the_side_asked_for(tmp_path, rng, device, options, side
 
 
 @pytest.mark.filterwarnings("default::UserWarning")
-def test_a_radius_without_neighbours_is_a_poor_result(cloud, tmp_path):
+def test_a_radius_without_neighbours_is_unreliable(cloud, tmp_path):
     result = run("normals", cloud, tmp_path / "out.ply", "--radius", "0.0001")
     assert result.exit_code == 3
     assert "take a larger --radius" in result.stderr and "warning" not in result.stderr  # once is enough
@@ -244,7 +244,7 @@ def test_a_radius_without_neighbours_is_a_poor_result(cloud, tmp_path):
 
 
 @pytest.mark.parametrize(("lonely", "exit_code"), [(40, 0), (60, 3)])
-def test_normals_are_poor_where_more_than_half_of_the_points_are_alone(tmp_path, lonely, exit_code):
+def test_normals_are_unreliable_where_more_than_half_of_the_points_are_alone(tmp_path, lonely, exit_code):
     together = np.random.default_rng(0).random((100 - lonely, 3)) * 0.1
     alone = np.column_stack([np.arange(1, lonely + 1) * 10.0, np.zeros((lonely, 2))])
     loom.write_point_cloud(tmp_path / "in.ply", loom.PointCloud(np.concatenate([together, alone])))

@@ -52,7 +52,7 @@ def test_stl_comes_without_the_colours_that_it_cannot_hold(folder, tmp_path):
 
 
 @pytest.mark.parametrize("depth_max", [0.05, 0.3])
-def test_frames_out_of_reach_are_a_poor_result(folder, tmp_path, depth_max):
+def test_frames_out_of_reach_are_unreliable(folder, tmp_path, depth_max):
     report = fuse_folder(folder, ModelOutputs(tmp_path / "mesh.ply"), voxel_size=0.02, depth_max=depth_max).to_dict()
     assert "depth_max" in str(report["warnings"])
     assert report["files"] == [] == names_in(tmp_path)
@@ -120,7 +120,7 @@ def test_a_view_shows_the_whole_scene_however_the_cameras_looked(way):
     assert (pixels <= [159.5, 119.5]).all()
 
 
-def test_frames_without_depth_are_a_poor_result_that_sends_to_the_depth_maps(tmp_path, monkeypatch):
+def test_frames_without_depth_are_unreliable_and_the_warning_names_the_depth_maps(tmp_path, monkeypatch):
     monkeypatch.setattr("pointloom.app.jobs.frame_folder.open_dataset", lambda *_, **__: Still(depth=0))
     report = fuse_folder(tmp_path, ModelOutputs(tmp_path / "mesh.ply"), voxel_size=0.05).to_dict()
     assert "; ".join(report["warnings"]).startswith("only 0.0% of the pixels have a depth; check the depth maps")

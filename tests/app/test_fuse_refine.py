@@ -56,7 +56,7 @@ def test_a_pose_that_does_not_fit_is_kept_and_counted(walked, tmp_path):
     assert "1 as given: frame " in shown.stdout
 
 
-def test_poses_that_all_lie_elsewhere_are_a_poor_result(walked, tmp_path):
+def test_poses_that_all_lie_elsewhere_are_unreliable(walked, tmp_path):
     shift_poses(walked, [[0, 0, 2.0 * i] for i in range(8)])
     report = unreliable("fuse", walked, "-o", tmp_path / "mesh.ply", *COARSE, "--refine")
     assert "7 of 8 poses could not be refined" in str(report["warnings"])
@@ -76,7 +76,7 @@ def test_frames_without_poses_are_sent_to_reconstruct(walked, tmp_path):
 
 
 @pytest.mark.parametrize(("kept", "is_poor"), [(0, False), (5, False), (6, True), (9, True)])
-def test_more_than_half_kept_is_poor(kept, is_poor):
+def test_more_than_half_kept_is_unreliable(kept, is_poor):
     refined = (0.0,) * (10 - kept)
     refinement = PoseRefinement({i + 1: "r" for i in range(kept)}, refined, refined)
     assert refinement.frame_count == 11

@@ -80,7 +80,7 @@ def test_what_is_not_made_up_is_not_cut(ball, tmp_path, share, quantile):
     assert report["watertight"] is (quantile == 0)
 
 
-def test_a_surface_made_up_around_an_open_scan_is_poor_and_the_quantile_proposed_mends_it(tmp_path):
+def test_a_surface_made_up_around_an_open_scan_is_unreliable_and_the_quantile_proposed_mends_it(tmp_path):
     points = np.random.default_rng(2).normal(size=(4000, 3))
     points /= np.linalg.norm(points, axis=1, keepdims=True)
     points[:, 2] = -np.abs(points[:, 2])
@@ -96,7 +96,7 @@ def test_a_surface_made_up_around_an_open_scan_is_poor_and_the_quantile_proposed
     assert ("made up" in shown) == (mended["made_up"] > 0)
 
 
-def test_normals_of_the_input_are_used_and_doubted_where_they_disagree(ball, tmp_path):
+def test_normals_of_the_input_are_used_and_reported_where_they_disagree(ball, tmp_path):
     cloud = loom.read_point_cloud(ball).remove_non_finite_points()
     cloud.normals = cloud.points * np.where(np.arange(3000) % 3 == 0, -1, 1)[:, None]
     loom.write_point_cloud(tmp_path / "mixed.ply", cloud)
@@ -157,21 +157,21 @@ def test_radii_and_alpha_reach_the_library(ball, tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("method", ["poisson", "ball", "alpha"])
-def test_an_empty_surface_is_poor_and_nothing_is_written(ball, tmp_path, monkeypatch, method):
+def test_an_empty_surface_is_unreliable_and_nothing_is_written(ball, tmp_path, monkeypatch, method):
     stand_in(monkeypatch, method, TriangleMesh())
     report = unreliable("mesh", ball, tmp_path / "out.ply", "--method", method, "--picture", tmp_path / "out.png")
     assert report["warnings"][0].startswith("the mesh is empty")
     assert report["files"] == [] and names_in(tmp_path) == ["ball.ply"]
 
 
-def test_a_cloud_without_a_finite_point_is_poor(tmp_path):
+def test_a_cloud_without_a_finite_point_is_unreliable(tmp_path):
     loom.write_point_cloud(tmp_path / "bad.ply", loom.PointCloud(np.full((4, 3), np.nan)))
     for method in ("poisson", "ball", "alpha"):
         report = unreliable("mesh", tmp_path / "bad.ply", tmp_path / "out.ply", "--method", method)
         assert "; ".join(report["warnings"]) == "no point is finite, so there is no surface"
 
 
-def test_a_torn_surface_is_poor_and_written(ball, tmp_path, monkeypatch):
+def test_a_torn_surface_is_unreliable_and_written(ball, tmp_path, monkeypatch):
     mesh = grid()
     stand_in(monkeypatch, "ball", mesh.remove_triangles_by_mask(np.arange(len(mesh)) % 5 == 0))
     report = unreliable("mesh", ball, tmp_path / "out.ply", "--method", "ball")
@@ -212,7 +212,7 @@ def warnings_of(method, made_up=0.05, **figures):
         ({"made_up": 0.051}, "5.1% of the area lie farther than 0.2 m from all points"),
     ],
 )
-def test_a_surface_is_poor_beyond_a_limit_and_not_at_it(figures, word):
+def test_a_surface_is_unreliable_beyond_a_limit_and_not_at_it(figures, word):
     for method, remedy in (("poisson", "density_quantile"), ("ball", "radii")):
         assert not warnings_of(method)
         said = str(warnings_of(method, **figures))
@@ -226,7 +226,7 @@ def test_an_alpha_shape_may_have_a_tenth_of_crowded_edges_and_hollows_are_told_a
     assert "50.0% of the area are islands or the walls of hollows, 2 of them" in said and "a larger alpha" in said
 
 
-def test_a_surface_that_leaves_half_of_its_points_out_is_poor():
+def test_a_surface_that_leaves_half_of_its_points_out_is_unreliable():
     rng = np.random.default_rng(0)
     near = rng.uniform(-1, 1, (800, 3)) * [1, 1, 0]
     sheet = TriangleMesh([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], [[0, 1, 2], [0, 2, 3]])
@@ -238,7 +238,7 @@ def test_a_surface_that_leaves_half_of_its_points_out_is_poor():
     assert PointsOff().problem is None  # no surface is told elsewhere
 
 
-def test_an_alpha_shape_that_spans_a_hollow_is_poor():
+def test_an_alpha_shape_that_spans_a_hollow_is_unreliable():
     x, y = np.random.default_rng(1).uniform(-1, 1, (2, 1500))
     bowl = loom.PointCloud(np.column_stack([x, y, 0.2 * (x * x + y * y)]))  # a few spacings deep
     spanned, followed = (loom.create_surface(bowl, "alpha", alpha=alpha) for alpha in (10.0, 0.1))
@@ -246,7 +246,7 @@ def test_an_alpha_shape_that_spans_a_hollow_is_poor():
     assert "made up" not in str(followed.warnings)
 
 
-def test_normals_are_doubted_beyond_a_tenth():
+def test_normals_are_unreliable_beyond_a_tenth():
     made = NormalsUsed("made of the 30 nearest points", given=False, disagreement=0.1)
     assert made.problem is None
     said = dataclasses.replace(made, disagreement=0.2).problem

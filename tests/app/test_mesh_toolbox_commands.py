@@ -56,19 +56,19 @@ def test_what_is_right_stays_and_the_summary_says_so(ball, tmp_path):
     assert (tmp_path / "out.ply").read_bytes() == ball.read_bytes()
 
 
-def test_merging_most_vertices_is_a_poor_result(ball, tmp_path):
+def test_merging_most_vertices_is_unreliable(ball, tmp_path):
     report = unreliable("clean-mesh", ball, tmp_path / "out.ply", "--merge", 0.9)
     assert "merge_distance below 0.9 m" in str(report["warnings"])
 
 
-def test_a_mesh_that_lost_part_of_its_surface_is_a_poor_result(tmp_path):
+def test_a_mesh_that_lost_part_of_its_surface_is_unreliable(tmp_path):
     box = TriangleMesh.create_box()
     fin = TriangleMesh(np.vstack([box.vertices, [[5, 5, 5]]]), np.vstack([box.triangles, [[*box.triangles[0][:2], 8]]]))
     report = unreliable("clean-mesh", write(tmp_path / "fin.ply", fin), tmp_path / "out.ply")
     assert "of the area is gone" in str(report["warnings"]) and report["is_watertight"] and report["lost_area"] > 1
 
 
-def test_a_strip_with_one_side_is_a_poor_result(tmp_path):
+def test_a_strip_with_one_side_is_unreliable(tmp_path):
     strip = write(tmp_path / "strip.ply", TriangleMesh.create_moebius())
     assert "one side only" in str(unreliable("clean-mesh", strip, tmp_path / "out.ply")["warnings"])
 
@@ -92,7 +92,7 @@ def test_a_mesh_is_thinned_to_its_target(ball, tmp_path, device, option, amount,
     assert 0 < report["errors"]["rms"] <= report["errors"]["max"] and (target is None or report["errors"]["max"] < 0.03)
 
 
-def test_a_surface_that_moved_far_is_a_poor_result(ball, tmp_path):
+def test_a_surface_that_moved_far_is_unreliable(ball, tmp_path):
     report = unreliable("simplify", ball, tmp_path / "out.ply", "--triangles", 8)
     assert "the surface moved by" in str(report["warnings"])
 
@@ -113,7 +113,7 @@ def test_a_mesh_is_smoothed_as_the_library_smooths_it(ball, tmp_path, method, op
     assert report["area"] == wanted.get_surface_area() and report["moved"]["max"] > 0
 
 
-def test_a_mesh_that_shrank_is_a_poor_result(ball, tmp_path):
+def test_a_mesh_that_shrank_is_unreliable(ball, tmp_path):
     report = unreliable("smooth-mesh", ball, tmp_path / "out.ply", "--method", "simple", "--iterations", 50)
     assert "of the area was lost" in str(report["warnings"]) and "method='taubin'" in str(report["warnings"])
 
@@ -183,13 +183,13 @@ def test_where_a_picture_cannot_be_written_is_told_before_the_work(ball, tmp_pat
     ]
 
 
-def test_surfaces_farther_apart_than_asked_are_a_poor_result(ball, larger, tmp_path):
+def test_surfaces_farther_apart_than_asked_are_unreliable(ball, larger, tmp_path):
     assert "more than 0.001 m" in str(unreliable("compare-meshes", ball, larger, "--max-distance", 0.001)["warnings"])
     assert answer("compare-meshes", ball, larger, "--max-distance", 0.1)["reliable"]
 
 
 @pytest.mark.slow
-def test_meshes_of_other_units_are_a_poor_result(ball, tmp_path):
+def test_meshes_of_other_units_are_unreliable(ball, tmp_path):
     other = write(tmp_path / "mm.ply", TriangleMesh.create_sphere(1000.0, 20))
     assert "other units" in str(unreliable("compare-meshes", ball, other)["warnings"])
 

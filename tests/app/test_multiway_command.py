@@ -54,7 +54,7 @@ def test_multiway_brings_all_clouds_into_one_frame(views, tmp_path):
     assert "left out  time" in shown
 
 
-def test_a_cloud_that_cannot_be_placed_is_a_poor_result(views, tmp_path, rng):
+def test_a_cloud_that_cannot_be_placed_is_unreliable(views, tmp_path, rng):
     loom.write_point_cloud(views / "view5.ply", loom.PointCloud(rng.random((4000, 3))))
     report = unreliable("multiway", views, *VOXEL, "-o", tmp_path / "poses.log", "--loops", 3)
     assert report["not_placed"] == ["view5.ply"]
@@ -91,7 +91,7 @@ def test_multiway_refuses_what_cannot_be_done_before_the_work(views, tmp_path):
     assert names_in(tmp_path) == ["views"]
 
 
-def test_a_job_gives_the_poses_of_one_process_and_a_verdict_of_each_pair(views, tmp_path, rng):
+def test_a_job_gives_the_poses_of_one_process_and_a_status_of_each_pair(views, tmp_path, rng):
     loom.write_point_cloud(views / "view20.ply", loom.PointCloud(rng.random((4000, 3))))
     places = loom.Trajectory(np.array(PLACES), ids=np.array([[k, k, 3] for k in range(3)]))
     loom.write_trajectory(tmp_path / "places.log", places, format="log")

@@ -67,7 +67,7 @@ def test_odometry_writes_each_format_and_sums_up(drive, tmp_path):
         np.testing.assert_allclose(read_trajectory(tmp_path / name).poses, tum.poses, atol=1e-12)
 
 
-def test_a_scan_that_does_not_overlap_is_a_poor_result(drive, tmp_path, rng):
+def test_a_scan_that_does_not_overlap_is_unreliable(drive, tmp_path, rng):
     stray = np.column_stack([rng.uniform(20, 25, (500, 3)), np.ones(500)]).astype(np.float32)
     stray.tofile(drive / "scan10.bin")
     report = unreliable("odometry", drive, "-o", tmp_path / "poses.txt", "--max-range", 50, "--min-range", 0.5)
@@ -80,7 +80,7 @@ def test_a_scan_that_does_not_overlap_is_a_poor_result(drive, tmp_path, rng):
 
 
 @pytest.mark.slow
-def test_a_path_that_was_lost_is_a_poor_result_and_names_the_scans(real_file, tmp_path):
+def test_a_path_that_was_lost_is_unreliable_and_names_the_scans(real_file, tmp_path):
     folder = tmp_path / "submaps"
     folder.mkdir()
     for number in range(5):  # submaps of a drive, 3 to 12 m apart

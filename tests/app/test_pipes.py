@@ -76,7 +76,7 @@ def test_a_damaged_cloud_in_a_pipe_is_named_so(cloud):
     assert "standard input (byte 0): is empty" in feed(b"", "info", "-", "--from", "ply").stderr
 
 
-def test_a_poor_result_writes_nothing_to_the_pipe(tmp_path):
+def test_an_unreliable_result_writes_nothing_to_the_pipe(tmp_path):
     loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(np.full((4, 3), np.nan)))
     result = run("clean", tmp_path / "a.ply", "-", "--to", "ply")
     assert (result.exit_code, result.stdout_bytes) == (3, b"")

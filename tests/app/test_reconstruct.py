@@ -53,7 +53,7 @@ def test_reconstruct_sums_up(walked, tmp_path):
 
 
 @pytest.mark.slow
-def test_frames_that_are_lost_are_a_poor_result_with_a_mesh(walked, tmp_path):
+def test_lost_frames_give_an_unreliable_result_with_a_mesh(walked, tmp_path):
     cover(walked, 5, 6)
     report = unreliable("reconstruct", walked, "-o", tmp_path / "mesh.ply", *COARSE)
     assert [entry["frame"] for entry in report["lost"]] == [5, 6]

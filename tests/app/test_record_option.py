@@ -63,7 +63,7 @@ def test_register_records_a_search_as_a_start_and_a_result(pair, tmp_path):
 
 
 @pytest.mark.slow
-def test_a_poor_result_is_recorded_too(tmp_path, rng):
+def test_an_unreliable_result_is_recorded_too(tmp_path, rng):
     for k, offset in enumerate((0, 50)):
         loom.write_point_cloud(tmp_path / f"{k}.ply", loom.PointCloud(bumpy(rng) + np.array([offset, 0, 0])))
     words = [tmp_path / "0.ply", tmp_path / "1.ply", *VOXEL, "--init", "identity", "--record", tmp_path / "r.html"]

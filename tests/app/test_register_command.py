@@ -162,7 +162,7 @@ def test_coordinates_of_maps_do_no_harm(near, tmp_path):
     np.testing.assert_allclose(found, moved(source, T), atol=1e-5)
 
 
-def test_surfaces_that_do_not_meet_are_a_poor_result_that_is_written(pair, tmp_path):
+def test_surfaces_that_do_not_meet_are_unreliable_and_written(pair, tmp_path):
     np.savetxt(tmp_path / "T.txt", turned(120, 0.3, 0.3, 0) @ POSE)
     report = unreliable("register", *pair, *VOXEL, "--init", tmp_path / "T.txt", "-o", tmp_path / "out.txt")
     assert "not above 0.5: the surfaces hardly overlap; try --init global" in str(report["warnings"])
@@ -171,7 +171,7 @@ def test_surfaces_that_do_not_meet_are_a_poor_result_that_is_written(pair, tmp_p
 
 
 @pytest.mark.parametrize("init", ["identity", "global"])
-def test_rooms_that_share_nothing_but_walls_are_a_poor_result(tmp_path, rng, init):
+def test_rooms_that_share_nothing_but_walls_are_unreliable(tmp_path, rng, init):
     paths = tmp_path / "a.ply", tmp_path / "b.ply"
     for path, boxes in zip(paths, (ONE, OTHER), strict=True):
         loom.write_point_cloud(path, loom.PointCloud(corner(rng, boxes, 20000)))
@@ -180,7 +180,7 @@ def test_rooms_that_share_nothing_but_walls_are_a_poor_result(tmp_path, rng, ini
     assert init == "identity" or "three planes" in str(report["warnings"])
 
 
-def test_a_score_of_a_half_is_a_poor_result(near, monkeypatch):
+def test_a_score_of_a_half_is_unreliable(near, monkeypatch):
     monkeypatch.setattr(pair_module, "rate_registration", lambda *_: 0.5)
     assert unreliable("register", *near, *VOXEL, "--init", "identity")["score"] == 0.5
 
@@ -193,7 +193,7 @@ def test_without_a_correspondence_nothing_is_written(pair, tmp_path):
     assert names_in(tmp_path) == ["a.ply", "b.ply"]
 
 
-def test_a_small_share_of_correspondences_is_a_poor_result(near, tmp_path):
+def test_a_small_share_of_correspondences_is_unreliable(near, tmp_path):
     target = loom.read_point_cloud(near[1]).points
     far = moved(target, turned(0, 0, 0, 50))
     loom.write_point_cloud(tmp_path / "c.ply", loom.PointCloud(np.vstack([target[:80], far])))

@@ -61,7 +61,7 @@ def test_clean_checks_the_file_of_removed_points_first(cloud, tmp_path):
     assert names_in(tmp_path) == ["cloud.ply", "gone.ply"]
 
 
-def test_a_radius_that_removes_most_points_is_a_poor_result(cloud, tmp_path):
+def test_a_radius_that_removes_most_points_is_unreliable(cloud, tmp_path):
     words = ["clean", cloud, tmp_path / "out.ply", "--min-neighbors", "3", "--radius"]
     report = unreliable(*words, "0.05")
     assert "have fewer than 3 others within 0.05 m" in str(report["warnings"])
@@ -174,7 +174,7 @@ def test_crop_takes_a_polygon_of_open3d(scene, points, tmp_path, device):
     assert refusal(*words).startswith(f"error: {tmp_path / 'volume.json'}")
 
 
-def test_a_crop_that_leaves_nothing_is_a_poor_result(scene, tmp_path):
+def test_a_crop_that_leaves_nothing_is_unreliable(scene, tmp_path):
     report = unreliable("crop", scene, tmp_path / "out.npz", "--box", 20, 20, 20, 30, 30, 30)
     assert report["files"] == []
     assert "to [9.0000, 9.0000, 9.0000]" in str(report["warnings"])  # where the points are
@@ -225,7 +225,7 @@ def test_the_seed_of_planes_chooses_the_samples(cloud, tmp_path):
     assert models[0] == models[1] != models[2]
 
 
-def test_a_cloud_without_a_plane_is_a_poor_result(cloud, tmp_path):
+def test_a_cloud_without_a_plane_is_unreliable(cloud, tmp_path):
     report = unreliable("plane", cloud, tmp_path / "out.ply", "--distance", "1e-6")
     assert "the largest plane has only" in str(report["warnings"])
     assert report["points"] == len(loom.read_point_cloud(tmp_path / "out.ply"))
@@ -292,6 +292,6 @@ def test_farthest_points_begin_at_a_finite_one_and_are_not_more_than_there_are(t
     assert "a.ply: has 3 finite points, of which 4 cannot be chosen" in refusal(*words, 4)
 
 
-def test_a_share_below_one_point_is_a_poor_result(cloud, tmp_path):
+def test_a_share_below_one_point_is_unreliable(cloud, tmp_path):
     assert unreliable("downsample", cloud, tmp_path / "out.ply", "--ratio", "1e-6")["files"] == []
     assert names_in(tmp_path) == ["cloud.ply"]

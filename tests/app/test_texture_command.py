@@ -77,7 +77,7 @@ def test_the_summary_tells_what_was_done(scan, tmp_path):
     assert "\n".join(result.stdout.splitlines()[1:-3]) == str(loom.color_map.texture_mesh(bare, frames))
 
 
-def test_frames_of_another_place_are_a_poor_result_and_write_nothing(scan, tmp_path):
+def test_frames_of_another_place_are_unreliable_and_write_nothing(scan, tmp_path):
     mesh = loom.read_triangle_mesh(scan / "bare.ply")
     loom.write_triangle_mesh(tmp_path / "far.ply", loom.TriangleMesh(mesh.vertices + 100.0, mesh.triangles))
     report = unreliable("texture", tmp_path / "far.ply", scan / "room", "-o", tmp_path / "out.ply")
@@ -85,7 +85,7 @@ def test_frames_of_another_place_are_a_poor_result_and_write_nothing(scan, tmp_p
     assert names_in(tmp_path) == ["far.ply"]
 
 
-def test_frames_that_show_little_are_a_poor_result(scan, tmp_path):
+def test_frames_that_show_little_are_unreliable(scan, tmp_path):
     words = ["texture", scan / "bare.ply", scan / "room", "-o", tmp_path / "out.ply", "--every", "12"]
     report = unreliable(*words, "--depth-max", "2")
     assert "only" in str(report["warnings"]) and "of the vertices" in str(report["warnings"])

@@ -62,7 +62,7 @@ def test_a_broken_file_is_an_error_and_nothing_is_written(cloud, tmp_path, comma
 
 
 @each_command
-def test_a_cloud_without_finite_points_is_a_poor_result(tmp_path, command):
+def test_a_cloud_without_finite_points_is_unreliable(tmp_path, command):
     loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(np.full((4, 3), np.nan)))
     options = ["--voxel", "1"] if command == "downsample" else CALLS[command]
     extra = ["--largest", "1"] if command == "cluster" else []

@@ -116,7 +116,7 @@ def test_a_missing_picture_is_left_out_and_named(guided, frames, tmp_path):
     assert "1 of 6 frames lack a picture and are left out, the first frame-000004.color.png" in str(report["warnings"])
 
 
-def test_frames_out_of_reach_are_a_poor_result(guided, frames, tmp_path):
+def test_frames_out_of_reach_are_unreliable(guided, frames, tmp_path):
     report = unreliable("track", frames, "-o", tmp_path / "poses.txt", "--depth-max", "0.1")
     assert "raise depth_max" in str(report["warnings"])
 

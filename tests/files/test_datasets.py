@@ -172,7 +172,7 @@ def test_two_matrices_that_disagree_are_refused(tmp_path):
         ((0.5, 7, 3.5, 2.5), "a field of view of 166 degrees of a width of 8"),
     ],
 )
-def test_a_camera_that_the_pictures_contradict_is_doubted(tmp_path, numbers, doubt):
+def test_a_camera_that_the_images_contradict_is_reported(tmp_path, numbers, doubt):
     folder, given = make_seven_scenes(tmp_path / "set"), PinholeCameraIntrinsic(8, 6, *numbers)
     np.savetxt(folder / "intrinsics.K.txt", given.matrix)
     assert re.search(doubt, open_dataset(folder).intrinsic_doubt)
@@ -182,7 +182,7 @@ def test_a_camera_that_the_pictures_contradict_is_doubted(tmp_path, numbers, dou
 
 
 @pytest.mark.parametrize("name", ["kinect_calibration.yaml", "intrinsics.xml", "frames.K.txt", "Camera.txt"])
-def test_a_file_like_a_camera_that_is_not_read_casts_doubt_on_the_default(tmp_path, name):
+def test_a_file_like_a_camera_that_is_not_read_is_reported_with_the_default(tmp_path, name):
     folder = make_seven_scenes(tmp_path / "set", 1)
     for path in folder.glob("*.png"):
         write_png(path, depth_map(1, (480, 640)) if "depth" in str(path) else picture(1, (480, 640, 3)))

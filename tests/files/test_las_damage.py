@@ -1,4 +1,4 @@
-"""Damaged LAS and LAZ: no header is believed beyond its file."""
+"""Damaged LAS and LAZ: no header is trusted beyond its file."""
 
 from __future__ import annotations
 

@@ -63,7 +63,7 @@ def test_two_meshes_in_memory_are_compared_as_their_files_are(tmp_path, device):
     assert loom.compare_meshes(meshes[0], meshes[0], thresholds=[], samples=100).reliable
 
 
-def test_a_mesh_without_triangles_is_poor_and_no_error():
+def test_a_mesh_without_triangles_is_unreliable_and_no_error():
     for mesh in (TriangleMesh(), TriangleMesh([[0, 0, 0], [np.nan, 1, 2]])):
         assert loom.clean_mesh(mesh).warnings == ("no triangle is left",)
         assert "no triangle is left" in loom.simplify_mesh(mesh, ratio=0.5).warnings[0]
@@ -80,7 +80,7 @@ def test_the_remedy_is_named_as_a_caller_gives_it():
         assert argument in found.warnings[0]
 
 
-def test_a_repair_that_cost_too_much_is_poor():
+def test_a_repair_that_cost_too_much_is_unreliable():
     box = TriangleMesh.create_box()
     fin = TriangleMesh(np.vstack([box.vertices, [[5, 5, 5]]]), np.vstack([box.triangles, [[*box.triangles[0][:2], 8]]]))
     lost = loom.clean_mesh(fin)

@@ -49,7 +49,7 @@ def test_a_texture_takes_the_place_of_the_vertices_colours():
     assert (found.colors.mesh.vertex_colors == (0, 1, 0)).all()
 
 
-def test_pictures_that_agree_no_better_are_a_poor_result():
+def test_pictures_that_agree_no_better_are_unreliable():
     good = loom.color_map.texture_mesh(wall(), frames(10), [POSE] * 10, method="none")
 
     def warnings(method: str, before: float, after: float, blind: int = 0) -> tuple[str, ...]:

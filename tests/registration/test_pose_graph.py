@@ -147,7 +147,7 @@ def test_certain_contradictions_are_balanced():
 
 
 def test_an_edge_at_the_threshold_is_dropped():
-    """Open3D's rule: kept is what is believed more than the threshold."""
+    """Open3D's rule: edges with a confidence above the threshold are kept."""
     held = reg.PoseGraphEdge(0, 1)
     loop = reg.PoseGraphEdge(0, 1, uncertain=True)  # met exactly: confidence 1
     for threshold, kept in ((1.0, 1), (1 - 1e-9, 2)):

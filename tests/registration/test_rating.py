@@ -63,7 +63,7 @@ def hall(rng, count=40000):
 
 
 @pytest.mark.parametrize("share", [1.0, 0.3])
-def test_the_right_pose_is_believed_at_partial_overlap(device, rng, share):
+def test_the_right_pose_is_accepted_at_partial_overlap(device, rng, share):
     left, right = hills(rng, 30000), hills(rng, 30000)
     left, right = left[left[:, 0] < 2 * share], right[right[:, 0] > -2 * share]
     T = as_pose([0.5, 1.0, -2.0], [3, 4, 5])
@@ -71,7 +71,7 @@ def test_the_right_pose_is_believed_at_partial_overlap(device, rng, share):
     assert rate(source, loom.PointCloud(right, device=device), T, 0.12) > 0.9
 
 
-def test_a_pose_that_is_a_little_off_is_believed_and_one_farther_off_is_not(device, rng):
+def test_a_pose_that_is_a_little_off_is_accepted_and_one_farther_off_is_not(device, rng):
     clouds = [loom.PointCloud(hills(rng, 20000), device=device) for _ in range(2)]
     for shift in ((0.3, 0, 0), (0, 0.4, 0), (0, 0, 0.3)):
         assert rate(*clouds, as_pose([0, 0, 0], shift), 0.1) < 0.3
@@ -97,7 +97,7 @@ def test_a_scale_is_taken_into_account(device, rng):
     assert rate(source, target, T, 0.1) > 0.9 > 0.5 > rate(source, target, np.eye(4), 0.1)
 
 
-def test_what_leaves_a_motion_open_is_not_believed(device, rng):
+def test_what_leaves_a_motion_open_is_rejected(device, rng):
     plane, sphere = rng.uniform(-1, 1, (8000, 3)), rng.normal(size=(8000, 3))
     plane[:, 2] = rng.normal(0, 0.004, 8000)
     sphere *= (1 + rng.normal(0, 0.004, (8000, 1))) / np.linalg.norm(sphere, axis=1, keepdims=True)
@@ -284,7 +284,7 @@ def test_what_matches_square_to_two_planes_counts_as_aligned(device, rng):
     assert whole[ALIGNED_AT] == 0 and beside[ALIGNED_AT] > 0.6 * beside[MATCHED_AT]
 
 
-def test_the_more_stands_in_the_way_the_less_is_believed():
+def test_the_more_points_stand_in_the_way_the_lower_is_the_score():
     scores = [Evidence(0.8, 0.03, 1000, rest=0.8, blocked=share).score for share in (0.0, 0.01, 0.02, 0.04, 0.2)]
     assert np.all(np.diff(scores) < 0) and scores[1] > 0.9 and scores[3] < 0.1
     assert "saw through" in Evidence(0.8, 0.03, 1000, rest=0.8, blocked=0.1).problem

@@ -116,7 +116,7 @@ def test_submaps_of_a_turn_come_together(submaps, angle_between, i, j):
 
 
 @pytest.mark.slow
-def test_submaps_that_share_a_third_come_together_or_are_not_believed(submaps, angle_between):
+def test_submaps_that_share_a_third_come_together_or_are_rejected(submaps, angle_between):
     clouds, poses = submaps
     source, target = (loom.PointCloud(clouds[k]) for k in (4, 0))
     T, believed = np.linalg.inv(poses[0]) @ poses[4], 0
@@ -228,7 +228,7 @@ def test_four_hundred_points_of_two_scans_are_enough(real_file, angle_between):
 
 
 @pytest.mark.slow
-def test_no_wrong_pose_of_two_range_scans_is_believed(bunny, angle_between):
+def test_no_wrong_pose_of_two_range_scans_is_accepted(bunny, angle_between):
     scans, poses = bunny
     assert len(scans) == 10
     clouds = {name: loom.PointCloud(points[::2]) for name, points in scans.items()}

@@ -75,7 +75,7 @@ def test_it_tells_its_stages_and_says_what_it_found(pair):
     assert "chosen from the clouds" in str(found)
 
 
-def test_a_pose_without_correspondences_is_poor(pair):
+def test_a_pose_without_correspondences_is_unreliable(pair):
     far = np.eye(4)
     far[0, 3] = 1000
     found = reg.register_pair(*pair, init=far, voxel_size=0.06)

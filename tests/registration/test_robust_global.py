@@ -46,7 +46,7 @@ def test_one_right_correspondence_in_a_hundred_is_enough_in_ten_thousand(device,
     assert angle < tolerances.robust_degrees and distance < tolerances.robust_distance and result.score > 0.9
 
 
-def test_wrong_correspondences_alone_are_not_believed(device, rng):
+def test_wrong_correspondences_alone_are_rejected(device, rng):
     for count in (20, 200, 1500):
         p, q, pairs, _ = rough_pair(rng, count, 0)
         result = reg.registration_robust_based_on_correspondence(
@@ -55,7 +55,7 @@ def test_wrong_correspondences_alone_are_not_believed(device, rng):
         assert result.score < 0.3 and not result.converged
 
 
-def test_two_motions_with_as_many_correspondences_leave_doubt(device, rng):
+def test_two_motions_with_as_many_correspondences_are_ambiguous(device, rng):
     p = rng.random((200, 3))
     q = np.vstack([moved(p[:100], random_pose(rng)), moved(p[100:], random_pose(rng))])
     pairs = np.column_stack([np.arange(200)] * 2)
@@ -89,7 +89,7 @@ def test_points_that_are_not_finite_and_duplicates_change_nothing(device, rng, t
     assert angle < tolerances.robust_degrees and distance < tolerances.robust_distance
 
 
-def test_three_correspondences_give_a_pose_that_is_not_believed(device):
+def test_three_correspondences_give_a_pose_that_is_rejected(device):
     cloud = loom.PointCloud(np.eye(3), device=device)
     result = reg.registration_robust_based_on_correspondence(cloud, cloud, [[0, 0], [1, 1], [2, 2]], 0.1)
     np.testing.assert_allclose(result.transformation, np.eye(4), atol=1e-6)

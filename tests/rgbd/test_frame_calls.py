@@ -138,7 +138,7 @@ def test_one_frame_is_a_mesh_already():
     assert len(result.mesh) > 100
 
 
-def test_an_empty_mesh_is_a_poor_result():
+def test_an_empty_mesh_is_unreliable():
     blank = [(None, np.zeros((48, 64), np.uint16))] * 2
     result = loom.reconstruct(loom.frames_from(blank, CAMERA))
     assert len(result.mesh) == len(result.trajectory) == 0

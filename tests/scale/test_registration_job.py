@@ -75,7 +75,7 @@ def assert_same(found, expected):
         np.testing.assert_array_equal(mine.information, theirs.information)
 
 
-def test_scans_are_placed_as_in_memory_and_every_pair_has_a_verdict(device, surveyed, expected, tmp_path):
+def test_scans_are_placed_as_in_memory_and_every_pair_has_a_status(device, surveyed, expected, tmp_path):
     found = by_tasks(surveyed[0], tmp_path / "job", device)
     assert found.placed.tolist() == [True, True, True, False]
     assert_same(found, expected if device == "cpu" else in_memory(surveyed[0], device))

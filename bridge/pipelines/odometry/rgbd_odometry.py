@@ -72,8 +72,8 @@ def compute_rgbd_odometry(
 ) -> tuple[bool, NDArray[np.float64], NDArray[np.float64]]:
     """The motion between two images: (success, T_target_source, information).
 
-    By Open3D's weights and without a verdict; `loom.odometry.compute_rgbd_odometry` weighs by the noise, and says where
-    it failed.
+    Uses Open3D's weights and does not check reliability. `loom.odometry.compute_rgbd_odometry` weights by the noise and
+    reports failures.
     """
     camera = PinholeCameraIntrinsic() if pinhole_camera_intrinsic is None else pinhole_camera_intrinsic
     term = RGBDOdometryJacobianFromHybridTerm() if jacobian is None else jacobian

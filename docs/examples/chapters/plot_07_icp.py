@@ -135,8 +135,8 @@ print(f"half of the points are within {np.median(moved['apart']) * 1000:.0f} mm 
 # --------------
 # The distance has to be larger than the error of the start, or the right partners are out of reach; and small, or wrong
 # partners beyond the edge of the overlap (the part of the scene that both scans show) pull. Two to four voxels is a
-# good end. Begin wide and end narrow where the start is poor: ``multi_scale_icp`` does that in one call, which wants a
-# voxel size, criteria and a distance for each scale; chapter 10 has it in full.
+# good end. Begin wide and end narrow if the initial pose is far off: ``multi_scale_icp`` does that in one call. It takes
+# a voxel size, criteria and a distance for each scale; chapter 10 has it in full.
 
 for reach in (0.01, 0.03, 0.12, 0.5, 2.0):
     tried = reg.registration_icp(source, target, reach, start, reg.TransformationEstimationPointToPlane())
@@ -183,7 +183,7 @@ assert figures["6 -> 10", None][0].fitness < figures["6 -> 10", None][1].fitness
 # With ``overlap`` the fitness of the result is the share that was kept, and its rmse that of those pairs alone, so they
 # do not compare with the figures of a run without it. ``evaluate_registration`` asks both poses the same. Even so the
 # wrong pose of frames 0 and 23 has the higher fitness, since its walls lie on walls that are others:
-# ``rate_registration`` (0 to 1; believe what is above 0.5, chapter 8) looks at the surfaces, and is not deceived here.
+# ``rate_registration`` (0 to 1; accept poses above 0.5, chapter 8) compares the surfaces, and rejects the pose here.
 
 assert figures["0 -> 23", 1.0][1].fitness > figures["0 -> 23", None][1].fitness
 assert scores["0 -> 23", 1.0] < 0.5 < scores["0 -> 23", None]

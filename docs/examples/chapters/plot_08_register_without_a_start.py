@@ -4,7 +4,7 @@
 
 ICP needs a pose that is nearly right. Where nobody knows one, points are described by what lies around them, and
 points that look alike are matched. You learn features, the two classic methods that work on them, the one call that
-does it all, and to ask the most important question: is the answer to be believed?
+does it all, and how to check whether the result is reliable.
 """
 
 # %%
@@ -110,8 +110,8 @@ print("off by {:.1f} degrees and {:.0f} cm".format(*off(ransac.transformation, t
 # Fast global registration
 # ------------------------
 # FGR takes all matches at once and gives those that disagree with the rest less and less weight. It is quick, and good
-# where every second match is right. Here nine in ten are wrong, and its pose may be as wrong. ``score`` tells: how far
-# to believe that the surfaces lie on each other there, 0 to 1, yes above 0.5 (more of it below).
+# where every second match is right. Here nine in ten are wrong, and its pose may be as wrong. ``score``
+# rates how well the surfaces lie on each other there, from 0 to 1; poses above 0.5 are accepted (more of it below).
 
 fast = reg.registration_fgr_based_on_feature_matching(
     thin_source, thin_target, source_features, target_features,
@@ -153,9 +153,9 @@ after = loom.render(
 )  # fmt: skip
 
 # %%
-# Is it to be believed?
-# ---------------------
-# The worst case is a wrong pose that looks like an answer. Two frames that show different parts of the room: every
+# Is it reliable?
+# ---------------
+# The worst case is a wrong pose that looks plausible. Two frames that show different parts of the room: every
 # method gives *some* pose. ``fitness`` does not warn, since floors and walls fit anywhere. ``score`` does: below 0.5
 # do not use the pose, and ``reason`` says why.
 

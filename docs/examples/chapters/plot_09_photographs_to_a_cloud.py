@@ -97,8 +97,8 @@ assert np.median(relative) < 0.01
 # One cloud
 # ---------
 # Pixels of several pictures that show one place become one point, with its colour, its normal, and ``views``: how
-# many pictures agree on it. The grey behind the figure is plain, so nothing tells how far away it is, and what is
-# said of it is not to be believed. It goes by its
+# many pictures agree on it. The grey behind the figure is plain, so its depth is unknown, and
+# estimates of it are unreliable. It is removed by its
 # colour, and specks in the air by clusters (chapter 3).
 
 cloud = loom.mvs.fuse(kept, small)

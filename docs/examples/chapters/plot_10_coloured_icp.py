@@ -55,8 +55,8 @@ before = loom.render([source, target], view, (960, 640))
 # %%
 # Shape alone
 # -----------
-# Point to plane brings the two sheets onto one height and stops. It says itself that three motions (two steps and a
-# turn) are not determined: believe it.
+# Point to plane brings the two sheets onto one height and stops. It reports that three motions (two translations
+# and a rotation) are not determined.
 
 shape = reg.registration_icp(source, target, 0.06, np.eye(4), reg.TransformationEstimationPointToPlane())
 print(shape)
@@ -182,7 +182,7 @@ assert "255" in message
 #
 # **Is it right?** Without a truth, as in life: look at the pattern where the two meet (as above); begin from a few
 # other starts, a little off, and see whether they end at one pose; and where shape leaves motions open
-# (``degenerate_directions`` of shape alone), believe what colours say of them only if the pattern does not repeat.
+# (``degenerate_directions`` of shape alone), trust the colors only if the pattern does not repeat.
 #
 # Try it
 # ------

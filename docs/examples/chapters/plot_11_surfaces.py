@@ -150,7 +150,7 @@ assert not sure.is_watertight(), "it is open where nobody looked"
 # %%
 # ``remove_vertices_by_mask`` cuts along triangles, as in Open3D; ``trim`` cuts along a smooth line and drops islands.
 #
-# All in one call, with a verdict: it makes normals where there are none, and says whether the result is to be believed.
+# All in one call: ``create_surface`` estimates missing normals and checks whether the result is reliable.
 
 found = loom.create_surface(scan, "poisson", depth=7)
 print(found)

@@ -45,7 +45,7 @@ print("the camera moved {:.1f} degrees and {:.0f} mm".format(*off(np.eye(4), tru
 # -------------------------------
 # Both ask: if the source's pixels are moved to the target by this pose, are they as bright as what they meet there?
 # The **colour term** asks that alone. The **hybrid term** also asks whether they lie on the target's surface. Hybrid
-# is the one to take; colour alone where depth is poor.
+# is the one to take; color alone where depth is noisy.
 #
 # In Open3D this is ``o3d.pipelines.odometry.compute_rgbd_odometry(source, target, intrinsic, odo_init, jacobian,
 # option)``, the same here under ``loom.odometry``. It gives success, the pose T_target_source, and an information
@@ -156,7 +156,7 @@ for every in (1, 4, 8):
     last = (len(frames) - 1) // every * every
     angle, distance = off(T, truth.poses[last])
     print(f"every {every} frames:", failed or f"at frame {last} {angle:.2f} degrees and {distance:.1f} mm off")
-    assert failed or distance < 50, "what is believed is right"
+    assert failed or distance < 50, "reliable results are correct"
 
 # %%
 # The path as it grows:
@@ -201,9 +201,9 @@ right = odometry.align_frames(prepared[1], prepared[0])
 print(f"inlier_rmse {1000 * right.inlier_rmse:.1f} mm, with the wrong lens {1000 * step.inlier_rmse:.1f} mm")
 assert step.reliable and step.inlier_rmse < 2 * right.inlier_rmse
 
-verdict = loom.check_focal(loom.frames_from([(frame.color, frame.depth) for frame in frames], long_lens))
-print(verdict)
-assert verdict is not None and not verdict.reliable
+check = loom.check_focal(loom.frames_from([(frame.color, frame.depth) for frame in frames], long_lens))
+print(check)
+assert check is not None and not check.reliable
 
 # %%
 # **The wrong direction**: T_target_source takes the source into the target. If the path runs backwards,
@@ -218,5 +218,5 @@ assert verdict is not None and not verdict.reliable
 # Where to go next
 # ----------------
 # :ref:`Chapter 15 <sphx_glr_chapters_plot_15_frames_to_a_model.py>` holds each frame against a model of all before it,
-# which drifts far less. The page :doc:`RGB-D odometry </odometry>` says when not to believe it, :doc:`SLAM </slam>` how
-# loops are closed.
+# which drifts far less. The page :doc:`RGB-D odometry </odometry>` lists the checks of its reliability.
+# :doc:`SLAM </slam>` describes loop closure.

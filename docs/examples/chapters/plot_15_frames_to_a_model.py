@@ -91,7 +91,7 @@ for name, points in (("points", merged.points), ("surface", mesh.vertices)):
 assert np.median(errors(mesh.vertices)) < np.median(errors(merged.points))
 
 # %%
-# All of it is one call where frames have poses: ``loom.fuse``, with a verdict. Frames come from
+# All of it is one call where frames have poses: ``loom.fuse``, which checks the result. Frames come from
 # ``loom.open_dataset(folder)``, a camera, or a list:
 
 source = loom.frames_from(frames[::2], camera)

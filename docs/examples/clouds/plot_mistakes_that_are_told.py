@@ -55,8 +55,8 @@ assert len(said) == 1
 print(said[0].message)
 
 # %%
-# **Warnings as errors**: in a pipeline that nobody watches, a doubt should stop it. Degrees read as lengths are such
-# a doubt (files in degrees are a ``GeographicWarning`` when they are read, a kind of its own).
+# **Warnings as errors**: an unattended pipeline should stop at a warning. Degrees that are used as lengths raise one
+# (files in degrees raise a ``GeographicWarning`` when they are read, a kind of its own).
 place = loom.PointCloud([[7.62, 51.96, 60.0], [7.63, 51.97, 61.0]], unit="degree")
 with warnings.catch_warnings():
     for kind in (loom.UnitWarning, loom.GeographicWarning):

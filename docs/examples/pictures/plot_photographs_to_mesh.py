@@ -37,7 +37,8 @@ known = loom.SfmModel(names, [lens] * len(names), T_camera_world)
 # Points that pictures share
 # --------------------------
 #
-# Poses stay as they are. The verdict tells if they do not fit the pictures: a wrong lens, another order, mirrored axes.
+# Poses stay as they are. ``warnings`` reports poses that do not fit the images: a wrong lens, another order,
+# mirrored axes.
 
 found: loom.sfm.TriangulationResult = loom.sfm.triangulate(folder, known, max_size=480, max_features=1000)
 model = found.model

@@ -2,8 +2,8 @@
 A LiDAR drive becomes a path and a map
 ======================================
 
-A car drives through a street, its scanner turns ten times a second: from the scans alone come the path, the map,
-and a verdict whether to believe both. Scans are straightened on the way, since the car moves while the scanner
+A car drives through a street, its scanner turns ten times a second: the scans alone give the path, the map,
+and a check of the reliability of both. Scans are straightened on the way, since the car moves while the scanner
 turns.
 """
 

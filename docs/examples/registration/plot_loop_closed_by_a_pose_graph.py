@@ -82,7 +82,7 @@ assert report.pruned_edges.tolist() == [len(steps) + 5]  # the lie, and nothing 
 assert after.absolute_translation.rmse < 0.5 * before.absolute_translation.rmse
 
 # %%
-# Had the lie been called certain, least squares would have believed it. That is what ``uncertain`` is for.
+# If the wrong loop were marked as certain, least squares would accept it. ``uncertain`` prevents that.
 trusted = [
     reg.PoseGraphEdge(e.source_node_id, e.target_node_id, e.transformation, e.information) for e in steps + closures
 ]
@@ -91,7 +91,7 @@ bent = reg.global_optimization(
 )
 bent_path = loom.Trajectory(np.array([node.pose for node in bent.nodes]))
 worse = reg.evaluate_trajectory(bent_path, true_path, align="first", lengths=[10.0])
-print(f"with the lie believed: {worse.absolute_translation.rmse:.2f} m rmse")
+print(f"with the wrong loop accepted: {worse.absolute_translation.rmse:.2f} m rmse")
 assert worse.absolute_translation.rmse > 2 * after.absolute_translation.rmse
 
 # %%

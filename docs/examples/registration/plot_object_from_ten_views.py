@@ -3,7 +3,7 @@ An object from ten scans, without a turntable
 =============================================
 
 Ten scans of an object from all round, in no order and from no known place, become one cloud: every pair is tried,
-those that are believed make a graph, and the graph is balanced. What could not be placed is said. At the end stands
+accepted pairs make a pose graph, and the graph is optimized. Scans without a pose are reported. At the end stands
 a surface.
 """
 
@@ -29,7 +29,7 @@ assert result.placed.all()
 best: reg.FragmentPair = max(result.pairs, key=lambda pair: pair.fitness)
 print(f"scans {best.source} and {best.target} share most: {100 * best.fitness:.0f} %")
 print(
-    f"{len(result.pairs)} of 45 pairs were believed; the least score "
+    f"{len(result.pairs)} of 45 pairs were accepted; the least score "
     f"{min(pair.score for pair in result.pairs if np.isfinite(pair.score)):.2f}"
 )
 

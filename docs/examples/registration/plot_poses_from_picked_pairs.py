@@ -48,7 +48,7 @@ print(pairs)
 
 
 # %%
-# **The pose** of the pairs in least squares: the picked points as two small clouds, and all pairs believed, as the
+# **The pose** of the pairs in least squares: the picked points as two small clouds, and all pairs accepted, as the
 # distance within which they count is as large as the object. Three pairs do; five average the hand's errors. Pick far
 # apart: a pose from pairs on one end is a lever that ends in the air.
 def pose_of(pairs, source=source, with_scaling=False):

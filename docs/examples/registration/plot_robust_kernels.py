@@ -2,7 +2,7 @@
 ICP when a third of the points do not belong
 ============================================
 
-Least squares believe every pair, so that a few bad ones drag the pose away. A robust kernel weighs a pair by how
+Least squares trust every pair, so a few wrong ones shift the pose. A robust kernel weighs a pair by how
 far it is off: bad pairs count little, or not at all. Kernels are compared here on scans of which a third is
 clutter.
 """

@@ -99,7 +99,7 @@ assert told["bare"] < 7 and told["furnished"] > 10
 # %%
 # ICP between two such scans alone is perfect and wrong: every point has a partner, and the motion of 30 cm is not
 # found. Its ``degenerate_directions`` name motions that the pairs do not determine at all, as on one wall; the
-# corridor's edges, where normals are rounded, are enough to hide it. Fitness is no verdict.
+# corridor's edges, where normals are rounded, are enough to hide it. Fitness does not measure reliability.
 target, source = (scan.voxel_down_sample(0.1).estimate_normals(max_nn=15) for scan in bare_scans[:2])
 plane = reg.TransformationEstimationPointToPlane()
 found = reg.registration_icp(source, target, 0.5, np.eye(4), plane)

@@ -2,8 +2,8 @@
 The motion between two depth frames
 ===================================
 
-RGB-D odometry: two pictures of one camera, and where it went in between. With a verdict, since two frames that do not
-show the same place have no motion between them.
+RGB-D odometry: two pictures of one camera, and the motion in between. The result is checked, since two frames
+that do not show the same place have no motion between them.
 """
 
 import numpy as np
@@ -57,11 +57,11 @@ assert difference(result.transformation)[0] < 0.5 and difference(result.transfor
 # Two places
 # ----------
 #
-# Frames that do not overlap are refused with a reason, where others return a matrix and a good-looking error.
+# Frames that do not overlap give an unreliable result with a warning.
 
 far = frames[14]
 refused = od.align_frames(source, od.OdometryFrame(far.depth, camera, far.color, depth_scale=1.0))
-print("verdict:", refused.warnings)
+print("warnings:", refused.warnings)
 assert not refused.reliable
 
 # %%

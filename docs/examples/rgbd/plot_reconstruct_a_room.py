@@ -2,8 +2,8 @@
 Reconstruct a room from frames without poses
 ============================================
 
-A depth camera was carried through a room and nothing else is known. One call tracks it, fuses what it saw and says
-whether the result is to be believed. ``check_focal`` asks whether the camera's focal length fits its frames.
+A depth camera was carried through a room and nothing else is known. One call tracks it, fuses its frames and
+checks whether the result is reliable. ``check_focal`` checks whether the camera's focal length fits its frames.
 """
 
 import numpy as np
@@ -30,7 +30,7 @@ result: loom.ReconstructionResult = loom.reconstruct(source, voxel_size=0.03)
 print(result)
 
 # %%
-# The verdict
+# Reliability
 # -----------
 #
 # ``warnings`` names failed checks: frames that were lost and why, maps that could not be joined, a focal length that

@@ -34,8 +34,8 @@ config = system.ReconstructionConfig(n_frames_per_fragment=12, tsdf_voxel_size=0
 # Stage by stage
 # --------------
 #
-# Each stage leaves its result in the job's folder and a record of what it was made from. A pair of frames that odometry
-# does not believe ends a fragment: nothing is made up.
+# Each stage leaves its result in the job's folder and a record of what it was made from. A pair of frames whose
+# odometry is unreliable ends a fragment: no motion is assumed.
 
 fragments: loom.reconstruction.FragmentSet = system.make_fragments(frames, config, job)
 for fragment in fragments.fragments:

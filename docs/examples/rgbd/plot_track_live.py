@@ -2,8 +2,8 @@
 Track a depth camera live
 =========================
 
-Where is the camera, right now, and what has it seen? ``DenseSLAM`` finds each frame against a model that grows, and
-says of each whether to believe it. ``LatestFrames`` keeps up with a camera: it reads in a thread and hands out the
+Where is the camera, right now, and what has it seen? ``DenseSLAM`` tracks each frame against a model that grows, and
+reports the status of each frame. ``LatestFrames`` keeps up with a camera: it reads in a thread and hands out the
 newest frame. A list of frames stands in for the camera; ``loom.RealSenseCamera()`` or ``loom.AzureKinectCamera()`` take
 its place.
 """
@@ -33,8 +33,8 @@ def live(frames, rate):
 # Follow it
 # ---------
 #
-# ``step`` takes a frame and returns a verdict: tracked, uncertain or lost, with the reason; what is lost is not
-# guessed. Frames that come while we compute are dropped and counted: late ones would be worth nothing. A slow computer
+# ``step`` takes a frame and returns its status: tracked, uncertain or lost, with the reason. A lost frame gets no
+# pose. Frames that come while we compute are dropped and counted: late ones would be worth nothing. A slow computer
 # sees fewer frames, which are farther apart, and still knows where it is. The thread ends with the ``with`` block, by
 # an error or Ctrl-C too.
 
@@ -44,7 +44,7 @@ stream = loom.frames_from(live(recorded, rate=8.0), camera, depth_scale=1.0)
 with loom.LatestFrames(stream) as frames:
     results = [slam.step(frame) for frame in frames]
 print(f"{len(results)} frames taken, {frames.dropped} dropped")
-print("verdicts:", {str(verdict): count for verdict, count in slam.verdict_counts.items()})
+print("frames by status:", {str(status): count for status, count in slam.verdict_counts.items()})
 assert len(results) + frames.dropped == len(recorded)
 
 # %%

@@ -72,7 +72,7 @@ def test_two_distances_are_told_to_be_unchecked(folder):
     assert "from 2 distances without a check: one more would tell" in result.stdout
 
 
-def test_what_does_not_agree_is_refused_as_poor_and_nothing_is_written(folder):
+def test_references_that_do_not_agree_are_rejected_and_nothing_is_written(folder):
     before = names_in(folder)
     np.save(folder / "falling.npy", (8.0 - scene()).astype(np.float32))
     report = unreliable(*words(folder, "--align", folder / "falling.npy", "--picture", folder / "out.png"))
@@ -82,7 +82,7 @@ def test_what_does_not_agree_is_refused_as_poor_and_nothing_is_written(folder):
     assert names_in(folder) == sorted([*before, "falling.npy"])
 
 
-def test_few_references_that_agree_are_a_poor_result(folder):
+def test_few_references_that_agree_are_unreliable(folder):
     sensor = scene()
     rows = np.random.default_rng(0).random(sensor.shape)
     sensor[rows < 0.8] *= np.random.default_rng(1).uniform(1.3, 9, (rows < 0.8).sum())
@@ -92,7 +92,7 @@ def test_few_references_that_agree_are_a_poor_result(folder):
     assert (folder / "out.ply").exists()
 
 
-def test_a_map_of_which_hardly_anything_is_left_is_a_poor_result(folder):
+def test_a_map_of_which_hardly_anything_is_left_is_unreliable(folder):
     v = np.linspace(0, 1, SIDE)[:, None] ** 30 * np.ones(
         (1, SIDE)
     )  # most is more than ten times as far as the sensor sees

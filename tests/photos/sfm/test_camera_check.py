@@ -25,7 +25,7 @@ def told(**figures: float) -> str:
     return "; ".join(CameraCheck(**figures).reasons())
 
 
-def test_a_camera_that_was_given_is_doubted_with_both_numbers():
+def test_a_given_camera_is_reported_with_both_numbers():
     said = told(given=600, found=526, error=0.85, freed_error=0.5)
     assert "ask for a focal length of 526 px, 600 px were given (the error falls from 0.85 to 0.5 px)" in said
     assert "600 px were given" in told(given=600, found=526, error=0.5, freed_error=0.45, spread=0.02)
@@ -42,7 +42,7 @@ def test_a_camera_that_was_given_is_doubted_with_both_numbers():
         {},
     ],
 )
-def test_a_camera_that_fits_is_not_doubted(figures):
+def test_a_camera_that_fits_is_not_reported(figures):
     assert told(**figures) == ""
 
 
@@ -73,7 +73,7 @@ def test_pictures_of_several_focal_lengths_are_told_or_have_cameras_of_their_own
     assert "several focal lengths" in told(given=525, freed_error=1.2, **figures)
 
 
-def test_a_check_and_a_verdict_are_read_again_from_json():
+def test_a_check_and_a_quality_are_read_again_from_json():
     check = CameraCheck(found=663, rise=0.0, error=0.4)
     quality = dataclasses.replace(loom.sfm.assess_model(None, 3), focal=check)
     again = ModelQuality.from_json(json.loads(json.dumps(quality.to_dict(), allow_nan=False)))
@@ -96,7 +96,7 @@ def test_points_that_are_more_than_a_pixel_off_are_told(points):
         assert ("px off what the model shows" in str(said)) == refused
 
 
-def test_what_the_pictures_say_of_the_focal_length_makes_a_verdict(points):
+def test_the_check_of_the_focal_length_makes_a_warning(points):
     model = model_of(views(4, side=1.0, turn=0.3), points)
     quality = loom.sfm.assess_model(model, 4, focal=CameraCheck(found=600, rise=0.001, error=0.4))
     assert not quality.reliable and "; ".join(quality.warnings).startswith("the pictures do not fix the focal length")

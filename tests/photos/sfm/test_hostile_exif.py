@@ -78,14 +78,14 @@ FOCAL_LENGTHS = [
 
 
 @pytest.mark.parametrize(("told", "expected"), [case[1:] for case in FOCAL_LENGTHS], ids=[c[0] for c in FOCAL_LENGTHS])
-def test_a_focal_length_that_contradicts_itself_is_not_believed(tmp_path, told, expected):
+def test_a_focal_length_that_contradicts_itself_is_rejected(tmp_path, told, expected):
     doubt = doubt_of_focal(shot(tmp_path / "a.jpg", told), SIZE)
     assert doubt is None if expected is None else doubt is not None and expected in doubt
 
 
 @pytest.mark.slow
 @pytest.mark.skipif(not has_pycolmap(), reason="pycolmap is not installed")
-def test_mapping_begins_with_no_focal_length_that_is_not_believed(tmp_path):
+def test_mapping_begins_with_no_rejected_focal_length(tmp_path):
     for k, (_, told, _) in enumerate(FOCAL_LENGTHS):  # each of a size of its own, and so a camera
         shot(tmp_path / "in" / f"{k:02d}.jpg", told, size=(96 + 2 * k, 64), seed=k)
     found = loom.sfm.find_features(tmp_path / "in", tmp_path / "f.db", max_features=64)
@@ -103,7 +103,7 @@ def test_mapping_begins_with_no_focal_length_that_is_not_believed(tmp_path):
         assert not (prior and doubt), (name, told)
     told = [remark.split(":")[0] for remark in found.notes]
     assert told == [
-        f"EXIF's focal length of {k:02d}.jpg is not believed"
+        f"EXIF's focal length of {k:02d}.jpg is rejected"
         for k, (_, _, doubt) in enumerate(FOCAL_LENGTHS)
         if doubt is not None
     ]
@@ -115,7 +115,7 @@ def test_an_altitude_beyond_the_air_is_told_and_the_place_counts_without(tmp_pat
     sign = b"\1" if metres < 0 else b"\0"
     places = loom.sfm.read_picture_places([shot(tmp_path / "a.jpg", gps=PLACE | {5: sign, 6: abs(metres)})])
     assert places.places[0].altitude is None and places.altitudes_refused == {"a.jpg": metres}
-    assert places.notes() == [f"the altitude of 1 picture is not believed: a.jpg ({metres:g} m)"]
+    assert places.notes() == [f"the altitude of 1 picture is rejected: a.jpg ({metres:g} m)"]
     assert places.to_dict()["altitudes_refused"] == {"a.jpg": metres}
 
 

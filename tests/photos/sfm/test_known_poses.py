@@ -1,4 +1,4 @@
-"""Pictures with known poses: what is matched along their lines, and which poses are not believed."""
+"""Pictures with known poses: what is matched along their lines, and which poses are rejected."""
 
 from __future__ import annotations
 
@@ -88,7 +88,7 @@ def test_pictures_that_look_apart_or_from_one_place_are_no_pairs(model):
     assert pairs_in_view(model.cameras[:3], poses).tolist() == [[0, 1]]  # the last looks the other way
 
 
-def test_right_poses_are_believed_in_any_frame_and_unit(model, features):
+def test_right_poses_are_accepted_in_any_frame_and_unit(model, features):
     check = checked(model, features)
     assert check.share > 0.95 and check.distance < 0.4
     assert not check.are_wrong and check.reasons(len(model)) == []

@@ -81,7 +81,7 @@ def test_what_makes_no_sense_is_refused_with_the_reason(tmp_path, changed, reaso
     places = loom.sfm.read_picture_places([write(tmp_path / "a.jpg", GOOD | changed)])
     assert len(places) == 0
     assert reason in places.refused["a.jpg"]
-    assert places.notes() == [f"GPS of 1 picture is not believed: a.jpg ({places.refused['a.jpg']})"]
+    assert places.notes() == [f"GPS of 1 picture is rejected: a.jpg ({places.refused['a.jpg']})"]
 
 
 def test_pictures_that_tell_nothing_are_neither_told_nor_refused(tmp_path):

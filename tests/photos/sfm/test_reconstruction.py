@@ -130,7 +130,7 @@ def test_a_camera_that_only_turns_is_found_out(tmp_path):
     assert "move, do not only turn" in str(result.warnings)
 
 
-def test_blank_pictures_give_no_model_but_a_verdict(tmp_path):
+def test_blank_images_give_no_model_but_a_warning(tmp_path):
     pictures = write_pictures(tmp_path / "pictures", [np.full((64, 96), 40 * k, np.uint8) for k in range(3)])
     found = loom.sfm.find_features(pictures, tmp_path / "f.db")
     assert found.counts == (0, 0, 0) and len(found.poor_names) == 3

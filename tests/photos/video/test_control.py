@@ -147,7 +147,7 @@ def test_control_wins_over_gps_whose_gaps_are_told():
     assert "GPS of 24 pictures, not used" in str(fit)
 
 
-def test_another_zone_than_gps_tells_is_doubted():
+def test_another_zone_than_that_of_gps_is_reported():
     places = FRAME.to_utm(POINTS, 32632)
     rows = [loom.registration.ControlPoint(n, p, SIGMA) for n, p in zip(NAMES, places, strict=True)]
     control = loom.video.GroundControl(rows, marks_of(POSES, POINTS), crs="EPSG:32633")

@@ -80,7 +80,7 @@ def test_pictures_without_altitudes_are_settled_in_plan():
         (lambda p: told(p[np.random.default_rng(0).permutation(len(p))], 0.5), "leave|differ|agree"),
     ],
 )
-def test_places_that_settle_nothing_are_told_and_poor_where_they_were_asked_for(change, reason):
+def test_places_that_settle_nothing_are_told_and_unreliable_where_they_were_asked_for(change, reason):
     poses = oblique()
     places = change(poses)
     fit, _ = settle(poses, places)
@@ -148,7 +148,7 @@ def test_up_is_not_told_where_cameras_do_not_tell_it():
     assert fit.up.direction is None and "not held level" in fit.up.reason
 
 
-def test_attitudes_that_contradict_the_model_are_not_believed():
+def test_attitudes_that_contradict_the_model_are_rejected():
     poses = oblique()
     rng = np.random.default_rng(0)
     wrong = {name: (0.0, *rng.uniform(-90, 90, 2)) for name in attitudes_of(poses)}

@@ -77,7 +77,7 @@ def test_a_place_that_contradicts_the_others_is_left_out_and_named(tmp_path):
     np.testing.assert_allclose(fit.T_world_model, TRUE, atol=1e-8)
 
 
-def test_places_that_contradict_the_model_are_doubted(tmp_path):
+def test_positions_that_contradict_the_model_are_reported(tmp_path):
     wrong = PLACES + 3 * np.random.default_rng(0).normal(size=PLACES.shape)
     fit = fit_units(Units(align=write_places(tmp_path / "places.txt", places=wrong)), model_of())
     assert not fit.reliable

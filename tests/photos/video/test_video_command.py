@@ -169,7 +169,7 @@ def test_a_camera_that_only_turned_makes_no_mesh(quick, film, output, tmp_path):
     assert json.loads((tmp_path / "work" / "report.json").read_text())["warnings"] == report["warnings"]
 
 
-def test_a_poor_mesh_is_written_and_the_remedy_told(quick, film, output):
+def test_an_unreliable_mesh_is_written_and_the_remedy_told(quick, film, output):
     quick.reasons, quick.share = ["only 4 of 8 pictures could be placed: film more slowly"], 0.15
     first, second = unreliable("video", film, "-o", output)["warnings"]
     assert first == "only 4 of 8 pictures could be placed: film more slowly"

@@ -64,7 +64,7 @@ def test_covariances_are_symmetric_and_positive(device):
         assert np.linalg.eigvalsh(result.covariance).min() > 0
 
 
-def test_a_path_that_is_open_is_poor_and_says_by_how_much():
+def test_a_path_that_is_open_is_unreliable_and_says_by_how_much():
     camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
     v, u = np.mgrid[:48, :64]
     depth = np.float32(1.0 + 0.1 * np.sin(u / 5) * np.cos(v / 7))

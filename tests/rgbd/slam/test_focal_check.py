@@ -38,7 +38,7 @@ def path_of(part: Part) -> Trajectory:
     return Trajectory(part.poses, ids=np.hstack([order, order, order + 1]))
 
 
-def test_the_right_focal_length_is_not_doubted(turning, device):
+def test_the_right_focal_length_is_not_reported(turning, device):
     check = check_focal(turning, path_of(turning), depth_max=4.0, device=device)
     assert check is not None and check.factor == 1.0
     assert check.reliable and "no other focal length fits better" in str(check)

@@ -82,7 +82,7 @@ def test_right_poses_stay():
 
 @pytest.mark.slow
 def test_another_room_that_looks_alike_stays_where_it_is():
-    """The same room again, 7 m on: nothing that is believed there may pull them together."""
+    """The same room again, 7 m on: no accepted pair may pull them together."""
     submaps, _, _ = room_run(drift=0.0)
     there = pose_of(np.array([0, 0, 0, 7.0, 0, 0]))
     pair = [submaps[0], submaps[5]]

@@ -1,4 +1,4 @@
-"""A place that looks like another: what beats its rivals is believed, what does not is uncertain."""
+"""A place that looks like another: a pose that beats its rivals is accepted, others are uncertain."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def frame_number(frame) -> int:
 
 
 @pytest.mark.slow
-def test_a_place_that_looks_like_another_is_never_believed_wrongly(device):
+def test_a_place_that_looks_like_another_is_never_accepted_wrongly(device):
     for has_texture in (False, True):
         results, _ = covered_walk(device, has_texture)
         assert all(r.fused for r in results[:12])

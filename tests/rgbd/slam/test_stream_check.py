@@ -20,7 +20,7 @@ def stalled(taken, first, last):
     return [changed(f, depth=taken[first - 1].depth) if first <= k <= last else f for k, f in enumerate(taken)]
 
 
-def test_a_depth_picture_that_came_before_is_not_believed_under_colours_that_move(device):
+def test_a_depth_picture_that_came_before_is_rejected_under_colours_that_move(device):
     taken, slam = frames(*range(10)), begun(device)
     results = slam.run(stalled(taken, 2, 8))  # a thirtieth of a second each
     assert verdicts(results) == ["tracked"] * 5 + ["lost"] * 4 + ["tracked"]
@@ -28,13 +28,13 @@ def test_a_depth_picture_that_came_before_is_not_believed_under_colours_that_mov
     assert not any(r.fused for r in results[5:9])
 
 
-def test_without_times_it_is_three_frames_that_are_believed():
+def test_without_times_three_frames_are_accepted():
     taken = [changed(f, timestamp=None) for f in frames(*range(8))]
     results = begun("cpu").run(stalled(taken, 2, 7))
     assert verdicts(results) == ["tracked"] * 5 + ["lost"] * 3
 
 
-def test_a_frame_that_is_repeated_now_and_then_is_believed():
+def test_a_frame_that_is_repeated_now_and_then_is_accepted():
     taken = frames(*range(8))
     results = begun("cpu").run(stalled(stalled(taken, 2, 2), 5, 6))
     assert all(fit(results)) and len(results) == 8
@@ -81,7 +81,7 @@ def test_colours_that_come_late_or_early_are_told_with_the_time(late):
 
 
 @pytest.mark.parametrize("late", [0, 1, 3, -3])
-def test_a_tenth_of_a_second_is_believed(late):
+def test_a_tenth_of_a_second_is_accepted(late):
     for seed in range(5):
         assert trembling(200, late, seed).frames is None
         assert trembling(200, late, seed, period=1 / 30).frames is None
@@ -108,7 +108,7 @@ def test_frames_without_a_shift_are_left_out():
     assert lag.frames == 20
 
 
-def test_what_is_doubted_is_uncertain_and_speaks_against_the_path(device):
+def test_reported_frames_are_uncertain_and_make_the_path_unreliable(device):
     taken, slam = frames(*range(4)), begun(device)
     slam.run(taken[:3])
     slam.stream.lag.frames, slam.stream.lag.seconds = 30, 1.0
@@ -119,7 +119,7 @@ def test_what_is_doubted_is_uncertain_and_speaks_against_the_path(device):
     assert slam.stream.problem == "color and depth seem to be 30 frames apart"
 
 
-def test_a_path_whose_streams_are_apart_is_poor():
+def test_a_path_whose_streams_are_apart_is_unreliable():
     path = loom.track(loom.frames_from([(f.color, f.depth) for f in frames(0, 1)], walk().intrinsic), voxel_size=0.04)
     assert path.stream is None and path.reliable
     said = "color and depth seem to be 1.0 s apart"
