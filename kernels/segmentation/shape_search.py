@@ -5,10 +5,8 @@ the Hilbert curve, and those that promise the most there on all of them; the bes
 points again and again while these grow in number. Points must be in the order of the tree, in which runs are compact.
 24 B of memory a point, and 68 B a sample.
 
-How many points lie on each of many shapes: within a distance of it, their normals within an angle of its own. A thread
-counts for one shape over a run of points, whose coordinates stay in the nearest cache while a batch of shapes passes. A
-loop for each kind, 15 to 30 float32 operations a point and shape. Counts are whole numbers, so the order of the atomics
-is free.
+Scores: a thread counts the points on one shape over a run of points, whose coordinates stay in the nearest cache. 15
+to 30 float32 operations a point and shape, and 24 B a point. Counts are integers, so the order of the atomics is free.
 
 Shapes through random samples of oriented points that lie near each other, one thread a sample. Schnabel, Wahl and
 Klein, "Efficient RANSAC for point-cloud shape detection", CGF 2007, section 4.1: a plane through three points, a sphere

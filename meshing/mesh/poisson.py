@@ -18,9 +18,8 @@ from ...kernels.array_types import Indices
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.arrays.select import gather_rows
 from ...kernels.reconstruction.envelope import Envelope
-from ...kernels.reconstruction.poisson import reconstruct_poisson
+from ...kernels.reconstruction.poisson import mean_length, reconstruct_poisson
 from ...kernels.reconstruction.sample_cells import MAX_DEPTH, Cube, bound_samples, sample_rows
-from ...kernels.reconstruction.sample_weights import mean_length
 from ...kernels.search.nearest_point import find_nearest_rows
 from ...pcd.cloud import PointCloud
 from ...pcd.kept_tree import LARGEST_EXTENT, SMALLEST_EXTENT
