@@ -327,8 +327,8 @@ def write_ply_mesh(
 
     Args:
         path: The file; it appears whole or not at all.
-        mesh: The mesh; triangles are stored as `property list uchar int vertex_indices`, textures as the program of its day
-            has it, with the pictures m_0.png, m_1.png, .. beside m.ply.
+        mesh: The mesh; triangles are stored as `property list uchar int vertex_indices`, textures as the lists
+            texcoord and texnumber of its faces, with the pictures m_0.png, m_1.png, .. beside m.ply.
         ascii: Text instead of binary.
         overwrite: Whether existing files may be replaced.
         comments: Lines of ASCII for the header.
