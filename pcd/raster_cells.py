@@ -18,9 +18,7 @@ from ..kernels.memory import cast, download, free_bytes, full, upload
 from ..kernels.terrain.cells import COUNT, HIGHEST, LOWEST, MEAN, CellGroups, FixedCells, check_cell_numbers
 from ..kernels.terrain.cells import heights_of as heights_of_points
 from ..kernels.terrain.inverse_distance import heights_above, interpolate_centres
-from ..kernels.terrain.listed_values import VALUES, keep_listed
-from ..kernels.terrain.raster_rows import lay_rows
-from ..kernels.terrain.triangle_heights import triangle_heights
+from ..kernels.terrain.triangle_heights import VALUES, keep_listed, lay_rows, triangle_heights
 from .cloud import PointCloud
 
 GROUND, NOISE = (2,), (7, 18)  # classes of LAS

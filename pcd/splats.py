@@ -23,8 +23,7 @@ from ..core.dropped_results import returns_new
 from ..core.quaternions import nearest_rotations
 from ..kernels.arrays.select import positions_of
 from ..kernels.linear_algebra import cube_root, det, matmul
-from ..kernels.splats.masks import mask_splats
-from ..kernels.splats.motion import turn_harmonics, turn_quaternions
+from ..kernels.splats.motion import mask_splats, turn_harmonics, turn_quaternions
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from .cloud import PointCloud
 from .harmonics import FIRST, MOST_DEGREE, degree_of, turns_of_harmonics

@@ -31,7 +31,7 @@ if str(ROOT) not in sys.path:
     sys.path.append(str(ROOT))
 
 import pointloom as loom  # noqa: E402
-from pointloom.photos.depth import network, signature  # noqa: E402
+from pointloom.photos.depth import network  # noqa: E402
 from pointloom.photos.depth.heads import RECIPROCAL, UNKNOWN, Head  # noqa: E402
 from pointloom.photos.depth.presets import PRESETS  # noqa: E402
 from tests.photos.depth.published_networks import FILES, FOCAL, depth_of, picture_of, published  # noqa: E402
@@ -115,7 +115,7 @@ def _answer(path: Path, preset: str) -> loom.DepthEstimate | None:
 
     with (
         mock.patch.object(network, "check_head", believed),
-        mock.patch.object(signature, "_check_names", lambda *_: None),
+        mock.patch.object(network, "_check_names", lambda *_: None),
     ):
         try:
             return loom.estimate_depth(picture_of(ROWS, COLUMNS), path, preset=preset, intrinsic=_camera())

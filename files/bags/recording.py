@@ -24,9 +24,8 @@ from ..foreign import foreign_errors, import_for
 from ..points.point_cloud import cloud_of
 from ..points.scan_files import natural_key
 from .bag1 import read_bag1
-from .clouds import table_of_message
+from .clouds import LIVOX, table_of_livox, table_of_message
 from .db3 import read_db3
-from .livox import LIVOX, table_of_livox
 from .mcap import read_mcap
 from .motions import IMU, POSES, ImuReadings, imu_of_messages, trajectory_of_messages
 from .pieces import Contents, RecordingWarning, byte_order

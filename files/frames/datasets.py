@@ -3,6 +3,10 @@
 Opening a folder checks everything that can be known without decoding a picture: which files belong together, that
 each has its partner, the poses, and the sizes in the picture headers (about 0.05 ms a file). What does not fit is an
 error that names the file; no frame is made up, and what was left out on purpose is listed in `left_out`.
+
+Folders of a few pictures without a layout: depth and colour side by side, told apart by a word in their names.
+`1_depth.png` belongs to `1.png`, `dep_prev.png` to `img_prev.png` and, where it is there, `pose_prev.txt`: what is left
+of a name without its word names the frame. A folder in which that is not one to one is refused.
 """
 
 from __future__ import annotations
@@ -16,10 +20,12 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.camera import PinholeCameraIntrinsic, read_pinhole_camera_intrinsic
+from ...cameras.pose_text import parse_floats, pose_or_gap, read_lines, read_pose_or_gap, timed_poses
 from ...core.atomic import restore_folder
 from ...core.checks import check_count, check_name, check_positive
 from ...core.errors import DatasetError, FileError
+from ...core.json_files import read_json_object
 from ...core.paths import is_file, path_of
 from ..pictures.image_files import (
     PictureHeader,
@@ -30,10 +36,184 @@ from ..pictures.image_files import (
     read_picture_header,
     resize_color,
 )
-from .dataset_camera import FoundCamera, doubted, find_camera
 from .dataset_layouts import Demand, FrameFiles, list_redwood, list_seven_scenes, list_tum
-from .dataset_pictures import holds_pictures, list_pictures
 from .frame_times import TimeWatch
+
+_DEPTH_WORD = re.compile(r"(?<![a-z])(?:depth|dep)(?![a-z])", re.I)
+_COLOR_WORD = re.compile(r"(?<![a-z])(?:colou?r|rgb|image|img)(?![a-z])", re.I)
+_POSE_WORD = re.compile(r"(?<![a-z])pose(?![a-z])", re.I)
+
+
+def holds_pictures(folder: Path) -> bool:
+    """Whether a PNG lies in the folder whose name says that it is a depth map."""
+    names = [path.name for path in folder.iterdir() if path.is_file()]
+    return any(n.lower().endswith(".png") and _DEPTH_WORD.search(Path(n).stem) for n in names if n[0] != ".")
+
+
+def list_pictures(folder: Path, demand: Demand) -> list[FrameFiles]:
+    """Frames of a folder of pictures, in the order of the numbers in their names."""
+    depths: dict[str, Path] = {}
+    colors: dict[str, Path] = {}
+    poses: dict[str, Path] = {}
+    for path in sorted(folder.iterdir()):
+        kind = path.suffix.lower()
+        if path.name.startswith(".") or not path.is_file():
+            continue
+        if kind == ".png" and _DEPTH_WORD.search(path.stem):
+            _add(depths, _without(_DEPTH_WORD, path), path)
+        elif kind in (".png", ".jpg", ".jpeg"):
+            _add(colors, _without(_COLOR_WORD, path), path)
+        elif kind == ".txt" and _POSE_WORD.search(path.stem):
+            _add(poses, _without(_POSE_WORD, path), path)
+    if not depths:
+        raise DatasetError(folder, "holds no PNG with depth in its name", remedy="Give the folder of the frames")
+    for key, path in colors.items():
+        if key not in depths:
+            demand.miss(path, "has no depth map of its name", "Name it alike, such as 1.png and 1_depth.png")
+    frames = []
+    for key in sorted(depths, key=lambda key: ([int(n) for n in re.findall(r"\d+", key)], key)):
+        if colors and key not in colors:
+            demand.miss(depths[key], "has no colour picture of its name", "Bring it back, or remove this")
+            continue
+        pose = poses.get(key) if demand.poses != "ignored" else None
+        T_world_camera = None if pose is None else _read_any_pose(pose)
+        if pose is not None and T_world_camera is None and demand.loses(pose):
+            continue
+        frames.append(FrameFiles(key or depths[key].stem, depths[key], colors.get(key), T_world_camera))
+    return frames
+
+
+def _add(there: dict[str, Path], key: str, path: Path) -> None:
+    if there.setdefault(key, path) != path:
+        raise DatasetError(path, f"names the same frame as {there[key].name}", remedy="Keep one of the two")
+
+
+def _without(word: re.Pattern[str], path: Path) -> str:
+    """What names the frame: the name without the word and what joined it."""
+    return re.sub(r"[-_. ]+", "_", word.sub("", path.stem)).strip("_")
+
+
+def _read_any_pose(path: Path) -> NDArray[np.float64] | None:
+    """Four rows of a matrix, or `tx ty tz qx qy qz qw` as in a line of TUM's without its time; None if lost."""
+    lines = read_lines(path)
+    if len(lines) != 1:
+        return read_pose_or_gap(path)
+    return pose_or_gap(timed_poses(path, [(lines[0][0], ["0", *lines[0][1]])], gaps=True)[0][0])
+
+
+# Names under which a folder may bring its camera; Open3D's recorders write the last two.
+INTRINSIC_NAMES = ("camera-intrinsics.json", "camera.json", "camera_intrinsic.json", "intrinsic.json")
+
+# The same as a 3x3 matrix in text: 7-Scenes and 3DMatch have the first.
+MATRIX_NAMES = ("camera-intrinsics.txt", "intrinsics.K.txt", "intrinsics.txt", "K.txt")
+
+# What else may hold a camera, by its name.
+_LIKE_A_CAMERA = re.compile(r"(.*intrinsic.*|.*calib.*|.*camera.*|.*\bK)\.(txt|json|ya?ml|xml)", re.I)
+
+# Real depth cameras have their principal point within 5 % of the size from the middle; one that is farther off than
+# this is likely that of a picture of another size.
+_FARTHEST_FROM_MIDDLE = 0.15
+
+_FIELDS_OF_VIEW = (10.0, 150.0)  # [degrees] of pictures that a pinhole camera takes
+
+
+@dataclasses.dataclass(frozen=True)
+class FoundCamera:
+    """A camera and how it came.
+
+    Args:
+        intrinsic: The camera.
+        source: Where it was found.
+        depth_scale: Stored depth of one metre, which some recorders store with it.
+        doubt: Why it may be another camera's; empty where nothing speaks against it.
+    """
+
+    intrinsic: PinholeCameraIntrinsic
+    source: str
+    depth_scale: float
+    doubt: str = ""
+
+
+def find_camera(folder: Path, layout: str, size: tuple[int, int], depth_scale: float) -> FoundCamera:
+    """The camera of a folder: a JSON file, a matrix (also above a folder seq-NN), or the default of the layout.
+
+    Args:
+        folder: The folder.
+        layout: Its layout.
+        size: Width and height of the pictures, which a matrix does not tell.
+        depth_scale: Of the layout.
+
+    Raises:
+        DatasetError: Several files that say what the camera is, a size other than the pictures', or none where the
+            layout has no default.
+        FileError: A file that cannot be read.
+    """
+    present = [folder / name for name in INTRINSIC_NAMES if (folder / name).is_file()]
+    if len(present) > 1:
+        raise DatasetError(present[1], f"is there beside {present[0].name}", remedy="Keep one, or give intrinsic=")
+    if present:
+        scale = _read_depth_scale(present[0], depth_scale)
+        return doubted(FoundCamera(read_pinhole_camera_intrinsic(present[0]), present[0].name, scale))
+    for place in [folder] + ([folder.parent] if re.fullmatch(r"seq-\d+", folder.name) else []):
+        matrices = {path: _read_matrix(path) for name in MATRIX_NAMES if (path := place / name).is_file()}
+        if not matrices:
+            continue
+        path, K = next(iter(matrices.items()))
+        other = next((p for p, matrix in matrices.items() if not np.array_equal(matrix, K)), None)
+        if other is not None:
+            reason = f"says otherwise than {path.name} beside it"
+            raise DatasetError(other, reason, remedy="Keep one, or give intrinsic=")
+        try:
+            return doubted(FoundCamera(PinholeCameraIntrinsic.from_matrix(K, *size), str(path), depth_scale))
+        except ValueError as error:
+            raise FileError(path, str(error)) from error
+    if layout == "pictures":
+        remedy = "Give intrinsic=, or put a camera-intrinsics.json beside them"
+        raise DatasetError(folder, "nothing tells the camera of its pictures", remedy=remedy)
+    intrinsic, source = PinholeCameraIntrinsic.prime_sense_default(), f"the default of {layout}"
+    if layout == "7scenes":
+        intrinsic, source = PinholeCameraIntrinsic(640, 480, 585.0, 585.0, 320.0, 240.0), "the default of 7-Scenes"
+    unread = sorted(path.name for path in folder.iterdir() if _LIKE_A_CAMERA.fullmatch(path.name) and path.is_file())
+    doubt = f"{unread[0]} lies beside the frames and was not read; give it with intrinsic=" if unread else ""
+    return FoundCamera(intrinsic, source, depth_scale, doubt)
+
+
+def doubted(found: FoundCamera) -> FoundCamera:
+    """The same camera, with what speaks against its being that of the pictures."""
+    camera = found.intrinsic
+    for name, length, middle, focal in (
+        ("width", camera.width, camera.cx, camera.fx),
+        ("height", camera.height, camera.cy, camera.fy),
+    ):
+        off = abs(middle - (length - 1) / 2) / length
+        if off > _FARTHEST_FROM_MIDDLE:
+            reason = f"its principal point ({camera.cx:g}, {camera.cy:g}) lies far from the middle of pictures of"
+            likely = f"it may be that of {2 * camera.cx:.0f} x {2 * camera.cy:.0f}"
+            return dataclasses.replace(found, doubt=f"{reason} {camera.width} x {camera.height}; {likely}")
+        view = 2 * np.degrees(np.arctan(length / (2 * focal)))
+        if not _FIELDS_OF_VIEW[0] <= view <= _FIELDS_OF_VIEW[1]:
+            reason = f"its focal length {focal:g} makes a field of view of {view:.3g} degrees of a {name} of {length}"
+            return dataclasses.replace(found, doubt=reason)
+    return found
+
+
+def _read_matrix(path: Path) -> NDArray[np.float64]:
+    lines = read_lines(path)
+    if len(lines) != 3:
+        raise FileError(path, f"expected 3 rows of a matrix, got {len(lines)}")
+    return np.array([parse_floats(path, line, 3) for line in lines])
+
+
+def _read_depth_scale(path: Path, default: float) -> float:
+    """The depth scale that Open3D's RealSense recorder stores with the camera, if there is one."""
+    content = read_json_object(path)
+    if "depth_scale" not in content:
+        return default
+    try:
+        return check_positive("depth_scale", content["depth_scale"])
+    except (TypeError, ValueError) as error:
+        raise FileError(path, str(error), where="key depth_scale") from error
+
 
 LAYOUTS = ("7scenes", "redwood", "tum")
 

@@ -14,22 +14,194 @@ of a material with a texture, everything else of materials, names of parts, anim
 name are extensions that a file requires and that are not read.
 
 Source: Khronos, "glTF 2.0 Specification".
+
+The materials of a glTF file as pictures: the texture of the base colour, else one pixel of its factor. Only materials
+that triangles have are looked at; a picture that several have is decoded once and shared. Factors are converted from
+linear light to sRGB. Alpha is kept where the material blends (alphaMode BLEND), becomes 0 or 1 by the cutoff where it
+masks (MASK), and is dropped where the material is opaque (OPAQUE, the default).
+
+Source: Khronos, "glTF 2.0 Specification", section 3.9, KHR_texture_transform and KHR_materials_pbrSpecularGlossiness.
 """
 
 from __future__ import annotations
 
 import os
+from collections.abc import Hashable
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...core.errors import FileError
+from ..color_space import linear_to_srgb
+from ..pictures.texture_files import decode_textures, drop_alpha
+from ..source import open_source
 from ..table import MeshTable
 from .gltf_arrays import GltfArrays
 from .gltf_file import GltfFile
-from .gltf_left import LeftBehind, check_required
-from .gltf_materials import Materials
+from .gltf_left import SPECULAR, LeftBehind, check_required
 from .gltf_nodes import walk_scene
 from .gltf_primitives import TRIANGLES, Placing, Primitive, Vertices, placing_of
+
+_TRANSFORM = "KHR_texture_transform"
+# Extensions of a texture whose pictures are of kinds that are not read.
+_OTHER_KINDS = {
+    "KHR_texture_basisu": "KTX2",
+    "EXT_texture_webp": "WebP",
+    "EXT_texture_avif": "AVIF",
+    "MSFT_texture_dds": "DDS",
+}
+
+
+@dataclass(frozen=True)
+class BaseColor:
+    """What a material says of its base colour.
+
+    Attributes:
+        texture: The number of its texture, as the file has it; None without one.
+        coordinates: Which texture coordinates it takes.
+        transform: The affine transform of those, shape [2, 3], v counted from above; None for none.
+        factor: Red, green, blue and alpha, linear.
+        cutoff: The least alpha of the texture, 0..1, that is shown; 0 shows all of it opaque, None blends it.
+    """
+
+    texture: Any = None
+    coordinates: int = 0
+    transform: NDArray[np.float64] | None = None
+    factor: tuple[float, ...] = (1.0, 1.0, 1.0, 1.0)
+    cutoff: float | None = 0.0
+
+
+class Materials:
+    """The base colours of a file's materials."""
+
+    def __init__(self, arrays: GltfArrays, left: LeftBehind):
+        self._arrays, self._file, self._left = arrays, arrays.file, left
+        self._known: dict[int, BaseColor] = {-1: BaseColor()}
+
+    def base_color(self, number: int) -> BaseColor:
+        """The base colour of a material; white for -1, which is none.
+
+        Raises:
+            FileError: No such material, or it is damaged.
+        """
+        if number not in self._known:
+            self._known[number] = self._read(number)
+            self._left.add_material(number)
+        return self._known[number]
+
+    def _read(self, number: int) -> BaseColor:
+        file, what = self._file, f"materials {number}"
+        material = file.take("materials", number, "a primitive")
+        look, names = file.part(material, "pbrMetallicRoughness", what), ("baseColorFactor", "baseColorTexture")
+        older = file.extension(material, SPECULAR, what)
+        if older is not None:
+            look, names = older, ("diffuseFactor", "diffuseTexture")
+        factor = file.numbers(look, names[0], what, [1.0] * 4)
+        mode, cutoff = material.get("alphaMode", "OPAQUE"), 0.0
+        if mode == "MASK":
+            given = file.numbers({"alphaCutoff": [material.get("alphaCutoff", 0.5)]}, "alphaCutoff", what, [0.5])[0]
+            cutoff = given / factor[3] if factor[3] > 0 else np.inf if given > 0 else 0.0
+            factor[3] = 1 if names[1] in look or cutoff <= 1 else 0
+        elif mode != "BLEND":
+            factor[3] = 1
+        color = tuple(np.clip(factor, 0, 1).tolist())
+        if names[1] not in look:
+            return BaseColor(factor=color)
+        texture = file.part(look, names[1], what)
+        coordinates, transform = file.whole(texture, "texCoord", what, 0), None
+        moved = file.extension(texture, _TRANSFORM, what)
+        if moved is not None:
+            coordinates = file.whole(moved, "texCoord", what, coordinates)
+            transform = self._transform(moved, f"{_TRANSFORM} of {what}")
+        if color != (1, 1, 1, 1):
+            self._left.add("factors of base colours beside a texture", number)
+        return BaseColor(texture.get("index"), coordinates, transform, color, None if mode == "BLEND" else cutoff)
+
+    def _transform(self, moved: dict[str, Any], what: str) -> NDArray[np.float64] | None:
+        """Scale, then rotation, then offset; counter-clockwise as seen, so with v counted from above."""
+        file = self._file
+        offset = file.numbers(moved, "offset", what, [0.0, 0.0], most=1e30)
+        scale = file.numbers(moved, "scale", what, [1.0, 1.0], most=1e30)
+        angle = file.numbers({"rotation": [moved.get("rotation", 0.0)]}, "rotation", what, [0.0], most=1e30)[0]
+        c, s = np.cos(angle), np.sin(angle)
+        A = np.array([[c, s, 0], [-s, c, 0]]) * [*scale, 0]
+        A[:, 2] = offset
+        return None if np.array_equal(A, np.eye(2, 3)) else A
+
+    def pictures(self, used: list[int]) -> tuple[tuple[NDArray[np.uint8], ...], list[int]]:
+        """One picture a material that is used, and the place of each use.
+
+        A picture has an alpha only where the material shows it. There are none where all materials are plain white, and
+        if a picture is damaged or all of them are too large together, which is noted as left behind.
+
+        Raises:
+            FileError: A material or texture is damaged.
+        """
+        numbers = sorted(set(used), key=lambda number: (number < 0, number))
+        colors = [self.base_color(number) for number in numbers]
+        if all(color.texture is None and color.factor == (1, 1, 1, 1) for color in colors):
+            return (), []
+        keys: list[Hashable] = []
+        given: dict[Hashable, tuple[str, Any]] = {}
+        for number, color in zip(numbers, colors, strict=True):
+            if color.texture is None:
+                keys.append(None)
+                continue
+            key, name, data = self._image(color.texture, f"materials {number}")
+            if data is None:
+                self._left.add(f"the textures, since that of materials {number} is {name}")
+                return (), []
+            keys.append(key)
+            given.setdefault(key, (name, data))
+        try:
+            decoded = decode_textures(self._file.path, given)
+        except FileError as error:
+            self._left.add(f"the textures, since {error}")
+            return (), []
+        made: dict[tuple[Hashable, float], NDArray[np.uint8]] = {}
+        pictures = []
+        for key, color in zip(keys, colors, strict=True):
+            if key is None:
+                pictures.append(_pixel(color.factor))
+                continue
+            picture = decoded[key]
+            if color.cutoff is not None and (picture.shape[2] == 4 or color.cutoff > 1):
+                if (key, color.cutoff) not in made:
+                    made[key, color.cutoff] = drop_alpha(picture, color.cutoff)
+                picture = made[key, color.cutoff]
+            pictures.append(picture)
+        places = {number: place for place, number in enumerate(numbers)}
+        return tuple(pictures), [places[number] for number in used]
+
+    def _image(self, texture: Any, what: str) -> tuple[Hashable, str, Any]:
+        """What tells a texture's picture from others, its name and its bytes; or why there are none, and None."""
+        file, arrays = self._file, self._arrays
+        held = file.take("textures", texture, what)
+        if "source" not in held:
+            for name, kind in _OTHER_KINDS.items():
+                if file.extension(held, name, f"the texture of {what}") is not None:
+                    return None, f"a picture of the kind {kind}, which is not read", None
+        source = file.whole(held, "source", f"the texture of {what}")
+        image = file.take("images", source, f"the texture of {what}")
+        name, uri = f"{file.path} (images {source})", image.get("uri")
+        if uri is None:
+            view = image.get("bufferView")
+            return ("view", view), name, arrays.view(view, f"images {source}")[0]
+        if isinstance(uri, str) and uri[:5].lower() == "data:":
+            return ("image", source), name, file.uri_bytes(uri, f"images {source}")
+        found = file.uri_file(uri, f"images {source}")
+        if found is None:
+            return None, file.why_missing(uri), None
+        return ("file", found.resolve()), str(found), memoryview(open_source(found))
+
+
+def _pixel(linear: tuple[float, ...]) -> NDArray[np.uint8]:
+    """A picture of one pixel, converted from linear light to sRGB; with alpha where it is not whole."""
+    curved = linear_to_srgb(np.array(linear[:3]))
+    values = [*curved, linear[3]] if linear[3] < 1 else curved
+    return np.rint(np.array(values) * 255).astype(np.uint8).reshape(1, 1, -1)
 
 
 def read_glb(path: str | os.PathLike[str], *, outside_files: bool = False) -> MeshTable:

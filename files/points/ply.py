@@ -3,7 +3,7 @@
 Reading takes any elements in any order, properties in any order and of any scalar type, lists of any length anywhere,
 comments, obj_info and CRLF headers. It holds the file to its header: a missing, surplus or malformed byte is an error,
 and nothing is allocated before the counts were compared with the size of the file. What faces have is in ply_faces.py
-and ply_textures.py. List properties of vertices and all other elements are checked for extent and left behind.
+and below. List properties of vertices and all other elements are checked for extent and left behind.
 
 Roles of vertex properties: x y z are positions; nx ny nz normals; red green blue (or diffuse_red .., or r g b) colours;
 every other scalar, alpha included, is an attribute. In text, one row is one line.
@@ -13,6 +13,13 @@ own type. PLY has no arrays of fixed length: an attribute `a` of shape [n, c] is
 and reads back as those. The grid of an organised cloud is not stored.
 
 Source: Greg Turk, "The PLY Polygon File Format" (1994).
+
+Textures in PLY files, as MeshLab has them: coordinates in faces or at vertices, pictures in comments. A face has
+`property list uchar float texcoord`, u and v of each of its corners, and `property int texnumber`, which of the
+pictures that `comment TextureFile name` lines name. Read are also coordinates at vertices: the properties texture_u
+texture_v, or s t, or u v. (0, 0) is the lower left corner of a picture.
+
+Source: VCGlib's exporter and importer of PLY, whose names these are.
 """
 
 from __future__ import annotations
@@ -26,6 +33,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write, check_writable
+from ...core.coordinates import quiet
 from ...core.errors import FileError
 from ..ascii_rows import CHUNK_ROWS, write_rows
 from ..attribute_names import NameRules, is_word
@@ -42,13 +50,115 @@ from ..columns import (
     warn_of_loss,
 )
 from ..fans import split_faces
-from ..pictures.texture_files import picture_names, write_with
+from ..pictures.texture_files import picture_names, read_textures, write_with
 from ..source import Source, open_source
 from ..table import MeshTable, PointTable
 from .ply_faces import STRIPS, attribute_columns, strip_triangles, triangle_attributes, warn_of_rest
-from .ply_header import TYPE_NAMES, Element, Property, read_header
+from .ply_header import TYPE_NAMES, Element, PlyHeader, Property, read_header
 from .ply_rows import Column, ListColumn, read_rows
-from .ply_textures import add_textures, face_columns, pair_at_vertices, texture_properties
+
+_AT_CORNERS, _NUMBER, _PICTURE = "texcoord", "texnumber", "TextureFile"
+_AT_VERTICES = (("texture_u", "texture_v"), ("s", "t"), ("u", "v"))
+
+
+def texture_properties(path: Any, face: Element) -> list[Property]:
+    """The properties of faces that tell their texture.
+
+    Raises:
+        FileError: One of them is a list where it should not be, or is none where it should.
+    """
+    found = [prop for prop in face.properties if prop.name in (_AT_CORNERS, _NUMBER)]
+    for prop in found:
+        is_list = prop.count_type is not None
+        if is_list != (prop.name == _AT_CORNERS) or (not is_list and prop.dtype.kind == "f"):
+            expected = "a list of coordinates" if prop.name == _AT_CORNERS else "a whole number"
+            raise FileError(path, f"the faces' property {prop.name!r} is not {expected}")
+    return found
+
+
+def pair_at_vertices(attributes: dict[str, NDArray[Any]]) -> tuple[str, str] | None:
+    """Which attributes of vertices are texture coordinates; None where none are."""
+    return next((pair for pair in _AT_VERTICES if all(name in attributes for name in pair)), None)
+
+
+def add_textures(
+    path: Any,
+    mesh: MeshTable,
+    header: PlyHeader,
+    columns: dict[str, Column],
+    lengths: NDArray[np.int64],
+    fans: NDArray[np.int64],
+    *,
+    outside_files: bool = False,
+) -> None:
+    """Give a mesh the textures of its file: the pictures that faces have, in the order of their names.
+
+    Args:
+        path: The file.
+        mesh: The mesh, whose `attributes` hold the scalars at vertices.
+        header: The file's header, with the comments.
+        columns: The texture properties of faces.
+        lengths: Corners of each face, shape [f].
+        fans: The triangles as places in the list of all corners, shape [t, 3].
+        outside_files: Whether names that lead out of the file's folder are followed.
+
+    Raises:
+        FileError: A face with another number of coordinates than two a corner, a number that no comment names, or a
+            picture that is damaged.
+    """
+    mesh.triangle_uvs = _uvs_of(path, mesh, columns, lengths, fans)
+    if mesh.triangle_uvs is None:
+        return
+    named = [words[1] for words in (text.split(None, 1) for text in header.comments) if _is_picture(words)]
+    if not named:
+        return
+    numbers = columns.get(_NUMBER)
+    used, ids = np.zeros(1, np.int64), None
+    if numbers is not None:
+        assert not isinstance(numbers, ListColumn)
+        bad = np.flatnonzero((numbers < 0) | (numbers >= len(named)))
+        if len(bad):
+            reason = f"a face has the texture {numbers[bad[0]]}, but {len(named)} are named"
+            raise FileError(path, reason, where=f"face {int(bad[0])}")
+        used, ids = np.unique(numbers, return_inverse=True)
+    mesh.textures = read_textures(path, [named[number] for number in used], outside_files=outside_files)
+    if mesh.textures and ids is not None and ids.any():
+        mesh.triangle_material_ids = np.repeat(ids.astype(np.int32), lengths - 2)
+
+
+def _is_picture(words: list[str]) -> bool:
+    return len(words) == 2 and words[0] == _PICTURE
+
+
+def _uvs_of(
+    path: Any, mesh: MeshTable, columns: dict[str, Column], lengths: NDArray[np.int64], fans: NDArray[np.int64]
+) -> NDArray[np.float32] | None:
+    given, pair = columns.get(_AT_CORNERS), pair_at_vertices(mesh.attributes)
+    with quiet():
+        if isinstance(given, ListColumn) and (given.lengths != 0).any():
+            wrong = np.flatnonzero(given.lengths != 2 * lengths)
+            if len(wrong):
+                row = int(wrong[0])
+                reason = f"a face of {lengths[row]} corners has {given.lengths[row]} texture coordinates"
+                raise FileError(path, reason, where=f"face {row}")
+            return given.values.astype(np.float32).reshape(-1, 2)[fans.reshape(-1)]
+        if pair is None:
+            return None
+        u, v = (mesh.attributes.pop(name).astype(np.float32) for name in pair)
+    return np.stack([u, v], axis=1)[mesh.triangles.reshape(-1)]
+
+
+def face_columns(mesh: MeshTable) -> tuple[list[str], list[NDArray[Any]]]:
+    """The properties of faces that hold the texture of a mesh, and the columns behind the corners that fill them."""
+    if mesh.triangle_uvs is None:
+        return [], []
+    properties, columns = ["property list uchar float texcoord"], [np.broadcast_to(np.uint8(6), len(mesh.triangles))]
+    columns += [*mesh.triangle_uvs.reshape(-1, 6).T]
+    if mesh.triangle_material_ids is not None:
+        properties.append("property int texnumber")
+        columns.append(mesh.triangle_material_ids)
+    return properties, columns
+
 
 _POINTS: tuple[str, ...] = ("x", "y", "z")
 _NORMALS: tuple[str, ...] = ("nx", "ny", "nz")
@@ -217,8 +327,8 @@ def write_ply_mesh(
 
     Args:
         path: The file; it appears whole or not at all.
-        mesh: The mesh; triangles are stored as `property list uchar int vertex_indices`, textures as ply_textures.py
-            has it, with the pictures m_0.png, m_1.png, .. beside m.ply.
+        mesh: The mesh; triangles are stored as `property list uchar int vertex_indices`, textures as the lists
+            texcoord and texnumber of its faces, with the pictures m_0.png, m_1.png, .. beside m.ply.
         ascii: Text instead of binary.
         overwrite: Whether existing files may be replaced.
         comments: Lines of ASCII for the header.

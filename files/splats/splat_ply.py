@@ -2,7 +2,14 @@
 
 Vertices have x y z, f_dc_0..2, opacity (a logit), scale_0..2 (logarithms), rot_0..3 (w, x, y, z), and 9, 24, 45 or 72
 numbers f_rest_i: all coefficients of red, then of green, then of blue. Normals, which are zeros, are left behind.
-Compressed splats are read by compressed_ply.py.
+
+Compressed splats in PLY files, as SuperSplat and gsplat write them: 16 bytes a splat, and 1 byte a harmonic. Element
+`chunk` has the bounds of positions, logarithms of scales and, in newer files, colors of 256 splats each. Element
+`vertex` has four unsigned integers a splat: packed_position and packed_scale (11, 10 and 11 bits between the bounds),
+packed_rotation (2 bits for the largest part of the quaternion, 10 for each other one) and packed_color (8 bits each of
+red, green, blue and opacity). Element `sh` has harmonics beyond the first in steps of 8 / 255 from -4.
+
+Source: PlayCanvas Engine, "gsplat-compressed-data.js", and SuperSplat (both MIT), which define the format.
 """
 
 from __future__ import annotations
@@ -15,14 +22,135 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...core.coordinates import quiet
 from ...core.errors import FileError
 from ...pcd.harmonics import degree_of
 from ..columns import own, stack_points
 from ..points.ply import vertex_columns
-from ..points.ply_header import read_header
-from ..source import open_source
+from ..points.ply_header import Element, PlyHeader, Property, read_header
+from ..points.ply_rows import ListColumn, read_rows
+from ..source import Source, open_source
 from ..table import PointTable
-from .compressed_ply import is_compressed, read_compressed_ply
+
+PACKED = ("packed_position", "packed_rotation", "packed_scale", "packed_color")
+_SPLATS = 256  # of a chunk
+_FIRST_HARMONIC = 0.28209479177387814
+_COUNTS_OF_REST = (9, 24, 45, 72)
+_BITS = ((21, 11), (11, 10), (0, 11))
+Columns = dict[str, NDArray[Any]]
+
+
+def is_compressed(header: PlyHeader) -> bool:
+    """True if the vertices of a PLY file are packed splats."""
+    vertices = [element for element in header.elements if element.name == "vertex"]
+    names = {prop.name for element in vertices for prop in element.properties if prop.count_type is None}
+    return names >= {*PACKED}
+
+
+@quiet()
+def read_compressed_ply(path: Path, source: Source, header: PlyHeader) -> PointTable:
+    """Read packed splats as columns `f_dc`, `f_rest`, `opacity`, `scale` and `rot`.
+
+    Raises:
+        FileError: As `read_ply`; also chunks, properties or types that do not go with the splats.
+    """
+    elements = _read_elements(path, source, header)
+    packed = elements["vertex"]
+    count = len(packed[PACKED[0]])
+    chunks = elements.get("chunk", {})
+    bounds = _bounds_of(path, chunks, count)
+    number = np.arange(count) // _SPLATS
+    points = _between(bounds, "", "xyz", number, _unpacked(packed["packed_position"], _BITS))
+    scales = _between(bounds, "scale_", "xyz", number, _unpacked(packed["packed_scale"], _BITS))
+    channels = _unpacked(packed["packed_color"], [(24, 8), (16, 8), (8, 8), (0, 8)])
+    colors = channels[:, :3]
+    with np.errstate(divide="ignore"):  # 0 and 1 are infinite logits
+        opacity = np.log(channels[:, 3]) - np.log1p(-channels[:, 3])
+    if "min_r" in bounds:
+        colors = _between(bounds, "", "rgb", number, colors)
+    attributes = {
+        "f_dc": ((colors - 0.5) / _FIRST_HARMONIC).astype(np.float32),
+        "scale": scales.astype(np.float32),
+        "rot": _rotations(packed["packed_rotation"]).astype(np.float32),
+        "opacity": opacity.astype(np.float32),
+    }
+    if "sh" in elements:
+        attributes["f_rest"] = _harmonics(path, elements["sh"], count)
+    return PointTable(points.astype(np.float32), attributes=attributes)
+
+
+def _read_elements(path: Path, source: Source, header: PlyHeader) -> dict[str, Columns]:
+    def wanted(element: Element, prop: Property) -> bool:
+        return prop.count_type is None and element.name in ("chunk", "vertex", "sh")
+
+    rows = read_rows(path, source, header, wanted)
+    found = {
+        name: {key: column for key, column in columns.items() if not isinstance(column, ListColumn)}
+        for name, columns in rows.items()
+        if name in ("chunk", "vertex", "sh")
+    }
+    for element, names, code in (("vertex", PACKED, "u4"), ("sh", found.get("sh", {}), "u1")):
+        for name in names:
+            kind = found[element][name].dtype
+            if f"{kind.kind}{kind.itemsize}" != code:
+                reason = (
+                    f"{name} of a compressed splat file: expected unsigned integers of {code[1]} bytes, found {kind}"
+                )
+                raise FileError(path, reason)
+    return found
+
+
+def _bounds_of(path: Path, chunks: Columns, count: int) -> Columns:
+    """The bounds by name, once there are those of each chunk."""
+    names = [f"{end}_{what}{axis}" for end in ("min", "max") for what in ("", "scale_") for axis in "xyz"]
+    missing = [name for name in names if name not in chunks]
+    if missing:
+        raise FileError(path, f"element chunk of a compressed splat file has no {', '.join(missing)}")
+    colors = [f"{end}_{channel}" for end in ("min", "max") for channel in "rgb"]
+    if 0 < sum(name in chunks for name in colors) < len(colors):
+        raise FileError(path, f"element chunk of a compressed splat file: expected all of {', '.join(colors)}, or none")
+    found, expected = len(chunks["min_x"]), -(-count // _SPLATS)
+    if found != expected:
+        raise FileError(path, f"expected {expected} chunks of {_SPLATS} for {count} splats, found {found}")
+    return {name: column.astype(np.float64) for name, column in chunks.items()}
+
+
+def _unpacked(values: NDArray[Any], places: Any) -> NDArray[np.float64]:
+    """Parts of packed integers in 0..1, shape (n, parts); each place is the lowest bit and the number of bits."""
+    integers = values.astype(np.uint32)
+    parts = [(integers >> np.uint32(low)) & np.uint32((1 << bits) - 1) for low, bits in places]
+    return np.stack([part / ((1 << bits) - 1) for part, (_, bits) in zip(parts, places, strict=True)], axis=1)
+
+
+def _between(
+    bounds: Columns, what: str, axes: str, number: NDArray[np.int64], parts: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    low, high = (np.stack([bounds[f"{end}_{what}{axis}"][number] for axis in axes], axis=1) for end in ("min", "max"))
+    return low * (1 - parts) + high * parts
+
+
+def _rotations(values: NDArray[Any]) -> NDArray[np.float64]:
+    """Unit quaternions w, x, y, z; the largest part follows from the other three."""
+    others = (_unpacked(values, [(20, 10), (10, 10), (0, 10)]) - 0.5) * np.sqrt(2.0)
+    largest = values.astype(np.uint32) >> np.uint32(30)
+    missing = np.sqrt(np.maximum(1 - (others**2).sum(axis=1), 0))
+    quaternions = np.empty((len(others), 4))
+    for part in range(4):
+        rows = largest == part
+        quaternions[rows] = np.insert(others[rows], part, missing[rows], axis=1)
+    return quaternions
+
+
+def _harmonics(path: Path, columns: Columns, count: int) -> NDArray[np.float32]:
+    names = [f"f_rest_{k}" for k in range(len(columns))]
+    if len(columns) not in _COUNTS_OF_REST or {*columns} != {*names}:
+        raise FileError(
+            path, f"element sh: expected 9, 24, 45 or 72 properties f_rest_i, found {', '.join(columns)}"[:300]
+        )
+    if len(columns[names[0]]) != count:
+        raise FileError(path, f"element sh: expected {count} rows, one a splat, found {len(columns[names[0]])}")
+    return np.stack([columns[name] * (8 / 255) - 4 for name in names], axis=1).astype(np.float32)
+
 
 _GROUPS = {"f_dc": 3, "scale": 3, "rot": 4}
 _NUMBERED = re.compile(r"(f_dc|f_rest|scale|rot)_(\d+)")

@@ -6,6 +6,9 @@ over. How a picture moved is one shift for all of it, by least squares over the 
 
 A view: one thread a cell, reads 7 B a pixel of it, writes 8 B. Two views: one thread a cell, reads 80 B, writes
 nothing; 13 sums leave through the reduction.
+
+Depth without what is near: one of the two layers of a picture that may move apart. One thread a pixel: reads 4 B,
+writes 4 B.
 """
 
 from typing import Any
@@ -14,6 +17,25 @@ from ..array_types import Array1, Array2, Device, Scalars
 from ..lang import array, float32, float64, kernel, launch, reduce, reduction, struct, tid, uint8, vector
 from ..memory import empty, zeros
 from .pyramid import NO_COLOR, luma
+
+
+@kernel
+def hide_near_kernel(depth: array(dtype=float32), limit: float, far: array(dtype=float32)):
+    """The depth where it is beyond a limit, else 0."""
+    i = tid()
+    d = depth[i]
+    kept = 0.0
+    if d > limit:
+        kept = d
+    far[i] = kept
+
+
+def hide_near(depth: Scalars, limit: float) -> Scalars:
+    """The depth [m], float32 [pixels], without what is no farther than a limit [m]."""
+    far = empty(depth.size, float32, depth.device)
+    launch(hide_near_kernel, depth.size, [depth, limit, far])
+    return far
+
 
 CELLS = 80  # of a view along its width: a cell of VGA is 8 x 8 pixels, so that a quick turn moves it by few cells
 FULL = 0.75  # share of a cell's pixels with depth, from which on it has a nearness

@@ -5,17 +5,14 @@ the Hilbert curve, and those that promise the most there on all of them; the bes
 points again and again while these grow in number. Points must be in the order of the tree, in which runs are compact.
 24 B of memory a point, and 68 B a sample.
 
-How many points lie on each of many shapes: within a distance of it, their normals within an angle of its own. A thread
-counts for one shape over a run of points, whose coordinates stay in the nearest cache while a batch of shapes passes. A
-loop for each kind, 15 to 30 float32 operations a point and shape. Counts are whole numbers, so the order of the atomics
-is free.
+Scores: a thread counts the points on one shape over a run of points, whose coordinates stay in the nearest cache. 15
+to 30 float32 operations a point and shape, and 24 B a point. Counts are integers, so the order of the atomics is free.
 
-Shapes through random samples of oriented points that lie near each other, one thread a sample. Schnabel, Wahl and
-Klein, "Efficient RANSAC for point-cloud shape detection", CGF 2007, section 4.1: a plane through three points, a sphere
-and a cylinder through two, a cone through three, a torus through four (its axis meets the four lines along the normals;
-Marshall, Lukacs and Martin, PAMI 2001). A shape that one of its own points contradicts is none. Points near each other
-are those of an aligned run of the cloud's order along a Hilbert curve; the length of the run is drawn too, the whole
-cloud or a power of two less (section 4.3, where cells of an octree do this). 68 B a sample.
+Samples, one thread each: Schnabel, Wahl and Klein, "Efficient RANSAC for point-cloud shape detection", CGF 2007,
+section 4.1: a plane through three points, a sphere and a cylinder through two, a cone through three, a torus through
+four (Marshall, Lukacs and Martin, PAMI 2001). A shape that one of its own points contradicts is rejected. The points of
+a sample are from an aligned run of the cloud's order along a Hilbert curve; the length of the run is drawn too, the
+whole cloud or a power of two less (section 4.3, where cells of an octree do this).
 """
 
 import math

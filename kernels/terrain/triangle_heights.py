@@ -4,12 +4,76 @@ One thread a triangle goes over the cells of its box and claims those whose cent
 lowest number has a cell that several hold, which is the same in any order. Then one thread a cell weighs the corners.
 Which side of an edge a centre lies on is computed from the edge's lower vertex whichever triangle asks, so no centre
 falls between two.
+
+Rows of a raster of numbers by cell: the northernmost row first, as files hold them. One thread a value of the raster;
+sums are float64 and rounded once.
 """
 
-from ..array_types import Doubles, Indices, Points, Triangles
-from ..lang import NAN, array, atomic_min, float64, floor, func, int32, kernel, launch, tid, vec3, vec3i
-from ..memory import empty, full
+import numpy as np
+
+from ..array_types import Doubles, Indices, Integers, Mask, Points, Scalars, Triangles
+from ..lang import NAN, array, atomic_min, float32, float64, floor, func, int32, kernel, launch, tid, uint8, vec3, vec3i
+from ..memory import empty, full, upload
 from .cells import FixedCells
+
+VALUES = 256
+
+
+@kernel
+def keep_listed_kernel(values: array(dtype=int32), table: array(dtype=uint8), mask: array(dtype=uint8)):
+    """Clear the mask where a value is not in the table."""
+    i = tid()
+    value = values[i]
+    if value < 0 or value >= VALUES:
+        mask[i] = uint8(0)
+    elif table[value] == 0:
+        mask[i] = uint8(0)
+
+
+def keep_listed(values: Integers, table: np.ndarray, mask: Mask) -> None:
+    """Clear a mask where `table`, bool [256], does not have a value."""
+    launch(keep_listed_kernel, values.size, [values, upload(table, uint8, values.device), mask])
+
+
+@kernel
+def lay_rows_kernel(
+    values: array(dtype=float64),
+    below: array(dtype=float64),
+    is_above: int,
+    divisor: float64,
+    base: float64,
+    cells: FixedCells,
+    out: array(dtype=float32),
+):
+    """A cell's value over the divisor, less what is below or above the base."""
+    i = tid()
+    row = i // cells.columns
+    cell = (i - row * cells.columns) * cells.rows + (cells.rows - 1 - row)
+    value = values[cell] / divisor
+    if is_above != 0:
+        value = value - below[cell]
+    else:
+        value = value + base
+    out[i] = float32(value)
+
+
+def lay_rows(
+    values: Doubles, cells: FixedCells, *, below: Doubles | None = None, divisor: float = 1.0, base: float = 0.0
+) -> Scalars:
+    """The values of a raster, float32 device array [rows * columns].
+
+    Args:
+        values: A number a cell.
+        cells: The window.
+        below: What is taken from each; None adds the base.
+        divisor: Of the values.
+        base: Height of the points' origin.
+    """
+    out = empty(cells.size, float32, values.device)
+    other = values if below is None else below
+    launch(lay_rows_kernel, cells.size, [values, other, int(below is not None), divisor, base, cells, out])
+    return out
+
 
 NOBODY = 2**31 - 1
 

@@ -40,9 +40,8 @@ from ...kernels.meshes.mesh_edits import flip_triangles, keep_counted, list_rows
 from ...kernels.reconstruction.alpha_faces import TOGETHER, find_alpha_shapes
 from ...kernels.reconstruction.ball_surface import RollingBall, count_around
 from ...kernels.reconstruction.envelope import Envelope
-from ...kernels.reconstruction.poisson import reconstruct_poisson
+from ...kernels.reconstruction.poisson import mean_length, reconstruct_poisson
 from ...kernels.reconstruction.sample_cells import MAX_DEPTH, Cube, bound_samples, sample_rows
-from ...kernels.reconstruction.sample_weights import mean_length
 from ...kernels.sampling.duplicates import first_occurrences
 from ...kernels.search.nearest_point import find_nearest_rows
 from ...kernels.search.neighbor_distances import nearest_distances

@@ -1,7 +1,14 @@
-"""A depth network from an ONNX file: opened once, held to what its preset says, run on one picture after another."""
+"""A depth network from an ONNX file: opened once, held to what its preset says, run on one picture after another.
+
+Whether a model is the one that the preset names: its inputs, its outputs, and what its graph ends in. A file whose
+names, sizes or last operations are another network's is refused with the preset to take. A graph that says nothing
+(heads.py) is taken, and `note_on` says so: exports that were quantised or rewritten end in anything, and to refuse them
+would refuse right ones.
+"""
 
 from __future__ import annotations
 
+import dataclasses
 import os
 import sys
 from typing import Any
@@ -17,12 +24,226 @@ from ...core.interrupts import signal_exception
 from ...core.paths import path_of
 from ...files.foreign import import_for
 from ...files.source import content_errors, open_source
-from .graph import NO_MODEL, WEIGHTS_REMEDY, load_graph
+from .graph import NO_MODEL, WEIGHTS_REMEDY, Graph, load_graph
+from .heads import BINS, BROKEN, CLAMPED, EXP, INVERSE, RECIPROCAL, SIGMOID, Head, find_head
 from .inputs import Map, Placement, place, prepare
 from .photos import Photo, camera_of, take_photo
-from .presets import DEFAULT, find_preset
+from .presets import DEFAULT, PRESETS, Preset, find_preset
 from .readings import Reading, ReadingError, read_outputs
-from .signature import NOT_THE_MODEL, TYPES, check_head, check_signature, note_on
+
+TYPES = {"tensor(float)": np.float32, "tensor(float16)": np.float16}
+WHOLE = ("tensor(int64)",)
+NOT_THE_MODEL = "Check that the file is the model that the preset names"
+
+# Names of inputs and outputs that one network's exports alone have.
+_TELLING = {
+    "num_tokens": "moge-2", "metric_scale": "moge-2",
+    "focallength_px": "depth-pro", "field_of_view": "depth-pro", "fov_deg": "depth-pro",
+    "canonical_inverse_depth": "depth-pro",
+    "pts_3d": "unidepth-v2", "out_K": "unidepth-v2", "depth_ssi": "unidepth-v2",
+    "normal_confidence": "metric3d-v2", "predicted_normal": "metric3d-v2",
+    "domain_logits": "zoedepth",
+}  # fmt: skip
+
+# What a head is, in words, and the presets of networks that have it.
+_HEADS = {
+    INVERSE: ("a ReLU, as networks of relative inverse depth do", ("depth-anything-v2", "dpt", "midas-v2.1")),
+    SIGMOID: ("a sigmoid times {factor:g}, as networks of depth up to {factor:g} m do", ("depth-anything-v2-metric",)),
+    BINS: ("a sum over bins of depth, as networks of metric depth do", ("zoedepth", "metric3d-convnext")),
+    RECIPROCAL: ("one over an inverse depth, so it gives depth", ("depth-pro",)),
+    EXP: ("an exponential, as networks of depth do", ("depth-anything-3", "depth-anything-3-metric")),
+    CLAMPED: ("depth that is clamped to a range", ("metric3d-v2", "metric3d-convnext")),
+}
+
+_MEANINGS = {
+    "inverse": "more where something is nearer",
+    "depth": "more where something is farther",
+    "metric": "metres, more where something is farther",
+}
+
+
+@dataclasses.dataclass(frozen=True)
+class Signature:
+    """What a model takes and gives.
+
+    Args:
+        input: Name of the picture's input.
+        type: Its type, by onnxruntime's name.
+        has_views: It has five dimensions.
+        fixed: Its rows and columns, None where they are open.
+        numbers: Inputs beside it: name, number and shape.
+        outputs: Names of the outputs that are read, by what they hold.
+    """
+
+    input: str
+    type: str
+    has_views: bool
+    fixed: tuple[int | None, int | None]
+    numbers: tuple[tuple[str, int, tuple[int, ...]], ...]
+    outputs: dict[str, str]
+
+
+def check_signature(path: str, session: Any, preset: Preset) -> Signature:
+    """The model's inputs and outputs.
+
+    Raises:
+        FileError: They are not the preset's.
+    """
+    _check_names(path, session, preset)
+    the_input, views, fixed, numbers = _check_input(path, session, preset)
+    return Signature(the_input.name, the_input.type, views, fixed, numbers, _check_outputs(path, session, preset))
+
+
+def check_head(path: str, graph: Graph, signature: Signature, preset: Preset) -> Head:
+    """What the model's graph ends in.
+
+    Raises:
+        FileError: That is another network's.
+    """
+    head = find_head(graph, signature.outputs["depth"])
+    if head.kind == BROKEN:
+        reason = (
+            f"ends in a ReLU times {head.factor:g}: a metric network that was exported with the last function of the "
+            "relative one, so its depth is 0 or far too large"
+        )
+        raise FileError(path, reason, remedy="Take an export made since October 2024, which ends in a sigmoid")
+    if head.kind is None:
+        _check_canvas(path, signature, preset)
+        return _by_outputs(path, signature) if preset.reading == "canonical" else head
+    if preset.heads and head.kind not in preset.heads:
+        words, presets = _HEADS[head.kind]
+        is_contrary = (preset.output == "inverse") != (head.kind == INVERSE)
+        own = f"gives {_MEANINGS[preset.output]}" if is_contrary else "does not"
+        reason = f"ends in {words.format(factor=head.factor)}; {preset.name} {own}"
+        raise FileError(path, reason, remedy=f"Take the preset {' or '.join(presets)}")
+    if preset.reading == "canonical" and head.kind == INVERSE and not _is_canonical(signature, preset):
+        words, presets = _HEADS[INVERSE]
+        reason = f"ends in {words}, and neither its size nor its outputs are those of {preset.name}"
+        raise FileError(path, reason, remedy=f"Take the preset {' or '.join(presets)}")
+    return head
+
+
+def _is_canonical(signature: Signature, preset: Preset) -> bool:
+    """Whether a map of inverse depth is Depth Pro's, and not a relative one: its encoder has one size."""
+    names = signature.outputs
+    return (
+        signature.fixed in preset.fixed
+        or names["depth"] == "canonical_inverse_depth"
+        or not {"focal", "view"}.isdisjoint(names)
+    )
+
+
+def _check_canvas(path: str, signature: Signature, preset: Preset) -> None:
+    """Refuse a model of Metric3D's own size for another network: its export has one input and one output, as most."""
+    canvas = next((each for each in PRESETS.values() if each.levels > 1 and signature.fixed in each.fixed), None)
+    if canvas is not None and preset.levels == 1:
+        rows, columns = signature.fixed
+        reason = f"takes {rows} x {columns} pixels, as {canvas.name} does, and says nothing of {preset.name}"
+        raise FileError(path, reason, remedy=f"Take the preset {canvas.name}")
+
+
+def _by_outputs(path: str, signature: Signature) -> Head:
+    """What a Depth Pro gives whose graph does not say so: exports with a focal length go on to metres."""
+    if "focal" in signature.outputs:
+        return Head(RECIPROCAL)
+    if "view" in signature.outputs or signature.outputs["depth"] == "canonical_inverse_depth":
+        return Head(INVERSE)
+    reason = "does not say whether it gives metres or canonical inverse depth"
+    raise FileError(path, reason, remedy="Export it with its focal length or its field of view")
+
+
+def note_on(head: Head, preset: Preset) -> str | None:
+    """What the graph leaves open, or None."""
+    if head.kind is None and preset.heads:
+        return (
+            f"the file does not say that its map is {_MEANINGS[preset.output]}, {preset.name} does: look whether near "
+            "is near, or align, which refuses the contrary"
+        )
+    if preset.output == "metric" and preset.reading == "map":
+        twins = (each for each in PRESETS.values() if each.output != "metric" and head.kind in each.heads)
+        if (twin := next(twins, None)) is not None:
+            return f"the file does not say that its depth is in metres, {preset.name} does: {twin.name} ends as it does"
+    return None
+
+
+def _check_names(path: str, session: Any, preset: Preset) -> None:
+    names = [each.name for each in (*session.get_inputs(), *session.get_outputs())]
+    told = {_TELLING[name]: name for name in names if name in _TELLING}
+    family = "metric3d-v2" if preset.name == "metric3d-convnext" else preset.name
+    if told and family not in told:
+        other, name = next(iter(told.items()))
+        reason = f"has {name!r}, as {other} does and {preset.name} does not"
+        raise FileError(path, reason, remedy=f"Take the preset {other}")
+
+
+def _check_input(path: str, session: Any, preset: Preset) -> tuple[Any, bool, tuple[int | None, int | None], Any]:
+    """The picture's input, whether it has views, its fixed rows and columns, and the numbers beside it."""
+    numbers = [each for each in session.get_inputs() if each.name in preset.numbers]
+    inputs = [each for each in session.get_inputs() if each.name not in preset.numbers]
+    for each in numbers:
+        if each.type not in WHOLE or any(side != 1 for side in each.shape or []):
+            reason = f"is {each.type} {each.shape}; {preset.name} takes one whole number"
+            raise FileError(path, reason, where=f"input {each.name!r}", remedy=NOT_THE_MODEL)
+    if len(inputs) != 1:
+        names = ", ".join(each.name for each in inputs) or "none"
+        reason = f"has the inputs {names}; {preset.name} has one, the picture"
+        raise FileError(path, reason, remedy="Export it without the others, or give another preset")
+    wanted = "[1, 3, h, w]" + (" or [1, 1, 3, h, w]" if preset.takes_views else "")
+    the_input = inputs[0]
+    shape, where = list(the_input.shape or []), f"input {the_input.name!r}"
+    views = len(shape) == 5 and preset.takes_views
+    heads = [1, 1, 3] if views else [1, 3]
+    is_picture = len(shape) == len(heads) + 2 and shape[-1] != 3  # else the colours come last
+    if not is_picture or any(isinstance(a, int) and a != b for a, b in zip(shape, heads, strict=False)):
+        reason = f"is {the_input.type} {shape}; {preset.name} takes {wanted}"
+        raise FileError(path, reason, where=where, remedy=NOT_THE_MODEL)
+    if the_input.type not in TYPES:
+        raise FileError(path, f"is {the_input.type}; {preset.name} takes floats", where=where, remedy=NOT_THE_MODEL)
+    rows, columns = (side if isinstance(side, int) and side > 0 else None for side in shape[-2:])
+    _check_fixed(path, where, preset, rows, columns)
+    given = tuple((each.name, preset.numbers[each.name], tuple(each.shape or ())) for each in numbers)
+    return the_input, views, (rows, columns), given
+
+
+def _check_fixed(path: str, where: str, preset: Preset, rows: int | None, columns: int | None) -> None:
+    if preset.fixed and not any(rows in (None, size[0]) and columns in (None, size[1]) for size in preset.fixed):
+        sizes = " or ".join(f"{height} x {width}" for height, width in preset.fixed)
+        reason = f"has {rows or 'any'} rows and {columns or 'any'} columns; {preset.name} has {sizes}"
+        other = next((each.name for each in PRESETS.values() if (rows, columns) in each.fixed), None)
+        remedy = NOT_THE_MODEL if other is None else f"{NOT_THE_MODEL}; {other} has this size"
+        raise FileError(path, reason, where=where, remedy=remedy)
+    for side in (rows, columns):
+        if side is not None and side % preset.multiple:
+            reason = f"has a side of {side}, which is no multiple of {preset.multiple} as {preset.name} needs"
+            remedy = f"Export it with sides of a multiple of {preset.multiple}; its map would lack rows or columns"
+            remedy += f" ({preset.name} is the default; another network: --preset)" if preset.name == DEFAULT else ""
+            raise FileError(path, reason, where=where, remedy=remedy)
+
+
+def _check_outputs(path: str, session: Any, preset: Preset) -> dict[str, str]:
+    outputs = session.get_outputs()
+    names = [each.name for each in outputs]
+    is_alone = len(names) == 1 and not preset.needed
+    name = next((name for name in preset.outputs if name in names), names[0] if is_alone else None)
+    if name is None:
+        reason = f"has the outputs {', '.join(names)}; {preset.name} has {' or '.join(preset.outputs)}"
+        raise FileError(path, reason, remedy=NOT_THE_MODEL)
+    output = outputs[names.index(name)]
+    shape = output.shape
+    if output.type not in TYPES or (shape and not 3 <= len(shape) <= 5):
+        reason = f"is {output.type} {shape}; {preset.name} gives a map, [1, h, w] or [1, 1, h, w] of floats"
+        raise FileError(path, reason, where=f"output {name!r}", remedy=NOT_THE_MODEL)
+    found = {"depth": name}
+    for held, known in preset.others.items():
+        for each in names:
+            if each in known and each != name:
+                found[held] = each
+    for held in preset.needed:
+        if held not in found:
+            reason = f"has the outputs {', '.join(names)}, and no {preset.others[held][0]}, as {preset.name} has"
+            raise FileError(path, reason, remedy=NOT_THE_MODEL)
+    return found
+
 
 CUDA, CPU = "CUDAExecutionProvider", "CPUExecutionProvider"
 MOST_THREADS = 1024

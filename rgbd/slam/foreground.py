@@ -16,8 +16,7 @@ from numpy.typing import NDArray
 from ...kernels.linear_algebra import matmul, norm
 from ...kernels.memory import download
 from ...kernels.rgbd import verdict_rows as at
-from ...kernels.rgbd.near_pixels import hide_near
-from ...kernels.rgbd.stream_views import StreamView
+from ...kernels.rgbd.stream_views import StreamView, hide_near
 from ...registration.rigid import invert_pose, rotation_vector
 from ..odometry.alignment import BRIGHTNESS_SHARE, STEPS, Method, descend
 from ..odometry.frames import OdometryFrame

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.files.frames.lens import LensMap, distort
+from pointloom.files.frames.depth_cameras import LensMap, distort
 from pointloom.files.frames.rgbd_sources import RGBDSource
 
 from .camera_stubs import HEIGHT, WIDTH, K4ATimeoutException, KinectStub, RealSenseStub, color_of, depth_of

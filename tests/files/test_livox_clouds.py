@@ -7,7 +7,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.core.errors import FileError
-from pointloom.files.bags.livox import table_of_livox
+from pointloom.files.bags.clouds import table_of_livox
 
 pytest.importorskip("rosbags")
 

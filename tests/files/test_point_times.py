@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from pointloom.files.bags.clouds import UNITS, with_seconds
 from pointloom.files.bags.pieces import RecordingWarning
-from pointloom.files.bags.point_times import UNITS, with_seconds
 
 PATH, COUNT = Path("run.mcap"), 50
 SINCE_1970, SINCE_START = 1.7e9, 512.25  # [s]

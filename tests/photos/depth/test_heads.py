@@ -7,9 +7,9 @@ import pytest
 from onnx import TensorProto, helper, numpy_helper
 
 import pointloom as loom
-from pointloom.photos.depth.affine_points import recover_pinhole
 from pointloom.photos.depth.graph import load_graph, read_graph
 from pointloom.photos.depth.heads import BINS, BROKEN, CLAMPED, EXP, INVERSE, RECIPROCAL, SIGMOID, Head, find_head
+from pointloom.photos.depth.readings import recover_pinhole
 
 make = helper.make_node
 

@@ -13,8 +13,7 @@ from PIL import Image
 import pointloom as loom
 from pointloom.photos.sfm import frame_picker, picture_writing, video_files
 from pointloom.photos.sfm.frame_picker import FramePicker, movement, spaced
-from pointloom.photos.sfm.video_files import VideoFile, VideoFrames, open_video
-from pointloom.photos.sfm.video_kinds import find_container
+from pointloom.photos.sfm.video_files import VideoFile, VideoFrames, find_container, open_video
 
 from .conftest import write_pictures
 

@@ -15,7 +15,7 @@ from PIL.TiffImagePlugin import IFDRational
 import pointloom as loom
 from pointloom.photos.sfm.exif_checks import doubt_of_focal
 from pointloom.photos.sfm.picture_folder import read_orientation
-from pointloom.photos.sfm.picture_xmp import Xmp, parse_xmp
+from pointloom.photos.sfm.picture_places import Xmp, parse_xmp
 
 from .conftest import has_pycolmap
 

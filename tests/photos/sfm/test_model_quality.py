@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.photos.sfm.parallax import parallax, triangulation_angles
+from pointloom.photos.sfm.model_quality import parallax, triangulation_angles
 
 FOCAL, WIDTH, HEIGHT = 500.0, 640, 480
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 import pointloom as loom
-from pointloom.photos.sfm import parallax as module
+from pointloom.photos.sfm import model_quality as module
 
 CAMERA = loom.CameraModel("PINHOLE", 640, 480, [500, 500, 320, 240])
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.photos.video.control_checks import check_marks
+from pointloom.photos.video.job import check_marks
 from pointloom.photos.video.units import Units, fit_units
 
 from .made_control import GROUND, NAMES, SIGMA, control_of, marks_of, model_of
