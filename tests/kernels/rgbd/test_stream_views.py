@@ -11,7 +11,7 @@ from pointloom.kernels.memory import download, upload
 from pointloom.kernels.rgbd import stream_views as at
 from pointloom.kernels.rgbd.near_pixels import hide_near
 from pointloom.kernels.rgbd.stream_views import compare_views, view_stream
-from pointloom.rgbd.slam.stream_check import shift_of
+from pointloom.rgbd.slam.dense_slam import shift_of
 
 WIDTH, HEIGHT = 330, 250  # 82 x 62 cells of 4 x 4, and a rim that no cell holds
 
