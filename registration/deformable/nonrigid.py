@@ -59,7 +59,6 @@ from ..rigid import fit_pose, to_local
 from .deformation import Deformation
 
 Array = NDArray[np.float64]
-_Tell = Callable[[int, int], None]
 STIFFNESS = (100.0, 10.0, 1.0, 0.1)
 NODES_ACROSS = 16  # of the diagonal of the body's box
 MOST_ACROSS = 1000
