@@ -3,7 +3,7 @@
 from ..files.points.scan_files import list_scans as list_scans
 from .deformable.coherent_drift import DriftResult as DriftResult
 from .deformable.coherent_drift import coherent_point_drift as coherent_point_drift
-from .deformable.deformation import Deformation as Deformation
+from .deformable.nonrigid import Deformation as Deformation
 from .deformable.nonrigid import NonRigidResult as NonRigidResult
 from .deformable.nonrigid import register_nonrigid as register_nonrigid
 from .globally.checkers import CorrespondenceChecker as CorrespondenceChecker

@@ -242,7 +242,6 @@ def _local_client(path: Any, count: int) -> Iterator[Any]:
 
 @contextlib.contextmanager
 def _remote_client(path: Path, address: str, security: Any) -> Iterator[Any]:
-    """A client of a scheduler."""
     distributed = _imported(path, "distributed")
     with contextlib.ExitStack() as stack:
         stack.enter_context(_quiet())
@@ -292,7 +291,6 @@ def _quiet() -> Iterator[None]:
 
 
 def _workers(client: Any, path: Path) -> set[str]:
-    """The addresses of the workers."""
     try:
         if client.status == "running":
             return {*client.nthreads()}

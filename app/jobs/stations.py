@@ -1,4 +1,11 @@
-"""The scans of an E57 file, or of many files, brought into one frame: `register_scans`."""
+"""The scans of an E57 file, or of many files, brought into one frame: `register_scans`.
+
+Tables of targets and of control points: rows of text, separated by commas, semicolons, tabs or spaces.
+
+Targets: station, name, x, y, z and, if known, a standard deviation [m]; the station is a scan's name or its number,
+from 0. Control: name, x, y, z and, if known, one standard deviation or three. Lines that begin with # are left out, and
+a first line whose coordinates are words is a head.
+"""
 
 from __future__ import annotations
 

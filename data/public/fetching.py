@@ -1,4 +1,10 @@
-"""Public sets from their hosts or a mirror to the disk, by pooch: checked, whole or not at all."""
+"""Public sets from their hosts or a mirror to the disk, by pooch: checked, whole or not at all.
+
+The public sets that can be fetched: addresses, checksums, what is in them, and whose they are.
+
+Each checksum was published by those who host the file: in the registry of scikit-image, and in the library of Open3D,
+which has MD5 alone. MD5 tells a file that was damaged on its way; it does not tell one that somebody forged.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,10 @@
-"""Recordings as files: `check_recording` before the work, `write_recording` after it."""
+"""Recordings as files: `check_recording` before the work, `write_recording` after it.
+
+Animated GIF, one frame at a time: one palette for all frames, and as many frames as were given.
+
+Pillow packs each picture; the file around the pictures is written here. Pillow's own animations merge frames that are
+equal and round each delay for itself, so that a recording would lose steps and play at another pace.
+"""
 
 from __future__ import annotations
 

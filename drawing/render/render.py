@@ -174,7 +174,6 @@ def _groups_of(
 
 
 def _written(drawing: Drawing, background: Triple | None, overlays: Overlays) -> Picture:
-    """A drawing before a background, with what is written over it."""
     camera = drawing.view.intrinsic
     grounds = [drawing.before(color) for color in ((BLACK, WHITE) if background is None else (background,))]
     for ground in grounds:

@@ -1,4 +1,10 @@
-"""Geometries in a window of the browser: `draw`, as Open3D's `draw_geometries`."""
+"""Geometries in a window of the browser: `draw`, as Open3D's `draw_geometries`.
+
+A scene inside a notebook, for where the browser reaches no server of the kernel's: `inline_page`.
+
+The page is that of recordings (recording/page.py): one HTML text with player and data, which asks nobody for anything.
+It stays in the notebook's file, so its size is bounded, and what is beyond is sampled or simplified.
+"""
 
 from __future__ import annotations
 

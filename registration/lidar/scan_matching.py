@@ -1,6 +1,12 @@
 """A thinned scan against the map: robust ICP from one or several guesses, and the threshold that it works with.
 
 Equation numbers are those of Vizzo et al. 2023 (see odometry.py).
+
+What a scan does not fix: motions under which it lies on the map as well as where it was found.
+
+Directions are asked one by one, as Tuna et al. 2023 do ("X-ICP: Localizability-Aware LiDAR Registration for Robust
+Localization in Extreme Environments"). Those of which the planes' normals tell little are only suspects: whether the
+scan really lies as well a little farther along, its points say when they are paired anew there.
 """
 
 from __future__ import annotations

@@ -1,4 +1,12 @@
-"""Many terrestrial scans brought into one frame: `register_stations`."""
+"""Many terrestrial scans brought into one frame: `register_stations`.
+
+Pairs of stations whose clouds overlap: which they are, their poses, and what these poses are worth.
+
+The information of a pair's pose comes from its point-to-plane rows J at the end, with residuals r: N = sum J^T J, and
+with g_b = sum of J^T r over the matches in block b of space, covariance N^-1 (sum g_b g_b^T) N^-1. So whatever errors
+neighbours have in common (normals from the same points, surfaces that are not planes) counts as often as it occurs, not
+once a point (White 1980, eq. 3, in groups as Liang and Zeger 1986).
+"""
 
 from __future__ import annotations
 

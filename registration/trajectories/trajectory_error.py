@@ -3,6 +3,13 @@
 Absolute error (Sturm et al. 2012, "A benchmark for the evaluation of RGB-D SLAM systems", section IV) after the best
 rigid or similar alignment (Umeyama 1991); relative error over a number of poses (the same) and over lengths of the
 path (Geiger et al. 2012, "Are we ready for autonomous driving?", section 3). All on the host in float64.
+
+Detection of two trajectories that belong to two sensors on one body, such as a LiDAR and a camera of a car.
+
+Relative motions of two rigidly joined sensors are conjugates: A X = X B with a fixed pose X, the hand-eye equation.
+
+Source: Shiu and Ahmad 1989, "Calibration of wrist-mounted robotic sensors by solving homogeneous transform equations of
+the form AX = XB".
 """
 
 from __future__ import annotations

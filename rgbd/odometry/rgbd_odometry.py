@@ -1,4 +1,10 @@
-"""Open3D's two odometries under its names, with a verdict that it does not have."""
+"""Open3D's two odometries under its names, with a verdict that it does not have.
+
+Open3D 0.20's two odometries as they are, for conformance: equal weights or half a Huber loss, no convergence test.
+
+A step is one reduction, read back and solved on the host in float64. What Open3D calls a success is kept; what it
+raises or makes NaN of becomes a result that failed, with a reason.
+"""
 
 from __future__ import annotations
 

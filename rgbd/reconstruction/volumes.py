@@ -1,4 +1,9 @@
-"""Frames at known poses to a volume, one frame in memory at a time."""
+"""Frames at known poses to a volume, one frame in memory at a time.
+
+SLAC: fragments aligned together with the distortion of their camera, and frames fused through what it found.
+
+The optimiser is registration/deformable/slac.py.
+"""
 
 from __future__ import annotations
 

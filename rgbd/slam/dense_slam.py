@@ -1,4 +1,16 @@
-"""A moving depth camera without poses: where it was, and the surface that it saw."""
+"""A moving depth camera without poses: where it was, and the surface that it saw.
+
+Whether colour and depth of a camera were taken at the same time: their motions, one against the other.
+
+What the camera does moves both pictures alike. The shifts of one are held against those of the other some frames
+earlier or later; where the two go together then and not when they came together, one of them is late. Slow sweeps go
+together at any time, so that what counts is the tremble of a hand, after a running mean is taken away.
+
+Whether the pictures of a depth camera are of one moment: a depth picture that came twice, colours that came late.
+
+A stalled stream hands out its last depth picture again, bit for bit, beside colours that go on; a sensor that measures
+never does so, since its noise differs. Where the colours stand still too, nothing is wrong: so do made-up frames.
+"""
 
 from __future__ import annotations
 

@@ -6,6 +6,28 @@ A lost camera is looked for where its velocity led, at the keyframes that its pi
 
 Somebody who came in with a new part of the scene counts as scene. Before a wall, whose surface lets the camera slide,
 they pull it along as they walk; the brightness of all the rest tells, and then leads.
+
+How far a frame's pose may be off by all that was open on the way to it: a covariance that adds up.
+
+A frame stands on the surface that it sees, and so it is off as those frames were that the surface came from, and by
+its own noise beside it. Keyframes stand for the frames of the model. Each point of a frame is put down to the keyframes
+that saw it; by the normal equations of these points the frame's error is a mean of theirs, and its covariance follows
+from the joint one of all keyframes. Who sees what the first keyframes saw is as sure as they are, however long the way;
+before a wall what the surface leaves open comes from frame to frame and grows.
+
+Errors are twists about the world's origin, rotation first. Smith, Self and Cheeseman 1990, "Estimating uncertain
+spatial relationships in robotics".
+
+A lost frame found on the model by its shape alone, from no guess, wherever the camera stands by now.
+
+The frame's points are registered with the model's by `registration`'s features and consensus, and taken where its
+score believes the pose. It takes as long as some frames, so it is tried less and less often while a camera is lost.
+
+Where else a frame would lie on the model as well as at the place that was found for it.
+
+A corridor has like doors and a staircase like steps: a frame that was lost fits at several of them. Like parts of a
+building are shifted, seldom turned, so the frame's points are shifted over the model, first by blocks of voxels, then
+finely where many of them meet some; the best of these, apart from the place found, are its rivals.
 """
 
 from __future__ import annotations

@@ -170,8 +170,6 @@ KINDS: dict[str, type[Job]] = {kind.KIND: kind for kind in (FusionJob, Sequences
 
 
 class _Task(NamedTuple):
-    """A row of the tasks."""
-
     number: int
     stage: int
     name: str

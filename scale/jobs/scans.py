@@ -111,7 +111,6 @@ class RegistrationJob(Job):
         return [*said, *(f"{name}: shows no surface with voxels of {self.size:g}" for name in few)]
 
     def _first_pairs(self, scans: Sequence[Done]) -> list[tuple[int, int]]:
-        """The pairs that are tried first."""
         plan, count = self.plan, len(scans)
         if plan["places"] is None:
             return pairs_to_try(count, plan["neighbors"], plan["pairs"])

@@ -1,4 +1,10 @@
-"""The steps that there are by name, and those of a list or a TOML file."""
+"""The steps that there are by name, and those of a list or a TOML file.
+
+Clusters that reach through any number of tiles, by labels on their borders.
+
+Each tile finds the clusters of all that it sees; the numbers of all of them are joined (label_join.py), and what a tile
+then lacks is only which cluster each point at a border takes.
+"""
 
 from __future__ import annotations
 
@@ -36,11 +42,37 @@ from ...pcd.terrain import ground_reach, height_above_ground
 from ..exact_sums import ExactSums
 from ..label_join import MOST_INT32, join_labels, leave
 from ..polygons import in_survey, mask_area, parse_area, to_json
-from .function import Function
+from .function import ROW, Function
 from .raster import Rasterize
 from .reprojection import Reproject
 from .step import Part, Sight, Step
-from .thinning import Thin, thinned
+
+
+class Thin(Step):
+    """Of each cell of a grid that is fixed in space the point nearest to its middle stays."""
+
+    name, required, searches = "thin", ("spacing",), False
+    defaults: ClassVar[dict[str, Any]] = {"corner": (0.0, 0.0, 0.0)}
+
+    def check(self) -> None:
+        """Set the reach by the parameters: whole cells are wanted."""
+        self.reach = check_positive("spacing", self.params["spacing"])
+        self.params["corner"] = check_finite("corner", check_shape("corner", self.params["corner"], (3,))).tolist()
+
+    def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+        """The step on a part."""
+        return thinned(part, self.reach, self.params["corner"])
+
+
+def thinned(part: Part, spacing: float, corner: Any) -> Part:
+    """A part with one point a cell."""
+    cloud = part.cloud.copy()
+    cloud[ROW] = np.arange(len(cloud))
+    cloud = cloud.thin(spacing, corner)
+    rows = np.asarray(cloud[ROW])
+    del cloud.attributes[ROW]
+    return part.take(rows, cloud)
+
 
 NAME = "cluster"  # of the attribute
 
