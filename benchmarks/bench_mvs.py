@@ -25,8 +25,7 @@ BLOCK = 5  # [px] of SGBM
 def room_pair(width: int) -> Scene:
     """Two pictures of the textured room side by side."""
     import pointloom as loom
-    from pointloom.data.scenes.room import room_views
-    from pointloom.data.scenes.room_paths import room_pose
+    from pointloom.data.scenes.room import room_pose, room_views
 
     focal = 525.0 * width / 640
     height = width * 3 // 4

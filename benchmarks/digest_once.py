@@ -135,8 +135,7 @@ def tracked_walk(d: Any) -> Any:
 
 def filmed_room(d: Any) -> Any:
     """A picture of the textured room with the noise of a sensor, and its depth."""
-    from pointloom.data.scenes.room import room_views
-    from pointloom.data.scenes.room_paths import film_pose
+    from pointloom.data.scenes.room import film_pose, room_views
 
     camera = loom().PinholeCameraIntrinsic(80, 60, 65.625, 65.625, 39.5, 29.5)
     poses = np.array([film_pose(k / 30) for k in range(30)])

@@ -72,7 +72,7 @@ def owl() -> Scene:
 
 def room() -> Scene:
     """The furnished room from 24 places in it."""
-    from pointloom.data.scenes.room_paths import round_pose
+    from pointloom.data.scenes.room import round_pose
 
     poses = np.array([round_pose(k / 24) for k in range(24)])
     return photographed(

@@ -34,7 +34,6 @@ class Settings(Held):
         return self._kind(**self._keywords())
 
     def _keywords(self) -> dict[str, Any]:
-        """The arguments of ours."""
         return {field.name: ours(getattr(self, field.name)) for field in dataclasses.fields(self)}
 
     @classmethod

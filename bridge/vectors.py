@@ -36,7 +36,6 @@ class Vector(ToldNames):
 
     @property
     def _values(self) -> NDArray[Any]:
-        """The memory."""
         if self._tail:
             self._array = np.concatenate([self._array, self._rows(self._tail)])
             self._tail = []

@@ -10,8 +10,8 @@ from .made.room import room_frames as room_frames
 from .made.room import room_mesh as room_mesh
 from .made.street import street_scans as street_scans
 from .made.terrain import terrain as terrain
+from .public.fetching import PublicFile as PublicFile
+from .public.fetching import PublicSet as PublicSet
 from .public.fetching import fetch as fetch
-from .public.sets import PublicFile as PublicFile
-from .public.sets import PublicSet as PublicSet
-from .public.sets import public_sets as public_sets
+from .public.fetching import public_sets as public_sets
 from .scenes.room import RoomFrame as RoomFrame

@@ -3,9 +3,9 @@
 from ..files.points.scan_files import list_scans as list_scans
 from .deformable.coherent_drift import DriftResult as DriftResult
 from .deformable.coherent_drift import coherent_point_drift as coherent_point_drift
-from .deformable.deformation import Deformation as Deformation
+from .deformable.nonrigid import Deformation as Deformation
+from .deformable.nonrigid import NonRigidResult as NonRigidResult
 from .deformable.nonrigid import register_nonrigid as register_nonrigid
-from .deformable.nonrigid_result import NonRigidResult as NonRigidResult
 from .globally.checkers import CorrespondenceChecker as CorrespondenceChecker
 from .globally.checkers import CorrespondenceCheckerBasedOnDistance as CorrespondenceCheckerBasedOnDistance
 from .globally.checkers import CorrespondenceCheckerBasedOnEdgeLength as CorrespondenceCheckerBasedOnEdgeLength
@@ -17,6 +17,12 @@ from .globally.fast_global import (
     registration_fgr_based_on_feature_matching as registration_fgr_based_on_feature_matching,
 )
 from .globally.global_registration import register_globally as register_globally
+from .globally.global_registration import (
+    registration_robust_based_on_correspondence as registration_robust_based_on_correspondence,
+)
+from .globally.global_registration import (
+    registration_robust_based_on_feature_matching as registration_robust_based_on_feature_matching,
+)
 from .globally.localisability import Localisability as Localisability
 from .globally.localisability import localisability as localisability
 from .globally.pair import PairRegistration as PairRegistration
@@ -27,12 +33,6 @@ from .globally.ransac import (
     registration_ransac_based_on_feature_matching as registration_ransac_based_on_feature_matching,
 )
 from .globally.rating import rate_registration as rate_registration
-from .globally.robust_global import (
-    registration_robust_based_on_correspondence as registration_robust_based_on_correspondence,
-)
-from .globally.robust_global import (
-    registration_robust_based_on_feature_matching as registration_robust_based_on_feature_matching,
-)
 from .icp.constraint import Prior as Prior
 from .icp.estimation import TransformationEstimation as TransformationEstimation
 from .icp.estimation import TransformationEstimationForColoredICP as TransformationEstimationForColoredICP

@@ -6,14 +6,19 @@ import shutil
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from ..core.atomic import atomic_write, check_writable
 from ..core.checks import check_count, check_progress, shown
+from ..core.coordinates import quiet
 from ..core.errors import FileError, FilePath
 from ..core.paths import path_of
 from ..core.progress import ReportProgress, say_nothing
 from ..files.foreign import foreign_errors, import_for
-from ..files.points.las import open_las
+from ..files.points.copc_writer import CopcWriter
+from ..files.points.las import open_las, table_of
 from ..files.points.las_records import describe_together
+from ..files.points.las_writer import lay_out
 from .borders import LEFT
 from .buckets import FOLDER as BUCKETS
 from .manifest import Manifest, clear_locks, only_one
@@ -23,7 +28,7 @@ from .rasters import mosaics_of, write_mosaics
 from .schema import CHECKSUMS
 from .status import status_of
 from .tasks import lay_again
-from .tree_outputs import tree_of, write_tree
+from .tile_tree import TileTree
 from .work_tile import FOLDER as TILES
 from .work_tile import checksum_of, tile_path
 
@@ -177,3 +182,31 @@ def _merge(path: Path, parts: list[tuple[Path, int]], overwrite: bool, report: R
                     report("points", done, total)
         if header.evlrs:
             writer.write_evlrs(header.evlrs)
+
+
+Parts = list[tuple[Path, int]]
+
+
+def tree_of(parts: Parts, report: ReportProgress, pool: Processes | None = None) -> TileTree:
+    """The octree over tiles, each with its number of points."""
+    return TileTree([path for path, _ in parts], [count for _, count in parts], report, pool)
+
+
+def write_tree(path: Path, tree: TileTree, overwrite: bool) -> None:
+    """Write an octree as COPC.
+
+    Raises:
+        FileError: A tile is gone or damaged, or the file cannot be written.
+    """
+    first = open_las(tree.files[0].path)
+    table = table_of(first, first.decode(np.zeros(1, first.layout.dtype())))
+    layout = lay_out(path, table, tree.scales, tree.offsets, first.header, is_part=True)
+    describe_together(layout.laspy, layout.header, (file.header for file in tree.files))
+    if layout.header.point_format.dtype() != tree.files[0].row:
+        raise FileError(first.path, "is not a tile of this version", remedy="Plan it anew in another folder")
+    with atomic_write(path, overwrite=overwrite) as file, foreign_errors(path, "cannot be written"), quiet():
+        writer = CopcWriter(path, file, layout, tree.corner, tree.side)
+        for node in tree.nodes(writer.pack):
+            record = layout.laspy.PackedPointRecord(node.rows, layout.header.point_format)
+            writer.add([node.level], [node.cell], [record], [node.chunk or b""])
+        writer.finish(layout.extended)

@@ -11,18 +11,20 @@ import contextlib
 import importlib
 import logging
 import os
+import tempfile
 import threading
 import time
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, Protocol, TypeVar
 
 from .. import __version__  # pyright: ignore[reportMissingImports]
+from ..core.devices import resolve_device
 from ..core.errors import DeviceError, FileError
 from ..core.verbosity import LOGGER
-from .gpus import reserved_device
 from .manifest import DIED, MOST_ATTEMPTS, NAME, Manifest, a_worker
 
 LOOK = 0.2  # [s] between queries for tasks that other runs may release
@@ -241,7 +243,6 @@ def _local_client(path: Any, count: int) -> Iterator[Any]:
 
 @contextlib.contextmanager
 def _remote_client(path: Path, address: str, security: Any) -> Iterator[Any]:
-    """A client of a scheduler."""
     distributed = _imported(path, "distributed")
     with contextlib.ExitStack() as stack:
         stack.enter_context(_quiet())
@@ -291,7 +292,6 @@ def _quiet() -> Iterator[None]:
 
 
 def _workers(client: Any, path: Path) -> set[str]:
-    """The addresses of the workers."""
     try:
         if client.status == "running":
             return {*client.nthreads()}
@@ -337,3 +337,67 @@ def _call(call: Callable[..., Any], task: Any, device: str) -> Any:
     """In a worker: run a task."""
     with _ONE:
         return call(task, _device(device))
+
+
+try:
+    import fcntl
+except ImportError:  # Windows
+    fcntl = None
+
+LOCKS = "pointloom-gpus"  # in the temporary folder of the machine
+
+
+@contextmanager
+def reserved_device(device: str) -> Iterator[str]:
+    """Reserve a device for this process: the CPU, which needs none, or a GPU that no other run of the machine uses.
+
+    Args:
+        device: "cpu", "cuda" for any GPU, or "cuda:1" for that one.
+
+    Yields:
+        Warp's name of the device.
+
+    Raises:
+        DeviceError: There is no such device, or none is free.
+    """
+    first = resolve_device(device)
+    if not first.is_cuda:
+        yield device
+        return
+    import warp as wp
+
+    gpus = wp.get_cuda_devices() if device == "cuda" else [first]
+    for gpu in gpus:
+        lock = _lock(gpu.uuid)
+        if lock is not None:
+            break
+    else:
+        raise DeviceError(f"device: all of {len(gpus)} GPUs are in use by other workers or runs. Take fewer workers")
+    try:
+        yield gpu.alias
+    finally:
+        os.close(lock)
+
+
+def _lock(uuid: str) -> int | None:
+    """The descriptor of a GPU's lock, or None where another process holds it."""
+    folder = Path(tempfile.gettempdir()) / LOCKS
+    path = folder / uuid
+    try:
+        if not folder.is_dir():
+            folder.mkdir(exist_ok=True)
+            folder.chmod(0o1777)  # of all users of the machine
+        try:
+            lock = os.open(path, os.O_RDONLY)  # another user's is not written to
+        except FileNotFoundError:
+            lock = os.open(path, os.O_RDONLY | os.O_CREAT, 0o644)
+    except OSError as error:
+        raise DeviceError(f"device: {path}: the GPU cannot be locked: {error.strerror or error}") from error
+    if fcntl is None:
+        return lock
+    try:
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        os.close(lock)
+        return None
+    return lock

@@ -35,10 +35,10 @@ KEPT = {
     ("registration/stations/adjustment.py", "_cofactors"): SPARSE,
     ("registration/stations/adjustment.py", "_descend"): SPARSE,
     ("registration/stations/adjustment.py", "_null_space"): SPARSE,
-    ("registration/stations/first_poses.py", "*"): DECIDES,
+    ("registration/stations/stations.py", "*"): DECIDES,
     ("registration/trajectories/similarity.py", "*"): "not yet: cameras aligned to known places",
-    ("rgbd/odometry/open3d_weights.py", "*"): DECIDES,
-    ("rgbd/slam/stream_lag.py", "*"): DECIDES,
+    ("rgbd/odometry/rgbd_odometry.py", "*"): DECIDES,
+    ("rgbd/slam/dense_slam.py", "*"): DECIDES,
 }
 
 

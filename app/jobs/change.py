@@ -247,7 +247,6 @@ def _write(
     picture: FilePath | None,
     limit: float | None,
 ) -> None:
-    """Write what is asked for."""
     where, found = compared.where, compared.found
     if output is not None:
         cloud = where.copy()

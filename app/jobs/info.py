@@ -6,7 +6,9 @@ and the tables are read, and held against the file.
 
 from __future__ import annotations
 
+import dataclasses
 import os
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -16,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic, read_pinhole_camera_intrinsic
+from ...cameras.camera_models import CameraModel
 from ...cameras.pose_text import parse_floats, read_lines, read_pose
 from ...cameras.trajectory import read_trajectory
 from ...core.atomic import restore_folder
@@ -25,10 +28,12 @@ from ...core.json_files import read_json_object
 from ...core.reports import Assessed, Fields, Report
 from ...core.wording import format_triple
 from ...files.ascii_rows import is_number
-from ...files.bags.recording import is_recording
+from ...files.bags.recording import is_recording, read_recording
 from ...files.frames.datasets import is_dataset, open_frames
 from ...files.meshes import tables
-from ...files.models.colmap import is_colmap_model
+from ...files.models.colmap import find_colmap_model, is_colmap_model, read_colmap_model
+from ...files.models.metashape import read_metashape_cameras
+from ...files.models.sfm_model import SfmModel
 from ...files.pictures.image_files import read_color, read_depth, read_picture_header
 from ...files.points.copc import is_copc
 from ...files.points.e57 import describe_e57
@@ -41,12 +46,15 @@ from ...files.table import MeshTable
 from .facts import (
     Camera,
     CameraMatrix,
+    Cameras,
     Cloud,
+    ColmapModel,
     DataSet,
     DepthMap,
     Facts,
     Las,
     Mesh,
+    MetashapeCameras,
     Picture,
     Pose,
     Shape,
@@ -54,8 +62,6 @@ from .facts import (
     Trajectory,
     Walk,
 )
-from .model_info import describe_colmap_model, describe_metashape_file
-from .recording_info import RecordedTopics, describe_recording
 
 _PICTURES = (".png", ".jpg", ".jpeg")
 _TRAJECTORIES = (".log", ".tum", ".kitti", ".txt")
@@ -374,3 +380,86 @@ def _describe_dataset(folder: Path, layout: str) -> DataSet:
         first_frame_depth_m={name: value / dataset.depth_scale for name, value in depth.depth.items()},
         walk=_measure_walk(np.array(poses, np.float64)) if poses else None,
     )
+
+
+SHOWN = 20  # cameras, and pictures without a pose, that are listed
+
+
+def describe_colmap_model(folder: Path) -> ColmapModel:
+    """A model of COLMAP in a folder, or below it.
+
+    Raises:
+        FileError: Damaged, or several models.
+    """
+    place, form = find_colmap_model(folder)
+    model = read_colmap_model(place)
+    below = str(place.relative_to(folder))
+    return ColmapModel(
+        folder=None if below == "." else below,
+        form={"bin": "binary", "txt": "text"}[form],
+        views=_describe_cameras(model),
+        points=len(model.points),
+        observations=len(model.observations),
+        mean_views=float(model.view_counts.mean()) if len(model.points) else None,
+        mean_error_px=_mean(model.errors),
+        bounds=describe_bounds(model.points),
+    )
+
+
+def describe_metashape_file(path: Path) -> MetashapeCameras:
+    """Cameras that Metashape exported.
+
+    Raises:
+        FileError: No such file.
+    """
+    model = read_metashape_cameras(path)
+    return MetashapeCameras(_describe_cameras(model), _cut(list(model.left_out)) or None)
+
+
+def _describe_cameras(model: SfmModel) -> Cameras:
+    lines = [_camera_line(camera, count) for camera, count in Counter(model.cameras).items()]
+    return Cameras(len(model), _cut(lines), describe_bounds(model.centers))
+
+
+def _camera_line(camera: CameraModel, pictures: int) -> str:
+    numbers = ", ".join(f"{value:g}" for value in camera.params)
+    many = "" if pictures == 1 else "s"
+    return f"{camera.model} {camera.width} x {camera.height}, {numbers}; {pictures} picture{many}"
+
+
+def _cut(lines: list[str]) -> list[str]:
+    rest = len(lines) - SHOWN
+    return lines if rest <= 0 else [*lines[:SHOWN], f"and {rest} more"]
+
+
+def _mean(errors: NDArray[np.float64]) -> float | None:
+    known = errors[np.isfinite(errors)]
+    return float(known.mean()) if len(known) else None
+
+
+@dataclass(frozen=True)
+class RecordedTopics(Facts):
+    """A recording of a robot: how many messages, its topics, and what is missing of it, or None."""
+
+    KIND = "recording"
+    SPARE = ("damage",)
+
+    messages: int
+    topics: list[dict[str, Any]]
+    damage: str | None
+
+    def fields(self) -> Fields:
+        """A line a topic."""
+        lines = []
+        for topic in self.topics:
+            frame = f", frame {topic['frame_id']}" if topic["frame_id"] else ""
+            span = "" if topic["first"] is None else f", {topic['last'] - topic['first']:.3f} s"
+            lines.append(f"{topic['name']}: {topic['type']}, {topic['count']}{span}{frame}")
+        damage = [("damage", self.damage)] if self.damage else []
+        return [("messages", f"{self.messages:,}"), ("topics", "\n".join(lines)), *damage]
+
+
+def describe_recording(path: Path) -> RecordedTopics:
+    """The topics; that it is damaged stands among the facts."""
+    recording = read_recording(path)
+    return RecordedTopics(len(recording), [dataclasses.asdict(topic) for topic in recording.topics], recording.damage)

@@ -103,7 +103,6 @@ def convert_recording(
 
 
 def _moved(scans: Iterator[PointCloud], poses: FilePath | None, count: int, source: FilePath) -> Iterator[PointCloud]:
-    """Scans, each moved by its pose where there are poses."""
     if poses is None:
         return scans
     found = read_trajectory(poses)

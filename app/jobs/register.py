@@ -178,7 +178,6 @@ def _write_results(
     picture: FilePath | None,
     target: FilePath,
 ) -> None:
-    """Write what is asked for."""
     T, form = found.transformation, job.form
     if output is not None:
         write_pose(output, T, overwrite=form["overwrite"])

@@ -1,9 +1,18 @@
-"""The scans of an E57 file, or of many files, brought into one frame: `register_scans`."""
+"""The scans of an E57 file, or of many files, brought into one frame: `register_scans`.
+
+Tables of targets and of control points: rows of text, separated by commas, semicolons, tabs or spaces.
+
+Targets: station, name, x, y, z and, if known, a standard deviation [m]; the station is a scan's name or its number,
+from 0. Control: name, x, y, z and, if known, one standard deviation or three. Lines that begin with # are left out, and
+a first line whose coordinates are words is a head.
+"""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+import os
+import re
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Unpack
@@ -13,14 +22,15 @@ import numpy as np
 from ...core.atomic import atomic_write
 from ...core.errors import FileError, FilePath
 from ...core.reports import Fields
+from ...core.wording import few_of
 from ...drawing.render.picture_files import save_picture
 from ...drawing.render.plots import station_plan
 from ...files.foreign import import_for
 from ...files.points.e57_stations import Stations, read_stations, write_stations
+from ...registration.stations.observations import ControlPoint, TargetObservation
 from ...registration.stations.result import StationsResult
 from ...registration.stations.stations import register_stations
 from .job import Job, JobReport, Settings
-from .survey_tables import read_control, read_targets
 
 REPORT = {"text": "report.txt", "json": "report.json", "plan": "plan.png"}
 E57, WITH_SCANS = (".e57",), (".e57", ".ptx")
@@ -72,7 +82,7 @@ def register_scans(
     Args:
         source: The file.
         output: The E57 file to write: the scans as they were, with the poses that were found.
-        targets, control: Tables as survey_tables.py reads them.
+        targets, control: Tables of targets and control points.
         report: A folder for report.txt, report.json and plan.png.
         free: The motions of stations: "x", "y", "z" and "yaw", or all six; None: the four.
         use_poses: Whether the file's poses are rough ones to begin from; else nothing is known.
@@ -163,3 +173,90 @@ def _write_report(job: Job, places: dict[str, Path], found: StationsResult) -> N
         save_picture(places["plan"], station_plan(found), overwrite=overwrite)
     for path in places.values():
         job.wrote(path)
+
+
+_APART = re.compile(r"[;,\t]")
+MOST_BYTES = 1 << 26  # a table of half a million points
+
+
+def read_targets(path: FilePath, stations: Sequence[str]) -> list[TargetObservation]:
+    """The targets that stations saw.
+
+    Raises:
+        FileError: Missing, no such table, or a station that there is not; names the line.
+    """
+    found = []
+    numbers = {name: i for i, name in enumerate(stations)}
+    numbers |= {str(i): i for i in range(len(stations)) if str(i) not in numbers}
+    for line, fields in _rows(path, words=2, numbers=(3, 4)):
+        if fields[0] not in numbers:
+            known = few_of(stations, 5)
+            raise FileError(path, f"there is no station {fields[0]!r}; there are {known}", where=f"line {line}")
+        x, y, z, *sigma = _numbers(path, line, fields[2:])
+        options = {"sigma": sigma[0]} if sigma else {}
+        try:
+            found.append(TargetObservation(numbers[fields[0]], fields[1], [x, y, z], **options))
+        except (TypeError, ValueError) as error:
+            raise FileError(path, str(error), where=f"line {line}") from None
+    return found
+
+
+def read_control(path: FilePath) -> list[ControlPoint]:
+    """The control points.
+
+    Raises:
+        FileError: Missing, or no such table; names the line.
+    """
+    found = []
+    for line, fields in _rows(path, words=1, numbers=(3, 4, 6)):
+        x, y, z, *sigma = _numbers(path, line, fields[1:])
+        options = {"sigma": sigma if len(sigma) == 3 else sigma[0]} if sigma else {}
+        try:
+            found.append(ControlPoint(fields[0], [x, y, z], **options))
+        except (TypeError, ValueError) as error:
+            raise FileError(path, str(error), where=f"line {line}") from None
+    return found
+
+
+def _rows(path: FilePath, words: int, numbers: tuple[int, ...]) -> Iterator[tuple[int, list[str]]]:
+    """The lines with something on them, as so many words and numbers; without a head."""
+    try:
+        if Path(path).stat().st_size > MOST_BYTES:
+            raise FileError(path, f"is larger than {MOST_BYTES >> 20} MiB, which no table of targets is")
+        text = Path(path).read_text(encoding="utf-8-sig")
+    except OSError as error:
+        raise FileError(path, error.strerror or "cannot be read") from None
+    except UnicodeDecodeError:
+        raise FileError(path, "is no text in UTF-8", remedy="Save the table as text") from None
+    is_first, empty = True, True
+    for line, row in enumerate(text.splitlines(), start=1):
+        if not row.strip() or row.lstrip().startswith("#"):
+            continue
+        fields = [field.strip() for field in (_APART.split(row) if _APART.search(row) else row.split())]
+        while fields and not fields[-1]:
+            fields.pop()
+        if len(fields) - words not in numbers:
+            expected = " or ".join(str(words + n) for n in numbers)
+            raise FileError(path, f"expected {expected} fields, got {len(fields)}", where=f"line {line}")
+        if is_first and not any(_is_number(field) for field in fields[words:]):
+            is_first = False
+            continue
+        is_first, empty = False, False
+        yield line, fields
+    if empty:
+        raise FileError(path, f"{os.fspath(path)} has no row", remedy="Give one row for each")
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
+
+
+def _numbers(path: FilePath, line: int, fields: Sequence[str]) -> list[float]:
+    for field in fields:
+        if not _is_number(field):
+            raise FileError(path, f"expected a number, got {field!r}", where=f"line {line}")
+    return [float(field) for field in fields]

@@ -113,7 +113,6 @@ def register(
 
 
 def _motions(free: str | None, init: str) -> list[str] | None:
-    """The motions of --free."""
     if free is None:
         return None
     names = [name.strip() for name in free.split(",")]

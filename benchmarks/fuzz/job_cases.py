@@ -28,9 +28,9 @@ from pointloom.core.errors import FileError
 from pointloom.files.models.frame_cameras import read_transforms
 from pointloom.registration.deformable.control_grid import ControlGrid
 from pointloom.registration.deformable.control_grid_files import read_control_grid, write_control_grid
-from pointloom.scale.indexes import files_of_index
 from pointloom.scale.manifest import NAME, canonical, hash_of
 from pointloom.scale.polygons import parse_area
+from pointloom.scale.sources import files_of_index
 from pointloom.scale.steps.parse import parse_steps
 
 VALUES: list[Any] = [

@@ -10,8 +10,7 @@ import numpy as np
 from PIL import Image
 
 import pointloom as loom
-from pointloom.data.scenes.room import room_views
-from pointloom.data.scenes.room_paths import film_pose, look_along
+from pointloom.data.scenes.room import film_pose, look_along, room_views
 
 SIZE = (640, 480)
 FOCAL = 525.0

@@ -13,7 +13,6 @@ from .geometry import Geometry3D as Geometry3D
 from .image import Image as Image
 from .kdtree import KDTreeFlann as KDTreeFlann
 from .line_set import LineSet as LineSet
-from .mesh_base import MeshBase as MeshBase
 from .point_cloud import PointCloud as PointCloud
 from .rgbd_image import RGBDImage as RGBDImage
 from .rotations import get_rotation_matrix_from_axis_angle as get_rotation_matrix_from_axis_angle
@@ -29,6 +28,7 @@ from .search_param import KDTreeSearchParamHybrid as KDTreeSearchParamHybrid
 from .search_param import KDTreeSearchParamKNN as KDTreeSearchParamKNN
 from .search_param import KDTreeSearchParamRadius as KDTreeSearchParamRadius
 from .tetra_mesh import TetraMesh as TetraMesh
+from .triangle_mesh import MeshBase as MeshBase
 from .triangle_mesh import TriangleMesh as TriangleMesh
 from .voxel_grid import Voxel as Voxel
 from .voxel_grid import VoxelGrid as VoxelGrid

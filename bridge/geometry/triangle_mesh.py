@@ -2,20 +2,382 @@
 
 from __future__ import annotations
 
-from typing import Any, Self
+from collections.abc import Callable
+from typing import Any, ClassVar, Self
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
+from ...kernels.linear_algebra import inv, matmul
 from ...meshing.mesh import mesh
-from ..held import Rows, as_array, ours
+from .. import geometry
+from ..held import Rows, as_array, column, ours
 from ..indices import indices_of
 from ..seeds import next_seed
 from ..vectors import DoubleVector, IntVector, Vector2dVector, Vector2iVector, Vector3dVector, Vector3iVector
+from .bounded import BoundedByBoxes
 from .enums import DeformAsRigidAsPossibleEnergy, FilterScope, SimplificationContraction
 from .image import Image
 from .point_cloud import PointCloud
-from .triangle_normals import TriangleNormals
+
+
+class MeshBase(BoundedByBoxes):
+    """Vertices, with normals and colours."""
+
+    vertices = Rows(Vector3dVector)
+    vertex_normals = Rows(Vector3dVector)
+    vertex_colors = Rows(Vector3dVector)
+
+    def has_vertices(self) -> bool:
+        """Whether there are vertices."""
+        return self._count("vertices") > 0
+
+    def has_vertex_normals(self) -> bool:
+        """Whether each vertex has a normal."""
+        return 0 < self._count("vertices") == self._count("vertex_normals")
+
+    def has_vertex_colors(self) -> bool:
+        """Whether each vertex has a colour."""
+        return 0 < self._count("vertices") == self._count("vertex_colors")
+
+    def is_empty(self) -> bool:
+        """Whether there are no vertices."""
+        return not self.has_vertices()
+
+    def paint_uniform_color(self, color: ArrayLike) -> Self:
+        """Give all vertices one colour."""
+        return self._become(self._ours.paint_uniform_color(column("color", color)))
+
+    def normalize_normals(self) -> Self:
+        """Bring normals to length 1."""
+        return self._become(self._ours.normalize_normals())
+
+    def compute_convex_hull(self) -> tuple[Any, list[int]]:
+        """A mesh of the hull, and the numbers of the vertices on it."""
+        hull, rows = self._ours.compute_convex_hull()
+        return geometry.TriangleMesh._of(hull), rows.tolist()
+
+
+Ours = mesh.TriangleMesh
+
+
+class MeshFactories(MeshBase):
+    """What makes meshes."""
+
+    @classmethod
+    def create_box(
+        cls,
+        width: float = 1.0,
+        height: float = 1.0,
+        depth: float = 1.0,
+        create_uv_map: bool = False,
+        map_texture_to_each_face: bool = False,
+    ) -> Self:
+        """A box from (0, 0, 0)."""
+        return cls._of(Ours.create_box(width, height, depth, create_uv_map, map_texture_to_each_face))
+
+    @classmethod
+    def create_tetrahedron(cls, radius: float = 1.0, create_uv_map: bool = False) -> Self:
+        """A tetrahedron about (0, 0, 0)."""
+        return cls._of(Ours.create_tetrahedron(radius, create_uv_map))
+
+    @classmethod
+    def create_octahedron(cls, radius: float = 1.0, create_uv_map: bool = False) -> Self:
+        """An octahedron about (0, 0, 0)."""
+        return cls._of(Ours.create_octahedron(radius, create_uv_map))
+
+    @classmethod
+    def create_icosahedron(cls, radius: float = 1.0, create_uv_map: bool = False) -> Self:
+        """An icosahedron about (0, 0, 0)."""
+        return cls._of(Ours.create_icosahedron(radius, create_uv_map))
+
+    @classmethod
+    def create_sphere(cls, radius: float = 1.0, resolution: int = 20, create_uv_map: bool = False) -> Self:
+        """A sphere about (0, 0, 0)."""
+        return cls._of(Ours.create_sphere(radius, resolution, create_uv_map))
+
+    @classmethod
+    def create_ellipsoid(
+        cls,
+        radius_x: float = 1.0,
+        radius_y: float = 1.0,
+        radius_z: float = 1.0,
+        resolution: int = 20,
+        create_uv_map: bool = False,
+    ) -> Self:
+        """An ellipsoid about (0, 0, 0)."""
+        return cls._of(Ours.create_ellipsoid(radius_x, radius_y, radius_z, resolution, create_uv_map))
+
+    @classmethod
+    def create_cylinder(
+        cls, radius: float = 1.0, height: float = 2.0, resolution: int = 20, split: int = 4, create_uv_map: bool = False
+    ) -> Self:
+        """A cylinder about the z axis."""
+        return cls._of(Ours.create_cylinder(radius, height, resolution, split, create_uv_map))
+
+    @classmethod
+    def create_cone(
+        cls, radius: float = 1.0, height: float = 2.0, resolution: int = 20, split: int = 1, create_uv_map: bool = False
+    ) -> Self:
+        """A cone on the xy plane."""
+        return cls._of(Ours.create_cone(radius, height, resolution, split, create_uv_map))
+
+    @classmethod
+    def create_torus(
+        cls,
+        torus_radius: float = 1.0,
+        tube_radius: float = 0.5,
+        radial_resolution: int = 30,
+        tubular_resolution: int = 20,
+    ) -> Self:
+        """A torus about the z axis."""
+        return cls._of(Ours.create_torus(torus_radius, tube_radius, radial_resolution, tubular_resolution))
+
+    @classmethod
+    def create_arrow(
+        cls,
+        cylinder_radius: float = 1.0,
+        cone_radius: float = 1.5,
+        cylinder_height: float = 5.0,
+        cone_height: float = 4.0,
+        resolution: int = 20,
+        cylinder_split: int = 4,
+        cone_split: int = 1,
+    ) -> Self:
+        """An arrow along the z axis."""
+        sizes = cylinder_radius, cone_radius, cylinder_height, cone_height
+        return cls._of(Ours.create_arrow(*sizes, resolution, cylinder_split, cone_split))
+
+    @classmethod
+    def create_coordinate_frame(cls, size: float = 1.0, origin: ArrayLike = (0.0, 0.0, 0.0)) -> Self:
+        """Arrows along x (red), y (green) and z (blue)."""
+        return cls._of(Ours.create_coordinate_frame(size, column("origin", origin)))
+
+    @classmethod
+    def create_mobius(
+        cls,
+        length_split: int = 70,
+        width_split: int = 15,
+        twists: int = 1,
+        radius: float = 1,
+        flatness: float = 1,
+        width: float = 1,
+        scale: float = 1,
+    ) -> Self:
+        """A Moebius strip."""
+        return cls._of(Ours.create_mobius(length_split, width_split, twists, radius, flatness, width, scale))
+
+    @classmethod
+    def create_from_oriented_bounding_box(
+        cls, obox: Any, scale: ArrayLike = (1.0, 1.0, 1.0), create_uv_map: bool = False
+    ) -> Self:
+        """A box around the box, its sides scaled."""
+        box = ours(obox)
+        extent = box.extent * np.asarray(scale, np.float64)
+        width, height, depth = extent.tolist()
+        made = Ours.create_box(width, height, depth, create_uv_map).translate(-extent / 2)
+        return cls._of(made.rotate(box.R, [0, 0, 0]).translate(box.center))
+
+    # -------------------------------------------------------------------------------------------- surfaces of clouds
+
+    @classmethod
+    def create_from_point_cloud_alpha_shape(
+        cls, pcd: Any, alpha: float, tetra_mesh: Any = None, pt_map: Any = None
+    ) -> Self:
+        """The alpha shape of a cloud; the tetrahedra are made anew, also where Open3D takes them."""
+        return cls._of(Ours.create_from_point_cloud_alpha_shape(ours(pcd, PointCloud, "pcd"), alpha))
+
+    @classmethod
+    def create_from_point_cloud_ball_pivoting(cls, pcd: Any, radii: Any) -> Self:
+        """The surface of balls that roll over a cloud with normals."""
+        return cls._of(Ours.create_from_point_cloud_ball_pivoting(ours(pcd, PointCloud, "pcd"), np.asarray(radii)))
+
+    @classmethod
+    def create_from_point_cloud_poisson(
+        cls,
+        pcd: Any,
+        depth: int = 8,
+        width: float = 0,
+        scale: float = 1.1,
+        linear_fit: bool = False,
+        n_threads: int = -1,
+        full_depth: int = 5,
+        samples_per_node: float = 1.5,
+        point_weight: float = 2.0,
+    ) -> tuple[Self, DoubleVector]:
+        """The closed surface that follows normals, and a density a vertex.
+
+        A width above 0 takes the place of the depth, which may be 0 then. Threads and full_depth have no effect.
+        """
+        made, densities = Ours.create_from_point_cloud_poisson(
+            ours(pcd, PointCloud, "pcd"),
+            8 if width > 0 else depth,
+            width,
+            scale,
+            linear_fit,
+            point_weight=point_weight,
+            samples_per_node=samples_per_node,
+        )
+        return cls._of(made), DoubleVector(densities)
+
+
+ROWS = "triangle normals of pointloom.open3d"  # attribute of triangles while an operation selects some of them
+
+
+class TriangleNormals(MeshFactories):
+    """Normals of triangles: computed or assigned, and kept until they are computed again, as in Open3D.
+
+    `_faces` is None without normals, a mesh of ours for the unit normals of its triangles, or an array (t, 3).
+    Computed normals follow the triangles of the mesh as long as its arrays are not written to.
+    """
+
+    _arrays: ClassVar = {"vertices": "points", "vertex_normals": "normals", "triangle_normals": "normals"}
+    _faces: Any = None
+
+    triangle_normals = Rows(Vector3dVector)
+
+    def _face_rows(self) -> NDArray[np.float64]:
+        """The normals as an array; no rows without normals."""
+        if self._faces is None:
+            return np.zeros((0, 3))
+        return self._faces if isinstance(self._faces, np.ndarray) else self._faces.triangle_normals.astype(np.float64)
+
+    def _become(self, new: Any) -> Self:
+        """Replace ours; computed normals become those of the new triangles, assigned ones stay."""
+        before, old = self._faces, self._held
+        super()._become(new)
+        if before is not old:
+            return self
+        arrays, others = old.device_arrays, new.device_arrays
+        self._faces = new
+        if any(arrays[name] is not others[name] for name in ("vertices", "triangles")):
+            self._show_faces()
+        return self
+
+    def _set_faces(self, faces: Any) -> Self:
+        self._faces = faces
+        self._show_faces()
+        return self
+
+    def _show_faces(self) -> None:
+        """Copy the normals into the vector that was handed out."""
+        out = self._out.get("triangle_normals")
+        if out is not None:
+            out.vector._fill(self._face_rows())
+            out.keep()
+
+    def _moved(self, new: Any, A: NDArray[np.float64]) -> Self:
+        """Replace ours by what a map with the 3x3 part A made of it; assigned normals turn with the surface."""
+        self._become(new)
+        if self._faces is None or self._faces is new:
+            return self
+        rows = self._face_rows()
+        turned = matmul(rows, inv(A))
+        lengths = [np.linalg.norm(part, axis=1, keepdims=True) for part in (rows, turned)]
+        return self._set_faces(turned * np.divide(lengths[0], lengths[1], where=lengths[1] > 0, out=lengths[1]))
+
+    def _selected(self, operation: Callable[[Any], Any]) -> tuple[Any, Any]:
+        """The mesh that an operation makes by selecting triangles, and the normals of those."""
+        current = self._ours
+        rows = self._face_rows()
+        if self._faces is None or self._faces is current or len(rows) != len(current):
+            made = operation(current)
+            return made, made if self._faces is current else self._faces
+        marked = current.copy()
+        marked.triangle_attributes[ROWS] = rows
+        made = operation(marked)
+        return made, made.triangle_attributes.pop(ROWS)
+
+    def _keep(self, operation: Callable[[Any], Any]) -> Self:
+        """Drop the triangles that an operation does not select."""
+        made, faces = self._selected(operation)
+        return self._become(made)._set_faces(faces)
+
+    def _sampled(self, use_triangle_normal: bool) -> tuple[Any, bool]:
+        """A mesh to draw samples from, and whether they take the normals that its triangles have by themselves.
+
+        Assigned normals are given to the corners of triangles that share no vertices.
+        """
+        current = self._ours
+        if use_triangle_normal and self._faces is None:
+            self._set_faces(current)
+        rows = self._face_rows() if use_triangle_normal and self._faces is not current else ()
+        if not len(rows) or len(rows) != len(current):
+            return current, use_triangle_normal
+        corners, colors = current.triangles.reshape(-1), current.vertex_colors
+        apart = type(current)(
+            current.vertices[corners],
+            np.arange(len(corners), dtype=np.int32).reshape(-1, 3),
+            vertex_normals=np.repeat(rows, 3, axis=0),
+            vertex_colors=None if colors is None else colors[corners],
+            device=current.device,
+            origin=current.origin,
+        )
+        return apart, False
+
+    def _new(self, made: Any, *, faces: Any = None) -> Any:
+        """Another mesh with these normals of triangles."""
+        other = type(self)._of(made)
+        other._faces = faces
+        return other
+
+    def _recomputed(self, made: Any) -> Any:
+        """Another mesh, with computed normals of triangles where this one has some."""
+        return self._new(made, faces=None if self._faces is None else made)
+
+    def _joined(self, other: Any) -> tuple[Any, Any]:
+        """Both meshes as one; the normals stay where all triangles have some."""
+        parts = [(self._ours, self), (ours(other, type(self), "other"), other)]
+        made = parts[0][0] + parts[1][0]
+        held = [(mesh, getattr(part, "_faces", None), part) for mesh, part in parts if len(mesh)]
+        if not held or any(faces is None for _, faces, _ in held):
+            return made, None
+        if all(faces is mesh for mesh, faces, _ in held):
+            return made, made
+        return made, np.concatenate([part._face_rows() for _, _, part in held])
+
+    def __add__(self, other: Any) -> Any:
+        made, faces = self._joined(other)
+        return self._new(made, faces=faces)
+
+    def __iadd__(self, other: Any) -> Self:
+        made, faces = self._joined(other)
+        return self._become(made)._set_faces(faces)
+
+    def compute_triangle_normals(self, normalized: bool = True) -> Self:
+        """Give each triangle its normal, of length 1 or of twice its area."""
+        current = self._ours
+        return self._set_faces(current if normalized else _area_vectors(current))
+
+    def compute_vertex_normals(self, normalized: bool = True) -> Self:
+        """Give each vertex the sum of the area vectors of its triangles, and each triangle its normal.
+
+        All have length 1; with `normalized=False` their lengths are areas.
+        """
+        current = self._ours
+        if normalized:
+            return self._become(current.compute_vertex_normals()).compute_triangle_normals()
+        areas = _area_vectors(current)
+        sums = np.zeros((len(current.vertices), 3))
+        np.add.at(sums, current.triangles.reshape(-1), np.repeat(areas, 3, axis=0))
+        made = current.copy()
+        made.vertex_normals = sums
+        return self._become(made)._set_faces(areas)
+
+    def normalize_normals(self) -> Self:
+        """Bring normals of vertices and of triangles to length 1."""
+        self._become(self._ours.normalize_normals())
+        if not isinstance(self._faces, np.ndarray):
+            return self
+        lengths = np.linalg.norm(self._faces, axis=1, keepdims=True)
+        return self._set_faces(np.divide(self._faces, lengths, where=lengths > 0, out=self._faces.copy()))
+
+
+def _area_vectors(mesh: Any) -> NDArray[np.float64]:
+    """The normal of each triangle with a length of twice its area, shape (t, 3)."""
+    corners = (mesh.vertices - mesh.origin)[mesh.triangles]
+    return np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+
 
 PARTS = ("vertex_normals", "vertex_colors", "triangle_uvs", "triangle_material_ids")  # and vertices and triangles
 

@@ -20,8 +20,7 @@ from ...meshing.volume.tsdf import TSDFVolume
 from ...pcd.cloud import PointCloud
 from ..kept import Arrays, kept
 from ..scenes.furniture import SIZE, furnished_room
-from ..scenes.room import COLOR_NOISE, DEPTH_SCALE, RoomFrame, room_views
-from ..scenes.room_paths import film_pose, look_along, room_pose, round_pose
+from ..scenes.room import COLOR_NOISE, DEPTH_SCALE, RoomFrame, film_pose, look_along, room_pose, room_views, round_pose
 
 FRAMES_OF_A_ROUND = 120  # of `room_frames`: 3 degrees and some 7 cm apart
 FIRST_FRAME = 44  # of the round: looks at the sofa

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.scene.raycasting_scene import RaycastingScene
-from ..scenes.room_paths import look_along
+from ..scenes.room import look_along
 
 
 @dataclasses.dataclass(frozen=True, eq=False)

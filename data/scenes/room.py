@@ -2,17 +2,24 @@
 
 The room is furniture.py's. A camera walks four rounds through it (`room_sequence`): along the furniture, along the
 ceiling, and twice across the room from farther out; or it is carried along a closed loop at 30 Hz
-(`room_loop_sequence`), with what a hand and a cheap camera do to its pictures (room_effects.py). Everything is a
+(`room_loop_sequence`), with what a hand and a cheap camera do to its pictures. Everything is a
 function of the frame number and the seed.
+
+Ways of a camera through the furnished room: poses as a function of the share of the way.
+
+`room_pose` walks four rounds in few frames that are far apart. The loops are for cameras held in a hand: closed, slow,
+and each sees the whole room; 600 frames at 30 Hz are 5 to 15 mm and up to 1.5 degrees apart. `film_pose` is for those
+without depth.
 """
 
 from __future__ import annotations
 
 import dataclasses
 import functools
+import math
 import os
 import shutil
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -31,11 +38,95 @@ from ...kernels.memory import download, upload
 from ...kernels.scenes.color_noise import measure_colors
 from ...kernels.scenes.depth_noise import measure_depth
 from ...kernels.scenes.primitives import distance_to_solids
-from ...kernels.scenes.room import Room
+from ...kernels.scenes.room import CHECKER, STRIPES, Room
 from ...kernels.scenes.value_noise import grain_pixels
-from .furniture import build_room, furnished_room
-from .room_effects import RoomEffects, person_in
-from .room_paths import LOOPS, room_pose
+from .furniture import SIZE, build_room, furnished_room
+
+ROUNDS = 4
+
+
+def room_pose(share: float) -> NDArray[np.float64]:
+    """Camera to world [m] after a share of the walk, 0 to 1: x right, y down, z forward in the camera.
+
+    The camera walks about the middle, first before and then behind it, 2 to 3 m from most of what it sees; in the last
+    round it looks aside, which shows what stood behind the furniture.
+    """
+    angle = 2 * math.pi * ROUNDS * share + 0.35
+    behind = _blend(share, (0.0, 0.22, 0.34, 0.50, 0.58, 1.0), (-0.45, -0.25, 0.55, 0.65, 1.35, 1.45))
+    pitch = math.radians(_blend(share, (0.0, 0.22, 0.30, 0.50, 0.57, 1.0), (-20.0, -19.0, 27.0, 27.0, -28.0, -30.0)))
+    height = _blend(share, (0.0, 0.50, 0.58, 1.0), (1.5, 1.4, 1.65, 1.75))
+    x, y = SIZE[0] / 2 - behind * math.cos(angle), SIZE[1] / 2 - 0.75 * behind * math.sin(angle)
+    eye = np.array([x, y, height + 0.05 * math.sin(5 * angle)])
+    yaw = angle - math.radians(_blend(share, (0.0, 0.74, 0.82, 1.0), (0.0, 0.0, 55.0, 55.0)))
+    return look_along(eye, (math.cos(yaw) * math.cos(pitch), math.sin(yaw) * math.cos(pitch), math.sin(pitch)))
+
+
+def look_along(
+    eye: NDArray[np.float64], direction: tuple[float, float, float], up: tuple[float, float, float] = (0, 0, 1)
+) -> NDArray[np.float64]:
+    """Camera to world for a camera at `eye` [m] that looks along a direction, its picture upright."""
+    forward = np.asarray(direction, np.float64)
+    forward = forward / np.linalg.norm(forward)
+    right = np.cross(forward, up)
+    right /= np.linalg.norm(right)
+    T = np.eye(4)
+    T[:3, 0], T[:3, 1], T[:3, 2], T[:3, 3] = right, np.cross(forward, right), forward, eye
+    return T
+
+
+def _blend(share: float, places: tuple[float, ...], values: tuple[float, ...]) -> float:
+    """Values at some places, joined by curves that are level at each."""
+    for a, b, low, high in zip(places, places[1:], values, values[1:], strict=False):
+        if share <= b:
+            t = (share - a) / (b - a)
+            return low + (high - low) * t * t * (3 - 2 * t)
+    return values[-1]
+
+
+def round_pose(share: float) -> NDArray[np.float64]:
+    """Camera to world [m] on a round about the middle, which it looks across; up and down three times."""
+    a = 2 * math.pi * share
+    yaw, pitch = a + 0.35, math.radians(-6 + 27 * math.sin(3 * a))
+    behind = 0.75 + 0.25 * math.sin(2 * a + 1)
+    place = (-behind * math.cos(yaw), -0.8 * behind * math.sin(yaw), 1.5 + 0.15 * math.sin(2 * a))
+    return _hand_held(share, place, yaw, pitch)
+
+
+def eight_pose(share: float) -> NDArray[np.float64]:
+    """Camera to world [m] on a figure of eight along the room, the other way round; up and down four times."""
+    a = -2 * math.pi * share
+    yaw = math.pi / 2 + a + math.radians(10) * math.sin(2 * a)
+    pitch = math.radians(-8 + 28 * math.sin(4 * a + 1.2))
+    place = (1.05 * math.sin(a), -0.42 * math.sin(2 * a), 1.5 + 0.12 * math.cos(3 * a))
+    return _hand_held(share, place, yaw, pitch)
+
+
+def film_pose(share: float) -> NDArray[np.float64]:
+    """Camera to world [m] on a wide round along the walls, looking across the middle, a little up and down.
+
+    For pictures alone: between two that see the same places the camera has moved far, so their distance can be told.
+    """
+    yaw = 2 * math.pi * share + 0.35
+    pitch = math.radians(-14 + 6 * math.sin(6 * math.pi * share))
+    place = (-1.35 * math.cos(yaw), -1.08 * math.sin(yaw), 1.5 + 0.12 * math.sin(4 * math.pi * share))
+    return _hand_held(share, place, yaw, pitch)
+
+
+def _hand_held(share: float, place: tuple[float, float, float], yaw: float, pitch: float) -> NDArray[np.float64]:
+    """A pose by its place from the middle of the floor, with the tremble of a hand: 3 mm and 0.2 degrees, about 1 Hz.
+
+    All waves are whole numbers of the loop, which keeps it closed.
+    """
+    a = 2 * math.pi * share
+    tremble = 0.003 * np.sin([19 * a + 0.3, 23 * a + 1.1, 17 * a + 2.0])
+    yaw += math.radians(0.2) * math.sin(21 * a + 0.7)
+    pitch += math.radians(0.2) * math.sin(18 * a + 0.1)
+    eye = np.array([SIZE[0] / 2, SIZE[1] / 2, 0.0]) + place + tremble
+    return look_along(eye, (math.cos(yaw) * math.cos(pitch), math.sin(yaw) * math.cos(pitch), math.sin(pitch)))
+
+
+LOOPS = {"round": round_pose, "eight": eight_pose}
+
 
 DEPTH_SCALE = 1000.0  # noisy depth is stored in whole millimetres
 RATE = 30.0  # [Hz] of the loops
@@ -378,3 +469,87 @@ def write_room_sequence(
         raise FileError(folder, f"cannot be written: {error.strerror or error}") from error
     finally:
         shutil.rmtree(part, ignore_errors=True)
+
+
+EXPOSURES = 5  # pictures of whose mean a blurred one is made; odd, so that one of them is that of the pose
+
+WAVES = (2.3, 0.7)  # [s] periods of the exposure
+
+FRAME_TIME = 1 / 30  # [s]
+
+PERSON_AWAY = 1.9  # [m] from the camera
+PERSON_SWING = math.radians(45)  # to both sides; a view of 63 degrees ends at 31
+PERSON_PASSES = 3  # back and forth on a loop
+
+
+@dataclasses.dataclass(frozen=True)
+class RoomEffects:
+    """See `room_loop_sequence`."""
+
+    seed: int
+    color: bool = True
+    blur: float = 0.0
+    exposure: float = 0.0
+    covered: tuple[int, int] = (0, 0)
+    person: bool = False
+
+    @classmethod
+    def checked(
+        cls, frame_count: int, seed: int, color: Any, blur: Any, exposure: Any, covered: Any, person: Any
+    ) -> RoomEffects:
+        """The effects asked for, or an error that names the argument."""
+        blur, exposure = check_number("blur", blur), check_number("exposure", exposure)
+        for name, value in (("blur", blur), ("exposure", exposure)):
+            if not 0 <= value <= 10:
+                raise ValueError(f"{name}: expected 0 to 10, got {value}")
+        if covered is None:
+            return cls(seed, bool(color), blur, exposure, (0, 0), bool(person))
+        if not isinstance(covered, (tuple, list)) or len(covered) != 2:
+            raise TypeError(f"covered: expected the first frame and the one after the last, got {covered!r}")
+        first, end = (check_count("covered", value, minimum=0) for value in covered)
+        if not first < end <= frame_count:
+            raise ValueError(f"covered: expected two frames in order up to {frame_count}, got {first} and {end}")
+        return cls(seed, bool(color), blur, exposure, (first, end), bool(person))
+
+    def shutter_offsets(self) -> list[float]:
+        """Where within the frames about it a blurred picture is taken, apart from the frame itself."""
+        if not self.blur or not self.color:
+            return []
+        places = [(k / (EXPOSURES - 1) - 0.5) * self.blur for k in range(EXPOSURES)]
+        return [place for place in places if place]
+
+    def spoil(
+        self, index: int, depth: NDArray[Any], color: NDArray[np.uint8], others: Iterable[NDArray[np.uint8]]
+    ) -> tuple[NDArray[Any], NDArray[np.uint8] | None]:
+        """Depth and colour of a frame as they leave the camera; `others` are what the open shutter sees besides."""
+        if self.covered[0] <= index < self.covered[1]:
+            return np.zeros_like(depth), np.zeros_like(color) if self.color else None
+        if not self.color:
+            return depth, None
+        if not self.blur and not self.exposure:
+            return depth, color
+        light = np.mean([color, *others], axis=0)
+        if self.exposure:
+            light *= self._gains(index, len(color))[:, None, None]
+        return depth, np.rint(np.clip(light, 0, 255)).astype(np.uint8)
+
+    def _gains(self, index: int, rows: int) -> NDArray[np.float64]:
+        """Brightness of each row, exposed one after another within the time of a frame."""
+        time = (index + np.arange(rows) / rows) * FRAME_TIME
+        phases = 2 * math.pi * np.random.default_rng([self.seed, 1]).random(len(WAVES))
+        waves = [np.sin(2 * math.pi * time / period + phase) for period, phase in zip(WAVES, phases, strict=True)]
+        return (1 + self.exposure) ** np.mean(waves, axis=0)
+
+
+def person_in(room: Room, T_world_camera: NDArray[np.float64], share: float) -> Room:
+    """The room with somebody in it, who walks to and fro before the camera; the light stays as it was."""
+    parts, eye, forward = furnished_room(), T_world_camera[:3, 3], T_world_camera[:3, 2]
+    angle = math.atan2(forward[1], forward[0]) + PERSON_SWING * math.sin(2 * math.pi * PERSON_PASSES * share)
+    x = min(max(eye[0] + PERSON_AWAY * math.cos(angle), 0.35), SIZE[0] - 0.35)
+    y = min(max(eye[1] + PERSON_AWAY * math.sin(angle), 0.35), SIZE[1] - 0.35)
+    parts.place(x, y, turn=math.degrees(angle))
+    shirt = {"second": (0.90, 0.86, 0.80), "pattern": (STRIPES, 0.05)}
+    parts.cylinder((0, 0, 1.1), 0.21, 0.72, (0.20, 0.30, 0.55), rounding=0.1, **shirt)
+    parts.cylinder((0, 0, 0.4), 0.16, 0.8, (0.16, 0.17, 0.22), rounding=0.05)
+    parts.sphere((0, 0, 1.6), 0.12, (0.85, 0.66, 0.52), second=(0.30, 0.20, 0.15), pattern=(CHECKER, 0.12))
+    return Room(parts.solids(room.device), np.array(parts.paints), np.array(parts.patterns), light=room.light)

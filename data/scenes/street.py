@@ -10,16 +10,6 @@ from .drive import road
 from .painted import Color, PaintedParts
 
 ROAD, PAVEMENT, GRASS, HOUSE, CAR, TREE, POLE, FENCE = range(1, 9)
-LABELS = {
-    "road": ROAD,
-    "pavement": PAVEMENT,
-    "grass": GRASS,
-    "house": HOUSE,
-    "car": CAR,
-    "tree": TREE,
-    "pole": POLE,
-    "fence": FENCE,
-}
 MARGIN = 70.0  # [m] of street before the first and behind the last place of the scanner
 
 _WALLS: tuple[Color, ...] = (

@@ -125,7 +125,6 @@ def _painted(cloud: Any, change: Any, limit: Any) -> tuple[PointCloud, Coloring,
 
 
 def _distances_of(change: Any) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
-    """Distances, and which of them are a change."""
     if isinstance(change, M3C2Result | CloudToMeshResult):
         return change.distances, change.is_significant
     values = check_numeric("change", change).astype(np.float64)

@@ -1,14 +1,13 @@
 /** What lives on the graphics card: programs, the buffers of nodes, and the picture that is drawn into. */
 const SMALL = 2 ** 16; // bytes
-const MANY_BALLS = 2_000; // more have fewer faces each
 
 class Program {
-  constructor(gl, vertex, fragment, instanced = false) {
+  constructor(gl, vertex, fragment) {
     this.gl = gl;
     this.program = gl.createProgram();
     for (const [kind, text] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
       const shader = gl.createShader(kind);
-      gl.shaderSource(shader, `#version 300 es\n${instanced ? "#define INSTANCED\n" : ""}${text}`);
+      gl.shaderSource(shader, `#version 300 es\n${text}`);
       gl.compileShader(shader);
       gl.attachShader(this.program, shader);
       if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS) && !gl.isContextLost()) {
@@ -43,23 +42,17 @@ class Program {
   }
 }
 
-/** Where the arrays of each kind go: the attribute, numbers a row, and whether a row serves a whole instance. */
+/** Where the arrays of each kind go: the attribute and numbers a row. */
 const VERTICES = { positions: [0, 3], normals: [1, 3], colors: [2, 3], uvs: [3, 2] };
 const SEGMENTS = { positions: [0, 6], colors: [2, 3] };
-const INSTANCES = { poses: [4, 12], colors: [2, 3] };
-const LAYOUTS = { points: VERTICES, triangles: VERTICES, lines: SEGMENTS, instances: INSTANCES };
+const LAYOUTS = { points: VERTICES, triangles: VERTICES, lines: SEGMENTS };
 
 /** The arrays of a node on the card; nodes that show the same share it. */
 class Geometry {
   /** `keep`: whether arrays are remembered, to be sent again to a card that forgot them. `changed`: a picture has come. */
   constructor(gl, kind, keep, changed) {
-    Object.assign(this, { gl, kind, keep, changed, users: 1, arrays: {}, texture: null, shape: "box", solid: false });
+    Object.assign(this, { gl, kind, keep, changed, users: 1, arrays: {}, texture: null });
     this.start(gl);
-  }
-
-  /** What the instances are. */
-  become(shape, solid) {
-    [this.shape, this.solid] = [shape, Boolean(solid)];
   }
 
   /** Remembers no arrays any more. */
@@ -96,7 +89,6 @@ class Geometry {
         this.fill(name, values);
       }
     }
-    if (this.kind === "instances") this.sendShape();
     this.layout();
     if (arrays.indices || arrays.positions) this.dropEdges();
   }
@@ -121,25 +113,6 @@ class Geometry {
     Object.assign(held, { bytes: values.byteLength, numbers: values.length, ...kindOf(gl, values) });
   }
 
-  /** The triangles or edges that each instance shows. */
-  sendShape() {
-    const fine = (this.buffers.poses?.numbers ?? 0) <= 12 * MANY_BALLS;
-    const made = `${this.shape} ${this.solid} ${fine}`;
-    if (made === this.made && this.buffers.corners) return;
-    this.made = made;
-    const { gl } = this;
-    const { positions, indices, normals } = this.solid ? solidShape(this.shape, fine) : { positions: edgeCorners(this.shape) };
-    this.fill("corners", positions);
-    if (indices) this.fill("indices", indices);
-    if (normals) this.fill("directions", normals);
-    this.round = Boolean(normals);
-    this.corners = indices ? indices.length : positions.length / 6;
-    for (const place of [0, 1]) gl.disableVertexAttribArray(place);
-    if (this.solid) this.point(0, 3, this.buffers.corners);
-    else for (const end of [0, 1]) this.point(end, 3, this.buffers.corners, { stride: 24, offset: 12 * end });
-    if (normals) this.point(1, 3, this.buffers.directions);
-  }
-
   point(place, width, { buffer, type, bytesEach }, { stride = 0, offset = 0, divisor = 0 } = {}) {
     const { gl } = this;
     gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
@@ -155,20 +128,17 @@ class Geometry {
   /** Says where in the buffers each attribute lies; arrays that are shorter than they should be are left out. */
   layout() {
     const { gl, kind, buffers, every } = this;
-    const [first, width] = kind === "instances" ? ["poses", 12] : ["positions", kind === "lines" ? 6 : 3];
-    const count = this.rows(first, width);
+    const count = this.rows("positions", kind === "lines" ? 6 : 3);
     this.has = {};
     gl.bindVertexArray(this.vertices);
     for (const [name, [place, numbers]] of Object.entries(LAYOUTS[kind])) {
       if (this.rows(name, numbers) < count || count === 0) continue;
       this.has[name] = true;
       const step = numbers * buffers[name].bytesEach;
-      if (name === "poses") {
-        for (const row of [0, 1, 2]) this.point(4 + row, 4, buffers.poses, { stride: step, offset: (row * step) / 3, divisor: 1 });
-      } else if (kind === "lines") {
+      if (kind === "lines") {
         this.pointEnds(place, buffers[name], this.rows(name, 6) >= count ? 6 : 3);
       } else {
-        this.point(place, numbers, buffers[name], { stride: step * every, divisor: kind === "instances" ? 1 : 0 });
+        this.point(place, numbers, buffers[name], { stride: step * every });
       }
     }
     for (const name of ["normals", "colors", "uvs"]) {

@@ -9,8 +9,7 @@ class Controls {
     Object.assign(this, { element, moveView: move, use, click, doubleClick });
     element.style.touchAction = "none"; // fingers move the camera, not the page
     this.pointers = new Map();
-    this.listening = new AbortController();
-    const listen = (kind, run) => element.addEventListener(kind, run, { passive: false, signal: this.listening.signal });
+    const listen = (kind, run) => element.addEventListener(kind, run, { passive: false });
     listen("pointerdown", (event) => this.down(event));
     listen("pointermove", (event) => this.move(event));
     listen("pointerup", (event) => this.up(event));
@@ -18,10 +17,6 @@ class Controls {
     listen("wheel", (event) => this.wheel(event));
     listen("dblclick", (event) => this.doubleClick(...this.place(event)));
     listen("contextmenu", (event) => event.preventDefault());
-  }
-
-  free() {
-    this.listening.abort();
   }
 
   place(event) {
@@ -61,7 +56,7 @@ class Controls {
   up(event) {
     const pointer = this.pointers.get(event.pointerId);
     this.pointers.delete(event.pointerId);
-    if (pointer && !pointer.drags && event.button === 0) this.click(...pointer.start, event);
+    if (pointer && !pointer.drags && event.button === 0) this.click(...pointer.start);
   }
 
   /** Two fingers: their middle moves the picture, their distance scales it. */

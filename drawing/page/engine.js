@@ -1,25 +1,25 @@
 /**
  * The engine: a tree of nodes drawn by WebGL 2 on one canvas, with its camera, for recordings and for live pages.
  *
- * new Engine(canvas, overlay, { onCamera, onClick, onLost, onDrawn, onTheme, onAxes, gizmo, scaleBar, margin })
+ * new Engine(canvas, overlay, { onCamera, onClick, onLost, onDrawn, onAxes, gizmo, scaleBar, margin })
  *   canvas    fills its parent, whose size it follows; overlay: an element over it, for labels, gizmo and scale bar
  *             (pointer events pass through it but at the gizmo).
  *   onCamera(camera)               the camera of the view in use has changed; at most once a picture. As camera() gives it.
- *   onClick(shareX, shareY, event) a press without motion, as shares 0..1 of the view's width and height. Where it
+ *   onClick(shareX, shareY)        a press without motion, as shares 0..1 of the view's width and height. Where it
  *                                  fell into another view, onCamera was called with that one's camera before.
  *   onLost(ids)                    the card forgot everything; all came back but these nodes, whose arrays were not kept
  *                                  (`keep: false`, or past the budget): they are dropped, the host adds them again.
- *   onDrawn()                      a picture is done.      onTheme(dark)     the background became dark or light.
+ *   onDrawn()                      a picture is done.
  *   gizmo, scaleBar                whether there are any (true).
  *   margin                         by how much of the scene's size it may reach beyond its bounds, for near and far (0.5).
  *   Throws NoWebGL where there is no WebGL 2.
  *
  * Nodes (ids are any keys but 0, which is the scene; poses are 12 numbers, rows of 3x4, from the node to its parent)
- *   add(id, parent, kind, props, arrays)   kind: group, points, triangles, lines, label, instances; takes the place of id.
+ *   add(id, parent, kind, props, arrays)   kind: group, points, triangles, lines, label; takes the place of id.
  *     props: pose, visible, keep and those of the kind: plain [r,g,b 0..255], size, metric, relief, opacity, lit, cull,
- *     wireframe, width, text, anchor, shape, solid. `of: id` shares the other node's arrays on the card.
+ *     wireframe, width, text, anchor. `of: id` shares the other node's arrays on the card.
  *     arrays: positions (Float32Array, or Uint16Array of half floats), colors (Uint8Array), normals (Int16Array),
- *     indices (Uint32Array), uvs (Float32Array), texture (Uint8Array: a PNG or JPEG), poses (Float32Array [k,12]).
+ *     indices (Uint32Array), uvs (Float32Array), texture (Uint8Array: a PNG or JPEG).
  *     They go to the card as they are, without a copy; what is kept for a lost context is the same memory.
  *   set(id, props, arrays), drop(id) with all below it, clear(), has(id). A parent that is not there is the scene.
  *
@@ -38,12 +38,12 @@
  *   decoded too and the page has its layout.
  *   pickDepth(x, y) -> depth [m] at a place of the canvas [CSS px], or null; pick(x, y) -> place or null;
  *   project(point) -> [x, y, depth]; unproject(x, y, depth); screenshot() -> Promise of a Blob (PNG), labels included;
- *   statistics() -> { draws, calls, uploads, bytes, kept, nodes, points, triangles, every, labels }; destroy()
+ *   statistics() -> { draws, calls, uploads, bytes, kept, nodes, points, triangles, every, labels }
  */
 const KEPT_MEMORY = 2 ** 28; // bytes of arrays that are remembered for a card that forgets
 const DARK_BACKGROUND = [0.106, 0.118, 0.137];
 const MOST_PIXELS = 2; // of the canvas for one of CSS: more is not seen
-const KINDS = ["points", "triangles", "lines", "instances"];
+const KINDS = ["points", "triangles", "lines"];
 
 class Engine {
   constructor(canvas, overlay, options = {}) {
@@ -60,7 +60,7 @@ class Engine {
     this.controls = new Controls(canvas, {
       move: (name, ...values) => this.move(name, ...values),
       use: (x, y) => this.use(x, y),
-      click: (x, y, event) => this.click(x, y, event),
+      click: (x, y) => this.click(x, y),
       doubleClick: (x, y) => this.turnAbout(x, y),
     });
     this.listen();
@@ -68,12 +68,10 @@ class Engine {
   }
 
   listen() {
-    this.listening = new AbortController();
-    const { signal } = this.listening;
-    this.canvas.addEventListener("webglcontextlost", (event) => event.preventDefault(), { signal });
-    this.canvas.addEventListener("webglcontextrestored", () => this.restore(), { signal });
+    this.canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
+    this.canvas.addEventListener("webglcontextrestored", () => this.restore());
     this.scheme = window.matchMedia("(prefers-color-scheme: dark)");
-    this.scheme.addEventListener("change", () => this.paintBackground(), { signal });
+    this.scheme.addEventListener("change", () => this.paintBackground());
     this.sizes = new ResizeObserver(() => this.resize());
     this.sizes.observe(this.canvas.parentElement);
     this.paintBackground();
@@ -111,14 +109,13 @@ class Engine {
   }
 
   /** What is new of a node's arrays; a plain colour takes the place of colours. */
-  send(geometry, { plain, shape, solid }, arrays) {
+  send(geometry, { plain }, arrays) {
     const bytes = bytesOf(arrays);
     if (bytes > 0) this.uploads += 1;
     this.kept -= geometry.kept;
     if (plain && !arrays.colors) geometry.remove("colors");
     if (this.kept + geometry.kept + bytes > KEPT_MEMORY) geometry.letGo();
-    geometry.become(shape ?? geometry.shape, solid ?? geometry.solid);
-    if (bytes > 0 || geometry.uploads === 0 || shape !== undefined || solid !== undefined) geometry.send(arrays);
+    if (bytes > 0 || geometry.uploads === 0) geometry.send(arrays);
     this.kept += geometry.kept;
   }
 
@@ -240,10 +237,10 @@ class Engine {
     this.changed();
   }
 
-  click(x, y, event) {
+  click(x, y) {
     const { box } = this.views.camera;
     this.tellCamera();
-    this.host.onClick?.((x - box.x) / box.width, (y - box.y) / box.height, event);
+    this.host.onClick?.((x - box.x) / box.width, (y - box.y) / box.height);
   }
 
   turnAbout(x, y) {
@@ -274,10 +271,8 @@ class Engine {
     const { color, own } = this.background;
     const follows = !own && this.scheme.matches;
     this.shownBackground = follows ? DARK_BACKGROUND : color;
-    const dark = dot(this.shownBackground, [0.299, 0.587, 0.114]) < 0.5;
-    this.overlay.dataset.theme = dark ? "dark" : "light";
-    if (dark !== this.dark) this.host.onTheme?.(dark);
-    this.dark = dark;
+    this.dark = dot(this.shownBackground, [0.299, 0.587, 0.114]) < 0.5;
+    this.overlay.dataset.theme = this.dark ? "dark" : "light";
     this.redraw();
   }
 
@@ -362,14 +357,6 @@ class Engine {
     return commandsOf(this);
   }
 
-  destroy() {
-    this.listening.abort();
-    this.controls.free();
-    this.sizes.disconnect();
-    this.clear();
-    this.overlay.replaceChildren();
-    this.painter.gl.getExtension("WEBGL_lose_context")?.loseContext(); // a browser has few, and frees them late
-  }
 }
 
 function nextFrame() {

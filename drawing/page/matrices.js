@@ -68,9 +68,6 @@ function compose(a, b) {
   return product;
 }
 
-/** A place through a pose. */
-const placeThrough = (m, v) => [0, 4, 8].map((k) => m[k] * v[0] + m[k + 1] * v[1] + m[k + 2] * v[2] + m[k + 3]);
-
 /** By how much a pose scales, as the cube root of what it does to volumes. */
 function scaleOf(m) {
   const [a, b, c] = [0, 1, 2].map((k) => [m[k], m[4 + k], m[8 + k]]);

@@ -10,8 +10,6 @@ const PROGRAMS = {
   points: [SOLID_VERTEX, POINT_FRAGMENT],
   triangles: [SOLID_VERTEX, FACE_FRAGMENT],
   lines: [LINE_VERTEX, LINE_FRAGMENT],
-  solids: [SOLID_VERTEX, FACE_FRAGMENT, true],
-  outlines: [LINE_VERTEX, LINE_FRAGMENT, true],
   relief: [WHOLE_VERTEX, RELIEF_FRAGMENT],
   probe: [WHOLE_VERTEX, PROBE_FRAGMENT],
 };
@@ -143,14 +141,13 @@ class Painter {
   drawNode(node, hiddenSide = null) {
     const { gl, frame, looks } = this;
     const { geometry, props, kind, world } = node;
-    const name = kind !== "instances" ? kind : geometry.solid ? "solids" : "outlines";
-    const program = this.use(name);
+    const program = this.use(kind);
     const toCamera = modelToCamera(frame.camera.rotation, frame.camera.eye, world, frame.unit);
     const every = kind === "points" ? thinned(geometry.count, this.every) : 1;
-    const { normals, colors, positions, poses } = geometry.has;
-    if (!positions && !poses) return;
+    const { normals, colors, positions } = geometry.has;
+    if (!positions) return;
     gl.uniformMatrix4x3fv(program.at("to_camera"), false, toCamera);
-    const isFace = kind === "triangles" || name === "solids";
+    const isFace = kind === "triangles";
     if (isFace || normals) gl.uniformMatrix3fv(program.at("normal_to_camera"), false, normalMatrix(toCamera));
     const suits = isFace ? props.lit !== false : !colors;
     const lit = [suits, true, false][looks.light];
@@ -173,8 +170,6 @@ class Painter {
       this.points += Math.ceil(geometry.count / every);
     } else if (kind === "lines") {
       gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, geometry.count);
-    } else if (name === "outlines") {
-      gl.drawArraysInstanced(gl.TRIANGLES, 0, geometry.corners, geometry.count);
     } else {
       this.drawFaces(program, node, plain, hiddenSide);
     }
@@ -192,12 +187,11 @@ class Painter {
     program.number("relief", relief ? 1 : 0);
   }
 
-  drawFaces(program, { props, geometry, kind }, plain, hiddenSide) {
+  drawFaces(program, { props, geometry }, plain, hiddenSide) {
     const { gl } = this;
     const { texture } = geometry;
     const textured = Boolean(texture?.texture && geometry.has.uvs);
-    const round = kind === "instances" ? geometry.round : geometry.has.normals;
-    program.whole("flat_faces", round ? 0 : 1);
+    program.whole("flat_faces", geometry.has.normals ? 0 : 1);
     program.whole("textured", textured ? 1 : 0);
     program.whole("metric", 0);
     if (textured) {
@@ -206,15 +200,14 @@ class Painter {
     }
     // Faces lie a little back, so that points and edges on them are seen. By their slope only where edges are drawn: at an
     // outline the face behind would come through.
-    const edged = kind === "triangles" && (props.wireframe || this.looks.wireframe);
+    const edged = props.wireframe || this.looks.wireframe;
     gl.enable(gl.POLYGON_OFFSET_FILL);
     gl.polygonOffset(edged ? 1 : 0, edged ? 1 : 4);
     if (props.cull || hiddenSide) gl.enable(gl.CULL_FACE); // corners run counterclockwise where a face is seen from its front
     gl.cullFace(hiddenSide ?? gl.BACK);
-    if (kind === "instances") gl.drawElementsInstanced(gl.TRIANGLES, geometry.corners, gl.UNSIGNED_SHORT, 0, geometry.count);
-    else if (geometry.elements) gl.drawElements(gl.TRIANGLES, geometry.count, gl.UNSIGNED_INT, 0);
+    if (geometry.elements) gl.drawElements(gl.TRIANGLES, geometry.count, gl.UNSIGNED_INT, 0);
     else gl.drawArrays(gl.TRIANGLES, 0, geometry.count);
-    this.triangles += kind === "instances" ? (geometry.corners / 3) * geometry.count : geometry.count / 3;
+    this.triangles += geometry.count / 3;
     gl.disable(gl.CULL_FACE);
     gl.disable(gl.POLYGON_OFFSET_FILL);
     if (edged) this.drawEdges(program, geometry, plain);

@@ -15,25 +15,6 @@ vec4 clip(vec3 p) {
 }
 `;
 
-// What is drawn once for each of many poses: three rows of each.
-const PLACED = `
-#ifdef INSTANCED
-layout(location = 4) in vec4 row_x;
-layout(location = 5) in vec4 row_y;
-layout(location = 6) in vec4 row_z;
-vec3 placed(vec3 p) {
-  vec4 q = vec4(p, 1.0);
-  return vec3(dot(row_x, q), dot(row_y, q), dot(row_z, q));
-}
-vec3 turned(vec3 n) {
-  return cross(row_y.xyz, row_z.xyz) * n.x + cross(row_z.xyz, row_x.xyz) * n.y + cross(row_x.xyz, row_y.xyz) * n.z;
-}
-#else
-#define placed(p) (p)
-#define turned(n) (n)
-#endif
-`;
-
 const LIGHT = `
 uniform int lit;
 uniform bool paint_normals;
@@ -64,7 +45,6 @@ layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 color;
 layout(location = 3) in vec2 uv;
 ${TO_CLIP}
-${PLACED}
 uniform mat3 normal_to_camera;
 uniform float size;
 uniform bool metric;
@@ -75,8 +55,8 @@ out vec3 v_color;
 out vec2 v_uv;
 flat out float v_size;
 void main() {
-  v_place = to_camera * vec4(placed(position), 1.0);
-  v_normal = normal_to_camera * turned(normal);
+  v_place = to_camera * vec4(position, 1.0);
+  v_normal = normal_to_camera * normal;
   v_color = color;
   v_uv = uv;
   gl_Position = clip(v_place);
@@ -121,7 +101,7 @@ void main() {
 `;
 
 // A segment is a strip of two triangles, as wide as asked on the screen. What lies behind the camera is cut off here: a
-// strip with corners there would fan out. Of an instance's segments each has six corners of its own.
+// strip with corners there would fan out.
 const LINE_VERTEX = `
 precision highp float;
 layout(location = 0) in vec3 a;
@@ -129,21 +109,15 @@ layout(location = 1) in vec3 b;
 layout(location = 2) in vec3 color;
 layout(location = 3) in vec3 color_b;
 ${TO_CLIP}
-${PLACED}
 uniform float near;
 uniform float lift;
 uniform float size;
 uniform vec2 window;
 out vec3 v_color;
 void main() {
-#ifdef INSTANCED
-  int place_of[6] = int[6](0, 1, 2, 2, 1, 3);
-  int corner = place_of[gl_VertexID % 6];
-#else
   int corner = gl_VertexID;
-#endif
-  vec3 p = to_camera * vec4(placed(a), 1.0);
-  vec3 q = to_camera * vec4(placed(b), 1.0);
+  vec3 p = to_camera * vec4(a, 1.0);
+  vec3 q = to_camera * vec4(b, 1.0);
   bool hidden = p.z < near && q.z < near;
   if (p.z < near && !hidden) p = mix(p, q, (near - p.z) / (q.z - p.z));
   if (q.z < near && !hidden) q = mix(q, p, (near - q.z) / (p.z - q.z));
@@ -158,11 +132,7 @@ void main() {
   // a little nearer than the faces that it lies on
   place.z = parallel ? place.z - lift : (depth_of.x + depth_of.y / (place.w * 0.9995)) * place.w;
   gl_Position = hidden ? vec4(0.0, 0.0, 2.0, 1.0) : place;
-#ifdef INSTANCED
-  v_color = color;
-#else
   v_color = corner < 2 ? color : color_b;
-#endif
 }
 `;
 

@@ -18,7 +18,7 @@ from ...core.escaped_text import escaped
 
 FOLDER = Path(__file__).parent
 ENGINE = (
-    *("matrices", "shaders", "buffers", "unit_shapes", "textures", "nodes", "camera", "views", "controls", "pace"),
+    *("matrices", "shaders", "buffers", "textures", "nodes", "camera", "views", "controls", "pace"),
     *("labels", "gizmo", "scale_bar", "corners", "painter", "commands", "engine"),
 )
 PLAYER = (*ENGINE, "arrays", "recorded", "plots", "timeline", "player")
@@ -68,12 +68,6 @@ def live_page(title: str) -> bytes:
     script, style = _live_parts()
     texts = {"script": script, "style": style, "title": html.escape(escaped(title))}
     return re.sub(r"\{\{(\w+)\}\}", lambda gap: texts[gap[1]], read_source("live/live.html")).encode("utf-8", "replace")
-
-
-def live_hashes() -> dict[str, str]:
-    """The hashes of that page's one script and one style, as a policy names them."""
-    script, style = _live_parts()
-    return {"script": hash_of(script), "style": hash_of(style)}
 
 
 @functools.cache

@@ -18,15 +18,14 @@ from ...core.paths import path_of
 from ...core.progress import ReportProgress
 from ...core.watching import watch
 from ..render.parts import Matrix, Triple
-from ..render.styles import Style
+from ..render.styles import STYLE_KEYS, Style
 from ..render.upward import direction_under, told_up
 from ..render.view import View
 from .film import check_look, find_view
-from .held import Held, fields_of, style_of
 from .script import Stage
 from .scripts import Scripts
-from .shapes import ShapeStore, Sketch, sketch, usual_size
-from .timeline import Frame, Timeline
+from .shapes import ShapeStore, Sketch, pose_about, sketch, usual_size
+from .timeline import Frame, Placed, Timeline
 from .writers import check_recording, write_recording
 
 MAX_POINTS, MAX_FRAMES, FASTEST = 200_000, 600, 100.0
@@ -396,3 +395,38 @@ def check_picture_size(size: Any) -> tuple[int, int]:
     limits: dict[str, Any] = {"minimum": 16, "maximum": 8192, "because": "frames are held whole"}
     width, height = (check_count("size", side, **limits) for side in size)
     return width, height
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Held:
+    """What is shown under a name: the numbers of its shapes, where they count from, and how it is drawn and lies."""
+
+    shapes: tuple[int, ...]
+    origin: NDArray[np.float64]
+    style: Style
+    pose: Matrix | None
+
+    def placed(self, origin: NDArray[np.float64]) -> Placed:
+        """Where it lies, about another origin."""
+        return Placed(self.shapes, pose_about(self.pose, self.origin, origin))
+
+
+def style_of(style: dict[str, Any]) -> Style:
+    """A style by its keys.
+
+    Raises:
+        ValueError: A key that there is not, or a value out of range.
+    """
+    return Style(**fields_of(style))
+
+
+def fields_of(style: dict[str, Any]) -> dict[str, Any]:
+    """The keys of a style, all known.
+
+    Raises:
+        ValueError: One is not.
+    """
+    unknown = [key for key in style if key not in STYLE_KEYS]
+    if unknown:
+        raise ValueError(f"style: expected {', '.join(STYLE_KEYS)}, got {unknown[0]!r}")
+    return style

@@ -116,7 +116,6 @@ def _read_camera(path: Any, content: dict[str, Any]) -> View:
 
 
 def _read_numbers(path: Any, key: str, value: Any) -> Any:
-    """The number or the three numbers of a key."""
     numbers = value if isinstance(value, list) else [value]
     count = 1 if key in ("zoom", "field_of_view") else 3
     for number in numbers:

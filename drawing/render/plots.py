@@ -265,7 +265,6 @@ def draw_slice(
 
 
 def _matplotlib(module: str) -> Any:
-    """A module of matplotlib."""
     try:
         return importlib.import_module(f"matplotlib.{module}")
     except ImportError as error:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from ...cameras.camera import check_pixels
 from ...core.array_libraries import view_as
-from ...core.checks import shown
+from ...core.checks import check_color, shown
 from ...core.devices import resolve_device
 from ...core.told_arguments import told_arguments
 from ...core.units import asked_by_user, warn_of_units
@@ -22,7 +22,6 @@ from ...kernels.drawing.placing import make_normal_lines
 from ...kernels.lang import vec3, vec3i
 from ...kernels.memory import download, empty
 from ...kernels.meshes.mesh_measures import vertex_normals
-from .backgrounds import check_background, is_dark
 from .canvas import Canvas
 from .geometries import Named, check_units, named_geometries, parts_of
 from .open3d_views import OPEN3D_KEYS, read_view
@@ -175,7 +174,6 @@ def _groups_of(
 
 
 def _written(drawing: Drawing, background: Triple | None, overlays: Overlays) -> Picture:
-    """A drawing before a background, with what is written over it."""
     camera = drawing.view.intrinsic
     grounds = [drawing.before(color) for color in ((BLACK, WHITE) if background is None else (background,))]
     for ground in grounds:
@@ -283,3 +281,37 @@ def _normals_of(parts: Sequence[Part], color: Triple) -> list[Part]:
         none = empty(0, vec3, part.positions.device)
         lines.append(Lines(ends, part.origin, indices, none, width=1.0, plain=color, pose=part.pose))
     return lines
+
+
+TRANSPARENT = "transparent"
+NAMED: dict[str, Triple] = {
+    "white": (1.0, 1.0, 1.0),
+    "black": (0.0, 0.0, 0.0),
+    "grey": (0.5, 0.5, 0.5),
+    "gray": (0.5, 0.5, 0.5),
+}
+DARK = 0.25  # lightness of a background before which lines of no colour of their own are light
+
+
+def check_background(background: Any) -> Triple | None:
+    """The colour of a background, None for a transparent one.
+
+    Raises:
+        TypeError: No text and no colour.
+        ValueError: No such name, or a colour out of range.
+    """
+    if isinstance(background, str):
+        if background != TRANSPARENT and background not in NAMED:
+            names = ", ".join((*NAMED, TRANSPARENT))
+            raise ValueError(f"background: expected one of {names}, or red, green and blue, got {shown(background)}")
+        return NAMED.get(background)
+    red, green, blue = check_color("background", background).tolist()
+    return red, green, blue
+
+
+def is_dark(background: Triple | None) -> bool:
+    """Whether dark lines would hardly be seen before a background (luminance after ITU-R BT.709)."""
+    if background is None:
+        return False
+    red, green, blue = background
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue < DARK

@@ -2,21 +2,219 @@
 
 from __future__ import annotations
 
+import dataclasses
 import os
+import threading
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from ...core.checks import check_name, check_number, check_positive
+from ...core.checks import check_callback, check_list, check_name, check_number, check_positive, shown
 from .calls import Calls, HookPages
-from .controls import FOLDER, Control, Controls
 from .items import Item
 from .keys import check_hotkey
 from .live_timeline import HISTORY_BYTES, LiveTimeline
-from .picks import Picks
 from .tools.picking import Pick
 
 if TYPE_CHECKING:
+    from .link import ClickEvent
     from .viewer import Viewer
+
+
+FOLDER, ORDER = "Program", 0.7  # above all that is ours but the line of the points and the tool at work
+STEPS = 100  # of a slider between its ends, where no step is given
+MOST_TEXT = 16_384  # characters of a text
+
+Check = Callable[[Any], Any]
+
+
+class Control:
+    """A control of the panel that a program added; `viewer.add_button` and its kin make it.
+
+    Attributes:
+        label: What it is called.
+        folder: The folder of the panel that it lies in.
+
+    Example:
+        >>> import pointloom as loom
+        >>> with loom.Viewer(port=0) as viewer:
+        ...     size = viewer.add_slider("voxel size", 0.01, 1.0, 0.05)
+        ...     size.value = 0.1
+        ...     size.value, size.label
+        (0.1, 'voxel size')
+    """
+
+    def __init__(self, label: str, folder: str, value: Any, check: Check | None, controls: Controls):
+        self.label, self.folder = label, folder
+        self._value, self._check, self._controls = value, check, controls
+        self._handles: list[Any] = []  # of the link; the first is the control itself
+
+    def __repr__(self) -> str:
+        value = "" if self._check is None else f", {self._value!r}"
+        return f"Control({self.label!r}{value})"
+
+    @property
+    def value(self) -> Any:
+        """What it is set to, by a page or by the program; assign another. None of a button.
+
+        Raises:
+            TypeError: Assigned to a button, or a value of another kind.
+            ValueError: Assigned a value that the control does not take.
+        """
+        return self._value
+
+    @value.setter
+    def value(self, value: Any) -> None:
+        if self._check is None:
+            raise TypeError(f"value: {self.label!r} is a button, which has none")
+        self._value = self._check(value)
+        if self._handles:
+            self._handles[0].value = self._value
+
+    def remove(self) -> None:
+        """Take it out of the panel; its function is called no more. Twice is no error."""
+        self._controls.remove(self)
+
+
+class Controls:
+    """The folders of a program's controls, and the controls in them.
+
+    Args:
+        gui: Of all pages, as of the link.
+        calls: Calls the program's functions.
+        bind: Has a key of a label call a function with the number of the page; gives the handle.
+    """
+
+    def __init__(self, gui: Any, calls: Calls, bind: Callable[[str, str, Callable[[int | None], None]], Any]):
+        self._gui, self._calls, self._bind = gui, calls, bind
+        self._lock = threading.RLock()
+        self._folders: dict[str, tuple[Any, list[Control]]] = {}
+
+    def add_button(self, label: str, callback: Any, hotkey: str | None, folder: str, hint: str) -> Control:
+        """A button."""
+        if not callable(callback):
+            raise TypeError(f"callback: expected a function, got {type(callback).__name__}")
+        key, calls, hint = None if hotkey is None else check_hotkey(hotkey), self._calls, check_name("hint", hint)
+
+        def make(name: str) -> Any:
+            return self._gui.add_button(name if key is None else f"{name} ({key})", hint=hint)
+
+        control = self._add(label, folder, None, None, make)
+
+        def press(client: int | None) -> None:
+            if control._handles:
+                calls.call(client, lambda: callback(client))
+
+        control._handles[0].on_click(lambda event: press(event.client_id))
+        if key is not None:
+            control._handles.append(self._bind(key, control.label, press))
+        return control
+
+    def add_slider(self, label: str, low: Any, high: Any, value: Any, callback: Any, step: Any, folder: str) -> Control:
+        """A slider, of whole numbers where all that is given is whole."""
+        given = {"low": low, "high": high, "value": value} | ({} if step is None else {"step": step})
+        numbers = {name: check_number(name, number) for name, number in given.items()}
+        is_whole = all(isinstance(number, int) or hasattr(number, "__index__") for number in given.values())
+        kind = int if is_whole else float
+        first, last = numbers["low"], numbers["high"]
+        if not first < last:
+            raise ValueError(f"low: expected less than high, {last:g}, got {first:g}")
+        step = check_positive("step", numbers.get("step", 1 if is_whole else (last - first) / STEPS))
+        if step > last - first:
+            raise ValueError(f"step: expected at most high - low, {last - first:g}, got {step:g}")
+
+        def check(new: Any) -> Any:
+            number = check_number("value", new)
+            if not first <= number <= last:
+                raise ValueError(f"value: expected {first:g} to {last:g}, got {number:g}")
+            return kind(round(number)) if is_whole else number
+
+        start = check(value)
+        ends = kind(first), kind(last), kind(step)
+        return self._add(label, folder, start, check, lambda name: self._gui.add_slider(name, *ends, start), callback)
+
+    def add_checkbox(self, label: str, value: Any, callback: Any, folder: str) -> Control:
+        """A box to tick."""
+        start = _check_flag(value)
+        return self._add(label, folder, start, _check_flag, lambda name: self._gui.add_checkbox(name, start), callback)
+
+    def add_dropdown(self, label: str, options: Any, callback: Any, value: Any, folder: str) -> Control:
+        """A choice of one of several."""
+        known = tuple(check_name("options", option) for option in check_list("options", options, "strings"))
+        if not known or len({*known}) != len(known):
+            raise ValueError(f"options: expected strings that differ, one at the least, got {shown(options)}")
+
+        def check(new: Any) -> str:
+            if check_name("value", new) not in known:
+                raise ValueError(f"value: expected one of {', '.join(map(repr, known))}, got {new!r}")
+            return new
+
+        start = known[0] if value is None else check(value)
+        return self._add(label, folder, start, check, lambda name: self._gui.add_dropdown(name, known, start), callback)
+
+    def add_text(self, label: str, value: Any, callback: Any, folder: str) -> Control:
+        """A field of text."""
+        start = _check_text(value)
+        return self._add(label, folder, start, _check_text, lambda name: self._gui.add_text(name, start), callback)
+
+    def remove(self, control: Control) -> None:
+        """Take a control out, and its folder where it was the last one."""
+        with self._lock:
+            handles, control._handles = control._handles, []
+            for handle in handles:
+                handle.remove()
+            folder, within = self._folders.get(control.folder, (None, []))
+            if control in within:
+                within.remove(control)
+            if folder is not None and not within:
+                del self._folders[control.folder]
+                folder.remove()
+
+    def _add(
+        self, label: str, folder: str, value: Any, check: Check | None, make: Callable[[str], Any], callback: Any = None
+    ) -> Control:
+        check_callback("callback", callback)
+        control = Control(_check_label("label", label), _check_label("folder", folder), value, check, self)
+        with self._lock:
+            if folder not in self._folders:
+                self._folders[folder] = self._gui.add_folder(folder, order=ORDER), []
+            place, within = self._folders[folder]
+            with place:
+                control._handles.append(make(label))
+            within.append(control)
+        if check is not None:
+            control._handles[0].on_update(lambda event: self._take(control, event.client_id, event.value, callback))
+        return control
+
+    def _take(self, control: Control, client: int | None, value: Any, callback: Any) -> None:
+        """A page has set a value, which the link has checked."""
+        assert control._check is not None
+        if client is None or not control._handles:  # the program itself has set it, or it has gone
+            return
+        try:
+            new = control._value = control._check(value)
+        except (TypeError, ValueError):
+            return
+        if callback is not None:
+            self._calls.call(client, lambda: callback(new), control)
+
+
+def _check_flag(value: Any) -> bool:
+    if not isinstance(value, bool) and type(value).__name__ not in ("bool", "bool_"):
+        raise TypeError(f"value: expected True or False, got {shown(value)}")
+    return bool(value)
+
+
+def _check_text(value: Any) -> str:
+    if len(check_name("value", value)) > MOST_TEXT:
+        raise ValueError(f"value: expected at most {MOST_TEXT:,} characters, got {len(value):,}")
+    return value
+
+
+def _check_label(name: str, label: Any) -> str:
+    if not check_name(name, label).strip():
+        raise ValueError(f"{name}: expected words, got {label!r}")
+    return label
+
 
 FASTEST = 240.0  # [Hz] of calls with each frame
 
@@ -355,3 +553,59 @@ class Hooks:
 def _check_function(callback: Any) -> None:
     if not callable(callback):
         raise TypeError(f"callback: expected a function, got {type(callback).__name__}")
+
+
+class Picks:
+    """Functions of a program that are told what a click means, where no tool is at work.
+
+    Args:
+        viewer: The viewer, whose pages tell of clicks from now on.
+        calls: Calls them.
+    """
+
+    def __init__(self, viewer: Viewer, calls: Calls):
+        self._viewer, self._calls = viewer, calls
+        self._callbacks: tuple[Callable[[Pick], Any], ...] = ()
+        viewer.server.pages.scene.on_click(self._on_click)
+
+    def add(self, callback: Callable[[Pick], Any]) -> Callable[[], None]:
+        """Tell one more, until what is returned is called."""
+        entry = lambda pick: callback(pick)  # noqa: E731  # another one each time: a function may be told twice
+        with self._viewer.lock:
+            self._callbacks = (*self._callbacks, entry)
+
+        def stop() -> None:
+            with self._viewer.lock:
+                self._callbacks = tuple(other for other in self._callbacks if other is not entry)
+
+        return stop
+
+    def _on_click(self, event: ClickEvent) -> None:
+        session = self._viewer.sessions.get(event.client_id)
+        if not self._callbacks or session is None or not (0 <= event.x <= 1 and 0 <= event.y <= 1):
+            return
+        stage = session.idle_stage()
+        if stage is None:  # a tool is at work, and has the click
+            return
+        view = session.view_of(event.camera)
+        x, y = event.x * view.intrinsic.width - 0.5, event.y * view.intrinsic.height - 0.5
+        found = stage.pick(view, x, y)
+        if found is None:
+            return
+        with self._viewer.lock:
+            told = with_attributes(found, self._viewer.shown.get(found.name))
+        for callback in self._callbacks:
+            self._calls.call(event.client_id, lambda call=callback: call(told))
+
+
+def with_attributes(pick: Pick, item: Item | None) -> Pick:
+    """A pick with what the cloud knows of its point."""
+    if item is None or item.cloud is None or pick.index is None or pick.index >= len(item.cloud):
+        return pick
+    row = item.select([pick.index])
+    known: dict[str, Any] = {name: values[0] for name, values in row.attributes.items()}
+    if row.has_colors:
+        known["color"] = row.colors[0]
+    if row.has_normals:
+        known["normal"] = row.normals[0]
+    return dataclasses.replace(pick, attributes=known)

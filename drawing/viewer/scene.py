@@ -5,36 +5,40 @@ from __future__ import annotations
 import logging
 import threading
 import time
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...core.checks import check_finite, check_name, check_positive, check_shape
+from ...core.coordinates import finite_rows
 from ...core.errors import PointloomError
 from ...core.known_names import nearest_name
 from ...core.open3d_names import row_of, told
 from ...core.upward import check_up
+from ...kernels.memory import download
 from ..render.geometries import Named, check_units
-from ..render.parts import Triangles, Triple
+from ..render.parts import Lines, Part, Points, Triangles, Triple
 from ..render.upward import direction_under, up_of
 from ..render.view import View, fit_view
 from .arrivals import Arrivals
 from .camera import camera_of, diagonal, reach_of, read_parameters
 from .coloring_choice import ColoringChoice
+from .detail_tree import DetailTree
 from .extents import Bounds, Extents
 from .hooks import Hooks
 from .items import Frame, Item
-from .later import Later
-from .level_builder import LevelBuilder
-from .nodes import NORMAL_LENGTH, ItemNodes
 from .panel import Panel
 from .server import ViewerServer
 from .sessions import POINT_SIZE, Session
+from .surfaces import line_arrays, surface_arrays
 from .whole_cloud import FIRST
 
 if TYPE_CHECKING:
-    from .link import Node, PageClient
+    from .link import Node, PageClient, PageServer
+    from .viewer import Viewer
+
 
 log = logging.getLogger("pointloom.viewer")
 
@@ -391,3 +395,227 @@ def check_color(color: Any) -> NDArray[np.float64]:
 def check_size(size: Any) -> float:
     """A size of points [px], cut to what can be seen."""
     return min(max(check_positive("point_size", size), SMALLEST_POINT), LARGEST_POINT)
+
+
+MOST_NORMALS = 10_000
+NORMAL_LENGTH = 0.01  # of the scene's diagonal
+NORMAL_COLOR = (0, 0, 0)
+
+
+class ItemNodes:
+    """The nodes of an item's parts other than points; all pages are shown them, those that come later as well.
+
+    Args:
+        pages: Who is shown them.
+        frame: The page's coordinates.
+        item: What is shown.
+        wireframe: Whether the edges of surfaces are shown.
+    """
+
+    def __init__(self, pages: PageServer, frame: Frame, item: Item, *, wireframe: bool = False):
+        self._pages, self._frame, self._wireframe = pages, frame, wireframe
+        self._nodes: list[tuple[Part, Node]] = []
+        self._normals: Node | None = None
+        self.show(item)
+
+    def show(self, item: Item) -> None:
+        """Show this in place of what was shown, in one picture."""
+        self._item = item
+        with self._pages.atomic():
+            for _, node in self._nodes:
+                node.remove()
+            self._nodes = [(part, node) for part in item.parts if (node := self._add(part)) is not None]
+
+    def surfaces(self) -> list[tuple[Triangles, Node]]:
+        """The surfaces that are shown and their nodes."""
+        return [(part, node) for part, node in self._nodes if isinstance(part, Triangles)]
+
+    def set_pose(self) -> None:
+        """Move the nodes to where the item stands."""
+        with self._pages.atomic():
+            for part, node in self._nodes:
+                node.place(*self._frame.place(part.origin, self._item.pose_of(part)))
+            if self._normals is not None and self._item.points is not None:
+                part = self._item.points
+                self._normals.place(*self._frame.place(part.origin, self._item.pose_of(part)))
+
+    def set_visible(self, visible: bool) -> None:
+        """Show or hide them."""
+        for _, node in self._nodes:
+            node.visible = visible
+        if self._normals is not None:
+            self._normals.visible = visible
+
+    def set_wireframe(self, shown: bool) -> None:
+        """Show edges over the faces."""
+        self._wireframe = shown
+        for part, node in self.surfaces():
+            node.set(wireframe=shown or part.wireframe)
+
+    def set_normals(self, length: float | None) -> None:
+        """Show the normals of a cloud as lines of this length [m]; None hides them."""
+        if self._normals is not None:
+            self._normals.remove()
+            self._normals = None
+        part = self._item.points
+        if length is None or part is None or not part.normals.size:
+            return
+        step = -(-part.positions.size // MOST_NORMALS)
+        feet = download(part.positions).reshape(-1, 3)[::step]
+        heads = feet + np.float32(length) * download(part.normals).reshape(-1, 3)[::step]
+        finite = finite_rows(heads)
+        if finite.any():
+            ends = np.stack([feet[finite], heads[finite]], axis=1)
+            self._normals = self._pages.scene.add_lines(ends, plain=NORMAL_COLOR, **self._placed(part))
+
+    def close(self) -> None:
+        """Take them out of the page."""
+        with self._pages.atomic():
+            for _, node in self._nodes:
+                node.remove()
+            if self._normals is not None:
+                self._normals.remove()
+        self._nodes, self._normals = [], None
+
+    def _add(self, part: Part) -> Node | None:
+        if isinstance(part, Points):
+            return None
+        scene, placed = self._pages.scene, self._placed(part)
+        if isinstance(part, Lines):
+            lines = line_arrays(part)
+            return None if lines is None else scene.add_lines(**lines, **placed)
+        surface = surface_arrays(part)
+        if surface is None:
+            return None
+        return scene.add_surface(**surface, wireframe=self._wireframe or part.wireframe, **placed)
+
+    def _placed(self, part: Part) -> dict[str, Any]:
+        """Where a part stands in the page, and whether it is seen."""
+        return {**self._frame.placing(part.origin, self._item.pose_of(part)), "visible": self._item.visible}
+
+
+FRAME = 1 / 30  # [s] between two times
+IDLE = 0.5  # [s] without anything to do, after which the thread ends
+
+
+class Later:
+    """Has a job done soon, in a thread of its own, once for all who ask meanwhile.
+
+    Args:
+        job: Done with the lock held.
+        take_lock: Takes the lock; false once all is over.
+        release_lock: Gives it back.
+    """
+
+    def __init__(self, job: Callable[[], None], take_lock: Callable[[], bool], release_lock: Callable[[], None]):
+        self._job, self._take_lock, self._release_lock = job, take_lock, release_lock
+        self._asked, self._ended = threading.Event(), threading.Event()
+        self._thread: threading.Thread | None = None
+
+    def ask(self) -> None:
+        """Have the job done within a frame; the lock is held."""
+        self._asked.set()
+        if self._thread is None and not self._ended.is_set():
+            self._thread = threading.Thread(target=self._run, name="pointloom-later", daemon=True)
+            self._thread.start()
+
+    def now(self) -> None:
+        """Do what was asked for and is not done yet; the lock is held."""
+        if self._asked.is_set():
+            self._asked.clear()
+            self._job()
+
+    def close(self) -> None:
+        """What is left is not done any more."""
+        self._ended.set()
+        self._asked.set()  # so that nobody waits
+
+    def join(self) -> None:
+        """Wait for the thread, after `close`; without the lock."""
+        thread = self._thread
+        if thread is not None and thread is not threading.current_thread():
+            thread.join(timeout=5.0)
+
+    def _run(self) -> None:
+        while True:
+            was_asked = self._asked.wait(IDLE)
+            if self._ended.is_set() or not self._take_lock():
+                return
+            try:
+                if self._ended.is_set():  # while the lock was waited for
+                    return
+                if not was_asked and not self._asked.is_set():
+                    self._thread = None  # who asks from now on starts another
+                    return
+                self.now()
+            except Exception:  # a fault of ours: the viewer goes on
+                log.warning("what follows from a change of the scene", exc_info=True)
+            finally:
+                self._release_lock()
+            if self._ended.wait(FRAME):
+                return
+
+
+class LevelBuilder:
+    """Builds levels in threads of its own; pages are told so, and shown them when they are there.
+
+    Args:
+        viewer: Whose lock is held by who calls.
+    """
+
+    def __init__(self, viewer: Viewer):
+        self._viewer = viewer
+        self._coming: dict[str, Item] = {}
+        self._threads: list[threading.Thread] = []
+
+    def __contains__(self, name: str) -> bool:
+        """Whether the levels of an item are being built."""
+        return name in self._coming
+
+    def build(self, item: Item) -> None:
+        """Build the levels of a cloud, if it is too large to be sent whole."""
+        if item.cloud is None or len(item.cloud) <= self._viewer.max_points:
+            return
+        self._coming[item.name] = item
+        self._threads = [thread for thread in self._threads if thread.is_alive()]
+        thread = threading.Thread(target=self._build, args=(item,), name="pointloom-levels", daemon=True)
+        self._threads.append(thread)
+        self._tell()
+        thread.start()
+
+    def forget(self, name: str) -> None:
+        """An item has gone, or is another one now."""
+        if self._coming.pop(name, None) is not None:
+            self._tell()
+
+    def let_go(self) -> list[threading.Thread]:
+        """Forget all; the threads that are to be waited for."""
+        threads, self._threads = self._threads, []
+        self._coming.clear()
+        return threads
+
+    def _build(self, item: Item) -> None:
+        viewer = self._viewer
+        try:
+            assert item.cloud is not None
+            tree = None if viewer.closed else DetailTree.from_cloud(item.cloud)
+        except Exception:  # no memory for it: an even share is what can be shown
+            log.warning("%s is shown without levels of detail", item.name, exc_info=True)
+            tree = None
+        if not viewer.take_lock():
+            return
+        try:
+            if self._coming.get(item.name) is item:
+                del self._coming[item.name]
+                item.tree = tree
+                viewer.show_levels(item)
+                self._tell()
+        finally:
+            viewer.lock.release()
+
+    def _tell(self) -> None:
+        """Say in the pages which clouds are being prepared."""
+        coming = list(self._coming)
+        others = f" and {len(coming) - 1} more" if len(coming) > 1 else ""
+        text = f"a first look; preparing all points of {coming[0]}{others}" if coming else ""
+        self._viewer.server.pages.set_progress(text)

@@ -323,5 +323,4 @@ def _names(role: str, numbers: NDArray[np.int64]) -> list[str]:
 
 
 def _place(clouds: ManyClouds, columns: Columns) -> PointColumns:
-    """The rows of all clouds at the places of their points."""
     return PointColumns(**{name: clouds.gather(arrays) for name, arrays in columns.items()})

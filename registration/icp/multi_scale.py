@@ -151,7 +151,6 @@ def _with_normals(cloud: PointCloud, voxel_size: float) -> PointCloud:
 
 
 def _with_weights(cloud: PointCloud, weights: ArrayLike | str | None) -> PointCloud:
-    """The cloud with its weights as the attribute WEIGHTS."""
     if weights is None:
         return cloud
     columns = point_weights([cloud], weights, _ROLES[:1])

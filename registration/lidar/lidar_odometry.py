@@ -6,27 +6,29 @@ Right Way", IEEE Robotics and Automation Letters 8(2), 2023. Equation numbers ar
 
 from __future__ import annotations
 
-from dataclasses import replace
+import math
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
+import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_count, check_positive, check_rigid
 from ...core.devices import check_same_device, resolve_device
 from ...core.units import METRE, common_unit
 from ...core.watching import report
-from ...kernels.linear_algebra import matmul, norm
+from ...kernels.linear_algebra import elementwise, matmul, norm
+from ...kernels.memory import clone, contiguous, download
+from ...kernels.odometry.deskewing import bound_times, deskew_points
 from ...kernels.odometry.map_aligner import MapAligner
-from ...kernels.odometry.odometry_sampling import thin_in_turn
+from ...kernels.odometry.odometry_sampling import shift_points, thin_in_turn
 from ...kernels.odometry.voxel_map import VoxelMap
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
-from ..rigid import invert_pose
-from .deskewing import point_times
+from ..rigid import invert_pose, pose_of
+from .deskewing import MIN_TIMES, point_times, twist_of, warn_of_coarse_times
 from .lidar_steps import FIRST_SCAN, NO_POINTS, OdometryStep, OdometrySummary, summarize_steps
-from .lidar_track import Aside, Known, Next
-from .raw_scan import RawScan, Thinned, part_of_interval
 from .scan_matching import (
     PLANE_VOXELS,
     START_RINGS,
@@ -353,3 +355,175 @@ class LidarOdometry:
         if known.map is not None and norm(place - known.pruned_at) > PRUNE_SHARE * self.max_range:
             near = known.map.without_far(place, self.max_range + 2 * self.voxel_size)
             self._known = replace(known, map=near, pruned_at=place.copy())
+
+
+YOUNG = 3  # scans after the first: later the map holds what was matched wrongly, and that is matched again
+
+
+@dataclass(frozen=True, eq=False)
+class Aside:
+    """The last scan, where it lies beside the map: it joins the map if the next one lies on it and not on the map.
+
+    Attributes:
+        points: Of the scan, thinned for the map.
+        pose: Where it was predicted.
+    """
+
+    points: wp.array
+    pose: Matrix
+
+    def map_like(self, voxel_map: VoxelMap, max_range: float) -> VoxelMap:
+        """A map of this scan alone."""
+        alone = VoxelMap(voxel_map.voxel_size, voxel_map.room, self.points.device)
+        alone.add(self.points, self.pose, max_range)
+        return alone
+
+
+@dataclass(frozen=True, eq=False)
+class Known:
+    """What is carried from scan to scan, beside the steps.
+
+    Attributes:
+        threshold: How far predictions were off.
+        map: Points of the scans so far; None before the first.
+        first: The first scan, until the second one came.
+        pruned_at: Where the sensor was when the map was last cut.
+        motion: From scan to scan, as the last ones that lay on the map have it.
+        has_motion: Whether any scan lay on the map of those before it.
+        has_way: Whether any did and told all of its motion, and nothing else fitted.
+        began: Number of the first scan.
+        sound: Number and pose of the last scan that lay on the map.
+        aside: The last scan, where it did not.
+    """
+
+    threshold: AdaptiveThreshold
+    map: VoxelMap | None = None
+    first: RawScan | None = None
+    pruned_at: NDArray[np.float64] = field(default_factory=lambda: np.zeros(3))
+    motion: Matrix = field(default_factory=lambda: np.eye(4))
+    has_motion: bool = False
+    has_way: bool = False
+    began: int = 0
+    sound: tuple[int, Matrix] | None = None
+    aside: Aside | None = None
+
+    def after(self, step: OdometryStep, last_pose: Matrix, aside: Aside | None) -> Known:
+        """The motion and the last sound scan once a step is taken; `aside` is that of the step."""
+        if not step.is_sound:
+            return replace(self, motion=matmul(invert_pose(last_pose), step.pose), aside=aside)
+        motion = matmul(invert_pose(last_pose), step.pose)
+        if self.sound is not None and step.index - self.sound[0] > 1 and not step.has_joined:
+            gap = step.index - self.sound[0]
+            motion = pose_of(twist_of(matmul(invert_pose(self.sound[1]), step.pose)) / gap)
+        has_motion = self.has_motion or (self.sound is not None and step.iterations > 0)
+        has_way = self.has_way or (has_motion and not step.is_undetermined and not step.rivals)
+        began = step.index if self.sound is None else self.began
+        return replace(
+            self, motion=motion, has_motion=has_motion, has_way=has_way, began=began, sound=(step.index, step.pose),
+            aside=None,
+        )  # fmt: skip
+
+    def is_young(self, index: int) -> bool:
+        """Whether nothing sure is known of the motion yet, and the run has just begun."""
+        return not self.has_way and index - self.began <= YOUNG
+
+
+@dataclass(frozen=True, eq=False)
+class Next:
+    """A scan on its way into the map.
+
+    Attributes:
+        step: Its step.
+        known: What holds once it is there.
+        additions: Of the map, before it.
+        parts: Points and poses that join the map: the scan's, before it those of one that was aside, or none.
+    """
+
+    step: OdometryStep
+    known: Known
+    additions: int
+    parts: tuple[tuple[wp.array, Matrix], ...]
+
+    def has_begun(self) -> bool:
+        """Whether the map has changed."""
+        return self.known.map is not None and self.known.map.additions > self.additions
+
+    def join(self, max_range: float) -> None:
+        """Add what is not yet in the map."""
+        assert self.known.map is not None
+        for points, pose in self.parts[self.known.map.additions - self.additions :]:
+            self.known.map.add(points, pose, max_range)
+
+
+SAMPLE = 4096  # points that a sweep is estimated from
+BINS = 32  # of the time of a scan
+LEAST_SWEEP = np.radians(20)  # of a spinning sensor
+WHOLE_TURN = np.radians(345)
+
+
+@dataclass(frozen=True, eq=False)
+class RawScan:
+    """The points of a scan about an origin, and their times where it is to be straightened.
+
+    `part` is the fraction of the time between two scans that the times span.
+    """
+
+    points: wp.array
+    origin: NDArray[np.float64]
+    times: wp.array | None
+    part: float = 1.0
+
+    def kept(self) -> RawScan:
+        """The scan in arrays of its own: a sensor's driver may write the next one over this."""
+        times = None if self.times is None else clone(self.times)
+        return RawScan(clone(self.points), self.origin, times, self.part)
+
+    def straightened(self, motion: Matrix) -> wp.array:
+        """The points about the sensor at the end of the scan; `motion` is that from scan to scan (eqs. 2 to 4)."""
+        if self.times is not None and not np.array_equal(motion, np.eye(4)):
+            span = bound_times(self.points, self.times)
+            return deskew_points(self.points, self.times, self.origin, span, self.part * twist_of(motion))
+        return shift_points(self.points, self.origin)
+
+
+def part_of_interval(points: wp.array, times: wp.array, origin: NDArray[np.float64], interval: float | None) -> float:
+    """The fraction of the time between two scans that the times of a scan span.
+
+    Args:
+        points: Device array of vec3 about `origin`.
+        times: float64 device array.
+        origin: float64 [3].
+        interval: The time between two scans in the unit of the times; None estimates it from the sweep of a spinning
+            sensor, which is the same part of a turn: 1 if the azimuth does not grow steadily with time.
+    """
+    if interval is not None:
+        first, last = download(bound_times(points, times))  # sync
+        return float(last - first) / interval if last > first else 1.0
+    step = points.size // SAMPLE | 1
+    p, t = (download(contiguous(values[::step])) for values in (points, times))  # sync
+    p = p.astype(np.float64) + origin
+    seen = np.isfinite(p).all(axis=1) & np.isfinite(t) & p.any(axis=1)
+    p, t = p[seen], t[seen]
+    length = np.sqrt(p[:, 0] * p[:, 0] + p[:, 1] * p[:, 1])
+    span = float(np.ptp(t)) if len(t) else 0.0
+    if len(t) > MIN_TIMES and len(np.unique(t)) < MIN_TIMES:
+        warn_of_coarse_times(len(np.unique(t)), len(t))
+    if not span > 0:
+        return 1.0
+    places = np.minimum(((t - t.min()) / span * BINS).astype(np.int64), BINS - 1)
+    x, y = (np.bincount(places, column / np.where(length > 0, length, 1), BINS) for column in p.T[:2])
+    known = (x != 0) | (y != 0)
+    turns = np.diff(elementwise(math.atan2, y[known], x[known]))
+    turns = (turns + np.pi) % (2 * np.pi) - np.pi
+    sweep = abs(float(turns.sum())) * BINS / max(int(known.sum()) - 1, 1)  # of the bins' middles, from end to end
+    is_steady = known.all() and ((turns > 0).all() or (turns < 0).all())
+    return sweep / (2 * np.pi) if is_steady and LEAST_SWEEP < sweep < WHOLE_TURN else 1.0
+
+
+@dataclass(frozen=True, eq=False)
+class Thinned:
+    """A scan about the sensor, thinned in turn: for the map, to be registered, and to try many starts with."""
+
+    kept: wp.array
+    sparse: wp.array
+    few: wp.array

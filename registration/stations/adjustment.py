@@ -355,7 +355,6 @@ def _cofactors(A: sp.csr_matrix, network: _Network, reference: int) -> tuple[Arr
 
 
 def _tested(group: Group, A: sp.csr_matrix, Q: Array, right: Array) -> Group:
-    """The group with its test."""
     part = A[group.rows]
     columns = np.unique(part.indices)
     dense = np.asarray(part[:, columns].todense())

@@ -191,7 +191,6 @@ def fit_level(source: Array, target: Array, up: Array, *, seed: int = 0) -> Arra
 
 
 def _pairs(count: int, seed: int) -> NDArray[np.int64]:
-    """All pairs, or some at random."""
     if math.comb(count, 2) <= PAIRS:
         return np.array(list(itertools.combinations(range(count), 2)))
     rng = np.random.Generator(np.random.PCG64(seed))

@@ -71,7 +71,6 @@ class FusionResult(Assessed):
 
     @property
     def _why_no_surface(self) -> str | None:
-        """Why there is hardly a surface, or None."""
         if reason := why_out_of_reach(self.depth_share, self.used_share, self.depth_max):
             return reason
         if self.seen_extent and self.volume.voxel_size > COARSE * self.seen_extent:
@@ -98,7 +97,6 @@ class FusionResult(Assessed):
 
     @property
     def _why_contradicted(self) -> str | None:
-        """Whether the frames contradict each other."""
         if self.share_off is None or self.share_off <= CONTRADICTED:
             return None
         return (

@@ -15,10 +15,10 @@ from .refinement import refine_registration as refine_registration
 from .report import SystemReport as SystemReport
 from .scene import Scene as Scene
 from .scene import integrate_scene as integrate_scene
-from .slac import ControlGrid as ControlGrid
-from .slac import FragmentOverlap as FragmentOverlap
-from .slac import RefinementReport as RefinementReport
-from .slac import SLACOptimizerParams as SLACOptimizerParams
-from .slac import integrate_deformed as integrate_deformed
-from .slac import run_rigid_optimizer_for_fragments as run_rigid_optimizer_for_fragments
-from .slac import run_slac_optimizer_for_fragments as run_slac_optimizer_for_fragments
+from .volumes import ControlGrid as ControlGrid
+from .volumes import FragmentOverlap as FragmentOverlap
+from .volumes import RefinementReport as RefinementReport
+from .volumes import SLACOptimizerParams as SLACOptimizerParams
+from .volumes import integrate_deformed as integrate_deformed
+from .volumes import run_rigid_optimizer_for_fragments as run_rigid_optimizer_for_fragments
+from .volumes import run_slac_optimizer_for_fragments as run_slac_optimizer_for_fragments

@@ -118,7 +118,6 @@ def latest_placement(places: Places, fragments: list[Fragment]) -> Placement:
 def _refine_edges(
     graph: PoseGraph, clouds: Sequence[PointCloud], config: ReconstructionConfig, say: ReportProgress
 ) -> PoseGraph:
-    """The graph with each edge refined."""
     edges, nodes = graph.edges, [PoseGraphNode(node.pose) for node in graph.nodes]
     if not edges:
         return PoseGraph(nodes)

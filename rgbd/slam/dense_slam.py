@@ -1,8 +1,21 @@
-"""A moving depth camera without poses: where it was, and the surface that it saw."""
+"""A moving depth camera without poses: where it was, and the surface that it saw.
+
+Whether colour and depth of a camera were taken at the same time: their motions, one against the other.
+
+What the camera does moves both pictures alike. The shifts of one are held against those of the other some frames
+earlier or later; where the two go together then and not when they came together, one of them is late. Slow sweeps go
+together at any time, so that what counts is the tremble of a hand, after a running mean is taken away.
+
+Whether the pictures of a depth camera are of one moment: a depth picture that came twice, colours that came late.
+
+A stalled stream hands out its last depth picture again, bit for bit, beside colours that go on; a sensor that measures
+never does so, since its noise differs. Where the colours stand still too, nothing is wrong: so do made-up frames.
+"""
 
 from __future__ import annotations
 
 import dataclasses
+import math
 import operator
 from collections.abc import Iterable
 from typing import Any
@@ -15,20 +28,24 @@ from ...cameras.trajectory import Trajectory
 from ...core.checks import check_count, check_progress, check_rigid, check_seed
 from ...core.progress import ReportProgress
 from ...core.watching import report, unwatched
+from ...kernels.linear_algebra import matmul, norm
+from ...kernels.memory import download
+from ...kernels.rgbd import stream_views as at
+from ...kernels.rgbd.stream_views import StreamView, compare_views, view_stream
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.volume.tsdf import RayCast, TSDFVolume
 from ...pcd.cloud import PointCloud
-from .corrections import close_and_correct, record_frame
+from ...registration.rigid import invert_pose
 from .foreground import Foreground
 from .frames import SensorFrame
 from .joins import MapJoin
 from .keyframes import Keyframes
-from .loops import LoopClosure
+from .loops import LoopClosure, close_loops, corrected_trajectory, fuse_submaps
 from .map_merging import Joining
 from .maps import Maps, SlamMap, map_sizes
 from .model import Model
+from .movers import Movers
 from .results import TrackingResult
-from .stream_check import STALE, StreamCheck
 from .submaps import SubmapRecorder
 from .tracker import Tracker, clean_pose
 from .verdicts import LEAST_DEPTH, depth_share, is_determined, judge_drift
@@ -397,3 +414,224 @@ class DenseSLAM:
             return lost
         self._maps.begin()
         return self._begin(frame, known)
+
+
+def record_frame(recorder: SubmapRecorder, frame: SensorFrame, depth: Any, pixels: Any, result: TrackingResult) -> None:
+    """A fused frame goes into the submap being recorded, with the depth and colour that the model took."""
+    height, width = frame.intrinsic.height, frame.intrinsic.width
+    color = None if pixels is None else pixels.reshape((height, width, 3))
+    picture = depth.reshape((height, width))
+    if not frame.device.is_cuda:
+        picture, color = download(picture), None if color is None else download(color)
+    recorder.add(picture, result.pose, color, result.index)
+
+
+def close_and_correct(known: SlamMap, results: list[TrackingResult], progress: ReportProgress) -> LoopClosure:
+    """Close loops among the submaps of a map so far, and move everything that stands on their poses."""
+    recorder, model, keyframes, motion = known.recorder, known.model, known.keyframes, known.tracker.motion
+    assert recorder is not None
+    submaps, seed = recorder.finish(), keyframes.seed
+    closure = close_loops(submaps, seed=seed, progress=progress)
+    numbers, poses = corrected_trajectory(submaps, closure.T_world_submap)
+    own = [result for result in results if result.map == known.number]
+    before = {result.index: result.pose for result in own if result.pose is not None}
+    corrections = {n: matmul(pose, invert_pose(before[n])) for n, pose in zip(numbers.tolist(), poses, strict=True)}
+
+    def corrected(pose: Pose, number: int) -> Pose:
+        place = max(int(np.searchsorted(numbers, number, side="right")) - 1, 0)
+        return clean_pose(matmul(corrections[int(numbers[place])], pose))
+
+    for i, result in enumerate(results):
+        if result.pose is not None and result.map == known.number:
+            results[i] = dataclasses.replace(result, pose=corrected(result.pose, result.index))
+    keyframes.poses = [corrected(T, n) for T, n in zip(keyframes.poses, keyframes.numbers, strict=True)]
+    if motion.pose is not None:
+        motion.pose = corrected(motion.pose, len(results))
+    recorder.submaps = [
+        dataclasses.replace(submap, T_world_submap=T) for submap, T in zip(submaps, closure.T_world_submap, strict=True)
+    ]
+    model.volume, model.movers = fuse_submaps(recorder.submaps), Movers()
+    model.current_frame_pose = corrected(model.current_frame_pose, len(results))
+    return closure
+
+
+STALE = "its depth picture is the last one's"
+STALLED = 3  # frames: cameras repeat one now and then, as real recordings show, and a tenth of a second costs little
+STALLED_SECONDS = 0.12  # the same where the times are known
+LEAST_CELLS = 0.02  # share of the cells that are measured, below which a depth picture says nothing
+MOVED = 0.1  # [cells] the colours went since the depth came: a tenth of a degree; noise alone some 0.01
+CHANGED = 0.03  # or this, the root mean square of what differs in a cell's brightness: noise of a camera 0.01
+
+
+class StreamCheck:
+    """What the frames so far say of the camera's two streams.
+
+    Attributes:
+        stalled: Frames in a row, up to the last, whose depth picture is an older one's and whose colours moved since.
+        lag: The StreamLag.
+        view: The StreamView of the last frame; None before the first.
+    """
+
+    def __init__(self) -> None:
+        self.stalled, self.lag = 0, StreamLag()
+        self.view: StreamView | None = None
+        self._fresh: tuple[StreamView | None, float | None] = None, None
+
+    def look(self, frame: SensorFrame) -> str:
+        """What speaks against a frame; empty where nothing does. One wait for the device, two where depth is repeated.
+
+        Args:
+            frame: The next one of the stream.
+        """
+        view = view_stream(frame.depth, frame.pixels, frame.intrinsic.width, frame.intrinsic.height)
+        last, self.view = self.view, view
+        if last is None or frame.pixels is None:
+            self._fresh, self.stalled = (view, frame.timestamp), 0
+            return ""
+        sums = motion_between(view, last)
+        is_repeated = sums[at.OTHER] == 0 and sums[at.MEASURED] > LEAST_CELLS * view.columns * view.rows
+        if not is_repeated:
+            self._fresh, self.stalled = (view, frame.timestamp), 0
+            self.lag.add(shift_of(sums, at.BRIGHT), shift_of(sums, at.NEAR), frame.timestamp)
+            return self.problem or ""
+        self.lag.add(shift_of(sums, at.BRIGHT), np.full(2, math.nan), frame.timestamp)
+        fresh, since = self._fresh
+        assert fresh is not None
+        if has_moved(motion_between(view, fresh), view):
+            self.stalled += 1
+        age = frame.seconds_since(since)
+        is_old = self.stalled > STALLED if math.isnan(age) else age > STALLED_SECONDS
+        return STALE if self.stalled and is_old else self.problem or ""
+
+    @property
+    def problem(self) -> str | None:
+        """Why color and depth do not belong together; None if they do."""
+        if self.lag.frames is None:
+            return None
+        apart = f"{self.lag.seconds:.1f} s" if not math.isnan(self.lag.seconds) else f"{abs(self.lag.frames)} frames"
+        return f"color and depth seem to be {apart} apart"
+
+
+def motion_between(now: StreamView, before: StreamView) -> NDArray[np.float64]:
+    """The sums of two views, float64 [13]."""
+    sums: Any = download(compare_views(now, before))  # sync
+    return np.asarray(sums, np.float64).reshape(-1)
+
+
+def shift_of(sums: NDArray[np.float64], first: int) -> NDArray[np.float64]:
+    """The shift of a picture [cells], float64 [2]; NaN where its slopes do not fix it."""
+    a, b, c, d, e = sums[first : first + 5]
+    determinant = a * c - b * b
+    if determinant <= 1e-6 * (a + c) ** 2 or a + c <= 0.0:
+        return np.full(2, math.nan)
+    return np.array([b * e - c * d, b * d - a * e]) / determinant
+
+
+def has_moved(sums: NDArray[np.float64], view: StreamView) -> bool:
+    """Whether the colours of two views differ by more than noise."""
+    shift = shift_of(sums, at.BRIGHT)
+    changed = math.sqrt(sums[at.SHADES] / (view.columns * view.rows))
+    return bool(norm(shift) > MOVED) or changed > CHANGED
+
+
+Shifts = NDArray[np.float64]
+
+KEPT = 120  # frames that are held against each other: four seconds at 30 a second
+FARTHEST = 45  # frames that one may be late
+FEWEST = 25  # pairs that a lag is told from
+EVERY = 5  # frames from one look to the next
+SWEEP = 4  # frames to either side, whose mean is taken away
+CLIPPED = 3.0  # deviations: one jerk is not the whole of a motion
+TOGETHER = 0.6  # correlation: right lags of a hand-held camera 0.75 to 0.95 | the best of 90 wrong ones 0.4
+BESIDE = 0.3  # by which it is to be above that of no lag: right streams 0 | a second apart 0.55 and more
+NO_LAG = 3  # frames: a tenth of a second at 30 a second costs millimetres
+SHORT = 0.15  # [s] as NO_LAG where the times are known
+AGREED = 2  # looks in a row that tell the same lag, to a frame
+
+
+class StreamLag:
+    """Holds the motion of the colours against that of the depth.
+
+    Attributes:
+        frames: How many frames the colours are later than the depth of the same moment, below 0 where the depth is
+            later; None while nothing says that they are apart.
+        seconds: The same [s]; NaN without times.
+        correlation: Of the two motions so.
+    """
+
+    def __init__(self) -> None:
+        self.frames: int | None = None
+        self.seconds, self.correlation = math.nan, 0.0
+        self._bright: list[Shifts] = []
+        self._near: list[Shifts] = []
+        self._times: list[float | None] = []
+        self._told: list[int] = []
+        self._count = 0
+
+    def add(self, bright: Shifts, near: Shifts, time: float | None) -> None:
+        """The shifts [cells] of a frame's two pictures from the frame before, NaN where one has none."""
+        self._bright, self._near = [*self._bright[1 - KEPT :], bright], [*self._near[1 - KEPT :], near]
+        self._times = [*self._times[1 - KEPT :], time]
+        self._count += 1
+        if self._count % EVERY == 0 and len(self._bright) > FEWEST:
+            self._look()
+
+    def _look(self) -> None:
+        bright, near = tremble(np.array(self._bright)), tremble(np.array(self._near))
+        farthest = min(FARTHEST, len(bright) - FEWEST)
+        lags = np.arange(-farthest, farthest + 1)
+        together = correlations(bright, near)[lags + len(bright) - 1]
+        step = self._step()
+        is_short = abs(lags) <= NO_LAG if math.isnan(step) else (abs(lags) < 2) | (abs(lags) * step < SHORT)
+        best, beside = int(np.argmax(together)), float(together[is_short].max())
+        lag = int(lags[best])
+        if not is_short[best] and together[best] > max(TOGETHER, beside + BESIDE):
+            self._told = [*self._told[1 - AGREED :], lag]
+            if len(self._told) == AGREED and np.ptp(self._told) <= 1:
+                self.frames, self.seconds, self.correlation = lag, abs(lag) * step, float(together[best])
+        elif together[best] > TOGETHER:  # they go together as they come; what moves too little tells nothing new
+            self._told, self.frames = [], None
+
+    def _step(self) -> float:
+        """The usual time from frame to frame [s]; NaN where frames have none."""
+        times = [time for time in self._times if time is not None]
+        return float(np.median(np.diff(times))) if len(times) == len(self._times) > 1 else math.nan
+
+
+def tremble(shifts: Shifts) -> Shifts:
+    """Shifts [n, 2] less their running mean, in deviations, NaN where they are."""
+    known = np.isfinite(shifts)
+    sums = np.cumsum(np.vstack([np.zeros((1, 2)), np.where(known, shifts, 0.0)]), axis=0)
+    counts = np.cumsum(np.vstack([np.zeros((1, 2)), known]), axis=0)
+    at = np.arange(len(shifts))
+    low, high = np.maximum(at - SWEEP, 0), np.minimum(at + SWEEP + 1, len(shifts))
+    rest = shifts - (sums[high] - sums[low]) / np.maximum(counts[high] - counts[low], 1)
+    squares = np.where(known, rest, 0.0) ** 2
+    spread = np.sqrt(squares.sum(axis=0) / np.maximum(known.sum(axis=0), 1))
+    return np.clip(rest / np.maximum(spread, 1e-9), -CLIPPED, CLIPPED)
+
+
+def correlations(bright: Shifts, near: Shifts) -> Shifts:
+    """The correlations of two trembles [n, 2], both axes together, at all lags from 1 - n to n - 1.
+
+    Returns:
+        Of the colours' taken so many frames later, float64 [2 n - 1]; 0 where too few frames have both.
+    """
+    told: Any = np.isfinite(bright).all(axis=1)
+    shown: Any = np.isfinite(near).all(axis=1)
+    first_known, second_known = told.astype(np.float64), shown.astype(np.float64)
+    a, b = np.where(told[:, None], bright, 0.0), np.where(shown[:, None], near, 0.0)
+
+    def at_lags(x: Any, y: Any) -> Shifts:
+        return np.correlate(x, y, "full")
+
+    count = at_lags(first_known, second_known)
+    shared, first, second = (np.zeros(2 * len(a) - 1) for _ in range(3))
+    for axis in (0, 1):
+        x, y = a[:, axis], b[:, axis]
+        sums = at_lags(x, second_known), at_lags(first_known, y)
+        shared += at_lags(x, y) - sums[0] * sums[1] / np.maximum(count, 1)
+        first += at_lags(x * x, second_known) - sums[0] ** 2 / np.maximum(count, 1)
+        second += at_lags(first_known, y * y) - sums[1] ** 2 / np.maximum(count, 1)
+    scale = np.sqrt(np.maximum(first, 0.0) * np.maximum(second, 0.0))
+    return np.where((count > FEWEST - 0.5) & (scale > 1e-9), shared / np.maximum(scale, 1e-9), 0.0)

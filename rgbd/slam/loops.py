@@ -270,7 +270,6 @@ class _Search:
 def _optimize_groups(
     poses: Matrix, edges: list[PoseGraphEdge], groups: NDArray[np.int64], option: GlobalOptimizationOption
 ) -> PoseGraph:
-    """The optimised graph of all groups, each by itself."""
     whole = PoseGraph([PoseGraphNode(pose) for pose in poses])
     for group in np.unique(groups):
         members = np.flatnonzero(groups == group)

@@ -21,7 +21,7 @@ from .tracker import Attempt, Tracker
 
 Pose = NDArray[np.float64]
 
-LOST_FOR_LONG = 20  # frames that show something: by then a lost camera was looked for by shape four times (places.py)
+LOST_FOR_LONG = 20  # frames that show something: by then a lost camera was looked for by shape four times (tracker.py)
 TRIAL = 10  # fused frames from which on a new map is one; before, a lost frame ends it
 LONGEST_TRIAL = 30  # frames within which these have to be: else what it shows fixes no motion
 MOST_MAPS = 4  # kept with a model; one more, and the smallest of those that the camera left is let go

@@ -6,29 +6,61 @@ A lost camera is looked for where its velocity led, at the keyframes that its pi
 
 Somebody who came in with a new part of the scene counts as scene. Before a wall, whose surface lets the camera slide,
 they pull it along as they walk; the brightness of all the rest tells, and then leads.
+
+How far a frame's pose may be off by all that was open on the way to it: a covariance that adds up.
+
+A frame stands on the surface that it sees, and so it is off as those frames were that the surface came from, and by
+its own noise beside it. Keyframes stand for the frames of the model. Each point of a frame is put down to the keyframes
+that saw it; by the normal equations of these points the frame's error is a mean of theirs, and its covariance follows
+from the joint one of all keyframes. Who sees what the first keyframes saw is as sure as they are, however long the way;
+before a wall what the surface leaves open comes from frame to frame and grows.
+
+Errors are twists about the world's origin, rotation first. Smith, Self and Cheeseman 1990, "Estimating uncertain
+spatial relationships in robotics".
+
+A lost frame found on the model by its shape alone, from no guess, wherever the camera stands by now.
+
+The frame's points are registered with the model's by `registration`'s features and consensus, and taken where its
+score accepts the pose. It takes as long as some frames, so it is tried less and less often while a camera is lost.
+
+Where else a frame would lie on the model as well as at the place that was found for it.
+
+A corridor has like doors and a staircase like steps: a frame that was lost fits at several of them. Like parts of a
+building are shifted, seldom turned, so the frame's points are shifted over the model, first by blocks of voxels, then
+finely where many of them meet some; the best of these, apart from the place found, are its rivals.
 """
 
 from __future__ import annotations
 
 import dataclasses
+import functools
 import math
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...kernels.linear_algebra import matmul, norm
-from ...registration.rigid import invert_pose, make_pose, nearest_rotation, pose_of, rotation_of, rotation_vector
+from ...kernels.linear_algebra import eigh, matmul, norm, solve
+from ...meshing.volume.shift_scores import score_shifts
+from ...pcd.cloud import PointCloud
+from ...registration.globally.global_registration import FEWEST_POINTS, Description, describe, register_described
+from ...registration.rigid import (
+    adjoint_of,
+    invert_pose,
+    make_pose,
+    nearest_rotation,
+    pose_of,
+    rotation_of,
+    rotation_vector,
+)
 from ..odometry.alignment import Method, align_frames, align_steps
 from ..odometry.frames import OdometryFrame
 from ..odometry.results import OdometryResult
-from .drift import Drift
-from .frames import SensorFrame
+from .frames import SensorFrame, coarsest_level
 from .keyframes import Keyframes
 from .model import Model
-from .places import PlaceSearch
 from .results import Verdict
-from .rivals import APART, find_rivals
 from .verdicts import (
     LEAST_DEPTH,
     MOST_SHIFT,
@@ -352,3 +384,241 @@ def _apart(T: Pose) -> float:
 
 def _score(attempt: Attempt) -> float:
     return attempt.score
+
+
+Matrix = NDArray[np.float64]
+
+STRIDE = 2  # pixels of the coarsest level from one point to the next
+NEAR, NEAR_SHARE = 0.05, 0.03  # [m] and of the depth: how far a keyframe's depth may be from a point that it saw
+OPEN = 1e-3  # of the normal equations' largest number: below it points count by their number alone
+
+
+class Drift:
+    """The covariance of keyframes, and that of frames by them.
+
+    Args:
+        keyframes: The Keyframes, whose poses may be corrected on the way.
+    """
+
+    def __init__(self, keyframes: Keyframes):
+        self.keyframes = keyframes
+        self._views: list[tuple[NDArray[np.float32], NDArray[np.float64]]] = []  # depth [h, w] and lens of each
+        self._joint = np.zeros((0, 0))
+        self._latest = np.zeros((6, 0)), np.zeros((6, 6))  # the latest frame's row and own covariance
+
+    def of(self, frame: OdometryFrame, pose: Pose, own: Matrix) -> Matrix:
+        """The covariance [rad, m] of a frame's pose about its camera, in the world's directions, float64 [6, 6].
+
+        Args:
+            frame: Its pyramid.
+            pose: T_world_camera.
+            own: That of its alignment with the model, about the camera.
+        """
+        count = len(self._views)
+        if not count:  # the first frame is the world
+            return np.zeros((6, 6))
+        parts = self._parts(frame, pose)
+        to_world = adjoint_of(pose)
+        noise = matmul(to_world, own, to_world.T)
+        whole = parts.sum(0)
+        scale = np.abs(whole).max()
+        if scale > 0:
+            shares = np.trace(parts, axis1=1, axis2=2)
+            even = OPEN * scale * np.eye(6)
+            parts += even * (shares / shares.sum())[:, None, None]
+            row = solve(whole + even, np.concatenate(list(parts), 1))
+        else:  # what no keyframe saw hangs on the latest
+            row = np.concatenate([np.zeros((6, 6 * (count - 1))), np.eye(6)], 1)
+        self._latest = row, noise
+        total = matmul(row, self._joint, row.T) + noise
+        about = _about(pose[:3, 3])
+        return matmul(about, total, about.T)
+
+    def keep(self, frame: OdometryFrame) -> None:
+        """The frame that was asked about last became a keyframe."""
+        row, noise = self._latest
+        cross = matmul(row, self._joint)
+        corner = matmul(cross, row.T) + noise
+        self._joint = np.block([[self._joint, cross.T], [cross, corner]])
+        depth, lens, _ = coarsest_level(frame)
+        self._views.append((depth.astype(np.float32), lens))
+
+    def take_over(self, other: Drift, T_here_other: Pose, deviation: float) -> None:
+        """Another map's keyframes, which follow one's own, lie so to them.
+
+        Args:
+            other: Its Drift.
+            T_here_other: How it lies, 4 x 4.
+            deviation: Standard deviation of that [m], and at 1 m from the other's origin of its turn.
+        """
+        count, more = len(self._views), len(other._views)
+        to_here = adjoint_of(T_here_other)
+        blocks = np.kron(np.eye(more), to_here)
+        way = matmul(to_here, to_here.T) * deviation**2
+        joint = np.zeros((6 * (count + more),) * 2)
+        joint[: 6 * count, : 6 * count] = self._joint
+        joint[6 * count :, 6 * count :] = matmul(blocks, other._joint, blocks.T) + np.kron(np.ones((more, more)), way)
+        self._joint, self._views = joint, [*self._views, *other._views]
+        row, noise = self._latest
+        self._latest = np.concatenate([row, np.zeros((6, 6 * more))], 1), noise
+
+    def _parts(self, frame: OdometryFrame, pose: Pose) -> NDArray[np.float64]:
+        """The normal equations of a frame's points, by the keyframes that saw them, float64 [keyframes, 6, 6]."""
+        depth, lens, planes = coarsest_level(frame)
+        v, u = np.mgrid[: depth.shape[0] : STRIDE, : depth.shape[1] : STRIDE]
+        z, plane = depth[v, u], planes[v, u]
+        chosen = (z > 0) & (plane[..., 3] < 0)
+        z, plane, u, v = z[chosen], plane[chosen], u[chosen], v[chosen]
+        at = np.stack([(u - lens[2]) / lens[0] * z, (v - lens[3]) / lens[1] * z, z], 1)
+        points = matmul(at, pose[:3, :3].T) + pose[:3, 3]
+        normals = matmul(plane[:, :3], pose[:3, :3].T)
+        rows = np.concatenate([np.cross(points, normals), normals], 1) / (1.0 + z * z)[:, None]
+        seen = np.stack([self._sees(k, points) for k in range(len(self._views))]).astype(np.float64)
+        seen /= np.maximum(seen.sum(0), 1.0)
+        return matmul(seen, (rows[:, :, None] * rows[:, None]).reshape(len(rows), 36)).reshape(-1, 6, 6)
+
+    def _sees(self, index: int, points: NDArray[np.float64]) -> NDArray[np.bool_]:
+        """Which points a keyframe saw."""
+        depth, lens = self._views[index]
+        pose = self.keyframes.poses[index]
+        local = matmul(points - pose[:3, 3], pose[:3, :3])
+        z = np.maximum(local[:, 2], 1e-6)
+        u = np.rint(lens[0] * local[:, 0] / z + lens[2])
+        v = np.rint(lens[1] * local[:, 1] / z + lens[3])
+        inside = (local[:, 2] > 0) & (u >= 0) & (v >= 0) & (u < depth.shape[1]) & (v < depth.shape[0])
+        there = depth[np.where(inside, v, 0).astype(int), np.where(inside, u, 0).astype(int)]
+        return inside & (there > 0) & (np.abs(there - z) < NEAR + NEAR_SHARE * z)
+
+
+def _about(place: NDArray[np.float64]) -> Matrix:
+    """From twists about the origin to those about a place, in the same directions."""
+    return adjoint_of(make_pose(np.eye(3), -place))
+
+
+VOXELS = 2.0  # voxels of the model in one of registration; with larger ones little overlap is not found
+LEAST_VOXEL = 0.04  # [m] below it a single frame's normals are noise
+SURE = 0.8  # score above which a pose is worth a second look; of poses on a tenth of a frame half that may be wrong
+FIRST, LATER = (1, 4, 10, 20), 20  # which frames of those in a row that are not found are tried, and then every so many
+
+
+class PlaceSearch:
+    """Registers lost frames with a model; its description is made once while the model stays.
+
+    Args:
+        model: The Model.
+        seed: As of `register_globally`.
+    """
+
+    def __init__(self, model: Model, seed: int):
+        self.model, self.seed = model, seed
+        self.voxel_size = max(VOXELS * model.volume.voxel_size, LEAST_VOXEL)
+        self._described: tuple[int, Description | None] = (-1, None)
+
+    def is_due(self, attempts: int) -> bool:
+        """Whether a frame is tried that is the `attempts`-th in a row, from 1 on, that shows something and is lost."""
+        return attempts in FIRST or (attempts > FIRST[-1] and attempts % LATER == 0)
+
+    def find(self, frame: SensorFrame) -> Pose | None:
+        """T_world_camera of a frame, or None where none is accepted."""
+        target = self._model()
+        stride = max(1, round(frame.intrinsic.width / 320))
+        cloud = PointCloud.from_device_depth(frame.depth, None, frame.intrinsic, None, stride, True, True)
+        if target is None or len(cloud) < FEWEST_POINTS:
+            return None
+        found = register_described(describe(cloud, self.voxel_size), target, seed=self.seed)
+        return found.transformation if found.score is not None and found.score > SURE else None
+
+    def _model(self) -> Description | None:
+        count = self.model.frame_count
+        if self._described[0] != count:
+            cloud = self.model.extract_point_cloud(self.model.threshold)
+            thin = cloud.voxel_down_sample(self.voxel_size / 2) if len(cloud) else cloud
+            self._described = count, describe(thin, self.voxel_size) if len(thin) >= FEWEST_POINTS else None
+        return self._described[1]
+
+
+FARTHEST = 4.0  # [m] a rival lies off: what a depth camera sees at once, and so what may repeat in its picture
+APART = 0.15  # [m] two rivals are apart at least; nearer ones are within the reach of one alignment
+MOST = 6  # rivals that are looked at
+POINTS = 300  # of a frame that are shifted
+BLOCK = 8  # voxels of the coarse steps
+FINE = 2  # voxels of the fine ones: half the truncation of 4 voxels
+COARSE_SHARE = 0.45  # of the points that meet the model at the place found, in the coarse steps, and of the
+ALIKE = 0.4  # score there, in the fine ones: a place at the model's rim shows half of it and may be the right one
+MOST_COARSE = 1000  # coarse shifts that are looked at finely, the best first
+
+
+def find_rivals(model: Model, frame: OdometryFrame, pose: Pose, farthest: float = FARTHEST) -> list[Pose]:
+    """Poses T_world_camera that a frame may have beside the one found, by its surface alone; the likest first.
+
+    Args:
+        model: The Model.
+        frame: The frame's pyramid.
+        pose: Where it was found.
+        farthest: How far off they may be [m].
+    """
+    points, axes = _points_of(frame, pose)
+    if len(points) < POINTS // 4:
+        return []
+    volume, threshold = model.volume, model.threshold
+    side = BLOCK * volume.voxel_size
+    coarse = matmul(_ball(int(min(farthest, FARTHEST) / side)) * side, axes.T)
+    here = np.zeros((1, 3))
+    limits: dict[str, Any] = {"weight_threshold": threshold, "least": 0.0}
+    least = COARSE_SHARE * float(score_shifts(volume, points, here, **limits, is_coarse=True)[0])
+    met = score_shifts(volume, points, coarse, weight_threshold=threshold, least=least, is_coarse=True)
+    order = np.argsort(-met, kind="stable")[:MOST_COARSE]
+    order = order[met[order] >= least]
+    if not len(order):
+        return []
+    fine = (coarse[order][:, None] + matmul(_steps() * FINE * volume.voxel_size, axes.T)).reshape(-1, 3)
+    fine = fine[np.linalg.norm(fine, axis=1) > APART]
+    least = ALIKE * float(score_shifts(volume, points, here, **limits)[0])
+    scores = score_shifts(volume, points, fine, weight_threshold=threshold, least=0.8 * least)
+    return [_moved(pose, shift) for shift in _best_apart(fine, scores, least)]
+
+
+def _points_of(frame: OdometryFrame, pose: Pose) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Points [m] of the coarsest level in the world, in an order that is spread over it, and their main directions."""
+    picture, (fx, fy, cx, cy), facets = coarsest_level(frame)
+    width, depth, planes = picture.shape[1], picture.ravel(), facets.reshape(-1, 4)
+    at = np.flatnonzero((depth > 0) & (planes[:, 3] < 0))
+    rays = np.stack([(at % width - cx) / fx, (at // width - cy) / fy, np.ones(len(at))], 1)
+    normals = planes[at, :3]
+    _, axes = eigh(matmul(normals.T, normals))
+    kept = np.random.default_rng(0).permutation(len(at))[:POINTS]
+    points = rays[kept] * depth[at[kept], None]
+    return matmul(points, pose[:3, :3].T) + pose[:3, 3], matmul(pose[:3, :3], axes)
+
+
+def _best_apart(shifts: NDArray[np.float64], scores: NDArray[np.float32], least: float) -> list[NDArray[np.float64]]:
+    found: list[NDArray[np.float64]] = []
+    for index in np.argsort(-scores, kind="stable").tolist():
+        if scores[index] < least or len(found) == MOST:
+            break
+        if all(norm(shifts[index] - other) > APART for other in found):
+            found.append(shifts[index])
+    return found
+
+
+@functools.cache
+def _ball(radius: int) -> NDArray[np.float64]:
+    """Whole steps within a radius, but none."""
+    axis = np.arange(-radius, radius + 1)
+    steps = np.stack(np.meshgrid(axis, axis, axis, indexing="ij"), -1).reshape(-1, 3)
+    squares = (steps**2).sum(1)
+    return steps[(squares <= radius * radius)].astype(np.float64)
+
+
+@functools.cache
+def _steps() -> NDArray[np.float64]:
+    """The fine steps within a coarse one."""
+    half = BLOCK // FINE / 2
+    axis = np.arange(-half + 0.5, half)
+    return np.stack(np.meshgrid(axis, axis, axis, indexing="ij"), -1).reshape(-1, 3)
+
+
+def _moved(pose: Pose, shift: NDArray[np.float64]) -> Pose:
+    moved = pose.copy()
+    moved[:3, 3] += shift
+    return moved

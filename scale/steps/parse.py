@@ -1,31 +1,505 @@
-"""The steps that there are by name, and those of a list or a TOML file."""
+"""The steps that there are by name, and those of a list or a TOML file.
+
+Clusters that reach through any number of tiles, by labels on their borders.
+
+Each tile finds the clusters of all that it sees; the numbers of all of them are joined (label_join.py), and what a tile
+then lacks is only which cluster each point at a border takes.
+"""
 
 from __future__ import annotations
 
+import dataclasses
 import json
+import math
 from collections.abc import Iterator
 from contextlib import contextmanager, nullcontext
 from itertools import pairwise
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
-from ...core.checks import shown
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.checks import check_count, check_direction, check_finite, check_positive, check_search, check_shape, shown
 from ...core.errors import FileError, values_of_file
 from ...core.known_names import nearest_name
-from .clusters import ClusterDbscan, ClusterEuclidean
-from .comparison import Change, Distance
-from .crop import Crop
-from .features import Features
-from .function import Function
-from .ground import ClassifyGround, HeightAboveGround
-from .normals import EstimateNormals
-from .outliers import RadiusOutlier, StatisticalOutlier
+from ...core.units import UnitWarning, without_warnings
+from ...kernels.features.eigen_features import SHAPES
+from ...kernels.lang import int32
+from ...kernels.memory import download, full, upload
+from ...kernels.search.neighbor_distances import average_distances
+from ...kernels.segmentation.cluster_labels import NOISE, label_borders, rename_cores
+from ...kernels.segmentation.dbscan import cluster_cores
+from ...kernels.segmentation.neighbor_counts import mask_crowded
+from ...pcd.boxes import AxisAlignedBoundingBox
+from ...pcd.change import check_radii, m3c2
+from ...pcd.segmentation import ANY
+from ...pcd.features import compute_eigen_features
+from ...pcd.ground import CELL, SCALING, THRESHOLD, WINDOW, classify_ground
+from ...pcd.selection import ROUNDING
+from ...pcd.raster_cells import GROUND, NoGroundError, check_classes
+from ...pcd.terrain import ground_reach, height_above_ground
+from ..exact_sums import ExactSums
+from ..label_join import MOST_INT32, join_labels, leave
+from ..polygons import in_survey, mask_area, parse_area, to_json
+from .function import ROW, Function
 from .raster import Rasterize
 from .reprojection import Reproject
-from .smoothing import SmoothMls
-from .step import Step
-from .thinning import Thin
-from .voxels import VoxelDownSample
+from .step import Part, Sight, Step
+
+
+class Thin(Step):
+    """Of each cell of a grid that is fixed in space the point nearest to its middle stays."""
+
+    name, required, searches = "thin", ("spacing",), False
+    defaults: ClassVar[dict[str, Any]] = {"corner": (0.0, 0.0, 0.0)}
+
+    def check(self) -> None:
+        """Set the reach by the parameters: whole cells are wanted."""
+        self.reach = check_positive("spacing", self.params["spacing"])
+        self.params["corner"] = check_finite("corner", check_shape("corner", self.params["corner"], (3,))).tolist()
+
+    def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+        """The step on a part."""
+        return thinned(part, self.reach, self.params["corner"])
+
+
+def thinned(part: Part, spacing: float, corner: Any) -> Part:
+    """A part with one point a cell."""
+    cloud = part.cloud.copy()
+    cloud[ROW] = np.arange(len(cloud))
+    cloud = cloud.thin(spacing, corner)
+    rows = np.asarray(cloud[ROW])
+    del cloud.attributes[ROW]
+    return part.take(rows, cloud)
+
+
+NAME = "cluster"  # of the attribute
+
+
+class Clusters(Step):
+    """Labels of clusters as the attribute `cluster`, int32, int64 beyond 2^31 clusters; -1 for noise.
+
+    A tile must know the cores within its reach, and they have theirs beyond: the halo is twice as wide.
+    """
+
+    joins, hops = True, 2
+    least = 1  # points within reach that make a core
+    bounds = (1, 2**63 - 1)
+    by_size = False
+
+    def gather(self, part: Part, sight: Sight) -> dict[str, NDArray[Any]]:
+        """The tile's clusters: those that are whole, and on the others' edges which points are theirs."""
+        if part.keys is None:
+            raise ValueError(f"steps: {self.name}: there are too many voxels to number them; take larger ones")
+        _, labels, count = self._cores(part)
+        return leave(download(labels), count, part, sight, self.bounds, self.by_size)
+
+    def join(self, left: Any, folder: Path) -> int:
+        """Number the clusters of the whole."""
+        return join_labels(left, folder, self.bounds, self.by_size)
+
+    def run(self, part: Part, plan: Any, numbers: Any) -> Part:
+        """The step on a part."""
+        total, names = numbers
+        kind = np.int32 if total <= MOST_INT32 else np.int64
+        names = np.empty(0, kind) if names is None else names
+        cores, labels, count = self._cores(part)
+        if count != len(names):
+            raise ValueError(f"{self.name}: {count} clusters were found where {len(names)} had been")
+        told = np.unique(names[names >= 0])
+        if count:
+            ranks = np.where(names >= 0, np.searchsorted(told, names), NOISE).astype(np.int32)
+            rename_cores(cores, upload(ranks, int32, labels.device), labels)
+            if self.least > 1 and len(told):
+                label_borders(cores, labels)
+        found = download(labels)
+        cloud = part.cloud.copy()
+        values = np.full(len(found), -1, kind)
+        values[found >= 0] = told[found[found >= 0]]
+        cloud[NAME] = values
+        return dataclasses.replace(part, cloud=cloud)
+
+    def _cores(self, part: Part) -> tuple[Any, Any, int]:
+        tree = part.cloud.search_tree()
+        labels = full(len(part.cloud), NOISE, int32, tree.device)
+        cores, count = cluster_cores(tree, self.reach, self.least, labels)
+        return cores, labels, count
+
+
+class ClusterDbscan(Clusters):
+    """The labels of `cluster_dbscan`."""
+
+    name, required = "cluster_dbscan", ("eps", "min_points")
+
+    def check(self) -> None:
+        """Set the reach by the parameters."""
+        self.reach = check_positive("eps", self.params["eps"])
+        self.least = check_count("min_points", self.params["min_points"], **ANY)
+
+
+class ClusterEuclidean(Clusters):
+    """The labels of `cluster_euclidean`: connected parts, the largest first."""
+
+    name, required, by_size = "cluster_euclidean", ("tolerance",), True
+    defaults: ClassVar[dict[str, Any]] = {"min_cluster_size": 1, "max_cluster_size": None}
+
+    def check(self) -> None:
+        """Set the reach and the sizes by the parameters."""
+        self.reach = check_positive("tolerance", self.params["tolerance"])
+        low = check_count("min_cluster_size", self.params["min_cluster_size"], **ANY)
+        most = self.params["max_cluster_size"]
+        high = self.bounds[1] if most is None else check_count("max_cluster_size", most, **ANY)
+        if high < low:
+            raise ValueError(f"max_cluster_size: expected at least min_cluster_size = {low}, got {high}")
+        self.bounds = low, high
+
+
+class Compared(Step):
+    """A step that compares with another epoch, the files of its parameter `other`."""
+
+    def check(self) -> None:
+        """Set the epoch by the parameters."""
+        other = self.params["other"]
+        listed = [other] if isinstance(other, str | Path) else other
+        if not isinstance(listed, list | tuple) or not listed or not all(isinstance(p, str | Path) for p in listed):
+            raise ValueError(f"steps: other: expected paths of the other epoch's files or folders, got {shown(other)}")
+        self.params["other"] = self.epoch = [str(Path(path).absolute()) for path in listed]
+
+
+class Distance(Compared):
+    """The distance of each point to the nearest of another epoch, as the attribute `distance`; NaN beyond a limit."""
+
+    name, required, searches = "distance", ("other", "max_distance"), False
+
+    def check(self) -> None:
+        """Set the reach and the epoch by the parameters."""
+        super().check()
+        self.reach = check_positive("max_distance", self.params["max_distance"])
+
+    def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+        """The step on a part."""
+        assert part.other is not None
+        cloud = part.cloud.copy()
+        distances = np.asarray(part.cloud.compute_point_cloud_distance(part.other))
+        cloud[self.name] = np.where(distances <= self.reach, distances, np.nan).astype(np.float32)
+        return dataclasses.replace(part, cloud=cloud)
+
+
+class Change(Compared):
+    """M3C2 to another epoch: distance, level of detection, whether that is a change, and points of both epochs.
+
+    With `core_spacing` it is measured at the points alone that `thin` would leave, and the others go; normals and means
+    are of all points.
+    """
+
+    name, required = "m3c2", ("other", "cylinder_radius", "max_distance")
+    defaults: ClassVar[dict[str, Any]] = {
+        "normal_radii": None, "registration_error": 0.0, "orientation": (0.0, 0.0, 1.0), "direction": None,
+        "core_spacing": None, "corner": (0.0, 0.0, 0.0),
+    }  # fmt: skip
+
+    def check(self) -> None:
+        """Set reach and epoch by the parameters."""
+        super().check()
+        params = self.params
+        radius, length = (check_positive(name, params[name]) for name in ("cylinder_radius", "max_distance"))
+        check_positive("registration_error", params["registration_error"], allow_zero=True)
+        params["orientation"] = check_direction("orientation", params["orientation"]).tolist()
+        if params["direction"] is not None:
+            params["direction"] = check_direction("direction", params["direction"]).tolist()
+        radii = check_radii(params["normal_radii"], params["direction"])
+        params["normal_radii"] = radii.tolist() or None
+        self.reach = max([math.hypot(radius, length), *radii.tolist()])
+        if params["core_spacing"] is not None:
+            self.reach = max(self.reach, check_positive("core_spacing", params["core_spacing"]))
+
+    def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+        """The step on a part."""
+        assert part.other is not None
+        params = self.params
+        cores = part
+        if params["core_spacing"] is not None:
+            cores = thinned(part, params["core_spacing"], params["corner"])
+        given = {name: params[name] for name in (
+            "normal_radii", "cylinder_radius", "max_distance", "registration_error", "orientation"
+        )}  # fmt: skip
+        found = m3c2(part.cloud, part.other, core_points=cores.cloud, directions=params["direction"], **given)
+        cloud = cores.cloud.copy()
+        cloud["m3c2_distance"] = found.distances.astype(np.float32)
+        cloud["level_of_detection"] = found.level_of_detection.astype(np.float32)
+        cloud["significant"] = found.is_significant.astype(np.uint8)
+        cloud["points_before"], cloud["points_after"] = found.counts.T.copy()
+        return dataclasses.replace(cores, cloud=cloud)
+
+
+OTHER = 1  # the class of points that are not ground, and were nothing else before
+
+
+class ClassifyGround(Step):
+    """Ground points get class 2; others that had it, or none, get class 1."""
+
+    name, searches = "classify_ground", False
+    defaults: ClassVar[dict[str, Any]] = {
+        "cell_size": CELL, "slope": 0.15, "max_window": WINDOW, "elevation_threshold": THRESHOLD, "scaling": SCALING,
+        "corner": (0.0, 0.0),
+    }  # fmt: skip
+
+    def check(self) -> None:
+        """Set the reach by the parameters."""
+        for name in ("slope", "elevation_threshold", "scaling"):
+            check_positive(name, self.params[name], allow_zero=True)
+        self.params["corner"] = _corner_of(self.params["corner"])
+        self.reach = ground_reach(self.params["cell_size"], self.params["max_window"])
+
+    def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+        """The step on a part."""
+        with without_warnings(UnitWarning):  # a plan has all lengths in the unit of the files
+            ground = np.asarray(classify_ground(part.cloud, **self.params))
+        cloud = part.cloud.copy()
+        before = np.asarray(cloud["classification"]) if "classification" in cloud else np.zeros(len(cloud), np.uint8)
+        stays = (before != 0) & (before != GROUND[0])
+        cloud["classification"] = np.where(ground, GROUND[0], np.where(stays, before, OTHER)).astype(np.uint8)
+        return dataclasses.replace(part, cloud=cloud)
+
+
+class HeightAboveGround(Step):
+    """The height of each point above the ground near it, as the attribute `height_above_ground`."""
+
+    name, searches = "height_above_ground", False
+    defaults: ClassVar[dict[str, Any]] = {
+        "reach": 20.0, "neighbors": 8, "cell": 1.0, "corner": (0.0, 0.0), "classes": GROUND,
+    }  # fmt: skip
+
+    def check(self) -> None:
+        """Set the reach by the parameters."""
+        self.reach = check_positive("reach", self.params["reach"])
+        check_count("neighbors", self.params["neighbors"])
+        check_positive("cell", self.params["cell"])
+        self.params["corner"] = _corner_of(self.params["corner"])
+        self.params["classes"] = [*(check_classes(self.params["classes"]) or GROUND)]
+
+    def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+        """The step on a part."""
+        cloud = part.cloud.copy()
+        try:
+            cloud[self.name] = np.asarray(height_above_ground(part.cloud, **self.params))
+        except NoGroundError:
+            cloud[self.name] = np.full(len(cloud), np.nan, np.float32)
+        return dataclasses.replace(part, cloud=cloud)
+
+
+def _corner_of(corner: Any) -> list[float]:
+    return check_finite("corner", check_shape("corner", corner, (2,))).tolist()
+
+
+class RadiusOutlier(Step):
+    """Points with few neighbours go."""
+
+    name, required = "remove_radius_outlier", ("nb_points", "radius")
+
+    def check(self) -> None:
+        """Set reach and neighbours by the parameters."""
+        check_count("nb_points", self.params["nb_points"])
+        self.reach = check_positive("radius", self.params["radius"])
+
+    def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+        """The step on a part."""
+        mask = mask_crowded(part.cloud.search_tree(), self.reach, self.params["nb_points"] + 1)
+        return part.select(download(mask) != 0)
+
+
+class StatisticalOutlier(Step):
+    """Points whose neighbours are farther away than is usual in all tiles go."""
+
+    name, required, needs_numbers = "remove_statistical_outlier", ("nb_neighbors", "std_ratio"), True
+
+    def check(self) -> None:
+        """Set reach and neighbours by the parameters."""
+        self.neighbors = check_count("nb_neighbors", self.params["nb_neighbors"])
+        check_positive("std_ratio", self.params["std_ratio"])
+
+    def measure(self, part: Part) -> NDArray[np.float64]:
+        """Mean distances of the nearest."""
+        assert self.neighbors is not None
+        return download(average_distances(part.cloud.search_tree(), self.neighbors))
+
+    def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+        """The step on a part."""
+        assert numbers is not None
+        mean, deviation = numbers.mean_and_deviation()
+        limit = (mean + self.params["std_ratio"] * deviation) * ROUNDING if numbers.count else 0.0
+        return part.select(self.measure(part) <= limit)
+
+
+class VoxelDownSample(Step):
+    """Means of voxels of a grid that the plan fixes; a voxel is of the tile that its middle is in."""
+
+    name, required = "voxel_down_sample", ("voxel_size",)
+    defaults: ClassVar[dict[str, Any]] = {"corner": None}
+
+    def check(self) -> None:
+        """Set reach and neighbours by the parameters."""
+        self.size = check_positive("voxel_size", self.params["voxel_size"])
+        self.reach = self.size / 2
+        if self.params["corner"] is not None:
+            corner = check_finite("corner", check_shape("corner", self.params["corner"], (3,)))
+            self.params["corner"] = corner.tolist()
+
+    def spread_after(self, spread: float) -> float:
+        """Means lie in their voxel, whose middle is their home."""
+        return self.size / 2
+
+    def halo_before(self, after: float, spread: float, reach: float) -> float:
+        """Whole voxels are wanted."""
+        return after + reach + spread
+
+    def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+        """The step on a part."""
+        corner = np.array(self.params["corner"] or plan.voxel_corner, np.float64)
+        trace = part.cloud.voxel_down_sample_and_trace(self.size, min_bound=corner)
+        offsets, order = np.asarray(trace.offsets), np.asarray(trace.indices)
+        firsts = download(part.cloud.device_array("points"))[order[offsets[:-1]]].astype(np.float64)
+        cells = np.floor((firsts - (corner - part.cloud.origin)) / self.size)
+        homes = corner[:2] + (cells[:, :2] + 0.5) * self.size
+        keys = self._keys(cells, corner, plan, part)
+        return Part(trace.cloud, None, homes, self.spread_after(part.spread), keys=keys)
+
+    def _keys(
+        self, cells: NDArray[np.float64], corner: NDArray[np.float64], plan: Any, part: Part
+    ) -> NDArray[np.int64] | None:
+        """Numbers of voxels, x slowest as in the cloud; None where 64 bits are too few."""
+        ends = (np.array([plan.told["low"], plan.told["high"]]) - corner) / self.size
+        beyond = 2 + np.ceil((plan.slack + part.spread) / self.size)  # voxels, for what is rounded and what has moved
+        low, high = np.floor(ends[0]) - beyond, np.floor(ends[1]) + beyond
+        shape = [int(n) for n in high - low + 1]
+        if math.prod(shape) >= 2**63:
+            return None
+        x, y, z = np.clip(cells - low, 0, high - low).astype(np.int64).T
+        return (x * shape[1] + y) * shape[2] + z
+
+
+class Crop(Step):
+    """Points in a box or in polygons stay, a box's faces included; or with `invert` all others."""
+
+    name = "crop"
+    defaults: ClassVar[dict[str, Any]] = {
+        "min_bound": None, "max_bound": None, "polygon": None, "polygon_crs": None, "invert": False,
+    }  # fmt: skip
+
+    def check(self) -> None:
+        """Set the box or the polygons by the parameters."""
+        ends = ("min_bound", "max_bound")
+        given = [name for name in (*ends, "polygon") if self.params[name] is not None]
+        if given not in ([*ends], ["polygon"]):
+            raise ValueError(f"steps: crop needs min_bound and max_bound, or polygon, got {', '.join(given) or 'none'}")
+        if "polygon" not in given and self.params["polygon_crs"] is not None:
+            raise ValueError("steps: crop: polygon_crs goes with polygon")
+        if given == ["polygon"]:
+            self.area = parse_area("steps: crop: polygon", self.params["polygon"])
+            self.params["polygon"] = to_json(self.area)
+            return
+        for name in ends:
+            self.params[name] = check_finite(name, check_shape(name, self.params[name], (3,))).tolist()
+        self.box = AxisAlignedBoundingBox(self.params["min_bound"], self.params["max_bound"])
+
+    def settle(self, sources: list[dict[str, Any]]) -> None:
+        """Bring polygons to the survey's coordinates."""
+        if self.params["polygon"] is not None:
+            self.area = in_survey("steps: crop: polygon", self.area, self.params["polygon_crs"], sources)
+            self.params |= {"polygon": to_json(self.area), "polygon_crs": None}
+
+    def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+        """The step on a part."""
+        points, origin = part.cloud.device_array("points"), part.cloud.origin
+        if self.params["polygon"] is None:
+            keep = download(self.box.mask_points(points, origin)) != 0
+        else:
+            keep = mask_area(self.area, points, origin)
+        return part.select(keep != self.params["invert"])
+
+
+NAMES = ("eigenvalues", *SHAPES)
+
+
+class Features(Step):
+    """Linearity, planarity and the others of `compute_eigen_features`, those that are named or all."""
+
+    name = "features"
+    defaults: ClassVar[dict[str, Any]] = {"radius": None, "max_nn": 30, "names": SHAPES}
+
+    def check(self) -> None:
+        """Set reach and neighbours by the parameters."""
+        radius, count = check_search(self.params["radius"], self.params["max_nn"])
+        if math.isfinite(radius):
+            self.reach = radius
+        else:
+            self.neighbors = count
+        names = self.params["names"]
+        names = [names] if isinstance(names, str) else names
+        if not isinstance(names, list | tuple) or not names:
+            raise ValueError(f"steps: names: expected some of {', '.join(NAMES)}, got {shown(names)}")
+        for name in names:
+            if name not in NAMES:
+                raise ValueError(f"steps: names: there is no feature {shown(name)}{nearest_name(name, NAMES)}")
+        self.params["names"] = [*dict.fromkeys(names)]
+
+    def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+        """The step on a part."""
+        found = compute_eigen_features(part.cloud, radius=self.params["radius"], max_nn=self.params["max_nn"])
+        cloud = part.cloud.copy()
+        for name in self.params["names"]:
+            cloud[name] = found[name]
+        return dataclasses.replace(part, cloud=cloud)
+
+
+class SmoothMls(Step):
+    """Each point moves onto the plane through its neighbours within a radius; it stays at home in its tile."""
+
+    name, required = "smooth_mls", ("radius",)
+    defaults: ClassVar[dict[str, Any]] = {"max_nn": 30}
+
+    def check(self) -> None:
+        """Set reach and neighbours by the parameters."""
+        self.reach = check_positive("radius", self.params["radius"])
+        check_search(self.reach, self.params["max_nn"])
+
+    def spread_after(self, spread: float) -> float:
+        """A plane through neighbours is no farther away than they are."""
+        return spread + self.reach
+
+    def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+        """The step on a part."""
+        cloud = part.cloud.smooth_mls(radius=self.reach, max_nn=self.params["max_nn"])
+        return dataclasses.replace(part, cloud=cloud, exact=None, spread=self.spread_after(part.spread))
+
+
+class EstimateNormals(Step):
+    """Normals of the neighbours within a radius, of the nearest, or both; turned to a direction or left."""
+
+    name = "estimate_normals"
+    defaults: ClassVar[dict[str, Any]] = {"radius": None, "max_nn": 30, "orient": (0.0, 0.0, 1.0)}
+
+    def check(self) -> None:
+        """Set reach and neighbours by the parameters."""
+        radius, count = check_search(self.params["radius"], self.params["max_nn"])
+        if math.isfinite(radius):
+            self.reach = radius
+        else:
+            self.neighbors = count
+        orient = self.params["orient"]
+        if isinstance(orient, str) and orient != "up":
+            raise ValueError(f"steps: orient: expected 'up', a direction or None, got {shown(orient)}")
+        orient = (0.0, 0.0, 1.0) if isinstance(orient, str) else orient
+        self.params["orient"] = None if orient is None else check_direction("orient", orient).tolist()
+
+    def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+        """The step on a part."""
+        cloud = part.cloud.estimate_normals(radius=self.params["radius"], max_nn=self.params["max_nn"])
+        if self.params["orient"] is not None:
+            cloud = cloud.orient_normals_to_align_with_direction(self.params["orient"])
+        return dataclasses.replace(part, cloud=cloud)
+
 
 WHOLE = {
     "segment_plane": "a plane is found among all points; thin them here and find it in memory",

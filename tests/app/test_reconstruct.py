@@ -14,7 +14,7 @@ from pointloom.files.frames.frames import open_folder
 from pointloom.files.pictures.image_files import read_depth, write_png
 from pointloom.meshing.mesh.mesh_files import read_triangle_mesh
 from pointloom.meshing.volume.surface_weights import least_weight
-from pointloom.rgbd.slam import corrections, looped_model
+from pointloom.rgbd.slam import dense_slam, looped_model
 from pointloom.rgbd.slam.tracking import make_slam, track_with
 
 from ..scan_cases import on_sets
@@ -75,7 +75,7 @@ class Closure:
 def made_up(monkeypatch):
     """Submaps of some 3 frames, without loops."""
     monkeypatch.setattr(looped_model, "SUBMAP_FRAMES", 3)
-    monkeypatch.setattr(corrections, "close_loops", Closure)
+    monkeypatch.setattr(dense_slam, "close_loops", Closure)
     return lambda loops: monkeypatch.setattr(Closure, "loops", loops)
 
 

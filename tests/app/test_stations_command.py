@@ -7,7 +7,7 @@ import pye57
 import pytest
 
 import pointloom as loom
-from pointloom.app.jobs.survey_tables import read_control, read_targets
+from pointloom.app.jobs.stations import read_control, read_targets
 from pointloom.files.pictures.image_files import read_color
 
 from ..registration.station_scenes import BOXES, COURT, scan_all

@@ -31,7 +31,7 @@ window.unpack = (arrays) => Object.fromEntries(Object.entries(arrays).map(([name
   [name, new types[kind](Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0)).buffer)]));
 window.engine = new Engine(document.getElementById("scene"), document.getElementById("overlay"), {
   onCamera: (camera) => told.cameras.push(camera),
-  onClick: (x, y, event) => told.clicks.push([x, y, event.shiftKey]),
+  onClick: (x, y) => told.clicks.push([x, y]),
   onLost: (ids) => told.lost.push(ids),
 });
 window.pointloom = { ready: () => engine.ready() };

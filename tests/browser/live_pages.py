@@ -45,7 +45,7 @@ class Program:
 
     def hear(self, handle: Any) -> Any:
         """Note what pages do to a control."""
-        note: Callable[[Any], None] = lambda event: self.said.append((event.target.kind, event.value))  # noqa: E731
+        note: Callable[[Any], None] = lambda event: self.said.append((handle.kind, event.value))  # noqa: E731
         for name in ("on_update", "on_click", "on_upload", "on_trigger"):
             if getattr(handle, name, None) is not None:
                 getattr(handle, name)(note)

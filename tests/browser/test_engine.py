@@ -8,7 +8,7 @@ import pytest
 from PIL import Image
 
 from .engine_page import add, at, look_down, png, seen, set_node, statistics, write_engine_page
-from .pixels import count_pixels, is_color, middle_of, ready
+from .pixels import count_pixels, middle_of, ready
 
 RED, GREEN, BLUE = (220, 30, 20), (20, 170, 40), (20, 60, 220)
 SQUARE = np.float32([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]])
@@ -37,11 +37,6 @@ def test_each_kind_of_node_is_drawn_in_its_place(engine):
     add(engine, 3, "triangles", arrays=MESH, lit=False, plain=GREEN, pose=at(1, 3, 0))
     ends = np.float32([[-1, 0, 0], [1, 0, 0]])
     add(engine, 4, "lines", arrays={"positions": ends, "colors": np.uint8([BLUE, BLUE])}, width=6, pose=at(-4, 0, 0))
-    poses = np.float32([at(-1, 0, 0), at(1, 0, 0)])
-    colors = np.uint8([RED, BLUE])
-    add(engine, 5, "instances", arrays={"poses": poses, "colors": colors}, shape="box", solid=True, pose=at(0, 0, -0.5))
-    add(engine, 6, "instances", arrays={"poses": poses[1:]}, shape="ball", solid=True, plain=GREEN, pose=at(3, 0, 0))
-    add(engine, 7, "instances", arrays={"poses": poses[:1]}, shape="frustum", width=4, plain=RED, pose=at(-2, -3.5, -1))
     image = seen(engine)
     big = math.pi * 24**2  # a diameter of 0.5 in a node that scales by 2
     assert abs(count_pixels(image[:200, 100:160], RED, 1) - math.pi * 100) < 40
@@ -50,12 +45,7 @@ def test_each_kind_of_node_is_drawn_in_its_place(engine):
     assert math.dist(middle_of(image[:200], GREEN, 1), where(1, 3)) < 1.5
     assert abs(count_pixels(image[:200], GREEN, 1) - 96**2) < 200
     assert abs(count_pixels(image[220:260, :260], BLUE, 1) - (96 + 6) * 6) < 30
-    box = image[216:264, 344:392]  # its upper face is as lit as a face straight before the camera is
-    assert abs(box.reshape(-1, 3).astype(float).mean(axis=0) / BLUE - (0.34 + 0.36 + 0.38 * 0.612)).max() < 0.05
-    ball = image[190:290, 480:] < 200
-    assert abs(ball.all(axis=-1).sum() - math.pi * 24**2 * math.hypot(1, 0.4)) < 60 and ball[50, 32].all()
-    assert count_pixels(image[350:], RED, 1) > 400
-    assert statistics(engine)["calls"] == 7
+    assert statistics(engine)["calls"] == 4
 
 
 def test_a_pose_far_from_the_origin_is_exact(engine):
@@ -106,16 +96,6 @@ def test_nodes_change_hide_what_is_below_them_and_are_freed(engine):
     engine.evaluate("engine.drop(1)")
     assert (seen(engine) == 255).all()
     assert (statistics(engine)["nodes"], statistics(engine)["bytes"], statistics(engine)["kept"]) == (0, 0, 0)
-
-
-def test_ten_thousand_boxes_are_one_draw(engine):
-    x, y = np.meshgrid(np.linspace(-4.9, 4.9, 100), np.linspace(-4.9, 4.9, 100))
-    poses = np.zeros((10_000, 12), np.float32)
-    poses[:, [0, 5, 10]], poses[:, 3], poses[:, 7] = 0.05, x.ravel(), y.ravel()
-    add(engine, 1, "instances", arrays={"poses": poses}, shape="box", plain=RED)
-    image = seen(engine)
-    assert is_color(image, RED, 60).mean() > 0.1
-    assert statistics(engine)["calls"] == 1 and statistics(engine)["bytes"] < 500_000
 
 
 def test_textures_have_their_first_row_at_v_0_and_words_stay_words(engine):
@@ -212,7 +192,7 @@ def test_two_views_turn_together_when_linked_and_alone_when_not(engine):
 def test_a_press_is_a_click_and_a_drag_is_none(engine):
     seen(engine)
     engine.mouse.click(160, 120)
-    assert engine.evaluate("told.clicks") == [[0.25, 0.25, False]]
+    assert engine.evaluate("told.clicks") == [[0.25, 0.25]]
     seen(engine)
     count = engine.evaluate("told.cameras.length")
     engine.mouse.move(300, 200)
@@ -223,10 +203,8 @@ def test_a_press_is_a_click_and_a_drag_is_none(engine):
     assert engine.evaluate("told.clicks.length") == 1
     pictures = engine.evaluate("told.cameras.length") - count
     assert 1 <= pictures <= 6
-    engine.keyboard.down("Shift")
     engine.mouse.click(320, 240)
-    engine.keyboard.up("Shift")
-    assert engine.evaluate("told.clicks.at(-1)") == [0.5, 0.5, True]
+    assert engine.evaluate("told.clicks.at(-1)") == [0.5, 0.5]
     seen(engine)
     draws = statistics(engine)["draws"]
     for _ in range(5):
@@ -236,7 +214,7 @@ def test_a_press_is_a_click_and_a_drag_is_none(engine):
 
 def test_a_card_that_forgets_is_filled_from_what_was_kept(engine):
     add(engine, 1, "points", arrays={"positions": SQUARE}, size=9, plain=RED)
-    add(engine, 2, "instances", arrays={"poses": np.float32([at(3, 0, 0)])}, shape="ball", solid=True, plain=GREEN)
+    add(engine, 2, "triangles", arrays=MESH, plain=GREEN, pose=at(3, 0, 0))
     before = seen(engine)
     add(engine, 3, "points", arrays={"positions": SQUARE}, size=9, plain=BLUE, keep=False, pose=at(-3, 0, 0))
     assert (seen(engine) != before).any()

@@ -5,8 +5,7 @@ import pytest
 
 from pointloom.core.errors import FileError
 from pointloom.data.scenes.furniture import SIZE, furnished_room
-from pointloom.data.scenes.room import room_pose, room_sequence, surface_errors, write_room_sequence
-from pointloom.data.scenes.room_paths import film_pose
+from pointloom.data.scenes.room import film_pose, room_pose, room_sequence, surface_errors, write_room_sequence
 from pointloom.files.frames.datasets import open_dataset
 from pointloom.kernels.scenes.primitives import CYLINDER
 

@@ -12,7 +12,7 @@ from scipy.linalg import expm, logm
 import pointloom as loom
 from pointloom.registration import deskew_point_cloud
 from pointloom.registration.lidar.deskewing import point_times
-from pointloom.registration.lidar.raw_scan import part_of_interval
+from pointloom.registration.lidar.lidar_odometry import part_of_interval
 
 small = st.floats(-1.5, 1.5, allow_subnormal=False)
 

@@ -7,8 +7,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.registration import LidarOdometry
-from pointloom.registration.lidar.localisability import OpenDirections
-from pointloom.registration.lidar.scan_matching import wide_guesses
+from pointloom.registration.lidar.scan_matching import OpenDirections, wide_guesses
 from pointloom.registration.open_motions import LEAST_RISE, rises_clearly
 
 

@@ -8,8 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import pointloom as loom
-from pointloom.registration.globally import robust_global
-from pointloom.registration.globally.robust_global import rate_support
+from pointloom.registration.globally import global_registration
+from pointloom.registration.globally.global_registration import rate_support
 
 from .hilly_clouds import misplacement
 from .poses import moved, random_pose
@@ -97,7 +97,7 @@ def test_three_correspondences_give_a_pose_that_is_rejected(device):
 
 
 def test_the_seed_chooses_where_correspondences_are_too_many(device, rng, tolerances, monkeypatch):
-    monkeypatch.setattr(robust_global, "MOST_PAIRS", 300)
+    monkeypatch.setattr(global_registration, "MOST_PAIRS", 300)
     p, q, pairs, T = rough_pair(rng, 1000, 400)
     source, target = loom.PointCloud(p, device=device), loom.PointCloud(q, device=device)
     found = [

@@ -10,9 +10,8 @@ from scipy.stats import binom
 from pointloom.registration.rigid import invert_pose, make_pose, rotation_of
 from pointloom.registration.stations.adjustment import Observed, adjust
 from pointloom.registration.stations.observations import ControlPoint, StationPair, TargetObservation
-from pointloom.registration.stations.pairs import _clustered
 from pointloom.registration.stations.snooping import FALSE_ALARM, snoop
-from pointloom.registration.stations.stations import _placed_rightly
+from pointloom.registration.stations.stations import _clustered, _placed_rightly
 
 PLACES = np.array([[0, 0, 0], [9, 1, 0.2], [17, -2, 0.1], [18, 8, 0.3], [8, 9, -0.2], [-1, 10, 0.1]])
 LINKS = [(1, 0), (2, 1), (3, 2), (4, 3), (5, 4), (0, 5), (4, 1)]

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.scale import gpus, processes
-from pointloom.scale.gpus import reserved_device
+from pointloom.scale import processes
+from pointloom.scale.processes import reserved_device
 
 from .scenes import STEP, finished, in_memory, plan_of, rows_of, survey, whole_cloud
 from .test_same_answer import CHAINS
@@ -64,9 +64,9 @@ def test_a_device_that_is_not_there_is_named(files, tmp_path):
 def three_gpus(monkeypatch, tmp_path):
     """A machine of three GPUs, whose locks lie in a folder of the test."""
     made = [SimpleNamespace(is_cuda=True, alias=f"cuda:{k}", uuid=f"GPU-{k}", ordinal=k) for k in range(3)]
-    monkeypatch.setattr(gpus.tempfile, "gettempdir", lambda: str(tmp_path))
+    monkeypatch.setattr(processes.tempfile, "gettempdir", lambda: str(tmp_path))
     monkeypatch.setattr("warp.get_cuda_devices", lambda: made)
-    monkeypatch.setattr(gpus, "resolve_device", lambda name: made[int(name[5:] or 0)])
+    monkeypatch.setattr(processes, "resolve_device", lambda name: made[int(name[5:] or 0)])
 
 
 @pytest.mark.usefixtures("three_gpus")

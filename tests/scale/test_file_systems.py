@@ -11,9 +11,8 @@ import pytest
 
 import pointloom as loom
 from pointloom.core.errors import FileError
-from pointloom.scale import file_systems, manifest
-from pointloom.scale.file_systems import is_shared
-from pointloom.scale.manifest import NAME, Manifest
+from pointloom.scale import manifest
+from pointloom.scale.manifest import NAME, Manifest, is_shared
 
 from .scenes import finished, rows_of, survey, tiled
 
@@ -33,7 +32,7 @@ MOUNTS = r"""22 1 254:0 / / rw,relatime shared:1 - ext4 /dev/vda rw
 @pytest.fixture
 def mounts(tmp_path, monkeypatch):
     (tmp_path / "mountinfo").write_text(MOUNTS.replace("{0}", str(tmp_path.resolve())))
-    monkeypatch.setattr(file_systems, "MOUNTS", tmp_path / "mountinfo")
+    monkeypatch.setattr(manifest, "MOUNTS", tmp_path / "mountinfo")
 
 
 @pytest.mark.parametrize(
@@ -53,7 +52,7 @@ def test_the_mount_that_holds_a_folder_says_whether_machines_share_it(folder, ex
 
 
 def test_without_a_table_of_mounts_folders_are_local(tmp_path, monkeypatch):
-    monkeypatch.setattr(file_systems, "MOUNTS", tmp_path / "nowhere")
+    monkeypatch.setattr(manifest, "MOUNTS", tmp_path / "nowhere")
     assert not is_shared(tmp_path)
 
 

@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 import pointloom as loom
 from pointloom.core.errors import FileError
 from pointloom.scale.jobs import scans as scans_job
-from pointloom.scale.jobs.likely_pairs import groups_of, meeting_boxes, most_alike, nearest_of, place_box
+from pointloom.scale.jobs.scans import groups_of, meeting_boxes, most_alike, nearest_of, place_box
 from pointloom.scale.manifest import Manifest
 
 SIZE = 0.08

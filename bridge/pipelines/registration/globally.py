@@ -3,17 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
-from ....core.checks import check_number
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ....core.checks import check_count, check_number, check_numeric
+from ....core.known_names import KnownNames
+from ....pcd import features
+from ....registration import matching, result, rigid, robust_kernels
 from ....registration.globally import fast_global, ransac
-from ...held import as_array, ours
+from ....registration.icp import estimation, evaluation, icp
+from ...geometry import PointCloud
+from ...geometry.search_param import keywords_of
+from ...held import Held, as_array, ours
+from ...indices import flagged
 from ...seeds import next_seed
 from ...settings import Settings
-from .estimation import RegistrationResult, TransformationEstimationPointToPoint
-from .features import rows_of
-from .icp import clouds_of
+from ...vectors import Vector2iVector
 
 
 @dataclass(eq=False, repr=False)
@@ -140,3 +148,406 @@ def _rules(method: Any, ransac_n: int, checkers: Sequence[Any], criteria: Any) -
     method = TransformationEstimationPointToPoint() if method is None else method
     criteria = RANSACConvergenceCriteria() if criteria is None else criteria
     return ours(method), ransac_n, ours(list(checkers)), ours(criteria, RANSACConvergenceCriteria, "criteria")
+
+
+IDENTITY = np.eye(4)
+
+
+@dataclass(eq=False, repr=False)
+class ICPConvergenceCriteria(Settings):
+    """When iterations end: both changes below their limits, or the iterations used up."""
+
+    _kind = icp.ICPConvergenceCriteria
+    relative_fitness: Any = 1e-6
+    relative_rmse: float = 1e-6
+    max_iteration: int = 30
+
+    def __repr__(self) -> str:
+        limits = f"relative_fitness={self.relative_fitness:e}, relative_rmse={self.relative_rmse:e}"
+        return f"ICPConvergenceCriteria({limits}, max_iteration={self.max_iteration})"
+
+
+def registration_icp(
+    source: Any,
+    target: Any,
+    max_correspondence_distance: float,
+    init: ArrayLike = IDENTITY,
+    estimation_method: Any = None,
+    criteria: Any = None,
+) -> RegistrationResult:
+    """Bring a source onto a target from a pose nearby."""
+    method = TransformationEstimationPointToPoint() if estimation_method is None else estimation_method
+    return _register(source, target, max_correspondence_distance, init, method, criteria, TransformationEstimation)
+
+
+def registration_colored_icp(
+    source: Any,
+    target: Any,
+    max_correspondence_distance: float,
+    init: ArrayLike = IDENTITY,
+    estimation_method: Any = None,
+    criteria: Any = None,
+) -> RegistrationResult:
+    """By planes and colours: both clouds need colours, the target normals."""
+    kind = TransformationEstimationForColoredICP
+    method = kind() if estimation_method is None else estimation_method
+    return _register(source, target, max_correspondence_distance, init, method, criteria, kind)
+
+
+def registration_generalized_icp(
+    source: Any,
+    target: Any,
+    max_correspondence_distance: float,
+    init: ArrayLike = IDENTITY,
+    estimation_method: Any = None,
+    criteria: Any = None,
+) -> RegistrationResult:
+    """By both clouds' planes as thin Gaussians."""
+    kind = TransformationEstimationForGeneralizedICP
+    method = kind() if estimation_method is None else estimation_method
+    return _register(source, target, max_correspondence_distance, init, method, criteria, kind)
+
+
+def registration_symmetric_icp(
+    source: Any,
+    target: Any,
+    max_correspondence_distance: float,
+    init: ArrayLike = IDENTITY,
+    estimation_method: Any = None,
+    criteria: Any = None,
+) -> RegistrationResult:
+    """By both clouds' planes: both need normals."""
+    kind = TransformationEstimationSymmetric
+    method = kind() if estimation_method is None else estimation_method
+    return _register(source, target, max_correspondence_distance, init, method, criteria, kind)
+
+
+def evaluate_registration(
+    source: Any, target: Any, max_correspondence_distance: float, transformation: ArrayLike = IDENTITY
+) -> RegistrationResult:
+    """Fitness, rmse and correspondences under a pose."""
+    clouds = clouds_of(source, target)
+    return RegistrationResult._of(
+        evaluation.evaluate_registration(*clouds, max_correspondence_distance, transformation)
+    )
+
+
+def get_information_matrix_from_point_clouds(
+    source: Any, target: Any, max_correspondence_distance: float, transformation: ArrayLike
+) -> NDArray[np.float64]:
+    """How firmly the correspondences hold each of the six motions, shape [6, 6]."""
+    clouds = clouds_of(source, target)
+    return evaluation.get_information_matrix_from_point_clouds(*clouds, max_correspondence_distance, transformation)
+
+
+def clouds_of(source: Any, target: Any) -> tuple[Any, Any]:
+    """Our two clouds."""
+    return ours(source, PointCloud, "source"), ours(target, PointCloud, "target")
+
+
+def _register(
+    source: Any,
+    target: Any,
+    distance: float,
+    init: ArrayLike,
+    method: Any,
+    criteria: Any,
+    kind: type[TransformationEstimation],
+) -> RegistrationResult:
+    rules = ICPConvergenceCriteria() if criteria is None else criteria
+    found = icp.registration_icp(
+        *clouds_of(source, target),
+        distance,
+        init,
+        ours(method, kind, "estimation_method"),
+        ours(rules, ICPConvergenceCriteria, "criteria"),
+    )
+    return RegistrationResult._of(found)
+
+
+class Feature(KnownNames):
+    """Features of the points of a cloud: `data` has a column a point, float64 [dimension, points]."""
+
+    _data: NDArray[np.float64]
+
+    def __init__(self, other: Any = None):
+        self._data = np.zeros((0, 0)) if other is None else other.data.copy()
+
+    @classmethod
+    def _of_rows(cls, rows: Any) -> Feature:
+        """Features that are a row a point, as ours are."""
+        made = cls()
+        made.data = np.asarray(rows).T
+        return made
+
+    @property
+    def data(self) -> NDArray[np.float64]:
+        """The columns; assign others."""
+        return self._data
+
+    @data.setter
+    def data(self, columns: Any) -> None:
+        values = check_numeric("data", columns)
+        if values.ndim != 2:
+            raise ValueError(f"data: expected shape [dimension, points], got {list(values.shape)}")
+        self._data = values.astype(np.float64)
+
+    def dimension(self) -> int:
+        """Numbers a point."""
+        return self._data.shape[0]
+
+    def num(self) -> int:
+        """Points."""
+        return self._data.shape[1]
+
+    def resize(self, dim: int, n: int) -> None:
+        """Other numbers of both; all zero."""
+        self._data = np.zeros((check_count("dim", dim, minimum=0), check_count("n", n, minimum=0)))
+
+    def select_by_index(self, indices: Any, invert: bool = False) -> Feature:
+        """The features of these points, each once and in their order, or of the others."""
+        flags = flagged("indices", indices, self.num(), f"Feature of {self.num()} points")
+        return Feature._of_rows(self._data.T[flags != invert])
+
+    def __repr__(self) -> str:
+        size = f"dimension = {self.dimension()} and num = {self.num()}"
+        return f"Feature class with {size}\nAccess its data via data member."
+
+
+def rows_of(feature: Any, name: str) -> NDArray[np.float32]:
+    """A row a point, as ours take them.
+
+    Raises:
+        TypeError: Something else than a `Feature`.
+    """
+    if not isinstance(feature, Feature):
+        raise TypeError(f"{name}: expected a Feature, got {type(feature).__name__}; Feature().data = array.T makes one")
+    return np.ascontiguousarray(feature.data.T, np.float32)
+
+
+def compute_fpfh_feature(input: Any, search_param: Any, indices: Any = None) -> Feature:
+    """FPFH, 33 numbers a point; the cloud needs normals. With `indices`, of these points alone, each once."""
+    rows = np.asarray(features.compute_fpfh_feature(ours(input, PointCloud, "input"), **keywords_of(search_param)))
+    made = Feature._of_rows(rows)
+    return made if indices is None else made.select_by_index(indices)
+
+
+def correspondences_from_features(
+    source_features: Any, target_features: Any, mutual_filter: bool = False, mutual_consistency_ratio: float = 0.1
+) -> Vector2iVector:
+    """Pair each source point with the target point whose feature is nearest."""
+    sides = rows_of(source_features, "source_features"), rows_of(target_features, "target_features")
+    return Vector2iVector(matching.correspondences_from_features(*sides, mutual_filter, mutual_consistency_ratio))
+
+
+class RobustKernel(Settings):
+    """A weight as a function of the residual; the kernels below are its kinds."""
+
+    _kind = robust_kernels.RobustKernel
+
+    def weight(self, residual: float) -> float:
+        """How much a residual counts."""
+        return float(self._ours.weight(residual))
+
+    def __repr__(self) -> str:
+        scale = "".join(f" with k={value:f}" for value in self._keywords().values())
+        return f"RobustKernel::{type(self).__name__}{scale}"
+
+
+@dataclass(eq=False, repr=False)
+class L2Loss(RobustKernel):
+    """Least squares."""
+
+    _kind = robust_kernels.L2Loss
+
+
+@dataclass(eq=False, repr=False)
+class L1Loss(RobustKernel):
+    """Least absolute residuals."""
+
+    _kind = robust_kernels.L1Loss
+
+
+@dataclass(eq=False, repr=False)
+class HuberLoss(RobustKernel):
+    """Least squares up to k, absolute residuals beyond."""
+
+    _kind = robust_kernels.HuberLoss
+    k: float
+
+
+@dataclass(eq=False, repr=False)
+class CauchyLoss(RobustKernel):
+    """1 / (1 + (r / k)^2)."""
+
+    _kind = robust_kernels.CauchyLoss
+    k: float
+
+
+@dataclass(eq=False, repr=False)
+class GMLoss(RobustKernel):
+    """Geman and McClure's, k a squared residual."""
+
+    _kind = robust_kernels.GMLoss
+    k: float
+
+
+@dataclass(eq=False, repr=False)
+class TukeyLoss(RobustKernel):
+    """(1 - (r / k)^2)^2 up to k, zero beyond."""
+
+    _kind = robust_kernels.TukeyLoss
+    k: float
+
+
+class TransformationEstimation(Settings):
+    """How a pose follows from pairs; the estimations below are its kinds."""
+
+    _kind = estimation.TransformationEstimation
+
+    def _take_kernel(self, default: float) -> None:
+        """Sort a kernel that was given alone, in the place of the number that comes first."""
+        first, kernel = next(iter(self._keywords())), getattr(self, next(iter(self._keywords())))
+        if isinstance(kernel, RobustKernel):
+            self.kernel = kernel
+            setattr(self, first, default)
+
+
+@dataclass(eq=False, repr=False)
+class TransformationEstimationPointToPoint(TransformationEstimation):
+    """Least squared distances of the pairs."""
+
+    _kind = estimation.TransformationEstimationPointToPoint
+    with_scaling: bool = False
+
+    def compute_transformation(self, source: Any, target: Any, corres: Any) -> NDArray[np.float64]:
+        """The motion [4, 4] that brings pairs (source, target) together best."""
+        p, q = _pairs(source, target, corres)
+        return rigid.fit_pose(p, q, with_scaling=bool(self.with_scaling))
+
+    def compute_rmse(self, source: Any, target: Any, corres: Any) -> float:
+        """The root of the mean squared distance of pairs."""
+        p, q = _pairs(source, target, corres)
+        return float(np.sqrt(((p - q) ** 2).sum(axis=1).mean())) if len(p) else 0.0
+
+    def __repr__(self) -> str:
+        return f"TransformationEstimationPointToPoint(with_scaling={bool(self.with_scaling)})"
+
+
+@dataclass(eq=False, repr=False)
+class TransformationEstimationPointToPlane(TransformationEstimation):
+    """Least squared distances from the target's planes."""
+
+    _kind = estimation.TransformationEstimationPointToPlane
+    kernel: RobustKernel = field(default_factory=L2Loss)
+
+
+@dataclass(eq=False, repr=False)
+class TransformationEstimationSymmetric(TransformationEstimation):
+    """Both clouds' planes at once."""
+
+    _kind = estimation.TransformationEstimationSymmetric
+    kernel: RobustKernel = field(default_factory=L2Loss)
+
+
+@dataclass(eq=False, repr=False)
+class TransformationEstimationForColoredICP(TransformationEstimation):
+    """Planes and colours; `(lambda_geometric)`, `(kernel)` or both."""
+
+    _kind = estimation.TransformationEstimationForColoredICP
+    lambda_geometric: Any = 0.968
+    kernel: RobustKernel = field(default_factory=L2Loss)
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        self._take_kernel(0.968)
+
+    def __repr__(self) -> str:
+        return f"TransformationEstimationForColoredICP(lambda_geometric={self.lambda_geometric:g})"
+
+
+@dataclass(eq=False, repr=False)
+class TransformationEstimationForGeneralizedICP(TransformationEstimation):
+    """Both clouds' planes as thin Gaussians; `(epsilon)`, `(kernel)` or both."""
+
+    _kind = estimation.TransformationEstimationForGeneralizedICP
+    epsilon: Any = 0.001
+    kernel: RobustKernel = field(default_factory=L2Loss)
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        self._take_kernel(0.001)
+
+    def __repr__(self) -> str:
+        return f"TransformationEstimationForGeneralizedICP(epsilon={self.epsilon:g})"
+
+
+class RegistrationResult(Held):
+    """A pose, and how well the clouds lie on each other under it; its values are assigned, as in Open3D."""
+
+    _kind = result.RegistrationResult
+
+    def __init__(self, other: Any = None):
+        given = ours(other, RegistrationResult, "arg0") if other is not None else self._none()
+        vars(self).update(vars(self._of(given)))
+
+    @staticmethod
+    def _none() -> result.RegistrationResult:
+        return result.RegistrationResult(np.eye(4), 0.0, 0.0, np.empty((0, 2), np.int32))
+
+    @property
+    def transformation(self) -> NDArray[np.float64]:
+        """T_target_source, shape [4, 4]."""
+        return self._held.transformation
+
+    @transformation.setter
+    def transformation(self, T: Any) -> None:
+        self._held.transformation = np.array(T, np.float64)
+
+    @property
+    def fitness(self) -> float:
+        """The share of the source's points with a correspondence."""
+        return self._held.fitness
+
+    @fitness.setter
+    def fitness(self, share: float) -> None:
+        self._held.fitness = float(share)
+
+    @property
+    def inlier_rmse(self) -> float:
+        """The root of the mean squared distance of the correspondences."""
+        return self._held.inlier_rmse
+
+    @inlier_rmse.setter
+    def inlier_rmse(self, rmse: float) -> None:
+        self._held.inlier_rmse = float(rmse)
+
+    @property
+    def correspondence_set(self) -> Vector2iVector:
+        """The correspondences (source, target)."""
+        return Vector2iVector(np.asarray(self._held.correspondence_set))
+
+    @correspondence_set.setter
+    def correspondence_set(self, pairs: Any) -> None:
+        vars(self._held)["correspondence_set"] = as_array(Vector2iVector(pairs))
+
+    def __copy__(self) -> RegistrationResult:
+        made = self._none()
+        made.transformation, made.fitness, made.inlier_rmse = self.transformation.copy(), self.fitness, self.inlier_rmse
+        copied = RegistrationResult._of(made)
+        copied.correspondence_set = self.correspondence_set
+        return copied
+
+    def __repr__(self) -> str:
+        numbers = f"fitness={self.fitness:e}, inlier_rmse={self.inlier_rmse:e}"
+        count = len(self._held.correspondence_set)
+        return (
+            f"RegistrationResult with {numbers}, and correspondence_set size of {count}\n"
+            "Access transformation to get result."
+        )
+
+
+def _pairs(source: Any, target: Any, corres: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    pairs = as_array(Vector2iVector(corres))
+    clouds = ours(source, PointCloud, "source"), ours(target, PointCloud, "target")
+    return clouds[0].points[pairs[:, 0]], clouds[1].points[pairs[:, 1]]

@@ -1,6 +1,6 @@
 /** Joins the parts of a live page: what the program says goes to scene, panel and words; what is done goes back. */
 const VERSION = 1;
-const ARRAYS_OF_NODES = ["positions", "colors", "normals", "indices", "uvs", "texture", "poses"];
+const ARRAYS_OF_NODES = ["positions", "colors", "normals", "indices", "uvs", "texture"];
 const KEPT_VIEW = 3000; // milliseconds after a new connection in which the page stays where it looked
 // Keys of the engine that programs have for tools, and what they are here.
 const OTHER_KEYS = { M: "S", "Shift+M": "Shift+S" };

@@ -24,12 +24,10 @@ class PanelEvent:
 
     Attributes:
         client_id: Of which page.
-        target: The handle.
         value: What it was set to, or the `UploadedFile`; None of a button.
     """
 
     client_id: int
-    target: Any
     value: Any = None
 
 
@@ -181,7 +179,7 @@ class Input(Shown):
             if self.kind == "range" and new[0] > new[1]:
                 raise ValueError(f"expected [low, high], got {value!r:.80}")
             self._change("value", new, but=page if sent(new) == value else None)
-        return [(callback, PanelEvent(client_id, self, new)) for callback in self._callbacks]
+        return [(callback, PanelEvent(client_id, new)) for callback in self._callbacks]
 
     def _limits(self) -> tuple[Any, Any]:
         if self.kind == "rgb":
@@ -206,7 +204,7 @@ class Button(Handle):
         """Take a press."""
         if self._state.get("disabled") or self.kind == "upload":
             return []
-        return [(callback, PanelEvent(client_id, self)) for callback in self._callbacks]
+        return [(callback, PanelEvent(client_id)) for callback in self._callbacks]
 
 
 class Upload(Button):
@@ -224,7 +222,7 @@ class Upload(Button):
         if self._state.get("disabled"):
             return []
         file = UploadedFile(name, text)
-        return [(callback, PanelEvent(client_id, self, file)) for callback in self._callbacks]
+        return [(callback, PanelEvent(client_id, file)) for callback in self._callbacks]
 
 
 class Tree(Handle):
@@ -269,7 +267,7 @@ class Tree(Handle):
             if changed:
                 rows = {key: self._rows[key] for key in changed}
                 self.channel.send_but_to(page, {"op": "rows", "id": self.id, "put": rows, "drop": {}})
-        return [(self._tell, PanelEvent(client_id, self, (changed, visible)))] if changed else []
+        return [(self._tell, PanelEvent(client_id, (changed, visible)))] if changed else []
 
     def _tell(self, event: PanelEvent) -> None:
         if self._on_change is not None:
@@ -297,7 +295,7 @@ class Command:
 
     def triggered(self, client_id: int) -> list[tuple[Callable[..., Any], PanelEvent]]:
         """Take that a page started it."""
-        return [(callback, PanelEvent(client_id, self)) for callback in self._callbacks]
+        return [(callback, PanelEvent(client_id)) for callback in self._callbacks]
 
     def remove(self) -> None:
         """Take it out of keys and palette; twice is no error."""

@@ -339,7 +339,5 @@ class Channel:
 
 
 class _AllBut(Channel):
-    """All pages but one."""
-
     def __init__(self, channel: Channel, page: Channel):
         self.delivery, self.is_shared, self.but = channel.delivery, channel.is_shared, page

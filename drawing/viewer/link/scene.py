@@ -15,7 +15,6 @@ from .arrays import color, kept, normals_kept, placing
 from .camera import CameraState
 from .delivery import Channel
 
-SHAPES = ("box", "ball", "frustum")
 ANCHORS = ("bottom-left", "bottom-center", "center")
 
 
@@ -41,7 +40,7 @@ class Node:
 
     Attributes:
         id: Its number.
-        kind: "group", "points", "triangles", "lines", "label" or "instances".
+        kind: "group", "points", "triangles", "lines" or "label".
     """
 
     def __init__(self, channel: Channel, kind: str, number: int, R: Any, t: Any, scale: float, visible: bool):
@@ -209,32 +208,6 @@ class Scene:
         """Words at a place of the parent's frame [3]; `anchor` says which of their corners stands there."""
         return self._add("label", {"text": text, "anchor": anchor}, parent=parent, t=position, visible=visible)
 
-    def add_instances(
-        self,
-        shape: str,
-        poses: Any,
-        colors: Any = None,
-        *,
-        plain: Any = None,
-        solid: bool = False,
-        width: float = 1.0,
-        **placed: Unpack[Placement],
-    ) -> Node:
-        """Many of one shape.
-
-        Args:
-            shape: "box" of side 1 about its origin, "ball" of diameter 1, or "frustum" with its apex at the origin and
-                the corners of its rectangle at (+-1, +-1, 1).
-            poses: From the unit shape to the node, rows of 3x4 that may scale [k, 3, 4].
-            colors: uint8 [k, 3].
-            plain: One colour for all, 0 to 255 [3].
-            solid: Whether faces are drawn, else edges alone.
-            width: Of edges [px].
-            placed: Where they stand, as `Placement` has it.
-        """
-        properties = {"shape": shape, "poses": poses, "colors": colors, "plain": plain, "solid": solid, "width": width}
-        return self._add("instances", properties, **placed)
-
     def show_shared(self, node: Node, visible: bool) -> None:
         """Show or hide in this page alone what the scene of all pages holds, until that says otherwise."""
         self._channel.send({"op": "set", "id": node.id, "visible": bool(visible)})
@@ -327,10 +300,6 @@ def _uvs(values: Any) -> NDArray[Any]:
     return kept(values, [np.float32], 2)
 
 
-def _poses(values: Any) -> NDArray[Any]:
-    return kept(values, [np.float32], 3, 4).reshape(-1, 12)
-
-
 def _texture(values: Any) -> NDArray[np.uint8]:
     return np.frombuffer(encode_png(np.ascontiguousarray(values, np.uint8)), np.uint8)[:, None]
 
@@ -373,8 +342,4 @@ _CHECKS: dict[str, dict[str, Callable[[Any], Any]]] = {
     },
     "lines": {"ends": _ends, "colors": _end_colors, "plain": _plain, "width": _width},
     "label": {"text": str, "anchor": _one_of(ANCHORS)},
-    "instances": {
-        **{"shape": _one_of(SHAPES), "poses": _poses, "colors": _colors, "plain": _plain},
-        **{"solid": bool, "width": _width},
-    },
 }

@@ -14,8 +14,8 @@ from PIL import Image
 import pointloom as loom
 from pointloom.core.errors import FileError
 from pointloom.drawing.recording.film import Film, view_frames
-from pointloom.drawing.recording.gif_writer import changed_box, make_palette, write_gif
 from pointloom.drawing.recording.timeline import Frame, Placed, Shape, Timeline
+from pointloom.drawing.recording.writers import changed_box, make_palette, write_gif
 
 WHITE = (255, 255, 255)
 ORANGE, BLUE = (255, 180, 0), (0, 166, 237)

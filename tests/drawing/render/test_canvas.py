@@ -7,8 +7,7 @@ import unicodedata
 import numpy as np
 import pytest
 
-from pointloom.drawing.render.canvas import Canvas
-from pointloom.drawing.render.clipping import FARTHEST, clip_segments
+from pointloom.drawing.render.canvas import FARTHEST, Canvas, clip_segments
 from pointloom.drawing.render.lettering import UNKNOWN, Lettering, lettering
 
 BLACK, RED = (0.0, 0.0, 0.0), (1.0, 0.0, 0.0)

@@ -7,10 +7,9 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.drawing.render.geometries import PALETTE, bounds_of, kind_of, named_geometries, parts_of
+from pointloom.drawing.render.geometries import PALETTE, bounds_of, kind_of, named_geometries, outer_faces, parts_of
 from pointloom.drawing.render.parts import Lines, Points, Triangles
 from pointloom.drawing.render.styles import Style
-from pointloom.drawing.render.surfaces import outer_faces
 from pointloom.kernels.memory import download
 
 CUBE = [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)]

@@ -7,7 +7,7 @@ import pointloom as loom
 from pointloom.drawing.render.canvas import Canvas
 from pointloom.drawing.render.coloring import color_cloud
 from pointloom.drawing.render.legends import draw_color_bar, draw_legend
-from pointloom.drawing.render.scale_bars import draw_scale_bar, round_length
+from pointloom.drawing.render.overlays import draw_scale_bar, round_length
 from pointloom.drawing.render.ticks import choose_ticks, with_ends
 
 ENTRIES = [("a name", (1.0, 0.0, 0.0)), ("a longer name", (0.0, 0.0, 1.0))]

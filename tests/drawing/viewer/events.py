@@ -13,11 +13,10 @@ from typing import Any
 import pytest
 
 from pointloom.drawing.viewer.calls import Calls
-from pointloom.drawing.viewer.later import Later
-from pointloom.drawing.viewer.level_builder import LevelBuilder
 from pointloom.drawing.viewer.link.client import PageClient, Worker
 from pointloom.drawing.viewer.link.delivery import Delivery
 from pointloom.drawing.viewer.link.hub import Hub
+from pointloom.drawing.viewer.scene import Later, LevelBuilder
 from pointloom.drawing.viewer.sessions import Session
 from pointloom.drawing.viewer.streaming import CloudStream
 from pointloom.drawing.viewer.tools.toolbox import Toolbox

@@ -12,8 +12,8 @@ import pointloom as loom
 from pointloom.drawing.render.styles import Style
 from pointloom.drawing.viewer import calls
 from pointloom.drawing.viewer.calls import Calls
+from pointloom.drawing.viewer.hooks import with_attributes
 from pointloom.drawing.viewer.items import make_item
-from pointloom.drawing.viewer.picks import with_attributes
 from pointloom.drawing.viewer.tools.picking import Pick, project
 
 from .events import wait_until

@@ -4,8 +4,8 @@ import threading
 
 import pytest
 
-from pointloom.drawing.viewer import later
-from pointloom.drawing.viewer.later import Later
+from pointloom.drawing.viewer import scene
+from pointloom.drawing.viewer.scene import Later
 
 from .events import wait_until
 
@@ -13,7 +13,7 @@ from .events import wait_until
 @pytest.fixture
 def made(monkeypatch):
     """A job that counts how often it is done, and its lock."""
-    monkeypatch.setattr(later, "IDLE", 0.05)
+    monkeypatch.setattr(scene, "IDLE", 0.05)
     lock, done = threading.RLock(), []
     job = Later(lambda: done.append(threading.current_thread().name), lambda: lock.acquire(), lock.release)
     yield job, lock, done

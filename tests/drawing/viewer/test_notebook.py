@@ -13,8 +13,7 @@ from PIL import Image
 
 import pointloom as loom
 from pointloom.drawing.viewer import draw as drawing
-from pointloom.drawing.viewer import inline as inline_module
-from pointloom.drawing.viewer.inline import MOST_BYTES, PLACES, VARIABLE, InlinePage, wants_inline
+from pointloom.drawing.viewer.draw import MOST_BYTES, PLACES, VARIABLE, InlinePage, wants_inline
 from pointloom.drawing.viewer.server import ViewerError, ViewerExtraError
 
 
@@ -108,12 +107,12 @@ def test_colab_and_a_wish_put_it_inside_too(notebook, monkeypatch):
 
 
 def test_a_page_inside_is_bounded_and_says_what_it_left_out(cloud, monkeypatch, rng):
-    monkeypatch.setattr(inline_module, "MOST_BYTES", 250_000)
+    monkeypatch.setattr(drawing, "MOST_BYTES", 250_000)
     many = loom.PointCloud(rng.random((60_000, 3)), colors=rng.random((60_000, 3)))
     page = loom.draw({"many": many, "few": cloud}, inline=True, width=160, height=120)
     assert page.html is not None and 100_000 < len(page.html) <= 250_000
     assert "of 60,000 points" in repr(page) and "MB of this notebook" in repr(page)
-    monkeypatch.setattr(inline_module, "MOST_BYTES", 10_000)  # less than the player
+    monkeypatch.setattr(drawing, "MOST_BYTES", 10_000)  # less than the player
     page = loom.draw(many, inline=True, width=160, height=120)
     assert page.html is None and "<iframe" not in page._repr_mimebundle_()["text/html"]
     assert MOST_BYTES == 4 * 2**20

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.drawing.viewer import pacing, scene, whole_cloud
+from pointloom.drawing.viewer import scene, sessions, whole_cloud
 from pointloom.drawing.viewer.detail_tree import DetailTree
 from pointloom.drawing.viewer.tools.clip_planes import Clip
 from pointloom.drawing.viewer.tools.picking import project
@@ -28,8 +28,8 @@ def small_steps(monkeypatch):
     for name, value in {"FIRST": 100, "STEP": 300, "AT_ONCE": 200}.items():
         monkeypatch.setattr(whole_cloud, name, value)
     monkeypatch.setattr(scene, "FIRST", 100)
-    monkeypatch.setattr(pacing, "PATIENCE", 0.01)
-    monkeypatch.setattr(pacing, "PAUSE", 0.0)
+    monkeypatch.setattr(sessions, "PATIENCE", 0.01)
+    monkeypatch.setattr(sessions, "PAUSE", 0.0)
 
 
 def stream_of(shown, name="cloud"):
@@ -119,7 +119,7 @@ def test_colours_size_pose_and_visibility_reach_all_steps(small_steps, rng):
 
 
 def test_the_next_step_waits_for_the_page(small_steps, rng, monkeypatch):
-    monkeypatch.setattr(pacing, "PATIENCE", 60.0)
+    monkeypatch.setattr(sessions, "PATIENCE", 60.0)
     with Viewer(port=0) as shown, page_in(shown) as page:
         shown.add("cloud", loom.PointCloud(rng.random((1000, 3))))
         stream = stream_of(shown)
@@ -131,7 +131,7 @@ def test_the_next_step_waits_for_the_page(small_steps, rng, monkeypatch):
 
 
 def test_closing_in_the_midst_of_it_leaves_no_thread(small_steps, rng, monkeypatch):
-    monkeypatch.setattr(pacing, "PATIENCE", 60.0)
+    monkeypatch.setattr(sessions, "PATIENCE", 60.0)
     with Viewer(port=0, max_points=1000) as shown, page_in(shown):
         shown.add("cloud", loom.PointCloud(rng.random((900, 3))))
         shown.add("large", loom.PointCloud(rng.random((3000, 3))))

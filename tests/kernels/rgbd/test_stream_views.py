@@ -10,7 +10,7 @@ from pointloom.kernels.lang import float32, uint8
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.rgbd import stream_views as at
 from pointloom.kernels.rgbd.stream_views import compare_views, hide_near, view_stream
-from pointloom.rgbd.slam.stream_check import shift_of
+from pointloom.rgbd.slam.dense_slam import shift_of
 
 WIDTH, HEIGHT = 330, 250  # 82 x 62 cells of 4 x 4, and a rim that no cell holds
 

@@ -7,7 +7,7 @@ import pytest
 from PIL import Image
 
 import pointloom as loom
-from pointloom.data.scenes.room_paths import film_pose, look_along
+from pointloom.data.scenes.room import film_pose, look_along
 from pointloom.photos.sfm.sphere_pictures import with_all_faces
 from pointloom.photos.video import motion
 

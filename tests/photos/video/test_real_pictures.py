@@ -8,8 +8,7 @@ from PIL import Image
 
 import pointloom as loom
 from pointloom.cameras.camera import PinholeCameraIntrinsic
-from pointloom.data.scenes.room import room_views, surface_errors
-from pointloom.data.scenes.room_paths import look_along
+from pointloom.data.scenes.room import look_along, room_views, surface_errors
 
 from ...app.commands import answer
 

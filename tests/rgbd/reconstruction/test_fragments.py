@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.rgbd.reconstruction.fragments import fragments_in
-from pointloom.rgbd.reconstruction.keyframes import Keyframe
+from pointloom.rgbd.reconstruction.fragments import Keyframe, fragments_in
 from pointloom.rgbd.reconstruction.places import Places
 
 from .walks import Walk, blank, config, drift_of, frame_at

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.rgbd.slam.drift import Drift
 from pointloom.rgbd.slam.keyframes import Keyframes
 from pointloom.rgbd.slam.results import TrackingResult
+from pointloom.rgbd.slam.tracker import Drift
 from pointloom.rgbd.slam.verdicts import MOST_DEVIATION, judge_drift
 
 from .slam_walks import begun, frames

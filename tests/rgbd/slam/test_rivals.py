@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.rgbd.slam.rivals import find_rivals
+from pointloom.rgbd.slam.tracker import find_rivals
 from pointloom.rgbd.slam.verdicts import SURE_OVERLAP, judge_recognition, speaks_against
 
 from .slam_walks import blank, changed

@@ -3,8 +3,7 @@
 import numpy as np
 import pytest
 
-from pointloom.data.scenes.room import room_loop_sequence, surface_errors
-from pointloom.data.scenes.room_paths import LOOPS
+from pointloom.data.scenes.room import LOOPS, room_loop_sequence, surface_errors
 from pointloom.files.frames.rgbd_sources import RGBDSource
 
 SMALL = {"width": 80, "height": 60}

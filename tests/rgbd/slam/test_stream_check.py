@@ -9,8 +9,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.rgbd.slam.stream_check import STALE
-from pointloom.rgbd.slam.stream_lag import StreamLag
+from pointloom.rgbd.slam.dense_slam import STALE, StreamLag
 
 from .slam_walks import begun, blank, changed, fit, frames, verdicts, walk
 
