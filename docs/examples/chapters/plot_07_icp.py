@@ -135,8 +135,8 @@ print(f"half of the points are within {np.median(moved['apart']) * 1000:.0f} mm 
 # --------------
 # The distance has to be larger than the error of the start, or the right partners are out of reach; and small, or wrong
 # partners beyond the edge of the overlap (the part of the scene that both scans show) pull. Two to four voxels is a
-# good end. Begin wide and end narrow if the initial pose is far off: ``multi_scale_icp`` does that in one call. It takes
-# a voxel size, criteria and a distance for each scale; chapter 10 has it in full.
+# good end. Begin wide and end narrow if the initial pose is far off: ``multi_scale_icp`` does that in one call. It
+# takes a voxel size, criteria and a distance for each scale; chapter 10 has it in full.
 
 for reach in (0.01, 0.03, 0.12, 0.5, 2.0):
     tried = reg.registration_icp(source, target, reach, start, reg.TransformationEstimationPointToPlane())
