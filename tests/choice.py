@@ -4,7 +4,7 @@
 `slow` or `nightly`, those that need Open3D itself (tests/oracle.py) and all runs on Taichi, which is optional. `--rest`
 runs those but the `nightly` ones and Taichi's, and the tests that use stored answers of Open3D once more with Open3D.
 `--taichi` runs Taichi's alone, as `make nightly` does. Without an option the tests of tests/kernels that take `device`,
-and others marked `both_compilers`, run on Warp and on Taichi. tests/test_compilers.py compares all operations on the two.
+and others marked `both_compilers`, run on Warp and on Taichi. tests/test_compilers.py compares all operations on both.
 """
 
 from __future__ import annotations

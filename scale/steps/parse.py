@@ -33,11 +33,11 @@ from ...kernels.segmentation.dbscan import cluster_cores
 from ...kernels.segmentation.neighbor_counts import mask_crowded
 from ...pcd.boxes import AxisAlignedBoundingBox
 from ...pcd.change import check_radii, m3c2
-from ...pcd.segmentation import ANY
 from ...pcd.features import compute_eigen_features
 from ...pcd.ground import CELL, SCALING, THRESHOLD, WINDOW, classify_ground
-from ...pcd.selection import ROUNDING
 from ...pcd.raster_cells import GROUND, NoGroundError, check_classes
+from ...pcd.segmentation import ANY
+from ...pcd.selection import ROUNDING
 from ...pcd.terrain import ground_reach, height_above_ground
 from ..exact_sums import ExactSums
 from ..label_join import MOST_INT32, join_labels, leave
