@@ -92,7 +92,8 @@ def finish_tiles(
         elif path.name.lower().endswith(".copc.laz"):
             check_writable(path, overwrite=overwrite)
             with Processes(count, path) as pool:
-                write_tree(path, tree_of(parts, report, pool), overwrite)
+                tree = TileTree([file for file, _ in parts], [points for _, points in parts], report, pool)
+                write_tree(path, tree, overwrite)
         else:
             _merge(path, parts, overwrite, report)
         write_mosaics(manifest, plan, mosaics, overwrite)
@@ -182,14 +183,6 @@ def _merge(path: Path, parts: list[tuple[Path, int]], overwrite: bool, report: R
                     report("points", done, total)
         if header.evlrs:
             writer.write_evlrs(header.evlrs)
-
-
-Parts = list[tuple[Path, int]]
-
-
-def tree_of(parts: Parts, report: ReportProgress, pool: Processes | None = None) -> TileTree:
-    """The octree over tiles, each with its number of points."""
-    return TileTree([path for path, _ in parts], [count for _, count in parts], report, pool)
 
 
 def write_tree(path: Path, tree: TileTree, overwrite: bool) -> None:
