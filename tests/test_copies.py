@@ -81,12 +81,6 @@ def test_a_copied_mesh_is_assigned_to_by_itself(device):
     assert mesh.vertex_colors.tolist() == np.eye(3).tolist() and not other.vertex_colors.any()
 
 
-def test_odometry_says_that_it_cannot_be_copied():
-    for way in WAYS.values():
-        with pytest.raises(TypeError, match=r"LidarOdometry cannot be copied or pickled: keep its poses"):
-            way(loom.registration.LidarOdometry())
-
-
 @pytest.mark.parametrize("name", MADE)
 def test_what_is_printed_is_a_line(device, name):
     text = repr(MADE[name][0](device))

@@ -50,9 +50,3 @@ def test_examples_import_public_names_alone(page):
     public = {"pointloom", *(f"pointloom.{name}" for name in ("registration", "slam", "mvs", "sfm", "odometry"))}
     public |= {"pointloom.reconstruction", "pointloom.color_map"}
     assert {first or second for first, second in imports} <= public
-
-
-def test_a_link_into_nothing_is_found(tmp_path, monkeypatch):
-    monkeypatch.setattr(f"{__name__}.ROOT", tmp_path)
-    (tmp_path / "a.md").write_text("[b](b.md) [c](#here) [d](https://x.y/z) [e](docs/e.md#part)")
-    assert faults("a.md") == ["a.md: b.md is not there", "a.md: docs/e.md is not there"]

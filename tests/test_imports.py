@@ -471,14 +471,6 @@ def test_a_compiler_in_the_wrong_file_is_found(path, source):
     assert len(compiler_faults(source, path)) == 1
 
 
-def test_the_folder_of_real_data_is_read_from_the_environment_in_two_places():
-    readers = ["benchmarks/real_data.py", "tests/conftest.py"]
-    others = ["tests/test_benchmarks.py", "tests/test_imports.py"]  # sets it; this file
-    paths = [path for folder in (*MAY_IMPORT, "tests", "benchmarks") for path in (ROOT / folder).rglob("*.py")]
-    named = [path.relative_to(ROOT).as_posix() for path in paths if '"POINTLOOM_DATA"' in path.read_text()]
-    assert sorted(named) == sorted(readers + others)
-
-
 def test_importing_pointloom_starts_no_runtime():
     program = """
         import json, sys

@@ -53,16 +53,6 @@ def test_what_only_the_cpu_runs_is_not_compiled_for_cuda_nor_the_other_way_round
 
 
 @pytest.mark.slow
-def test_registers_and_local_memory_are_read(compiled):
-    usage = {name.partition("_kernel_")[0]: u for name, u in compiled.usage[90].items()}
-    assert 4 <= usage["copy"].registers <= 64 and usage["copy"].local_bytes == 0
-    assert usage["mix"].local_bytes >= 256, "64 floats with a computed index lie in local memory"
-    (line,) = [line for line in check_cuda.report_heavy(compiled) if "mix_kernel" in line]
-    assert "B of local memory" in line
-    assert not any("copy_kernel" in line for line in check_cuda.report_heavy(compiled))
-
-
-@pytest.mark.slow
 def test_a_kernel_without_tiles_shares_no_more_than_the_word_a_thread_that_warp_gives_to_all(compiled):
     """And tiles take theirs besides; 1 KB a block is the driver's."""
     words = 4 * REDUCTION_BLOCK + 1024
@@ -71,23 +61,3 @@ def test_a_kernel_without_tiles_shares_no_more_than_the_word_a_thread_that_warp_
     vector = REDUCTION_BLOCK // 32 * 8  # a number of each warp
     held = shared["sum_rows_tiles"]
     assert words + 4 * vector <= held == shared["sum_rows_fold_tiles"] < words + 8 * vector, "four numbers at a time"
-
-
-@pytest.mark.slow
-def test_one_block_size_holds_for_a_whole_module(compiled):
-    assert wp.get_module_options("compiled")["block_dim"] == REDUCTION_BLOCK
-
-
-def test_a_failure_is_reported_and_the_rest_goes_on(write_kernels, capsys):
-    write_kernels("kernelless", "LIMIT = 3\n")
-    assert check_cuda.main(["no_such_module", "kernelless"]) == 1
-    printed = capsys.readouterr()
-    assert "no_such_module: FAILED" in printed.err and "kernelless: FAILED" in printed.err
-    assert "modules failed: 2" in printed.out
-
-
-@pytest.mark.slow
-def test_a_named_module_is_compiled_alone(capsys):
-    assert check_cuda.main(["pointloom.kernels.arrays.bounds"]) == 0
-    first, last = (line for line in capsys.readouterr().out.splitlines() if not line.startswith(" "))
-    assert first.startswith("pointloom.kernels.arrays.bounds: 2 kernels, sm_75 ") and "modules failed: 0" in last

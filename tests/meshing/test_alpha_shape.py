@@ -110,15 +110,6 @@ def test_what_is_left_of_a_grid_is_closed_in_any_order(chosen, alpha):
         assert np.linalg.det(mesh.vertices[mesh.triangles]).sum() / 6 == pytest.approx(volumes.sum(), abs=1e-9)
 
 
-def test_the_shape_goes_with_the_cloud_to_utm_coordinates(device, rng):
-    points = np.round(rng.random((300, 3)) * 1024) / 1024  # exact at both places
-    near = alpha_shape(PointCloud(points, device=device, origin=[0, 0, 0]), 0.2)
-    far = alpha_shape(PointCloud(points + FAR, device=device, origin=FAR), 0.2)
-    np.testing.assert_array_equal(near.triangles, far.triangles)
-    np.testing.assert_array_equal(far.origin, FAR)
-    np.testing.assert_array_equal(far.vertices, near.vertices + FAR)
-
-
 @pytest.mark.parametrize("exponent", [-20, 20])
 def test_the_shape_does_not_depend_on_the_unit_of_length(device, rng, exponent):
     points, scale = rng.random((200, 3)).astype(np.float32), 2.0**exponent
@@ -214,11 +205,3 @@ def test_four_points_are_one_tetrahedron(device):
 def test_an_alpha_out_of_range_is_refused(alpha):
     with pytest.raises(ValueError, match=r"^alpha:"):
         alpha_shape(PointCloud(grid(2, 2, 2)), alpha)
-
-
-@pytest.mark.parametrize("alpha", [None, True, 1j, {}, np.ones((2, 2)), ["auto"]])
-def test_what_is_no_number_or_no_cloud_is_refused(alpha):
-    with pytest.raises(TypeError, match=r"^alpha:"):
-        alpha_shape(PointCloud(grid(2, 2, 2)), alpha)
-    with pytest.raises(TypeError, match=r"^cloud:"):
-        alpha_shape(grid(2, 2, 2), 1.0)  # type: ignore[call-overload]

@@ -65,11 +65,6 @@ def test_what_is_no_solid_is_refused_with_the_reason(device, reason):
         box(0, device).boolean_difference(bad)
 
 
-def test_what_is_no_mesh_is_refused():
-    with pytest.raises(TypeError, match="mesh:"):
-        box().boolean_union(BOX)
-
-
 def test_the_missing_package_is_named_with_the_way_to_get_it(monkeypatch):
     monkeypatch.setitem(sys.modules, "manifold3d", None)
     with pytest.raises(ImportError, match=r'pip install "pointloom\[mesh\]"'):

@@ -169,13 +169,6 @@ def test_merged_normals_have_unit_length_unlike_in_open3d(device):
     np.testing.assert_allclose(mesh.merge_close_vertices(1).vertex_normals, [[0.5**0.5, 0.5**0.5, 0]], atol=1e-7)
 
 
-def test_merging_spares_vertices_that_are_not_finite_and_works_far_from_zero(device):
-    points = np.array([[0, 0, 0], [np.nan, 0, 0], [0.25, 0, 0], [np.inf, 0, 0], [np.nan, 0, 0]])
-    mesh = TriangleMesh(points + FAR, [[0, 1, 2]], device=device).merge_close_vertices(0.5)
-    np.testing.assert_array_equal(mesh.vertices, np.array([[0.125, 0, 0], *points[[1, 3, 4]]]) + FAR)
-    assert mesh.triangles.tolist() == [[0, 1, 0]]
-
-
 def test_a_distance_too_small_to_tell_is_refused():
     mesh = TriangleMesh([[1e6, 0, 0]], [], origin=[0, 0, 0])
     with pytest.raises(ValueError, match="eps:"):
@@ -309,23 +302,7 @@ def test_what_is_left_is_as_in_open3d(device, oracle, method):
     assert len(mesh) == 80 and len(mesh.vertices) == 60
 
 
-def test_a_far_mesh_keeps_its_origin(device):
-    far = np.array([5.0e5, 5.4e6, 100.0])
-    mesh = TriangleMesh(strip().vertices + far, strip().triangles, device=device)
-    mask = np.arange(60) % 3 == 0
-    left = mesh.remove_vertices_by_mask(mask)
-    np.testing.assert_array_equal(left.vertices, mesh.vertices[~mask])
-    np.testing.assert_array_equal(left.origin, mesh.origin)
-
-
 def test_a_mesh_of_nothing_takes_masks_of_nothing(device):
     mesh = TriangleMesh(device=device)
     for mask in ([], np.zeros(0, bool)):
         assert len(mesh.remove_vertices_by_mask(mask)) == len(mesh.remove_triangles_by_mask(mask)) == 0
-
-
-@pytest.mark.parametrize("method", ["remove_vertices_by_mask", "remove_triangles_by_mask"])
-def test_a_mask_of_another_shape_or_kind_is_refused(method):
-    for mask in ([True], np.zeros((60, 1), bool), np.zeros(60), np.zeros(80), np.arange(80), [], [3, 5]):
-        with pytest.raises(ValueError, match="mask:"):
-            getattr(strip(), method)(mask)

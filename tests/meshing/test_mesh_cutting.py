@@ -155,15 +155,6 @@ def test_a_cut_takes_everything_along(device):
         np.testing.assert_allclose(places @ found, uvs, atol=1e-6)
 
 
-def test_a_section_far_away_is_as_exact_as_at_home():
-    ball = SHAPES["ball"]
-    [near], [far] = (
-        ball.section_loops([0, 0, 0.3], [0, 0, 1]),
-        ball.translate(FAR).section_loops(FAR + np.array([0, 0, 0.3]), [0, 0, 1]),
-    )
-    np.testing.assert_allclose(far - FAR, near, atol=2e-7)
-
-
 def test_nothing_and_next_to_nothing_is_cut(device):
     for corners in ([], [[0, 1, 2]], [[0, 0, 1]], [[0, 1, 2], [0, 1, 2], [1, 0, 2]]):
         mesh = TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 0, 1], [np.nan] * 3], corners, device=device)

@@ -170,16 +170,3 @@ def test_polygons_use_all_their_corners_and_no_others():
 def test_what_is_no_polygon_is_refused(outline, message):
     with pytest.raises(ValueError, match=message):
         TriangleMesh.from_polygon(outline)
-
-
-@pytest.mark.parametrize("value", [np.nan, np.inf])
-def test_a_prism_faces_outwards_whatever_triangle_is_not_finite(value):
-    square = TriangleMesh([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 3]])
-    broken = TriangleMesh([*square.vertices, [value, 0, 0]], [*square.triangles, [0, 4, 1]])
-    for way in ([0, 0, 1], [0, 0, -1]):
-        whole = square.extrude_linear(way)
-        prism = broken.extrude_linear(way)
-        prism = prism.select_faces_by_mask(np.isfinite(prism.vertices[prism.triangles]).all(axis=(1, 2)))
-        caps = [mesh.vertices[mesh.triangles] for mesh in (whole, prism)]
-        normals = [np.cross(c[:, 1] - c[:, 0], c[:, 2] - c[:, 0])[np.ptp(c[..., 2], axis=1) == 0, 2] for c in caps]
-        np.testing.assert_array_equal(*normals)

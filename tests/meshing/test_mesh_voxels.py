@@ -123,14 +123,6 @@ def test_scale_does_not_change_the_voxels(device, scale):
     np.testing.assert_array_equal(grid.coordinates, expected.coordinates)
 
 
-def test_voxels_far_away_are_those_at_zero(device):
-    mesh = TriangleMesh.create_torus(device=device)
-    far = TriangleMesh(np.add(mesh.vertices, [5e5, 5.4e6, 0]), mesh.triangles, device=device, origin=[5e5, 5.4e6, 0])
-    near, there = mesh.voxelize(0.17, solid=True), far.voxelize(0.17, solid=True)
-    np.testing.assert_array_equal(there.coordinates, near.coordinates)
-    np.testing.assert_allclose(there.origin - near.origin, [5e5, 5.4e6, 0], atol=1e-9)
-
-
 @pytest.mark.parametrize(
     ("make", "size"),
     [
@@ -181,15 +173,6 @@ def test_a_dense_grid_is_the_sparse_one():
         grid.check_if_included([[0, 0]])
     with pytest.raises(TypeError, match="queries"):
         grid.check_if_included(None)
-
-
-def test_triangles_that_are_not_finite_touch_nothing(device):
-    vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [np.nan, 0, 0], [0, np.inf, 0]]
-    whole = TriangleMesh(vertices[:3], [[0, 1, 2]], device=device).voxelize(0.1)
-    bad = TriangleMesh(vertices, [[0, 1, 3], [0, 1, 2], [4, 1, 2]], device=device)
-    np.testing.assert_array_equal(bad.voxelize(0.1).coordinates, whole.coordinates)
-    with pytest.raises(ValueError, match="solid wants"):
-        bad.voxelize(0.1, solid=True)
 
 
 def test_nothing_touches_nothing(device):

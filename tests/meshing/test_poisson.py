@@ -10,7 +10,6 @@ from scipy.spatial import cKDTree
 
 import pointloom as loom
 from pointloom.kernels.lang import cpu_compiler
-from pointloom.kernels.language.cpu_pool import set_thread_count
 
 from .poisson_scenes import (
     assert_only_the_cube_cuts,
@@ -22,9 +21,6 @@ from .poisson_scenes import (
     sphere,
     sphere_distance,
 )
-from .tsdf_scenes import all_bits
-
-FAR = np.array([5.0e5, 5.4e6, 128.0])
 
 
 def test_a_ball_of_samples_is_a_closed_ball(device):
@@ -80,19 +76,6 @@ def test_the_sides_of_the_cube_are_alike(device):
     assert np.quantile(np.abs(densities - others[nearest]), 0.99) < 1e-5
 
 
-@pytest.mark.slow
-@pytest.mark.slow_on_emulated_cuda("on the CPU alone")
-def test_one_and_two_threads_give_the_same_bits():
-    found, points = [], clustered_sphere(6000, 0.05)
-    try:
-        for count in (1, 2):
-            set_thread_count(count)
-            found.append((bits(poisson(points, depth=6)), all_bits("cpu")))
-    finally:
-        set_thread_count(None)
-    assert found[0] == found[1]
-
-
 @pytest.mark.parametrize("power", [-90, 20])
 def test_the_unit_of_length_changes_no_triangle(device, power):
     points = sphere(1000)
@@ -102,16 +85,6 @@ def test_the_unit_of_length_changes_no_triangle(device, power):
     np.testing.assert_array_equal(scaled.triangles, mesh.triangles)
     np.testing.assert_array_equal(scaled.vertices, mesh.vertices * 2.0**power)
     np.testing.assert_array_equal(others, densities)
-
-
-def test_coordinates_far_from_zero_change_nothing(device):
-    points = np.round(sphere(1000) * 4096) / 4096  # so that the sums with FAR are exact
-    (mesh, densities), (far, others) = poisson(points, device=device), poisson(points + FAR, points, device=device)
-    shift = mesh.array("vertices").numpy().astype(float) + mesh.origin - far.array("vertices").numpy() - far.origin
-    np.testing.assert_array_equal(far.triangles, mesh.triangles)
-    np.testing.assert_allclose(shift, np.tile(-FAR, (len(shift), 1)), atol=3e-7)  # a float32 of other origin
-    np.testing.assert_array_equal(others, densities)
-    assert (far.origin == FAR.round()).all() or np.abs(far.origin - FAR).max() < 2
 
 
 def test_a_width_stands_for_the_depth_with_cells_no_wider(device):

@@ -281,13 +281,6 @@ def test_a_scene_far_from_zero_is_the_same_scene(device):
         np.testing.assert_array_equal(near[name], values)
 
 
-def test_a_camera_far_from_zero_keeps_its_place():
-    center = FAR - np.array([0, 0, 5])
-    rays = RaycastingScene.create_rays_pinhole(60, center, FAR, [0, 1, 0], 4, 4)
-    assert rays.dtype == np.float64
-    np.testing.assert_array_equal(rays[..., :3], np.broadcast_to(FAR, (4, 4, 3)))
-
-
 def test_rays_that_are_none_meet_nothing(device):
     o, n, i = [0.25, 0.5, 1], np.nan, np.inf
     rays = [[*o, 0, 0, 0], [*o, 0, 0, n], [*o, 0, 0, -i], [n, 0.5, 1, 0, 0, -1], [0.25, i, 1, 0, 0, -1]]
@@ -332,13 +325,6 @@ def test_scenes_without_triangles_are_missed(device):
     for scene in (nothing, full):
         assert scene.cast_rays(np.zeros((0, 6)))["t_hit"].shape == (0,)
         assert scene.list_intersections(np.zeros((0, 6)))["ray_splits"].tolist() == [0]
-
-
-def test_triangles_that_are_not_finite_keep_the_others_numbers(device):
-    vertices = [*SQUARE[0], [np.nan, 0, 0]]
-    with pytest.warns(UserWarning, match="triangle 0 has the vertex 4"):
-        scene = scene_of((vertices, [[0, 1, 4], *SQUARE[1]]), device=device)
-    assert scene.cast_rays([[0.25, 0.5, 1, 0, 0, -1]])["primitive_ids"].tolist() == [2]
 
 
 @pytest.mark.parametrize(

@@ -239,18 +239,6 @@ def test_geometries_in_places_are_measured_where_they_stand(device):
     np.testing.assert_allclose(found["primitive_normals"][turned], normals[found["primitive_ids"][turned]], atol=1e-6)
 
 
-def test_queries_that_are_not_finite_or_too_far_find_nothing(device):
-    scene = scene_of(CUBE, device=device)
-    queries = np.array([[np.nan, 0, 0], [np.inf, 0, 0], [0.5, 0.5, 3], [1e25, 0, 0]], np.float32)
-    found = scene.compute_closest_points(queries)
-    assert found["geometry_ids"].tolist() == [INVALID, INVALID, 0, INVALID]
-    assert (found["primitive_ids"] == INVALID).tolist() == [True, True, False, True]
-    assert np.isnan(found["points"][[0, 1, 3]]).all() and not found["primitive_normals"][[0, 1, 3]].any()
-    np.testing.assert_array_equal(scene.compute_distance(queries), [np.nan, np.nan, 2, np.inf])
-    np.testing.assert_array_equal(scene.compute_signed_distance(queries), [np.nan, np.nan, 2, np.inf])
-    np.testing.assert_array_equal(scene.compute_occupancy(queries), [np.nan, np.nan, 0, 0])
-
-
 def test_a_scene_without_triangles_is_infinitely_far(device):
     for scene in (
         RaycastingScene(device),
@@ -262,15 +250,6 @@ def test_a_scene_without_triangles_is_infinitely_far(device):
         assert scene.compute_occupancy(np.zeros((2, 0, 3))).shape == (2, 0)
         assert scene.compute_closest_points([0, 0, 0])["primitive_ids"] == INVALID
         assert scene.sign_method == "winding_numbers"
-
-
-def test_triangles_that_are_not_finite_are_left_out(device):
-    vertices = [*CUBE[0], [np.nan, 0, 0]]
-    triangles = [[0, 1, 8], *CUBE[1]]
-    with pytest.warns(UserWarning, match="triangle 0 has the vertex 8"):
-        scene = scene_of((vertices, triangles), device=device)
-    found = scene.compute_closest_points([[0.5, 0.25, -1]])
-    assert found["primitive_ids"].tolist() == [2]
 
 
 def test_wrong_queries_are_refused():

@@ -9,43 +9,7 @@ import pointloom as loom
 from pointloom.core.errors import DeviceError
 from pointloom.kernels.lang import uint16
 
-from .tsdf_scenes import (
-    RADIUS,
-    SMALL,
-    TRUNCATION,
-    VOXEL,
-    all_bits,
-    fingerprint,
-    fuse,
-    look_at,
-    sphere_frames,
-    view_from,
-    voxels_of,
-)
-
-
-def test_a_volume_at_utm_coordinates_is_the_one_at_the_origin(device):
-    """The origin is the first camera's place in whole metres: (-1, 0, 0) from the sphere, so are the lattices."""
-    near, center = np.array([1.0, 0.0, 0.0]), np.array([500_000.0, 5_400_000.0, 300.0])
-    here, there = (fuse(sphere_frames(center=c), device) for c in (near, center))
-    np.testing.assert_array_equal(there.origin - center, here.origin - near)
-    a, b = here.extract_triangle_mesh(0), there.extract_triangle_mesh(0)
-    assert len(a) == len(b)
-    assert np.abs(a.vertices - near - (b.vertices - center)).max() < 1e-4
-    eye = np.array([1.0, 0.5, 0.4])
-    T = look_at(near + eye, near)
-    left, right = view_from(here, T), view_from(there, look_at(center + eye, center))
-    assert np.quantile(np.abs(left.depth - right.depth), 0.999) < 1e-4
-    hit = right.depth > 0
-    radii = np.linalg.norm(right.points[hit] - center, axis=1)
-    assert np.median(np.abs(radii - RADIUS)) < 0.3 * VOXEL
-    cloud = there.extract_point_cloud(0)
-    assert np.median(np.abs(np.linalg.norm(cloud.points - center, axis=1) - RADIUS)) < 0.3 * VOXEL
-
-
-def test_two_runs_give_the_same_bits(device):
-    assert all_bits(device) == all_bits(device)
-
+from .tsdf_scenes import SMALL, TRUNCATION, VOXEL, fingerprint, voxels_of
 
 DEPTH, E = np.full((24, 32), 1.0), np.eye(4)
 MIRROR, SCALED = np.diag([-1.0, 1, 1, 1]), np.diag([2.0, 2, 2, 1])

@@ -75,12 +75,6 @@ def test_a_volume_far_from_zero_keeps_its_origin(tmp_path):
     assert again.origin.tolist() == [5e5, 5.4e6, 0] and bits(again) == bits(volume)
 
 
-def test_the_same_volume_gives_the_same_file(tmp_path):
-    for name in ("a", "b"):
-        make("cpu").save(tmp_path / f"{name}.npz")
-    assert (tmp_path / "a.npz").read_bytes() == (tmp_path / "b.npz").read_bytes()
-
-
 def test_an_existing_file_stays_where_it_may_not_be_replaced(tmp_path):
     path = tmp_path / "room.npz"
     path.write_bytes(b"something else")

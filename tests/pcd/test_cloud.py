@@ -129,24 +129,6 @@ def test_utm_coordinates_survive_to_the_float32_of_their_extent(device, extent, 
     assert float32_alone > 0.1
 
 
-@pytest.mark.filterwarnings("ignore::pointloom.UnitWarning")  # which such a length is right to cause
-def test_utm_coordinates_survive_every_operation(device, rng, tolerances):
-    cloud = full_cloud(rng, device, shift=UTM)
-    exact = cloud.points
-    T = np.eye(4)
-    T[:3, 3] = [1e5, -2e5, 3]
-    box = loom.AxisAlignedBoundingBox(UTM + 2, UTM + 8)
-    inside = ((exact >= UTM + 2) & (exact <= UTM + 8)).all(axis=1)
-    limit = tolerances.position / 100
-    np.testing.assert_allclose(cloud.transform(T).points, exact + T[:3, 3], rtol=0, atol=limit)
-    np.testing.assert_allclose(cloud.transform(T).transform(np.linalg.inv(T)).points, exact, rtol=0, atol=limit)
-    np.testing.assert_array_equal(cloud.crop(box).points, exact[inside])
-    np.testing.assert_array_equal(cloud.select_by_index([5, -1]).points, exact[[5, -1]])
-    np.testing.assert_allclose(cloud.get_min_bound(), exact.min(axis=0), rtol=0, atol=1e-9)
-    one = cloud.voxel_down_sample(1000.0)
-    np.testing.assert_allclose(one.points, exact.mean(axis=0)[None], rtol=0, atol=limit)
-
-
 @pytest.mark.parametrize("stray", [[0, 0, 0], [1e7, 0, 0], [0, 0, -1e12]])
 def test_one_stray_point_takes_no_precision_from_the_others(device, stray, rng, tolerances):
     for shift in (np.zeros(3), UTM):

@@ -104,19 +104,6 @@ def test_neighbourhoods_that_span_nothing_have_no_shape(device):
         assert all(np.isnan(values).all() for values in shapes.attributes.values())
 
 
-def test_a_nan_spoils_no_other_points_shape(device, rng, tolerances):
-    points = bumpy(rng)
-    bad = rng.permutation(len(points))[:50]
-    good = np.setdiff1d(np.arange(len(points)), bad)
-    spoiled = points.copy()
-    spoiled[bad, 2] = np.nan
-    found = loom.compute_eigen_features(loom.PointCloud(spoiled, device=device), radius=0.2)
-    expected = loom.compute_eigen_features(loom.PointCloud(points[good], device=device), radius=0.2)
-    for name in expected.attributes:
-        assert np.isnan(found[name][bad]).all()
-        np.testing.assert_allclose(found[name][good], expected[name], rtol=0, atol=tolerances.eigen_feature)
-
-
 def test_shapes_travel_with_attributes_origin_and_grid(device, rng):
     utm = np.array([5e5, 5.4e6, 100])
     points = bumpy(rng)

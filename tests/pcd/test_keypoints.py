@@ -109,17 +109,6 @@ def test_one_radius_alone_is_replaced_too_as_in_open3d(device, radii, scans):
     assert found.tolist() == loom.compute_iss_keypoints(cloud, return_indices=True)[1].tolist()
 
 
-def test_keypoints_at_utm_coordinates_are_those_at_the_origin(device, scans):
-    """The scan's coordinates are whole multiples of what float32 resolves there."""
-    points = scans["terrain"]
-    utm = np.array([512_000.0, 5_403_000.0, 300.0])
-    far = loom.PointCloud(points + utm, device=device, origin=utm, label=np.arange(len(points)))
-    keypoints = loom.compute_iss_keypoints(far, 6.0, 4.0)
-    expected = loom.compute_iss_keypoints(loom.PointCloud(points, device=device), 6.0, 4.0, return_indices=True)[1]
-    assert keypoints["label"].tolist() == expected.tolist()
-    assert (keypoints.origin == utm).all()
-
-
 @examples(15)
 @given(seed=st.integers(0, 2**32 - 1), count=st.integers(0, 80), min_neighbors=st.integers(1, 8))
 def test_keypoints_are_those_of_their_definition(device, seed, count, min_neighbors):

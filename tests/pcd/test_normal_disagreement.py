@@ -64,16 +64,6 @@ def test_edges_of_a_box_and_the_two_sides_of_a_wall_do_not_count(device, rng):
     assert loom.PointCloud(corner, normals=normals, device=device).normal_disagreement() == 0
 
 
-def test_points_and_normals_that_are_not_finite_are_in_no_pair(device, rng):
-    points, normals = ball(500), ball(500)
-    bad = rng.permutation(500)[:120]
-    normals[bad[:40]], normals[bad[40:80]], points[bad[80:]] = np.nan, 0, np.nan
-    good = np.isfinite(points).all(axis=1) & np.isfinite(normals).all(axis=1) & (normals != 0).any(axis=1)
-    assert loom.PointCloud(points, normals=normals, device=device).normal_disagreement() == 0
-    normals[good] *= rng.choice([-1, 1], (good.sum(), 1))
-    assert 0.3 < loom.PointCloud(points, normals=normals, device=device).normal_disagreement() < 0.7
-
-
 @pytest.mark.parametrize("count", [0, 1, 2])
 def test_few_points_disagree_in_nothing(device, count):
     points = ball(3)[:count]

@@ -137,22 +137,6 @@ def test_a_ball_and_a_cloud_of_noise_have_no_large_patch(device, rng):
         assert all(patch.extent[:2].max() < 0.8 for patch in patches)
 
 
-def test_points_that_are_not_finite_belong_to_no_patch(device, rng):
-    points, _ = room(rng, 12_000, 0.004)
-    cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=30)
-    limits = {"min_num_points": 20}
-    expected = cloud.detect_planar_patches(**limits)
-    spoiled = np.full((18_000, 3), np.nan)
-    spoiled[np.arange(18_000) % 3 != 2] = points
-    normals = np.full((18_000, 3), np.nan, np.float32)
-    normals[np.arange(18_000) % 3 != 2] = cloud.normals
-    spoiled[2::30] = 0.5  # finite points without a normal
-    found = loom.PointCloud(spoiled, normals=normals, device=device).detect_planar_patches(**limits)
-    assert len(found) == len(expected) == 6
-    for a, b in zip(found, expected, strict=True):
-        np.testing.assert_allclose(a.center, b.center, atol=0.02)
-
-
 def test_limits_choose_patches(device, rng):
     points, _ = room(rng, 12_000, 0.004)
     cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=30)

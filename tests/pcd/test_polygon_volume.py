@@ -121,15 +121,6 @@ def test_ends_are_inclusive_and_of_the_edges_the_upper_ones(device):
     assert volume.crop_in_polygon(loom.PointCloud(points, device=device)).tolist() == [0, 1, 4, 6, 8]
 
 
-def test_points_that_are_not_finite_are_outside(device):
-    """Open3D takes a NaN along the axis for inside."""
-    volume = loom.SelectionPolygonVolume(SQUARE, "Z", -1, 2)
-    points = [[1, 1, 0], [1, 1, np.nan], [np.nan, 1, 0], [np.inf, 1, 0], [1, 1, -np.inf], [3, 3, 1]]
-    cloud = loom.PointCloud(points, device=device)
-    assert volume.crop_in_polygon(cloud).tolist() == volume.crop_in_polygon(points).tolist() == [0, 5]
-    assert volume.crop_in_polygon(cloud, invert=True).tolist() == [1, 2, 3, 4]
-
-
 def test_a_crop_carries_attributes_and_origin(device, rng):
     cloud = loom.PointCloud(
         rng.random((50, 3)) * 8 + [5e5, 5.4e6, 0], normals=rng.normal(size=(50, 3)), row=np.arange(50), device=device

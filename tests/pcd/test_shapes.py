@@ -8,7 +8,6 @@ import pointloom as loom
 from .made_shapes import SIZES, made_shape
 
 ROUND = ["sphere", "cylinder", "cone", "torus"]
-UTM = np.array([500_000.0, 5_400_000.0, 300.0])
 
 
 def segment(cloud, kind, *arguments, **options):
@@ -60,17 +59,6 @@ def test_stated_errors_are_those_that_are_made(device, kind):
         shape, _ = segment(cloud, kind, 0.05, 60, probability=0.99)
         ratios.extend((sizes_of(shape) - SIZES[kind]) / sigma_of(shape))
     assert 0.6 < np.sqrt(np.mean(np.square(ratios))) < 1.5
-
-
-@pytest.mark.parametrize("kind", ROUND)
-def test_a_shape_at_utm_coordinates_is_that_at_the_origin(device, rng, kind):
-    points = np.round(scene(kind, rng, 1000, 400, 0.002)[0] * 2**20) / 2**20  # the sums with UTM are exact
-    far = loom.PointCloud(points + UTM, device=device, origin=UTM).estimate_normals()
-    near = loom.PointCloud(points, device=device, origin=np.zeros(3)).estimate_normals()
-    (there, theirs), (here, ours) = (segment(cloud, kind, 0.01) for cloud in (far, near))
-    np.testing.assert_array_equal(theirs, ours)
-    np.testing.assert_array_equal(sizes_of(there), sizes_of(here))
-    np.testing.assert_allclose(there.center - UTM, here.center, atol=2e-9)
 
 
 @pytest.mark.parametrize("kind", ROUND)

@@ -116,26 +116,6 @@ def test_voxels_of_a_made_cloud_are_open3ds_also_at_utm_coordinates(device, rng,
         np.testing.assert_allclose(found[name][rows], values, rtol=0, atol=tolerances.voxel_attribute)
 
 
-def test_points_that_are_not_finite_are_dropped(device, rng):
-    points = rng.random((200, 3))
-    points[::9, 1], points[4] = np.nan, [np.inf, 0, 0]
-    cloud = loom.PointCloud(points, device=device, row=np.arange(200))
-    finite = cloud.remove_non_finite_points()
-    found, expected = cloud.voxel_down_sample(0.3), finite.voxel_down_sample(0.3)
-    np.testing.assert_array_equal(found.points, expected.points)
-    np.testing.assert_array_equal(found["row"], expected["row"])
-    nothing = loom.PointCloud(np.full((5, 3), np.nan), device=device, time=np.ones(5)).voxel_down_sample(1.0)
-    assert len(nothing) == 0 and list(nothing.attributes) == ["time"]
-
-
-def test_nan_normals_are_left_out_of_a_mean(device):
-    """Open3D leaves them out of the sum, yet divides by all points: its mean of two normals and a NaN is 2/3 long."""
-    normals = np.array([[0, 0, 1], [np.nan] * 3, [0, 0, 1], [np.nan] * 3])
-    points = np.array([[0, 0, 0], [0.1, 0, 0], [0.2, 0, 0], [5, 5, 5]])
-    found = loom.PointCloud(points, normals=normals, device=device).voxel_down_sample(1.0).normals
-    assert found[0].tolist() == [0, 0, 1] and np.isnan(found[1]).all()
-
-
 @pytest.mark.filterwarnings("ignore::pointloom.UnitWarning")  # which such a length is right to cause
 def test_a_voxel_larger_than_the_cloud_gives_its_mean(device, rng):
     points = rng.random((100, 3)).astype(np.float32)

@@ -107,21 +107,6 @@ def test_information_is_about_the_worlds_origin(device, rng, tolerances):
     assert len(pairs) > 150
 
 
-def test_far_away_pairs_are_those_of_centred_clouds(device, rng):
-    """Open3D's are too; ours are float32 about an origin of each cloud's own."""
-    shift = np.array([5e5, 5.4e6, 0.0])
-    source, target = exact(rng.random((2000, 3)) * 30), exact(rng.random((2000, 3)) * 30)
-    T = as_pose([0.1, 0.05, -0.1], [0.5, -0.2, 0.1])
-    near = reg.evaluate_registration(*(loom.PointCloud(p, device=device) for p in (source, target)), 1.0, T)
-    far = T.copy()
-    far[:3, 3] = T[:3, 3] + shift - T[:3, :3] @ shift
-    clouds = (loom.PointCloud(p + shift, device=device) for p in (source, target))
-    away = reg.evaluate_registration(*clouds, 1.0, far)
-    agree = set(map(tuple, near.correspondence_set)) & set(map(tuple, away.correspondence_set))
-    assert len(agree) >= len(near.correspondence_set) - 2 > 400
-    assert away.inlier_rmse == pytest.approx(near.inlier_rmse, abs=1e-5)
-
-
 def test_any_affine_map_is_evaluated(device, rng, oracle):
     T = np.eye(4)
     T[:3] = [[1.3, 0.2, 0, 0.1], [0, 0.8, 0.1, -0.2], [0.1, 0, -1.1, 0.9]]
@@ -192,13 +177,3 @@ def test_evaluations_are_those_of_all_pairs(clouds, holes, shift, distance):
     assert result.fitness == paired.sum() / max(1, whole.sum())
     rmse = np.sqrt(np.square(nearest[paired]).mean()) if paired.any() else 0.0
     assert result.inlier_rmse == pytest.approx(rmse, abs=1e-6)
-
-
-def test_two_runs_give_the_same_bits(device, rng):
-    source, target, T, distance = rng.random((3000, 3)), rng.random((2500, 3)), as_pose([0, 0, 0.1]), 0.1
-    clouds = [loom.PointCloud(p, device=device) for p in (source, target)]
-    one, two = (reg.evaluate_registration(*clouds, distance, T) for _ in range(2))
-    assert one.inlier_rmse == two.inlier_rmse
-    np.testing.assert_array_equal(one.correspondence_set, two.correspondence_set)
-    matrices = [reg.get_information_matrix_from_point_clouds(*clouds, distance, T) for _ in range(2)]
-    np.testing.assert_array_equal(*matrices)

@@ -10,7 +10,7 @@ import pytest
 import pointloom as loom
 
 from .poses import moved
-from .wrong_pairs import assert_no_pose, clouds, fgr, made_up, ransac, robust
+from .wrong_pairs import assert_no_pose, fgr, made_up, ransac, robust
 
 reg = loom.registration
 # By the method: its call, the fewest correspondences, and the errors of its poses [degrees], [m].
@@ -28,32 +28,6 @@ def test_the_pose_is_found_among_wrong_correspondences(device, rng, method, outl
     assert angle_between(result.transformation, case.T) < degrees
     assert np.linalg.norm(result.transformation[:3, 3] - case.T[:3, 3]) < distance
     assert result.fitness > 0.95 and result.converged and result.transformation.dtype == np.float64
-
-
-@EACH
-def test_the_pose_at_utm_coordinates_is_as_exact(device, rng, method, tolerances):
-    case, run = made_up(rng, outliers=0.6), METHODS[method][0]
-    near = run(case, device)
-    source_offset, target_offset = np.array([5e5, 5.4e6, 120.0]), np.array([4e5, 5.1e6, -30.0])
-    case.source, case.target = case.source + source_offset, case.target + target_offset
-    assert np.abs(clouds(case)[0].origin).max() > 1e6
-    far, points = run(case, device), case.source[::50]
-    at_origin = moved(points - source_offset, near.transformation) + target_offset
-    np.testing.assert_allclose(moved(points, far.transformation), at_origin, atol=tolerances.position)
-    assert far.fitness == near.fitness
-
-
-@EACH
-def test_correspondences_of_points_that_are_not_finite_do_not_count(device, rng, method, angle_between):
-    case, (run, _, degrees, _) = made_up(rng, 600, outliers=0.5), METHODS[method]
-    case.source[::3], case.target[::5, 1] = np.nan, np.inf
-    result = run(case, device)
-    assert angle_between(result.transformation, case.T) < degrees
-    pairs = result.correspondence_set
-    assert np.isfinite(case.source[pairs[:, 0]]).all() and np.isfinite(case.target[pairs[:, 1]]).all()
-    case.source[:] = np.nan
-    lost = run(case, device)
-    assert (lost.transformation == np.eye(4)).all() and not lost.converged and lost.score == 0
 
 
 @EACH
@@ -98,12 +72,3 @@ def test_degenerate_clouds_end_without_an_exception(device, rng, shape):
         else:
             np.testing.assert_allclose(moved(points, result.transformation), case.target, atol=1e-5)
             assert result.fitness == 1
-
-
-@EACH
-def test_the_same_seed_gives_the_same_bits(device, rng, method):
-    case, run = made_up(rng, outliers=0.9, noise=0.005), METHODS[method][0]
-    first, again = run(case, device, seed=3), run(case, device, seed=3)
-    np.testing.assert_array_equal(first.transformation, again.transformation)
-    np.testing.assert_array_equal(first.correspondence_set, again.correspondence_set)
-    assert first.iterations == again.iterations

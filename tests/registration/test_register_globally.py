@@ -186,11 +186,3 @@ def test_a_box_has_more_than_one_pose(device, rng):
 
     result = reg.register_globally(box(), box(), voxel_size=0.1)
     assert result.score <= 0.5 and "poses fit alike" in result.reason
-
-
-def test_two_runs_give_the_same_bits(device, hilly_pair):
-    source, target, _ = hilly_pair
-    clouds = [loom.PointCloud(points, device=device) for points in (source, target)]
-    results = [reg.register_globally(*clouds, voxel_size=0.1, seed=3) for _ in range(2)]
-    assert (results[0].transformation == results[1].transformation).all()
-    assert results[0].score == results[1].score and results[0].fitness == results[1].fitness

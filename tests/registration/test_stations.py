@@ -130,13 +130,6 @@ def test_clouds_in_the_coordinates_of_a_survey_keep_all_digits():
 
 
 @pytest.mark.slow
-def test_the_same_bits_twice(found, court):
-    again = register_stations(court[0], poses=rough_of(court[1], 0), voxel_size=SIZE)
-    assert again.poses.tobytes() == found.poses.tobytes()
-    assert again.sigmas.tobytes() == found.sigmas.tobytes()
-
-
-@pytest.mark.slow
 def test_scanners_that_lean_are_put_upright_in_six_degrees_of_freedom():
     clouds, truth = scan_all(BOXES, COURT[:4], 2, columns=360, rows=120)
     rng = np.random.default_rng(0)

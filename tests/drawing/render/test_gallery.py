@@ -28,8 +28,3 @@ def test_each_step_has_a_picture(step):
     covered = (image != 255).any(axis=2).mean()
     shades = np.unique(image.reshape(-1, 3), axis=0)
     assert 0.1 < covered < 0.9 and len(shades) > 100
-
-
-def test_each_step_is_told_in_a_line():
-    titles = [step.__doc__ for step in gallery.STEPS]
-    assert len(set(titles)) == len(titles) and max(map(len, titles)) <= 46

@@ -200,12 +200,6 @@ def test_crowded_points_look_as_when_each_is_drawn(device):
     assert np.abs(crowded.astype(int) - alone).mean() < 8
 
 
-def test_points_that_are_not_finite_are_left_out(device):
-    cloud = [[np.nan, 0, 0], [0, 0, 0], [np.inf, 1, 1]]
-    image = loom.render(paint(np.array(cloud)), straight_view(2.0), point_size=8, device=device)
-    assert coverage(image) == pytest.approx(np.pi * 16, rel=0.1)
-
-
 def test_points_behind_their_neighbours_are_darker_and_those_with_normals_are_lit(device):
     x, y = np.meshgrid(np.linspace(-1, 1, 200), np.linspace(-1, 1, 200))
     step = np.column_stack([x.ravel(), y.ravel(), np.where(x < 0, 0.0, 0.5).ravel()])

@@ -99,11 +99,6 @@ def test_both_compilers_draw_the_same_words():
     assert np.allclose(drawn[0][2], drawn[1][2], atol=1e-5)
 
 
-def test_two_runs_give_the_same_bits(device):
-    for first, second in zip(draw(device, 3000), draw(device, 3000), strict=True):
-        assert first.tobytes() == second.tobytes()
-
-
 def test_uniform_numbers_fill_the_unit_interval_evenly(device):
     _, uniform, _ = draw(device, 50_000)
     assert uniform.min() >= 0 and uniform.max() < 1

@@ -232,14 +232,6 @@ def test_no_triangles_leave_the_buffer_empty(device):
     assert (draw(device, np.empty((0, 3)), np.empty((0, 3)))[1] == -1).all()
 
 
-def test_many_overlapping_triangles_give_the_same_bits_each_time(device):
-    rng = np.random.default_rng(0)
-    vertices = rng.uniform((-1, -1, -1), (1, 1, 4), (3000, 3))
-    triangles = rng.integers(0, 3000, (4001, 3))
-    first, second = draw(device, vertices, triangles), draw(device, vertices, triangles)
-    assert first[0].tobytes() == second[0].tobytes() and first[1].tobytes() == second[1].tobytes()
-
-
 def test_points_are_discs_and_the_nearest_is_seen(device):
     depth, seen = splat(device, [[0, 0, 2], [0, 0, 1], [0, 0, -1], [np.nan, 0, 1]], 6.0, start=100)
     assert set(np.unique(seen)) == {-1, 101}

@@ -1,7 +1,6 @@
 """What networks are given and what is taken from them, preset by preset; and models that are not the preset's."""
 
 import sys
-from pathlib import Path
 
 import numpy as np
 import onnx
@@ -57,14 +56,6 @@ def test_the_command_offers_every_preset():
     assert "Apache-2.0" in PRESETS[depth_command.PRESETS[0]].licence
 
 
-def test_the_page_names_every_preset_and_its_licence():
-    page = (Path(__file__).parents[3] / "docs" / "depth.md").read_text()
-    rows = [line for line in page.splitlines() if line.startswith("| `")]
-    for name, preset in PRESETS.items():
-        (row,) = (line for line in rows if f"`{name}`" in line)
-        assert preset.licence.split()[0] in row
-
-
 def picture_of(size, seed=0):
     return np.random.default_rng(seed).integers(0, 256, (*size, 3), dtype=np.uint8)
 
@@ -86,9 +77,6 @@ def test_no_number_goes_in_that_no_picture_has(tmp_path):
     picture[:, 20:] = 255  # bicubic kernels go beyond at such edges
     values = model.run(picture)
     assert (values.min(), values.max()) == (0, 1)
-
-
-MAPS = [name for name, preset in PRESETS.items() if preset.reading == "map"]  # the others: test_metric_networks.py
 
 
 @pytest.mark.parametrize("name", ["depth-anything-v2", "midas-v2.1-onnx", "dpt", "depth-anything-3"])

@@ -75,12 +75,6 @@ def test_where_no_plane_is_certain_there_is_no_prior(device, kind):
     assert not given(device, w, sure, plain).any()
 
 
-def test_the_same_planes_come_twice(device):
-    w, textured = 0.5 + 0.002 * u, frame(10)
-    noisy = w + np.random.default_rng(0).normal(0, 0.3 / PIXELS_PER, w.shape)
-    assert given(device, noisy, textured, ~textured).tobytes() == given(device, noisy, textured, ~textured).tobytes()
-
-
 def random_picture(seed: int) -> tuple[np.ndarray, np.ndarray]:
     """Plain and sure pixels in speckles and bands."""
     rng = np.random.default_rng(seed)

@@ -2,9 +2,6 @@
 
 import dataclasses
 import json
-import os
-import subprocess
-import sys
 import weakref
 from pathlib import Path
 
@@ -20,7 +17,6 @@ from pointloom.files.frames.datasets import Frame
 from .walks import Walk, blank, config, frame_at
 
 run_system = loom.reconstruction.run_system
-ROOT = Path(__file__).resolve().parents[3]
 
 
 def digest_of(folder):
@@ -181,18 +177,3 @@ def test_frames_are_not_held(tmp_path):
     run_system(walk, config(n_frames_per_fragment=4), tmp_path)
     assert len(most) == 24  # twice for fragments, once for the scene
     assert max(most) <= 6  # those decoded ahead
-
-
-@pytest.mark.slow
-def test_the_number_of_threads_changes_no_bit(tmp_path):
-    program = f"""
-import sys
-sys.path.insert(0, {str(ROOT)!r})
-from tests.rgbd.reconstruction.walks import Walk, config
-import pointloom as loom
-loom.reconstruction.run_system(Walk(range(5)), config(n_frames_per_fragment=3), {str(tmp_path / "one")!r})
-"""
-    environment = os.environ | {"POINTLOOM_CPU_THREADS": "1", "PYTHONPATH": str(ROOT / "src")}
-    subprocess.run([sys.executable, "-c", program], env=environment, check=True, timeout=300)
-    run_system(Walk(range(5)), config(n_frames_per_fragment=3), tmp_path / "all")
-    assert digest_of(tmp_path / "one") == digest_of(tmp_path / "all")

@@ -63,13 +63,6 @@ def test_times_are_those_of_30_frames_a_second():
     assert [sequence.read(i).timestamp for i in (0, 30)] == [0.0, 1.0]
 
 
-def test_a_loop_has_the_same_bits_each_time(device):
-    options = {**SMALL, "blur": 1.0, "exposure": 0.5, "person": True, "seed": 3}
-    first, again = (room_loop_sequence(40, device=device, **options).read(2) for _ in range(2))
-    assert first.depth.tobytes() == again.depth.tobytes()
-    assert first.color.tobytes() == again.color.tobytes()
-
-
 def test_a_covered_lens_sees_nothing_and_the_pose_stays_true():
     plain, covered = room_loop_sequence(9, **SMALL), room_loop_sequence(9, **SMALL, covered=(2, 4))
     for i in range(9):
