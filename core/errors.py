@@ -54,14 +54,14 @@ class DeviceError(PointloomError, RuntimeError):
 
 
 @contextlib.contextmanager
-def values_of_file(path: FilePath, *, where: str = "", remedy: str = "") -> Iterator[None]:
+def values_of_file(path: FilePath, *, where: str = "") -> Iterator[None]:
     """Turn the errors of argument checks, for values that were read from a file, into a FileError with its path."""
     try:
         yield
     except FileError:
         raise
     except (ValueError, TypeError, OverflowError) as error:
-        raise FileError(path, str(error), where=where, remedy=remedy) from error
+        raise FileError(path, str(error), where=where) from error
 
 
 def _near_paths(path: str) -> str:

@@ -145,7 +145,7 @@ def _read_ascii(path: Any, source: Source, header: PcdHeader) -> dict[str, NDArr
             parts = []
             for k in range(column, column + field.count):
                 if field.name in PACKED and field.dtype == np.float32:
-                    parts.append(_packed_floats(path, table[:, k], unmeasured))
+                    parts.append(_packed_floats(table[:, k], unmeasured))
                 elif field.dtype.kind in "iu" and field.dtype.itemsize == 8:  # float64 holds 53 bits of these
                     words = rows.words() if words is None else words
                     parts.append(_exact_integers(path, rows, words[k::width], field))
@@ -167,7 +167,7 @@ def _unmeasured(header: PcdHeader, table: NDArray[np.float64]) -> NDArray[np.boo
     return np.asarray(np.isnan(table[:, places]).all(axis=1))
 
 
-def _packed_floats(path: Any, column: NDArray[np.float64], unmeasured: NDArray[np.bool_]) -> NDArray[np.float32] | None:
+def _packed_floats(column: NDArray[np.float64], unmeasured: NDArray[np.bool_]) -> NDArray[np.float32] | None:
     """Packed colours of a text as the floats that have their bits; None if "nan" stands for some of them.
 
     Whole numbers are the packed number itself, as some programs write it: the float of a colour is none.

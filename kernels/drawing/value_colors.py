@@ -177,13 +177,6 @@ def take_every_wide_kernel(values: array(dtype=float64), stride: int, out: array
     out[i] = values[i * stride]
 
 
-@kernel
-def take_every_coordinate_kernel(points: array(dtype=vec3), axis: int, stride: int, out: array(dtype=float32)):
-    """One coordinate of one point of each run of `stride`."""
-    i = tid()
-    out[i] = coordinate(points[i * stride], axis)
-
-
 def color_values(values: Scalars | Doubles, ramp: Ramp) -> Vectors:
     """The colours of numbers: vec3 of a device array of float32 or float64."""
     colors = empty(values.size, vec3, values.device)
@@ -229,20 +222,10 @@ def color_normals(normals: Vectors, missing: tuple[float, float, float]) -> tupl
     return colors, flag
 
 
-def sample_evenly(values: AnyArray, most: int, *, axis: int = 0) -> np.ndarray:
-    """At most so many numbers of a device array, evenly spaced from the first on: NumPy (one sync).
-
-    Args:
-        values: float32 or float64 [n], or vec3 [n], of which one coordinate is taken.
-        most: How many at most.
-        axis: The coordinate.
-    """
+def sample_evenly(values: AnyArray, most: int) -> np.ndarray:
+    """At most `most` numbers of a device array of float32 or float64, evenly spaced from the first on (one sync)."""
     stride = max(1, -(-values.size // most))
     count = -(-values.size // stride)
-    if values.dtype == vec3:
-        out = empty(count, float32, values.device)
-        launch(take_every_coordinate_kernel, count, [values, axis, stride, out])
-    else:
-        out = empty(count, values.dtype, values.device)
-        launch(take_every_kernel if values.dtype == float32 else take_every_wide_kernel, count, [values, stride, out])
+    out = empty(count, values.dtype, values.device)
+    launch(take_every_kernel if values.dtype == float32 else take_every_wide_kernel, count, [values, stride, out])
     return download(out)  # sync

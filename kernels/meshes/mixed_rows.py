@@ -7,7 +7,7 @@ of the row that counts most, of equal ones the first. 36 B a vertex; each value 
 
 from typing import Any
 
-from ..array_types import AnyArray, Array1, Array2, Doubles, Indices, Triangles
+from ..array_types import AnyArray, Array1, Doubles, Indices, Triangles
 from ..arrays.select import gather_rows
 from ..lang import array, float64, int32, kernel, launch, struct, tid, vec3d, vec3i
 from ..memory import cast, empty
@@ -106,20 +106,6 @@ def mix_ends_kernel(
     weights[numbers[i]] = vec3d(1.0 - shares[i], shares[i], 0.0)
 
 
-@kernel
-def mix_corners_kernel(
-    triangles: array(dtype=vec3i),
-    chosen: array(dtype=int32),
-    uvs: array(dtype=float64, ndim=2),
-    rows: array(dtype=vec3i),
-    weights: array(dtype=vec3d),
-):
-    """Vertices in triangles, by the weights of their second and third corners."""
-    i = tid()
-    rows[i] = triangles[chosen[i]]
-    weights[i] = vec3d(1.0 - uvs[i, 0] - uvs[i, 1], uvs[i, 0], uvs[i, 1])
-
-
 def with_vertices_on_edges(count: int, numbers: Indices, lows: Indices, highs: Indices, shares: Doubles) -> MixedRows:
     """`count` vertices as they are, and one behind them for each edge.
 
@@ -133,18 +119,4 @@ def with_vertices_on_edges(count: int, numbers: Indices, lows: Indices, highs: I
     rows, weights = empty(total, vec3i, device), empty(total, vec3d, device)
     launch(keep_rows_kernel, count, [rows, weights])
     launch(mix_ends_kernel, lows.size, [numbers, lows, highs, shares, rows, weights])
-    return MixedRows(rows, weights)
-
-
-def in_triangles(triangles: Triangles, chosen: Indices, uvs: Array2[float64]) -> MixedRows:
-    """Vertices at points of triangles.
-
-    Args:
-        triangles: vec3i [t].
-        chosen: int32 [n], the triangle of each, none below zero.
-        uvs: float64 [n, 2], the weights of its second and third corner.
-    """
-    device = triangles.device
-    rows, weights = empty(chosen.size, vec3i, device), empty(chosen.size, vec3d, device)
-    launch(mix_corners_kernel, chosen.size, [triangles, chosen, uvs, rows, weights])
     return MixedRows(rows, weights)

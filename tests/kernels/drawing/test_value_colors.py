@@ -80,6 +80,3 @@ def test_a_sample_is_evenly_spaced_from_the_first_value_on(device, count, most):
         found = value_colors.sample_evenly(memory.upload(values, dtype, device), most)
         np.testing.assert_array_equal(found, values[::stride])
         assert len(found) <= most
-    points = np.column_stack([values, values + 1, values + 2])
-    found = value_colors.sample_evenly(memory.upload(points, vec3, device), most, axis=2)
-    np.testing.assert_array_equal(found, points[::stride, 2])

@@ -6,12 +6,11 @@ import numpy as np
 import pytest
 
 from pointloom.core.devices import resolve_device
-from pointloom.kernels.lang import float64, int32, uint8, vec3, vec3i
+from pointloom.kernels.lang import uint8, vec3, vec3i
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.meshes.clean_triangles import join_masks, mask_repeats
 from pointloom.kernels.meshes.mesh_edges import MeshEdges, count_sharers
 from pointloom.kernels.meshes.mesh_measures import measure
-from pointloom.kernels.meshes.mixed_rows import in_triangles
 from pointloom.kernels.meshes.pseudonormals import volume_of_shell
 from pointloom.kernels.meshes.sheets import OpenEdges
 
@@ -45,14 +44,6 @@ def test_open_half_edges_without_length_belong_to_no_edge(put):
 def test_masks_are_joined(put):
     joined = join_masks(put([1, 0, 0, 0], uint8), put([0, 1, 0, 0], uint8), put([0, 1, 1, 0], uint8))
     assert download(joined).tolist() == [1, 1, 1, 0]
-
-
-def test_vertices_in_triangles_are_mixed_from_the_corners_and_whole_numbers_are_of_the_nearest(put):
-    uvs = [[0.2, 0.1], [0.6, 0.2], [0.1, 0.7], [0.5, 0.5], [0.0, 0.5]]
-    made = in_triangles(put(FACES, vec3i), put([0, 0, 0, 1, 3], int32), put(uvs, float64))
-    assert download(made.nearest()).tolist() == [0, 2, 1, 1, 1]
-    expected = [[0.1, 0.2, 0], [0.2, 0.6, 0], [0.7, 0.1, 0], [0.5, 0, 0.5], [0.5, 0, 0.5]]
-    np.testing.assert_allclose(download(made.of(put(CORNERS.astype(float), float64))), expected, atol=1e-15)
 
 
 @pytest.mark.parametrize("bad", [np.nan, np.inf])
