@@ -43,11 +43,11 @@ class Bounds(Selection, Movable):
 
     def get_min_bound(self) -> NDArray[np.float64]:
         """The lowest coordinates of the finite points [m], shape [3]; zeros for an empty cloud."""
-        return self.device_bounds()[0]
+        return self._device_bounds()[0]
 
     def get_max_bound(self) -> NDArray[np.float64]:
         """The highest coordinates of the finite points [m], shape [3]; zeros for an empty cloud."""
-        return self.device_bounds()[1]
+        return self._device_bounds()[1]
 
     def get_center(self) -> NDArray[np.float64]:
         """The mean of the finite points [m], shape [3]; zeros where there is none."""
@@ -56,7 +56,7 @@ class Bounds(Selection, Movable):
 
     def get_axis_aligned_bounding_box(self) -> AxisAlignedBoundingBox:
         """The smallest aligned box around the finite points; at zero for an empty cloud."""
-        return AxisAlignedBoundingBox(*self.device_bounds())
+        return AxisAlignedBoundingBox(*self._device_bounds())
 
     def get_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
         """The box along the principal axes of the convex hull's vertices, that of the largest variance first.
@@ -111,7 +111,7 @@ class Bounds(Selection, Movable):
         extremes, _, positions = hull_of_cloud(self._arrays["points"], bool(robust))
         return OrientedBoundingBox(*fit_smallest_box(positions, self._origin, extremes, self.device))
 
-    def device_bounds(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    def _device_bounds(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """The lowest and highest corner [m] of the finite points, [3] each; zeros where there is none."""
         low, high, finite = bound_points(self._arrays["points"])
         if not finite:
@@ -134,13 +134,13 @@ class Bounds(Selection, Movable):
         """The cloud under an affine map; errors call it by the argument that it was made of."""
         A, t = T[:3, :3], T[:3, 3]
         moved = matmul(A, self._origin) + t
-        origin = origin_under(name, A, t, *self.device_bounds(), moved)
+        origin = origin_under(name, A, t, *self._device_bounds(), moved)
         cloud = self._under(A, moved - origin, origin)
         cloud._unit = unit_under(self._unit, A)
         return cloud
 
     def _enlarged(self, factor: float) -> Self:
-        reach = np.abs(np.array(self.device_bounds()) - self._origin).max() * factor
+        reach = np.abs(np.array(self._device_bounds()) - self._origin).max() * factor
         if not reach <= FLOAT32_MAX:
             raise ValueError(f"unit: takes points {reach:.3g} from their origin, farther than float32 holds")
         return self._under(factor * np.eye(3), np.zeros(3), self._origin * factor)
@@ -159,7 +159,7 @@ class Bounds(Selection, Movable):
             and arrays["covariances"].shape[1:] == (9,)
         ):
             arrays["covariances"] = transform_covariances(arrays["covariances"], A)
-        cloud = self.with_arrays(arrays, grid=self.grid)
+        cloud = self._with_arrays(arrays, grid=self.grid)
         cloud._origin = origin
         return cloud
 
@@ -270,7 +270,7 @@ class Bounds(Selection, Movable):
             array([4., 5.])
         """
         check_cloud("target", target)
-        return self.handed_out(measure_to(self, target))
+        return self._handed_out(measure_to(self, target))
 
     def compute_nearest_neighbor_distance(self) -> NDArray[np.float64]:
         """The distance of each point to the nearest other point of the cloud.
@@ -286,7 +286,7 @@ class Bounds(Selection, Movable):
             O(n) memory, the same bits from run to run.
         """
         points = self._arrays["points"]
-        return self.handed_out(nearest_distances(self.search_tree(), points, others=True, missing=0.0))
+        return self._handed_out(nearest_distances(self.search_tree(), points, others=True, missing=0.0))
 
     def compute_mean_and_covariance(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """The mean [m], shape [3], and the covariance [m^2], shape [3, 3], of the finite points.
@@ -307,11 +307,11 @@ class Bounds(Selection, Movable):
         points = self._arrays["points"]
         count, mean, covariance = mean_and_covariance(points)
         inverse = pinvh(covariance, FLAT) if count else np.zeros((3, 3))
-        return self.handed_out(mahalanobis_distances(points, np.nan_to_num(mean), inverse))
+        return self._handed_out(mahalanobis_distances(points, np.nan_to_num(mean), inverse))
 
 
 def measure_to(source: PointArrays, target: PointArrays) -> wp.array:
     """The distance of each point of a cloud to the nearest of another, a float64 device array."""
     check_same_device("queries", source.device, target.device)
     common_unit("source, target", (source.unit, target.unit))
-    return nearest_distances(target.search_tree(), source.points_about(target.origin))
+    return nearest_distances(target.search_tree(), source._points_about(target.origin))

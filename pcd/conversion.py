@@ -42,7 +42,7 @@ class Conversion(Selection):
 
     @classmethod
     @told_arguments
-    def from_depth_image(
+    def create_from_depth_image(
         cls,
         depth: ArrayLike,
         intrinsic: PinholeCameraIntrinsic,
@@ -80,15 +80,15 @@ class Conversion(Selection):
         camera = check_intrinsic(intrinsic, width, height)
         times = 1.0 if depth_trunc >= NOBODY_MEASURES else OTHER_UNIT
         warn_of_scale(depth, scale, depth_trunc, times=times)
-        cloud = cls.from_device_depth(metric, None, camera, extrinsic, stride, project_valid_depth_only, with_normals)
+        cloud = cls._from_device_depth(metric, None, camera, extrinsic, stride, project_valid_depth_only, with_normals)
         cloud._library = library_of(depth)
         return cloud
 
-    create_from_depth_image = from_depth_image
+    create_from_depth_image = create_from_depth_image
 
     @classmethod
     @told_arguments
-    def from_rgbd_image(
+    def create_from_rgbd_image(
         cls,
         image: RGBDImage,
         intrinsic: PinholeCameraIntrinsic,
@@ -98,17 +98,17 @@ class Conversion(Selection):
         stride: int = 1,
         with_normals: bool = False,
     ) -> Self:
-        """The coloured points of an RGB-D image, grey where it holds brightness; arguments as in `from_depth_image`."""
+        """The coloured points of an RGB-D image, grey where it holds brightness; arguments as in `create_from_depth_image`."""
         if not isinstance(image, RGBDImage):
             raise TypeError(f"image: expected an RGBDImage, got {type(image).__name__}")
         camera = check_intrinsic(intrinsic, image.width, image.height)
-        cloud = cls.from_device_depth(
+        cloud = cls._from_device_depth(
             image.depth_array, image.color_array, camera, extrinsic, stride, project_valid_depth_only, with_normals
         )
         cloud._library = image.array_library
         return cloud
 
-    create_from_rgbd_image = from_rgbd_image
+    create_from_rgbd_image = create_from_rgbd_image
 
     def project_to_depth_image(
         self,
@@ -126,7 +126,7 @@ class Conversion(Selection):
             height: Rows of the image [px].
             intrinsic: The camera, of that size.
             extrinsic: T_camera_world, shape [4, 4]; None for the identity.
-            depth_scale: Units of the result a metre; 1000 for millimetres. `from_depth_image` with the same one gives
+            depth_scale: Units of the result a metre; 1000 for millimetres. `create_from_depth_image` with the same one gives
                 the points back.
             depth_max: Farthest depth that is seen [m].
 
@@ -170,12 +170,12 @@ class Conversion(Selection):
         Raises:
             ValueError: As there, or the cloud has no colours.
         """
-        colors = self.required_array("colors", "assign cloud.colors, or use project_to_depth_image")
+        colors = self._required_array("colors", "assign cloud.colors, or use project_to_depth_image")
         words, rows, columns = self._project(width, height, intrinsic, extrinsic, depth_max)
-        return RGBDImage.from_device_arrays(read_colors(words, colors), read_depth(words), rows, columns, self._library)
+        return RGBDImage._from_device_arrays(read_colors(words, colors), read_depth(words), rows, columns, self._library)
 
     @classmethod
-    def from_device_depth(
+    def _from_device_depth(
         cls,
         depth: wp.array,
         color: wp.array | None,
@@ -185,7 +185,7 @@ class Conversion(Selection):
         valid_only: bool,
         with_normals: bool,
     ) -> Self:
-        """`from_depth_image` for depth in metres that is on the device, float32 [h * w], and colours [h * w, 3]."""
+        """`create_from_depth_image` for depth in metres that is on the device, float32 [h * w], and colours [h * w, 3]."""
         step = check_count("stride", stride)
         T_world_camera = np.eye(4) if extrinsic is None else inv(check_rigid("extrinsic", extrinsic))
         origin = origin_of_sensor(T_world_camera[:3, 3])
@@ -199,7 +199,7 @@ class Conversion(Selection):
             arrays["normals"] = normals
         if color is not None:
             arrays["colors"] = color_pixels(color, grid)
-        cloud = cls.from_device_arrays(arrays, origin)
+        cloud = cls._from_device_arrays(arrays, origin)
         if valid_only:
             return cloud._select_mask(valid)
         cloud.grid = (grid.rows, grid.columns)
@@ -262,7 +262,7 @@ class Conversion(Selection):
             check_same_device(name, arrays["points"].device, array.device)
             if array.shape[0] != arrays["points"].size:
                 raise ValueError(f"{name}: expected {arrays['points'].size} rows, one a point, got {array.shape[0]}")
-        cloud = cls.from_device_arrays(arrays, start, library_of(points))
+        cloud = cls._from_device_arrays(arrays, start, library_of(points))
         cloud._kept = KeptTree(arrays["points"], lent=True)
         return cloud
 
@@ -295,7 +295,7 @@ class Conversion(Selection):
         else:
             raise TypeError(f"cloud: expected an open3d.geometry or open3d.t.geometry PointCloud, got {type(cloud)}")
         local, origin = split_origin(present.pop("points"))
-        copied = cls.from_device_arrays({"points": upload(local, vec3, resolve_device(device))}, origin)
+        copied = cls._from_device_arrays({"points": upload(local, vec3, resolve_device(device))}, origin)
         for name, values in present.items():
             if name == "colors" and values.dtype == np.uint16:
                 values = values.astype(np.float32) / np.float32(65535)
@@ -367,7 +367,7 @@ class Conversion(Selection):
                 is_right = values.dtype == vec3 if name in VECTORS else values.dtype not in (vec2, vec3, vec3i)
                 if not is_right or values.ndim not in (1, 2) or values.shape[0] != count:
                     raise ValueError(f"{name}: expected a row for each of {count} points, got {values}")
-            cloud = self.from_device_arrays(arrays, origin, check_library("library", state["library"]))
+            cloud = self._from_device_arrays(arrays, origin, check_library("library", state["library"]))
             if (grid := state["grid"]) is not None:
                 height, width = (check_count("grid", extent, minimum=0) for extent in grid)
                 if height * width != count:
@@ -380,7 +380,7 @@ class Conversion(Selection):
         return self.copy()
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Self:
-        return self.with_arrays({name: clone(array) for name, array in self._arrays.items()}, grid=self.grid)
+        return self._with_arrays({name: clone(array) for name, array in self._arrays.items()}, grid=self.grid)
 
 
 def _import_open3d() -> Any:

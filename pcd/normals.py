@@ -76,7 +76,7 @@ class Normals(Selection):
         normals = estimate_normals(tree, points, count, reach)
         if self.has_normals:
             align_normals(normals, self._arrays["normals"])
-        return self.with_arrays(self._arrays | {"normals": normals}, grid=self.grid)
+        return self._with_arrays(self._arrays | {"normals": normals}, grid=self.grid)
 
     @property
     def covariances(self) -> NDArray[np.float32]:
@@ -88,7 +88,7 @@ class Normals(Selection):
         Raises:
             ValueError: The cloud has none, or those assigned have another shape.
         """
-        rows = self.required_array("covariances", "call estimate_covariances()")
+        rows = self._required_array("covariances", "call estimate_covariances()")
         return download(rows).reshape(-1, 3, 3).astype(np.float32)
 
     @covariances.setter
@@ -127,7 +127,7 @@ class Normals(Selection):
         reach, count = check_search(radius, max_nn)
         points = self._arrays["points"]
         covariances = estimate_covariances(self.search_tree(), points, count, reach)
-        return self.with_arrays(self._arrays | {"covariances": covariances}, grid=self.grid)
+        return self._with_arrays(self._arrays | {"covariances": covariances}, grid=self.grid)
 
     @returns_new
     def normalize_normals(self) -> Self:
@@ -136,8 +136,8 @@ class Normals(Selection):
         Raises:
             ValueError: The cloud has no normals.
         """
-        normals = self.required_array("normals", "call cloud = cloud.estimate_normals()")
-        return self.with_arrays(self._arrays | {"normals": normalize_vectors(normals)}, grid=self.grid)
+        normals = self._required_array("normals", "call cloud = cloud.estimate_normals()")
+        return self._with_arrays(self._arrays | {"normals": normalize_vectors(normals)}, grid=self.grid)
 
     @returns_new
     def flip_normals(self) -> Self:
@@ -146,8 +146,8 @@ class Normals(Selection):
         Raises:
             ValueError: The cloud has no normals.
         """
-        normals = self.required_array("normals", "call cloud = cloud.estimate_normals()")
-        return self.with_arrays(self._arrays | {"normals": flip_vectors(normals)}, grid=self.grid)
+        normals = self._required_array("normals", "call cloud = cloud.estimate_normals()")
+        return self._with_arrays(self._arrays | {"normals": flip_vectors(normals)}, grid=self.grid)
 
     @returns_new
     def orient_normals_to_align_with_direction(self, orientation_reference: ArrayLike = (0.0, 0.0, 1.0)) -> Self:
@@ -213,7 +213,7 @@ class Normals(Selection):
             >>> bool(((oriented.normals * sphere).sum(axis=1) > 0).all())
             True
         """
-        normals = self.required_array("normals", "call cloud = cloud.estimate_normals()")
+        normals = self._required_array("normals", "call cloud = cloud.estimate_normals()")
         neighbors = check_count("k", k)
         penalty = check_positive("lambda_penalty", lambda_penalty, allow_zero=True)
         steepest = check_positive("cos_alpha_tol", cos_alpha_tol, allow_zero=True)
@@ -225,7 +225,7 @@ class Normals(Selection):
             return self.copy()
         tree = self.search_tree() if rows.size == points.size else PointTree(gather_rows(points, rows))
         oriented = orient_consistently(points, normals, rows, tree, neighbors, steepest, penalty > 0)
-        return self.with_arrays(self._arrays | {"normals": oriented}, grid=self.grid)
+        return self._with_arrays(self._arrays | {"normals": oriented}, grid=self.grid)
 
     def normal_disagreement(self, k: int = 10) -> float:
         """The share of near neighbours whose normals point to opposite sides of the surface: whether to orient them.
@@ -257,14 +257,14 @@ class Normals(Selection):
             >>> 0 < cloud.normal_disagreement() < 0.1, oriented.normal_disagreement()
             (True, 0.0)
         """
-        normals = self.required_array("normals", "call cloud = cloud.estimate_normals()")
+        normals = self._required_array("normals", "call cloud = cloud.estimate_normals()")
         neighbors = min(check_count("k", k), max(1, len(self)))
         return share_of_opposed_normals(self.search_tree(), self._arrays["points"], normals, neighbors)
 
     def _orient(self, reference: NDArray[np.float64], *, to_point: bool) -> Self:
-        normals = self.required_array("normals", "call cloud = cloud.estimate_normals()")
+        normals = self._required_array("normals", "call cloud = cloud.estimate_normals()")
         oriented = orient_normals(self._arrays["points"], normals, reference, to_point)
-        return self.with_arrays(self._arrays | {"normals": oriented}, grid=self.grid)
+        return self._with_arrays(self._arrays | {"normals": oriented}, grid=self.grid)
 
     @returns_new
     def smooth_mls(self, *, radius: float | None = 0.05, max_nn: int | None = 30) -> Self:
@@ -403,7 +403,7 @@ class Normals(Selection):
         return self._moved(run(self.search_tree(), factors, neighbors))
 
     def _moved(self, points: Any, others: dict[str, Any] | None = None) -> Self:
-        return self.with_arrays(self._arrays | {"points": points} | (others or {}))
+        return self._with_arrays(self._arrays | {"points": points} | (others or {}))
 
 
 def _check_passes(iterations: Any) -> int:

@@ -91,7 +91,7 @@ class Segmentation(Selection):
         elif found == 1:
             warn_of_long("eps", reach, tree.low, tree.high, tree.count, unit, "all of them are one cluster")
         report("clusters", cloud=self, labels=labels)
-        return self.handed_out(labels)
+        return self._handed_out(labels)
 
     def cluster_euclidean(
         self, tolerance: float, min_cluster_size: int = 1, max_cluster_size: int | None = None
@@ -137,7 +137,7 @@ class Segmentation(Selection):
         if cluster_count:
             rank_by_size(labels, cluster_count, min(least, MAX_SIZE), min(most, MAX_SIZE))
         report("clusters", cloud=self, labels=labels)
-        return self.handed_out(labels)
+        return self._handed_out(labels)
 
     def _cluster(self, eps: float, min_points: int) -> tuple[Any, int]:
         return cluster_points(self.search_tree(), len(self), eps, min_points)
@@ -202,7 +202,7 @@ class Segmentation(Selection):
         neighbor_count = check_count("max_nn", max_nn, minimum=2)
         reach = math.inf if radius is None else check_positive("radius", radius)
         points = self._arrays["points"]
-        normals = self.required_array("normals", "call cloud = cloud.estimate_normals()")
+        normals = self._required_array("normals", "call cloud = cloud.estimate_normals()")
         rows = usable_rows(points, normals)
         if rows.size < fewest:
             return []
@@ -293,7 +293,7 @@ class Segmentation(Selection):
             warn_of_long("distance_threshold", settings[0], low, high, finite, self.unit, so)
         model = self._world_plane(search.refit(plane, inliers), search.center)
         report("plane", cloud=self, inliers=inliers, model=model)
-        return model, self.handed_out(inliers)
+        return model, self._handed_out(inliers)
 
     def segment_planes(
         self,
@@ -358,7 +358,7 @@ class Segmentation(Selection):
             label_rows(found, len(models) - 1, labels)
             report("plane", cloud=self, inliers=found, model=models[-1], number=len(models) - 1)
             rows = gather_rows(rows, positions_of(invert_mask(mask), rows.size - inliers.size))
-        return self.handed_out(labels), np.array(models).reshape(-1, 4)
+        return self._handed_out(labels), np.array(models).reshape(-1, 4)
 
     def _world_plane(self, plane: NDArray[np.float64], center: NDArray[np.float64]) -> NDArray[np.float64]:
         """A plane relative to a place of the cloud's own frame, in world coordinates and with its sign fixed."""
@@ -522,7 +522,7 @@ class Segmentation(Selection):
                 "normal_threshold_deg, or the normals may be inexact: estimate_normals with a larger max_nn"
             )
         shape = shape_of(search, found, limits, self._origin)
-        return shape, self.handed_out(ascending(found.rows, len(self)))
+        return shape, self._handed_out(ascending(found.rows, len(self)))
 
     @told_arguments
     def region_growing(
@@ -584,13 +584,13 @@ class Segmentation(Selection):
             if most < least:
                 raise ValueError(f"max_cluster_size: expected at least min_cluster_size = {least}, got {most}")
         count = check_count("max_nn", max_nn, minimum=2)
-        normals = self.required_array("normals", NORMALS)
+        normals = self._required_array("normals", NORMALS)
         nearest = self._neighbor_graph(min(count, max(len(self), 1)), math.inf)
         curvature = measure_curvature(self.search_tree(), math.inf, count)
         cosine = math.cos(math.radians(angle))
         labels, _ = grow_regions(normals, curvature, nearest, cosine, limit, min(least, MAX_SIZE), min(most, MAX_SIZE))
         report("clusters", cloud=self, labels=labels)
-        return self.handed_out(labels)
+        return self._handed_out(labels)
 
 
 def _check_angle(name: str, degrees: Any) -> float:
@@ -634,7 +634,7 @@ def limits_of(distance: Any, degrees: Any, smallest: Any, largest: Any) -> Shape
 
 def search_of(cloud: Segmentation, limits: ShapeLimits) -> tuple[ShapeSearch, ShapeLimits]:
     """The search among the points that are finite and have normals; the limits with a largest radius."""
-    points, normals = cloud.device_array("points"), cloud.required_array("normals", NORMALS)
+    points, normals = cloud._device_array("points"), cloud._required_array("normals", NORMALS)
     search = ShapeSearch(points, normals, usable_in_order(cloud.search_tree(), points, normals))
     largest = limits.largest or 2 * math.sqrt(3) * search.size
     return search, ShapeLimits(limits.distance, limits.cosine, limits.smallest, largest)

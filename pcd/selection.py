@@ -121,14 +121,14 @@ class Selection(PointArrays):
         unit = common_unit("clouds", (part.unit for part in parts))
         largest = max(parts, key=len)
         shifts = [part.origin - largest.origin for part in parts]
-        arrays = {"points": concatenate_points([part.device_array("points") for part in parts], shifts)}
-        for name in parts[0].device_arrays:
+        arrays = {"points": concatenate_points([part._device_array("points") for part in parts], shifts)}
+        for name in parts[0]._device_arrays:
             if name == "points" or not all(name in part for part in parts):
                 continue
             rows = [part.array(name) for part in parts]
             _check_alike(name, rows)
             arrays[name] = concatenate_rows(rows)
-        whole = cls.from_device_arrays(arrays, largest.origin, parts[0].array_library)
+        whole = cls._from_device_arrays(arrays, largest.origin, parts[0].array_library)
         whole.unit = unit
         return whole
 
@@ -149,7 +149,7 @@ class Selection(PointArrays):
         """
         rgb = check_color("color", color)
         colors = full(len(self), vec3(*rgb.tolist()), vec3, self.device)
-        return self.with_arrays({**self._arrays, "colors": colors}, grid=self.grid)
+        return self._with_arrays({**self._arrays, "colors": colors}, grid=self.grid)
 
     @overload
     def __getitem__(self, key: str) -> NDArray[Any]: ...
@@ -180,7 +180,7 @@ class Selection(PointArrays):
                 rows = np.arange(*key.indices(len(self)), dtype=np.int32)
             except TypeError as error:
                 raise TypeError(f"cloud[...]: expected a slice of whole numbers, got {shown(key)}") from error
-            return self.select_rows(upload(rows, int32, self.device))
+            return self._select_rows(upload(rows, int32, self.device))
         if isinstance(key, tuple) or key is None or key is Ellipsis:
             raise TypeError(f"cloud[...]: expected {KEYS}, got {shown(key)}; cloud.points[...] selects coordinates")
         chosen = take_numbers("cloud[...]", key, self.device) if is_on_gpu(key) else check_numeric("cloud[...]", key)
@@ -204,9 +204,9 @@ class Selection(PointArrays):
         what = {"of": f"cloud of {len(self)} points", "hint": "; for a mask see select_by_mask"}
         if is_on_gpu(indices):
             chosen = take_indices("indices", indices, self.device, len(self), **what)
-            return self.select_rows(other_rows(chosen, len(self)) if invert else chosen)
+            return self._select_rows(other_rows(chosen, len(self)) if invert else chosen)
         chosen = upload(check_indices("indices", indices, len(self), **what), int32, self.device)
-        return self.select_rows(other_rows(chosen, len(self)) if invert else chosen)
+        return self._select_rows(other_rows(chosen, len(self)) if invert else chosen)
 
     @returns_new
     def select_by_mask(self, mask: ArrayLike, invert: bool = False) -> Self:
@@ -220,7 +220,7 @@ class Selection(PointArrays):
         chosen = check_numeric("mask", mask)
         if chosen.dtype != np.bool_ or chosen.shape != (len(self),):
             raise ValueError(f"mask: expected booleans of shape [{len(self)}], got {chosen.dtype} {list(chosen.shape)}")
-        return self.select_rows(upload(np.flatnonzero(chosen != invert).astype(np.int32), int32, self.device))
+        return self._select_rows(upload(np.flatnonzero(chosen != invert).astype(np.int32), int32, self.device))
 
     @returns_new
     def crop(
@@ -270,11 +270,11 @@ class Selection(PointArrays):
             >>> cloud.remove_duplicated_points()["row"].tolist()
             [0, 1]
         """
-        return self.select_rows(first_occurrences(self._arrays["points"]))
+        return self._select_rows(first_occurrences(self._arrays["points"]))
 
-    def select_rows(self, rows: wp.array) -> Self:
+    def _select_rows(self, rows: wp.array) -> Self:
         """The points of these rows, in their order: `select_by_index` for a device array of int32, unchecked."""
-        return self.with_arrays({name: gather_rows(values, rows) for name, values in self._arrays.items()})
+        return self._with_arrays({name: gather_rows(values, rows) for name, values in self._arrays.items()})
 
     def _doubt_box(self, box: AxisAlignedBoundingBox | OrientedBoundingBox) -> None:
         """Warn where a box that holds no point is of other coordinates than the cloud."""
@@ -284,7 +284,7 @@ class Selection(PointArrays):
             warn_of_far("bounding_box", box.get_min_bound(), box.get_max_bound(), *own, finite, self.unit)
 
     def _select_mask(self, mask: wp.array, invert: bool = False) -> Self:
-        return self.select_rows(positions_of(invert_mask(mask) if invert else mask))
+        return self._select_rows(positions_of(invert_mask(mask) if invert else mask))
 
     @returns_new
     def remove_statistical_outlier(
@@ -369,7 +369,7 @@ class Selection(PointArrays):
 
     def _keep(self, mask: wp.array) -> tuple[Self, NDArray[np.int32]]:
         rows = positions_of(mask)
-        return self.select_rows(rows), self.handed_out(rows)
+        return self._select_rows(rows), self._handed_out(rows)
 
     @returns_new
     def voxel_down_sample(self, voxel_size: float, reduction: str = "mean") -> Self:
@@ -408,7 +408,7 @@ class Selection(PointArrays):
             left = "one point is left" if groups.count == 1 else f"{groups.count} points are left"
             warn_of_long("voxel_size", size, low, high, finite, self.unit, left)
         if reduction == "nearest":
-            return self.select_rows(nearest_to_means(self._arrays["points"], groups))
+            return self._select_rows(nearest_to_means(self._arrays["points"], groups))
         return self._means(groups)
 
     def voxel_down_sample_and_trace(
@@ -450,7 +450,7 @@ class Selection(PointArrays):
         octants, voxels = trace_voxels(self._arrays["points"], groups, corner, size)
         finite = int(download(groups.starts[groups.starts.size - 1 :])[0])  # sync
         indices, offsets, voxels = map(
-            self.handed_out, (view_as(groups.order, int32, (finite,)), groups.starts, voxels)
+            self._handed_out, (view_as(groups.order, int32, (finite,)), groups.starts, voxels)
         )
         cubic_id = hand_out(octants, self._library, shape=(octants.size // 8, 8))
         return VoxelTrace(cloud, cubic_id, voxels, indices, offsets)
@@ -484,7 +484,7 @@ class Selection(PointArrays):
         fixed = check_finite("corner", check_shape("corner", corner, (3,)))
         groups, low = self._voxels(size, fixed, ("spacing", "corner"))
         rows = nearest_to_middles(self._arrays["points"], groups, low, size)
-        return self.select_rows(sort_rows(rows, len(self), are_distinct=True))
+        return self._select_rows(sort_rows(rows, len(self), are_distinct=True))
 
     @returns_new
     def uniform_down_sample(self, every_k_points: int) -> Self:
@@ -500,7 +500,7 @@ class Selection(PointArrays):
             [0.0, 2.0, 4.0]
         """
         step = check_count("every_k_points", every_k_points)
-        return self.select_rows(step_rows(len(self), step, self.device))
+        return self._select_rows(step_rows(len(self), step, self.device))
 
     @returns_new
     def random_down_sample(self, sampling_ratio: float, seed: int = 0) -> Self:
@@ -526,7 +526,7 @@ class Selection(PointArrays):
         if ratio > 1:
             remedy = f"; {sampling_ratio:g} % are {sampling_ratio / 100:g}" if 1 < sampling_ratio <= 100 else ""
             raise ValueError(f"sampling_ratio: expected a share 0..1, got {sampling_ratio!r}{remedy}")
-        return self.select_rows(draw_rows(len(self), int(ratio * len(self)), check_seed(seed), self.device))
+        return self._select_rows(draw_rows(len(self), int(ratio * len(self)), check_seed(seed), self.device))
 
     @returns_new
     def farthest_point_down_sample(self, num_samples: int, start_index: int = 0) -> Self:
@@ -559,7 +559,7 @@ class Selection(PointArrays):
         if check_count("num_samples", num_samples, minimum=0) == len(self):
             return self.remove_non_finite_points()
         chosen = upload(self._farthest(num_samples, start_index), int32, self.device)
-        return self.select_rows(sort_rows(chosen, len(self)))
+        return self._select_rows(sort_rows(chosen, len(self)))
 
     def farthest_point_indices(self, num_samples: int, start_index: int = 0) -> NDArray[np.int32]:
         """The indices of farthest points in the order of choice: the first k of them are the choice of k.
@@ -613,7 +613,7 @@ class Selection(PointArrays):
     def _means(self, groups: Any) -> Self:
         """The means of voxels; of whole numbers the first."""
         if not groups.count:
-            return self.select_rows(upload(np.zeros(0, np.int32), int32, self.device))
+            return self._select_rows(upload(np.zeros(0, np.int32), int32, self.device))
         means: dict[str, wp.array] = {}
         rows = None
         for name, values in self._arrays.items():
@@ -624,7 +624,7 @@ class Selection(PointArrays):
             else:
                 rows = first_rows(groups.order, groups.starts) if rows is None else rows
                 means[name] = gather_rows(values, rows)
-        return self.with_arrays(means)
+        return self._with_arrays(means)
 
     def _average(self, values: wp.array, groups: Any) -> wp.array:
         shape = values.shape

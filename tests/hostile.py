@@ -223,12 +223,12 @@ def missing_from(table: Table, arguments: dict[str, set[str]]) -> dict[str, set[
 # made: shapes and types are its callers' matter, which the docstrings say, and pyright checks. A name with () is the
 # constructor alone: `DetailTree.from_cloud` and `from_file` are what users call.
 DEVICE_LEVEL = {
-    *(f"PointCloud.{name}" for name in ("device_array", "from_device_arrays", "handed_out", "points_about")),
-    *(f"PointCloud.{name}" for name in ("from_device_depth", "required_array", "select_rows", "with_arrays")),
-    "PointCloud.adopt_search_tree",
-    *(f"TriangleMesh.{name}" for name in ("from_device_arrays", "handed_out", "triangles_at", "with_arrays")),
-    *(f"TSDFVolume.{name}" for name in ("integrate_device_frame", "render_maps", "render_colors")),
-    *("DetailTree()", "RGBDImage.from_device_arrays", "OdometryFrame.from_device_maps", "OdometryFrame.from_image"),
+    *(f"PointCloud.{name}" for name in ("device_array", "_from_device_arrays", "_handed_out", "points_about")),
+    *(f"PointCloud.{name}" for name in ("_from_device_depth", "_required_array", "_select_rows", "_with_arrays")),
+    "PointCloud._adopt_search_tree",
+    *(f"TriangleMesh.{name}" for name in ("_from_device_arrays", "_handed_out", "_triangles_at", "_with_arrays")),
+    *(f"TSDFVolume.{name}" for name in ("_integrate_device_frame", "render_maps", "render_colors")),
+    *("DetailTree()", "RGBDImage._from_device_arrays", "OdometryFrame._from_device_maps", "OdometryFrame.from_image"),
 }
 
 

@@ -113,11 +113,11 @@ NOT_COMPARED = {
         *("slice_plane", "section_loops"),  # clip_plane
     ),
     "by the operations that hand arrays on by it": (
-        *("device_array", "device_bounds", "from_device_arrays", "from_device_depth", "handed_out", "points_about"),
-        *("required_array", "search_tree", "select_rows", "with_arrays", "triangles_at", "edge_topology"),
-        "vertices_at",
-        "from_device_voxels",
-        *("integrate_device_frame", "render_maps", "render_colors", "adopt_search_tree", "device_voxels"),
+        *("device_array", "_device_bounds", "_from_device_arrays", "_from_device_depth", "_handed_out", "points_about"),
+        *("_required_array", "search_tree", "_select_rows", "_with_arrays", "_triangles_at", "edge_topology"),
+        "_vertices_at",
+        "_from_device_voxels",
+        *("_integrate_device_frame", "render_maps", "render_colors", "_adopt_search_tree", "_device_voxels"),
     ),
     "on scenes that hold such shapes, by tests/pcd/test_shapes.py": (
         *(

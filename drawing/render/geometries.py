@@ -200,7 +200,7 @@ def bounds_of(parts: Iterable[Part]) -> tuple[NDArray[np.float64], NDArray[np.fl
 
 
 def _of_cloud(cloud: PointCloud, style: Style, device: Any) -> list[Part]:
-    held = {name: move(cloud.device_array(name), device) for name in ("points", "normals", "colors") if name in cloud}
+    held = {name: move(cloud._device_array(name), device) for name in ("points", "normals", "colors") if name in cloud}
     colors = held.get("colors", empty(0, vec3, device))
     coloring = None
     has_own = "colors" in held and style.color is None and style.color_by in (None, "rgb")
@@ -250,7 +250,7 @@ def _of_points(geometry: Any, style: Style, device: Any) -> list[Part]:
     if style.color is not None:
         colors = colors[:0]
     arrays = upload(colors, vec3, device), upload(normals, vec3, device)
-    return [_points(cloud.device_array("points"), cloud.origin, *arrays, style, len(colors) > 0)]
+    return [_points(cloud._device_array("points"), cloud.origin, *arrays, style, len(colors) > 0)]
 
 
 def optional_rows(holder: Any, name: str, rows: int) -> NDArray[np.float32]:
@@ -268,10 +268,10 @@ def _of_mesh(mesh: Any, style: Style, device: Any) -> list[Part]:
     if not isinstance(mesh, TriangleMesh):
         made = TriangleMesh(mesh.vertices, mesh.triangles, device=device)
         rows = {
-            n: optional_rows(mesh, n, made.device_arrays["vertices"].size) for n in ("vertex_normals", "vertex_colors")
+            n: optional_rows(mesh, n, made._device_arrays["vertices"].size) for n in ("vertex_normals", "vertex_colors")
         }
         held: dict[str, Any] = {n: upload(values, vec3, device) for n, values in rows.items() if len(values)}
-        mesh = made.with_arrays(**held)
+        mesh = made._with_arrays(**held)
     mesh, chosen = mesh.to(device), _surface_style(style)
     if style.color_by is not None:
         coloring = color_cloud(vertices_of(mesh), style.color_by, colormap=style.colormap, limits=style.limits)
@@ -373,7 +373,7 @@ def mesh_parts(mesh: TriangleMesh, chosen: dict[str, Any]) -> list[Part]:
         mesh: The mesh; its arrays are shared.
         chosen: Fields of `Triangles`; a `plain` colour and a `coloring` replace the mesh's own, textures too.
     """
-    arrays, none = mesh.device_arrays, empty(0, vec3, mesh.device)
+    arrays, none = mesh._device_arrays, empty(0, vec3, mesh.device)
     held: dict[str, Any] = {
         "positions": arrays["vertices"],
         "origin": mesh.origin,
@@ -389,7 +389,7 @@ def mesh_parts(mesh: TriangleMesh, chosen: dict[str, Any]) -> list[Part]:
     ids = np.asarray(mesh.triangle_material_ids)
     parts: list[Part] = []
     for number in np.unique(ids).tolist():
-        taken = mesh.triangles_at(upload(np.flatnonzero(ids == number).astype(np.int32), int32, mesh.device))
+        taken = mesh._triangles_at(upload(np.flatnonzero(ids == number).astype(np.int32), int32, mesh.device))
         surface = (
             {"uvs": taken["triangle_uvs"], "texture": mesh.textures[number]} if number < len(mesh.textures) else {}
         )
@@ -399,10 +399,10 @@ def mesh_parts(mesh: TriangleMesh, chosen: dict[str, Any]) -> list[Part]:
 
 def vertices_of(mesh: TriangleMesh) -> PointCloud:
     """The vertices of a mesh with what is known of them; normals, colours and attributes follow."""
-    arrays = mesh.device_arrays
+    arrays = mesh._device_arrays
     renamed = {"vertices": "points", "vertex_normals": "normals", "vertex_colors": "colors"}
     held = {new: arrays[old] for old, new in renamed.items() if old in arrays}
-    cloud = PointCloud.from_device_arrays(held, mesh.origin)
+    cloud = PointCloud._from_device_arrays(held, mesh.origin)
     for name, values in mesh.vertex_attributes.items():
         cloud[name] = values
     cloud.unit = mesh.unit

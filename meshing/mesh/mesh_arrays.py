@@ -135,7 +135,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
         self._up = None if value is None else check_up(value)
 
     @classmethod
-    def from_device_arrays(
+    def _from_device_arrays(
         cls,
         vertices: wp.array,
         triangles: wp.array,
@@ -193,10 +193,10 @@ class MeshArrays(InUnit, KnownNames, Movable):
         mesh._library = library
         return mesh
 
-    def with_arrays(self, *, origin: NDArray[np.float64] | None = None, **arrays: Any) -> Self:
+    def _with_arrays(self, *, origin: NDArray[np.float64] | None = None, **arrays: Any) -> Self:
         """The same mesh with some device arrays replaced, or dropped where None.
 
-        Other triangles than before bring what belongs to them along: `triangles_at` gives it; other vertices their
+        Other triangles than before bring what belongs to them along: `_triangles_at` gives it; other vertices their
         `vertex_attributes`, as `attributes_at` gives them. Attributes that the change does not bring along, and whose
         rows are no longer as many, are left behind with a warning.
         """
@@ -207,12 +207,12 @@ class MeshArrays(InUnit, KnownNames, Movable):
                 warnings.warn(f"{kind} {listed(kept.pop(kind))}: left behind, the {of} are others", stacklevel=3)
         place = self._origin if origin is None else origin
         textures = () if "triangle_uvs" in self._arrays and "triangle_uvs" not in kept else self._textures
-        mesh = self.from_device_arrays(**kept, textures=textures, origin=place, library=self._library)
+        mesh = self._from_device_arrays(**kept, textures=textures, origin=place, library=self._library)
         mesh._unit, mesh._up = self._unit, self._up
         return mesh
 
     @property
-    def device_arrays(self) -> dict[str, wp.array]:
+    def _device_arrays(self) -> dict[str, wp.array]:
         """The device arrays by name, as `array` gives them one by one: for code that reads them."""
         return dict(self._arrays)
 
@@ -221,7 +221,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
         """The library whose arrays operations return: that of the arrays which the mesh was made of."""
         return self._library
 
-    def handed_out(self, array: wp.array, *, dtype: DTypeLike | None = None) -> Any:
+    def _handed_out(self, array: wp.array, *, dtype: DTypeLike | None = None) -> Any:
         """A result as an array of the library that the mesh was made of; see `hand_out`. NumPy's own their memory."""
         found = hand_out(array, self._library, dtype=dtype)
         return found.copy() if self._library == NUMPY and not found.flags.owndata else found
@@ -230,7 +230,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
         """What has one row a vertex, by name."""
         return {name: values for name, values in self._arrays.items() if name in PER_VERTEX}
 
-    def triangles_at(self, rows: wp.array) -> dict[str, Any]:
+    def _triangles_at(self, rows: wp.array) -> dict[str, Any]:
         """What belongs to triangles, by name, at some of them: int32 device array, each in 0..t-1, repeats allowed."""
         taken: dict[str, Any] = {"triangles": gather_triangles(self._arrays["triangles"], rows)}
         if "triangle_uvs" in self._arrays:
@@ -239,13 +239,13 @@ class MeshArrays(InUnit, KnownNames, Movable):
             taken["triangle_material_ids"] = gather_rows(self._arrays["triangle_material_ids"], rows)
         return taken | self._attributes_at("triangle_attributes", rows)
 
-    def vertices_at(self, rows: wp.array) -> dict[str, Any]:
+    def _vertices_at(self, rows: wp.array) -> dict[str, Any]:
         """What belongs to vertices, by name, at some of them: int32 device array, each in 0..m-1, repeats allowed."""
         taken = {name: gather_rows(values, rows) for name, values in self._per_vertex().items()}
         return taken | self._attributes_at("vertex_attributes", rows)
 
     def _attributes_at(self, kind: str, rows: wp.array) -> dict[str, Any]:
-        """The attributes of vertices or of triangles at some of them, as `with_arrays` takes them."""
+        """The attributes of vertices or of triangles at some of them, as `_with_arrays` takes them."""
         return {kind: rows_of(self._attributes[kind], rows)}
 
     def _assign(self, name: str, values: Any) -> None:
@@ -462,7 +462,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
     @returns_new
     def copy(self) -> Self:
         """Another mesh over the same arrays: what is assigned to one does not reach the other."""
-        return self.with_arrays()
+        return self._with_arrays()
 
     def __copy__(self) -> Self:
         return self.copy()
@@ -472,13 +472,13 @@ class MeshArrays(InUnit, KnownNames, Movable):
 
     def _bare(self) -> Self:
         """The mesh without further attributes."""
-        return self.with_arrays(**dict.fromkeys(ATTRIBUTES))
+        return self._with_arrays(**dict.fromkeys(ATTRIBUTES))
 
     def _with_each(self, change: Callable[[wp.array], Any]) -> Self:
         """The mesh with every array changed alike."""
         changed: dict[str, Any] = each(self._arrays, change)
         changed |= {kind: each(held, change) for kind, held in self._attributes.items()}
-        return self.with_arrays(**changed)
+        return self._with_arrays(**changed)
 
     def __add__(self, other: Any) -> Self:
         """The triangles of both meshes, see `concatenate`."""
@@ -547,7 +547,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
             arrays[kind] = {
                 name: _joined_columns(name, [mesh._attributes[kind][name] for mesh in parts]) for name in shared
             }
-        return cls.from_device_arrays(**arrays | _joined_textures(parts), origin=origin, library=parts[0]._library)
+        return cls._from_device_arrays(**arrays | _joined_textures(parts), origin=origin, library=parts[0]._library)
 
     def __getstate__(self) -> dict[str, Any]:
         """The mesh as NumPy arrays and the name of its device, for pickle."""
@@ -570,7 +570,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
             MeshTable(vertices, triangles, triangle_material_ids=ids).checked()
             arrays: dict[str, Any] = unpickled(given, device)
             arrays |= {kind: unpickled(state["attributes"][kind], device) for kind in ATTRIBUTES}
-            mesh = self.from_device_arrays(
+            mesh = self._from_device_arrays(
                 **arrays,
                 textures=check_textures("textures", state["textures"]),
                 origin=check_finite("origin", check_shape("origin", state["origin"], (3,))),
@@ -611,13 +611,13 @@ class MeshArrays(InUnit, KnownNames, Movable):
             arrays["triangles"] = mesh_edits.flip_triangles(self._arrays["triangles"])
             if "triangle_uvs" in self._arrays:
                 arrays["triangle_uvs"] = mesh_edits.flip_corners(self._arrays["triangle_uvs"])
-        mesh = self.with_arrays(origin=origin, **arrays)
+        mesh = self._with_arrays(origin=origin, **arrays)
         mesh._unit, mesh._up = unit_under(self._unit, A), up_under(self._up, A)
         return mesh
 
     def _enlarged(self, factor: float) -> Self:
         vertices = transform_points(self._arrays["vertices"], factor * np.eye(3), np.zeros(3))
-        return self.with_arrays(origin=self._origin * factor, vertices=vertices)
+        return self._with_arrays(origin=self._origin * factor, vertices=vertices)
 
     def get_center(self) -> NDArray[np.float64]:
         """The mean of the finite vertices [m], shape [3]; zeros where there is none.
@@ -649,7 +649,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
         """
         rgb = check_color("color", color)
         colors = full(self._arrays["vertices"].size, vec3(*rgb.tolist()), vec3, self.device)
-        return self.with_arrays(vertex_colors=colors)
+        return self._with_arrays(vertex_colors=colors)
 
 
 def check_mesh(name: str, mesh: Any) -> None:
@@ -687,7 +687,7 @@ def _joined_columns(name: str, columns: list[Any]) -> Any:
 
 
 def _joined_textures(parts: list[MeshArrays]) -> dict[str, Any]:
-    """Texture coordinates, material numbers and pictures, as `from_device_arrays` takes them."""
+    """Texture coordinates, material numbers and pictures, as `_from_device_arrays` takes them."""
     triangled = [mesh for mesh in parts if len(mesh)]
     names = ("triangle_uvs", "triangle_material_ids")
     if any("triangle_uvs" in mesh._arrays for mesh in triangled):

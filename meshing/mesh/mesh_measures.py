@@ -86,7 +86,7 @@ class MeshMeasures(MeshSelection):
             O(m + t) memory. Sums run in float64 by ascending triangle: the same bits from run to run.
         """
         vertices, triangles = self._arrays["vertices"], self._arrays["triangles"]
-        return self.with_arrays(vertex_normals=mesh_measures.vertex_normals(vertices, triangles))
+        return self._with_arrays(vertex_normals=mesh_measures.vertex_normals(vertices, triangles))
 
     def compute_triangle_normals(self) -> NDArray[np.float32]:
         """The unit normals of the triangles by the right-hand rule, shape [t, 3].
@@ -271,7 +271,7 @@ class MeshMeasures(MeshSelection):
         """
         if "vertex_normals" not in self._arrays:
             return self.copy()
-        return self.with_arrays(vertex_normals=normalize_vectors(self._arrays["vertex_normals"]))
+        return self._with_arrays(vertex_normals=normalize_vectors(self._arrays["vertex_normals"]))
 
     @returns_new
     def select_faces_by_mask(self, mask: ArrayLike) -> Self:
@@ -294,7 +294,7 @@ class MeshMeasures(MeshSelection):
 
     def _corner_cloud(self) -> PointCloud:
         """The vertices as a cloud over the same memory."""
-        return PointCloud.from_device_arrays({"points": self._arrays["vertices"]}, self._origin, self._library)
+        return PointCloud._from_device_arrays({"points": self._arrays["vertices"]}, self._origin, self._library)
 
     @told_arguments
     def sample_points_uniformly(
@@ -423,7 +423,7 @@ class MeshMeasures(MeshSelection):
             arrays["normals"] = surface.mix(self._arrays["vertex_normals"], unit=True)
         if "vertex_colors" in self._arrays:
             arrays["colors"] = surface.mix(self._arrays["vertex_colors"])
-        cloud = PointCloud.from_device_arrays(arrays, self._origin.copy(), self._library)
+        cloud = PointCloud._from_device_arrays(arrays, self._origin.copy(), self._library)
         cloud.unit = self._unit
         return cloud
 
@@ -525,12 +525,12 @@ class MeshMeasures(MeshSelection):
         check_finite_corners("compute_error_map: mesh2", mesh2)
         largest = None if max_distance is None else check_positive("max_distance", max_distance)
         points = points_about(self._arrays["vertices"], self._origin, mesh2.origin)
-        tree = TriangleTree(mesh2.device_arrays["vertices"], mesh2.device_arrays["triangles"])
+        tree = TriangleTree(mesh2._device_arrays["vertices"], mesh2._device_arrays["triangles"])
         distances = distances_to(points, tree)
         if largest is None:
             largest = float(np.float32(summarize_distances(distances, [])[2]))  # sync
-        colored = self.with_arrays(vertex_colors=color_distances(distances, largest))
-        return colored, self.handed_out(distances, dtype=np.float32)
+        colored = self._with_arrays(vertex_colors=color_distances(distances, largest))
+        return colored, self._handed_out(distances, dtype=np.float32)
 
     def compute_vertex_curvature(self) -> MeshCurvature:
         """The mean, Gaussian and principal curvatures of the surface at each vertex.
@@ -555,11 +555,11 @@ class MeshMeasures(MeshSelection):
             [1.814, 1.814, 1.814, 1.814, 1.814, 1.814]
         """
         sewn = sew(self)
-        found = measure_curvatures(sewn.mesh.device_arrays["vertices"], sewn.mesh.device_arrays["triangles"])
+        found = measure_curvatures(sewn.mesh._device_arrays["vertices"], sewn.mesh._device_arrays["triangles"])
         columns: Any = view_as(found, float64, (found.size, 4))
         columns = [contiguous(columns[:, k]) if found.size else empty(0, float64, self.device) for k in range(4)]
         parts = [sewn.spread(column) for column in columns]
-        return MeshCurvature(*map(self.handed_out, parts))
+        return MeshCurvature(*map(self._handed_out, parts))
 
     def compute_geodesic_distances(self, sources: Any) -> NDArray[np.float64]:
         """How far each vertex is from the nearest of some vertices, along the surface.
@@ -593,8 +593,8 @@ class MeshMeasures(MeshSelection):
         rows = upload(numbers, int32, self._device)
         check_finite_vertices("sources", numbers, gather_rows(vertices, rows))
         sewn = sew(self)
-        arrays, own = sewn.mesh.device_arrays, rows if sewn.places is None else gather_rows(sewn.places, rows)
-        return self.handed_out(sewn.spread(geodesic_distances(arrays["vertices"], arrays["triangles"], own)))
+        arrays, own = sewn.mesh._device_arrays, rows if sewn.places is None else gather_rows(sewn.places, rows)
+        return self._handed_out(sewn.spread(geodesic_distances(arrays["vertices"], arrays["triangles"], own)))
 
     def voxelize(
         self,
@@ -722,7 +722,7 @@ def _spread(start: PointCloud, count: int, area: float, name: str, advice: str) 
         return start.remove_non_finite_points()
     widest = 2 * math.sqrt(area / count / (2 * math.sqrt(3)))  # where discs of half of it fill the plane
     try:
-        return start.select_rows(eliminate_samples(tree, count, widest))
+        return start._select_rows(eliminate_samples(tree, count, widest))
     except CrowdedError as error:
         raise ValueError(
             f"{name}: {error.pair_count:,} pairs of points lie closer than {widest:.3g} m, expected up to 2^30; "

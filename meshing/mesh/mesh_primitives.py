@@ -183,7 +183,7 @@ class MeshPrimitives(MeshMeasures):
         """A mesh of a shape."""
         place = resolve_device(device)
         local, origin = split_origin(shape.vertices)
-        return cls.from_device_arrays(
+        return cls._from_device_arrays(
             upload(local, vec3, place),
             upload(shape.triangles.astype(np.int32), vec3i, place),
             triangle_uvs=upload(shape.uvs.astype(np.float32), vec2, place) if with_uvs else None,
@@ -427,7 +427,7 @@ class MeshPrimitives(MeshMeasures):
         mesh = cls._of(shapes.joined(parts), device).compute_vertex_normals()
         mesh.vertex_colors = np.repeat(colors, [len(part.vertices) for part in parts], axis=0)
         local, anchor = split_origin(mesh.vertices + place)
-        return mesh.with_arrays(vertices=upload(local, vec3, mesh.device), origin=anchor)
+        return mesh._with_arrays(vertices=upload(local, vec3, mesh.device), origin=anchor)
 
     @classmethod
     def create_mobius(
@@ -686,12 +686,12 @@ class MeshPrimitives(MeshMeasures):
     def _with_copies(self, places: Any, of_vertices: Any, triangles: Any, of_triangles: Any) -> Self:
         """Vertices and triangles that have what belongs to some of this mesh, but for normals and textures."""
         local, origin = split_origin(places)
-        bare = self.with_arrays(triangle_uvs=None, vertex_normals=None)
-        arrays = bare.vertices_at(upload(of_vertices.astype(np.int32), int32, self._device))
-        arrays |= bare.triangles_at(upload(of_triangles.astype(np.int32), int32, self._device))
+        bare = self._with_arrays(triangle_uvs=None, vertex_normals=None)
+        arrays = bare._vertices_at(upload(of_vertices.astype(np.int32), int32, self._device))
+        arrays |= bare._triangles_at(upload(of_triangles.astype(np.int32), int32, self._device))
         arrays["vertices"] = upload(local, vec3, self._device)
         arrays["triangles"] = upload(triangles.astype(np.int32), vec3i, self._device)
-        swept = bare.with_arrays(**arrays, origin=origin)
+        swept = bare._with_arrays(**arrays, origin=origin)
         return swept.compute_vertex_normals() if "vertex_normals" in self._arrays else swept
 
 

@@ -90,7 +90,7 @@ class MeshReconstruction(MeshMeasures):
 
     @classmethod
     @told_arguments
-    def from_point_cloud_poisson(
+    def create_from_point_cloud_poisson(
         cls,
         cloud: PointCloud,
         depth: int = 8,
@@ -154,12 +154,12 @@ class MeshReconstruction(MeshMeasures):
             >>> import numpy as np, pointloom as loom
             >>> points = np.random.default_rng(0).normal(size=(2000, 3))
             >>> points /= np.linalg.norm(points, axis=1, keepdims=True)
-            >>> ball, densities = loom.TriangleMesh.from_point_cloud_poisson(loom.PointCloud(points, normals=points), 5)
+            >>> ball, densities = loom.TriangleMesh.create_from_point_cloud_poisson(loom.PointCloud(points, normals=points), 5)
             >>> ball.is_watertight(), bool(abs(np.linalg.norm(ball.vertices, axis=1) - 1).max() < 0.02)
             (True, True)
         """
         check_cloud("cloud", cloud)
-        points, normals = cloud.device_array("points"), cloud.required_array("normals", NO_NORMALS)
+        points, normals = cloud._device_array("points"), cloud._required_array("normals", NO_NORMALS)
         deepest = check_count("depth", depth, minimum=MIN_DEPTH, maximum=MAX_DEPTH, because="codes of cells end there")
         edge, cell = check_positive("scale", scale), check_positive("width", width, allow_zero=True)
         pull = check_positive("point_weight", point_weight, allow_zero=True, maximum=MAX_POINT_WEIGHT)
@@ -185,7 +185,7 @@ class MeshReconstruction(MeshMeasures):
             envelope=None if envelope is None else _check_envelope(envelope, cloud),
             progress=check_progress(None),
         )
-        mesh = cls.from_device_arrays(
+        mesh = cls._from_device_arrays(
             surface.vertices,
             surface.triangles,
             vertex_normals=surface.normals,
@@ -194,13 +194,13 @@ class MeshReconstruction(MeshMeasures):
             library=cloud.array_library,
         )
         mesh.unit = cloud.unit
-        return mesh, mesh.handed_out(surface.densities)
+        return mesh, mesh._handed_out(surface.densities)
 
-    create_from_point_cloud_poisson = from_point_cloud_poisson
+    create_from_point_cloud_poisson = create_from_point_cloud_poisson
 
     @classmethod
     @told_arguments
-    def from_point_cloud_ball_pivoting(cls, cloud: PointCloud, radii: Any = None) -> Self:
+    def create_from_point_cloud_ball_pivoting(cls, cloud: PointCloud, radii: Any = None) -> Self:
         """A mesh of a cloud: the triangles that a ball can rest on without a point inside.
 
         Args:
@@ -241,16 +241,16 @@ class MeshReconstruction(MeshMeasures):
             >>> ball = rng.normal(size=(2000, 3))
             >>> ball /= np.linalg.norm(ball, axis=1, keepdims=True)
             >>> cloud = loom.PointCloud(ball, normals=ball)
-            >>> mesh = loom.TriangleMesh.from_point_cloud_ball_pivoting(cloud, [0.1, 0.2])
+            >>> mesh = loom.TriangleMesh.create_from_point_cloud_ball_pivoting(cloud, [0.1, 0.2])
             >>> mesh.is_edge_manifold(), len(mesh) > 3900
             (True, True)
         """
         check_cloud("cloud", cloud)
-        normals = cloud.required_array(
+        normals = cloud._required_array(
             "normals",
             "call cloud = cloud.estimate_normals(), then cloud = cloud.orient_normals_consistent_tangent_plane(15)",
         )
-        points = cloud.device_array("points")
+        points = cloud._device_array("points")
         given = None if radii is None else _check_radii(radii)
         ball = RollingBall(points, normals, cloud.search_tree)
         extent = float((np.asarray(ball.tree.high, np.float64) - ball.tree.low).max()) if ball.tree.count > 2 else 0.0
@@ -264,8 +264,8 @@ class MeshReconstruction(MeshMeasures):
                 m = "" if cloud.unit is None else f" {cloud.unit.symbol}"
                 message = f"radii: balls of {told}{m} touch no three points; the points' spacing asks for {usual}{m}"
                 warn_of_units(message)
-        colors = cloud.device_array("colors") if cloud.has_colors else None
-        mesh = cls.from_device_arrays(
+        colors = cloud._device_array("colors") if cloud.has_colors else None
+        mesh = cls._from_device_arrays(
             points,
             triangles,
             vertex_normals=normals,
@@ -276,34 +276,34 @@ class MeshReconstruction(MeshMeasures):
         mesh.unit = cloud.unit
         return mesh
 
-    create_from_point_cloud_ball_pivoting = from_point_cloud_ball_pivoting
+    create_from_point_cloud_ball_pivoting = create_from_point_cloud_ball_pivoting
 
     @overload
     @classmethod
-    def from_point_cloud_alpha_shape(
+    def create_from_point_cloud_alpha_shape(
         cls, cloud: PointCloud, alpha: float | str = ..., *, return_tetrahedra: Literal[False] = ...
     ) -> Self: ...
 
     @overload
     @classmethod
-    def from_point_cloud_alpha_shape(
+    def create_from_point_cloud_alpha_shape(
         cls, cloud: PointCloud, alpha: float | str = ..., *, return_tetrahedra: Literal[True]
     ) -> tuple[Self, NDArray[np.int32], NDArray[np.int32]]: ...
 
     @overload
     @classmethod
-    def from_point_cloud_alpha_shape(
+    def create_from_point_cloud_alpha_shape(
         cls, cloud: PointCloud, alpha: Sequence[float] | NDArray[Any], *, return_tetrahedra: Literal[False] = ...
     ) -> list[Self]: ...
 
     @overload
     @classmethod
-    def from_point_cloud_alpha_shape(
+    def create_from_point_cloud_alpha_shape(
         cls, cloud: PointCloud, alpha: Sequence[float] | NDArray[Any], *, return_tetrahedra: Literal[True]
     ) -> list[tuple[Self, NDArray[np.int32], NDArray[np.int32]]]: ...
 
     @classmethod
-    def from_point_cloud_alpha_shape(
+    def create_from_point_cloud_alpha_shape(
         cls, cloud: PointCloud, alpha: Any = "auto", *, return_tetrahedra: bool = False
     ) -> Any:
         """The alpha shape of a cloud: the boundary of its Delaunay tetrahedra whose circumradius is at most alpha.
@@ -352,17 +352,17 @@ class MeshReconstruction(MeshMeasures):
         Example:
             >>> import numpy as np, pointloom as loom
             >>> grid = np.stack(np.meshgrid(*[np.arange(8.0)] * 3), -1).reshape(-1, 3)
-            >>> mesh = loom.TriangleMesh.from_point_cloud_alpha_shape(loom.PointCloud(grid), 0.9)
+            >>> mesh = loom.TriangleMesh.create_from_point_cloud_alpha_shape(loom.PointCloud(grid), 0.9)
             >>> len(mesh), mesh.is_watertight(), round(mesh.get_volume(), 3)
             (588, True, 343.0)
         """
         check_cloud("cloud", cloud)
         chosen, is_list = _check_alphas(alpha)
-        rows = first_occurrences(cloud.device_arrays["points"])
-        unique = cloud if rows.size == len(cloud) else cloud.select_rows(rows)
+        rows = first_occurrences(cloud._device_arrays["points"])
+        unique = cloud if rows.size == len(cloud) else cloud._select_rows(rows)
         tree = unique.search_tree()
         if chosen is None:
-            chosen = [_choose_alpha(tree, unique.device_arrays["points"])]
+            chosen = [_choose_alpha(tree, unique._device_arrays["points"])]
         found = _find_shapes(tree, rows, len(cloud), chosen, bool(return_tetrahedra))
         answers, bare = [], []
         used = _used_points([triangles for triangles, _ in found], len(cloud))
@@ -371,11 +371,11 @@ class MeshReconstruction(MeshMeasures):
             if not triangles.size:
                 bare.append(size)
             answers.append((mesh, tetrahedra, _used_rows(mask, places, count)) if return_tetrahedra else mesh)
-        flat = _flat_reason(tree.count, unique.device_arrays["points"]) if bare else None
+        flat = _flat_reason(tree.count, unique._device_arrays["points"]) if bare else None
         if flat is not None:
             warn_of_units(f"cloud: {flat}, so no alpha gives a surface; {FLAT_REMEDY}", UserWarning)
         elif bare and not isinstance(alpha, str):
-            usual = _choose_alpha(tree, unique.device_arrays["points"])
+            usual = _choose_alpha(tree, unique._device_arrays["points"])
             if max(bare) < SHORT_ALPHA * usual:
                 told = ", ".join(f"{size:g}" for size in bare)
                 usual *= ADVISED / AUTO
@@ -383,16 +383,16 @@ class MeshReconstruction(MeshMeasures):
                 warn_of_units(f"alpha: nothing is left at {told}{m}; the points' spacing asks for some {usual:.2g}{m}")
         return answers if is_list else answers[0]
 
-    create_from_point_cloud_alpha_shape = from_point_cloud_alpha_shape
+    create_from_point_cloud_alpha_shape = create_from_point_cloud_alpha_shape
 
     @classmethod
     def _over_points(cls, cloud: PointCloud, triangles: wp.array, used: wp.array, places: wp.array, count: int) -> Self:
         """A mesh of the points that some triangles use: so many, marked, each with its place among them."""
         names = {"vertices": "points", "vertex_normals": "normals", "vertex_colors": "colors"}
-        arrays = {name: cloud.device_arrays[given] for name, given in names.items() if given in cloud.device_arrays}
+        arrays = {name: cloud._device_arrays[given] for name, given in names.items() if given in cloud._device_arrays}
         corners, kept = keep_counted(triangles, used, places, count, list(arrays.values()))
         rows = dict(zip(arrays, kept, strict=True))
-        mesh = cls.from_device_arrays(triangles=corners, **rows, origin=cloud.origin, library=cloud.array_library)
+        mesh = cls._from_device_arrays(triangles=corners, **rows, origin=cloud.origin, library=cloud.array_library)
         mesh.unit = cloud.unit
         return mesh
 
@@ -432,7 +432,7 @@ class MeshReconstruction(MeshMeasures):
         parts = []
         for level in levels.tolist():
             vertices, triangles, origin = extract_level(field, level, (1.0,) * 3, (0.0,) * 3, device)
-            parts.append(cls.from_device_arrays(vertices, flip_triangles(triangles), origin=origin))
+            parts.append(cls._from_device_arrays(vertices, flip_triangles(triangles), origin=origin))
         return cls.concatenate(parts)
 
 
@@ -579,8 +579,8 @@ def _check_work(tree: Any, radius: float, places: Any) -> None:
 
 def why_flat(cloud: PointCloud) -> str | None:
     """Why no alpha shape of a cloud has a tetrahedron, as a clause of a sentence; None if some alpha gives one."""
-    points = cloud.device_arrays["points"]
-    return _flat_reason(cloud.select_rows(first_occurrences(points)).search_tree().count, points)
+    points = cloud._device_arrays["points"]
+    return _flat_reason(cloud._select_rows(first_occurrences(points)).search_tree().count, points)
 
 
 def _flat_reason(distinct: int, points: wp.array) -> str | None:

@@ -109,7 +109,7 @@ class MeshRemeshing(MeshMeasures):
         triangles, arrays = cluster_vertices(self._arrays["triangles"], [*rows.values()], unit, size, way == "quadric")
         without: dict[str, Any] = dict.fromkeys(TEXTURE)
         left: dict[str, Any] = without | dict(zip(rows, arrays, strict=True))
-        return with_attributes_of(self._bare().with_arrays(triangles=triangles, **left), self)
+        return with_attributes_of(self._bare()._with_arrays(triangles=triangles, **left), self)
 
     @returns_new
     def simplify_quadric_decimation(
@@ -175,7 +175,7 @@ class MeshRemeshing(MeshMeasures):
         job.run()
         triangles, arrays, *texture = job.result()
         kept: dict[str, Any] = dict(zip((*TEXTURE, *rows), (*texture, *arrays), strict=True))
-        left = self._bare().with_arrays(triangles=triangles, **kept)
+        left = self._bare()._with_arrays(triangles=triangles, **kept)
         if len(left) > target and np.isinf(error):
             warnings.warn(
                 f"{len(left)} triangles are left and not {target}: no edge can go without tearing the mesh",
@@ -230,7 +230,7 @@ class MeshRemeshing(MeshMeasures):
             raise ValueError(f"feature_angle: expected 0 to 180 degrees, got {angle:g}")
         source = self._without_waste()  # sync
         if not count or not len(source):
-            return source.with_arrays(**dict.fromkeys(TEXTURE))
+            return source._with_arrays(**dict.fromkeys(TEXTURE))
         vertices, triangles = source._arrays["vertices"], source._arrays["triangles"]
         low, high, _ = bound_points(vertices)  # sync
         span, area = float(np.abs([low, high]).max()), measure(vertices, triangles)[0]  # sync
@@ -242,8 +242,8 @@ class MeshRemeshing(MeshMeasures):
         check_room(self._device, int(TRIANGLE_BYTES * expected), f"some {expected:,.0f} triangles")
         surface = TriangleTree(vertices, triangles, all_finite=True)
         mesh = _remesh(surface, target, count, math.radians(angle))
-        bare = source._bare().with_arrays(vertex_normals=None, vertex_colors=None, **dict.fromkeys(TEXTURE))
-        made = bare.with_arrays(vertices=mesh.vertices, triangles=mesh.triangles)._without_gone()
+        bare = source._bare()._with_arrays(vertex_normals=None, vertex_colors=None, **dict.fromkeys(TEXTURE))
+        made = bare._with_arrays(vertices=mesh.vertices, triangles=mesh.triangles)._without_gone()
         return with_attributes_of(with_vectors_of(made, source, surface), source, surface)
 
     def _without_gone(self) -> Self:
@@ -319,7 +319,7 @@ class MeshRemeshing(MeshMeasures):
         """Rounds of a rule for values; normals before `first_new` are as they were."""
         count = check_count("number_of_iterations", iterations, minimum=0)
         if count == 0 or not len(self):
-            return self.with_arrays()
+            return self._with_arrays()
         if count > 16 or 3 * len(self) * 4**count > MOST_CORNERS:
             raise ValueError(
                 f"number_of_iterations: {count} rounds make {len(self)} * 4^{count} triangles, more than the "
@@ -347,7 +347,7 @@ class MeshRemeshing(MeshMeasures):
                 arrays[name] = narrow_directions(rows, self._arrays[name], first_new)
             else:
                 arrays[name] = narrow_rows(rows)
-        return self.with_arrays(**arrays)
+        return self._with_arrays(**arrays)
 
     @returns_new
     def filter_smooth_simple(self, number_of_iterations: int = 1, filter_scope: Any = "all") -> Self:
@@ -478,9 +478,9 @@ class MeshRemeshing(MeshMeasures):
         if not names:
             raise ValueError(f"filter_scope: the mesh has no {_names_of(scope)[0]} to filter")
         if count == 0 or not len(self):
-            return self.with_arrays()
+            return self._with_arrays()
         sewn = sew(self)
-        arrays = sewn.mesh.device_arrays
+        arrays = sewn.mesh._device_arrays
         wide = {name: widen_rows(arrays[name]) for name in {"vertices", *names}}
         values = filter_values(arrays["triangles"], wide["vertices"], names, wide, passes * count)
         narrow: dict[str, Any] = {}
@@ -489,7 +489,7 @@ class MeshRemeshing(MeshMeasures):
                 narrow[name] = sewn.spread(narrow_directions(rows, arrays[name]))
             else:
                 narrow[name] = sewn.spread(narrow_rows(rows))
-        return self.with_arrays(**narrow)
+        return self._with_arrays(**narrow)
 
     @returns_new
     def deform_as_rigid_as_possible(
@@ -555,19 +555,19 @@ class MeshRemeshing(MeshMeasures):
         alpha = check_positive("smoothed_alpha", smoothed_alpha, allow_zero=True)
         likeness = alpha * self._finite_area() if _energy_of(energy) == "smoothed" else 0.0
         if turns == 0:
-            return self.with_arrays()
+            return self._with_arrays()
         rows = upload(held, int32, self._device)
         check_finite_vertices("constraint_vertex_indices", held, gather_rows(self._arrays["vertices"], rows))
         sewn = sew(self)
         if sewn.places is not None:
             held, targets = _once(held, download(gather_rows(sewn.places, rows)), targets)  # sync
             rows = upload(held, int32, self._device)
-        places, arrays = upload(targets - self._origin, vec3d, self._device), sewn.mesh.device_arrays
+        places, arrays = upload(targets - self._origin, vec3d, self._device), sewn.mesh._device_arrays
         moved, rotations = deform_rigidly(arrays["vertices"], arrays["triangles"], rows, places, turns, likeness)
         bent: dict[str, Any] = {"vertices": sewn.spread(narrow_rows(moved))}
         if "vertex_normals" in self._arrays:
             bent["vertex_normals"] = turn_directions(rotations, self._arrays["vertex_normals"], sewn.places)
-        return self.with_arrays(**bent)
+        return self._with_arrays(**bent)
 
 
 def _check_contraction(contraction: Any) -> str:

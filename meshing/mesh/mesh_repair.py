@@ -174,7 +174,7 @@ class MeshRepair(MeshMeasures):
         rows, loops, starts = find_loops(border)  # sync
         if not loops.count:
             return []
-        vertices, ends = self.handed_out(gather_rows(border.vertices, rows)), starts.tolist()
+        vertices, ends = self._handed_out(gather_rows(border.vertices, rows)), starts.tolist()
         return [vertices[first:end] for first, end in pairwise(ends)]
 
     def get_non_manifold_vertices(self) -> NDArray[np.int32]:
@@ -189,7 +189,7 @@ class MeshRepair(MeshMeasures):
             [0]
         """
         mask = mesh_edges.find_split_vertices(self._arrays["triangles"], self._arrays["vertices"].size)
-        return self.handed_out(positions_of(mask))
+        return self._handed_out(positions_of(mask))
 
     def is_vertex_manifold(self) -> bool:
         """Whether the triangles at each vertex hang together by edges at it; see `get_non_manifold_vertices`.
@@ -254,7 +254,7 @@ class MeshRepair(MeshMeasures):
         arrays: dict[str, Any] = {"triangles": orientation.flip_some(self._arrays["triangles"], found.flips)}
         if "triangle_uvs" in self._arrays:
             arrays["triangle_uvs"] = orientation.flip_some_corners(self._arrays["triangle_uvs"], found.flips)
-        return self.with_arrays(**arrays), found.orientable
+        return self._with_arrays(**arrays), found.orientable
 
     def euler_poincare_characteristic(self) -> int:
         """Vertices less edges plus triangles: 2 for a closed surface without handles, 0 for a torus.
@@ -294,7 +294,7 @@ class MeshRepair(MeshMeasures):
         count = self._arrays["vertices"].size
         found = VertexNeighbors(mesh_edges.MeshEdges(self._arrays["triangles"], count), count)
         used = int(download(found.starts[count:])[0])  # sync
-        return self.handed_out(found.starts), self.handed_out(view_as(found.vertices, int32, (used,)))
+        return self._handed_out(found.starts), self._handed_out(view_as(found.vertices, int32, (used,)))
 
     def compute_triangle_areas(self) -> NDArray[np.float64]:
         """The area [m^2] of each triangle, shape [t]; NaN for those with a corner that is not finite.
@@ -306,14 +306,14 @@ class MeshRepair(MeshMeasures):
             >>> loom.TriangleMesh([[0, 0, 0], [2, 0, 0], [0, 1, 0]], [[0, 1, 2]]).compute_triangle_areas().tolist()
             [1.0]
         """
-        return self.handed_out(triangle_areas(self._arrays["vertices"], self._arrays["triangles"]))
+        return self._handed_out(triangle_areas(self._arrays["vertices"], self._arrays["triangles"]))
 
     def _edges(self, padded: bool = False) -> mesh_edges.UniqueKeys:
         return mesh_edges.find_edges(self._arrays["triangles"], self._arrays["vertices"].size, padded)
 
     def _ends(self, edges: mesh_edges.UniqueKeys, mask: Mask) -> NDArray[np.int32]:
         ends = mesh_edges.edge_ends(edges, positions_of(mask), self._arrays["vertices"].size)
-        return self.handed_out(ends)
+        return self._handed_out(ends)
 
     @returns_new
     def fill_holes(self, hole_size: float = 1e6) -> Self:
@@ -396,7 +396,7 @@ class MeshRepair(MeshMeasures):
         before = mesh._vertex_count
         finite = mesh if merge_distance is None else mesh._merge_close("merge_distance", merge_distance)
         found = cut_and_stitch(finite)
-        mesh, orientation = found.mesh, Orientation(found.mesh.device_arrays["triangles"], found.mesh._vertex_count)
+        mesh, orientation = found.mesh, Orientation(found.mesh._device_arrays["triangles"], found.mesh._vertex_count)
         orientation.follow_most()
         mesh, flipped = found.mesh._flipped(orientation.flips), orientation.flips
         area, filled, left = mesh.get_surface_area(), 0, None
@@ -411,7 +411,7 @@ class MeshRepair(MeshMeasures):
             removed_duplicated_triangles=found.copies,
             removed_crowding_triangles=found.crowding,
             split_vertices=found.split,
-            flipped_triangles=count_unlike(found.mesh.device_arrays["triangles"], mesh.device_arrays["triangles"]),
+            flipped_triangles=count_unlike(found.mesh._device_arrays["triangles"], mesh._device_arrays["triangles"]),
             filled_holes=filled,
             added_triangles=added + found.halved,
             removed_vertices=found.unused,
@@ -445,7 +445,7 @@ class MeshRepair(MeshMeasures):
         """
         triangles, count = self._arrays["triangles"], self._vertex_count
         split, rows = split_fans(triangles, count)
-        return self.with_arrays(triangles=split, **self.vertices_at(rows))
+        return self._with_arrays(triangles=split, **self._vertices_at(rows))
 
     def _fill(self, hole_size: float) -> tuple[Self, int, int]:
         """(the mesh with its holes filled, how many were, how many of this size were not)."""
@@ -457,14 +457,14 @@ class MeshRepair(MeshMeasures):
             arrays["triangle_material_ids"] = spread_ids(self._arrays["triangle_material_ids"], found.corners)
         sources = spread_ids(positions(len(self), self._device), found.corners)
         arrays |= self._attributes_at("triangle_attributes", sources)
-        return self.with_arrays(**arrays), found.filled, found.left
+        return self._with_arrays(**arrays), found.filled, found.left
 
     def _flipped(self, flips: Mask) -> Self:
         """The mesh with the triangles wound the other way where a uint8 device mask is set."""
         arrays: dict[str, Any] = {"triangles": flip_some(self._arrays["triangles"], flips)}
         if "triangle_uvs" in self._arrays:
             arrays["triangle_uvs"] = flip_some_corners(self._arrays["triangle_uvs"], flips)
-        return self.with_arrays(**arrays)
+        return self._with_arrays(**arrays)
 
     def _nested(self, flipped: Mask) -> tuple[Self, bool]:
         """(the mesh with its closed parts turned by what they lie within, whether all can be wound alike).
@@ -538,7 +538,7 @@ class MeshRepair(MeshMeasures):
         vertices, triangles = self._arrays["vertices"], self._arrays["triangles"]
         tree = TriangleTree(vertices, triangles)
         first, second = find_meeting_pairs(tree, vertices, triangles, triangles, within=True)
-        return self.handed_out(pair_up(first, second))
+        return self._handed_out(pair_up(first, second))
 
     def is_intersecting(self, other: TriangleMesh) -> bool:
         """Whether a triangle of this mesh and one of another have a point in common.
@@ -569,8 +569,8 @@ class MeshRepair(MeshMeasures):
             return False
         own = self._arrays["vertices"]
         shifts = [np.zeros(3), other.origin - self._origin]
-        vertices = concatenate_points([own, other.device_arrays["vertices"]], shifts)
-        theirs = shift_triangles(other.device_arrays["triangles"], own.size)
+        vertices = concatenate_points([own, other._device_arrays["vertices"]], shifts)
+        theirs = shift_triangles(other._device_arrays["triangles"], own.size)
         tree = TriangleTree(vertices, theirs)
         return find_meeting_pairs(tree, vertices, self._arrays["triangles"], theirs, within=False)[0].size > 0
 
@@ -658,7 +658,7 @@ class MeshRepair(MeshMeasures):
         if not isinstance(other, MeshArrays):
             raise TypeError(f"mesh: expected a TriangleMesh, got {type(other).__name__}")
         library = load_manifold(name)
-        with_colors = "vertex_colors" in self._arrays and "vertex_colors" in other.device_arrays
+        with_colors = "vertex_colors" in self._arrays and "vertex_colors" in other._device_arrays
         solids = [
             _solid(library, mesh, self._origin, with_colors, f"{name}: {what}")
             for what, mesh in (("the mesh", self), ("mesh: it", other))
@@ -675,7 +675,7 @@ class MeshRepair(MeshMeasures):
             origin=self._origin,
         )
         mesh.unit = common_unit(f"{name}: the meshes", (self.unit, other.unit))
-        both_have_normals = "vertex_normals" in self._arrays and "vertex_normals" in other.device_arrays
+        both_have_normals = "vertex_normals" in self._arrays and "vertex_normals" in other._device_arrays
         return mesh.compute_vertex_normals() if both_have_normals else mesh
 
 

@@ -98,7 +98,7 @@ class MeshSelection(MeshArrays):
             [[1, 0, 2]]
         """
         used = cast(self._left_by(mask, self._arrays["vertices"].size, "vertices"), int32)
-        whole = self.triangles_at(mesh_edits.whole_triangles(self._arrays["triangles"], used))
+        whole = self._triangles_at(mesh_edits.whole_triangles(self._arrays["triangles"], used))
         return self._with_used(whole.pop("triangles"), used, **whole)
 
     @returns_new
@@ -118,7 +118,7 @@ class MeshSelection(MeshArrays):
             TriangleMesh(4 vertices, 1 triangles, cpu)
         """
         kept = positions_of(self._left_by(mask, len(self), "triangles"))  # sync
-        return self.with_arrays(**self.triangles_at(kept))
+        return self._with_arrays(**self._triangles_at(kept))
 
     def _with_used(self, triangles: wp.array, used: wp.array, **per_triangle: Any) -> Self:
         """The vertices that are marked, int32 [m] of 1 or 0, and triangles that have no other."""
@@ -127,7 +127,7 @@ class MeshSelection(MeshArrays):
         arrays: dict[str, Any] = dict(zip(rows, kept, strict=True))
         if self._attributes["vertex_attributes"]:
             arrays |= self._attributes_at("vertex_attributes", positions_of(cast(used, uint8)))  # sync
-        return self.with_arrays(triangles=triangles, **arrays, **per_triangle)
+        return self._with_arrays(triangles=triangles, **arrays, **per_triangle)
 
     def _with_triangles(self, mask: wp.array) -> Self:
         """The triangles where a uint8 device mask is set, and the vertices that they use; one sync."""
@@ -138,10 +138,10 @@ class MeshSelection(MeshArrays):
         count = self._arrays["vertices"].size
         used = mesh_edits.mark_chosen(self._arrays["triangles"], mask, count)
         rows, vertices, *positions = positions_of_each(mask, used, *others)  # sync
-        arrays = self.triangles_at(rows) | self.vertices_at(vertices)
+        arrays = self._triangles_at(rows) | self._vertices_at(vertices)
         places = mesh_edits.mark_places(vertices, count)[1]
         arrays["triangles"] = mesh_edits.renumber_triangles(arrays["triangles"], places)
-        return self.with_arrays(**arrays), rows, vertices, *positions
+        return self._with_arrays(**arrays), rows, vertices, *positions
 
     def _left_by(self, mask: ArrayLike, count: int, of: str) -> wp.array:
         """What a mask of removals leaves, uint8 on the mesh's device."""
@@ -207,7 +207,7 @@ class MeshSelection(MeshArrays):
         places, count = merge_vertices.number_owners(owners)  # sync
         kept = positions_of(merge_vertices.mask_owners(owners), count)
         triangles = merge_vertices.rename_corners(self._arrays["triangles"], owners, places)
-        return self.with_arrays(triangles=triangles, **self.vertices_at(kept))
+        return self._with_arrays(triangles=triangles, **self._vertices_at(kept))
 
     @returns_new
     def merge_close_vertices(self, eps: float) -> Self:
@@ -266,10 +266,10 @@ class MeshSelection(MeshArrays):
         """
         crowded, plain = crowded_edges.find_at_crowded_edges(self._arrays["triangles"], self._vertex_count)
         if not crowded.size:
-            return self.with_arrays()
-        mesh = self if plain.size == len(self) else self.with_arrays(**self.triangles_at(plain))
+            return self._with_arrays()
+        mesh = self if plain.size == len(self) else self._with_arrays(**self._triangles_at(plain))
         return mesh._without(
-            crowded_edges.mask_crowding(mesh.device_arrays["vertices"], mesh.device_arrays["triangles"])
+            crowded_edges.mask_crowding(mesh._device_arrays["vertices"], mesh._device_arrays["triangles"])
         )
 
     def _merge_close(self, name: str, distance: Any) -> Self:
@@ -293,7 +293,7 @@ class MeshSelection(MeshArrays):
         if self._attributes["vertex_attributes"]:
             kept = positions_of(merge_vertices.mask_owners(owners), count)
             arrays |= self._attributes_at("vertex_attributes", kept)
-        return self.with_arrays(triangles=triangles, **arrays)
+        return self._with_arrays(triangles=triangles, **arrays)
 
     def _without_waste(self) -> Self:
         """Without triangles that are not finite, name a vertex twice or repeat another, and vertices that none has."""
@@ -308,10 +308,10 @@ class MeshSelection(MeshArrays):
     def _left(self, gone: Mask, used: Mask) -> Self:
         """The triangles that a mask leaves, and the vertices that another one has, theirs among them; one sync."""
         rows, vertices = positions_of_each(invert_mask(gone), used)  # sync
-        taken = self.triangles_at(rows) | self.vertices_at(vertices)
+        taken = self._triangles_at(rows) | self._vertices_at(vertices)
         places = mark_places(vertices, used.size)[1]
         taken["triangles"] = renumber_triangles(taken["triangles"], places)
-        return self.with_arrays(**taken)
+        return self._with_arrays(**taken)
 
     @property
     def _vertex_count(self) -> int:
@@ -319,7 +319,7 @@ class MeshSelection(MeshArrays):
 
     def _without(self, mask: wp.array) -> Self:
         """The mesh without the triangles where a uint8 device mask is set."""
-        return self.with_arrays(**self.triangles_at(positions_of(invert_mask(mask))))  # sync
+        return self._with_arrays(**self._triangles_at(positions_of(invert_mask(mask))))  # sync
 
     @returns_new
     def remove_triangles_by_index(self, triangle_indices: ArrayLike) -> Self:
@@ -339,7 +339,7 @@ class MeshSelection(MeshArrays):
             [[2, 1, 3]]
         """
         rows = self._rows_of("triangle_indices", triangle_indices, len(self), "triangles")
-        return self.with_arrays(**self.triangles_at(other_rows(rows, len(self))))
+        return self._with_arrays(**self._triangles_at(other_rows(rows, len(self))))
 
     @returns_new
     def remove_vertices_by_index(self, vertex_indices: ArrayLike) -> Self:
@@ -441,9 +441,9 @@ class MeshSelection(MeshArrays):
     def _at_vertices(self, rows: wp.array) -> Self:
         """The vertices at some rows, each once, and the triangles between them."""
         used, places = mesh_edits.mark_places(rows, self._vertex_count)
-        whole = self.triangles_at(mesh_edits.whole_triangles(self._arrays["triangles"], used))  # sync
-        whole |= {"triangles": mesh_edits.renumber_triangles(whole["triangles"], places)} | self.vertices_at(rows)
-        return self.with_arrays(**whole)
+        whole = self._triangles_at(mesh_edits.whole_triangles(self._arrays["triangles"], used))  # sync
+        whole |= {"triangles": mesh_edits.renumber_triangles(whole["triangles"], places)} | self._vertices_at(rows)
+        return self._with_arrays(**whole)
 
     def cluster_connected_triangles(self) -> tuple[NDArray[np.int32], NDArray[np.int32], NDArray[np.float64]]:
         """Find the parts of the mesh whose triangles hang together by shared edges.
@@ -472,7 +472,7 @@ class MeshSelection(MeshArrays):
         if broken.size:
             areas[download(parts.labels)[download(broken)]] = np.nan
         found = (hand_out_host(values, self._library, self._device) for values in (counts, areas))
-        return self.handed_out(parts.labels, dtype=np.int32), *found
+        return self._handed_out(parts.labels, dtype=np.int32), *found
 
     @returns_new
     def remove_small_components(self, min_triangles: int = 1, min_area: float = 0.0) -> Self:
@@ -546,7 +546,7 @@ class MeshSelection(MeshArrays):
         where, ratio = check_number("level", level), check_share("island_ratio", island_ratio)
         cut = LevelCut(self._arrays["triangles"], upload(values, float64, self._device), where)
         whole = self._cut_up(cut)
-        mask = mask_trimmed(whole.device_arrays["vertices"], cut, self._arrays["triangles"], ratio)
+        mask = mask_trimmed(whole._device_arrays["vertices"], cut, self._arrays["triangles"], ratio)
         return whole._with_triangles(mask)  # sync
 
     def _cut_up(self, cut: LevelCut) -> Self:
@@ -561,7 +561,7 @@ class MeshSelection(MeshArrays):
             arrays["triangle_uvs"] = cut.corners_of(self._arrays["triangle_uvs"])
         if "triangle_material_ids" in self._arrays:
             arrays["triangle_material_ids"] = gather_rows(self._arrays["triangle_material_ids"], cut.sources)
-        return self.with_arrays(triangles=cut.pieces, **arrays)
+        return self._with_arrays(triangles=cut.pieces, **arrays)
 
     @returns_new
     def clip_plane(self, point: ArrayLike, normal: ArrayLike, *, cap: bool = False) -> Self:
@@ -750,12 +750,12 @@ class MeshSelection(MeshArrays):
         corners = held[first][np.searchsorted(vertices, lid.reshape(-1))].astype(np.int32)
         own = self._arrays["triangles"]
         rows = np.concatenate([np.arange(own.size, dtype=np.int32), corners[::3] // 3])
-        arrays = self.triangles_at(upload(rows, int32, self._device))
+        arrays = self._triangles_at(upload(rows, int32, self._device))
         arrays["triangles"] = concatenate_rows([own, upload(lid, vec3i, self._device)])
         if "triangle_uvs" in self._arrays:
             more = upload(corners, int32, self._device)
             arrays["triangle_uvs"] = spread_corners(self._arrays["triangle_uvs"], more)
-        return self.with_arrays(**arrays)
+        return self._with_arrays(**arrays)
 
 
 def _check_mask(mask: ArrayLike, count: int, of: str) -> NDArray[np.bool_]:

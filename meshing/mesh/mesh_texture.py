@@ -75,8 +75,8 @@ class MeshTexture(MeshArrays):
         extent = float((high.astype(np.float64) - low).max())
         corners = (download(self._arrays["vertices"]).reshape(-1, 3).astype(np.float64) - low) / (extent or 1.0)
         uvs = _lay_out(corners.astype(np.float32), self.triangles, size, gutter)
-        without = self.with_arrays(triangle_uvs=None, triangle_material_ids=None)
-        return without.with_arrays(triangle_uvs=upload(uvs, vec2, self._device))
+        without = self._with_arrays(triangle_uvs=None, triangle_material_ids=None)
+        return without._with_arrays(triangle_uvs=upload(uvs, vec2, self._device))
 
     @returns_new
     def bake_vertex_colors(self, size: int = 1024, *, gutter: int = 4) -> Self:
@@ -118,7 +118,7 @@ class MeshTexture(MeshArrays):
         check_room(self._device, size * size * TEXEL_BYTES, f"size: a picture of {size} x {size} texels")
         arrays = (self._arrays["triangles"], self._arrays["vertex_colors"], self._arrays["triangle_uvs"])
         picture = download(draw_vertex_colors(*arrays, size, gutter)).reshape(size, size, 3)
-        baked = self.with_arrays(vertex_colors=None, triangle_material_ids=None)
+        baked = self._with_arrays(vertex_colors=None, triangle_material_ids=None)
         baked.textures = [picture]
         return baked
 
@@ -185,7 +185,7 @@ class MeshTexture(MeshArrays):
         colors = self._arrays.get("vertex_colors")
         picture = download(texels.write(sums, colors, GUTTER)).reshape(size, size, 3)  # sync
         share = texels.share_shown(sums)  # sync
-        textured = self.with_arrays(triangle_material_ids=None)
+        textured = self._with_arrays(triangle_material_ids=None)
         textured.textures = (picture.copy(),)
         return textured, share
 

@@ -182,12 +182,12 @@ class TSDFVolume(ScanIntegration, ToldNames):
         if color is not None:
             pixels = upload_color(color, height, width, self.device)
         T = inv(T_camera_world)
-        count = self.integrate_device_frame(raw, camera, T, pixels, scale, farthest)
+        count = self._integrate_device_frame(raw, camera, T, pixels, scale, farthest)
         self._library = library
         report("integrate", volume=self, intrinsic=camera, T_world_camera=T)
         return count
 
-    def integrate_device_frame(
+    def _integrate_device_frame(
         self,
         depth: Any,
         intrinsic: PinholeCameraIntrinsic,
@@ -273,7 +273,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
         """
         surface = self._surface(weight_threshold, need_cells=True)
         vertices, shades, _ = surface.vertices(self.has_frame_colors, False)
-        return TriangleMesh.from_device_arrays(
+        return TriangleMesh._from_device_arrays(
             vertices, surface.triangles(), vertex_colors=shades, origin=self.origin, library=self._library
         )
 
@@ -294,7 +294,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
         arrays: dict[str, wp.array] = {"points": points, "normals": normals}  # type: ignore[dict-item]
         if shades is not None:
             arrays["colors"] = shades
-        return PointCloud.from_device_arrays(arrays, self.origin, self._library)
+        return PointCloud._from_device_arrays(arrays, self.origin, self._library)
 
     def ray_cast(
         self,

@@ -76,7 +76,7 @@ class Description(NamedTuple):
     def thinned(self) -> PointCloud:
         """The surface as a cloud with normals."""
         arrays = {"points": self.surface.points, "normals": self.surface.normals}
-        return PointCloud.from_device_arrays(arrays, self.cloud.origin)
+        return PointCloud._from_device_arrays(arrays, self.cloud.origin)
 
 
 @told_arguments
@@ -384,7 +384,7 @@ def registration_robust_based_on_feature_matching(
 
 
 def _register(source: PointCloud, target: PointCloud, pairs: wp.array, bound: float, seed: int) -> RegistrationResult:
-    found = find_poses(source.device_array("points"), target.device_array("points"), pairs, bound, seed)
+    found = find_poses(source._device_array("points"), target._device_array("points"), pairs, bound, seed)
     if not len(found.poses):
         result = no_pose(f"no {FEWEST} of {pairs.shape[0]} correspondences agree", source)
         result.score = 0.0

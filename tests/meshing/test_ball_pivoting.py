@@ -1,4 +1,4 @@
-"""TriangleMesh.from_point_cloud_ball_pivoting: Open3D's triangles and more, manifold, the same in any order."""
+"""TriangleMesh.create_from_point_cloud_ball_pivoting: Open3D's triangles and more, manifold, the same in any order."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 import pointloom as loom
 from pointloom.meshing.mesh import mesh_reconstruction
 
-pivot = loom.TriangleMesh.from_point_cloud_ball_pivoting
+pivot = loom.TriangleMesh.create_from_point_cloud_ball_pivoting
 UP = (0.0, 0.0, 1.0)
 
 
