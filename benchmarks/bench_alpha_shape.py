@@ -39,7 +39,7 @@ def prepare_pointloom(scene: Shape, device: str) -> Any:
     import pointloom as loom
 
     cloud = loom.PointCloud(scene.points, device=device, origin=(0, 0, 0))
-    return waiting(lambda: loom.TriangleMesh.from_point_cloud_alpha_shape(cloud, scene.alpha), device, "warp")
+    return waiting(lambda: loom.TriangleMesh.create_from_point_cloud_alpha_shape(cloud, scene.alpha), device, "warp")
 
 
 def prepare_open3d(scene: Shape, device: str) -> Any:

@@ -44,7 +44,7 @@ def prepare_pointloom(scene: Surface, device: str) -> Any:
     import pointloom as loom
 
     cloud = loom.PointCloud(scene.points, normals=scene.normals, device=device)
-    pivot = loom.TriangleMesh.from_point_cloud_ball_pivoting
+    pivot = loom.TriangleMesh.create_from_point_cloud_ball_pivoting
     return Trial(waiting(lambda c: pivot(c, scene.radii), device, "warp"), setup=lambda: anew(cloud))
 
 

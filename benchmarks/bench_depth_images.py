@@ -35,7 +35,7 @@ def unproject_pointloom(frames: scenes.Frames, device: str) -> Any:
         for depth in frames.depths:
             image = loom.filter_depth_bilateral(depth, *BLUR, device=device)
             limits = {"depth_trunc": DEPTH_MAX, "with_normals": True}
-            clouds.append(loom.PointCloud.from_depth_image(image, camera, **limits, device=device))
+            clouds.append(loom.PointCloud.create_from_depth_image(image, camera, **limits, device=device))
         return clouds
 
     return waiting(unproject, device, "warp")
@@ -59,7 +59,7 @@ def clouds_of(frames: scenes.Frames, device: str) -> list[Any]:
 
     camera = camera_of(frames)
     return [
-        loom.PointCloud.from_depth_image(depth, camera, extrinsic, device=device)
+        loom.PointCloud.create_from_depth_image(depth, camera, extrinsic, device=device)
         for depth, extrinsic in zip(frames.depths, frames.extrinsics, strict=True)
     ]
 

@@ -1,4 +1,4 @@
-"""from_point_cloud_poisson of 200k points with normals at depths 8 and 9, beside Open3D's."""
+"""create_from_point_cloud_poisson of 200k points with normals at depths 8 and 9, beside Open3D's."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def prepare_pointloom(scene: Scene, device: str) -> Any:
 
     points, normals, depth = scene
     cloud = loom.PointCloud(points, normals=normals, device=device)
-    return waiting(lambda: loom.TriangleMesh.from_point_cloud_poisson(cloud, depth), device, "warp")
+    return waiting(lambda: loom.TriangleMesh.create_from_point_cloud_poisson(cloud, depth), device, "warp")
 
 
 def prepare_open3d(scene: Scene, device: str) -> Any:

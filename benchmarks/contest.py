@@ -167,7 +167,7 @@ def open3d_device(device: str) -> Any:
 
 def anew(cloud: Any) -> Any:
     """Our cloud over the same arrays without the search tree that it keeps: for calls that have to build it."""
-    return type(cloud).from_device_arrays(dict(cloud._arrays), cloud.origin)
+    return type(cloud)._from_device_arrays(dict(cloud._arrays), cloud.origin)
 
 
 def waiting(call: Callable[..., Any], device: str, library: str) -> Callable[..., Any]:

@@ -26,7 +26,7 @@ def cloud_file(cloud: Any, ending: str, **options: Any) -> Any:
 
 
 def alpha_shape(p: Place, alpha: Any, **options: Any) -> Any:
-    return loom().TriangleMesh.from_point_cloud_alpha_shape(p.cloud, alpha, **options)
+    return loom().TriangleMesh.create_from_point_cloud_alpha_shape(p.cloud, alpha, **options)
 
 
 def detail_tree(p: Place) -> Any:
@@ -176,8 +176,10 @@ ON_CLOUDS: dict[str, Callable[[Place], Any]] = {
         p.cloud, radius=2 * p.spacing, max_nn=None
     ),
     "estimate_curvature": lambda p: loom().estimate_curvature(p.cloud, radius=4 * p.spacing, max_nn=20),
-    "from_point_cloud_ball_pivoting": lambda p: loom().TriangleMesh.from_point_cloud_ball_pivoting(p.facing),
-    "from_point_cloud_ball_pivoting, radii": lambda p: loom().TriangleMesh.from_point_cloud_ball_pivoting(
+    "create_from_point_cloud_ball_pivoting": lambda p: loom().TriangleMesh.create_from_point_cloud_ball_pivoting(
+        p.facing
+    ),
+    "create_from_point_cloud_ball_pivoting, radii": lambda p: loom().TriangleMesh.create_from_point_cloud_ball_pivoting(
         p.facing, [1.2 * p.spacing, 2.5 * p.spacing]
     ),
     "smooth_mls": lambda p: p.cloud.smooth_mls(radius=3.4 * p.spacing, max_nn=30),

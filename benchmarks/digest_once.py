@@ -539,25 +539,27 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "write and read .e57": lambda d: cloud_file(d.cloud(d.far.cloud.points, colors=d.far.cloud.colors), ".e57"),
     "write and read_copc": lambda d: copc_window(d.far),
     "read_las_chunks": lambda d: las_chunks(d.far),
-    "from_depth_image": lambda d: loom().PointCloud.from_depth_image(d.frames.depths[0], d.lens, device=d.device),
-    "from_depth_image, normals": lambda d: loom().PointCloud.from_depth_image(
+    "create_from_depth_image": lambda d: loom().PointCloud.create_from_depth_image(
+        d.frames.depths[0], d.lens, device=d.device
+    ),
+    "create_from_depth_image, normals": lambda d: loom().PointCloud.create_from_depth_image(
         d.frames.depths[1], d.lens, d.extrinsics(UTM)[1], depth_trunc=3.0, with_normals=True, device=d.device
     ),
-    "from_depth_image, stride": lambda d: loom().PointCloud.from_depth_image(
+    "create_from_depth_image, stride": lambda d: loom().PointCloud.create_from_depth_image(
         d.frames.depths[2] / 1000, d.lens, stride=3, project_valid_depth_only=False, with_normals=True, device=d.device
     ),
-    "from_rgbd_image": lambda d: loom().PointCloud.from_rgbd_image(d.rgbd, d.lens, d.extrinsics()[0]),
-    "from_rgbd_image, normals": lambda d: loom().PointCloud.from_rgbd_image(
+    "create_from_rgbd_image": lambda d: loom().PointCloud.create_from_rgbd_image(d.rgbd, d.lens, d.extrinsics()[0]),
+    "create_from_rgbd_image, normals": lambda d: loom().PointCloud.create_from_rgbd_image(
         d.rgbd, d.lens, project_valid_depth_only=False, stride=2, with_normals=True
     ),
     "RGBDImage": lambda d: d.rgbd,
     "RGBDImage, formats": lambda d: [
         getattr(loom().RGBDImage, name)(d.paint, d.frames.depths[0], device=d.device)
-        for name in ("from_color_and_depth", "from_redwood_format", "from_tum_format")
+        for name in ("create_from_color_and_depth", "create_from_redwood_format", "create_from_tum_format")
     ],
     "RGBDImage, raw formats": lambda d: [
         getattr(loom().RGBDImage, name)(d.paint, d.frames.depths[0], convert_rgb_to_intensity=False, device=d.device)
-        for name in ("from_sun_format", "from_nyu_format")
+        for name in ("create_from_sun_format", "create_from_nyu_format")
     ],
     "project_to_rgbd_image": lambda d: d.surface.cloud.project_to_rgbd_image(
         *SIZE, depth_lens(d.surface), d.surface.camera, depth_max=9.0
@@ -639,8 +641,8 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     ],
     "mesh, cluster_connected_triangles": lambda d: list(some_triangles(d).cluster_connected_triangles()),
     "mesh, remove_small_components": lambda d: some_triangles(d).remove_small_components(min_triangles=2),
-    "mesh, from_point_cloud_poisson": lambda d: [
-        loom().TriangleMesh.from_point_cloud_poisson(
+    "mesh, create_from_point_cloud_poisson": lambda d: [
+        loom().TriangleMesh.create_from_point_cloud_poisson(
             textured_ball(d).sample_points_uniformly(count, True), depth, scale=scale, linear_fit=depth == 5
         )
         for count, depth, scale in ((4000, 6, 1.1), (300, 9, 1.5), (1000, 5, 1.0))

@@ -121,12 +121,12 @@ OPERATIONS: dict[str, tuple[Make, bool]] = {
     ),
     "classify_ground": (lambda c, s: loom().classify_ground(c), False),
     "mesh by Poisson, width 4 s": (
-        lambda c, s: loom().TriangleMesh.from_point_cloud_poisson(c, width=4 * s), True,
+        lambda c, s: loom().TriangleMesh.create_from_point_cloud_poisson(c, width=4 * s), True,
     ),
     "mesh by ball pivoting, 1.2 s, 2.4 s": (
-        lambda c, s: loom().TriangleMesh.from_point_cloud_ball_pivoting(c, [1.2 * s, 2.4 * s]), True,
+        lambda c, s: loom().TriangleMesh.create_from_point_cloud_ball_pivoting(c, [1.2 * s, 2.4 * s]), True,
     ),
-    "mesh by alpha shape, 2 s": (lambda c, s: loom().TriangleMesh.from_point_cloud_alpha_shape(c, 2 * s), False),
+    "mesh by alpha shape, 2 s": (lambda c, s: loom().TriangleMesh.create_from_point_cloud_alpha_shape(c, 2 * s), False),
     "write and read .ply": (lambda c, s: there_and_back(c, ".ply"), False),
     "write and read .las": (lambda c, s: there_and_back(c, ".las"), False),
     "write and read .laz": (lambda c, s: there_and_back(c, ".laz"), False),

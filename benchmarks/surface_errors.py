@@ -29,11 +29,11 @@ def ours(scene: Scene, method: str, depth: int) -> Any:
     """Our mesh of a scene."""
     cloud = loom.PointCloud(scene.points, normals=scene.normals)
     if method == "poisson":
-        mesh, densities = loom.TriangleMesh.from_point_cloud_poisson(cloud, depth)
+        mesh, densities = loom.TriangleMesh.create_from_point_cloud_poisson(cloud, depth)
         return mesh.remove_vertices_by_mask(densities < np.quantile(densities, QUANTILE))
     if method == "ball":
-        return loom.TriangleMesh.from_point_cloud_ball_pivoting(cloud, scene.radii)
-    return loom.TriangleMesh.from_point_cloud_alpha_shape(cloud, scene.alpha)
+        return loom.TriangleMesh.create_from_point_cloud_ball_pivoting(cloud, scene.radii)
+    return loom.TriangleMesh.create_from_point_cloud_alpha_shape(cloud, scene.alpha)
 
 
 def theirs(scene: Scene, method: str, depth: int) -> Any:

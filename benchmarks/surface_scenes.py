@@ -136,7 +136,7 @@ def made_room() -> Scene:
     """The made-up room as a depth camera with its noise sees it in 40 frames: points and normals of the frames."""
     parts = []
     for frame in room_sequence(40, width=320, height=240):
-        cloud = loom.PointCloud.from_depth_image(
+        cloud = loom.PointCloud.create_from_depth_image(
             frame.depth, frame.intrinsic, np.linalg.inv(frame.T_world_camera), stride=2, with_normals=False
         )
         cloud = cloud.estimate_normals(max_nn=30)

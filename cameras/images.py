@@ -90,7 +90,7 @@ class RGBDImage(ToldNames):
 
     @classmethod
     @told_arguments
-    def from_color_and_depth(
+    def create_from_color_and_depth(
         cls,
         color: ArrayLike,
         depth: ArrayLike,
@@ -118,7 +118,7 @@ class RGBDImage(ToldNames):
         Example:
             >>> import numpy as np, pointloom as loom
             >>> red = np.full((1, 1, 3), (255, 0, 0), np.uint8)
-            >>> rgbd = loom.RGBDImage.from_color_and_depth(red, np.full((1, 1), 2000, np.uint16))
+            >>> rgbd = loom.RGBDImage.create_from_color_and_depth(red, np.full((1, 1), 2000, np.uint16))
             >>> round(float(rgbd.color[0, 0]), 3)
             0.299
         """
@@ -127,27 +127,25 @@ class RGBDImage(ToldNames):
             vars(image)["color_array"] = intensity_of(image.color_array)
         return image
 
-    create_from_color_and_depth = from_color_and_depth
-
     @classmethod
-    def from_redwood_format(
+    def create_from_redwood_format(
         cls, color: ArrayLike, depth: ArrayLike, convert_rgb_to_intensity: bool = True, *, device: Any = None
     ) -> Self:
-        """A frame of the Redwood data sets: millimetres, cut at 4 m; see `from_color_and_depth`."""
-        return cls.from_color_and_depth(color, depth, 1000.0, 4.0, convert_rgb_to_intensity, device=device)
+        """A frame of the Redwood data sets: millimetres, cut at 4 m; see `create_from_color_and_depth`."""
+        return cls.create_from_color_and_depth(color, depth, 1000.0, 4.0, convert_rgb_to_intensity, device=device)
 
     @classmethod
-    def from_tum_format(
+    def create_from_tum_format(
         cls, color: ArrayLike, depth: ArrayLike, convert_rgb_to_intensity: bool = True, *, device: Any = None
     ) -> Self:
-        """A frame of the TUM RGB-D data sets: 5000 units a metre, cut at 4 m; see `from_color_and_depth`."""
-        return cls.from_color_and_depth(color, depth, 5000.0, 4.0, convert_rgb_to_intensity, device=device)
+        """A frame of the TUM RGB-D data sets: 5000 units a metre, cut at 4 m; see `create_from_color_and_depth`."""
+        return cls.create_from_color_and_depth(color, depth, 5000.0, 4.0, convert_rgb_to_intensity, device=device)
 
     @classmethod
-    def from_sun_format(
+    def create_from_sun_format(
         cls, color: ArrayLike, depth: ArrayLike, convert_rgb_to_intensity: bool = True, *, device: Any = None
     ) -> Self:
-        """A frame of SUN3D: millimetres turned left by three bits, cut at 7 m; see `from_color_and_depth`.
+        """A frame of SUN3D: millimetres turned left by three bits, cut at 7 m; see `create_from_color_and_depth`.
 
         Args:
             color: As there.
@@ -161,13 +159,13 @@ class RGBDImage(ToldNames):
         return cls._from_raw("sun", color, depth, convert_rgb_to_intensity, device)
 
     @classmethod
-    def from_nyu_format(
+    def create_from_nyu_format(
         cls, color: ArrayLike, depth: ArrayLike, convert_rgb_to_intensity: bool = True, *, device: Any = None
     ) -> Self:
         """A raw frame of NYU Depth v2: 351.3 / (1092.5 - d) metres, bytes swapped, cut at 7 m.
 
         Args:
-            color: As in `from_color_and_depth`.
+            color: As in `create_from_color_and_depth`.
             depth: The numbers as a reader of .pgm gives them (their bytes stand the other way round than in other
                 .pgm files, which is mended here), shape [h, w], integers of 16 bits.
             convert_rgb_to_intensity: As there.
@@ -177,11 +175,6 @@ class RGBDImage(ToldNames):
             ValueError, TypeError: As there; depth that is no integers.
         """
         return cls._from_raw("nyu", color, depth, convert_rgb_to_intensity, device)
-
-    create_from_redwood_format = from_redwood_format
-    create_from_tum_format = from_tum_format
-    create_from_sun_format = from_sun_format
-    create_from_nyu_format = from_nyu_format
 
     @property
     def depth(self) -> NDArray[np.float32]:
@@ -198,11 +191,11 @@ class RGBDImage(ToldNames):
         return f"RGBDImage({self.width} x {self.height}, {self.device})"
 
     def __copy__(self) -> Self:
-        return self.from_device_arrays(self.color_array, self.depth_array, self.height, self.width, self._library)
+        return self._from_device_arrays(self.color_array, self.depth_array, self.height, self.width, self._library)
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Self:
         arrays = clone(self.color_array), clone(self.depth_array)
-        return self.from_device_arrays(*arrays, self.height, self.width, self._library)
+        return self._from_device_arrays(*arrays, self.height, self.width, self._library)
 
     def __getstate__(self) -> dict[str, Any]:
         """The image as NumPy arrays and the name of its device, for pickle."""
@@ -221,7 +214,7 @@ class RGBDImage(ToldNames):
             flat = float32, (height * width,)
             color = check_form("color_array", arrays["color_array"], (uint8, (height * width, 3)), flat)
             depth = check_form("depth_array", arrays["depth_array"], flat)
-            made = self.from_device_arrays(color, depth, height, width, check_library("library", state["library"]))
+            made = self._from_device_arrays(color, depth, height, width, check_library("library", state["library"]))
         vars(self).update(vars(made))
 
     # ------------------------------------------------------------------------------------------ internals
@@ -233,10 +226,10 @@ class RGBDImage(ToldNames):
         metric, _ = metric_depth(decode_depth(raw, layout), 1000.0, RAW_TRUNC)
         pixels = upload_color(color, height, width, where)
         colors = intensity_of(pixels) if to_intensity else pixels
-        return cls.from_device_arrays(colors, metric, height, width, library_of(depth))
+        return cls._from_device_arrays(colors, metric, height, width, library_of(depth))
 
     @classmethod
-    def from_device_arrays(
+    def _from_device_arrays(
         cls, color: wp.array, depth: wp.array, height: int, width: int, library: str = NUMPY
     ) -> Self:
         """An image over device arrays that are known to be right; no copy."""

@@ -37,7 +37,7 @@ def frame_cloud(index: int) -> loom.PointCloud:
     """What a frame shows, in the room's coordinates."""
     frame = frames()[index]
     image = loom.RGBDImage(frame.color, frame.depth, depth_scale=1.0, depth_trunc=6.0)
-    return loom.PointCloud.from_rgbd_image(image, frame.intrinsic, np.linalg.inv(frame.T_world_camera))
+    return loom.PointCloud.create_from_rgbd_image(image, frame.intrinsic, np.linalg.inv(frame.T_world_camera))
 
 
 @functools.cache
@@ -202,7 +202,7 @@ def features() -> Scene:
 
 def alpha_shape() -> Scene:
     """An alpha shape, its edges."""
-    mesh = loom.TriangleMesh.from_point_cloud_alpha_shape(clusters()[-1].voxel_down_sample(0.04), 0.15)
+    mesh = loom.TriangleMesh.create_from_point_cloud_alpha_shape(clusters()[-1].voxel_down_sample(0.04), 0.15)
     return {"geometries": {"geometry": mesh, "wireframe": True}}
 
 
@@ -210,13 +210,13 @@ def ball_pivoting() -> Scene:
     """Ball pivoting."""
     thin = objects().voxel_down_sample(0.03).estimate_normals(radius=0.08, max_nn=20)
     thin = thin.orient_normals_consistent_tangent_plane(15)
-    return {"geometries": loom.TriangleMesh.from_point_cloud_ball_pivoting(thin, [0.03, 0.06])}
+    return {"geometries": loom.TriangleMesh.create_from_point_cloud_ball_pivoting(thin, [0.03, 0.06])}
 
 
 def poisson() -> Scene:
     """Poisson, by density, without the sparse."""
     oriented = objects().orient_normals_consistent_tangent_plane(15)
-    mesh, densities = loom.TriangleMesh.from_point_cloud_poisson(oriented, 6)
+    mesh, densities = loom.TriangleMesh.create_from_point_cloud_poisson(oriented, 6)
     values = np.asarray(densities)
     share = ((values - values.min()) / np.ptp(values))[:, None]
     mesh.vertex_colors = share * [0.9, 0.3, 0.2] + (1 - share) * [0.3, 0.4, 0.8]

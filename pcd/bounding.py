@@ -18,11 +18,11 @@ class Bounding(PointArrays):
 
     def get_min_bound(self) -> NDArray[np.float64]:
         """The lowest coordinates of the finite points [m], shape [3]; zeros for an empty cloud."""
-        return self.device_bounds()[0]
+        return self._device_bounds()[0]
 
     def get_max_bound(self) -> NDArray[np.float64]:
         """The highest coordinates of the finite points [m], shape [3]; zeros for an empty cloud."""
-        return self.device_bounds()[1]
+        return self._device_bounds()[1]
 
     def get_center(self) -> NDArray[np.float64]:
         """The mean of the finite points [m], shape [3]; zeros where there is none."""
@@ -31,7 +31,7 @@ class Bounding(PointArrays):
 
     def get_axis_aligned_bounding_box(self) -> AxisAlignedBoundingBox:
         """The smallest aligned box around the finite points; at zero for an empty cloud."""
-        return AxisAlignedBoundingBox(*self.device_bounds())
+        return AxisAlignedBoundingBox(*self._device_bounds())
 
     def get_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
         """The box along the principal axes of the convex hull's vertices, that of the largest variance first.
@@ -88,7 +88,7 @@ class Bounding(PointArrays):
 
     # ------------------------------------------------------------------------------------------ internals
 
-    def device_bounds(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    def _device_bounds(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """The lowest and highest corner [m] of the finite points, [3] each; zeros where there is none."""
         low, high, finite = bound_points(self._arrays["points"])
         if not finite:

@@ -127,7 +127,7 @@ def m3c2(
     error = check_positive("registration_error", registration_error, allow_zero=True)
     upwards = check_direction("orientation", orientation)
     radii = check_radii(normal_radii, directions)
-    places, tree = cores.points_about(first.origin), first.search_tree()
+    places, tree = cores._points_about(first.origin), first.search_tree()
     if directions is not None:
         given, which = upload(_check_directions(directions, len(cores)), vec3, first.device), None
     else:

@@ -65,7 +65,7 @@ class Clusters(Selection):
         elif found == 1:
             warn_of_long("eps", reach, tree.low, tree.high, tree.count, unit, "all of them are one cluster")
         report("clusters", cloud=self, labels=labels)
-        return self.handed_out(labels)
+        return self._handed_out(labels)
 
     def cluster_euclidean(
         self, tolerance: float, min_cluster_size: int = 1, max_cluster_size: int | None = None
@@ -111,7 +111,7 @@ class Clusters(Selection):
         if cluster_count:
             rank_by_size(labels, cluster_count, min(least, MAX_SIZE), min(most, MAX_SIZE))
         report("clusters", cloud=self, labels=labels)
-        return self.handed_out(labels)
+        return self._handed_out(labels)
 
     # ------------------------------------------------------------------------------------------ internals
 

@@ -76,14 +76,14 @@ class Composition(PointArrays):
         unit = common_unit("clouds", (part.unit for part in parts))
         largest = max(parts, key=len)
         shifts = [part.origin - largest.origin for part in parts]
-        arrays = {"points": concatenate_points([part.device_array("points") for part in parts], shifts)}
-        for name in parts[0].device_arrays:
+        arrays = {"points": concatenate_points([part._device_array("points") for part in parts], shifts)}
+        for name in parts[0]._device_arrays:
             if name == "points" or not all(name in part for part in parts):
                 continue
             rows = [part.array(name) for part in parts]
             _check_alike(name, rows)
             arrays[name] = concatenate_rows(rows)
-        whole = cls.from_device_arrays(arrays, largest.origin, parts[0].array_library)
+        whole = cls._from_device_arrays(arrays, largest.origin, parts[0].array_library)
         whole.unit = unit
         return whole
 
@@ -104,7 +104,7 @@ class Composition(PointArrays):
         """
         rgb = check_color("color", color)
         colors = full(len(self), vec3(*rgb.tolist()), vec3, self.device)
-        return self.with_arrays({**self._arrays, "colors": colors}, grid=self.grid)
+        return self._with_arrays({**self._arrays, "colors": colors}, grid=self.grid)
 
 
 def _check_alike(name: str, rows: Sequence[Any]) -> None:

@@ -30,7 +30,7 @@ class DepthClouds(Selection):
 
     @classmethod
     @told_arguments
-    def from_depth_image(
+    def create_from_depth_image(
         cls,
         depth: ArrayLike,
         intrinsic: PinholeCameraIntrinsic,
@@ -68,15 +68,13 @@ class DepthClouds(Selection):
         camera = check_intrinsic(intrinsic, width, height)
         times = 1.0 if depth_trunc >= NOBODY_MEASURES else OTHER_UNIT
         warn_of_scale(depth, scale, depth_trunc, times=times)
-        cloud = cls.from_device_depth(metric, None, camera, extrinsic, stride, project_valid_depth_only, with_normals)
+        cloud = cls._from_device_depth(metric, None, camera, extrinsic, stride, project_valid_depth_only, with_normals)
         cloud._library = library_of(depth)
         return cloud
 
-    create_from_depth_image = from_depth_image
-
     @classmethod
     @told_arguments
-    def from_rgbd_image(
+    def create_from_rgbd_image(
         cls,
         image: RGBDImage,
         intrinsic: PinholeCameraIntrinsic,
@@ -86,17 +84,18 @@ class DepthClouds(Selection):
         stride: int = 1,
         with_normals: bool = False,
     ) -> Self:
-        """The coloured points of an RGB-D image, grey where it holds brightness; arguments as in `from_depth_image`."""
+        """The coloured points of an RGB-D image, grey where it holds brightness.
+
+        Arguments as in `create_from_depth_image`.
+        """
         if not isinstance(image, RGBDImage):
             raise TypeError(f"image: expected an RGBDImage, got {type(image).__name__}")
         camera = check_intrinsic(intrinsic, image.width, image.height)
-        cloud = cls.from_device_depth(
+        cloud = cls._from_device_depth(
             image.depth_array, image.color_array, camera, extrinsic, stride, project_valid_depth_only, with_normals
         )
         cloud._library = image.array_library
         return cloud
-
-    create_from_rgbd_image = from_rgbd_image
 
     def project_to_depth_image(
         self,
@@ -114,8 +113,8 @@ class DepthClouds(Selection):
             height: Rows of the image [px].
             intrinsic: The camera, of that size.
             extrinsic: T_camera_world, shape [4, 4]; None for the identity.
-            depth_scale: Units of the result a metre; 1000 for millimetres. `from_depth_image` with the same one gives
-                the points back.
+            depth_scale: Units of the result a metre; 1000 for millimetres. `create_from_depth_image` with the same one
+                gives the points back.
             depth_max: Farthest depth that is seen [m].
 
         Returns:
@@ -158,14 +157,16 @@ class DepthClouds(Selection):
         Raises:
             ValueError: As there, or the cloud has no colours.
         """
-        colors = self.required_array("colors", "assign cloud.colors, or use project_to_depth_image")
+        colors = self._required_array("colors", "assign cloud.colors, or use project_to_depth_image")
         words, rows, columns = self._project(width, height, intrinsic, extrinsic, depth_max)
-        return RGBDImage.from_device_arrays(read_colors(words, colors), read_depth(words), rows, columns, self._library)
+        return RGBDImage._from_device_arrays(
+            read_colors(words, colors), read_depth(words), rows, columns, self._library
+        )
 
     # ------------------------------------------------------------------------------------------ internals
 
     @classmethod
-    def from_device_depth(
+    def _from_device_depth(
         cls,
         depth: wp.array,
         color: wp.array | None,
@@ -175,7 +176,7 @@ class DepthClouds(Selection):
         valid_only: bool,
         with_normals: bool,
     ) -> Self:
-        """`from_depth_image` for depth in metres that is on the device, float32 [h * w], and colours [h * w, 3]."""
+        """Points of depth in metres that is on the device, float32 [h * w], and of colours [h * w, 3]."""
         step = check_count("stride", stride)
         T_world_camera = np.eye(4) if extrinsic is None else inv(check_rigid("extrinsic", extrinsic))
         origin = origin_of_sensor(T_world_camera[:3, 3])
@@ -189,7 +190,7 @@ class DepthClouds(Selection):
             arrays["normals"] = normals
         if color is not None:
             arrays["colors"] = color_pixels(color, grid)
-        cloud = cls.from_device_arrays(arrays, origin)
+        cloud = cls._from_device_arrays(arrays, origin)
         if valid_only:
             return cloud._select_mask(valid)
         cloud.grid = (grid.rows, grid.columns)

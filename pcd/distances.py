@@ -49,7 +49,7 @@ class Distances(Selection):
             array([4., 5.])
         """
         check_cloud("target", target)
-        return self.handed_out(measure_to(self, target))
+        return self._handed_out(measure_to(self, target))
 
     def compute_nearest_neighbor_distance(self) -> NDArray[np.float64]:
         """The distance of each point to the nearest other point of the cloud.
@@ -65,7 +65,7 @@ class Distances(Selection):
             O(n) memory, the same bits from run to run.
         """
         points = self._arrays["points"]
-        return self.handed_out(nearest_distances(self.search_tree(), points, others=True, missing=0.0))
+        return self._handed_out(nearest_distances(self.search_tree(), points, others=True, missing=0.0))
 
     def compute_mean_and_covariance(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """The mean [m], shape [3], and the covariance [m^2], shape [3, 3], of the finite points.
@@ -86,11 +86,11 @@ class Distances(Selection):
         points = self._arrays["points"]
         count, mean, covariance = mean_and_covariance(points)
         inverse = pinvh(covariance, FLAT) if count else np.zeros((3, 3))
-        return self.handed_out(mahalanobis_distances(points, np.nan_to_num(mean), inverse))
+        return self._handed_out(mahalanobis_distances(points, np.nan_to_num(mean), inverse))
 
 
 def measure_to(source: PointArrays, target: PointArrays) -> wp.array:
     """The distance of each point of a cloud to the nearest of another, a float64 device array."""
     check_same_device("queries", source.device, target.device)
     common_unit("source, target", (source.unit, target.unit))
-    return nearest_distances(target.search_tree(), source.points_about(target.origin))
+    return nearest_distances(target.search_tree(), source._points_about(target.origin))

@@ -75,7 +75,7 @@ class Interop(Selection):
             check_same_device(name, arrays["points"].device, array.device)
             if array.shape[0] != arrays["points"].size:
                 raise ValueError(f"{name}: expected {arrays['points'].size} rows, one a point, got {array.shape[0]}")
-        cloud = cls.from_device_arrays(arrays, start, library_of(points))
+        cloud = cls._from_device_arrays(arrays, start, library_of(points))
         cloud._kept = KeptTree(arrays["points"], lent=True)
         return cloud
 
@@ -108,7 +108,7 @@ class Interop(Selection):
         else:
             raise TypeError(f"cloud: expected an open3d.geometry or open3d.t.geometry PointCloud, got {type(cloud)}")
         local, origin = split_origin(present.pop("points"))
-        copied = cls.from_device_arrays({"points": upload(local, vec3, resolve_device(device))}, origin)
+        copied = cls._from_device_arrays({"points": upload(local, vec3, resolve_device(device))}, origin)
         for name, values in present.items():
             if name == "colors" and values.dtype == np.uint16:
                 values = values.astype(np.float32) / np.float32(65535)
@@ -180,7 +180,7 @@ class Interop(Selection):
                 is_right = values.dtype == vec3 if name in VECTORS else values.dtype not in (vec2, vec3, vec3i)
                 if not is_right or values.ndim not in (1, 2) or values.shape[0] != count:
                     raise ValueError(f"{name}: expected a row for each of {count} points, got {values}")
-            cloud = self.from_device_arrays(arrays, origin, check_library("library", state["library"]))
+            cloud = self._from_device_arrays(arrays, origin, check_library("library", state["library"]))
             if (grid := state["grid"]) is not None:
                 height, width = (check_count("grid", extent, minimum=0) for extent in grid)
                 if height * width != count:
@@ -193,7 +193,7 @@ class Interop(Selection):
         return self.copy()
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Self:
-        return self.with_arrays({name: clone(array) for name, array in self._arrays.items()}, grid=self.grid)
+        return self._with_arrays({name: clone(array) for name, array in self._arrays.items()}, grid=self.grid)
 
 
 def _import_open3d() -> Any:

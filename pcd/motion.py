@@ -103,13 +103,13 @@ class Motion(Bounding, Movable):
         """The cloud under an affine map; errors call it by the argument that it was made of."""
         A, t = T[:3, :3], T[:3, 3]
         moved = matmul(A, self._origin) + t
-        origin = origin_under(name, A, t, *self.device_bounds(), moved)
+        origin = origin_under(name, A, t, *self._device_bounds(), moved)
         cloud = self._under(A, moved - origin, origin)
         cloud._unit = unit_under(self._unit, A)
         return cloud
 
     def _enlarged(self, factor: float) -> Self:
-        reach = np.abs(np.array(self.device_bounds()) - self._origin).max() * factor
+        reach = np.abs(np.array(self._device_bounds()) - self._origin).max() * factor
         if not reach <= FLOAT32_MAX:
             raise ValueError(f"unit: takes points {reach:.3g} from their origin, farther than float32 holds")
         return self._under(factor * np.eye(3), np.zeros(3), self._origin * factor)
@@ -128,7 +128,7 @@ class Motion(Bounding, Movable):
             and arrays["covariances"].shape[1:] == (9,)
         ):
             arrays["covariances"] = transform_covariances(arrays["covariances"], A)
-        cloud = self.with_arrays(arrays, grid=self.grid)
+        cloud = self._with_arrays(arrays, grid=self.grid)
         cloud._origin = origin
         return cloud
 

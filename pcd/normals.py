@@ -63,7 +63,7 @@ class Normals(PointArrays):
         normals = estimate_normals(tree, points, count, reach)
         if self.has_normals:
             align_normals(normals, self._arrays["normals"])
-        return self.with_arrays(self._arrays | {"normals": normals}, grid=self.grid)
+        return self._with_arrays(self._arrays | {"normals": normals}, grid=self.grid)
 
     @property
     def covariances(self) -> NDArray[np.float32]:
@@ -75,7 +75,7 @@ class Normals(PointArrays):
         Raises:
             ValueError: The cloud has none, or those assigned have another shape.
         """
-        rows = self.required_array("covariances", "call estimate_covariances()")
+        rows = self._required_array("covariances", "call estimate_covariances()")
         return download(rows).reshape(-1, 3, 3).astype(np.float32)
 
     @covariances.setter
@@ -114,7 +114,7 @@ class Normals(PointArrays):
         reach, count = check_search(radius, max_nn)
         points = self._arrays["points"]
         covariances = estimate_covariances(self.search_tree(), points, count, reach)
-        return self.with_arrays(self._arrays | {"covariances": covariances}, grid=self.grid)
+        return self._with_arrays(self._arrays | {"covariances": covariances}, grid=self.grid)
 
     @returns_new
     def normalize_normals(self) -> Self:
@@ -123,8 +123,8 @@ class Normals(PointArrays):
         Raises:
             ValueError: The cloud has no normals.
         """
-        normals = self.required_array("normals", "call cloud = cloud.estimate_normals()")
-        return self.with_arrays(self._arrays | {"normals": normalize_vectors(normals)}, grid=self.grid)
+        normals = self._required_array("normals", "call cloud = cloud.estimate_normals()")
+        return self._with_arrays(self._arrays | {"normals": normalize_vectors(normals)}, grid=self.grid)
 
     @returns_new
     def flip_normals(self) -> Self:
@@ -133,8 +133,8 @@ class Normals(PointArrays):
         Raises:
             ValueError: The cloud has no normals.
         """
-        normals = self.required_array("normals", "call cloud = cloud.estimate_normals()")
-        return self.with_arrays(self._arrays | {"normals": flip_vectors(normals)}, grid=self.grid)
+        normals = self._required_array("normals", "call cloud = cloud.estimate_normals()")
+        return self._with_arrays(self._arrays | {"normals": flip_vectors(normals)}, grid=self.grid)
 
     @returns_new
     def orient_normals_to_align_with_direction(self, orientation_reference: ArrayLike = (0.0, 0.0, 1.0)) -> Self:
@@ -200,7 +200,7 @@ class Normals(PointArrays):
             >>> bool(((oriented.normals * sphere).sum(axis=1) > 0).all())
             True
         """
-        normals = self.required_array("normals", "call cloud = cloud.estimate_normals()")
+        normals = self._required_array("normals", "call cloud = cloud.estimate_normals()")
         neighbors = check_count("k", k)
         penalty = check_positive("lambda_penalty", lambda_penalty, allow_zero=True)
         steepest = check_positive("cos_alpha_tol", cos_alpha_tol, allow_zero=True)
@@ -212,7 +212,7 @@ class Normals(PointArrays):
             return self.copy()
         tree = self.search_tree() if rows.size == points.size else PointTree(gather_rows(points, rows))
         oriented = orient_consistently(points, normals, rows, tree, neighbors, steepest, penalty > 0)
-        return self.with_arrays(self._arrays | {"normals": oriented}, grid=self.grid)
+        return self._with_arrays(self._arrays | {"normals": oriented}, grid=self.grid)
 
     def normal_disagreement(self, k: int = 10) -> float:
         """The share of near neighbours whose normals point to opposite sides of the surface: whether to orient them.
@@ -244,13 +244,13 @@ class Normals(PointArrays):
             >>> 0 < cloud.normal_disagreement() < 0.1, oriented.normal_disagreement()
             (True, 0.0)
         """
-        normals = self.required_array("normals", "call cloud = cloud.estimate_normals()")
+        normals = self._required_array("normals", "call cloud = cloud.estimate_normals()")
         neighbors = min(check_count("k", k), max(1, len(self)))
         return share_of_opposed_normals(self.search_tree(), self._arrays["points"], normals, neighbors)
 
     # ------------------------------------------------------------------------------------------ internals
 
     def _orient(self, reference: NDArray[np.float64], *, to_point: bool) -> Self:
-        normals = self.required_array("normals", "call cloud = cloud.estimate_normals()")
+        normals = self._required_array("normals", "call cloud = cloud.estimate_normals()")
         oriented = orient_normals(self._arrays["points"], normals, reference, to_point)
-        return self.with_arrays(self._arrays | {"normals": oriented}, grid=self.grid)
+        return self._with_arrays(self._arrays | {"normals": oriented}, grid=self.grid)

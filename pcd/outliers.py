@@ -106,4 +106,4 @@ class Outliers(Selection):
 
     def _keep(self, mask: wp.array) -> tuple[Self, NDArray[np.int32]]:
         rows = positions_of(mask)
-        return self.select_rows(rows), self.handed_out(rows)
+        return self._select_rows(rows), self._handed_out(rows)

@@ -86,7 +86,7 @@ class PlanarPatches(Selection):
         neighbor_count = check_count("max_nn", max_nn, minimum=2)
         reach = math.inf if radius is None else check_positive("radius", radius)
         points = self._arrays["points"]
-        normals = self.required_array("normals", "call cloud = cloud.estimate_normals()")
+        normals = self._required_array("normals", "call cloud = cloud.estimate_normals()")
         rows = usable_rows(points, normals)
         if rows.size < fewest:
             return []

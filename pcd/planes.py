@@ -92,7 +92,7 @@ class Planes(PlanarPatches):
             warn_of_long("distance_threshold", settings[0], low, high, finite, self.unit, so)
         model = self._world_plane(search.refit(plane, inliers), search.center)
         report("plane", cloud=self, inliers=inliers, model=model)
-        return model, self.handed_out(inliers)
+        return model, self._handed_out(inliers)
 
     def segment_planes(
         self,
@@ -157,7 +157,7 @@ class Planes(PlanarPatches):
             label_rows(found, len(models) - 1, labels)
             report("plane", cloud=self, inliers=found, model=models[-1], number=len(models) - 1)
             rows = gather_rows(rows, positions_of(invert_mask(mask), rows.size - inliers.size))
-        return self.handed_out(labels), np.array(models).reshape(-1, 4)
+        return self._handed_out(labels), np.array(models).reshape(-1, 4)
 
     # ------------------------------------------------------------------------------------------ internals
 

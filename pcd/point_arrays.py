@@ -80,7 +80,7 @@ class PointArrays(InUnit, CloudQuestions):
         Raises:
             ValueError: The cloud has none.
         """
-        return read_only(download(self.required_array("normals", "call cloud = cloud.estimate_normals()")).copy())
+        return read_only(download(self._required_array("normals", "call cloud = cloud.estimate_normals()")).copy())
 
     @normals.setter
     def normals(self, values: ArrayLike) -> None:
@@ -97,7 +97,7 @@ class PointArrays(InUnit, CloudQuestions):
         Raises:
             ValueError: The cloud has none.
         """
-        return read_only(download(self.required_array("colors", "assign cloud.colors")).copy())
+        return read_only(download(self._required_array("colors", "assign cloud.colors")).copy())
 
     @colors.setter
     def colors(self, values: ArrayLike) -> None:
@@ -116,7 +116,7 @@ class PointArrays(InUnit, CloudQuestions):
         """One attribute as NumPy, `points`, `normals` and `colors` among them."""
         if name in VECTORS:
             return getattr(self, name)
-        return read_only(download(self.required_array(name, f"the cloud has {', '.join(self._arrays)}")).copy())
+        return read_only(download(self._required_array(name, f"the cloud has {', '.join(self._arrays)}")).copy())
 
     __array_ufunc__ = None  # arithmetic of arrays with clouds is an error, whichever stands first
 
@@ -154,7 +154,7 @@ class PointArrays(InUnit, CloudQuestions):
         It speaks DLPack and `__cuda_array_interface__`. What is written to it changes this cloud and all that share
         the array; that points were written is noticed by the next operation, which builds the search tree anew.
         """
-        return self._kept.lend() if check_name("name", name) == "points" else self.device_array(name)
+        return self._kept.lend() if check_name("name", name) == "points" else self._device_array(name)
 
     @returns_new
     def to(self, device: Any, *, arrays: str | None = None) -> Self:
@@ -180,7 +180,7 @@ class PointArrays(InUnit, CloudQuestions):
         library = self._library if arrays is None else check_library("arrays", arrays)
         if where == self.device and library == self._library:
             return self
-        cloud = self.with_arrays({name: move(values, where) for name, values in self._arrays.items()}, grid=self.grid)
+        cloud = self._with_arrays({name: move(values, where) for name, values in self._arrays.items()}, grid=self.grid)
         cloud._library = library
         return cloud
 
@@ -226,8 +226,8 @@ class PointArrays(InUnit, CloudQuestions):
         if "points" in names:
             raise ValueError("points: a cloud without points is PointCloud()")
         for name in names:
-            self.required_array(name, f"the cloud has {', '.join(self._arrays)}")
-        return self.with_arrays({n: a for n, a in self._arrays.items() if n not in names}, grid=self.grid)
+            self._required_array(name, f"the cloud has {', '.join(self._arrays)}")
+        return self._with_arrays({n: a for n, a in self._arrays.items() if n not in names}, grid=self.grid)
 
     @returns_new
     def clear(self) -> Self:
@@ -238,13 +238,13 @@ class PointArrays(InUnit, CloudQuestions):
     @returns_new
     def copy(self) -> Self:
         """Another cloud over the same arrays: what is assigned to one does not reach the other."""
-        return self.with_arrays(dict(self._arrays), grid=self.grid)
+        return self._with_arrays(dict(self._arrays), grid=self.grid)
 
     # -------------------------------------------------------------------------------- for code on the device
 
     @property
-    def device_arrays(self) -> dict[str, wp.array]:
-        """The device arrays by name, `points` relative to `origin`: for code that reads them, as `device_array`."""
+    def _device_arrays(self) -> dict[str, wp.array]:
+        """The device arrays by name, `points` relative to `origin`: for code that reads them, as `_device_array`."""
         return dict(self._arrays)
 
     @property
@@ -253,7 +253,9 @@ class PointArrays(InUnit, CloudQuestions):
         return self._library
 
     @classmethod
-    def from_device_arrays(cls, arrays: dict[str, wp.array], origin: NDArray[np.float64], library: str = NUMPY) -> Self:
+    def _from_device_arrays(
+        cls, arrays: dict[str, wp.array], origin: NDArray[np.float64], library: str = NUMPY
+    ) -> Self:
         """A cloud around device arrays, for kernels: nothing is copied or checked.
 
         Args:
@@ -267,24 +269,24 @@ class PointArrays(InUnit, CloudQuestions):
         cloud._kept = KeptTree(arrays["points"])
         return cloud
 
-    def with_arrays(self, arrays: dict[str, wp.array], *, grid: tuple[int, int] | None = None) -> Self:
+    def _with_arrays(self, arrays: dict[str, wp.array], *, grid: tuple[int, int] | None = None) -> Self:
         """A cloud over other device arrays about the same origin; where the points are the same, so is their tree."""
-        cloud = self.from_device_arrays(arrays, self._origin, self._library)
+        cloud = self._from_device_arrays(arrays, self._origin, self._library)
         cloud.grid, cloud._unit = grid, self._unit
         if arrays["points"] is self._arrays["points"]:
             cloud._kept = self._kept
         return cloud
 
-    def device_array(self, name: str) -> wp.array:
+    def _device_array(self, name: str) -> wp.array:
         """As `array`, for code that only reads it: the search tree stays.
 
         Raises:
             ValueError: The cloud has no such attribute.
         """
-        return self.required_array(name, f"the cloud has {', '.join(self._arrays)}")
+        return self._required_array(name, f"the cloud has {', '.join(self._arrays)}")
 
-    def required_array(self, name: str, remedy: str) -> wp.array:
-        """As `device_array`, for code that can say how the cloud comes by the attribute.
+    def _required_array(self, name: str, remedy: str) -> wp.array:
+        """As `_device_array`, for code that can say how the cloud comes by the attribute.
 
         Raises:
             ValueError: The cloud has no such attribute; the message ends in the remedy.
@@ -297,22 +299,22 @@ class PointArrays(InUnit, CloudQuestions):
         """The search tree over the points, built at the first call and kept with them: 20 B a point."""
         return self._kept.tree()
 
-    def adopt_search_tree(self, tree: PointTree) -> None:
+    def _adopt_search_tree(self, tree: PointTree) -> None:
         """Keep a tree over the points' own array that was built elsewhere, where there is none yet."""
         self._kept.adopt(tree)
 
     @property
-    def known_search_tree(self) -> PointTree | None:
+    def _known_search_tree(self) -> PointTree | None:
         """The search tree over the points where an operation has built it; None where none has asked for it yet."""
         return self._kept.known
 
-    def points_about(self, origin: NDArray[np.float64]) -> wp.array:
+    def _points_about(self, origin: NDArray[np.float64]) -> wp.array:
         """The points relative to another origin, a device array of vec3."""
         if (self._origin == origin).all():
             return self._arrays["points"]
         return upload(split_origin(self.points, origin)[0], vec3, self.device)
 
-    def handed_out(self, array: wp.array, *, dtype: DTypeLike | None = None) -> Any:
+    def _handed_out(self, array: wp.array, *, dtype: DTypeLike | None = None) -> Any:
         """A result as an array of the library that the cloud was made of; see `hand_out`. NumPy's own their memory."""
         found = hand_out(array, self._library, dtype=dtype)
         return found.copy() if self._library == NUMPY and not found.flags.owndata else found

@@ -115,7 +115,7 @@ def _rings(reach: float, side: float, held: Any, asked: Any) -> int:
 def chosen_points(cloud: PointCloud, classes: tuple[int, ...] | None, *, is_ground: bool = False) -> Points:
     """The points of some classes, all but noise for None; of returns the first ones, where it is not the ground."""
     rows = _rows(cloud, classes, is_first=not is_ground, is_needed=is_ground or classes is not None)
-    points = cloud.device_array("points")
+    points = cloud._device_array("points")
     if rows is None:
         return points
     if is_ground and not rows.size:
@@ -148,7 +148,7 @@ def _rows(cloud: PointCloud, classes: tuple[int, ...] | None, *, is_first: bool,
         return None
     mask = full(len(cloud), 1, uint8, cloud.device)
     for name, listed in tables:
-        keep_listed(cast(cloud.device_array(name), int32), listed, mask)
+        keep_listed(cast(cloud._device_array(name), int32), listed, mask)
     return positions_of(mask)
 
 
@@ -191,11 +191,11 @@ def measured_cells(cloud: PointCloud, window: FixedCells, kind: str, classes: tu
     """What is measured of the points in each cell."""
     is_first = kind in ("dsm", "chm")
     rows = _rows(cloud, classes, is_first=is_first, is_needed=classes is not None)
-    points = cloud.device_array("points")
+    points = cloud._device_array("points")
     chosen = points if rows is None else gather_rows(points, rows)
     groups = CellGroups(chosen, window)
     if kind == "intensity":
-        column = cloud.required_array("intensity", "a raster of it needs it")
+        column = cloud._required_array("intensity", "a raster of it needs it")
         if column.ndim != 1:
             raise ValueError("intensity: expected one number a point")
         values = cast(column if rows is None else gather_rows(column, rows), float64)

@@ -79,10 +79,10 @@ class Regions(Shapes):
             if most < least:
                 raise ValueError(f"max_cluster_size: expected at least min_cluster_size = {least}, got {most}")
         count = check_count("max_nn", max_nn, minimum=2)
-        normals = self.required_array("normals", NORMALS)
+        normals = self._required_array("normals", NORMALS)
         nearest = self._neighbor_graph(min(count, max(len(self), 1)), math.inf)
         curvature = measure_curvature(self.search_tree(), math.inf, count)
         cosine = math.cos(math.radians(angle))
         labels, _ = grow_regions(normals, curvature, nearest, cosine, limit, min(least, MAX_SIZE), min(most, MAX_SIZE))
         report("clusters", cloud=self, labels=labels)
-        return self.handed_out(labels)
+        return self._handed_out(labels)

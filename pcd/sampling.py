@@ -70,7 +70,7 @@ class Sampling(Selection):
             left = "one point is left" if groups.count == 1 else f"{groups.count} points are left"
             warn_of_long("voxel_size", size, low, high, finite, self.unit, left)
         if reduction == "nearest":
-            return self.select_rows(nearest_to_means(self._arrays["points"], groups))
+            return self._select_rows(nearest_to_means(self._arrays["points"], groups))
         return self._means(groups)
 
     def voxel_down_sample_and_trace(
@@ -112,7 +112,7 @@ class Sampling(Selection):
         octants, voxels = trace_voxels(self._arrays["points"], groups, corner, size)
         finite = int(download(groups.starts[groups.starts.size - 1 :])[0])  # sync
         indices, offsets, voxels = map(
-            self.handed_out, (view_as(groups.order, int32, (finite,)), groups.starts, voxels)
+            self._handed_out, (view_as(groups.order, int32, (finite,)), groups.starts, voxels)
         )
         cubic_id = hand_out(octants, self._library, shape=(octants.size // 8, 8))
         return VoxelTrace(cloud, cubic_id, voxels, indices, offsets)
@@ -146,7 +146,7 @@ class Sampling(Selection):
         fixed = check_finite("corner", check_shape("corner", corner, (3,)))
         groups, low = self._voxels(size, fixed, ("spacing", "corner"))
         rows = nearest_to_middles(self._arrays["points"], groups, low, size)
-        return self.select_rows(sort_rows(rows, len(self), are_distinct=True))
+        return self._select_rows(sort_rows(rows, len(self), are_distinct=True))
 
     @returns_new
     def uniform_down_sample(self, every_k_points: int) -> Self:
@@ -162,7 +162,7 @@ class Sampling(Selection):
             [0.0, 2.0, 4.0]
         """
         step = check_count("every_k_points", every_k_points)
-        return self.select_rows(step_rows(len(self), step, self.device))
+        return self._select_rows(step_rows(len(self), step, self.device))
 
     @returns_new
     def random_down_sample(self, sampling_ratio: float, seed: int = 0) -> Self:
@@ -188,7 +188,7 @@ class Sampling(Selection):
         if ratio > 1:
             remedy = f"; {sampling_ratio:g} % are {sampling_ratio / 100:g}" if 1 < sampling_ratio <= 100 else ""
             raise ValueError(f"sampling_ratio: expected a share 0..1, got {sampling_ratio!r}{remedy}")
-        return self.select_rows(draw_rows(len(self), int(ratio * len(self)), check_seed(seed), self.device))
+        return self._select_rows(draw_rows(len(self), int(ratio * len(self)), check_seed(seed), self.device))
 
     @returns_new
     def farthest_point_down_sample(self, num_samples: int, start_index: int = 0) -> Self:
@@ -221,7 +221,7 @@ class Sampling(Selection):
         if check_count("num_samples", num_samples, minimum=0) == len(self):
             return self.remove_non_finite_points()
         chosen = upload(self._farthest(num_samples, start_index), int32, self.device)
-        return self.select_rows(sort_rows(chosen, len(self)))
+        return self._select_rows(sort_rows(chosen, len(self)))
 
     def farthest_point_indices(self, num_samples: int, start_index: int = 0) -> NDArray[np.int32]:
         """The indices of farthest points in the order of choice: the first k of them are the choice of k.
@@ -277,7 +277,7 @@ class Sampling(Selection):
     def _means(self, groups: Any) -> Self:
         """The means of voxels; of whole numbers the first."""
         if not groups.count:
-            return self.select_rows(upload(np.zeros(0, np.int32), int32, self.device))
+            return self._select_rows(upload(np.zeros(0, np.int32), int32, self.device))
         means: dict[str, wp.array] = {}
         rows = None
         for name, values in self._arrays.items():
@@ -288,7 +288,7 @@ class Sampling(Selection):
             else:
                 rows = first_rows(groups.order, groups.starts) if rows is None else rows
                 means[name] = gather_rows(values, rows)
-        return self.with_arrays(means)
+        return self._with_arrays(means)
 
     def _average(self, values: wp.array, groups: Any) -> wp.array:
         shape = values.shape

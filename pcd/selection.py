@@ -67,7 +67,7 @@ class Selection(Composition):
                 rows = np.arange(*key.indices(len(self)), dtype=np.int32)
             except TypeError as error:
                 raise TypeError(f"cloud[...]: expected a slice of whole numbers, got {shown(key)}") from error
-            return self.select_rows(upload(rows, int32, self.device))
+            return self._select_rows(upload(rows, int32, self.device))
         if isinstance(key, tuple) or key is None or key is Ellipsis:
             raise TypeError(f"cloud[...]: expected {KEYS}, got {shown(key)}; cloud.points[...] selects coordinates")
         chosen = take_numbers("cloud[...]", key, self.device) if is_on_gpu(key) else check_numeric("cloud[...]", key)
@@ -91,9 +91,9 @@ class Selection(Composition):
         what = {"of": f"cloud of {len(self)} points", "hint": "; for a mask see select_by_mask"}
         if is_on_gpu(indices):
             chosen = take_indices("indices", indices, self.device, len(self), **what)
-            return self.select_rows(other_rows(chosen, len(self)) if invert else chosen)
+            return self._select_rows(other_rows(chosen, len(self)) if invert else chosen)
         chosen = upload(check_indices("indices", indices, len(self), **what), int32, self.device)
-        return self.select_rows(other_rows(chosen, len(self)) if invert else chosen)
+        return self._select_rows(other_rows(chosen, len(self)) if invert else chosen)
 
     @returns_new
     def select_by_mask(self, mask: ArrayLike, invert: bool = False) -> Self:
@@ -107,7 +107,7 @@ class Selection(Composition):
         chosen = check_numeric("mask", mask)
         if chosen.dtype != np.bool_ or chosen.shape != (len(self),):
             raise ValueError(f"mask: expected booleans of shape [{len(self)}], got {chosen.dtype} {list(chosen.shape)}")
-        return self.select_rows(upload(np.flatnonzero(chosen != invert).astype(np.int32), int32, self.device))
+        return self._select_rows(upload(np.flatnonzero(chosen != invert).astype(np.int32), int32, self.device))
 
     @returns_new
     def crop(
@@ -157,13 +157,13 @@ class Selection(Composition):
             >>> cloud.remove_duplicated_points()["row"].tolist()
             [0, 1]
         """
-        return self.select_rows(first_occurrences(self._arrays["points"]))
+        return self._select_rows(first_occurrences(self._arrays["points"]))
 
     # ------------------------------------------------------------------------------------------ internals
 
-    def select_rows(self, rows: wp.array) -> Self:
+    def _select_rows(self, rows: wp.array) -> Self:
         """The points of these rows, in their order: `select_by_index` for a device array of int32, unchecked."""
-        return self.with_arrays({name: gather_rows(values, rows) for name, values in self._arrays.items()})
+        return self._with_arrays({name: gather_rows(values, rows) for name, values in self._arrays.items()})
 
     def _doubt_box(self, box: AxisAlignedBoundingBox | OrientedBoundingBox) -> None:
         """Warn where a box that holds no point is of other coordinates than the cloud."""
@@ -173,4 +173,4 @@ class Selection(Composition):
             warn_of_far("bounding_box", box.get_min_bound(), box.get_max_bound(), *own, finite, self.unit)
 
     def _select_mask(self, mask: wp.array, invert: bool = False) -> Self:
-        return self.select_rows(positions_of(invert_mask(mask) if invert else mask))
+        return self._select_rows(positions_of(invert_mask(mask) if invert else mask))

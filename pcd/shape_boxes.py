@@ -163,7 +163,7 @@ class _Sides:
         numbers[list(planes)] = np.arange(len(planes))
         places = np.array([plane.center - cloud.origin for plane in planes.values()])
         normals = np.array([plane.axis for plane in planes.values()])
-        points = cloud.device_array("points")
+        points = cloud._device_array("points")
         self._low, self._high = reach_across(points, numbers[found.labels], places, normals, gap / STEPS)
 
     def side(self, plane: int, other: int) -> int:
@@ -225,7 +225,7 @@ def _axes_of(planes: dict[int, Shape], group: dict[int, int]) -> NDArray[np.floa
 
 def _box_of(cloud: PointCloud, found: DetectedShapes, planes: dict[int, Shape], group: dict[int, int]) -> BoxShape:
     """The box of a group of faces: each fixes an end, what the points of the others reach the ends that have none."""
-    axes, points = _axes_of(planes, group), cloud.device_array("points")
+    axes, points = _axes_of(planes, group), cloud._device_array("points")
     labels, every = upload(found.labels, int32, points.device), positions(len(cloud), points.device)
     place = planes[next(iter(group))].center
     reach = {

@@ -143,7 +143,7 @@ def detect_shapes(
     search, limits = search_of(cloud, limits)
     if search.rows.size >= fewest and search.size > 0:
         if reach is None:
-            apart = nearest_distances(cloud.search_tree(), cloud.device_array("points"), others=True, missing=0.0)
+            apart = nearest_distances(cloud.search_tree(), cloud._device_array("points"), others=True, missing=0.0)
             reach = STEPS * float(median_above_zero(apart) or limits.distance)
         rounds = _Rounds(search, limits, wanted, fewest, reach, most, chance, start, labels)
         tell("shapes", 0, len(cloud))
@@ -152,7 +152,7 @@ def detect_shapes(
             shapes.append(shape_of(rounds.search, found, rounds.limits, cloud.origin, search))
             rounds.remove(found, len(shapes) - 1)
             tell("shapes", len(cloud) - rounds.search.rows.size, len(cloud))
-    return DetectedShapes(cloud.handed_out(labels), shapes, cloud.handed_out(distances))
+    return DetectedShapes(cloud._handed_out(labels), shapes, cloud._handed_out(distances))
 
 
 class _Rounds:

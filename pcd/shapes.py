@@ -179,7 +179,7 @@ class Shapes(Planes):
                 "normal_threshold_deg, or the normals may be poor: estimate_normals with a larger max_nn"
             )
         shape = shape_of(search, found, limits, self._origin)
-        return shape, self.handed_out(ascending(found.rows, len(self)))
+        return shape, self._handed_out(ascending(found.rows, len(self)))
 
 
 def limits_of(distance: Any, degrees: Any, smallest: Any, largest: Any) -> ShapeLimits:
@@ -197,7 +197,7 @@ def limits_of(distance: Any, degrees: Any, smallest: Any, largest: Any) -> Shape
 
 def search_of(cloud: Shapes, limits: ShapeLimits) -> tuple[ShapeSearch, ShapeLimits]:
     """The search among the points that are finite and have normals; the limits with a largest radius."""
-    points, normals = cloud.device_array("points"), cloud.required_array("normals", NORMALS)
+    points, normals = cloud._device_array("points"), cloud._required_array("normals", NORMALS)
     search = ShapeSearch(points, normals, usable_in_order(cloud.search_tree(), points, normals))
     largest = limits.largest or 2 * math.sqrt(3) * search.size
     return search, ShapeLimits(limits.distance, limits.cosine, limits.smallest, largest)

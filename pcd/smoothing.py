@@ -157,7 +157,7 @@ class Smoothing(Selection):
         return self._moved(run(self.search_tree(), factors, neighbors))
 
     def _moved(self, points: Any, others: dict[str, Any] | None = None) -> Self:
-        return self.with_arrays(self._arrays | {"points": points} | (others or {}))
+        return self._with_arrays(self._arrays | {"points": points} | (others or {}))
 
 
 def _check_passes(iterations: Any) -> int:

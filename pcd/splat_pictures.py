@@ -51,7 +51,7 @@ class SplatPicture:
 
 def columns_of(splats: Pictured) -> SplatColumns:
     """What kernels read of splats."""
-    column = splats.cloud.device_array
+    column = splats.cloud._device_array
     rest = column("f_rest") if splats.degree else None
     return SplatColumns(
         column("points"),

@@ -121,13 +121,13 @@ class GaussianSplats(Movable, Pictured):
         """
         check_cloud("cloud", cloud)
         for name, width in (("f_dc", 3), ("opacity", 0), ("scale", 3), ("rot", 4)):
-            shape = cloud.required_array(name, f"splats need {', '.join(NAMES)}").shape
+            shape = cloud._required_array(name, f"splats need {', '.join(NAMES)}").shape
             if shape[1:] != ((width,) if width else ()):
                 raise ValueError(f"cloud: expected {name} of shape {['n', width] if width else ['n']}, got {shape}")
         splats = object.__new__(cls)
         splats._cloud = cloud
         if "f_rest" in cloud:
-            shape = cloud.device_array("f_rest").shape
+            shape = cloud._device_array("f_rest").shape
             if len(shape) != 2 or shape[1] % 3 or degree_of(shape[1] // 3 + 1) is None:
                 raise ValueError(f"cloud: expected f_rest of 9, 24, 45 or 72 columns, got {list(shape)}")
         return splats
@@ -151,7 +151,7 @@ class GaussianSplats(Movable, Pictured):
     @property
     def degree(self) -> int:
         """Of the harmonics, 0 to 4."""
-        count = self._cloud.device_array("f_rest").shape[1] // 3 + 1 if "f_rest" in self._cloud else 1
+        count = self._cloud._device_array("f_rest").shape[1] // 3 + 1 if "f_rest" in self._cloud else 1
         return math.isqrt(count) - 1
 
     @property
@@ -248,8 +248,8 @@ class GaussianSplats(Movable, Pictured):
         share = check_share("min_opacity", min_opacity)
         least = check_positive("min_scale", min_scale, allow_zero=True)
         most = math.log(check_positive("max_scale", max_scale)) if max_scale is not None else float(np.finfo("f4").max)
-        points, opacity = self._cloud.device_array("points"), self._cloud.device_array("opacity")
-        scale, rot = self._cloud.device_array("scale"), self._cloud.device_array("rot")
+        points, opacity = self._cloud._device_array("points"), self._cloud._device_array("opacity")
+        scale, rot = self._cloud._device_array("scale"), self._cloud._device_array("rot")
         mask = mask_splats(
             points,
             opacity,
@@ -259,7 +259,7 @@ class GaussianSplats(Movable, Pictured):
             math.log(least) if least else -math.inf,
             most,
         )
-        return self._over(self._cloud.select_rows(positions_of(mask)))
+        return self._over(self._cloud._select_rows(positions_of(mask)))
 
     @classmethod
     def concatenate(cls, splats: Iterable[GaussianSplats]) -> Self:
@@ -323,13 +323,13 @@ class GaussianSplats(Movable, Pictured):
 
         R, factor = similarity_of(name, T)
         moved = self._cloud.transform(T)
-        arrays = moved.device_arrays
+        arrays = moved._device_arrays
         q = np.roll(Rotation.from_matrix(R).as_quat(), 1)
         if not np.array_equal(R, np.eye(3)):
             arrays["rot"] = turn_quaternions(arrays["rot"], q)
             if self.degree:
                 arrays["f_rest"] = turn_harmonics(arrays["f_rest"], turns_of_harmonics(R, self.degree), self.degree)
-        cloud = moved.with_arrays(arrays)
+        cloud = moved._with_arrays(arrays)
         if factor != 1:
             cloud["scale"] = (cloud["scale"].astype(np.float64) + math.log(factor)).astype(np.float32)
         return self._over(cloud)

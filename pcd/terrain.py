@@ -215,7 +215,7 @@ def rasterize(
     start = check_finite("corner", check_shape("corner", corner, (2,)))
     box = None if bounds is None else check_box(bounds)
     check_lengths(cloud)
-    points = cloud.device_array("points")
+    points = cloud._device_array("points")
     window = window_of(points, start - cloud.origin[:2], side, box, cloud.origin)
     surface = ground = None
     if kind in ("dtm", "chm"):
@@ -274,9 +274,9 @@ def height_above_ground(
     start = check_finite("corner", check_shape("corner", corner, (2,)))
     wanted = check_classes(classes)
     check_lengths(cloud)
-    points = cloud.device_array("points")
+    points = cloud._device_array("points")
     ground = chosen_points(cloud, GROUND if wanted is None else wanted, is_ground=True)
-    return cloud.handed_out(
+    return cloud._handed_out(
         cast(heights_above_ground(points, ground, start - cloud.origin[:2], side, far, count), float32)
     )
 

@@ -184,13 +184,13 @@ def _sight_of(plan: Plan, place: tuple[int, int], part: Part, halo: float) -> Si
 
 def _adopt_tree(plan: Plan, part: Part) -> None:
     """Give a cloud its tree, on the curve of the whole."""
-    points = part.cloud.device_array("points")
+    points = part.cloud._device_array("points")
     low, high = ((np.array(plan.told[end]) - plan.origin).astype(np.float32) for end in ("low", "high"))
     levels = plan.told["levels"]
     if levels > levels_for(points.size):
         raise ValueError(f"size: {points.size:,} points in a tile and its halo are too many; take smaller tiles")
-    if part.cloud.known_search_tree is None:
-        part.cloud.adopt_search_tree(PointTree(points, HilbertCurve(low, high, levels)))
+    if part.cloud._known_search_tree is None:
+        part.cloud._adopt_search_tree(PointTree(points, HilbertCurve(low, high, levels)))
 
 
 def _certify(plan: Plan, number: int, part: Part, wanted: Any, k: int, reach: float, window: Any) -> None:

@@ -219,22 +219,12 @@ def missing_from(table: Table, arguments: dict[str, set[str]]) -> dict[str, set[
     return {name: names for name, names in missing.items() if names}
 
 
-# The interface of arrays on a device, by which the houses hand them to each other without a copy. It takes what kernels
-# made: shapes and types are its callers' matter, which the docstrings say, and pyright checks. A name with () is the
-# constructor alone: `DetailTree.from_cloud` and `from_file` are what users call.
-DEVICE_LEVEL = {
-    *(f"PointCloud.{name}" for name in ("device_array", "from_device_arrays", "handed_out", "points_about")),
-    *(f"PointCloud.{name}" for name in ("from_device_depth", "required_array", "select_rows", "with_arrays")),
-    "PointCloud.adopt_search_tree",
-    *(f"TriangleMesh.{name}" for name in ("from_device_arrays", "handed_out", "triangles_at", "with_arrays")),
-    *(f"TSDFVolume.{name}" for name in ("integrate_device_frame", "render_maps", "render_colors")),
-    *("DetailTree()", "RGBDImage.from_device_arrays", "OdometryFrame.from_device_maps", "OdometryFrame.from_image"),
-}
-
-
 def public_arguments(module: ModuleType, left_out: set[str]) -> dict[str, set[str]]:
-    """The arguments of each public call of a module that has any, but switches, `**options` and DEVICE_LEVEL."""
-    calls, left_out = {}, left_out | DEVICE_LEVEL
+    """The arguments of each public call of a module that has any, but switches and `**options`.
+
+    A name with () is the constructor alone: of a `DetailTree`, users call `from_cloud` and `from_file`.
+    """
+    calls, left_out = {}, left_out | {"DetailTree()"}
     for name in set(module.__all__) - left_out:
         value = getattr(module, name)
         if inspect.ismodule(value) or (inspect.isclass(value) and issubclass(value, Warning)):

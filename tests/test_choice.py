@@ -112,13 +112,7 @@ NOT_COMPARED = {
         *("clear", "to_unit", "select_faces_by_mask", "create_isosurfaces"),  # without, scale, by index, marching_cubes
         *("slice_plane", "section_loops"),  # clip_plane
     ),
-    "by the operations that hand arrays on by it": (
-        *("device_array", "device_bounds", "from_device_arrays", "from_device_depth", "handed_out", "points_about"),
-        *("required_array", "search_tree", "select_rows", "with_arrays", "triangles_at", "edge_topology"),
-        "vertices_at",
-        "from_device_voxels",
-        *("integrate_device_frame", "render_maps", "render_colors", "adopt_search_tree", "device_voxels"),
-    ),
+    "by the operations that hand arrays on by it": (*("search_tree", "edge_topology"),),
     "on scenes that hold such shapes, by tests/pcd/test_shapes.py": (
         *(
             "detect_shapes",

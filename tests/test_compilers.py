@@ -17,7 +17,7 @@ pytestmark = pytest.mark.taichi
 # Kernels that Taichi compiles for ten to forty seconds each.
 NIGHTLY = {
     "scene, closest points and signs", "rays, all queries", "alpha_shape", "alpha_shape, several",
-    "from_point_cloud_ball_pivoting", "from_point_cloud_ball_pivoting, radii",
+    "create_from_point_cloud_ball_pivoting", "create_from_point_cloud_ball_pivoting, radii",
 }  # fmt: skip
 
 

@@ -55,7 +55,7 @@ moved 1e-6 cloud.rotate(turn, center=at([1, 1, 1])).points
 moved 1e-6 cloud.scale(2.0, center=at([1, 1, 1])).points
 moved 1e-6 cloud.transform(about(near)).points
 same 0 loom.NearestNeighborSearch(cloud).knn_search(at([[1, 1, 1], [2, 0, 1]]), 5)[0]
-moved 1e-6 loom.PointCloud.from_depth_image(depth, camera, view @ shift(-1)).points
+moved 1e-6 loom.PointCloud.create_from_depth_image(depth, camera, view @ shift(-1)).points
 same 1e-6 cloud.project_to_depth_image(64, 48, camera, view @ shift(-1))
 moved 1e-6 loom.PointCloud.concatenate([cloud, other]).points
 same 2e-5 cloud.detect_planar_patches(60, 75, min_num_points=30)[0].extent
@@ -113,7 +113,7 @@ moved 0 cloud.farthest_point_down_sample(10).points
 moved 0 cloud.get_axis_aligned_bounding_box().get_box_points()
 moved 0 cloud.get_min_bound()
 same 1e-6 cloud.normal_disagreement(8)
-moved 1e-6 loom.PointCloud.from_rgbd_image(loom.RGBDImage(np.full((48, 64, 3), 100, np.uint8), depth), camera, view @ shift(-1)).points
+moved 1e-6 loom.PointCloud.create_from_rgbd_image(loom.RGBDImage(np.full((48, 64, 3), 100, np.uint8), depth), camera, view @ shift(-1)).points
 same 1e-6 cloud.project_to_rgbd_image(64, 48, camera, view @ shift(-1)).depth
 same 0 cloud.region_growing()
 same 0 cloud.remove_duplicated_points().normals

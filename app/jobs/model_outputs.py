@@ -54,7 +54,7 @@ class ModelOutputs:
         """
         held = mesh
         if Path(self.mesh).suffix.lower() == ".stl":
-            held = TriangleMesh.from_device_arrays(mesh.array("vertices"), mesh.array("triangles"), origin=mesh.origin)
+            held = TriangleMesh._from_device_arrays(mesh.array("vertices"), mesh.array("triangles"), origin=mesh.origin)
         write_triangle_mesh(self.mesh, held, overwrite=overwrite)
         if self.picture is None:
             return [os.fspath(self.mesh)]

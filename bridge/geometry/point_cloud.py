@@ -53,7 +53,7 @@ class PointCloud(BoundedByBoxes):
     def _token(self, ours: Any, name: str) -> tuple[Any, ...] | None:
         if name not in ours:
             return None
-        return ours.device_array(name), ours.origin.tobytes() if name == "points" else b""
+        return ours._device_array(name), ours.origin.tobytes() if name == "points" else b""
 
     def _made(self, changed: list[str]) -> Any:
         count, made = self._count("points"), self._held

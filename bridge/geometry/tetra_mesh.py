@@ -26,7 +26,7 @@ class TetraMesh(KnownNames):
     def create_from_point_cloud(cls, point_cloud: Any) -> tuple[TetraMesh, list[int]]:
         """The Delaunay tetrahedra of a cloud, and the point of each vertex."""
         cloud = ours(point_cloud, PointCloud, "point_cloud")
-        _, tetrahedra, _ = TriangleMesh.from_point_cloud_alpha_shape(cloud, np.inf, return_tetrahedra=True)
+        _, tetrahedra, _ = TriangleMesh.create_from_point_cloud_alpha_shape(cloud, np.inf, return_tetrahedra=True)
         return cls(cloud.points, tetrahedra), list(range(len(cloud)))
 
     def has_vertices(self) -> bool:

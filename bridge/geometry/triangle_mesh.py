@@ -60,7 +60,7 @@ class TriangleMesh(TriangleNormals):
         return np.zeros((0, *kind._row), kind._dtype) if found is None else found
 
     def _token(self, ours: Any, name: str) -> tuple[Any, ...] | None:
-        arrays = ours.device_arrays
+        arrays = ours._device_arrays
         if name == "triangle_normals":  # TriangleNormals fills that vector
             return ()
         if name not in arrays:
@@ -90,8 +90,8 @@ class TriangleMesh(TriangleNormals):
         for name in (name for name in PARTS if name in changed):
             if self._count(name) == lengths[name] > 0:
                 setattr(made, name, np.asarray(self._vector(name)))
-            elif name in made.device_arrays:
-                made = made.with_arrays(**{name: None})
+            elif name in made._device_arrays:
+                made = made._with_arrays(**{name: None})
         if self._faces is held and not is_moved:
             self._faces = made
         return made

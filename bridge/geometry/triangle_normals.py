@@ -40,7 +40,7 @@ class TriangleNormals(MeshFactories):
         super()._become(new)
         if before is not old:
             return self
-        arrays, others = old.device_arrays, new.device_arrays
+        arrays, others = old._device_arrays, new._device_arrays
         self._faces = new
         if any(arrays[name] is not others[name] for name in ("vertices", "triangles")):
             self._show_faces()

@@ -53,7 +53,7 @@ def write_point_cloud(
     _check_format(filename, format)
     cloud = ours(pointcloud, PointCloud, "pointcloud")
     held = HELD.get(Path(filename).suffix.lower())
-    left_out = [] if held is None else [name for name in cloud.device_arrays if name not in ("points", *held)]
+    left_out = [] if held is None else [name for name in cloud._device_arrays if name not in ("points", *held)]
     point_cloud.write_point_cloud(filename, cloud.without(*left_out), ascii=write_ascii)
     return True
 

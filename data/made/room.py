@@ -68,7 +68,7 @@ def room_frames(
         >>> import numpy as np, pointloom as loom
         >>> frame = loom.data.room_frames(2, width=64, height=48)[1]
         >>> image = loom.RGBDImage(frame.color, frame.depth)
-        >>> cloud = loom.PointCloud.from_rgbd_image(image, frame.intrinsic, np.linalg.inv(frame.T_world_camera))
+        >>> cloud = loom.PointCloud.create_from_rgbd_image(image, frame.intrinsic, np.linalg.inv(frame.T_world_camera))
         >>> bool((cloud.points[:, 2] < 2.7).all())
         True
     """
@@ -194,7 +194,7 @@ def _seen_points(frame: RoomFrame) -> PointCloud:
     """What an exact frame shows, in the room."""
     assert frame.color is not None
     image = RGBDImage(frame.color, frame.depth, depth_scale=1.0, depth_trunc=FARTHEST)
-    return PointCloud.from_rgbd_image(image, frame.intrinsic, np.linalg.inv(frame.T_world_camera))
+    return PointCloud.create_from_rgbd_image(image, frame.intrinsic, np.linalg.inv(frame.T_world_camera))
 
 
 def _true_normals(points: NDArray[np.float64]) -> NDArray[np.float32]:

@@ -117,7 +117,7 @@ class Fusion(Travel):
         if result.reliable:
             self._pose = self._pose @ result.transformation
         self._image = source
-        cloud = PointCloud.from_rgbd_image(source, intrinsic)
+        cloud = PointCloud.create_from_rgbd_image(source, intrinsic)
         self.stage.show("frame", cloud, share=SCAN_SHARE, pose=self._pose)
         if self._volume is None:
             self._move(intrinsic, self._pose)

@@ -199,7 +199,7 @@ def bounds_of(parts: Iterable[Part]) -> tuple[NDArray[np.float64], NDArray[np.fl
 
 
 def _of_cloud(cloud: PointCloud, style: Style, device: Any) -> list[Part]:
-    held = {name: move(cloud.device_array(name), device) for name in ("points", "normals", "colors") if name in cloud}
+    held = {name: move(cloud._device_array(name), device) for name in ("points", "normals", "colors") if name in cloud}
     colors = held.get("colors", empty(0, vec3, device))
     coloring = None
     has_own = "colors" in held and style.color is None and style.color_by in (None, "rgb")
@@ -249,7 +249,7 @@ def _of_points(geometry: Any, style: Style, device: Any) -> list[Part]:
     if style.color is not None:
         colors = colors[:0]
     arrays = upload(colors, vec3, device), upload(normals, vec3, device)
-    return [_points(cloud.device_array("points"), cloud.origin, *arrays, style, len(colors) > 0)]
+    return [_points(cloud._device_array("points"), cloud.origin, *arrays, style, len(colors) > 0)]
 
 
 def optional_rows(holder: Any, name: str, rows: int) -> NDArray[np.float32]:
@@ -267,10 +267,10 @@ def _of_mesh(mesh: Any, style: Style, device: Any) -> list[Part]:
     if not isinstance(mesh, TriangleMesh):
         made = TriangleMesh(mesh.vertices, mesh.triangles, device=device)
         rows = {
-            n: optional_rows(mesh, n, made.device_arrays["vertices"].size) for n in ("vertex_normals", "vertex_colors")
+            n: optional_rows(mesh, n, made._device_arrays["vertices"].size) for n in ("vertex_normals", "vertex_colors")
         }
         held: dict[str, Any] = {n: upload(values, vec3, device) for n, values in rows.items() if len(values)}
-        mesh = made.with_arrays(**held)
+        mesh = made._with_arrays(**held)
     mesh, chosen = mesh.to(device), _surface_style(style)
     if style.color_by is not None:
         coloring = color_cloud(vertices_of(mesh), style.color_by, colormap=style.colormap, limits=style.limits)

@@ -46,7 +46,7 @@ def draw_scene(path: Any, mesh: TriangleMesh, T_world_camera: NDArray[np.float64
 def as_photographed(mesh: TriangleMesh) -> dict[str, Any]:
     """A mesh for `render` whose colours, if it has any, are those of photographs; without any it is lit."""
     entry: dict[str, Any] = {"geometry": mesh}
-    return entry | {"shaded": False} if "vertex_colors" in mesh.device_arrays else entry
+    return entry | {"shaded": False} if "vertex_colors" in mesh._device_arrays else entry
 
 
 def view_scene(

@@ -34,7 +34,7 @@ def mesh_parts(mesh: TriangleMesh, chosen: dict[str, Any]) -> list[Part]:
         mesh: The mesh; its arrays are shared.
         chosen: Fields of `Triangles`; a `plain` colour and a `coloring` replace the mesh's own, textures too.
     """
-    arrays, none = mesh.device_arrays, empty(0, vec3, mesh.device)
+    arrays, none = mesh._device_arrays, empty(0, vec3, mesh.device)
     held: dict[str, Any] = {
         "positions": arrays["vertices"],
         "origin": mesh.origin,
@@ -50,7 +50,7 @@ def mesh_parts(mesh: TriangleMesh, chosen: dict[str, Any]) -> list[Part]:
     ids = np.asarray(mesh.triangle_material_ids)
     parts: list[Part] = []
     for number in np.unique(ids).tolist():
-        taken = mesh.triangles_at(upload(np.flatnonzero(ids == number).astype(np.int32), int32, mesh.device))
+        taken = mesh._triangles_at(upload(np.flatnonzero(ids == number).astype(np.int32), int32, mesh.device))
         surface = (
             {"uvs": taken["triangle_uvs"], "texture": mesh.textures[number]} if number < len(mesh.textures) else {}
         )
@@ -60,10 +60,10 @@ def mesh_parts(mesh: TriangleMesh, chosen: dict[str, Any]) -> list[Part]:
 
 def vertices_of(mesh: TriangleMesh) -> PointCloud:
     """The vertices of a mesh with what is known of them; normals, colours and attributes follow."""
-    arrays = mesh.device_arrays
+    arrays = mesh._device_arrays
     renamed = {"vertices": "points", "vertex_normals": "normals", "vertex_colors": "colors"}
     held = {new: arrays[old] for old, new in renamed.items() if old in arrays}
-    cloud = PointCloud.from_device_arrays(held, mesh.origin)
+    cloud = PointCloud._from_device_arrays(held, mesh.origin)
     for name, values in mesh.vertex_attributes.items():
         cloud[name] = values
     cloud.unit = mesh.unit

@@ -40,7 +40,7 @@ class Arrivals:
         """Show what was added beyond the view where nobody has moved the camera; once for many additions."""
         has_come, self._has_come = self._has_come, False
         scene, seen = self._scene, self._fitted
-        if not has_come or scene.has_own_view or seen is None:
+        if not has_come or scene._has_own_view or seen is None:
             return
         (low, high), slack = scene.bounds, OUTGROWN * diagonal(seen)
         if (low < seen[0] - slack).any() or (high > seen[1] + slack).any():

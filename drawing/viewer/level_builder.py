@@ -67,7 +67,7 @@ class LevelBuilder:
             if self._coming.get(item.name) is item:
                 del self._coming[item.name]
                 item.tree = tree
-                viewer.show_levels(item)
+                viewer._show_levels(item)
                 self._tell()
         finally:
             viewer.lock.release()

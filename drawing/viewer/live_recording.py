@@ -67,7 +67,7 @@ def write_history(
         if history is None:
             raise ValueError("nothing was logged: call viewer.set_time(t) before what belongs to a moment")
         moments = moments_of(history, max_frames)
-        view = viewer.get_view() if viewer.sessions or viewer.has_own_view else None
+        view = viewer.get_view() if viewer.sessions or viewer._has_own_view else None
         notes = [f"{max_frames:,} of {len(history.times):,} moments"] if len(moments) < len(history.times) else []
     timeline = Drawn(viewer, most).timeline(moments)  # the program and its pages go on meanwhile
     timeline.title, timeline.fps = ", ".join([title, *notes] if title else notes), fps

@@ -345,7 +345,7 @@ def _arrays_of(item: Item) -> Iterator[tuple[int, int]]:
     """The address and the bytes of each array that an item holds."""
     held: list[Any] = [getattr(part, field.name) for part in item.parts for field in dataclasses.fields(part)]
     if item.cloud is not None:
-        held += [item.cloud.device_array(name) for name in item.cloud.attributes]
+        held += [item.cloud._device_array(name) for name in item.cloud.attributes]
     seen = set()
     for array in held:
         if isinstance(array, np.ndarray):

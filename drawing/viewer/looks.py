@@ -67,7 +67,7 @@ class Looks(Scene):
 
         with self.lock:
             viewer: Any = self  # a Viewer
-            return draw_scene(viewer, viewer.get_view(client), path, self.clip_of(client))
+            return draw_scene(viewer, viewer.get_view(client), path, self._clip_of(client))
 
     def save_html(self, path: str | os.PathLike[str], *, overwrite: bool = True) -> None:
         """Write the scene as one page that needs neither server nor network, with at most `max_points` points.

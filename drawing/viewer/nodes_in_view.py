@@ -91,7 +91,7 @@ class NodesInView:
         distances = np.maximum(np.sqrt((beyond * beyond).sum(axis=1)), _NEAREST * halves)
         return max(view.intrinsic.fx, view.intrinsic.fy) * lengths / distances
 
-    def are_refined(self, nodes: Sequence[int]) -> NDArray[np.bool_]:
+    def _are_refined(self, nodes: Sequence[int]) -> NDArray[np.bool_]:
         """Of nodes that are drawn, within which the next level is drawn too, bool [k].
 
         Args:

@@ -136,7 +136,7 @@ class Scene(Hooks):
         return fit_view(self._outline(), **look, width=self._size[0], height=self._size[1])
 
     @property
-    def has_own_view(self) -> bool:
+    def _has_own_view(self) -> bool:
         """Whether `set_view` has said where pages look from at first."""
         return self._view is not None
 
@@ -146,7 +146,7 @@ class Scene(Hooks):
         found = self._extents.union()
         return _NOTHING if found is None else found
 
-    def surface_nodes(self, name: str) -> list[tuple[Triangles, Node]]:
+    def _surface_nodes(self, name: str) -> list[tuple[Triangles, Node]]:
         """The surfaces of a geometry and their nodes, which all pages share; none of what is not in the scene."""
         with self.lock:
             nodes = self._nodes.get(name)
@@ -161,7 +161,7 @@ class Scene(Hooks):
                 self.lock.release()
         return False
 
-    def clip_of(self, client: int | None) -> Any:
+    def _clip_of(self, client: int | None) -> Any:
         """The clip planes of a page, as `get_view` finds it; None without a page."""
         with self.lock:
             session = next(iter(self.sessions.values()), None) if client is None else self.sessions.get(client)
@@ -169,7 +169,7 @@ class Scene(Hooks):
 
     # -- within -------------------------------------------------------------------------------------------------------
 
-    def budget_of(self, item: Item) -> int:
+    def _budget_of(self, item: Item) -> int:
         """Points of a cloud that a page may hold: its share of `max_points`."""
         if item.cloud is None or self._point_count <= self.max_points:
             return self.max_points
@@ -263,7 +263,7 @@ class Scene(Hooks):
             hooks = self._end_hooks()
         return [*sessions, *builders, self._later, *hooks]
 
-    def show_levels(self, item: Item) -> None:
+    def _show_levels(self, item: Item) -> None:
         """The levels of a cloud are there; the lock is held."""
         for session in self._open_sessions():
             with session.as_it_lasts():

@@ -114,7 +114,7 @@ class Session:
     def show(self, item: Item) -> None:
         """Show a cloud, or other points in place of it."""
         stream, name = self.streams.get(item.name), item.name
-        same = self._budgets.get(name) == self.viewer.budget_of(item)
+        same = self._budgets.get(name) == self.viewer._budget_of(item)
         if item.cloud is None:
             self.hide(name)
         elif isinstance(stream, WholeCloud) and item.tree is None and same:
@@ -175,7 +175,7 @@ class Session:
     def share_anew(self) -> None:
         """Give clouds their shares of the points that a page may hold, where those have changed."""
         for item in self.viewer.shown.values():
-            if item.name in self.streams and self._budgets[item.name] != self.viewer.budget_of(item):
+            if item.name in self.streams and self._budgets[item.name] != self.viewer._budget_of(item):
                 self.show(item)
 
     def hide(self, name: str) -> None:
@@ -282,7 +282,7 @@ class Session:
     # -- the camera ---------------------------------------------------------------------------------------------------
 
     def _open(self, item: Item) -> Any:
-        budget, frame = self.viewer.budget_of(item), self.viewer.frame
+        budget, frame = self.viewer._budget_of(item), self.viewer.frame
         self._budgets[item.name] = budget
         size, metric = self._size_of(item)
         sizes: dict[str, Any] = {"budget": budget, "point_size": size, "metric": metric}

@@ -60,7 +60,7 @@ def write_scene(viewer: Viewer, path: str | os.PathLike[str], *, overwrite: bool
     Raises:
         FileError: The place cannot be written.
     """
-    shown, background = shown_geometries(viewer, viewer.clip_of(None)), viewer.background.tolist()
+    shown, background = shown_geometries(viewer, viewer._clip_of(None)), viewer.background.tolist()
     view = viewer.get_view()
     write_geometries(path, shown, viewer.max_points, view=view, background=background, overwrite=overwrite)
 

@@ -197,7 +197,7 @@ def _cloud_of(tree: DetailTree, path: Path) -> PointCloud:
     """The cloud of a file whose levels these are, in the same memory; its colours stay with the tree."""
     place = resolve_device("cpu")
     arrays = {"points": upload(tree.positions, vec3, place, copied=False)}
-    cloud = PointCloud.from_device_arrays(arrays, tree.origin)
+    cloud = PointCloud._from_device_arrays(arrays, tree.origin)
     for name, values in tree.attributes.items():
         cloud[name] = values
     file = open_in_parts(path)

@@ -235,7 +235,7 @@ def _conclude(
     sums, error, turns, poses, seen_there = found
     count = max(float(sums[:, COUNT].sum()), 1.0)
     return ColorMapResult(
-        mesh.with_arrays(vertex_colors=colors),
+        mesh._with_arrays(vertex_colors=colors),
         Trajectory(_world_poses(mesh, images, given, poses), given.timestamps, given.ids),
         seen_there.astype(bool),
         search.sightings.counts.copy(),
@@ -254,7 +254,7 @@ def _fill_unseen(mesh: TriangleMesh, colors: wp.array, seen: wp.array, neighbor_
     if not neighbor_count or not known.size or not rows.size:
         return
     vertices = mesh.array("vertices")
-    places = PointCloud.from_device_arrays({"points": gather_rows(vertices, known)}, mesh.origin)
+    places = PointCloud._from_device_arrays({"points": gather_rows(vertices, known)}, mesh.origin)
     nearest = min(neighbor_count, known.size)
     neighbors, _, _ = search_nearest(places.search_tree(), gather_rows(vertices, rows), nearest)
     fill_colors(colors, rows, neighbors, known)

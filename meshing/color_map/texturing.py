@@ -175,4 +175,4 @@ def _paint_atlas(colors: ColorMapResult, camera: PinholeCameraIntrinsic, size: i
     pictures = [colors.unwarped_image(i) for i in range(len(colors.view_counts))]
     extrinsics = [inv(pose) for pose in colors.trajectory.poses]
     textured, share = mesh._with_albedo(pictures, camera, extrinsics, size)
-    return textured.with_arrays(vertex_colors=None), share  # viewers multiply them with the texture
+    return textured._with_arrays(vertex_colors=None), share  # viewers multiply them with the texture

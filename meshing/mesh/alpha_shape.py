@@ -40,30 +40,30 @@ class AlphaShapes(MeshArrays):
 
     @overload
     @classmethod
-    def from_point_cloud_alpha_shape(
+    def create_from_point_cloud_alpha_shape(
         cls, cloud: PointCloud, alpha: float | str = ..., *, return_tetrahedra: Literal[False] = ...
     ) -> Self: ...
 
     @overload
     @classmethod
-    def from_point_cloud_alpha_shape(
+    def create_from_point_cloud_alpha_shape(
         cls, cloud: PointCloud, alpha: float | str = ..., *, return_tetrahedra: Literal[True]
     ) -> tuple[Self, NDArray[np.int32], NDArray[np.int32]]: ...
 
     @overload
     @classmethod
-    def from_point_cloud_alpha_shape(
+    def create_from_point_cloud_alpha_shape(
         cls, cloud: PointCloud, alpha: Sequence[float] | NDArray[Any], *, return_tetrahedra: Literal[False] = ...
     ) -> list[Self]: ...
 
     @overload
     @classmethod
-    def from_point_cloud_alpha_shape(
+    def create_from_point_cloud_alpha_shape(
         cls, cloud: PointCloud, alpha: Sequence[float] | NDArray[Any], *, return_tetrahedra: Literal[True]
     ) -> list[tuple[Self, NDArray[np.int32], NDArray[np.int32]]]: ...
 
     @classmethod
-    def from_point_cloud_alpha_shape(
+    def create_from_point_cloud_alpha_shape(
         cls, cloud: PointCloud, alpha: Any = "auto", *, return_tetrahedra: bool = False
     ) -> Any:
         """The alpha shape of a cloud: the boundary of its Delaunay tetrahedra whose circumradius is at most alpha.
@@ -112,17 +112,17 @@ class AlphaShapes(MeshArrays):
         Example:
             >>> import numpy as np, pointloom as loom
             >>> grid = np.stack(np.meshgrid(*[np.arange(8.0)] * 3), -1).reshape(-1, 3)
-            >>> mesh = loom.TriangleMesh.from_point_cloud_alpha_shape(loom.PointCloud(grid), 0.9)
+            >>> mesh = loom.TriangleMesh.create_from_point_cloud_alpha_shape(loom.PointCloud(grid), 0.9)
             >>> len(mesh), mesh.is_watertight(), round(mesh.get_volume(), 3)
             (588, True, 343.0)
         """
         check_cloud("cloud", cloud)
         chosen, is_list = _check_alphas(alpha)
-        rows = first_occurrences(cloud.device_arrays["points"])
-        unique = cloud if rows.size == len(cloud) else cloud.select_rows(rows)
+        rows = first_occurrences(cloud._device_arrays["points"])
+        unique = cloud if rows.size == len(cloud) else cloud._select_rows(rows)
         tree = unique.search_tree()
         if chosen is None:
-            chosen = [_choose_alpha(tree, unique.device_arrays["points"])]
+            chosen = [_choose_alpha(tree, unique._device_arrays["points"])]
         found = _find_shapes(tree, rows, len(cloud), chosen, bool(return_tetrahedra))
         answers, bare = [], []
         used = _used_points([triangles for triangles, _ in found], len(cloud))
@@ -131,11 +131,11 @@ class AlphaShapes(MeshArrays):
             if not triangles.size:
                 bare.append(size)
             answers.append((mesh, tetrahedra, _used_rows(mask, places, count)) if return_tetrahedra else mesh)
-        flat = _flat_reason(tree.count, unique.device_arrays["points"]) if bare else None
+        flat = _flat_reason(tree.count, unique._device_arrays["points"]) if bare else None
         if flat is not None:
             warn_of_units(f"cloud: {flat}, so no alpha gives a surface; {FLAT_REMEDY}", UserWarning)
         elif bare and not isinstance(alpha, str):
-            usual = _choose_alpha(tree, unique.device_arrays["points"])
+            usual = _choose_alpha(tree, unique._device_arrays["points"])
             if max(bare) < SHORT * usual:
                 told = ", ".join(f"{size:g}" for size in bare)
                 usual *= ADVISED / AUTO
@@ -143,24 +143,22 @@ class AlphaShapes(MeshArrays):
                 warn_of_units(f"alpha: nothing is left at {told}{m}; the points' spacing asks for some {usual:.2g}{m}")
         return answers if is_list else answers[0]
 
-    create_from_point_cloud_alpha_shape = from_point_cloud_alpha_shape
-
     @classmethod
     def _over_points(cls, cloud: PointCloud, triangles: wp.array, used: wp.array, places: wp.array, count: int) -> Self:
         """A mesh of the points that some triangles use: so many, marked, each with its place among them."""
         names = {"vertices": "points", "vertex_normals": "normals", "vertex_colors": "colors"}
-        arrays = {name: cloud.device_arrays[given] for name, given in names.items() if given in cloud.device_arrays}
+        arrays = {name: cloud._device_arrays[given] for name, given in names.items() if given in cloud._device_arrays}
         corners, kept = keep_counted(triangles, used, places, count, list(arrays.values()))
         rows = dict(zip(arrays, kept, strict=True))
-        mesh = cls.from_device_arrays(triangles=corners, **rows, origin=cloud.origin, library=cloud.array_library)
+        mesh = cls._from_device_arrays(triangles=corners, **rows, origin=cloud.origin, library=cloud.array_library)
         mesh.unit = cloud.unit
         return mesh
 
 
 def why_flat(cloud: PointCloud) -> str | None:
     """Why no alpha shape of a cloud has a tetrahedron, as a clause of a sentence; None if some alpha gives one."""
-    points = cloud.device_arrays["points"]
-    return _flat_reason(cloud.select_rows(first_occurrences(points)).search_tree().count, points)
+    points = cloud._device_arrays["points"]
+    return _flat_reason(cloud._select_rows(first_occurrences(points)).search_tree().count, points)
 
 
 def _flat_reason(distinct: int, points: wp.array) -> str | None:

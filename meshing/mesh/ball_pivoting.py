@@ -1,4 +1,4 @@
-"""Meshes of clouds by balls that rest on three points: `TriangleMesh.from_point_cloud_ball_pivoting`."""
+"""Meshes of clouds by balls that rest on three points: `TriangleMesh.create_from_point_cloud_ball_pivoting`."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class BallPivoting(MeshArrays):
 
     @classmethod
     @told_arguments
-    def from_point_cloud_ball_pivoting(cls, cloud: PointCloud, radii: Any = None) -> Self:
+    def create_from_point_cloud_ball_pivoting(cls, cloud: PointCloud, radii: Any = None) -> Self:
         """A mesh of a cloud: the triangles that a ball can rest on without a point inside.
 
         Args:
@@ -71,16 +71,16 @@ class BallPivoting(MeshArrays):
             >>> ball = rng.normal(size=(2000, 3))
             >>> ball /= np.linalg.norm(ball, axis=1, keepdims=True)
             >>> cloud = loom.PointCloud(ball, normals=ball)
-            >>> mesh = loom.TriangleMesh.from_point_cloud_ball_pivoting(cloud, [0.1, 0.2])
+            >>> mesh = loom.TriangleMesh.create_from_point_cloud_ball_pivoting(cloud, [0.1, 0.2])
             >>> mesh.is_edge_manifold(), len(mesh) > 3900
             (True, True)
         """
         check_cloud("cloud", cloud)
-        normals = cloud.required_array(
+        normals = cloud._required_array(
             "normals",
             "call cloud = cloud.estimate_normals(), then cloud = cloud.orient_normals_consistent_tangent_plane(15)",
         )
-        points = cloud.device_array("points")
+        points = cloud._device_array("points")
         given = None if radii is None else _check_radii(radii)
         ball = RollingBall(points, normals, cloud.search_tree)
         extent = float((np.asarray(ball.tree.high, np.float64) - ball.tree.low).max()) if ball.tree.count > 2 else 0.0
@@ -94,8 +94,8 @@ class BallPivoting(MeshArrays):
                 m = "" if cloud.unit is None else f" {cloud.unit.symbol}"
                 message = f"radii: balls of {told}{m} touch no three points; the points' spacing asks for {usual}{m}"
                 warn_of_units(message)
-        colors = cloud.device_array("colors") if cloud.has_colors else None
-        mesh = cls.from_device_arrays(
+        colors = cloud._device_array("colors") if cloud.has_colors else None
+        mesh = cls._from_device_arrays(
             points,
             triangles,
             vertex_normals=normals,
@@ -105,8 +105,6 @@ class BallPivoting(MeshArrays):
         )
         mesh.unit = cloud.unit
         return mesh
-
-    create_from_point_cloud_ball_pivoting = from_point_cloud_ball_pivoting
 
 
 def _check_radii(radii: Any) -> list[float]:

@@ -68,7 +68,7 @@ def create_surface(
 
     What `pointloom mesh` does: points that are not finite are left out; normals that the method needs are made of the
     30 nearest points and oriented; Poisson's surface is cut where points are fewest; the surface is measured. The
-    methods alone are `TriangleMesh.from_point_cloud_poisson`, `..._ball_pivoting` and `..._alpha_shape`.
+    methods alone are `TriangleMesh.create_from_point_cloud_poisson`, `..._ball_pivoting` and `..._alpha_shape`.
 
     Args:
         cloud: Its normals are used where it has some.
@@ -173,11 +173,11 @@ def _with_normals(points: PointCloud, method: str, anew: bool) -> tuple[PointClo
 
 def _make(points: PointCloud, method: str, settings: dict[str, Any]) -> _Made:
     if method == "ball":
-        return _Made(TriangleMesh.from_point_cloud_ball_pivoting(points, settings["radii"]))
+        return _Made(TriangleMesh.create_from_point_cloud_ball_pivoting(points, settings["radii"]))
     if method == "alpha":
-        return _Made(TriangleMesh.from_point_cloud_alpha_shape(points, settings["alpha"]))
+        return _Made(TriangleMesh.create_from_point_cloud_alpha_shape(points, settings["alpha"]))
     with without_warnings(NormalsWarning):  # the verdict says so
-        mesh, densities = TriangleMesh.from_point_cloud_poisson(points, depth=settings["depth"])
+        mesh, densities = TriangleMesh.create_from_point_cloud_poisson(points, depth=settings["depth"])
 
     def cut(quantile: float) -> TriangleMesh:
         if not len(densities):
@@ -227,7 +227,7 @@ def _find_off(points: PointCloud, mesh: TriangleMesh) -> PointsOff:
     if not mesh.get_surface_area() > 0:
         return PointsOff()
     probes = PointCloud(points.points[:: max(1, len(points) // POINT_SAMPLES)], device=points.device)
-    tree = TriangleTree(mesh.device_arrays["vertices"], mesh.device_arrays["triangles"])
-    distances = distances_to(points_about(probes.device_arrays["points"], probes.origin, mesh.origin), tree)
+    tree = TriangleTree(mesh._device_arrays["vertices"], mesh._device_arrays["triangles"])
+    distances = distances_to(points_about(probes._device_arrays["points"], probes.origin, mesh.origin), tree)
     size = math.dist(points.get_min_bound(), points.get_max_bound())
     return PointsOff(float(np.median(download(distances))), size, points.unit)

@@ -112,7 +112,7 @@ def _are_solid(mesh: Any, parts: Parts, part_of: NDArray[np.int64], copies: Copi
     solid = parts.closed & (parts.sides > 0)
     if not (parts.closed & (parts.sides < 0)).any():
         return solid
-    arrays = mesh.device_arrays
+    arrays = mesh._device_arrays
     whole = Parts(parts.labels, parts.closed, _all_sides(mesh, parts))
     enclosing = find_enclosing(arrays["vertices"], arrays["triangles"], whole)
     is_two_sided = len(copies.rows) == len(parts.labels)

@@ -30,12 +30,12 @@ def part_doubled_edges(mesh: MeshType, twins: Indices) -> MeshType:
         mesh: Sheets.
         twins: The other half-edge of each one's pair or -1, int32 [3 t].
     """
-    count = mesh.device_arrays["vertices"].size
-    found = find_doubled_edges(mesh.device_arrays["triangles"], count, twins)  # sync
+    count = mesh._device_arrays["vertices"].size
+    found = find_doubled_edges(mesh._device_arrays["triangles"], count, twins)  # sync
     if not found.size:
         return mesh
     doubled, others = download(found), download(gather_rows(twins, found))  # sync
-    triangles = download(mesh.device_arrays["triangles"]).reshape(-1, 3)  # sync
+    triangles = download(mesh._device_arrays["triangles"]).reshape(-1, 3)  # sync
     pairs = np.where(others >= 0, np.minimum(doubled, others), doubled)
     halves, middles = np.unique(pairs, return_inverse=True)
     ends = np.column_stack([triangles.ravel()[halves], triangles.ravel()[halves - halves % 3 + (halves + 1) % 3]])
@@ -86,7 +86,7 @@ def _with_pieces(
     flat[flat < 0] = count + np.arange((flat < 0).sum())
     source = np.append(np.arange(count), np.empty(len(flat) - len(rows), np.int64)).astype(np.int32)
     source[flat] = np.repeat(rows, [len(piece) for piece in pieces])
-    arrays |= mesh.triangles_at(upload(source, int32, device))
+    arrays |= mesh._triangles_at(upload(source, int32, device))
     triangles = download(arrays["triangles"]).reshape(-1, 3).copy()
     triangles[flat] = np.concatenate([np.array(piece) for piece in pieces])
     arrays["triangles"] = upload(triangles, vec3i, device)
@@ -94,4 +94,4 @@ def _with_pieces(
         uvs = download(arrays["triangle_uvs"]).reshape(-1, 3, 2).copy()
         uvs[flat] = np.einsum("nkj,njc->nkc", np.concatenate([np.array(w) for w in weights]), uvs[flat])
         arrays["triangle_uvs"] = upload(uvs.reshape(-1, 2).astype(np.float32), vec2, device)
-    return mesh.with_arrays(**arrays)
+    return mesh._with_arrays(**arrays)

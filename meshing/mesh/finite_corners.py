@@ -18,7 +18,7 @@ REMEDY = "repair() drops such triangles"
 
 def find_wrong_corner(mesh: MeshArrays) -> str | None:
     """The first triangle with a corner that is NaN or infinite, as a clause of a sentence; None if there is none."""
-    vertices, triangles = mesh.device_arrays["vertices"], mesh.device_arrays["triangles"]
+    vertices, triangles = mesh._device_arrays["vertices"], mesh._device_arrays["triangles"]
     rows = positions_of(mask_not_finite(vertices, triangles))  # sync
     if not rows.size:
         return None

@@ -55,4 +55,4 @@ def marching_cubes(
         True
     """
     vertices, triangles, mesh_origin = extract_level(field, level, spacing, origin, device)
-    return TriangleMesh.from_device_arrays(vertices, triangles, origin=mesh_origin, library=library_of(field))
+    return TriangleMesh._from_device_arrays(vertices, triangles, origin=mesh_origin, library=library_of(field))

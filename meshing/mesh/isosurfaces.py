@@ -60,7 +60,7 @@ class Isosurfaces(MeshJoining):
         parts = []
         for level in levels.tolist():
             vertices, triangles, origin = extract_level(field, level, (1.0,) * 3, (0.0,) * 3, device)
-            parts.append(cls.from_device_arrays(vertices, flip_triangles(triangles), origin=origin))
+            parts.append(cls._from_device_arrays(vertices, flip_triangles(triangles), origin=origin))
         return cls.concatenate(parts)
 
 

@@ -85,7 +85,7 @@ class MeshAlbedo(MeshArrays):
         colors = self._arrays.get("vertex_colors")
         picture = download(texels.write(sums, colors, GUTTER)).reshape(size, size, 3)  # sync
         share = texels.share_shown(sums)  # sync
-        textured = self.with_arrays(triangle_material_ids=None)
+        textured = self._with_arrays(triangle_material_ids=None)
         textured.textures = (picture.copy(),)
         return textured, share
 

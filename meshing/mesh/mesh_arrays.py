@@ -35,7 +35,7 @@ class MeshArrays(Upright, MeshQuestions):
     _library: str = NUMPY  # whose arrays operations return, see core/array_libraries.py
 
     @classmethod
-    def from_device_arrays(
+    def _from_device_arrays(
         cls,
         vertices: wp.array,
         triangles: wp.array,
@@ -93,10 +93,10 @@ class MeshArrays(Upright, MeshQuestions):
         mesh._library = library
         return mesh
 
-    def with_arrays(self, *, origin: NDArray[np.float64] | None = None, **arrays: Any) -> Self:
+    def _with_arrays(self, *, origin: NDArray[np.float64] | None = None, **arrays: Any) -> Self:
         """The same mesh with some device arrays replaced, or dropped where None.
 
-        Other triangles than before bring what belongs to them along: `triangles_at` gives it; other vertices their
+        Other triangles than before bring what belongs to them along: `_triangles_at` gives it; other vertices their
         `vertex_attributes`, as `attributes_at` gives them. Attributes that the change does not bring along, and whose
         rows are no longer as many, are left behind with a warning.
         """
@@ -107,12 +107,12 @@ class MeshArrays(Upright, MeshQuestions):
                 warnings.warn(f"{kind} {listed(kept.pop(kind))}: left behind, the {of} are others", stacklevel=3)
         place = self._origin if origin is None else origin
         textures = () if "triangle_uvs" in self._arrays and "triangle_uvs" not in kept else self._textures
-        mesh = self.from_device_arrays(**kept, textures=textures, origin=place, library=self._library)
+        mesh = self._from_device_arrays(**kept, textures=textures, origin=place, library=self._library)
         mesh._unit, mesh._up = self._unit, self._up
         return mesh
 
     @property
-    def device_arrays(self) -> dict[str, wp.array]:
+    def _device_arrays(self) -> dict[str, wp.array]:
         """The device arrays by name, as `array` gives them one by one: for code that reads them."""
         return dict(self._arrays)
 
@@ -121,7 +121,7 @@ class MeshArrays(Upright, MeshQuestions):
         """The library whose arrays operations return: that of the arrays which the mesh was made of."""
         return self._library
 
-    def handed_out(self, array: wp.array, *, dtype: DTypeLike | None = None) -> Any:
+    def _handed_out(self, array: wp.array, *, dtype: DTypeLike | None = None) -> Any:
         """A result as an array of the library that the mesh was made of; see `hand_out`. NumPy's own their memory."""
         found = hand_out(array, self._library, dtype=dtype)
         return found.copy() if self._library == NUMPY and not found.flags.owndata else found
@@ -130,7 +130,7 @@ class MeshArrays(Upright, MeshQuestions):
         """What has one row a vertex, by name."""
         return {name: values for name, values in self._arrays.items() if name in PER_VERTEX}
 
-    def triangles_at(self, rows: wp.array) -> dict[str, Any]:
+    def _triangles_at(self, rows: wp.array) -> dict[str, Any]:
         """What belongs to triangles, by name, at some of them: int32 device array, each in 0..t-1, repeats allowed."""
         taken: dict[str, Any] = {"triangles": gather_triangles(self._arrays["triangles"], rows)}
         if "triangle_uvs" in self._arrays:
@@ -139,13 +139,13 @@ class MeshArrays(Upright, MeshQuestions):
             taken["triangle_material_ids"] = gather_rows(self._arrays["triangle_material_ids"], rows)
         return taken | self._attributes_at("triangle_attributes", rows)
 
-    def vertices_at(self, rows: wp.array) -> dict[str, Any]:
+    def _vertices_at(self, rows: wp.array) -> dict[str, Any]:
         """What belongs to vertices, by name, at some of them: int32 device array, each in 0..m-1, repeats allowed."""
         taken = {name: gather_rows(values, rows) for name, values in self._per_vertex().items()}
         return taken | self._attributes_at("vertex_attributes", rows)
 
     def _attributes_at(self, kind: str, rows: wp.array) -> dict[str, Any]:
-        """The attributes of vertices or of triangles at some of them, as `with_arrays` takes them."""
+        """The attributes of vertices or of triangles at some of them, as `_with_arrays` takes them."""
         return {kind: rows_of(self._attributes[kind], rows)}
 
     def _assign(self, name: str, values: Any) -> None:
@@ -362,7 +362,7 @@ class MeshArrays(Upright, MeshQuestions):
     @returns_new
     def copy(self) -> Self:
         """Another mesh over the same arrays: what is assigned to one does not reach the other."""
-        return self.with_arrays()
+        return self._with_arrays()
 
     def __copy__(self) -> Self:
         return self.copy()
@@ -372,10 +372,10 @@ class MeshArrays(Upright, MeshQuestions):
 
     def _bare(self) -> Self:
         """The mesh without further attributes."""
-        return self.with_arrays(**dict.fromkeys(ATTRIBUTES))
+        return self._with_arrays(**dict.fromkeys(ATTRIBUTES))
 
     def _with_each(self, change: Callable[[wp.array], Any]) -> Self:
         """The mesh with every array changed alike."""
         changed: dict[str, Any] = each(self._arrays, change)
         changed |= {kind: each(held, change) for kind, held in self._attributes.items()}
-        return self.with_arrays(**changed)
+        return self._with_arrays(**changed)

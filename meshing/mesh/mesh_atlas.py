@@ -68,8 +68,8 @@ class MeshAtlas(MeshArrays):
         extent = float((high.astype(np.float64) - low).max())
         corners = (download(self._arrays["vertices"]).reshape(-1, 3).astype(np.float64) - low) / (extent or 1.0)
         uvs = _lay_out(corners.astype(np.float32), self.triangles, size, gutter)
-        without = self.with_arrays(triangle_uvs=None, triangle_material_ids=None)
-        return without.with_arrays(triangle_uvs=upload(uvs, vec2, self._device))
+        without = self._with_arrays(triangle_uvs=None, triangle_material_ids=None)
+        return without._with_arrays(triangle_uvs=upload(uvs, vec2, self._device))
 
     @returns_new
     def bake_vertex_colors(self, size: int = 1024, *, gutter: int = 4) -> Self:
@@ -111,7 +111,7 @@ class MeshAtlas(MeshArrays):
         check_room(self._device, size * size * TEXEL_BYTES, f"size: a picture of {size} x {size} texels")
         arrays = (self._arrays["triangles"], self._arrays["vertex_colors"], self._arrays["triangle_uvs"])
         picture = download(draw_vertex_colors(*arrays, size, gutter)).reshape(size, size, 3)
-        baked = self.with_arrays(vertex_colors=None, triangle_material_ids=None)
+        baked = self._with_arrays(vertex_colors=None, triangle_material_ids=None)
         baked.textures = [picture]
         return baked
 

@@ -102,7 +102,7 @@ class MeshBooleans(MeshMeasures):
         if not isinstance(other, MeshArrays):
             raise TypeError(f"mesh: expected a TriangleMesh, got {type(other).__name__}")
         library = load_manifold(name)
-        with_colors = "vertex_colors" in self._arrays and "vertex_colors" in other.device_arrays
+        with_colors = "vertex_colors" in self._arrays and "vertex_colors" in other._device_arrays
         solids = [
             _solid(library, mesh, self._origin, with_colors, f"{name}: {what}")
             for what, mesh in (("the mesh", self), ("mesh: it", other))
@@ -119,7 +119,7 @@ class MeshBooleans(MeshMeasures):
             origin=self._origin,
         )
         mesh.unit = common_unit(f"{name}: the meshes", (self.unit, other.unit))
-        both_have_normals = "vertex_normals" in self._arrays and "vertex_normals" in other.device_arrays
+        both_have_normals = "vertex_normals" in self._arrays and "vertex_normals" in other._device_arrays
         return mesh.compute_vertex_normals() if both_have_normals else mesh
 
 

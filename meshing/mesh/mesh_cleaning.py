@@ -83,7 +83,7 @@ class MeshCleaning(MeshEdits):
         places, count = merge_vertices.number_owners(owners)  # sync
         kept = positions_of(merge_vertices.mask_owners(owners), count)
         triangles = merge_vertices.rename_corners(self._arrays["triangles"], owners, places)
-        return self.with_arrays(triangles=triangles, **self.vertices_at(kept))
+        return self._with_arrays(triangles=triangles, **self._vertices_at(kept))
 
     @returns_new
     def merge_close_vertices(self, eps: float) -> Self:
@@ -142,10 +142,10 @@ class MeshCleaning(MeshEdits):
         """
         crowded, plain = crowded_edges.find_at_crowded_edges(self._arrays["triangles"], self._vertex_count)
         if not crowded.size:
-            return self.with_arrays()
-        mesh = self if plain.size == len(self) else self.with_arrays(**self.triangles_at(plain))
+            return self._with_arrays()
+        mesh = self if plain.size == len(self) else self._with_arrays(**self._triangles_at(plain))
         return mesh._without(
-            crowded_edges.mask_crowding(mesh.device_arrays["vertices"], mesh.device_arrays["triangles"])
+            crowded_edges.mask_crowding(mesh._device_arrays["vertices"], mesh._device_arrays["triangles"])
         )
 
     # ------------------------------------------------------------------------------------------------ internals
@@ -171,7 +171,7 @@ class MeshCleaning(MeshEdits):
         if self._attributes["vertex_attributes"]:
             kept = positions_of(merge_vertices.mask_owners(owners), count)
             arrays |= self._attributes_at("vertex_attributes", kept)
-        return self.with_arrays(triangles=triangles, **arrays)
+        return self._with_arrays(triangles=triangles, **arrays)
 
     def _without_waste(self) -> Self:
         """Without triangles that are not finite, name a vertex twice or repeat another, and vertices that none has."""
@@ -186,10 +186,10 @@ class MeshCleaning(MeshEdits):
     def _left(self, gone: Mask, used: Mask) -> Self:
         """The triangles that a mask leaves, and the vertices that another one has, theirs among them; one sync."""
         rows, vertices = positions_of_each(invert_mask(gone), used)  # sync
-        taken = self.triangles_at(rows) | self.vertices_at(vertices)
+        taken = self._triangles_at(rows) | self._vertices_at(vertices)
         places = mark_places(vertices, used.size)[1]
         taken["triangles"] = renumber_triangles(taken["triangles"], places)
-        return self.with_arrays(**taken)
+        return self._with_arrays(**taken)
 
     @property
     def _vertex_count(self) -> int:
@@ -197,4 +197,4 @@ class MeshCleaning(MeshEdits):
 
     def _without(self, mask: wp.array) -> Self:
         """The mesh without the triangles where a uint8 device mask is set."""
-        return self.with_arrays(**self.triangles_at(positions_of(invert_mask(mask))))  # sync
+        return self._with_arrays(**self._triangles_at(positions_of(invert_mask(mask))))  # sync

@@ -47,7 +47,7 @@ class MeshComponents(MeshEdits):
         if broken.size:
             areas[download(parts.labels)[download(broken)]] = np.nan
         found = (hand_out_host(values, self._library, self._device) for values in (counts, areas))
-        return self.handed_out(parts.labels, dtype=np.int32), *found
+        return self._handed_out(parts.labels, dtype=np.int32), *found
 
     @returns_new
     def remove_small_components(self, min_triangles: int = 1, min_area: float = 0.0) -> Self:

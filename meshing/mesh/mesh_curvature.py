@@ -56,8 +56,8 @@ class MeshCurvatures(MeshArrays):
             [1.814, 1.814, 1.814, 1.814, 1.814, 1.814]
         """
         sewn = sew(self)
-        found = measure_curvatures(sewn.mesh.device_arrays["vertices"], sewn.mesh.device_arrays["triangles"])
+        found = measure_curvatures(sewn.mesh._device_arrays["vertices"], sewn.mesh._device_arrays["triangles"])
         columns: Any = view_as(found, float64, (found.size, 4))
         columns = [contiguous(columns[:, k]) if found.size else empty(0, float64, self.device) for k in range(4)]
         parts = [sewn.spread(column) for column in columns]
-        return MeshCurvature(*map(self.handed_out, parts))
+        return MeshCurvature(*map(self._handed_out, parts))

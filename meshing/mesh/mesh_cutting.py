@@ -233,9 +233,9 @@ class MeshCutting(MeshTrim, MeshCleaning):
         corners = held[first][np.searchsorted(vertices, lid.reshape(-1))].astype(np.int32)
         own = self._arrays["triangles"]
         rows = np.concatenate([np.arange(own.size, dtype=np.int32), corners[::3] // 3])
-        arrays = self.triangles_at(upload(rows, int32, self._device))
+        arrays = self._triangles_at(upload(rows, int32, self._device))
         arrays["triangles"] = concatenate_rows([own, upload(lid, vec3i, self._device)])
         if "triangle_uvs" in self._arrays:
             more = upload(corners, int32, self._device)
             arrays["triangle_uvs"] = spread_corners(self._arrays["triangle_uvs"], more)
-        return self.with_arrays(**arrays)
+        return self._with_arrays(**arrays)

@@ -89,19 +89,19 @@ class MeshDeformation(MeshMeasures):
         alpha = check_positive("smoothed_alpha", smoothed_alpha, allow_zero=True)
         likeness = alpha * self._finite_area() if _energy_of(energy) == "smoothed" else 0.0
         if turns == 0:
-            return self.with_arrays()
+            return self._with_arrays()
         rows = upload(held, int32, self._device)
         check_finite_vertices("constraint_vertex_indices", held, gather_rows(self._arrays["vertices"], rows))
         sewn = sew(self)
         if sewn.places is not None:
             held, targets = _once(held, download(gather_rows(sewn.places, rows)), targets)  # sync
             rows = upload(held, int32, self._device)
-        places, arrays = upload(targets - self._origin, vec3d, self._device), sewn.mesh.device_arrays
+        places, arrays = upload(targets - self._origin, vec3d, self._device), sewn.mesh._device_arrays
         moved, rotations = deform_rigidly(arrays["vertices"], arrays["triangles"], rows, places, turns, likeness)
         bent: dict[str, Any] = {"vertices": sewn.spread(narrow_rows(moved))}
         if "vertex_normals" in self._arrays:
             bent["vertex_normals"] = turn_directions(rotations, self._arrays["vertex_normals"], sewn.places)
-        return self.with_arrays(**bent)
+        return self._with_arrays(**bent)
 
 
 def _once(

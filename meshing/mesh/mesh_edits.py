@@ -47,7 +47,7 @@ class MeshEdits(MeshMotion):
             [[1, 0, 2]]
         """
         used = cast(self._left_by(mask, self._arrays["vertices"].size, "vertices"), int32)
-        whole = self.triangles_at(mesh_edits.whole_triangles(self._arrays["triangles"], used))
+        whole = self._triangles_at(mesh_edits.whole_triangles(self._arrays["triangles"], used))
         return self._with_used(whole.pop("triangles"), used, **whole)
 
     @returns_new
@@ -67,7 +67,7 @@ class MeshEdits(MeshMotion):
             TriangleMesh(4 vertices, 1 triangles, cpu)
         """
         kept = positions_of(self._left_by(mask, len(self), "triangles"))  # sync
-        return self.with_arrays(**self.triangles_at(kept))
+        return self._with_arrays(**self._triangles_at(kept))
 
     def _with_used(self, triangles: wp.array, used: wp.array, **per_triangle: Any) -> Self:
         """The vertices that are marked, int32 [m] of 1 or 0, and triangles that have no other."""
@@ -76,7 +76,7 @@ class MeshEdits(MeshMotion):
         arrays: dict[str, Any] = dict(zip(rows, kept, strict=True))
         if self._attributes["vertex_attributes"]:
             arrays |= self._attributes_at("vertex_attributes", positions_of(cast(used, uint8)))  # sync
-        return self.with_arrays(triangles=triangles, **arrays, **per_triangle)
+        return self._with_arrays(triangles=triangles, **arrays, **per_triangle)
 
     def _with_triangles(self, mask: wp.array) -> Self:
         """The triangles where a uint8 device mask is set, and the vertices that they use; one sync."""
@@ -87,10 +87,10 @@ class MeshEdits(MeshMotion):
         count = self._arrays["vertices"].size
         used = mesh_edits.mark_chosen(self._arrays["triangles"], mask, count)
         rows, vertices, *positions = positions_of_each(mask, used, *others)  # sync
-        arrays = self.triangles_at(rows) | self.vertices_at(vertices)
+        arrays = self._triangles_at(rows) | self._vertices_at(vertices)
         places = mesh_edits.mark_places(vertices, count)[1]
         arrays["triangles"] = mesh_edits.renumber_triangles(arrays["triangles"], places)
-        return self.with_arrays(**arrays), rows, vertices, *positions
+        return self._with_arrays(**arrays), rows, vertices, *positions
 
     def _left_by(self, mask: ArrayLike, count: int, of: str) -> wp.array:
         """What a mask of removals leaves, uint8 on the mesh's device."""

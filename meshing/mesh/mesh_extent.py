@@ -82,7 +82,7 @@ class MeshExtent(MeshMeasures, MeshSelection):
         """
         if "vertex_normals" not in self._arrays:
             return self.copy()
-        return self.with_arrays(vertex_normals=normalize_vectors(self._arrays["vertex_normals"]))
+        return self._with_arrays(vertex_normals=normalize_vectors(self._arrays["vertex_normals"]))
 
     @returns_new
     def select_faces_by_mask(self, mask: ArrayLike) -> Self:
@@ -105,4 +105,4 @@ class MeshExtent(MeshMeasures, MeshSelection):
 
     def _corner_cloud(self) -> PointCloud:
         """The vertices as a cloud over the same memory."""
-        return PointCloud.from_device_arrays({"points": self._arrays["vertices"]}, self._origin, self._library)
+        return PointCloud._from_device_arrays({"points": self._arrays["vertices"]}, self._origin, self._library)

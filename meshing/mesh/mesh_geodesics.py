@@ -51,5 +51,5 @@ class MeshGeodesics(MeshArrays):
         rows = upload(numbers, int32, self._device)
         check_finite_vertices("sources", numbers, gather_rows(vertices, rows))
         sewn = sew(self)
-        arrays, own = sewn.mesh.device_arrays, rows if sewn.places is None else gather_rows(sewn.places, rows)
-        return self.handed_out(sewn.spread(geodesic_distances(arrays["vertices"], arrays["triangles"], own)))
+        arrays, own = sewn.mesh._device_arrays, rows if sewn.places is None else gather_rows(sewn.places, rows)
+        return self._handed_out(sewn.spread(geodesic_distances(arrays["vertices"], arrays["triangles"], own)))

@@ -71,7 +71,7 @@ class MeshIntersections(MeshArrays):
         vertices, triangles = self._arrays["vertices"], self._arrays["triangles"]
         tree = TriangleTree(vertices, triangles)
         first, second = find_meeting_pairs(tree, vertices, triangles, triangles, within=True)
-        return self.handed_out(pair_up(first, second))
+        return self._handed_out(pair_up(first, second))
 
     def is_intersecting(self, other: TriangleMesh) -> bool:
         """Whether a triangle of this mesh and one of another have a point in common.
@@ -102,8 +102,8 @@ class MeshIntersections(MeshArrays):
             return False
         own = self._arrays["vertices"]
         shifts = [np.zeros(3), other.origin - self._origin]
-        vertices = concatenate_points([own, other.device_arrays["vertices"]], shifts)
-        theirs = shift_triangles(other.device_arrays["triangles"], own.size)
+        vertices = concatenate_points([own, other._device_arrays["vertices"]], shifts)
+        theirs = shift_triangles(other._device_arrays["triangles"], own.size)
         tree = TriangleTree(vertices, theirs)
         return find_meeting_pairs(tree, vertices, self._arrays["triangles"], theirs, within=False)[0].size > 0
 

@@ -88,7 +88,7 @@ class MeshJoining(MeshArrays):
             arrays[kind] = {
                 name: _joined_columns(name, [mesh._attributes[kind][name] for mesh in parts]) for name in shared
             }
-        return cls.from_device_arrays(**arrays | _joined_textures(parts), origin=origin, library=parts[0]._library)
+        return cls._from_device_arrays(**arrays | _joined_textures(parts), origin=origin, library=parts[0]._library)
 
 
 def _numbered(parts: list[MeshArrays]) -> list[Any]:
@@ -116,7 +116,7 @@ def _joined_columns(name: str, columns: list[Any]) -> Any:
 
 
 def _joined_textures(parts: list[MeshArrays]) -> dict[str, Any]:
-    """Texture coordinates, material numbers and pictures, as `from_device_arrays` takes them."""
+    """Texture coordinates, material numbers and pictures, as `_from_device_arrays` takes them."""
     triangled = [mesh for mesh in parts if len(mesh)]
     names = ("triangle_uvs", "triangle_material_ids")
     if any("triangle_uvs" in mesh._arrays for mesh in triangled):

@@ -36,7 +36,7 @@ class MeshMeasures(MeshArrays):
             O(m + t) memory. Sums run in float64 by ascending triangle: the same bits from run to run.
         """
         vertices, triangles = self._arrays["vertices"], self._arrays["triangles"]
-        return self.with_arrays(vertex_normals=mesh_measures.vertex_normals(vertices, triangles))
+        return self._with_arrays(vertex_normals=mesh_measures.vertex_normals(vertices, triangles))
 
     def compute_triangle_normals(self) -> NDArray[np.float32]:
         """The unit normals of the triangles by the right-hand rule, shape [t, 3].

@@ -161,12 +161,12 @@ class MeshMetrics(MeshSampling):
         check_finite_corners("compute_error_map: mesh2", mesh2)
         largest = None if max_distance is None else check_positive("max_distance", max_distance)
         points = points_about(self._arrays["vertices"], self._origin, mesh2.origin)
-        tree = TriangleTree(mesh2.device_arrays["vertices"], mesh2.device_arrays["triangles"])
+        tree = TriangleTree(mesh2._device_arrays["vertices"], mesh2._device_arrays["triangles"])
         distances = distances_to(points, tree)
         if largest is None:
             largest = float(np.float32(summarize_distances(distances, [])[2]))  # sync
-        colored = self.with_arrays(vertex_colors=color_distances(distances, largest))
-        return colored, self.handed_out(distances, dtype=np.float32)
+        colored = self._with_arrays(vertex_colors=color_distances(distances, largest))
+        return colored, self._handed_out(distances, dtype=np.float32)
 
 
 class _OneWay(NamedTuple):
@@ -207,11 +207,11 @@ class _Measured:
             raise ValueError(UNREACHED)
         self._count, shift = count, (mesh.origin, other.origin)
         cloud = mesh._draw(surface, count, False, seed)
-        sampled = distances_to(points_about(cloud.device_arrays["points"], *shift), tree)
+        sampled = distances_to(points_about(cloud._device_arrays["points"], *shift), tree)
         self._sums = DistanceSums(sampled, radii)
-        vertices = points_about(mesh.device_arrays["vertices"], *shift)
+        vertices = points_about(mesh._device_arrays["vertices"], *shift)
         size = float(np.max(tree.high.astype(np.float64) - tree.low))
-        triangles, known = mesh.device_arrays["triangles"], self._sums.largest
+        triangles, known = mesh._device_arrays["triangles"], self._sums.largest
         self.farthest = FarthestSearch(vertices, triangles, tree, known, CLOSE * size)
         self.arrays = [self._sums.whole, sum_squares(sampled), self.farthest.known]
 
@@ -229,7 +229,7 @@ class _Measured:
 
 def _both_ways(one: Any, two: Any, radii: list[float], count: int, seed: int) -> tuple[_OneWay, _OneWay]:
     """Distances from one surface to the other one, and back; three syncs, rarely more."""
-    meshes = [(mesh.device_arrays["vertices"], mesh.device_arrays["triangles"]) for mesh in (one, two)]
+    meshes = [(mesh._device_arrays["vertices"], mesh._device_arrays["triangles"]) for mesh in (one, two)]
     surfaces = [SurfaceSamples(*mesh) for mesh in meshes]
     trees, doubled = trees_over(meshes, [surface.doubled_area for surface in surfaces])  # sync
     for surface, found in zip(surfaces, doubled, strict=True):

@@ -59,13 +59,13 @@ class MeshMotion(MeshArrays, Movable):
             arrays["triangles"] = mesh_edits.flip_triangles(self._arrays["triangles"])
             if "triangle_uvs" in self._arrays:
                 arrays["triangle_uvs"] = mesh_edits.flip_corners(self._arrays["triangle_uvs"])
-        mesh = self.with_arrays(origin=origin, **arrays)
+        mesh = self._with_arrays(origin=origin, **arrays)
         mesh._unit, mesh._up = unit_under(self._unit, A), up_under(self._up, A)
         return mesh
 
     def _enlarged(self, factor: float) -> Self:
         vertices = transform_points(self._arrays["vertices"], factor * np.eye(3), np.zeros(3))
-        return self.with_arrays(origin=self._origin * factor, vertices=vertices)
+        return self._with_arrays(origin=self._origin * factor, vertices=vertices)
 
     def get_center(self) -> NDArray[np.float64]:
         """The mean of the finite vertices [m], shape [3]; zeros where there is none.
@@ -97,4 +97,4 @@ class MeshMotion(MeshArrays, Movable):
         """
         rgb = check_color("color", color)
         colors = full(self._arrays["vertices"].size, vec3(*rgb.tolist()), vec3, self.device)
-        return self.with_arrays(vertex_colors=colors)
+        return self._with_arrays(vertex_colors=colors)

@@ -38,7 +38,7 @@ class MeshPickling(MeshArrays):
             MeshTable(vertices, triangles, triangle_material_ids=ids).checked()
             arrays: dict[str, Any] = unpickled(given, device)
             arrays |= {kind: unpickled(state["attributes"][kind], device) for kind in ATTRIBUTES}
-            mesh = self.from_device_arrays(
+            mesh = self._from_device_arrays(
                 **arrays,
                 textures=check_textures("textures", state["textures"]),
                 origin=check_finite("origin", check_shape("origin", state["origin"], (3,))),

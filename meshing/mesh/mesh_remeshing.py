@@ -87,7 +87,7 @@ class MeshRemeshing(MeshCleaning):
             raise ValueError(f"feature_angle: expected 0 to 180 degrees, got {angle:g}")
         source = self._without_waste()  # sync
         if not count or not len(source):
-            return source.with_arrays(**dict.fromkeys(TEXTURE))
+            return source._with_arrays(**dict.fromkeys(TEXTURE))
         vertices, triangles = source._arrays["vertices"], source._arrays["triangles"]
         low, high, _ = bound_points(vertices)  # sync
         span, area = float(np.abs([low, high]).max()), measure(vertices, triangles)[0]  # sync
@@ -99,8 +99,8 @@ class MeshRemeshing(MeshCleaning):
         check_room(self._device, int(TRIANGLE_BYTES * expected), f"some {expected:,.0f} triangles")
         surface = TriangleTree(vertices, triangles, all_finite=True)
         mesh = _remesh(surface, target, count, math.radians(angle))
-        bare = source._bare().with_arrays(vertex_normals=None, vertex_colors=None, **dict.fromkeys(TEXTURE))
-        made = bare.with_arrays(vertices=mesh.vertices, triangles=mesh.triangles)._without_gone()
+        bare = source._bare()._with_arrays(vertex_normals=None, vertex_colors=None, **dict.fromkeys(TEXTURE))
+        made = bare._with_arrays(vertices=mesh.vertices, triangles=mesh.triangles)._without_gone()
         return with_attributes_of(with_vectors_of(made, source, surface), source, surface)
 
     def _without_gone(self) -> Self:

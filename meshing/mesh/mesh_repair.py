@@ -162,7 +162,7 @@ class MeshRepair(MeshTopology, MeshSelection):
         before = mesh._vertex_count
         finite = mesh if merge_distance is None else mesh._merge_close("merge_distance", merge_distance)
         found = cut_and_stitch(finite)
-        mesh, orientation = found.mesh, Orientation(found.mesh.device_arrays["triangles"], found.mesh._vertex_count)
+        mesh, orientation = found.mesh, Orientation(found.mesh._device_arrays["triangles"], found.mesh._vertex_count)
         orientation.follow_most()
         mesh, flipped = found.mesh._flipped(orientation.flips), orientation.flips
         area, filled, left = mesh.get_surface_area(), 0, None
@@ -177,7 +177,7 @@ class MeshRepair(MeshTopology, MeshSelection):
             removed_duplicated_triangles=found.copies,
             removed_crowding_triangles=found.crowding,
             split_vertices=found.split,
-            flipped_triangles=count_unlike(found.mesh.device_arrays["triangles"], mesh.device_arrays["triangles"]),
+            flipped_triangles=count_unlike(found.mesh._device_arrays["triangles"], mesh._device_arrays["triangles"]),
             filled_holes=filled,
             added_triangles=added + found.halved,
             removed_vertices=found.unused,
@@ -211,7 +211,7 @@ class MeshRepair(MeshTopology, MeshSelection):
         """
         triangles, count = self._arrays["triangles"], self._vertex_count
         split, rows = split_fans(triangles, count)
-        return self.with_arrays(triangles=split, **self.vertices_at(rows))
+        return self._with_arrays(triangles=split, **self._vertices_at(rows))
 
     def _fill(self, hole_size: float) -> tuple[Self, int, int]:
         """(the mesh with its holes filled, how many were, how many of this size were not)."""
@@ -223,14 +223,14 @@ class MeshRepair(MeshTopology, MeshSelection):
             arrays["triangle_material_ids"] = spread_ids(self._arrays["triangle_material_ids"], found.corners)
         sources = spread_ids(positions(len(self), self._device), found.corners)
         arrays |= self._attributes_at("triangle_attributes", sources)
-        return self.with_arrays(**arrays), found.filled, found.left
+        return self._with_arrays(**arrays), found.filled, found.left
 
     def _flipped(self, flips: Mask) -> Self:
         """The mesh with the triangles wound the other way where a uint8 device mask is set."""
         arrays: dict[str, Any] = {"triangles": flip_some(self._arrays["triangles"], flips)}
         if "triangle_uvs" in self._arrays:
             arrays["triangle_uvs"] = flip_some_corners(self._arrays["triangle_uvs"], flips)
-        return self.with_arrays(**arrays)
+        return self._with_arrays(**arrays)
 
     def _nested(self, flipped: Mask) -> tuple[Self, bool]:
         """(the mesh with its closed parts turned by what they lie within, whether all can be wound alike).

@@ -256,7 +256,7 @@ class MeshRoundShapes(MeshShapes):
         mesh = cls._of(shapes.joined(parts), device).compute_vertex_normals()
         mesh.vertex_colors = np.repeat(colors, [len(part.vertices) for part in parts], axis=0)
         local, anchor = split_origin(mesh.vertices + place)
-        return mesh.with_arrays(vertices=upload(local, vec3, mesh.device), origin=anchor)
+        return mesh._with_arrays(vertices=upload(local, vec3, mesh.device), origin=anchor)
 
     @classmethod
     def create_mobius(

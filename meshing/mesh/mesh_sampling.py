@@ -151,7 +151,7 @@ class MeshSampling(MeshArrays):
             arrays["normals"] = surface.mix(self._arrays["vertex_normals"], unit=True)
         if "vertex_colors" in self._arrays:
             arrays["colors"] = surface.mix(self._arrays["vertex_colors"])
-        cloud = PointCloud.from_device_arrays(arrays, self._origin.copy(), self._library)
+        cloud = PointCloud._from_device_arrays(arrays, self._origin.copy(), self._library)
         cloud.unit = self._unit
         return cloud
 
@@ -165,7 +165,7 @@ def _spread(start: PointCloud, count: int, area: float, name: str, advice: str) 
         return start.remove_non_finite_points()
     widest = 2 * math.sqrt(area / count / (2 * math.sqrt(3)))  # where discs of half of it fill the plane
     try:
-        return start.select_rows(eliminate_samples(tree, count, widest))
+        return start._select_rows(eliminate_samples(tree, count, widest))
     except CrowdedError as error:
         raise ValueError(
             f"{name}: {error.pair_count:,} pairs of points lie closer than {widest:.3g} m, expected up to 2^30; "

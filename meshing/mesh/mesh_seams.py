@@ -38,7 +38,7 @@ class Sewn(Generic[MeshType]):
 
 def sew(mesh: MeshType) -> Sewn[MeshType]:
     """Sew up the borders of a mesh that lie on each other; closed parts that touch stay apart."""
-    arrays = mesh.device_arrays
+    arrays = mesh._device_arrays
     owners = find_seams(arrays["vertices"], arrays["triangles"])
     if owners is None:
         return Sewn(mesh, None)
@@ -46,9 +46,9 @@ def sew(mesh: MeshType) -> Sewn[MeshType]:
     if count == owners.size:
         return Sewn(mesh, None)
     kept = positions_of(merge_vertices.mask_owners(owners), count)
-    rows = mesh.vertices_at(kept)
+    rows = mesh._vertices_at(kept)
     means = {name: values for name, values in mesh._per_vertex().items() if values.dtype == vec3}
     unit = [name == "vertex_normals" for name in means]
     rows |= dict(zip(means, merge_vertices.average_members(means.values(), unit, owners, numbers, count), strict=True))
     triangles = merge_vertices.rename_corners(arrays["triangles"], owners, numbers)
-    return Sewn(mesh.with_arrays(triangles=triangles, **rows), gather_rows(numbers, owners))
+    return Sewn(mesh._with_arrays(triangles=triangles, **rows), gather_rows(numbers, owners))

@@ -42,7 +42,7 @@ class MeshSelection(MeshCleaning):
             [[2, 1, 3]]
         """
         rows = self._rows_of("triangle_indices", triangle_indices, len(self), "triangles")
-        return self.with_arrays(**self.triangles_at(other_rows(rows, len(self))))
+        return self._with_arrays(**self._triangles_at(other_rows(rows, len(self))))
 
     @returns_new
     def remove_vertices_by_index(self, vertex_indices: ArrayLike) -> Self:
@@ -146,6 +146,6 @@ class MeshSelection(MeshCleaning):
     def _at_vertices(self, rows: wp.array) -> Self:
         """The vertices at some rows, each once, and the triangles between them."""
         used, places = mesh_edits.mark_places(rows, self._vertex_count)
-        whole = self.triangles_at(mesh_edits.whole_triangles(self._arrays["triangles"], used))  # sync
-        whole |= {"triangles": mesh_edits.renumber_triangles(whole["triangles"], places)} | self.vertices_at(rows)
-        return self.with_arrays(**whole)
+        whole = self._triangles_at(mesh_edits.whole_triangles(self._arrays["triangles"], used))  # sync
+        whole |= {"triangles": mesh_edits.renumber_triangles(whole["triangles"], places)} | self._vertices_at(rows)
+        return self._with_arrays(**whole)

@@ -158,7 +158,7 @@ class MeshShapes(MeshMeasures):
         """A mesh of a shape."""
         place = resolve_device(device)
         local, origin = split_origin(shape.vertices)
-        return cls.from_device_arrays(
+        return cls._from_device_arrays(
             upload(local, vec3, place),
             upload(shape.triangles.astype(np.int32), vec3i, place),
             triangle_uvs=upload(shape.uvs.astype(np.float32), vec2, place) if with_uvs else None,

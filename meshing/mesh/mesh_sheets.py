@@ -66,7 +66,7 @@ def cut_and_stitch(mesh: MeshType) -> Stitched[MeshType]:
     the same vertices whichever way round, that is done.
     """
     clean = mesh.remove_degenerate_triangles()
-    vertices, triangles = clean.device_arrays["vertices"], clean.device_arrays["triangles"]
+    vertices, triangles = clean._device_arrays["vertices"], clean._device_arrays["triangles"]
     owners = merge_vertices.find_equal_vertices(vertices)
     placed = merge_vertices.rename_corners(triangles, owners, positions(vertices.size, vertices.device))
     loose = mask_loose(triangles, vertices.size)
@@ -80,19 +80,19 @@ def cut_and_stitch(mesh: MeshType) -> Stitched[MeshType]:
 
 def _sew(mesh: MeshType, placed: Triangles, loose: Mask, folded: Indices, repeated: Indices) -> Stitched[MeshType]:
     """`cut_and_stitch` without the triangles at some rows."""
-    vertices, copied_area = mesh.device_arrays["vertices"], _area_of(mesh, repeated)
+    vertices, copied_area = mesh._device_arrays["vertices"], _area_of(mesh, repeated)
     kept = other_rows(_joined(folded, repeated), placed.size, are_distinct=True)
-    clean = mesh.with_arrays(**mesh.triangles_at(kept))
+    clean = mesh._with_arrays(**mesh._triangles_at(kept))
     placed, loose = gather_triangles(placed, kept), gather_rows(loose, kept)
-    sheets = Sheets(vertices, clean.device_arrays["triangles"], placed, loose)
+    sheets = Sheets(vertices, clean._device_arrays["triangles"], placed, loose)
     covered, crowding = _find_parts_to_drop(clean, sheets, placed, loose)
     copied_area += _area_of(clean, covered)
     kept = other_rows(_joined(covered, crowding), placed.size, are_distinct=True)
     sets, twins = keep_corners(sheets.corner_sets(), kept), keep_corners(sheets.twins, kept)
-    clean = clean.with_arrays(**clean.triangles_at(kept))
-    used = count_referenced(clean.device_arrays["triangles"], vertices.size)
-    found = CornerVertices(clean.device_arrays["triangles"], vertices.size, sets)
-    sewn = clean.with_arrays(triangles=found.triangles, **clean.vertices_at(found.rows))
+    clean = clean._with_arrays(**clean._triangles_at(kept))
+    used = count_referenced(clean._device_arrays["triangles"], vertices.size)
+    found = CornerVertices(clean._device_arrays["triangles"], vertices.size, sets)
+    sewn = clean._with_arrays(triangles=found.triangles, **clean._vertices_at(found.rows))
     whole = part_doubled_edges(sewn, twins)
     return Stitched(
         mesh=whole,
@@ -101,7 +101,7 @@ def _sew(mesh: MeshType, placed: Triangles, loose: Mask, folded: Indices, repeat
         crowding=crowding.size,
         halved=len(whole) - len(sewn),
         merged=used - found.kept,
-        split=whole.device_arrays["vertices"].size - found.kept,
+        split=whole._device_arrays["vertices"].size - found.kept,
         unused=vertices.size - used,
         open_sides=sum_counts(mark_open_sides(twins)),  # sync
     )
@@ -111,7 +111,7 @@ def _find_worthless(mesh: MeshCleaning, placed: Triangles, loose: Mask) -> tuple
     """(rows that name a position twice, that repeat an earlier one, that do so whichever way round) of loose ones."""
     rows = positions_of(loose)  # sync
     own = gather_triangles(placed, rows)
-    vertices = mesh.device_arrays["vertices"]
+    vertices = mesh._device_arrays["vertices"]
     folded = positions_of(clean_triangles.mask_degenerate(vertices, own, zero_area=False))  # sync
     rest = other_rows(folded, rows.size, are_distinct=True)
     triangles, rows_left = gather_triangles(own, rest), gather_rows(rows, rest)
@@ -126,7 +126,7 @@ def _find_worthless(mesh: MeshCleaning, placed: Triangles, loose: Mask) -> tuple
 def _find_parts_to_drop(mesh: MeshCleaning, sheets: Sheets, placed: Triangles, loose: Mask) -> tuple[Indices, Indices]:
     """(rows of parts that are copies of others, rows of single triangles that found no partner)."""
     count, device = placed.size, placed.device
-    classes, class_count = find_copies(placed, mesh.device_arrays["vertices"].size)  # sync
+    classes, class_count = find_copies(placed, mesh._device_arrays["vertices"].size)  # sync
     covered = np.zeros(count, np.bool_)
     if class_count < count:
         names = download(sheets.parts())  # sync
@@ -159,4 +159,4 @@ def _joined(first: Indices, second: Indices) -> Indices:
 
 def _area_of(mesh: Any, rows: Indices) -> float:
     """The area [m^2] of some triangles."""
-    return mesh.with_arrays(**mesh.triangles_at(rows)).get_surface_area() if rows.size else 0.0
+    return mesh._with_arrays(**mesh._triangles_at(rows)).get_surface_area() if rows.size else 0.0

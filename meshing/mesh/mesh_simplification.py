@@ -63,7 +63,7 @@ class MeshSimplification(MeshEdits):
         triangles, arrays = cluster_vertices(self._arrays["triangles"], [*rows.values()], unit, size, way == "quadric")
         without: dict[str, Any] = dict.fromkeys(TEXTURE)
         left: dict[str, Any] = without | dict(zip(rows, arrays, strict=True))
-        return with_attributes_of(self._bare().with_arrays(triangles=triangles, **left), self)
+        return with_attributes_of(self._bare()._with_arrays(triangles=triangles, **left), self)
 
     @returns_new
     def simplify_quadric_decimation(
@@ -129,7 +129,7 @@ class MeshSimplification(MeshEdits):
         job.run()
         triangles, arrays, *texture = job.result()
         kept: dict[str, Any] = dict(zip((*TEXTURE, *rows), (*texture, *arrays), strict=True))
-        left = self._bare().with_arrays(triangles=triangles, **kept)
+        left = self._bare()._with_arrays(triangles=triangles, **kept)
         if len(left) > target and np.isinf(error):
             warnings.warn(
                 f"{len(left)} triangles are left and not {target}: no edge can go without tearing the mesh",

@@ -148,9 +148,9 @@ class MeshSmoothing(MeshArrays):
         if not names:
             raise ValueError(f"filter_scope: the mesh has no {_names_of(scope)[0]} to filter")
         if count == 0 or not len(self):
-            return self.with_arrays()
+            return self._with_arrays()
         sewn = sew(self)
-        arrays = sewn.mesh.device_arrays
+        arrays = sewn.mesh._device_arrays
         wide = {name: widen_rows(arrays[name]) for name in {"vertices", *names}}
         values = filter_values(arrays["triangles"], wide["vertices"], names, wide, passes * count)
         narrow: dict[str, Any] = {}
@@ -159,7 +159,7 @@ class MeshSmoothing(MeshArrays):
                 narrow[name] = sewn.spread(narrow_directions(rows, arrays[name]))
             else:
                 narrow[name] = sewn.spread(narrow_rows(rows))
-        return self.with_arrays(**narrow)
+        return self._with_arrays(**narrow)
 
 
 def _names_of(scope: Any) -> tuple[str, ...]:

@@ -90,7 +90,7 @@ class MeshSubdivision(MeshArrays):
         """Rounds of a rule for values; normals before `first_new` are as they were."""
         count = check_count("number_of_iterations", iterations, minimum=0)
         if count == 0 or not len(self):
-            return self.with_arrays()
+            return self._with_arrays()
         if count > 16 or 3 * len(self) * 4**count > MOST_CORNERS:
             raise ValueError(
                 f"number_of_iterations: {count} rounds make {len(self)} * 4^{count} triangles, more than the "
@@ -118,4 +118,4 @@ class MeshSubdivision(MeshArrays):
                 arrays[name] = narrow_directions(rows, self._arrays[name], first_new)
             else:
                 arrays[name] = narrow_rows(rows)
-        return self.with_arrays(**arrays)
+        return self._with_arrays(**arrays)

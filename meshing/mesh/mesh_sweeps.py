@@ -243,12 +243,12 @@ class MeshSweeps(MeshShapes, MeshMeasures):
     def _with_copies(self, places: Any, of_vertices: Any, triangles: Any, of_triangles: Any) -> Self:
         """Vertices and triangles that have what belongs to some of this mesh, but for normals and textures."""
         local, origin = split_origin(places)
-        bare = self.with_arrays(triangle_uvs=None, vertex_normals=None)
-        arrays = bare.vertices_at(upload(of_vertices.astype(np.int32), int32, self._device))
-        arrays |= bare.triangles_at(upload(of_triangles.astype(np.int32), int32, self._device))
+        bare = self._with_arrays(triangle_uvs=None, vertex_normals=None)
+        arrays = bare._vertices_at(upload(of_vertices.astype(np.int32), int32, self._device))
+        arrays |= bare._triangles_at(upload(of_triangles.astype(np.int32), int32, self._device))
         arrays["vertices"] = upload(local, vec3, self._device)
         arrays["triangles"] = upload(triangles.astype(np.int32), vec3i, self._device)
-        swept = bare.with_arrays(**arrays, origin=origin)
+        swept = bare._with_arrays(**arrays, origin=origin)
         return swept.compute_vertex_normals() if "vertex_normals" in self._arrays else swept
 
 

@@ -95,7 +95,7 @@ class MeshTopology(MeshMeasures):
         rows, loops, starts = find_loops(border)  # sync
         if not loops.count:
             return []
-        vertices, ends = self.handed_out(gather_rows(border.vertices, rows)), starts.tolist()
+        vertices, ends = self._handed_out(gather_rows(border.vertices, rows)), starts.tolist()
         return [vertices[first:end] for first, end in pairwise(ends)]
 
     def get_non_manifold_vertices(self) -> NDArray[np.int32]:
@@ -110,7 +110,7 @@ class MeshTopology(MeshMeasures):
             [0]
         """
         mask = mesh_edges.find_split_vertices(self._arrays["triangles"], self._arrays["vertices"].size)
-        return self.handed_out(positions_of(mask))
+        return self._handed_out(positions_of(mask))
 
     def is_vertex_manifold(self) -> bool:
         """Whether the triangles at each vertex hang together by edges at it; see `get_non_manifold_vertices`.
@@ -175,7 +175,7 @@ class MeshTopology(MeshMeasures):
         arrays: dict[str, Any] = {"triangles": orientation.flip_some(self._arrays["triangles"], found.flips)}
         if "triangle_uvs" in self._arrays:
             arrays["triangle_uvs"] = orientation.flip_some_corners(self._arrays["triangle_uvs"], found.flips)
-        return self.with_arrays(**arrays), found.orientable
+        return self._with_arrays(**arrays), found.orientable
 
     def euler_poincare_characteristic(self) -> int:
         """Vertices less edges plus triangles: 2 for a closed surface without handles, 0 for a torus.
@@ -215,7 +215,7 @@ class MeshTopology(MeshMeasures):
         count = self._arrays["vertices"].size
         found = VertexNeighbors(mesh_edges.MeshEdges(self._arrays["triangles"], count), count)
         used = int(download(found.starts[count:])[0])  # sync
-        return self.handed_out(found.starts), self.handed_out(view_as(found.vertices, int32, (used,)))
+        return self._handed_out(found.starts), self._handed_out(view_as(found.vertices, int32, (used,)))
 
     def compute_triangle_areas(self) -> NDArray[np.float64]:
         """The area [m^2] of each triangle, shape [t]; NaN for those with a corner that is not finite.
@@ -227,14 +227,14 @@ class MeshTopology(MeshMeasures):
             >>> loom.TriangleMesh([[0, 0, 0], [2, 0, 0], [0, 1, 0]], [[0, 1, 2]]).compute_triangle_areas().tolist()
             [1.0]
         """
-        return self.handed_out(triangle_areas(self._arrays["vertices"], self._arrays["triangles"]))
+        return self._handed_out(triangle_areas(self._arrays["vertices"], self._arrays["triangles"]))
 
     def _edges(self, padded: bool = False) -> mesh_edges.UniqueKeys:
         return mesh_edges.find_edges(self._arrays["triangles"], self._arrays["vertices"].size, padded)
 
     def _ends(self, edges: mesh_edges.UniqueKeys, mask: Mask) -> NDArray[np.int32]:
         ends = mesh_edges.edge_ends(edges, positions_of(mask), self._arrays["vertices"].size)
-        return self.handed_out(ends)
+        return self._handed_out(ends)
 
 
 def count_edges(mesh: MeshTopology) -> EdgeCounts:

@@ -63,7 +63,7 @@ class MeshTrim(MeshEdits):
         where, ratio = check_number("level", level), check_share("island_ratio", island_ratio)
         cut = LevelCut(self._arrays["triangles"], upload(values, float64, self._device), where)
         whole = self._cut_up(cut)
-        mask = mask_trimmed(whole.device_arrays["vertices"], cut, self._arrays["triangles"], ratio)
+        mask = mask_trimmed(whole._device_arrays["vertices"], cut, self._arrays["triangles"], ratio)
         return whole._with_triangles(mask)  # sync
 
     def _cut_up(self, cut: LevelCut) -> Self:
@@ -78,4 +78,4 @@ class MeshTrim(MeshEdits):
             arrays["triangle_uvs"] = cut.corners_of(self._arrays["triangle_uvs"])
         if "triangle_material_ids" in self._arrays:
             arrays["triangle_material_ids"] = gather_rows(self._arrays["triangle_material_ids"], cut.sources)
-        return self.with_arrays(triangles=cut.pieces, **arrays)
+        return self._with_arrays(triangles=cut.pieces, **arrays)

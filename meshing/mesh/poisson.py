@@ -51,7 +51,7 @@ class Poisson(MeshArrays):
 
     @classmethod
     @told_arguments
-    def from_point_cloud_poisson(
+    def create_from_point_cloud_poisson(
         cls,
         cloud: PointCloud,
         depth: int = 8,
@@ -115,12 +115,13 @@ class Poisson(MeshArrays):
             >>> import numpy as np, pointloom as loom
             >>> points = np.random.default_rng(0).normal(size=(2000, 3))
             >>> points /= np.linalg.norm(points, axis=1, keepdims=True)
-            >>> ball, densities = loom.TriangleMesh.from_point_cloud_poisson(loom.PointCloud(points, normals=points), 5)
+            >>> cloud = loom.PointCloud(points, normals=points)
+            >>> ball, densities = loom.TriangleMesh.create_from_point_cloud_poisson(cloud, 5)
             >>> ball.is_watertight(), bool(abs(np.linalg.norm(ball.vertices, axis=1) - 1).max() < 0.02)
             (True, True)
         """
         check_cloud("cloud", cloud)
-        points, normals = cloud.device_array("points"), cloud.required_array("normals", NO_NORMALS)
+        points, normals = cloud._device_array("points"), cloud._required_array("normals", NO_NORMALS)
         deepest = check_count("depth", depth, minimum=MIN_DEPTH, maximum=MAX_DEPTH, because="codes of cells end there")
         edge, cell = check_positive("scale", scale), check_positive("width", width, allow_zero=True)
         pull = check_positive("point_weight", point_weight, allow_zero=True, maximum=MAX_POINT_WEIGHT)
@@ -146,7 +147,7 @@ class Poisson(MeshArrays):
             envelope=None if envelope is None else _check_envelope(envelope, cloud),
             progress=check_progress(None),
         )
-        mesh = cls.from_device_arrays(
+        mesh = cls._from_device_arrays(
             surface.vertices,
             surface.triangles,
             vertex_normals=surface.normals,
@@ -155,9 +156,7 @@ class Poisson(MeshArrays):
             library=cloud.array_library,
         )
         mesh.unit = cloud.unit
-        return mesh, mesh.handed_out(surface.densities)
-
-    create_from_point_cloud_poisson = from_point_cloud_poisson
+        return mesh, mesh._handed_out(surface.densities)
 
 
 def _check_reach(scale: float, depth: int, samples: float, point_count: int) -> None:

@@ -22,30 +22,30 @@ def with_attributes_of(mesh: Mesh, source: Any, tree: TriangleTree | None = None
     source's `tree` is made where it is not given.
     """
     held = {kind: getattr(source, kind).arrays for kind in ("vertex_attributes", "triangle_attributes")}
-    if not any(held.values()) or not len(source) or not mesh.device_arrays["vertices"].size:
+    if not any(held.values()) or not len(source) or not mesh._device_arrays["vertices"].size:
         return mesh
-    tree = tree or TriangleTree(source.device_arrays["vertices"], source.device_arrays["triangles"])
+    tree = tree or TriangleTree(source._device_arrays["vertices"], source._device_arrays["triangles"])
     arrays: dict[str, Any] = {}
-    vertices, triangles = mesh.device_arrays["vertices"], mesh.device_arrays["triangles"]
+    vertices, triangles = mesh._device_arrays["vertices"], mesh._device_arrays["triangles"]
     if held["vertex_attributes"]:
         arrays["vertex_attributes"] = each(held["vertex_attributes"], SurfacePlaces(vertices, tree).mixed.of)
     if held["triangle_attributes"]:
         nearest = SurfacePlaces(middles_of(vertices, triangles), tree).triangles
         arrays["triangle_attributes"] = rows_of(held["triangle_attributes"], nearest)
-    return mesh.with_arrays(**arrays)
+    return mesh._with_arrays(**arrays)
 
 
 def with_vectors_of(mesh: Mesh, source: Any, tree: TriangleTree | None = None) -> Mesh:
     """A mesh with the normals, of unit length, and the colours of another one at the nearest points of its surface."""
-    names = [name for name in ("vertex_normals", "vertex_colors") if name in source.device_arrays]
-    if not names or not len(source) or not mesh.device_arrays["vertices"].size:
+    names = [name for name in ("vertex_normals", "vertex_colors") if name in source._device_arrays]
+    if not names or not len(source) or not mesh._device_arrays["vertices"].size:
         return mesh
-    tree = tree or TriangleTree(source.device_arrays["vertices"], source.device_arrays["triangles"])
-    mixed, arrays = SurfacePlaces(mesh.device_arrays["vertices"], tree).mixed, {}
+    tree = tree or TriangleTree(source._device_arrays["vertices"], source._device_arrays["triangles"])
+    mixed, arrays = SurfacePlaces(mesh._device_arrays["vertices"], tree).mixed, {}
     for name in names:
-        rows = source.device_arrays[name]
+        rows = source._device_arrays[name]
         table = mixed.of(view_as(rows, float32, (rows.size, 3)))
         arrays[name] = view_as(table, vec3, (mixed.count,))
     if "vertex_normals" in arrays:
         arrays["vertex_normals"] = normalize_vectors(arrays["vertex_normals"])
-    return mesh.with_arrays(**arrays)
+    return mesh._with_arrays(**arrays)

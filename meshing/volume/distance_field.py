@@ -122,7 +122,7 @@ class DistanceField(FieldQueries, FieldViews, ToldNames):
         check_lengths(cloud)
         edge = check_voxel_size(voxel_size)
         place = cloud.origin if origin is None else check_finite("origin", check_shape("origin", origin, (3,)))
-        points = cloud.device_array("points")
+        points = cloud._device_array("points")
         x, y, z = (cloud.origin - place).tolist()
         source = FieldSource(place, edge, check_positive("max_distance", max_distance))
         try:
@@ -242,7 +242,7 @@ class DistanceField(FieldQueries, FieldViews, ToldNames):
             raise ValueError(f"coordinates: {cells.min()}..{cells.max()} are more than 30 bits hold")
         edge, limit = check_voxel_size(voxel_size), check_positive("max_distance", max_distance)
         corner = check_finite("origin", check_shape("origin", origin, (3,)))
-        return cls.from_device_voxels(upload(cells, vec3i, resolve_device(device)), FieldSource(corner, edge, limit))
+        return cls._from_device_voxels(upload(cells, vec3i, resolve_device(device)), FieldSource(corner, edge, limit))
 
     @classmethod
     @told_arguments
@@ -268,10 +268,10 @@ class DistanceField(FieldQueries, FieldViews, ToldNames):
         if not isinstance(grid, OccupancyGrid):
             raise TypeError(f"grid: expected an OccupancyGrid, got {type(grid).__name__}")
         limit = check_positive("max_distance", max_distance)
-        return cls.from_device_voxels(grid.device_voxels(), FieldSource(grid.origin, grid.voxel_size, limit))
+        return cls._from_device_voxels(grid._device_voxels(), FieldSource(grid.origin, grid.voxel_size, limit))
 
     @classmethod
-    def from_device_voxels(cls, cells: Cells, source: FieldSource) -> DistanceField:
+    def _from_device_voxels(cls, cells: Cells, source: FieldSource) -> DistanceField:
         """The distances around voxels that are on the device already, as vec3i, in any order and repeated or not."""
         return cls._of(cells, source)
 
@@ -382,7 +382,7 @@ def _take_mask(occupied: Any, device: Any) -> tuple[Mask, tuple[int, int, int]]:
 
 def _extent(cloud: PointCloud) -> str:
     """How far a cloud reaches, for messages."""
-    low, high, count = bound_points(cloud.device_array("points"))
+    low, high, count = bound_points(cloud._device_array("points"))
     if not count:
         return ""
     box = (np.array([low, high], np.float64) + cloud.origin).round(3).tolist()

@@ -237,7 +237,7 @@ class FieldQueries:
         """Positions in float64 on the field's device, and the form of the answer."""
         if isinstance(points, PointCloud):
             check_same_device(name, points.device, self.device)
-            places = add_origin(points.device_array("points"), points.origin)
+            places = add_origin(points._device_array("points"), points.origin)
             return places, Form(points.array_library, points.device.is_cpu)
         if is_on_gpu(points):
             rows = take_rows(name, points, 3, self.device)

@@ -168,7 +168,7 @@ class OccupancyGrid(OccupancyQuestions, ToldNames):
             )
         x, y, z = (cloud.origin - place).tolist()
         lattice, begun = self._blocks.lattice, upload(local.astype(np.float32), vec3, self.device)
-        rays, infinite = odds.prepare_rays(cloud.device_array("points"), (x, y, z), begun, longest, lattice)
+        rays, infinite = odds.prepare_rays(cloud._device_array("points"), (x, y, z), begun, longest, lattice)
         if infinite:
             raise ValueError("points: some are infinite; remove_non_finite_points drops them, max_range cuts long rays")
         before = self._origin

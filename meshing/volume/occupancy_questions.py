@@ -139,18 +139,18 @@ class OccupancyQuestions:
     def voxel_indices(self) -> NDArray[np.int32]:
         """The occupied voxels, int32 [k, 3], ascending by x, then y, then z: voxel i reaches from `origin + i *
         voxel_size` to one voxel more."""
-        found = np.array(download(self.device_voxels()), np.int32).reshape(-1, 3)
+        found = np.array(download(self._device_voxels()), np.int32).reshape(-1, 3)
         return found[np.lexsort(found.T[::-1])]
 
-    def device_voxels(self) -> Cells:
+    def _device_voxels(self) -> Cells:
         """The same on the device, vec3i, block by block in the order in which these came: for code that reads them."""
         return odds.list_occupied(self._blocks, THRESHOLD)
 
     @returns_new
     def to_point_cloud(self) -> PointCloud:
         """The centres of the occupied voxels, block by block in the order in which blocks came."""
-        voxels = self.device_voxels()
-        return PointCloud.from_device_arrays({"points": odds.place_voxels(voxels, self._blocks.lattice)}, self.origin)
+        voxels = self._device_voxels()
+        return PointCloud._from_device_arrays({"points": odds.place_voxels(voxels, self._blocks.lattice)}, self.origin)
 
     def to_voxel_grid(self) -> VoxelGrid:
         """The occupied voxels as a VoxelGrid."""
@@ -208,7 +208,7 @@ class OccupancyQuestions:
         cloud = self._cloud_of("points", points)
         x, y, z = (cloud.origin - self.origin).tolist()
         self._blocks.count  # noqa: B018  what was interrupted is settled
-        return np.array(download(odds.look_up(cloud.device_array("points"), (x, y, z), self._blocks)))
+        return np.array(download(odds.look_up(cloud._device_array("points"), (x, y, z), self._blocks)))
 
 
 def _probability(log_odds: NDArray[np.float32]) -> NDArray[np.float64]:

@@ -182,12 +182,12 @@ class TSDFVolume(ScanIntegration, ToldNames):
         if color is not None:
             pixels = upload_color(color, height, width, self.device)
         T = inv(T_camera_world)
-        count = self.integrate_device_frame(raw, camera, T, pixels, scale, farthest)
+        count = self._integrate_device_frame(raw, camera, T, pixels, scale, farthest)
         self._library = library
         report("integrate", volume=self, intrinsic=camera, T_world_camera=T)
         return count
 
-    def integrate_device_frame(
+    def _integrate_device_frame(
         self,
         depth: Any,
         intrinsic: PinholeCameraIntrinsic,
@@ -273,7 +273,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
         """
         surface = self._surface(weight_threshold, need_cells=True)
         vertices, shades, _ = surface.vertices(self.has_frame_colors, False)
-        return TriangleMesh.from_device_arrays(
+        return TriangleMesh._from_device_arrays(
             vertices, surface.triangles(), vertex_colors=shades, origin=self.origin, library=self._library
         )
 
@@ -294,7 +294,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
         arrays: dict[str, wp.array] = {"points": points, "normals": normals}  # type: ignore[dict-item]
         if shades is not None:
             arrays["colors"] = shades
-        return PointCloud.from_device_arrays(arrays, self.origin, self._library)
+        return PointCloud._from_device_arrays(arrays, self.origin, self._library)
 
     def ray_cast(
         self,
@@ -324,7 +324,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
         seen, colored = SeenBlocks(self._blocks, threshold), self.has_frame_colors
         return cast_view(seen, intrinsic, T, (near, far), self.origin, colored, self._library)
 
-    def render_maps(
+    def _render_maps(
         self,
         intrinsic: PinholeCameraIntrinsic,
         T_world_camera: NDArray[Any],
@@ -343,7 +343,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
         seen, colored = SeenBlocks(self._blocks, threshold), self.has_frame_colors
         return render_maps(seen, intrinsic, T, (near, far), colored, normals)
 
-    def render_colors(
+    def _render_colors(
         self,
         intrinsic: PinholeCameraIntrinsic,
         T_world_camera: NDArray[Any],
@@ -352,7 +352,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
         depth_max: float = 3.0,
         weight_threshold: float = 3.0,
     ) -> tuple[wp.array, wp.array]:
-        """As `render_maps`: depth, float32 [h * w], 0 where nothing is seen, and colours, vec3 [h * w] in 0..1."""
+        """As `_render_maps`: depth, float32 [h * w], 0 where nothing is seen, and colours, vec3 [h * w] in 0..1."""
         near, far, threshold = check_view(intrinsic, depth_min, depth_max, weight_threshold)
         T = self._place_of(np.array(T_world_camera, np.float64))
         return render_colors(SeenBlocks(self._blocks, threshold), intrinsic, T, (near, far))

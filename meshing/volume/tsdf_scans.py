@@ -108,11 +108,11 @@ class ScanIntegration:
         has_colors = cloud is not None and self.has_color and bool(cloud.has_colors)
         if len(places):
             self._check_color(has_colors)
-        colors = cloud.device_array("colors") if has_colors and cloud is not None else None
+        colors = cloud._device_array("colors") if has_colors and cloud is not None else None
         frames = self._settled
         start = frames.origin if frames.origin is not None else origin_of_sensor(scanners[0])
         if cloud is not None:
-            positions = add_origin(cloud.device_array("points"), cloud.origin - start)
+            positions = add_origin(cloud._device_array("points"), cloud.origin - start)
         else:
             positions = upload(places - start, vec3d, self.device)
         rays = ScanRays(positions, upload(scanners - start, vec3d, self.device), colors, (least, most), self._blocks)

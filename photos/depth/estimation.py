@@ -103,8 +103,8 @@ class DepthEstimate:
         if not keep_edges:
             reach = min(max(round(BLUR * self.enlargement), BLUR), MOST_REACH)
             kept = drop_flying(image.depth_array, image.width, image.height, reach, FLYING_JUMP)
-            image = RGBDImage.from_device_arrays(image.color_array, kept, image.height, image.width)
-        return PointCloud.from_rgbd_image(image, self.intrinsic, stride=step)
+            image = RGBDImage._from_device_arrays(image.color_array, kept, image.height, image.width)
+        return PointCloud.create_from_rgbd_image(image, self.intrinsic, stride=step)
 
 
 def estimate_depth(

@@ -219,7 +219,7 @@ def _fuse_points(
     arrays = {name: concatenate_rows([part[k] for part in parts]) for k, name in enumerate(names)}
     if not colors:
         del arrays["colors"]
-    return PointCloud.from_device_arrays(arrays, origin)
+    return PointCloud._from_device_arrays(arrays, origin)
 
 
 def _overlaps(maps: DepthMaps) -> NDArray[np.bool_]:
@@ -292,10 +292,10 @@ def _fuse_poisson(maps: DepthMaps, cloud: PointCloud, voxel: float | None, say: 
         return TriangleMesh([], [], device=cloud.device)
     say("mesh", 0, 0)
     width = voxel or POISSON_VOXEL * _typical_pixel(maps)
-    mesh, _ = TriangleMesh.from_point_cloud_poisson(cloud, width=width)
+    mesh, _ = TriangleMesh.create_from_point_cloud_poisson(cloud, width=width)
     if not len(mesh):
         return mesh
-    away = PointCloud.from_device_arrays(
-        {"points": mesh.device_arrays["vertices"]}, mesh.origin
+    away = PointCloud._from_device_arrays(
+        {"points": mesh._device_arrays["vertices"]}, mesh.origin
     ).compute_point_cloud_distance(cloud)
     return mesh.trim(-away, -TRIM * width)

@@ -202,7 +202,7 @@ class _Drifting:
         self.source, self.target, self.begin = source, target, begin
         points, others = source.remove_non_finite_points(), target.remove_non_finite_points()
         start = points.transform(begin)
-        first = place_points(start.device_array("points"), np.eye(3), np.zeros(3))
+        first = place_points(start._device_array("points"), np.eye(3), np.zeros(3))
         count = first.size
         total = np.asarray(download(reduce(sum_places, count, [first])), np.float64).ravel() / count  # sync
         radius = float(np.sqrt(max(total[3] - matmul(total[:3], total[:3]), 0.0)))
@@ -224,7 +224,7 @@ class _Drifting:
 
     def _placed(self, cloud: PointCloud) -> Any:
         return place_points(
-            cloud.device_array("points"), self.unit * np.eye(3), self.unit * (cloud.origin - self.center)
+            cloud._device_array("points"), self.unit * np.eye(3), self.unit * (cloud.origin - self.center)
         )
 
     def begin_field(self, width: float, stiffness: float) -> None:
@@ -322,7 +322,7 @@ def _moved(cloud: PointCloud, T: Array, field: Any) -> PointCloud:
     if field is None:
         return moved
     center, unit, centers, weights, scale = field
-    arrays = {name: values for name, values in moved.device_arrays.items() if name not in ("normals", "covariances")}
+    arrays = {name: values for name, values in moved._device_arrays.items() if name not in ("normals", "covariances")}
     points = arrays["points"]
     arrays["points"] = move_points(points, moved.origin - center, unit, centers, weights, scale)
-    return moved.with_arrays(arrays, grid=moved.grid)
+    return moved._with_arrays(arrays, grid=moved.grid)

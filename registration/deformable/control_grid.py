@@ -93,7 +93,7 @@ class ControlGrid:
             DeviceError: The cloud lies on another device.
         """
         points = self._points_of("cloud", cloud, first=True)
-        low, high = (np.asarray(bound) for bound in cloud.device_bounds())
+        low, high = (np.asarray(bound) for bound in cloud._device_bounds())
         reach = max(np.abs(low - self._origin).max(), np.abs(high - self._origin).max()) if len(cloud) else 0.0
         if reach >= (FARTHEST - 2) * self.grid_size:
             raise ValueError(
@@ -134,11 +134,11 @@ class ControlGrid:
         """
         points = self._points_of("cloud", cloud)
         moved = bend_points(points, self._lattice)
-        arrays = {name: values for name, values in cloud.device_arrays.items() if name != "covariances"}
+        arrays = {name: values for name, values in cloud._device_arrays.items() if name != "covariances"}
         arrays["points"] = moved
         if "normals" in arrays:
             arrays["normals"] = bend_normals(points, arrays["normals"], self._lattice)
-        bent = PointCloud.from_device_arrays(arrays, self._origin if len(self) else cloud.origin, cloud.array_library)
+        bent = PointCloud._from_device_arrays(arrays, self._origin if len(self) else cloud.origin, cloud.array_library)
         bent.grid = cloud.grid
         return bent
 
@@ -169,7 +169,9 @@ class ControlGrid:
             DeviceError: The depth lies on another GPU.
         """
         farthest = check_positive("depth_max", depth_max, allow_infinite=True)
-        cloud = PointCloud.from_depth_image(depth, intrinsic, extrinsic, depth_scale, farthest, device=self.device)
+        cloud = PointCloud.create_from_depth_image(
+            depth, intrinsic, extrinsic, depth_scale, farthest, device=self.device
+        )
         size = intrinsic.width, intrinsic.height
         return self.deform(cloud).project_to_depth_image(
             *size, intrinsic, extrinsic, depth_scale=1.0, depth_max=depth_max
@@ -184,7 +186,7 @@ class ControlGrid:
         depth_max: float = 3.0,
     ) -> RGBDImage:
         """An RGB-D picture, bent as `deform_depth` does; each colour goes with its point."""
-        cloud = self.deform(PointCloud.from_rgbd_image(image, intrinsic, extrinsic))
+        cloud = self.deform(PointCloud.create_from_rgbd_image(image, intrinsic, extrinsic))
         size = intrinsic.width, intrinsic.height
         return cloud.project_to_rgbd_image(*size, intrinsic, extrinsic, depth_max=depth_max)
 
@@ -196,9 +198,9 @@ class ControlGrid:
         check_same_device(name, self.device, cloud.device)
         if not len(self):
             if not first:
-                return cloud.points_about(cloud.origin)
+                return cloud._points_about(cloud.origin)
             self._origin = cloud.origin.copy()
-        return cloud.points_about(self._origin)
+        return cloud._points_about(self._origin)
 
     def _positions(self, shifts: NDArray[np.float64]) -> NDArray[np.float64]:
         """The anchors' places under shifts, from the grid's own frame to the fragments'."""

@@ -79,11 +79,11 @@ class Deformation:
             return np.array(download(bend_wide(self._graph, self._influence(cloud), self._target))).reshape(-1, 3)
         check_same_device("points", self.device, points.device)
         influence = self._influence(points)
-        arrays = {name: values for name, values in points.device_arrays.items() if name != "covariances"}
+        arrays = {name: values for name, values in points._device_arrays.items() if name != "covariances"}
         arrays["points"] = bend_points(self._graph, influence)
         if "normals" in arrays:
             arrays["normals"] = bend_normals(self._graph, influence, arrays["normals"])
-        bent = PointCloud.from_device_arrays(arrays, self._target, points.array_library)
+        bent = PointCloud._from_device_arrays(arrays, self._target, points.array_library)
         bent.grid, bent._unit = points.grid, points.unit
         return bent
 
@@ -93,4 +93,4 @@ class Deformation:
         return np.array(download(measure_volumes(self._graph, self._influence(cloud))))
 
     def _influence(self, cloud: PointCloud) -> Influence:
-        return Influence(cloud.points_about(self._source), self._graph)
+        return Influence(cloud._points_about(self._source), self._graph)

@@ -142,7 +142,7 @@ def register_nonrigid(
             raise ValueError(
                 f"{name}: expected at least {FEWEST_POINTS} finite points, got {cloud.search_tree().count}"
             )
-    low, high = (np.asarray(bound) for bound in source.device_bounds())
+    low, high = (np.asarray(bound) for bound in source._device_bounds())
     spacing = _check_spacing(node_spacing, float(norm(high - low)))
     limit = None if max_distance is None else check_positive("max_distance", max_distance, maximum=LARGEST_NUMBER)
     reach = 2 * spacing if limit is None else limit
@@ -240,7 +240,7 @@ class _Bending:
             for cloud in (source, target)
         )
         self.spacing, self.reach, self.pins = spacing, reach, pins
-        low, high = source.device_bounds()
+        low, high = source._device_bounds()
         # what lies on the target is judged at the scale of the body where nodes are farther apart
         self.grain = min(spacing, float(norm(np.asarray(high) - np.asarray(low))) / NODES_ACROSS)
         if init is None and len(pins[0]) >= 3:
@@ -254,7 +254,7 @@ class _Bending:
             )
         self.pose, tree = found.transformation, self.target.search_tree()
         self.tree, self.count = tree, len(source)
-        normals = self.target.device_array("normals")
+        normals = self.target._device_array("normals")
         self.surface = Surface(tree.source, normals, find_borders(tree, normals))
         self._make_graph(weight)
         device = tree.device
@@ -264,12 +264,12 @@ class _Bending:
         source, device, (here, there) = self.source, self.tree.device, self.pins
         thin = source.remove_non_finite_points()
         chosen = thin.farthest_point_down_sample(len(thin.voxel_down_sample(self.spacing)))
-        nodes = chosen.points_about(source.origin)
+        nodes = chosen._points_about(source.origin)
         T = to_local(self.pose, source.origin, self.target.origin)
         host = np.asarray(download(nodes), np.float64).reshape(-1, 3)
         rotations = upload(np.tile(T[:3, :3], (len(host), 1, 1)), mat33d, device)
         self.graph = DeformationGraph(nodes, rotations, upload(matmul(host, T[:3, :3].T) + T[:3, 3], vec3d, device))
-        points = source.device_array("points")
+        points = source._device_array("points")
         self.influence = Influence(points, self.graph)
         around = neighbors_of(self.graph, self.influence)
         self.around, everything = around, self.influence
@@ -286,7 +286,7 @@ class _Bending:
     def _pair(self, reach: float) -> Any:
         """Find the pairs within a distance; the bent points."""
         moved = bend_points(self.graph, self.influence)
-        normals = bend_normals(self.graph, self.influence, self.source.device_array("normals"))
+        normals = bend_normals(self.graph, self.influence, self.source._device_array("normals"))
         nearest = find_nearest(self.tree, moved, radius=reach)
         found = [self.rule, self.steps.rows, self.partners, self.distances]
         launch(pair_points_kernel, self.count, [moved, normals, nearest, self.surface, *found])
@@ -334,7 +334,7 @@ class _Bending:
         residuals, matched, rmse = self._measure(self._pair(self._limit(1, 1)))
         deformation = Deformation(self.graph, self.source.origin, self.target.origin)
         warped = deformation.transform(self.source)
-        reached = find_nearest(PointTree(warped.points_about(self.target.origin)), self.tree.source)
+        reached = find_nearest(PointTree(warped._points_about(self.target.origin)), self.tree.source)
         covered = _share_within(reached, 0.5 * self.grain, self.tree.count)
         strains = quantiles_of(measure_strain(self.graph, self.around), [0.9])
         volumes = deformation.volumes(self.source)

@@ -58,7 +58,7 @@ class Description(NamedTuple):
     def thinned(self) -> PointCloud:
         """The surface as a cloud with normals."""
         arrays = {"points": self.surface.points, "normals": self.surface.normals}
-        return PointCloud.from_device_arrays(arrays, self.cloud.origin)
+        return PointCloud._from_device_arrays(arrays, self.cloud.origin)
 
 
 @told_arguments

@@ -217,14 +217,14 @@ def _register(
     seed: int,
 ) -> RegistrationResult:
     checks, device = checks_of(checkers), source.device
-    points = source.device_array("points"), target.device_array("points")
+    points = source._device_array("points"), target._device_array("points")
     fitness = PoseFitness(points[0], target.search_tree())
     search = PoseSearch(fitness, *points, pairs)
     if search.pairs.count < sample_size:
         return no_pose(f"{sample_size} correspondences of finite points needed, {search.pairs.count} given", source)
     normals = empty(0, vec3, device), empty(0, vec3, device)
     if np.isfinite(checks.cosine) and source.has_normals and target.has_normals:
-        normals = source.device_array("normals"), target.device_array("normals")
+        normals = source._device_array("normals"), target._device_array("normals")
     limits = (criteria.max_iteration, criteria.confidence)
     found = search.find(distance, sample_size, checks, normals, *limits, with_scaling, seed)
     if found.pose is None or found.count <= 0:
@@ -245,5 +245,5 @@ def _register(
 
 def no_pose(reason: str, source: PointCloud, *, iterations: int = 0) -> RegistrationResult:
     """The result where no pose was found: the identity, fitness and score 0, not converged."""
-    none = source.handed_out(empty((0, 2), int32, source.device))
+    none = source._handed_out(empty((0, 2), int32, source.device))
     return RegistrationResult(np.eye(4), 0.0, 0.0, none, iterations=iterations, reason=reason, score=0.0)

@@ -240,9 +240,9 @@ class Witness:
 
 def surface_of(cloud: PointCloud, voxel_size: float) -> Surface:
     """The surface of a cloud that is thinned to one point a voxel [m]."""
-    bare = cloud.with_arrays({"points": cloud.device_array("points")})
+    bare = cloud._with_arrays({"points": cloud._device_array("points")})
     thinned = bare.voxel_down_sample(voxel_size)
-    return Surface(thinned.device_array("points"), NARROW * voxel_size, WIDE * voxel_size)
+    return Surface(thinned._device_array("points"), NARROW * voxel_size, WIDE * voxel_size)
 
 
 def rate_surfaces(source: Witness, target: Witness, pose: NDArray[np.float64], distance: float) -> Evidence:
@@ -335,10 +335,11 @@ def refine_poses(
 ) -> list[RegistrationResult]:
     """Poses about the clouds' origins, refined by point-to-plane ICP on the surfaces in free motions, all at once."""
     left, right = clouds = [
-        PointCloud.from_device_arrays({"points": s.points, "normals": s.normals}, np.zeros(3)) for s in (source, target)
+        PointCloud._from_device_arrays({"points": s.points, "normals": s.normals}, np.zeros(3))
+        for s in (source, target)
     ]
     for cloud, surface in zip(clouds, (source, target), strict=True):
-        cloud.adopt_search_tree(surface.tree)
+        cloud._adopt_search_tree(surface.tree)
     rules = ICPConvergenceCriteria(1e-4, STILL * distance, steps)
     plane = TransformationEstimationPointToPlane()
     return registration_icp_batch(left, right, distance, poses, plane, rules, free=free)

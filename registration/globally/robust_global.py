@@ -156,7 +156,7 @@ def registration_robust_based_on_feature_matching(
 
 
 def _register(source: PointCloud, target: PointCloud, pairs: wp.array, bound: float, seed: int) -> RegistrationResult:
-    found = find_poses(source.device_array("points"), target.device_array("points"), pairs, bound, seed)
+    found = find_poses(source._device_array("points"), target._device_array("points"), pairs, bound, seed)
     if not len(found.poses):
         result = no_pose(f"no {FEWEST} of {pairs.shape[0]} correspondences agree", source)
         result.score = 0.0

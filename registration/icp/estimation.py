@@ -60,7 +60,7 @@ class TransformationEstimation:
         return False
 
     @property
-    def target_voxel_size(self) -> float | None:
+    def _target_voxel_size(self) -> float | None:
         """Edge of the voxels [m] that stand for the target's points, if any do."""
         return None
 
@@ -73,7 +73,7 @@ class TransformationEstimation:
         robust = [name for name in kernels if getattr(self, name) != LEAST_SQUARES]
         return dataclasses.replace(self, **dict.fromkeys(robust, LEAST_SQUARES)) if robust else None
 
-    def source_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
+    def _source_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
         """What the rows need of the sources' points.
 
         Raises:
@@ -81,8 +81,8 @@ class TransformationEstimation:
         """
         return {}
 
-    def target_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
-        """What the rows need of the targets' points; errors as `source_columns`."""
+    def _target_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
+        """What the rows need of the targets' points; errors as `_source_columns`."""
         return {}
 
     def arguments(self, loop: RegistrationLoop, source: PointColumns, target: PointColumns) -> list[Any]:
@@ -134,7 +134,7 @@ class TransformationEstimationPointToPlane(TransformationEstimation):
     rows = sum_plane_rows
     needs_normals = ("target",)
 
-    def target_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
+    def _target_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
         """Normals."""
         return {"normals": normals_of(clouds, names, "point-to-plane ICP")}
 
@@ -157,13 +157,13 @@ class TransformationEstimationSymmetric(TransformationEstimation):
     constrainable = False  # half of each of its turns is the target's
     needs_normals = ("source", "target")
 
-    def source_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
+    def _source_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
         """Normals."""
         return {"normals": normals_of(clouds, names, "symmetric ICP")}
 
-    def target_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
+    def _target_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
         """Normals."""
-        return self.source_columns(clouds, names, distance)
+        return self._source_columns(clouds, names, distance)
 
     def arguments(self, loop: RegistrationLoop, source: PointColumns, target: PointColumns) -> list[Any]:
         """The kernel and both normals."""
@@ -196,7 +196,7 @@ class TransformationEstimationForGeneralizedICP(TransformationEstimation):
             check_positive("voxel_size", self.voxel_size)
 
     @property
-    def target_voxel_size(self) -> float | None:
+    def _target_voxel_size(self) -> float | None:
         """Edge of the voxels [m] that stand for the target's points, if any do."""
         return self.voxel_size
 
@@ -204,14 +204,14 @@ class TransformationEstimationForGeneralizedICP(TransformationEstimation):
         """Pairs that count alike, without what covariances hold along the planes, which is there on any surface."""
         return dataclasses.replace(self, kernel=Geometry())
 
-    def source_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
+    def _source_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
         """Covariances."""
         pairs = zip(clouds, names, strict=True)
         return {"covariances": [generalized_covariances(c, self.epsilon, n) for c, n in pairs]}
 
-    def target_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
+    def _target_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
         """Covariances."""
-        return self.source_columns(clouds, names, distance)
+        return self._source_columns(clouds, names, distance)
 
     def arguments(self, loop: RegistrationLoop, source: PointColumns, target: PointColumns) -> list[Any]:
         """The kernel and both covariances."""
@@ -241,12 +241,12 @@ class TransformationEstimationForColoredICP(TransformationEstimation):
         super().__post_init__()
         check_share("lambda_geometric", self.lambda_geometric)
 
-    def source_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
+    def _source_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
         """Intensities."""
         found = [colored_source(c, n) for c, n in zip(clouds, names, strict=True)]
         return {"intensities": [values.reshape((values.size, 1)) for values in found]}
 
-    def target_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
+    def _target_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
         """Normals, intensities and their gradients."""
         found = [colored_target(c, distance, name=n) for c, n in zip(clouds, names, strict=True)]
         return {
@@ -304,7 +304,7 @@ class TransformationEstimationForDopplerICP(TransformationEstimation):
         if self.transform_vehicle_to_sensor is not None:
             check_rigid("transform_vehicle_to_sensor", self.transform_vehicle_to_sensor)
 
-    def source_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
+    def _source_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
         """Speeds and directions."""
         found = [doppler_measurements(c, n) for c, n in zip(clouds, names, strict=True)]
         return {
@@ -312,7 +312,7 @@ class TransformationEstimationForDopplerICP(TransformationEstimation):
             "directions": [f.directions for f in found],
         }
 
-    def target_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
+    def _target_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
         """Normals."""
         return {"normals": normals_of(clouds, names, "Doppler ICP")}
 

@@ -324,7 +324,7 @@ def _make_problem(
         raise ValueError(f"overlap: expected a share above 0 and up to 1, got {overlap!r}")
     if max_normal_angle is not None:
         max_normal_angle = check_angle("max_normal_angle", max_normal_angle)
-        if method.target_voxel_size is not None:
+        if method._target_voxel_size is not None:
             raise ValueError("max_normal_angle: the voxels of a voxelised target have no normals; leave it out")
     if degeneracy >= 1:
         raise ValueError(f"degeneracy: expected a share from 0 to below 1, got {degeneracy!r}")

@@ -85,16 +85,16 @@ class IterativeRegistration:
         self._take_clouds(sources, targets)
         source_columns, target_columns = self._columns(max_normal_angle is not None)
         points, self._target_points = self._usable_points(source_columns, target_columns)
-        known = self._sources[0].known_search_tree if len(self._sources) == 1 else None
-        is_whole = points[0] is self._sources[0].device_array("points")
+        known = self._sources[0]._known_search_tree if len(self._sources) == 1 else None
+        is_whole = points[0] is self._sources[0]._device_array("points")
         self.source_clouds = ManyClouds(points, known if is_whole else None)
         source = _place(self.source_clouds, source_columns)
         forest, gaussians, target = None, None, PointColumns()
-        if estimation.target_voxel_size is None:
+        if estimation._target_voxel_size is None:
             forest = self._grow_forest()
             target = _place(forest.clouds, target_columns)
         else:
-            gaussians = self._make_gaussians(target_columns["covariances"], estimation.target_voxel_size)
+            gaussians = self._make_gaussians(target_columns["covariances"], estimation._target_voxel_size)
         jobs = Jobs(self.source_clouds, forest, self.source_of, self.target_of)
         geometry = estimation.geometry()
         local = self._local_poses(poses)
@@ -127,8 +127,8 @@ class IterativeRegistration:
     def _columns(self, with_normals: bool) -> tuple[Any, Any]:
         """What the estimator asks of the points on either side, with normals where pairs are judged by them."""
         source_names, target_names = self._names()
-        source_columns = self.estimation.source_columns(self._sources, source_names, self.distance)
-        target_columns = self.estimation.target_columns(self._targets, target_names, self.distance)
+        source_columns = self.estimation._source_columns(self._sources, source_names, self.distance)
+        target_columns = self.estimation._target_columns(self._targets, target_names, self.distance)
         if with_normals:
             self._add_normals(source_columns, self._sources, source_names)
             self._add_normals(target_columns, self._targets, target_names)
@@ -151,7 +151,7 @@ class IterativeRegistration:
     def _grow_forest(self) -> PointForest:
         """The search trees of all targets: the one that a single target keeps, or a forest of new ones."""
         first, points = self._targets[0], self._target_points
-        is_kept = len(points) == 1 and points[0] is first.device_array("points")
+        is_kept = len(points) == 1 and points[0] is first._device_array("points")
         tree = first.search_tree() if is_kept else None
         forest = PointForest(points, tree)
         if tree is None:
@@ -275,7 +275,7 @@ class IterativeRegistration:
         jobs, s = self.loop.jobs, self.source_of[job]
         count, first, base = int(jobs.counts[job]), int(jobs.firsts[job]), int(self.source_clouds.bases[s])
         if not count:  # Warp refuses an empty part that begins behind the last element
-            return self._sources[s].handed_out(empty((0, 2), int32, self._sources[s].device))
+            return self._sources[s]._handed_out(empty((0, 2), int32, self._sources[s].device))
         found = self.loop.matches.pairs[first : first + count]
         rows = self.source_clouds.order[base : base + count]
         library = self._sources[s].array_library

@@ -155,7 +155,7 @@ def _with_weights(cloud: PointCloud, weights: ArrayLike | str | None) -> PointCl
     if weights is None:
         return cloud
     columns = point_weights([cloud], weights, _ROLES[:1])
-    return cloud.with_arrays(cloud.device_arrays | {WEIGHTS: columns[0]}, grid=cloud.grid)
+    return cloud._with_arrays(cloud._device_arrays | {WEIGHTS: columns[0]}, grid=cloud.grid)
 
 
 def _at_scale(callback: Watcher, scale: int, state: dict[str, Any]) -> None:

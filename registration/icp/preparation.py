@@ -57,8 +57,8 @@ def in_sensor_frame(cloud: PointCloud, name: str) -> PointCloud:
         return cloud
     if np.abs(cloud.origin).max() > ORIGIN_LIMIT:
         raise ValueError(f"{name}: expected a scan in the frame of its sensor, within 10 km of zero")
-    arrays = {n: cloud.device_array(n) for n in cloud.device_arrays} | {"points": cloud.points_about(np.zeros(3))}
-    return type(cloud).from_device_arrays(arrays, np.zeros(3), cloud.array_library)
+    arrays = {n: cloud._device_array(n) for n in cloud._device_arrays} | {"points": cloud._points_about(np.zeros(3))}
+    return type(cloud)._from_device_arrays(arrays, np.zeros(3), cloud.array_library)
 
 
 def usable_points(
@@ -75,10 +75,10 @@ def usable_points(
         [view_as(c, float32, (len(cloud), 3)) if c.dtype == vec3 else c for c in arrays.values()]
         for cloud, arrays in zip(clouds, columns, strict=True)
     ]
-    points, counts = drop_unusable([cloud.device_array("points") for cloud in clouds], flat)
+    points, counts = drop_unusable([cloud._device_array("points") for cloud in clouds], flat)
     for k in np.flatnonzero(counts).tolist():
         lost = len(clouds[k]) - bound_points(points[k])[2]
-        lost -= len(clouds[k]) - bound_points(clouds[k].device_array("points"))[2]
+        lost -= len(clouds[k]) - bound_points(clouds[k]._device_array("points"))[2]
         warn_of_units(
             f"{names[k]}: {' or '.join(columns[k])} of {lost:,} of {len(clouds[k]):,} points are not finite. "
             "These points are not used.",
@@ -108,7 +108,7 @@ def require_normals(cloud: PointCloud, name: str, method: str) -> wp.array:
     """
     if not cloud.has_normals:
         raise ValueError(f"{name}: {method} needs normals, and it has none; call {name} = {name}.estimate_normals()")
-    return cloud.device_array("normals")
+    return cloud._device_array("normals")
 
 
 def normals_of(clouds: Sequence[PointCloud], names: Sequence[str], method: str) -> list[wp.array]:
@@ -120,7 +120,7 @@ def require_colors(cloud: PointCloud, name: str, method: str) -> wp.array:
     """The colours of a cloud, vec3 [n]; arguments and errors as `require_normals`."""
     if not cloud.has_colors:
         raise ValueError(f"{name}: {method} needs colours, and it has none; assign cloud.colors")
-    return cloud.device_array("colors")
+    return cloud._device_array("colors")
 
 
 def colored_source(cloud: PointCloud, name: str = "source") -> wp.array:
@@ -162,12 +162,12 @@ def generalized_covariances(cloud: PointCloud, epsilon: float, name: str = "clou
         ValueError: Covariances of another shape than [n, 9].
     """
     if "covariances" in cloud:
-        rows = cloud.device_array("covariances")
+        rows = cloud._device_array("covariances")
         if rows.shape != (len(cloud), 9):
             raise ValueError(f"{name}: expected covariances of shape [{len(cloud)}, 9], got {list(rows.shape)}")
         return rows if rows.dtype == float32 else cast(rows, float32)
     if cloud.has_normals:
-        return plane_covariances_from_normals(cloud.device_array("normals"), epsilon)
+        return plane_covariances_from_normals(cloud._device_array("normals"), epsilon)
     return plane_covariances(cloud.search_tree(), COVARIANCE_NEIGHBORS, epsilon)
 
 
@@ -187,7 +187,7 @@ def doppler_measurements(cloud: PointCloud, name: str = "source") -> DopplerMeas
         raise ValueError(
             f"{name}: Doppler ICP needs radial speeds, and it has none; assign cloud['dopplers'], shape [n] in m/s"
         )
-    speeds = cloud.device_array("dopplers")
+    speeds = cloud._device_array("dopplers")
     if speeds.shape not in ((len(cloud),), (len(cloud), 1)):
         raise ValueError(f"{name}: expected dopplers of shape [{len(cloud)}], got {list(speeds.shape)}")
     speeds = speeds.reshape(len(cloud))
@@ -199,11 +199,11 @@ def doppler_measurements(cloud: PointCloud, name: str = "source") -> DopplerMeas
 def _directions(cloud: PointCloud, name: str) -> wp.array:
     """The cloud's own directions, or those to its points, made unit."""
     if "directions" in cloud:
-        rows = cloud.device_array("directions")
+        rows = cloud._device_array("directions")
         if rows.shape != (len(cloud), 3):
             raise ValueError(f"{name}: expected directions of shape [{len(cloud)}, 3], got {list(rows.shape)}")
         return normalize_vectors(share_vectors("directions", rows if rows.dtype == float32 else cast(rows, float32)))
-    points = cloud.device_array("points")
+    points = cloud._device_array("points")
     if cloud.origin.any():
         points = transform_points(points, np.eye(3), cloud.origin)
     return normalize_vectors(points)
@@ -230,7 +230,7 @@ def point_weights(clouds: Sequence[PointCloud], weights: ArrayLike | str, names:
         if isinstance(weights, str):
             if weights not in cloud:
                 raise ValueError(f"weights: {name} has no attribute {weights!r}; assign {label}, shape [n]")
-            values = download(cloud.device_array(weights))  # sync
+            values = download(cloud._device_array(weights))  # sync
         else:
             values = check_numeric("weights", weights)
         if values.shape not in ((len(cloud),), (len(cloud), 1)):

@@ -62,16 +62,16 @@ def deskew_point_cloud(cloud: PointCloud, T_start_end: ArrayLike, timestamps: Ar
     if times is None:
         names = ", ".join(TIME_NAMES)
         raise ValueError(f"timestamps: the cloud has no attribute of the names {names}; give timestamps=")
-    span = bound_times(cloud.device_array("points"), times)
+    span = bound_times(cloud._device_array("points"), times)
     first, last = download(span)  # sync
     if first > last and len(cloud) and not np.isfinite(download(times)).any():  # sync, only for errors
         raise ValueError(f"timestamps: expected finite times, got none for {len(cloud):,} points")
     if first == last and len(cloud) > MIN_TIMES:
         warn_of_coarse_times(1, len(cloud))
     twist = twist_of(to_local(T, cloud.origin, cloud.origin))
-    moved = move_points(cloud.device_array("points"), times, np.zeros(3), span, twist)
-    arrays = {name: cloud.device_array(name) for name in cloud.device_arrays} | {"points": moved}
-    deskewed = type(cloud).from_device_arrays(arrays, cloud.origin, cloud.array_library)
+    moved = move_points(cloud._device_array("points"), times, np.zeros(3), span, twist)
+    arrays = {name: cloud._device_array(name) for name in cloud._device_arrays} | {"points": moved}
+    deskewed = type(cloud)._from_device_arrays(arrays, cloud.origin, cloud.array_library)
     deskewed.grid = cloud.grid
     return deskewed
 
@@ -90,7 +90,7 @@ def point_times(cloud: PointCloud, timestamps: ArrayLike | None) -> wp.array | N
         return upload(times.astype(np.float64), float64, cloud.device)
     for name in TIME_NAMES:
         if name in cloud:
-            values = cloud.device_array(name)
+            values = cloud._device_array(name)
             if values.ndim == 1 or values.shape[1:] == (1,):
                 return values if values.dtype == float64 and values.ndim == 1 else cast(values.flatten(), float64)
             raise ValueError(

@@ -76,7 +76,7 @@ class OdometryFrame:
         self._make(metric, brightness, check_intrinsic(intrinsic, width, height))
 
     @classmethod
-    def from_device_maps(
+    def _from_device_maps(
         cls,
         depth: wp.array,
         brightness: wp.array | None,

@@ -77,7 +77,7 @@ class SensorFrame:
 
     def pyramid_of(self, depth: Any) -> OdometryFrame:
         """The frame for odometry with another depth, float32 [pixels]."""
-        return OdometryFrame.from_device_maps(depth, self.pixels, self.intrinsic, MOST_PIXELS)
+        return OdometryFrame._from_device_maps(depth, self.pixels, self.intrinsic, MOST_PIXELS)
 
     def seconds_since(self, earlier: float | None) -> float:
         """The time from another time to this frame's [s]; NaN where one of them is unknown."""

@@ -294,7 +294,7 @@ def _point_information(surface: SubmapSurface) -> Matrix:
     """The information of a pose under which each point of a submap has its true counterpart."""
     if surface.thinned is None:
         return np.eye(6)
-    count, *moments = place_moments(surface.thinned.device_array("points"), surface.thinned.origin)  # sync
+    count, *moments = place_moments(surface.thinned._device_array("points"), surface.thinned.origin)  # sync
     return spread_information(count, np.array(moments))
 
 

@@ -153,7 +153,7 @@ class Model:
         elif self.frame_count and pixels is None:
             pixels = self._own_colors(pose)
         depth = prepared.still if prepared.still is not None else self.movers.still_depth(prepared, pose)
-        self.volume.integrate_device_frame(depth, self.intrinsic, pose, pixels, 1.0, self.depth_max)
+        self.volume._integrate_device_frame(depth, self.intrinsic, pose, pixels, 1.0, self.depth_max)
         if self.leave_out_moving:
             self.movers.add(prepared, pose)
         self.current_frame_pose = pose
@@ -186,11 +186,11 @@ class Model:
         edge = self.volume.voxel_size
         is_shaded = edge >= COARSE and self.frame_count >= FEWEST_FRAMES
         limits: dict[str, Any] = {"depth_min": DEPTH_MIN, "depth_max": self.depth_max, "normals": is_shaded}
-        maps: Any = self.volume.render_maps(self._view, T_world_camera, weight_threshold=threshold, **limits)
+        maps: Any = self.volume._render_maps(self._view, T_world_camera, weight_threshold=threshold, **limits)
         if maps.intensity is not None:
             hide_unseen(maps.depth, maps.intensity)
         surface = {"normals": maps.normals, "blur": BLUR * edge}
-        return OdometryFrame.from_device_maps(maps.depth, maps.intensity, self._view, MOST_PIXELS, **surface)
+        return OdometryFrame._from_device_maps(maps.depth, maps.intensity, self._view, MOST_PIXELS, **surface)
 
     def extract_triangle_mesh(self, weight_threshold: float = 3.0) -> TriangleMesh:
         """The surface as a mesh; see `TSDFVolume.extract_triangle_mesh`."""
@@ -207,7 +207,7 @@ class Model:
 
     def _own_colors(self, pose: Pose) -> Any:
         limits = {"depth_min": DEPTH_MIN, "depth_max": self.depth_max}
-        return colors_of(*self.volume.render_colors(self.intrinsic, pose, weight_threshold=0.0, **limits))
+        return colors_of(*self.volume._render_colors(self.intrinsic, pose, weight_threshold=0.0, **limits))
 
 
 def compared_camera(intrinsic: PinholeCameraIntrinsic) -> PinholeCameraIntrinsic:

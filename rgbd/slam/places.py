@@ -43,7 +43,7 @@ class PlaceSearch:
         """T_world_camera of a frame, or None where none is believed."""
         target = self._model()
         stride = max(1, round(frame.intrinsic.width / 320))
-        cloud = PointCloud.from_device_depth(frame.depth, None, frame.intrinsic, None, stride, True, True)
+        cloud = PointCloud._from_device_depth(frame.depth, None, frame.intrinsic, None, stride, True, True)
         if target is None or len(cloud) < FEWEST_POINTS:
             return None
         found = register_described(describe(cloud, self.voxel_size), target, seed=self.seed)

@@ -140,7 +140,7 @@ class RegistrationJob(Job):
 
     def _describe(self, scan: int) -> Description:
         surface = self._surface(scan)
-        arrays = (surface.device_array(name) for name in ("points", "normals"))
+        arrays = (surface._device_array(name) for name in ("points", "normals"))
         return describe_surface(surface, Surface.of_known(*arrays), self.size)
 
     def _surfaces(self, pair: FragmentPair) -> dict[int, PointCloud]:
@@ -152,7 +152,7 @@ class RegistrationJob(Job):
         cloud = read_point_cloud(self.plan["scans"][scan], device=self.device)
         described = describe(cloud, self.size)
         surface, path = described.thinned, self._surface_path(scan)
-        points, normals = (download(surface.device_array(name)).reshape(-1, 3) for name in ("points", "normals"))
+        points, normals = (download(surface._device_array(name)).reshape(-1, 3) for name in ("points", "normals"))
         path.parent.mkdir(exist_ok=True)
         with atomic_write(path) as file:
             np.savez(file, points=points, normals=normals, origin=surface.origin)
@@ -179,7 +179,7 @@ class RegistrationJob(Job):
         try:
             with path.open("rb") as file, np.load(file) as found:
                 arrays = {name: upload(found[name], vec3, where) for name in ("points", "normals")}
-                return PointCloud.from_device_arrays(arrays, found["origin"])
+                return PointCloud._from_device_arrays(arrays, found["origin"])
         except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile) as error:
             remedy = "Plan the scans anew in another folder"
             raise FileError(path, f"a scan's surface cannot be read: {error}", remedy=remedy) from error

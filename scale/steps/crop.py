@@ -44,7 +44,7 @@ class Crop(Step):
 
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
         """The step on a part."""
-        points, origin = part.cloud.device_array("points"), part.cloud.origin
+        points, origin = part.cloud._device_array("points"), part.cloud.origin
         if self.params["polygon"] is None:
             keep = download(self.box.mask_points(points, origin)) != 0
         else:

@@ -41,7 +41,7 @@ class VoxelDownSample(Step):
         corner = np.array(self.params["corner"] or plan.voxel_corner, np.float64)
         trace = part.cloud.voxel_down_sample_and_trace(self.size, min_bound=corner)
         offsets, order = np.asarray(trace.offsets), np.asarray(trace.indices)
-        firsts = download(part.cloud.device_array("points"))[order[offsets[:-1]]].astype(np.float64)
+        firsts = download(part.cloud._device_array("points"))[order[offsets[:-1]]].astype(np.float64)
         cells = np.floor((firsts - (corner - part.cloud.origin)) / self.size)
         homes = corner[:2] + (cells[:, :2] + 0.5) * self.size
         keys = self._keys(cells, corner, plan, part)

@@ -51,7 +51,7 @@ def test_the_surface_is_the_library_s_with_normals_made_and_the_sparsest_vertice
     report = answer("mesh", ball, tmp_path / "out.ply", *words)
     cloud = loom.read_point_cloud(ball, device=device).remove_non_finite_points()
     cloud = cloud.estimate_normals(max_nn=30).orient_normals_consistent_tangent_plane(30)
-    mesh, densities = TriangleMesh.from_point_cloud_poisson(cloud, depth=5)
+    mesh, densities = TriangleMesh.create_from_point_cloud_poisson(cloud, depth=5)
     mesh = mesh.remove_vertices_by_mask(densities < np.quantile(densities, 0.01)).remove_unreferenced_vertices()
     written = loom.read_triangle_mesh(tmp_path / "out.ply")
     np.testing.assert_array_equal(written.vertices, mesh.vertices)

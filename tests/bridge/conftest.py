@@ -35,8 +35,8 @@ def tutorial_files(tmp_path_factory: pytest.TempPathFactory) -> Path:
         Image.fromarray((frame.depth * 1000).round().astype(np.uint16)).save(folder / f"depth/{i}.png")
         poses.append(frame.T_world_camera)
         if i < 2:
-            rgbd = loom.RGBDImage.from_color_and_depth(frame.color, frame.depth, 1.0, 10.0, False)
-            cloud = loom.PointCloud.from_rgbd_image(rgbd, frame.intrinsic)
+            rgbd = loom.RGBDImage.create_from_color_and_depth(frame.color, frame.depth, 1.0, 10.0, False)
+            cloud = loom.PointCloud.create_from_rgbd_image(rgbd, frame.intrinsic)
             loom.write_point_cloud(folder / f"{i}.pcd", cloud.uniform_down_sample(23))
     loom.write_trajectory(folder / "trajectory.log", loom.Trajectory(np.array(poses)))
     fragment = loom.read_point_cloud(folder / "0.pcd").estimate_normals().orient_normals_towards_camera_location()
@@ -75,8 +75,8 @@ def page_files(tmp_path_factory: pytest.TempPathFactory) -> Path:
         Image.fromarray(depth).save(folder / f"depth/{i}.png")
         volume.integrate(depth, camera, np.linalg.inv(poses[i]), frame.color, depth_max=FARTHEST)
         if i < 2:
-            rgbd = loom.RGBDImage.from_color_and_depth(frame.color, depth, 1000.0, FARTHEST, False)
-            cloud = loom.PointCloud.from_rgbd_image(rgbd, camera)
+            rgbd = loom.RGBDImage.create_from_color_and_depth(frame.color, depth, 1000.0, FARTHEST, False)
+            cloud = loom.PointCloud.create_from_rgbd_image(rgbd, camera)
             loom.write_point_cloud(folder / f"{i}.pcd", cloud.uniform_down_sample(EVERY))
     loom.write_pinhole_camera_intrinsic(folder / "camera.json", camera)
     path = loom.Trajectory(poses)

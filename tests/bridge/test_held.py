@@ -45,12 +45,12 @@ def test_arrays_follow_operations_in_place(cloud):
 
 def test_the_tree_stays_while_no_array_is_written_to(cloud):
     cloud.estimate_normals()
-    tree = cloud._ours.known_search_tree
+    tree = cloud._ours._known_search_tree
     np.asarray(cloud.points)
     np.asarray(cloud.normals)
-    assert tree is not None and cloud._ours.known_search_tree is tree
+    assert tree is not None and cloud._ours._known_search_tree is tree
     np.asarray(cloud.points)[0] += 1
-    assert cloud._ours.known_search_tree is not tree
+    assert cloud._ours._known_search_tree is not tree
 
 
 def test_points_that_were_assigned_keep_their_digits(cloud):

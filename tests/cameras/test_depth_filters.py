@@ -140,7 +140,7 @@ def test_normals_and_halved_depth_are_open3ds(device, rng, oracle, tolerances):
         np.testing.assert_array_equal(halved > 0, depth[::stride, ::stride] > 0)
         f, cx, cy = 525 / stride, 19.5 / stride, 11.5 / stride
         smaller = loom.PinholeCameraIntrinsic(40 // stride, 24 // stride, f, f, cx, cy)
-        ours = loom.PointCloud.from_depth_image(halved, smaller, with_normals=True, device=device)
+        ours = loom.PointCloud.create_from_depth_image(halved, smaller, with_normals=True, device=device)
         limits = {"rtol": tolerances.depth_filter_relative, "atol": tolerances.image_absolute}
         np.testing.assert_allclose(ours.points, points, **limits)
         np.testing.assert_allclose(ours.normals, theirs, atol=tolerances.normal_map)
@@ -185,7 +185,7 @@ def open3d_halves(o3d, pictures):
 
 def test_halved_colours_are_open3ds(device, rng, oracle):
     color, depth = rng.integers(0, 256, (36, 40, 3)).astype(np.uint8), relief(rng)
-    image = loom.RGBDImage.from_color_and_depth(color[:24], depth, device=device)
+    image = loom.RGBDImage.create_from_color_and_depth(color[:24], depth, device=device)
     pictures = [color, color[:, :, 1], np.array(image.color)]
     rgb, green, brightness = oracle("cameras/halved-colors", open3d_halves, pictures)
     for picture, expected in ((color, rgb), (color[:, :, 1], np.repeat(green[:, :, None], 3, axis=2))):

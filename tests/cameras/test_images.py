@@ -53,12 +53,12 @@ def test_points_of_depth_and_rgbd_images_are_open3ds(device, stride, frame, orac
     expected, colors, metres = oracle(f"cameras/points-{stride}", open3d_points, depth, color, stride)
     camera, far = loom.PinholeCameraIntrinsic(32, 24, 525.0, 525.0, 16.0, 12.0), {"depth_trunc": 2.7431}
     image = loom.RGBDImage(color, depth, device=device, **far)
-    make, options = loom.PointCloud.from_depth_image, {"device": device}
+    make, options = loom.PointCloud.create_from_depth_image, {"device": device}
     clouds = [
         make(depth, camera, EXTRINSIC, stride=stride, **far, **options),
         make(depth, camera, **options),
         make(depth, camera, EXTRINSIC, project_valid_depth_only=False, **options),
-        loom.PointCloud.from_rgbd_image(image, camera, EXTRINSIC),
+        loom.PointCloud.create_from_rgbd_image(image, camera, EXTRINSIC),
     ]
     for cloud, points in zip(clouds, expected, strict=True):
         assert_points(cloud.points, points, tolerances)
@@ -70,26 +70,26 @@ def test_points_of_depth_and_rgbd_images_are_open3ds(device, stride, frame, orac
 
 def test_an_organised_cloud_keeps_the_grid(device, frame):
     options = {"project_valid_depth_only": False, "device": device}
-    cloud = loom.PointCloud.from_depth_image(frame.depth, INTRINSIC, EXTRINSIC, **options)
+    cloud = loom.PointCloud.create_from_depth_image(frame.depth, INTRINSIC, EXTRINSIC, **options)
     assert cloud.grid == (480, 640) and len(cloud) == 480 * 640
     holes = frame.depth.reshape(-1) == 0
     assert holes.any()
     np.testing.assert_array_equal(np.isnan(cloud.points).all(axis=1), holes)
-    valid = loom.PointCloud.from_depth_image(frame.depth, INTRINSIC, EXTRINSIC, device=device)
+    valid = loom.PointCloud.create_from_depth_image(frame.depth, INTRINSIC, EXTRINSIC, device=device)
     assert valid.grid is None
     np.testing.assert_array_equal(cloud.remove_non_finite_points().points, valid.points)
-    strided = loom.PointCloud.from_depth_image(frame.depth, INTRINSIC, EXTRINSIC, stride=7, **options)
+    strided = loom.PointCloud.create_from_depth_image(frame.depth, INTRINSIC, EXTRINSIC, stride=7, **options)
     assert strided.grid == (69, 92)
     np.testing.assert_array_equal(strided.points, cloud.points.reshape(480, 640, 3)[::7, ::7].reshape(-1, 3))
     image = loom.RGBDImage(frame.color, frame.depth, device=device)
-    organised = loom.PointCloud.from_rgbd_image(image, INTRINSIC, project_valid_depth_only=False, stride=2)
+    organised = loom.PointCloud.create_from_rgbd_image(image, INTRINSIC, project_valid_depth_only=False, stride=2)
     assert organised.grid == (240, 320)
     shades = frame.color[::2, ::2].astype(np.float32) / np.float32(255)
     np.testing.assert_array_equal(organised.colors.reshape(240, 320, 3), shades)
 
 
 def test_an_organised_cloud_keeps_its_grid_where_its_points_stay(device, frame):
-    cloud = loom.PointCloud.from_depth_image(
+    cloud = loom.PointCloud.create_from_depth_image(
         frame.depth, INTRINSIC, stride=8, project_valid_depth_only=False, device=device
     )
     fitted = cloud.estimate_normals(radius=0.1)
@@ -103,8 +103,8 @@ def test_an_organised_cloud_keeps_its_grid_where_its_points_stay(device, frame):
 def test_depth_in_metres_gives_the_same_points_and_is_cut_too(device, frame, tolerances):
     """Open3D ignores depth_trunc where depth is float."""
     metres = (frame.depth / 1000).astype(np.float32)
-    from_floats = loom.PointCloud.from_depth_image(metres, INTRINSIC, depth_trunc=2.7431, device=device)
-    from_integers = loom.PointCloud.from_depth_image(frame.depth, INTRINSIC, depth_trunc=2.7431, device=device)
+    from_floats = loom.PointCloud.create_from_depth_image(metres, INTRINSIC, depth_trunc=2.7431, device=device)
+    from_integers = loom.PointCloud.create_from_depth_image(frame.depth, INTRINSIC, depth_trunc=2.7431, device=device)
     assert_points(from_floats.points, from_integers.points, tolerances)
 
 
@@ -119,12 +119,12 @@ def small(**changes):
 def test_the_farthest_depth_itself_is_kept(device):
     """Open3D drops it."""
     for depth_trunc, count in ((1.0, 6), (0.999, 0), (np.inf, 6)):
-        assert len(loom.PointCloud.from_depth_image(**small(depth_trunc=depth_trunc), device=device)) == count
+        assert len(loom.PointCloud.create_from_depth_image(**small(depth_trunc=depth_trunc), device=device)) == count
 
 
 def test_depth_that_is_no_measurement_gives_no_point(device):
     depth = np.array([[0, -1, np.nan], [np.inf, 1e300, 2]])
-    cloud = loom.PointCloud.from_depth_image(**small(depth=depth, depth_trunc=np.inf), device=device)
+    cloud = loom.PointCloud.create_from_depth_image(**small(depth=depth, depth_trunc=np.inf), device=device)
     assert cloud.points.tolist() == [[4, 2, 2]]
 
 
@@ -133,7 +133,7 @@ def test_depth_of_any_type_is_taken(device, dtype):
     depth = np.array([[0, 50, 100], [120, 0, 7]], dtype)
     is_float = np.dtype(dtype).kind == "f"
     for given, scale in ((10.0, 10.0), (None, 1.0 if is_float else 1000.0)):
-        cloud = loom.PointCloud.from_depth_image(**small(depth=depth, depth_scale=given), device=device)
+        cloud = loom.PointCloud.create_from_depth_image(**small(depth=depth, depth_scale=given), device=device)
         expected = depth[depth > 0].astype(np.float32) / np.float32(scale)
         np.testing.assert_array_equal(cloud.points[:, 2], expected)
 
@@ -142,8 +142,8 @@ def test_a_camera_at_utm_coordinates_keeps_millimetres(device, frame, tolerances
     extrinsic = EXTRINSIC.copy()
     utm = np.array([5e5, 5.4e6, 100.25])
     extrinsic[:3, 3] -= extrinsic[:3, :3] @ utm
-    near = loom.PointCloud.from_depth_image(frame.depth, INTRINSIC, EXTRINSIC, device=device)
-    far = loom.PointCloud.from_depth_image(frame.depth, INTRINSIC, extrinsic, device=device)
+    near = loom.PointCloud.create_from_depth_image(frame.depth, INTRINSIC, EXTRINSIC, device=device)
+    far = loom.PointCloud.create_from_depth_image(frame.depth, INTRINSIC, extrinsic, device=device)
     assert far.origin.any()
     np.testing.assert_allclose(far.points - utm, near.points, rtol=0, atol=tolerances.position / 100)
 
@@ -151,7 +151,7 @@ def test_a_camera_at_utm_coordinates_keeps_millimetres(device, frame, tolerances
 def test_grey_is_repeated_to_colours(device):
     grey = np.array([[0, 51, 255], [102, 1, 2]], np.uint8)
     image = loom.RGBDImage(grey, np.full((2, 3), 1000, np.uint16), device=device)
-    cloud = loom.PointCloud.from_rgbd_image(image, small()["intrinsic"])
+    cloud = loom.PointCloud.create_from_rgbd_image(image, small()["intrinsic"])
     np.testing.assert_array_equal(
         cloud.colors, np.repeat(grey.reshape(-1, 1).astype(np.float32) / np.float32(255), 3, axis=1)
     )
@@ -163,9 +163,9 @@ def test_eight_bits_are_no_depth(kind, device):
     camera = loom.PinholeCameraIntrinsic(3, 2, 3.0, 3.0, 1.0, 0.5)
     for use in (
         lambda: loom.RGBDImage(color, depth, device=device),
-        lambda: loom.RGBDImage.from_color_and_depth(color, depth, depth_scale=10, depth_trunc=10, device=device),
-        lambda: loom.RGBDImage.from_sun_format(color, depth, device=device),
-        lambda: loom.PointCloud.from_depth_image(depth, camera, device=device),
+        lambda: loom.RGBDImage.create_from_color_and_depth(color, depth, depth_scale=10, depth_trunc=10, device=device),
+        lambda: loom.RGBDImage.create_from_sun_format(color, depth, device=device),
+        lambda: loom.PointCloud.create_from_depth_image(depth, camera, device=device),
         lambda: loom.TSDFVolume(voxel_size=0.1, device=device).integrate(depth, camera, np.eye(4)),
     ):
         with pytest.raises(TypeError, match="depth:"):

@@ -223,8 +223,8 @@ def test_depth_and_colour_pictures_are_taken_where_they_are(library, device, rng
         rng.integers(0, 3000, (12, 16)).astype(np.int32),
         rng.random((12, 16)).astype(np.float32),
     ):
-        theirs = loom.PointCloud.from_depth_image(library.make(depth), camera)
-        ours = loom.PointCloud.from_depth_image(depth, camera, device=device)
+        theirs = loom.PointCloud.create_from_depth_image(library.make(depth), camera)
+        ours = loom.PointCloud.create_from_depth_image(depth, camera, device=device)
         assert str(theirs.device) == device
         np.testing.assert_array_equal(theirs.points, ours.points)
         assert_same(library, theirs.compute_nearest_neighbor_distance(), ours.compute_nearest_neighbor_distance())

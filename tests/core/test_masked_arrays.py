@@ -41,7 +41,7 @@ def test_arrays_whose_mask_is_empty_are_plain():
         ("ring", lambda: loom.PointCloud(np.zeros((5, 3)), ring=masked(5, int))),
         ("triangles", lambda: loom.TriangleMesh(np.eye(3), masked((2, 3), int))),
         ("color", lambda: loom.RGBDImage(masked((3, 4, 3), np.uint8), np.ones((3, 4)))),
-        ("extrinsic", lambda: loom.PointCloud.from_depth_image(np.ones((3, 4)), CAMERA, masked((4, 4)))),
+        ("extrinsic", lambda: loom.PointCloud.create_from_depth_image(np.ones((3, 4)), CAMERA, masked((4, 4)))),
     ],
 )
 def test_masked_entries_without_a_missing_value_are_refused(name, call):
@@ -53,7 +53,7 @@ def test_masked_entries_without_a_missing_value_are_refused(name, call):
 def test_masked_depth_is_no_measurement(dtype):
     depth = masked((3, 4), dtype)
     for scale in (None, 1.0):
-        cloud = loom.PointCloud.from_depth_image(depth, CAMERA, depth_scale=scale)
+        cloud = loom.PointCloud.create_from_depth_image(depth, CAMERA, depth_scale=scale)
         assert len(cloud) == 8
     volume = loom.TSDFVolume(voxel_size=0.1)
     volume.integrate(depth, CAMERA, np.eye(4), depth_scale=1.0, depth_max=1000.0)

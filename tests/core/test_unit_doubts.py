@@ -45,27 +45,27 @@ def test_a_radius_that_finds_nobody_is_told(ball):
 def test_a_scale_that_cuts_all_is_told(depth, options, told):
     color = np.zeros((48, 64, 3), np.uint8)
     with pytest.warns(loom.UnitWarning, match=told) as caught:
-        loom.RGBDImage.from_color_and_depth(color, depth, **options)
+        loom.RGBDImage.create_from_color_and_depth(color, depth, **options)
     assert caught[0].filename == __file__
     depth[5, 5] = 1 if depth.min() > 100 else 100  # a pixel that the first look does not see
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        loom.RGBDImage.from_color_and_depth(color, depth, **options)
-        loom.RGBDImage.from_color_and_depth(color, 0 * depth, **options)
+        loom.RGBDImage.create_from_color_and_depth(color, depth, **options)
+        loom.RGBDImage.create_from_color_and_depth(color, 0 * depth, **options)
 
 
 def test_balls_and_alphas_that_touch_nothing_are_told(ball):
     with pytest.warns(
         loom.UnitWarning, match=r"radii: balls of 1e-06 touch no three points; .* asks for 0\.0"
     ) as caught:
-        assert len(loom.TriangleMesh.from_point_cloud_ball_pivoting(ball, [1e-6])) == 0
+        assert len(loom.TriangleMesh.create_from_point_cloud_ball_pivoting(ball, [1e-6])) == 0
     assert caught[0].filename == __file__
     with pytest.warns(loom.UnitWarning, match=r"alpha: nothing is left at 1e-06; .* asks for some 0\.") as caught:
-        assert len(loom.TriangleMesh.from_point_cloud_alpha_shape(ball, 1e-6)) == 0
+        assert len(loom.TriangleMesh.create_from_point_cloud_alpha_shape(ball, 1e-6)) == 0
     assert caught[0].filename == __file__
     flat = loom.PointCloud(ball.points * [1, 1, 0], normals=np.tile([0.0, 0, 1], (800, 1)), device=ball.device)
     with pytest.warns(UserWarning, match="the points lie in one plane, so no alpha gives a surface") as caught:
-        assert len(loom.TriangleMesh.from_point_cloud_alpha_shape(flat, 2.0)) == 0
+        assert len(loom.TriangleMesh.create_from_point_cloud_alpha_shape(flat, 2.0)) == 0
     assert [each.category for each in caught] == [UserWarning]  # no unit gives a plane a volume
     assert caught[0].filename == __file__
 

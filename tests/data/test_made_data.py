@@ -19,7 +19,7 @@ def test_exact_frames_lie_on_the_room_and_noisy_ones_near_it(nothing_kept):
         frame = loom.data.room_frames(2, width=64, height=48, noise=noise)[1]
         assert frame.depth.dtype == np.float32 and frame.color.shape == (48, 64, 3)
         image = loom.RGBDImage(frame.color, frame.depth, depth_trunc=9.0)
-        cloud = loom.PointCloud.from_rgbd_image(image, frame.intrinsic, np.linalg.inv(frame.T_world_camera))
+        cloud = loom.PointCloud.create_from_rgbd_image(image, frame.intrinsic, np.linalg.inv(frame.T_world_camera))
         assert len(cloud) > 2000 and np.median(surface_errors(cloud.points)) < limit
 
 
@@ -72,7 +72,7 @@ def test_the_figure_is_closed_and_its_exact_scans_lie_on_it():
 def test_photographs_show_the_figure_where_the_poses_say():
     shots, mesh = loom.data.photographs(2), loom.data.object_mesh()
     for pose, depth in zip(shots.poses, shots.depths, strict=True):
-        cloud = loom.PointCloud.from_depth_image(depth, shots.intrinsic, np.linalg.inv(pose))
+        cloud = loom.PointCloud.create_from_depth_image(depth, shots.intrinsic, np.linalg.inv(pose))
         figure = cloud.points[cloud.points[:, 2] > mesh.get_min_bound()[2] + 0.003].astype(np.float32)
         scene = loom.RaycastingScene()
         scene.add_triangles(mesh.vertices.astype(np.float32), mesh.triangles)

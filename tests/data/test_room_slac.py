@@ -39,7 +39,7 @@ class BentRound:
         self.graph = PoseGraph([PoseGraphNode(T) for T in self.poses], edges)
 
     def cloud(self, depth):
-        return loom.PointCloud.from_depth_image(depth, self.camera, depth_trunc=REACH)
+        return loom.PointCloud.create_from_depth_image(depth, self.camera, depth_trunc=REACH)
 
     def fuse(self, graph, grid):
         """Vertices of the model, in the frame of the room: all points of the fragments fitted to it as one body."""
@@ -48,7 +48,7 @@ class BentRound:
             slac.integrate_deformed(volume, grid, depth, self.camera, node.pose, depth_max=REACH)
         found = [moved(n.pose, grid.deform(c).points) for n, c in zip(graph.nodes, self.clouds, strict=True)]
         truth = [
-            moved(T, loom.PointCloud.from_depth_image(d, self.camera, depth_trunc=2 * REACH).points)
+            moved(T, loom.PointCloud.create_from_depth_image(d, self.camera, depth_trunc=2 * REACH).points)
             for T, d in zip(self.poses, self.truths, strict=True)
         ]
         mesh = volume.extract_triangle_mesh(weight_threshold=2)

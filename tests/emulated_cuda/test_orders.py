@@ -12,7 +12,7 @@ from .plugin import QUICK
 from .settings import Order
 
 ON_SCENES = (
-    *("from_depth_image, normals", "from_rgbd_image", "filter_depth", "erode_depth", "create_normal_map"),
+    *("create_from_depth_image, normals", "create_from_rgbd_image", "filter_depth", "erode_depth", "create_normal_map"),
     *("tsdf, integrate", "tsdf, extract", "tsdf, ray_cast", "marching_cubes", "iterate_odometry"),
     *("ransac, pairs", "ransac, features", "fast global", "robust registration", "register_globally"),
     *("icp, coloured", "icp, overlap", "icp, degeneracy", "registration_icp_batch", "multi_scale_icp"),

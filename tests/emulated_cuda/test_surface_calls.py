@@ -13,10 +13,10 @@ SIZES = (1003, 3011)
 SPARE = 400  # bytes: a number or two a radius, a level or a batch of planes
 Mesh = loom.TriangleMesh
 MOST_WAITS = {
-    "poisson, five full levels": (lambda ball, room: Mesh.from_point_cloud_poisson(ball, 5), 5),
-    "ball pivoting": (lambda ball, room: Mesh.from_point_cloud_ball_pivoting(ball), 11),
-    "ball pivoting, a radius": (lambda ball, room: Mesh.from_point_cloud_ball_pivoting(ball, 0.15), 4),
-    "alpha shape": (lambda ball, room: Mesh.from_point_cloud_alpha_shape(ball), 8),  # empty: is it flat?
+    "poisson, five full levels": (lambda ball, room: Mesh.create_from_point_cloud_poisson(ball, 5), 5),
+    "ball pivoting": (lambda ball, room: Mesh.create_from_point_cloud_ball_pivoting(ball), 11),
+    "ball pivoting, a radius": (lambda ball, room: Mesh.create_from_point_cloud_ball_pivoting(ball, 0.15), 4),
+    "alpha shape": (lambda ball, room: Mesh.create_from_point_cloud_alpha_shape(ball), 8),  # empty: is it flat?
     "orientation": (lambda ball, room: ball.orient_normals_consistent_tangent_plane(12), 2),
     "disagreement": (lambda ball, room: ball.normal_disagreement(), 1),
     "segment_plane": (lambda ball, room: room.segment_plane(0.02, 3, 100), 4),

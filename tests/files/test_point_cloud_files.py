@@ -73,7 +73,7 @@ def test_an_organised_cloud_keeps_its_grid_and_its_holes(device, extension, tmp_
     depth = np.full((4, 6), 1500, np.uint16)
     depth[1, 2:4] = 0
     camera = loom.PinholeCameraIntrinsic(6, 4, 5, 5, 2.5, 1.5)
-    cloud = loom.PointCloud.from_depth_image(depth, camera, project_valid_depth_only=False, device=device)
+    cloud = loom.PointCloud.create_from_depth_image(depth, camera, project_valid_depth_only=False, device=device)
     path = tmp_path / f"cloud{extension}"
     loom.write_point_cloud(path, cloud)
     found = loom.read_point_cloud(path, device=device)

@@ -45,7 +45,7 @@ def poisson(points: Any, normals: Any = None, depth: int = 5, *, device: Any = N
     """(mesh, densities) of points, by default as their own normals."""
     normals = points if normals is None else normals
     cloud = loom.PointCloud(points, normals=normals, device=device)
-    return loom.TriangleMesh.from_point_cloud_poisson(cloud, depth, **options)
+    return loom.TriangleMesh.create_from_point_cloud_poisson(cloud, depth, **options)
 
 
 def bits(result: Any) -> tuple[bytes, ...]:

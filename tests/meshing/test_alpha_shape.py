@@ -14,7 +14,7 @@ import pointloom as loom
 from pointloom import PointCloud, TriangleMesh
 
 FAR = np.array([5.0e5, 5.4e6, 100.0])
-alpha_shape = TriangleMesh.from_point_cloud_alpha_shape
+alpha_shape = TriangleMesh.create_from_point_cloud_alpha_shape
 
 
 def grid(*sizes: int) -> np.ndarray:

@@ -1,4 +1,4 @@
-"""TriangleMesh.from_point_cloud_ball_pivoting: Open3D's triangles and more, manifold, the same in any order."""
+"""TriangleMesh.create_from_point_cloud_ball_pivoting: Open3D's triangles and more, manifold, the same in any order."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from scipy.spatial.transform import Rotation
 import pointloom as loom
 from pointloom.meshing.mesh import ball_pivoting
 
-pivot = loom.TriangleMesh.from_point_cloud_ball_pivoting
+pivot = loom.TriangleMesh.create_from_point_cloud_ball_pivoting
 UP = (0.0, 0.0, 1.0)
 FAR = np.array([5e5, 5.4e6, 100])
 

@@ -243,7 +243,7 @@ def with_nan(poses):
 
 
 def grey_of(scene):
-    return loom.RGBDImage.from_color_and_depth(scene.frames[0].color, scene.frames[0].depth)
+    return loom.RGBDImage.create_from_color_and_depth(scene.frames[0].color, scene.frames[0].depth)
 
 
 @pytest.mark.parametrize(("changes", "error", "named"), BAD)

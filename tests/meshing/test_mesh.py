@@ -289,7 +289,7 @@ def test_kernel_made_meshes_share_the_arrays_that_they_are_given(device, layout)
         "flat": lambda: wp.array(rows.ravel(), dtype=wp.int32, device=device),
         "table": lambda: wp.array(rows, dtype=wp.int32, device=device),
     }[layout]()
-    mesh = TriangleMesh.from_device_arrays(vertices, triangles, origin=FAR)
+    mesh = TriangleMesh._from_device_arrays(vertices, triangles, origin=FAR)
     assert mesh.array("vertices").ptr == vertices.ptr
     assert mesh.array("triangles").ptr == triangles.ptr
     del triangles

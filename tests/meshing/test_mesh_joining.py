@@ -53,7 +53,7 @@ def test_what_not_all_meshes_have_is_left_out():
     assert not both.has_vertex_normals and not both.has_triangle_uvs and not both.vertex_attributes
     other = TriangleMesh.create_box()
     other.vertex_attributes["a"] = np.zeros(8, np.float32)
-    bare = dressed().with_arrays(triangle_uvs=None)
+    bare = dressed()._with_arrays(triangle_uvs=None)
     with pytest.raises(TypeError, match="a:"):
         bare + other
 
@@ -76,7 +76,7 @@ def test_open3ds_questions_are_answered():
     held = ("vertices", "triangles", "vertex_normals", "vertex_colors", "triangle_uvs", "textures")
     assert all(getattr(mesh, f"has_{name}")() and not getattr(TriangleMesh(), f"has_{name}") for name in held)
     assert TriangleMesh().is_empty() and not mesh.is_empty and mesh.has_textures()
-    doubled = mesh.with_arrays()
+    doubled = mesh._with_arrays()
     doubled.vertex_normals = 2 * mesh.vertex_normals
     np.testing.assert_allclose(doubled.normalize_normals().vertex_normals, mesh.vertex_normals, atol=1e-7)
     top = mesh.select_faces_by_mask(mesh.compute_triangle_normals()[:, 2] > 0.5)

@@ -83,7 +83,7 @@ def test_a_single_triangle_without_a_partner_goes_and_a_sheet_stays(device):
     fin = TriangleMesh(np.vstack([ball.vertices, tip]), np.vstack([ball.triangles, [[*ball.triangles[20][:2], 62]]]))
     mended, report = fin.to(device).repair()
     assert report.removed_crowding_triangles == 1 and report.lost_area > 0 and mended.is_watertight()
-    wall = fin.with_arrays()
+    wall = fin._with_arrays()
     wall = TriangleMesh(
         np.vstack([fin.vertices, 3 * tip]), np.vstack([fin.triangles, [[62, ball.triangles[20][0], 63]]])
     )

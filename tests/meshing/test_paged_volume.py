@@ -62,9 +62,9 @@ def test_a_paged_volume_has_the_bits_of_one_in_memory(device, tmp_path, color):
             (volume.extract_triangle_mesh(1), whole.extract_triangle_mesh(1)),
             (volume.extract_point_cloud(1), whole.extract_point_cloud(1)),
         ):
-            assert ours.device_arrays.keys() == theirs.device_arrays.keys()
-            for name in theirs.device_arrays:
-                one, other = download(ours.device_arrays[name]), download(theirs.device_arrays[name])
+            assert ours._device_arrays.keys() == theirs._device_arrays.keys()
+            for name in theirs._device_arrays:
+                one, other = download(ours._device_arrays[name]), download(theirs._device_arrays[name])
                 np.testing.assert_array_equal(one, other, err_msg=name)
         mesh = whole.extract_triangle_mesh(1)
         assert len(mesh) > 1000

@@ -105,7 +105,7 @@ def test_triangles_that_look_away_are_seen_by_nobody(device):
 
 def test_triangles_without_a_picture_have_the_vertices_colours_or_are_plain(device):
     scene = wall_scene((1.0,), device)
-    colored = scene.mesh.with_arrays()
+    colored = scene.mesh._with_arrays()
     colored.vertex_colors = np.tile((0.2, 0.6, 0.4), (len(np.asarray(scene.mesh.vertices)), 1))
     for mesh, color, drew in ((colored, (51, 153, 102), True), (scene.mesh, (255, 0, 255), False)):
         found = texture(mesh, scene.pictures, CAMERA, scene.extrinsics, plain=(1, 0, 1))

@@ -1,4 +1,4 @@
-"""from_point_cloud_poisson: near the true surface, closed, the same bits, and what each argument does."""
+"""create_from_point_cloud_poisson: near the true surface, closed, the same bits, and what each argument does."""
 
 from __future__ import annotations
 
@@ -98,7 +98,7 @@ def test_the_unit_of_length_changes_no_triangle(device, power):
     points = sphere(1000)
     mesh, densities = poisson(points, device=device)
     cloud = loom.PointCloud(points * 2.0**power, normals=points, origin=np.zeros(3), device=device)
-    scaled, others = loom.TriangleMesh.from_point_cloud_poisson(cloud, 5)
+    scaled, others = loom.TriangleMesh.create_from_point_cloud_poisson(cloud, 5)
     np.testing.assert_array_equal(scaled.triangles, mesh.triangles)
     np.testing.assert_array_equal(scaled.vertices, mesh.vertices * 2.0**power)
     np.testing.assert_array_equal(others, densities)
@@ -180,7 +180,7 @@ def test_colours_are_those_of_the_nearest_points(device):
     points = sphere(1000)
     colors = np.random.default_rng(2).random((1000, 3)).astype(np.float32)
     cloud = loom.PointCloud(points, normals=points, colors=colors, device=device)
-    mesh, _ = loom.TriangleMesh.from_point_cloud_poisson(cloud, 5)
+    mesh, _ = loom.TriangleMesh.create_from_point_cloud_poisson(cloud, 5)
     apart, nearest = cKDTree(points).query(mesh.vertices, k=2)
     clear = apart[:, 1] - apart[:, 0] > 1e-5
     np.testing.assert_array_equal(mesh.vertex_colors[clear], colors[nearest[clear, 0]])

@@ -1,4 +1,4 @@
-"""from_point_cloud_poisson of few, odd and broken points, and of arguments that make no sense."""
+"""create_from_point_cloud_poisson of few, odd and broken points, and of arguments that make no sense."""
 
 from __future__ import annotations
 
@@ -97,12 +97,12 @@ def test_points_at_no_two_places_are_refused(device, points, normals, message):
 
 def test_a_cloud_without_normals_is_told_how_to_get_some(device):
     with pytest.raises(ValueError, match=r"normals.*estimate_normals\(\)"):
-        loom.TriangleMesh.from_point_cloud_poisson(loom.PointCloud(sphere(9), device=device))
+        loom.TriangleMesh.create_from_point_cloud_poisson(loom.PointCloud(sphere(9), device=device))
 
 
 def test_what_is_no_cloud_is_refused():
     with pytest.raises(TypeError, match="cloud:"):
-        loom.TriangleMesh.from_point_cloud_poisson(sphere(9))
+        loom.TriangleMesh.create_from_point_cloud_poisson(sphere(9))
 
 
 @pytest.mark.parametrize(
@@ -164,8 +164,8 @@ def half_sphere(device, offset=0.0):
 def test_an_open_scan_stays_within_its_envelope(device, offset):
     cloud = half_sphere(device, offset)
     envelope = box(np.array([-1.15, -1.15, -0.1]) + offset, np.array([1.15, 1.15, 1.15]) + offset, device)
-    free, _ = loom.TriangleMesh.from_point_cloud_poisson(cloud, 6, scale=1.5)
-    held, _ = loom.TriangleMesh.from_point_cloud_poisson(cloud, 6, scale=1.5, envelope=envelope)
+    free, _ = loom.TriangleMesh.create_from_point_cloud_poisson(cloud, 6, scale=1.5)
+    held, _ = loom.TriangleMesh.create_from_point_cloud_poisson(cloud, 6, scale=1.5, envelope=envelope)
     cell = 1.5 * 2 / 2**5
     lowest = (free.vertices - offset)[:, 2].min(), (held.vertices - offset)[:, 2].min()
     assert lowest[0] < -0.4 and -0.1 - cell < lowest[1]
@@ -176,7 +176,7 @@ def test_an_envelope_turned_inside_out_is_the_same(device):
     cloud = half_sphere(device)
     envelope = box([-1.15, -1.15, -0.1], [1.15, 1.15, 1.15], device)
     turned = loom.TriangleMesh(envelope.vertices, envelope.triangles[:, ::-1], device=device)
-    meshes = [loom.TriangleMesh.from_point_cloud_poisson(cloud, 5, envelope=e)[0] for e in (envelope, turned)]
+    meshes = [loom.TriangleMesh.create_from_point_cloud_poisson(cloud, 5, envelope=e)[0] for e in (envelope, turned)]
     assert np.array_equal(meshes[0].vertices, meshes[1].vertices)
 
 
@@ -185,12 +185,12 @@ def test_an_envelope_that_is_open_or_no_mesh_or_too_fine_is_refused():
     with pytest.raises(ValueError, match="envelope:"):
         opened = box([-2] * 3, [2] * 3)
         opened = loom.TriangleMesh(opened.vertices, opened.triangles[1:])
-        loom.TriangleMesh.from_point_cloud_poisson(cloud, 4, envelope=opened)
+        loom.TriangleMesh.create_from_point_cloud_poisson(cloud, 4, envelope=opened)
     with pytest.raises(TypeError, match="envelope:"):
-        loom.TriangleMesh.from_point_cloud_poisson(cloud, 4, envelope="box")  # type: ignore[arg-type]
+        loom.TriangleMesh.create_from_point_cloud_poisson(cloud, 4, envelope="box")  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="envelope:"):
         fine = loom.TriangleMesh(np.zeros((3, 3)), np.zeros((10_001, 3), int))
-        loom.TriangleMesh.from_point_cloud_poisson(cloud, 4, envelope=fine)
+        loom.TriangleMesh.create_from_point_cloud_poisson(cloud, 4, envelope=fine)
 
 
 def test_normals_to_opposite_sides_are_spoken_of(device):
@@ -198,6 +198,8 @@ def test_normals_to_opposite_sides_are_spoken_of(device):
     signs = np.where(np.random.default_rng(0).random(1000) < 0.5, 1.0, -1.0)[:, None]
     cloud = loom.PointCloud(points, normals=points * signs, device=device)
     with pytest.warns(loom.NormalsWarning, match="orient_normals_consistent_tangent_plane") as told:
-        loom.TriangleMesh.from_point_cloud_poisson(cloud, 4)
+        loom.TriangleMesh.create_from_point_cloud_poisson(cloud, 4)
     assert told[0].filename == __file__, "it points at the user's line"
-    loom.TriangleMesh.from_point_cloud_poisson(cloud.orient_normals_consistent_tangent_plane(12), 4)  # no warning
+    loom.TriangleMesh.create_from_point_cloud_poisson(
+        cloud.orient_normals_consistent_tangent_plane(12), 4
+    )  # no warning

@@ -1,4 +1,4 @@
-"""from_point_cloud_poisson beside Open3D's on the same samples: as near to the true surface, and the same densities."""
+"""Poisson surfaces beside Open3D's on the same samples: as near to the true surface, and the same densities."""
 
 from __future__ import annotations
 

@@ -125,7 +125,7 @@ def painted_wall(device, *, color=True, origin=(0.0, 0.0, 0.0)):
 
 
 def rendered(volume, T, **options):
-    maps = volume.render_maps(CAMERA, T, weight_threshold=0, **options)
+    maps = volume._render_maps(CAMERA, T, weight_threshold=0, **options)
     shape = (CAMERA.height, CAMERA.width)
     intensity = None if maps.intensity is None else download(maps.intensity).reshape(shape)
     return download(maps.depth).reshape(shape), download(maps.normals).reshape(*shape, 3), intensity
@@ -180,7 +180,7 @@ def test_a_view_of_nothing_is_empty(device):
 def test_limits_of_a_rendered_view_are_checked(device):
     volume, _ = painted_wall(device)
     with pytest.raises(ValueError, match="depth_min"):
-        volume.render_maps(CAMERA, np.eye(4), depth_min=2.0, depth_max=1.0)
+        volume._render_maps(CAMERA, np.eye(4), depth_min=2.0, depth_max=1.0)
 
 
 @pytest.mark.parametrize("raw", [uint16, float32])
@@ -191,6 +191,6 @@ def test_a_frame_that_is_on_the_device_is_folded_like_any_other(device, rng, raw
         E = np.linalg.inv(T)
         a.integrate(image, SMALL, E, color, depth_max=2.0)
         arrays = upload(image.reshape(-1), raw, b.device), upload(color.reshape(-1, 3), uint8, b.device)
-        b.integrate_device_frame(arrays[0], SMALL, np.linalg.inv(E), arrays[1], scale, 2.0)
+        b._integrate_device_frame(arrays[0], SMALL, np.linalg.inv(E), arrays[1], scale, 2.0)
     assert a.frame_count == b.frame_count == 4
     assert fingerprint(a) == fingerprint(b)

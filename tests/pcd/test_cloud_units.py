@@ -47,8 +47,8 @@ def feet(rng):
         lambda c: c.remove_non_finite_points(),
         lambda c: c.farthest_point_down_sample(5),
         lambda c: loom.PointCloud.concatenate([loom.PointCloud(), c]),
-        slow(lambda c: loom.TriangleMesh.from_point_cloud_ball_pivoting(c, [0.2])),
-        lambda c: loom.TriangleMesh.from_point_cloud_alpha_shape(c, 0.5).sample_points_uniformly(9),
+        slow(lambda c: loom.TriangleMesh.create_from_point_cloud_ball_pivoting(c, [0.2])),
+        lambda c: loom.TriangleMesh.create_from_point_cloud_alpha_shape(c, 0.5).sample_points_uniformly(9),
     ],
 )
 def test_operations_keep_the_unit(operation, feet):

@@ -56,7 +56,7 @@ def check_frame(device, layout, color, raw, to_intensity, expected, tolerances):
     else:
         np.testing.assert_array_equal(image.color, color)
     camera = loom.PinholeCameraIntrinsic(raw.shape[1], raw.shape[0], *PRIME_SENSE[2:])
-    found, keep = loom.PointCloud.from_rgbd_image(image, camera), ~at_limit[image.depth > 0]
+    found, keep = loom.PointCloud.create_from_rgbd_image(image, camera), ~at_limit[image.depth > 0]
     limits = {"rtol": tolerances.image_relative, "atol": tolerances.image_absolute}
     np.testing.assert_allclose(found.points[keep], points, **limits)
     np.testing.assert_allclose(found.colors[keep], colors, rtol=tolerances.intensity_relative)
@@ -92,15 +92,15 @@ def test_every_raw_depth_is_decoded_as_by_open3d(device, layout, oracle, toleran
 def test_float_depth_is_metres_and_is_cut_too(device):
     """Open3D divides it by depth_scale."""
     depth = np.array([[0.5, 2.0, 3.0, 3.5, np.nan, -1.0]])
-    image = loom.RGBDImage.from_color_and_depth(np.zeros((1, 6), np.uint8), depth, device=device)
+    image = loom.RGBDImage.create_from_color_and_depth(np.zeros((1, 6), np.uint8), depth, device=device)
     assert image.depth.tolist() == [[0.5, 2, 3, 0, 0, 0]]
 
 
 def test_grey_images_stay_grey_as_brightness(device):
     grey = np.arange(256, dtype=np.uint8).reshape(16, 16)
-    image = loom.RGBDImage.from_color_and_depth(grey, np.full((16, 16), 1000, np.uint16), device=device)
+    image = loom.RGBDImage.create_from_color_and_depth(grey, np.full((16, 16), 1000, np.uint16), device=device)
     np.testing.assert_allclose(image.color, grey / 255, rtol=3e-7)
-    cloud = loom.PointCloud.from_rgbd_image(
+    cloud = loom.PointCloud.create_from_rgbd_image(
         image, loom.PinholeCameraIntrinsic(16, 16, 1, 1, 0, 0), project_valid_depth_only=False, stride=3
     )
     np.testing.assert_array_equal(cloud.colors, np.repeat(image.color[::3, ::3].reshape(-1, 1), 3, axis=1))
@@ -118,7 +118,7 @@ def test_normals_of_a_depth_image_are_open3ds_of_its_grid(device, redwood, oracl
     raw, stride = redwood[1][96:384, 160:480], 9
     camera = loom.PinholeCameraIntrinsic(320, 288, 525.0, 525.0, 159.5, 143.5)
     options = {"stride": stride, "with_normals": True, "device": device}
-    cloud = loom.PointCloud.from_depth_image(raw, camera, project_valid_depth_only=False, **options)
+    cloud = loom.PointCloud.create_from_depth_image(raw, camera, project_valid_depth_only=False, **options)
     K = camera.matrix / np.array([[stride], [stride], [1]])
     points, expected = oracle("pcd/depth_clouds/normals", open3d_maps, raw[::stride, ::stride], K)
     expected = expected / np.linalg.norm(expected, axis=2, keepdims=True)
@@ -128,7 +128,7 @@ def test_normals_of_a_depth_image_are_open3ds_of_its_grid(device, redwood, oracl
     np.testing.assert_allclose(found, expected, atol=tolerances.normal_map)
     np.testing.assert_allclose(cloud.points.reshape(expected.shape), points, atol=tolerances.image_absolute)
     good = np.isfinite(cloud.normals).all(axis=1)
-    kept = loom.PointCloud.from_depth_image(raw, camera, **options)
+    kept = loom.PointCloud.create_from_depth_image(raw, camera, **options)
     np.testing.assert_array_equal(kept.normals, cloud.normals[good])
     np.testing.assert_array_equal(kept.points, cloud.points[good])
     assert ((kept.points * kept.normals).sum(axis=1) <= 1e-6).all(), "towards the camera"
@@ -137,8 +137,8 @@ def test_normals_of_a_depth_image_are_open3ds_of_its_grid(device, redwood, oracl
 def test_normals_turn_with_the_camera(device, redwood):
     color, raw = redwood
     image = loom.RGBDImage(color, raw, device=device)
-    near = loom.PointCloud.from_rgbd_image(image, CAMERA, stride=4, with_normals=True)
-    turned = loom.PointCloud.from_rgbd_image(image, CAMERA, EXTRINSIC, stride=4, with_normals=True)
+    near = loom.PointCloud.create_from_rgbd_image(image, CAMERA, stride=4, with_normals=True)
+    turned = loom.PointCloud.create_from_rgbd_image(image, CAMERA, EXTRINSIC, stride=4, with_normals=True)
     back = near.transform(np.linalg.inv(EXTRINSIC))
     np.testing.assert_allclose(turned.normals, back.normals, atol=3e-7)
     np.testing.assert_allclose(turned.points, back.points, atol=1e-6)
@@ -161,7 +161,7 @@ def test_blurred_normals_are_open3ds_with_normals(device, oracle, tolerances):
     points, normals = oracle("pcd/depth_clouds/blurred", blurred_cloud, depth, K)
     smooth = loom.filter_depth_bilateral(depth, 5, 10.0, 10.0, device=device)
     intrinsic = loom.PinholeCameraIntrinsic.from_matrix(K, 32, 24)
-    ours = loom.PointCloud.from_depth_image(smooth, intrinsic, with_normals=True, device=device)
+    ours = loom.PointCloud.create_from_depth_image(smooth, intrinsic, with_normals=True, device=device)
     assert len(ours) == len(points) == 23 * 31
     np.testing.assert_allclose(ours.points, points, atol=2e-6)
     np.testing.assert_allclose(ours.normals, normals, atol=tolerances.normal_map)
@@ -170,7 +170,7 @@ def test_blurred_normals_are_open3ds_with_normals(device, oracle, tolerances):
 def test_images_of_one_row_or_column_have_no_normals(device):
     for shape in ((1, 5), (5, 1), (1, 1)):
         intrinsic = loom.PinholeCameraIntrinsic(shape[1], shape[0], 1, 1, 0, 0)
-        cloud = loom.PointCloud.from_depth_image(np.ones(shape), intrinsic, with_normals=True, device=device)
+        cloud = loom.PointCloud.create_from_depth_image(np.ones(shape), intrinsic, with_normals=True, device=device)
         assert len(cloud) == 0 and cloud.has_normals
 
 
@@ -196,7 +196,7 @@ def test_the_depth_image_of_a_cloud_is_open3ds(device, rng, oracle, tolerances):
 def test_a_depth_image_comes_back_from_its_cloud(device, layout, moved, redwood):
     raw = encoded(redwood[1])[layout]
     extrinsic = EXTRINSIC if moved else None
-    cloud = loom.PointCloud.from_depth_image(raw, CAMERA, extrinsic, device=device)
+    cloud = loom.PointCloud.create_from_depth_image(raw, CAMERA, extrinsic, device=device)
     back = cloud.project_to_depth_image(640, 480, CAMERA, extrinsic, 1000.0, 100.0)
     np.testing.assert_array_equal(np.rint(back).astype(np.uint16), raw)
     if not moved:
@@ -208,25 +208,25 @@ def test_every_16_bit_depth_comes_back(device):
     raw = np.arange(65536, dtype=np.uint16).reshape(256, 256)
     intrinsic = loom.PinholeCameraIntrinsic(256, 256, 200.0, 210.0, 127.3, 100.1)
     for scale in (1000.0, 5000.0):
-        cloud = loom.PointCloud.from_depth_image(raw, intrinsic, depth_scale=scale, device=device)
+        cloud = loom.PointCloud.create_from_depth_image(raw, intrinsic, depth_scale=scale, device=device)
         back = cloud.project_to_depth_image(256, 256, intrinsic, None, scale, 100.0)
         np.testing.assert_array_equal(np.rint(back).astype(np.uint16), raw)
-        again = loom.PointCloud.from_depth_image(back, intrinsic, depth_scale=scale, device=device)
+        again = loom.PointCloud.create_from_depth_image(back, intrinsic, depth_scale=scale, device=device)
         np.testing.assert_allclose(again.points, cloud.points, rtol=1e-6)
         metres = cloud.project_to_depth_image(256, 256, intrinsic, depth_max=100.0)
-        again = loom.PointCloud.from_depth_image(metres, intrinsic, device=device)
+        again = loom.PointCloud.create_from_depth_image(metres, intrinsic, device=device)
         np.testing.assert_array_equal(again.points, cloud.points)
 
 
 def test_an_rgbd_image_comes_back_from_its_cloud(device, redwood):
     color, raw = redwood
     image = loom.RGBDImage(color, raw, device=device)
-    cloud = loom.PointCloud.from_rgbd_image(image, CAMERA)
+    cloud = loom.PointCloud.create_from_rgbd_image(image, CAMERA)
     back = cloud.project_to_rgbd_image(640, 480, CAMERA)
     np.testing.assert_array_equal(back.depth, image.depth)
     np.testing.assert_array_equal(back.color, np.where(image.depth[..., None] > 0, color, 0))
     assert (back.width, back.height, str(back.device)) == (640, 480, device)
-    again = loom.PointCloud.from_rgbd_image(back, CAMERA)
+    again = loom.PointCloud.create_from_rgbd_image(back, CAMERA)
     np.testing.assert_array_equal(again.points, cloud.points)
     np.testing.assert_array_equal(again.colors, cloud.colors)
 
@@ -262,7 +262,7 @@ def test_a_camera_at_utm_coordinates_sees_the_same(device, redwood):
     utm = np.array([5e5, 5.4e6, 100.25])
     extrinsic = EXTRINSIC.copy()
     extrinsic[:3, 3] -= extrinsic[:3, :3] @ utm
-    cloud = loom.PointCloud.from_depth_image(raw, CAMERA, extrinsic, device=device)
+    cloud = loom.PointCloud.create_from_depth_image(raw, CAMERA, extrinsic, device=device)
     assert cloud.origin.any()
     back = cloud.project_to_depth_image(640, 480, CAMERA, extrinsic, 1000.0, 100.0)
     np.testing.assert_array_equal(np.rint(back).astype(np.uint16), raw)

@@ -24,9 +24,9 @@ from ..hostile import calls_of_clouds, faults_of, faults_of_clouds, missing_from
 CALLS = """
 loom.PointCloud(points=points, normals=normals, colors=colors, device="cpu", origin=three, unit="foot", label=row)
 loom.PointCloud.concatenate(clouds=[cloud, cloud])
-loom.PointCloud.from_depth_image(depth=depth, intrinsic=camera, extrinsic=pose, depth_scale=1.0, depth_trunc=5.0, stride=1, device="cpu")
+loom.PointCloud.create_from_depth_image(depth=depth, intrinsic=camera, extrinsic=pose, depth_scale=1.0, depth_trunc=5.0, stride=1, device="cpu")
 loom.PointCloud.from_dlpack(points=points32, normals=points32, colors=points32, origin=three)
-loom.PointCloud.from_rgbd_image(image=rgbd, intrinsic=camera, extrinsic=pose, stride=1)
+loom.PointCloud.create_from_rgbd_image(image=rgbd, intrinsic=camera, extrinsic=pose, stride=1)
 cloud.array(name="points")
 cloud.cluster_dbscan(eps=0.3, min_points=3)
 cloud.cluster_euclidean(tolerance=0.3, min_cluster_size=1, max_cluster_size=50)
@@ -125,11 +125,11 @@ model.select(names=["a", "b"])
 model.trajectory(timestamps=times)
 model.transform(transformation=pose)
 loom.RGBDImage(color=color, depth=depth, depth_scale=1.0, depth_trunc=3.0, device="cpu")
-loom.RGBDImage.from_color_and_depth(color=color, depth=depth, depth_scale=1.0, depth_trunc=3.0, device="cpu")
-loom.RGBDImage.from_nyu_format(color=color, depth=whole_depth, device="cpu")
-loom.RGBDImage.from_redwood_format(color=color, depth=whole_depth, device="cpu")
-loom.RGBDImage.from_sun_format(color=color, depth=whole_depth, device="cpu")
-loom.RGBDImage.from_tum_format(color=color, depth=whole_depth, device="cpu")
+loom.RGBDImage.create_from_color_and_depth(color=color, depth=depth, depth_scale=1.0, depth_trunc=3.0, device="cpu")
+loom.RGBDImage.create_from_nyu_format(color=color, depth=whole_depth, device="cpu")
+loom.RGBDImage.create_from_redwood_format(color=color, depth=whole_depth, device="cpu")
+loom.RGBDImage.create_from_sun_format(color=color, depth=whole_depth, device="cpu")
+loom.RGBDImage.create_from_tum_format(color=color, depth=whole_depth, device="cpu")
 loom.SelectionPolygonVolume(bounding_polygon=points, orthogonal_axis="Z", axis_min=0.0, axis_max=1.0)
 volume.crop_in_polygon(points=points)
 volume.crop_point_cloud(cloud=cloud)
@@ -164,7 +164,7 @@ distance_field.save(path="field.npz")
 distance_field.slice(axis="z", position=0.5, bounds=points[:2].copy() * 0 + [[0.0], [1.0]])
 distance_field.to_array(bounds=points[:2].copy() * 0 + [[0.0], [1.0]], values="squared")
 loom.Trajectory(poses=poses, timestamps=times, ids=ids)
-loom.TriangleMesh.from_point_cloud_poisson(cloud=cloud, depth=3, width=0.0, scale=1.1, point_weight=2.0, samples_per_node=1.5, envelope=shell)
+loom.TriangleMesh.create_from_point_cloud_poisson(cloud=cloud, depth=3, width=0.0, scale=1.1, point_weight=2.0, samples_per_node=1.5, envelope=shell)
 loom.TriangleMesh(vertices=points, triangles=triangles, vertex_normals=normals, vertex_colors=colors, triangle_uvs=corner_uvs, triangle_material_ids=material_ids, textures=[picture], vertex_attributes={"a": row}, triangle_attributes={"b": material_ids}, device="cpu", origin=three)
 loom.TriangleMesh.create_arrow(cylinder_radius=1.0, cone_radius=1.5, cylinder_height=5.0, cone_height=4.0, resolution=20, cylinder_split=4, cone_split=1, device="cpu")
 loom.TriangleMesh.create_box(width=1.0, height=1.0, depth=1.0, device="cpu")
@@ -179,8 +179,8 @@ loom.TriangleMesh.create_plane(width=1.0, height=1.0, device="cpu")
 loom.TriangleMesh.create_sphere(radius=1.0, resolution=20, device="cpu")
 loom.TriangleMesh.create_tetrahedron(radius=1.0, device="cpu")
 loom.TriangleMesh.create_torus(torus_radius=1.0, tube_radius=0.5, radial_resolution=30, tubular_resolution=20, device="cpu")
-loom.TriangleMesh.from_point_cloud_alpha_shape(cloud=cloud, alpha=[0.5, 0.3])
-loom.TriangleMesh.from_point_cloud_ball_pivoting(cloud=cloud, radii=[0.1, 0.2])
+loom.TriangleMesh.create_from_point_cloud_alpha_shape(cloud=cloud, alpha=[0.5, 0.3])
+loom.TriangleMesh.create_from_point_cloud_ball_pivoting(cloud=cloud, radii=[0.1, 0.2])
 mesh.array(name="triangles")
 shell.boolean_difference(mesh=shell)
 shell.boolean_intersection(mesh=shell)
@@ -425,8 +425,8 @@ LEFT_OUT = {
     "DroppedResultWarning", "UnitWarning", "MeshRepairReport", "VoxelGrid", "RGBDSource", "SurfaceResult",
     "CleanedMesh", "SimplifiedMesh", "SmoothedMesh", "MeshComparison", "RayHits", "SplatPicture", "Shape",
     "ShapeSurface", "DetectedShapes", "BoxShape", "Stations", "Orthophoto", "ImuReadings", "DistanceField",
-    "AxisAlignedBoundingBox.mask_points", "OrientedBoundingBox.mask_points", "TriangleMesh.vertices_at",
-    "DistanceField.from_device_voxels", "PointCloud.from_open3d", "find_boxes",
+    "AxisAlignedBoundingBox.mask_points", "OrientedBoundingBox.mask_points",
+    "PointCloud.from_open3d", "find_boxes",
     # tests/drawing: viewer, recording, render
     "draw", "draw_geometries", "Viewer", "DetailTree", "sample_file", "record", "render", "save_picture", "View",
     "fit_view", "read_view", "write_view", "CameraFrustum",

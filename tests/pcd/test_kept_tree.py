@@ -113,7 +113,7 @@ def test_pickled_buffers_are_copies(rng):
 def test_the_tree_goes_with_the_last_cloud(device, rng):
     cloud = loom.PointCloud(rng.random((300, 3)), device=device)
     shared = cloud.estimate_normals(max_nn=5)
-    tree, points = weakref.ref(cloud.search_tree()), weakref.ref(cloud.device_array("points"))
+    tree, points = weakref.ref(cloud.search_tree()), weakref.ref(cloud._device_array("points"))
     gc.disable()  # nothing may wait for the collector: it does not know how full the device is
     try:
         del cloud

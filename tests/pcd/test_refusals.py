@@ -28,7 +28,7 @@ NAMES = {
     "project": lambda **given: loom.PointCloud([[0, 0, 1.0]]).project_to_depth_image(
         **{"width": 3, "height": 2, "intrinsic": CAMERA} | given
     ),
-    "depth_cloud": lambda **given: loom.PointCloud.from_depth_image(
+    "depth_cloud": lambda **given: loom.PointCloud.create_from_depth_image(
         **{"depth": np.full((2, 3), 1000, np.uint16), "intrinsic": CAMERA} | given
     ),
     "changed": lambda **given: loom.change.m3c2(
@@ -189,7 +189,7 @@ project(extrinsic=np.diag([2.0, 2, 2, 1])) | extrinsic: expected a rigid motion
 project(depth_scale=0) | depth_scale
 project(depth_max=nan) | depth_max
 depth_cloud(depth=np.zeros((3, 2), np.uint16)) | intrinsic: made for 3 x 2 pixels, but the image has 2 x 3
-depth_cloud(depth=np.zeros((2, 3, 1), np.uint16)) | depth: expected shape
+depth_cloud(depth=np.zeros((2, 3, 1), np.uint16)) | depth: expected
 depth_cloud(depth=np.full((2, 3), -1)) | depth: integer depths must lie in 0..65535
 depth_cloud(depth=np.full((2, 3), 70000)) | depth: integer depths must lie in 0..65535
 depth_cloud(extrinsic=np.diag([1.0, 1, -1, 1])) | extrinsic: expected a rigid motion
@@ -200,9 +200,9 @@ depth_cloud(depth_trunc=nan) | depth_trunc
 depth_cloud(stride=0) | stride
 loom.RGBDImage(np.zeros((3, 3, 3), np.uint8), np.zeros((2, 3), np.uint16)) | color: 3 x 3 pixels, but the depth image
 loom.RGBDImage(np.zeros((2, 3, 4), np.uint8), np.zeros((2, 3), np.uint16)) | color: expected shape
-loom.RGBDImage.from_sun_format(np.zeros((2, 3, 3), np.uint8), np.full((2, 3), 70000)) | depth: integer depths
-loom.RGBDImage.from_nyu_format(np.zeros((2, 3, 3), np.uint8), np.zeros((2, 3, 1), np.uint16)) | depth: expected shape
-loom.RGBDImage.from_sun_format(np.zeros((2, 3, 3), np.uint8), np.zeros((3, 3), np.uint16)) | color: 3 x 2 pixels
+loom.RGBDImage.create_from_sun_format(np.zeros((2, 3, 3), np.uint8), np.full((2, 3), 70000)) | depth: integer depths
+loom.RGBDImage.create_from_nyu_format(np.zeros((2, 3, 3), np.uint8), np.zeros((2, 3, 1), np.uint16)) | depth: expected
+loom.RGBDImage.create_from_sun_format(np.zeros((2, 3, 3), np.uint8), np.zeros((3, 3), np.uint16)) | color: 3 x 2 pixels
 loom.filter_depth_bilateral(np.ones((4, 4)), kernel_size=0) | kernel_size
 loom.filter_depth_bilateral(np.ones((4, 4)), value_sigma=0) | value_sigma
 loom.filter_depth_bilateral(np.ones((4, 4)), dist_sigma=inf) | dist_sigma
@@ -284,7 +284,7 @@ depth_cloud(intrinsic=np.eye(3)) | intrinsic: expected a PinholeCameraIntrinsic
 depth_cloud(depth=np.zeros((2, 3), complex)) | depth: expected integers or floats, got complex128
 loom.create_normal_map(np.ones((4, 4)), intrinsic=np.eye(3)) | intrinsic: expected a PinholeCameraIntrinsic
 loom.RGBDImage(np.zeros((2, 3, 3)), np.zeros((2, 3), np.uint16)) | color: expected uint8, got float64
-loom.RGBDImage.from_sun_format(np.zeros((2, 3, 3), np.uint8), np.ones((2, 3))) | depth: expected the file's integers
+loom.RGBDImage.create_from_sun_format(np.zeros((2, 3, 3), np.uint8), np.ones((2, 3))) | depth: expected the file's
 loom.pyrdown_color(np.ones((4, 4))) | color: expected uint8, got float64
 loom.AxisAlignedBoundingBox() + 1 | unsupported operand
 loom.LineSet([[0, 0, 0], [1, 0, 0]], [[0, 1]]) + np.eye(3) | unsupported operand

@@ -68,7 +68,7 @@ def room_pair(scan_set, real_file, shipped_file):
     camera = loom.PinholeCameraIntrinsic(640, 480, 525.0, 525.0, 319.5, 239.5)
     poses = loom.read_trajectory(folder / "trajectory.log").poses
     depths = [loom.read_depth(folder / "depth" / f"{k:05d}.png") for k in (0, 4)]
-    target, source = (loom.PointCloud.from_depth_image(depth, camera, stride=2).points for depth in depths)
+    target, source = (loom.PointCloud.create_from_depth_image(depth, camera, stride=2).points for depth in depths)
     turned = as_pose(np.radians(12.7) * np.array([0.36, 0.48, 0.8]), [0.4, -0.4, 0.4])
     return SimpleNamespace(
         source=moved(source, turned), target=target, T=np.linalg.inv(poses[0]) @ poses[-1] @ np.linalg.inv(turned)

@@ -115,7 +115,7 @@ BASES = {"CorrespondenceChecker", "RobustKernel", "GlobalOptimizationMethod", "T
 INSIDE = {
     f"TransformationEstimation{kind}.{method}"
     for kind in ("PointToPoint", "PointToPlane", "Symmetric", "ForColoredICP", "ForDopplerICP", "ForGeneralizedICP")
-    for method in ("arguments", "geometry", "prepare", "source_columns", "target_columns")
+    for method in ("arguments", "geometry", "prepare", "_source_columns", "_target_columns")
 }
 MAY_BE_INFINITE = {("GeneralizedLoss", "shape"), ("PoseGraphEdge", "confidence")}  # the latter is checked later
 TABLE = read_table(CALLS, HOMES)

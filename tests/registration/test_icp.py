@@ -172,8 +172,8 @@ def test_a_cloud_of_any_scale_is_registered_alike(device, kind, exponent, rng):
     for scale in (1.0, 2.0**exponent):
         clouds = [loom.PointCloud(scale * p, device=device).estimate_normals(max_nn=20) for p in (source, target)]
         method = KINDS[kind]
-        if method.target_voxel_size is not None:
-            method = dataclasses.replace(method, voxel_size=scale * method.target_voxel_size)
+        if method._target_voxel_size is not None:
+            method = dataclasses.replace(method, voxel_size=scale * method._target_voxel_size)
         found.append(reg.registration_icp(*clouds, 0.3 * scale, None, method))
         found[-1].transformation[:3, 3] /= scale
     one, other = found

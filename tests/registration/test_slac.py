@@ -194,7 +194,7 @@ def test_a_grid_bends_depth_as_it_bends_points(device):
     depth = np.full((24, 32), 2000, np.uint16)
     depth[:3] = 0
     grid = slac.ControlGrid(0.5, device=device)
-    cloud = loom.PointCloud.from_depth_image(depth, camera, device=device)
+    cloud = loom.PointCloud.create_from_depth_image(depth, camera, device=device)
     grid.touch(cloud)
     assert (grid.deform_depth(depth, camera) == depth / np.float32(1000)).all()
     grid.set_positions(1.25 * grid.get_init_positions())

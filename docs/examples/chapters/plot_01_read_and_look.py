@@ -134,7 +134,7 @@ assert np.allclose(metres.points, cloud.points, atol=1e-4)
 # therefore hangs upside down in a viewer that takes y for up. It is turned about x by half a turn:
 
 half_turn = np.diag([1.0, -1.0, -1.0, 1.0])
-from_camera = loom.PointCloud.from_depth_image(frame.depth, frame.intrinsic)
+from_camera = loom.PointCloud.create_from_depth_image(frame.depth, frame.intrinsic)
 upright = from_camera.transform(half_turn)
 print("y of the floor before:", from_camera.points[:, 1].max().round(2), " after:", upright.points[:, 1].min().round(2))
 assert np.isclose(upright.points[:, 1].min(), -from_camera.points[:, 1].max())

@@ -26,7 +26,7 @@ import pointloom as loom
 
 frame = loom.data.room_frames(24, noise=False)[20]
 image = loom.RGBDImage(frame.color, frame.depth, depth_trunc=6.0)
-cloud = loom.PointCloud.from_rgbd_image(image, frame.intrinsic, np.linalg.inv(frame.T_world_camera))
+cloud = loom.PointCloud.create_from_rgbd_image(image, frame.intrinsic, np.linalg.inv(frame.T_world_camera))
 print("one picture of a depth camera:", len(cloud), "points")
 
 for voxel_size in (0.01, 0.03, 0.1, 0.3):

@@ -148,7 +148,7 @@ shadow = loom.render(
 # take a larger one. One frame of the noisy camera, from where it stood:
 
 frame = loom.data.room_frames(24)[20]
-scan = loom.PointCloud.from_depth_image(frame.depth, frame.intrinsic)
+scan = loom.PointCloud.create_from_depth_image(frame.depth, frame.intrinsic)
 across = float(np.linalg.norm(scan.get_max_bound() - scan.get_min_bound()))
 shares = {times: len(scan.hidden_point_removal([0, 0, 0], times * across)[1]) / len(scan) for times in (100, 1000)}
 for times, share in shares.items():

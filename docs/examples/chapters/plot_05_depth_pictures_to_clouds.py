@@ -37,7 +37,7 @@ v, u = np.mgrid[: camera.height, : camera.width]
 z = frame.depth.astype(np.float64)
 by_hand = np.stack([(u - camera.cx) * z / camera.fx, (v - camera.cy) * z / camera.fy, z], axis=-1)[z > 0]
 
-cloud = loom.PointCloud.from_depth_image(frame.depth, camera)
+cloud = loom.PointCloud.create_from_depth_image(frame.depth, camera)
 print(cloud, "- the greatest difference to the formula:", abs(cloud.points - by_hand).max().round(6), "m")
 assert np.allclose(cloud.points, by_hand, atol=1e-5)
 
@@ -47,7 +47,7 @@ assert np.allclose(cloud.points, by_hand, atol=1e-5)
 # convert_rgb_to_intensity=False)``, then ``PointCloud.create_from_rgbd_image``; those names work here too.
 
 image = loom.RGBDImage(frame.color, frame.depth, depth_trunc=6.0)
-coloured = loom.PointCloud.from_rgbd_image(image, camera)
+coloured = loom.PointCloud.create_from_rgbd_image(image, camera)
 short = loom.RGBDImage(frame.color, frame.depth)
 print(f"kept within 6 m: {(image.depth > 0).mean():.0%} of the pixels, within 3 m: {(short.depth > 0).mean():.0%}")
 assert len(coloured) == (image.depth > 0).sum()
@@ -79,19 +79,19 @@ from_beside = loom.render(
 #      - drops beyond
 #    * - Redwood, 7-Scenes
 #      - d / 1000 m (millimetres)
-#      - ``RGBDImage.from_redwood_format(color, depth, convert_rgb_to_intensity=False)``
+#      - ``RGBDImage.create_from_redwood_format(color, depth, convert_rgb_to_intensity=False)``
 #      - 4 m
 #    * - TUM
 #      - d / 5000 m
-#      - ``from_tum_format(color, depth, convert_rgb_to_intensity=False)``
+#      - ``create_from_tum_format(color, depth, convert_rgb_to_intensity=False)``
 #      - 4 m
 #    * - SUN3D
 #      - millimetres, the bits turned left by three
-#      - ``from_sun_format(color, depth, convert_rgb_to_intensity=False)``
+#      - ``create_from_sun_format(color, depth, convert_rgb_to_intensity=False)``
 #      - 7 m
 #    * - NYU
 #      - 351.3 / (1092.5 - d) m, the bytes swapped
-#      - ``from_nyu_format(color, depth, convert_rgb_to_intensity=False)``
+#      - ``create_from_nyu_format(color, depth, convert_rgb_to_intensity=False)``
 #      - 7 m
 #    * - your own
 #      - d / ``depth_scale`` m
@@ -106,10 +106,10 @@ millimetres = np.rint(z * 1000).astype(np.uint16)
 with np.errstate(divide="ignore"):
     nyu = np.where(z > 0, np.rint(1092.5 - 351.3 / z), 0).clip(0, 65535).astype(np.uint16)
 files = {
-    "Redwood": (loom.RGBDImage.from_redwood_format, millimetres),
-    "TUM": (loom.RGBDImage.from_tum_format, np.rint(z * 5000).astype(np.uint16)),
-    "SUN3D": (loom.RGBDImage.from_sun_format, (millimetres << 3) | (millimetres >> 13)),
-    "NYU": (loom.RGBDImage.from_nyu_format, nyu.byteswap()),
+    "Redwood": (loom.RGBDImage.create_from_redwood_format, millimetres),
+    "TUM": (loom.RGBDImage.create_from_tum_format, np.rint(z * 5000).astype(np.uint16)),
+    "SUN3D": (loom.RGBDImage.create_from_sun_format, (millimetres << 3) | (millimetres >> 13)),
+    "NYU": (loom.RGBDImage.create_from_nyu_format, nyu.byteswap()),
 }
 for name, (read, numbers) in files.items():
     depth = read(frame.color, numbers, convert_rgb_to_intensity=False).depth
@@ -136,12 +136,12 @@ assert issubclass(told[0].category, loom.UnitWarning)
 # ------------------------------------------
 # A pose says where the camera stands: ``T_world_camera`` takes the camera's coordinates to the world's. An extrinsic
 # says where the world is, seen from the camera: ``T_camera_world``. Each is the inverse of the other, and files hold
-# now this, now that. ``from_rgbd_image`` takes the **extrinsic**, as in Open3D. Trajectories (``.log``, TUM's
+# now this, now that. ``create_from_rgbd_image`` takes the **extrinsic**, as in Open3D. Trajectories (``.log``, TUM's
 # ``.txt``, ARKit, 7-Scenes) hold **poses**.
 
 pose = frame.T_world_camera
-right = loom.PointCloud.from_rgbd_image(image, camera, np.linalg.inv(pose))
-wrong = loom.PointCloud.from_rgbd_image(image, camera, pose)
+right = loom.PointCloud.create_from_rgbd_image(image, camera, np.linalg.inv(pose))
+wrong = loom.PointCloud.create_from_rgbd_image(image, camera, pose)
 print("floor at", np.quantile(right.points[:, 2], 0.005).round(2), "m; with the wrong one at",
       np.quantile(wrong.points[:, 2], 0.005).round(2), "m")  # fmt: skip
 assert np.allclose(right.points, coloured.transform(pose).points, atol=1e-5)
@@ -159,7 +159,7 @@ def together(inverted: bool) -> loom.PointCloud:
     for each in frames[::5]:
         rgbd = loom.RGBDImage(each.color, each.depth, depth_trunc=6.0)
         extrinsic = each.T_world_camera if inverted else np.linalg.inv(each.T_world_camera)
-        clouds.append(loom.PointCloud.from_rgbd_image(rgbd, camera, extrinsic, stride=2))
+        clouds.append(loom.PointCloud.create_from_rgbd_image(rgbd, camera, extrinsic, stride=2))
     return loom.PointCloud.concatenate(clouds)
 
 
@@ -193,14 +193,14 @@ assert upright.points[:, 2].max() < 0, "everything lies before the camera, along
 
 half = frame.depth[::2, ::2]
 try:
-    loom.PointCloud.from_depth_image(half, camera)
+    loom.PointCloud.create_from_depth_image(half, camera)
 except ValueError as error:
     message = str(error)
     print(message)
 assert "160" in message
 
 small = loom.PinholeCameraIntrinsic(160, 120, camera.fx / 2, camera.fy / 2, camera.cx / 2, camera.cy / 2)
-same = loom.PointCloud.from_depth_image(half, small)
+same = loom.PointCloud.create_from_depth_image(half, small)
 assert np.allclose(same.get_max_bound(), cloud.get_max_bound(), atol=0.1)
 
 # %%
@@ -210,7 +210,7 @@ folder = Path(tempfile.mkdtemp(prefix="pointloom-"))
 with loom.record(folder / "frames.html", automatic=False, max_points=60_000, title="Frames and cameras") as recording:
     for k, each in enumerate(frames[::5]):
         rgbd = loom.RGBDImage(each.color, each.depth, depth_trunc=6.0)
-        part = loom.PointCloud.from_rgbd_image(rgbd, camera, np.linalg.inv(each.T_world_camera), stride=2)
+        part = loom.PointCloud.create_from_rgbd_image(rgbd, camera, np.linalg.inv(each.T_world_camera), stride=2)
         recording.add(f"frame {k}", part.select_by_mask(part.points[:, 2] < 2.4))
         recording.add(f"camera {k}", loom.CameraFrustum(camera, each.T_world_camera, 0.3), color=(0.1, 0.4, 0.9))
         recording.step(f"{k + 1} frames")
@@ -229,7 +229,7 @@ loom.write_trajectory(folder / "trajectory.log", loom.Trajectory(pose[None]))
 poses = loom.read_trajectory(folder / "trajectory.log").poses
 color, depth = loom.read_color(folder / "color.png"), loom.read_depth(folder / "depth.png")
 read = loom.RGBDImage(color, depth, depth_scale=1000, depth_trunc=6.0)
-world = loom.PointCloud.from_rgbd_image(read, camera, np.linalg.inv(poses[0]))
+world = loom.PointCloud.create_from_rgbd_image(read, camera, np.linalg.inv(poses[0]))
 print(f"poses {poses.shape}, colour {color.shape} {color.dtype}, depth {depth.shape} {depth.dtype}; {world}")
 assert np.allclose(world.points, right.points, atol=1e-3)
 

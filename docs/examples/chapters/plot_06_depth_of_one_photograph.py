@@ -155,7 +155,7 @@ picture = loom.render(cloud, beside, (960, 640))
 # The same, coloured by how far each point is from the truth. The error is the slow wave that the stand-in was
 # spoilt with: things are right among themselves, and a whole wall is some centimetres off.
 
-exact = loom.PointCloud.from_depth_image(truth, frame.intrinsic)
+exact = loom.PointCloud.create_from_depth_image(truth, frame.intrinsic)
 cloud["error"] = cloud.compute_point_cloud_distance(exact)
 print(f"half of the points are within {np.median(cloud['error']) * 100:.1f} cm of the true surface")
 by_error = loom.render(

@@ -30,7 +30,7 @@ def scan(index: int, voxel_size: float = 0.03) -> loom.PointCloud:
     """A frame as a cloud in its camera's coordinates, thinned, with normals towards the camera."""
     frame = frames[index]
     image = loom.RGBDImage(frame.color, frame.depth, depth_trunc=5.0)
-    cloud = loom.PointCloud.from_rgbd_image(image, frame.intrinsic).voxel_down_sample(voxel_size)
+    cloud = loom.PointCloud.create_from_rgbd_image(image, frame.intrinsic).voxel_down_sample(voxel_size)
     return cloud.estimate_normals(radius=3 * voxel_size, max_nn=30).orient_normals_towards_camera_location([0, 0, 0])
 
 

@@ -28,7 +28,7 @@ def scan(index: int) -> loom.PointCloud:
     """A frame as a cloud in its camera's coordinates."""
     frame = frames[index]
     image = loom.RGBDImage(frame.color, frame.depth, depth_trunc=5.0)
-    return loom.PointCloud.from_rgbd_image(image, frame.intrinsic)
+    return loom.PointCloud.create_from_rgbd_image(image, frame.intrinsic)
 
 
 def off(T: np.ndarray, truth: np.ndarray) -> tuple[float, float]:

@@ -57,7 +57,7 @@ def side_by_side(meshes: list, names: list[str]) -> np.ndarray:
 # below.
 
 alphas = [1.5 * spacing, 4 * spacing, 20 * spacing]
-shapes = loom.TriangleMesh.from_point_cloud_alpha_shape(cloud, alphas)
+shapes = loom.TriangleMesh.create_from_point_cloud_alpha_shape(cloud, alphas)
 for alpha, mesh in zip(alphas, shapes, strict=True):
     closed = "closed" if mesh.is_watertight() else "open"
     print(f"alpha {alpha * 1000:5.1f} mm: {len(mesh.triangles):6} triangles, {closed}, {error(mesh):.2f} mm off")
@@ -72,7 +72,7 @@ assert error(shapes[1]) < error(shapes[2]), "a large alpha fills hollows"
 # keeps the points themselves, so it keeps their noise, and where points are thin it leaves holes. It needs normals
 # that look outwards. Give two or three radii, from the spacing up; ``None`` chooses them.
 
-ball = loom.TriangleMesh.from_point_cloud_ball_pivoting(cloud, [1.2 * spacing, 2.5 * spacing])
+ball = loom.TriangleMesh.create_from_point_cloud_ball_pivoting(cloud, [1.2 * spacing, 2.5 * spacing])
 print(f"ball pivoting: {len(ball.triangles)} triangles, {error(ball):.2f} mm off, closed: {ball.is_watertight()}")
 assert len(ball.vertices) == len(cloud), "its vertices are the points"
 
@@ -84,7 +84,7 @@ assert len(ball.vertices) == len(cloud), "its vertices are the points"
 # ``depth`` is its resolution: 2^depth cells along the longest side; 8 for an object, 9 or 10 for detail. Each step is
 # four times the triangles, until cells are finer than the points are apart: from there on it adds nothing.
 
-poisson, densities = loom.TriangleMesh.from_point_cloud_poisson(cloud, depth=7)
+poisson, densities = loom.TriangleMesh.create_from_point_cloud_poisson(cloud, depth=7)
 cell = float(np.max(figure.get_max_bound() - figure.get_min_bound())) / 2**7 * 1000
 print(f"Poisson: {len(poisson.triangles)} triangles, {error(poisson):.2f} mm off, cells of some {cell:.0f} mm,"
       f" closed: {poisson.is_watertight()}")  # fmt: skip
@@ -108,7 +108,7 @@ for k in (0, 1):
     part = scans.scans[k].estimate_normals(radius=4 * spacing, max_nn=30)
     parts.append(part.orient_normals_towards_camera_location([0, 0, 0]).transform(scans.poses[k]))
 scan = loom.PointCloud.concatenate(parts).voxel_down_sample(0.5 * spacing).normalize_normals()
-surface, densities = loom.TriangleMesh.from_point_cloud_poisson(scan, depth=7)
+surface, densities = loom.TriangleMesh.create_from_point_cloud_poisson(scan, depth=7)
 densities = np.asarray(densities)
 closed = "and is closed" if surface.is_watertight() else "and is cut open where it leaves the box"
 print(f"{len(scan)} points of two sides; Poisson makes up the rest {closed}")
@@ -178,8 +178,8 @@ page = folder / "surface.html"
 
 guessed = loom.PointCloud(cloud.points).estimate_normals(max_nn=20)
 oriented = guessed.orient_normals_consistent_tangent_plane(20)
-crumpled, _ = loom.TriangleMesh.from_point_cloud_poisson(guessed, depth=6)
-mended, _ = loom.TriangleMesh.from_point_cloud_poisson(oriented, depth=6)
+crumpled, _ = loom.TriangleMesh.create_from_point_cloud_poisson(guessed, depth=6)
+mended, _ = loom.TriangleMesh.create_from_point_cloud_poisson(oriented, depth=6)
 print(f"as guessed: {guessed.normal_disagreement():.1%} disagree, the surface is {error(crumpled):.1f} mm off")
 print(f"oriented:   {oriented.normal_disagreement():.1%} disagree, the surface is {error(mended):.1f} mm off")
 assert oriented.normal_disagreement() < 0.2 * guessed.normal_disagreement()

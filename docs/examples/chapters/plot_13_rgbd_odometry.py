@@ -121,7 +121,7 @@ assert end[0] < 2 and end[1] < 0.05 * 1000 * length
 
 def cloud_of(k: int, pose: np.ndarray) -> loom.PointCloud:
     """A frame as points in the world."""
-    return loom.PointCloud.from_rgbd_image(images[k], camera, np.linalg.inv(pose), stride=2)
+    return loom.PointCloud.create_from_rgbd_image(images[k], camera, np.linalg.inv(pose), stride=2)
 
 
 room = loom.PointCloud.concatenate([cloud_of(k, path.poses[k]) for k in range(0, 24, 4)])

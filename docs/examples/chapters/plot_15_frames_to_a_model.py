@@ -41,7 +41,7 @@ assert loom.read_pinhole_camera_intrinsic(folder / "camera.json") == camera
 clouds = []
 for frame in frames[::3]:
     image = loom.RGBDImage(frame.color, frame.depth, depth_trunc=4.0)
-    clouds.append(loom.PointCloud.from_rgbd_image(image, camera, np.linalg.inv(frame.T_world_camera)))
+    clouds.append(loom.PointCloud.create_from_rgbd_image(image, camera, np.linalg.inv(frame.T_world_camera)))
 merged = loom.PointCloud.concatenate(clouds)
 thin = merged.voxel_down_sample(0.02)
 print(f"{len(merged)} points of {len(clouds)} frames, {len(thin)} after thinning")

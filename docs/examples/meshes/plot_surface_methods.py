@@ -58,10 +58,10 @@ assert not any(result.normals.given for result in results.values()), "normals we
 scan = scan.estimate_normals(radius=0.008, max_nn=30)
 with warnings.catch_warnings(record=True) as caught:
     warnings.simplefilter("always")
-    loom.TriangleMesh.from_point_cloud_poisson(scan, depth=6)
+    loom.TriangleMesh.create_from_point_cloud_poisson(scan, depth=6)
 print([str(w.message)[:90] for w in caught if issubclass(w.category, loom.NormalsWarning)])
 scan = scan.orient_normals_consistent_tangent_plane(20)
-whole, densities = loom.TriangleMesh.from_point_cloud_poisson(scan, depth=7)
+whole, densities = loom.TriangleMesh.create_from_point_cloud_poisson(scan, depth=7)
 trimmed = whole.trim(densities, float(np.quantile(densities, 0.05)))
 reach = {
     name: float(loom.PointCloud(mesh.vertices).compute_point_cloud_distance(scan).max())

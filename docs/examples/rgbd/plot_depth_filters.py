@@ -88,7 +88,7 @@ assert levels[1].shape == color.shape[:2] == (half.height, half.width)
 
 halves = []
 for values in (depth, cut):
-    cloud = loom.PointCloud.from_depth_image(values, camera, depth_scale=1.0, depth_trunc=3.5).estimate_normals(
+    cloud = loom.PointCloud.create_from_depth_image(values, camera, depth_scale=1.0, depth_trunc=3.5).estimate_normals(
         radius=0.02, max_nn=12
     )
     cloud = cloud.orient_normals_towards_camera_location([0, 0, 0])

@@ -60,7 +60,7 @@ scene = loom.RaycastingScene()
 scene.add_triangles(loom.data.room_mesh())
 error = scene.compute_distance(result.mesh.vertices)
 print(f"fused: median {np.median(error) * 1e3:.1f} mm, 9 of 10 within {np.quantile(error, 0.9) * 1e3:.1f} mm")
-cloud = loom.PointCloud.from_rgbd_image(
+cloud = loom.PointCloud.create_from_rgbd_image(
     loom.RGBDImage(frames[3].color, frames[3].depth, depth_scale=1.0, depth_trunc=4.0),
     camera,
     np.linalg.inv(frames[3].T_world_camera),

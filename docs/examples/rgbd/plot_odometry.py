@@ -93,7 +93,7 @@ assert difference(T)[1] < 20 and difference(multi.transformation)[1] < 20
 # The first frame in orange, the second in blue, from above: as if the camera had not moved, and with the motion that
 # was found.
 
-clouds = [loom.PointCloud.from_rgbd_image(image, camera) for image in pair]
+clouds = [loom.PointCloud.create_from_rgbd_image(image, camera) for image in pair]
 colors = [(0.95, 0.6, 0.1), (0.1, 0.5, 0.85)]
 view = loom.fit_view(clouds[1].points, direction=(0.15, 0.75, 1.0), up=(0, -1, 0), width=640, height=640)
 halves = []

@@ -156,12 +156,12 @@ class ClipControls:
             with stage.client.atomic():
                 self._drop_cut(name)
                 if name in items:
-                    for _, node in stage.viewer.surface_nodes(name):
+                    for _, node in stage.viewer._surface_nodes(name):
                         stage.client.scene.show_shared(node, items[name].visible)
         if not clip.cuts:
             return
         for name, item in items.items():
-            shared = stage.viewer.surface_nodes(name) if item.has_surface else []
+            shared = stage.viewer._surface_nodes(name) if item.has_surface else []
             told = clip, item.pose, item.visible, stage.viewer.wireframe, *(node for _, node in shared)
             if not shared or _same(self._cut.get(name, (None, []))[0], told):
                 continue

@@ -142,7 +142,7 @@ def pick(targets: Iterable[Target], view: View, x: float, y: float, *, radius: f
 
 def _reach(target: Target, T: Matrix, view: View, click: tuple[float, float], radius: float) -> Reach:
     assert target.cloud is not None
-    return target.cloud.device_array("points"), T, view.intrinsic, click, radius
+    return target.cloud._device_array("points"), T, view.intrinsic, click, radius
 
 
 def T_camera_points(view: View, cloud: PointCloud, T_world: Matrix) -> Matrix:

@@ -238,7 +238,7 @@ class StandIn:
             extents.put(item.name, item.world_bounds())
         return extents.union()
 
-    def surface_nodes(self, name: str) -> Any:
+    def _surface_nodes(self, name: str) -> Any:
         return []
 
     def camera_view(self) -> View:

@@ -197,6 +197,6 @@ def test_a_viewer_shows_a_file_in_parts(city):
         viewer.color_by("classification")
         item = viewer.shown["city"]
         assert item.point_count == COUNT and item.colors_of(np.arange(COUNT - 5, COUNT)).shape == (5, 3)
-        assert viewer.budget_of(item) == 5_000
+        assert viewer._budget_of(item) == 5_000
         viewer.remove("city")
         assert viewer.items == {}

@@ -74,7 +74,7 @@ def test_a_frame_of_device_maps_is_one_of_pictures(device, tolerances):
     picture_frame = od.OdometryFrame(depth, CAMERA, color, device=device)
     shade = (color @ np.array([0.299, 0.587, 0.114]) / 255).astype(np.float32)
     maps = [upload(values.reshape(-1), float32, picture_frame.device) for values in (depth, shade)]
-    made = od.OdometryFrame.from_device_maps(maps[0], maps[1], CAMERA)
+    made = od.OdometryFrame._from_device_maps(maps[0], maps[1], CAMERA)
     results = [od.align_frames(frame(FIRST, device), target).transformation for target in (picture_frame, made)]
     assert np.abs(results[0] - results[1]).max() < tolerances.odometry_maps
 

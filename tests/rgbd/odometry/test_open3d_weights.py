@@ -65,7 +65,7 @@ def tensor(o3d, pictures, camera, method, steps):
 
 
 def ours(pictures, device):
-    return [loom.RGBDImage.from_color_and_depth(*pair, 1000.0, 4.0, device=device) for pair in pictures]
+    return [loom.RGBDImage.create_from_color_and_depth(*pair, 1000.0, 4.0, device=device) for pair in pictures]
 
 
 def check_legacy(theirs, pictures, camera, device, with_depth, steps, tolerances):

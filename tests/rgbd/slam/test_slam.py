@@ -190,7 +190,7 @@ def test_pictures_of_another_size_are_refused(device):
 
 def test_an_image_pair_is_a_frame(device):
     shown, slam = frame(0), begun(device)
-    grey = loom.RGBDImage.from_color_and_depth(shown.color, shown.depth, depth_trunc=4.0)
+    grey = loom.RGBDImage.create_from_color_and_depth(shown.color, shown.depth, depth_trunc=4.0)
     assert slam.step(grey).verdict == "tracked"
     assert slam.step(loom.RGBDImage(frame(1).color, frame(1).depth, depth_trunc=4.0)).verdict == "tracked"
 
