@@ -17,8 +17,8 @@ from pathlib import Path
 import numpy as np
 from real_data import real_data
 
-import pointloom as loom
-from pointloom.photos.sfm.matches import OVERLAP, _in_a_row
+from pointloom.photos.sfm.features import find_features
+from pointloom.photos.sfm.matches import OVERLAP, _in_a_row, match
 from pointloom.photos.sfm.retrieval import pairs_that_look_alike
 
 STRIDE, FEATURES, FEWEST = 5, 1000, 30
@@ -34,8 +34,8 @@ def main() -> None:
     order = np.random.default_rng(0).permutation(len(found))
     for place, k in enumerate(order):
         shutil.copy(found[k], work / "pictures" / f"{place:03d}.jpg")
-    loom.sfm.find_features(work / "pictures", work / "f.db", max_features=FEATURES)
-    loom.sfm.match(work / "f.db", work / "m.db", pairs="exhaustive")
+    find_features(work / "pictures", work / "f.db", max_features=FEATURES)
+    match(work / "f.db", work / "m.db", pairs="exhaustive")
     with sqlite3.connect(work / "m.db") as connection:
         rows = connection.execute("SELECT pair_id, rows FROM two_view_geometries").fetchall()
     same = {divmod(pair, PAIR): count for pair, count in rows if count >= FEWEST}

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 import pointloom as loom
+from pointloom.core.units import NonFiniteWarning
 
 # What is no number at all, or none that 64 bits hold: refused wherever a number is expected.
 NO_NUMBERS: dict[str, Any] = {
@@ -109,7 +110,7 @@ def hostile_clouds() -> dict[str, loom.PointCloud]:
 
 def ignore_true_warnings() -> None:
     """Ignore the warnings that are right for hostile clouds: random or NaN normals, huge sizes, flat or NaN shapes."""
-    for category in (loom.DroppedResultWarning, loom.NormalsWarning, loom.NonFiniteWarning, loom.UnitWarning):
+    for category in (loom.DroppedResultWarning, loom.NormalsWarning, NonFiniteWarning, loom.UnitWarning):
         warnings.simplefilter("ignore", category)
     warnings.filterwarnings("ignore", "cloud: .* so no alpha gives a surface")
     warnings.filterwarnings("ignore", "mesh: triangle .* NaN or infinite")

@@ -57,7 +57,7 @@ MORE = """
 1e-6 loom.change.cloud_to_mesh(cloud, loom.TriangleMesh(vertices, mesh.triangles)).distances
 1e-6 loom.change.m3c2(cloud, made(points), normal_radii=[0.5], cylinder_radius=0.3, max_distance=1.0).level_of_detection
 1e-6 loom.height_above_ground(made(points, classification=np.full(len(points), 2, np.uint8)))
-1e-6 loom.terrain.rasterize(made(points), 0.5, "dsm").values
+1e-6 loom.rasterize(made(points), 0.5, "dsm").values
 0 loom.NearestNeighborSearch(made(points)).knn_search(queries, 3)[0]
 0 loom.NearestNeighborSearch(cloud).hybrid_search(queries, 0.3, 5)[0]
 0 scene.compute_signed_distance(queries)

@@ -31,6 +31,7 @@ from pointloom.registration.deformable.control_grid_files import read_control_gr
 from pointloom.scale.indexes import files_of_index
 from pointloom.scale.manifest import NAME, canonical, hash_of
 from pointloom.scale.polygons import parse_area
+from pointloom.scale.status import tile_status
 from pointloom.scale.steps.parse import parse_steps
 
 VALUES: list[Any] = [
@@ -262,7 +263,7 @@ def _copy(path: Path) -> Any:
 
 
 def _work_off(folder: Path) -> Path:
-    loom.scale.tile_status(folder)
+    tile_status(folder)
     status = loom.scale.run_tiles(folder)
     if status.is_finished:
         loom.scale.finish_tiles(folder)

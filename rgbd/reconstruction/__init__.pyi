@@ -1,24 +1,11 @@
 """The public names of pointloom.reconstruction: the one list of them, for type checkers and for `public_names`."""
 
 from .config import ReconstructionConfig as ReconstructionConfig
-from .fragment_model import FragmentOptions as FragmentOptions
-from .fragments import Fragment as Fragment
-from .fragments import FragmentSet as FragmentSet
 from .fragments import make_fragments as make_fragments
-from .frames import LostFrame as LostFrame
 from .job import run_system as run_system
-from .nonrigid import BentPlacement as BentPlacement
-from .nonrigid import refine_with_slac as refine_with_slac
-from .placement import Placement as Placement
 from .placement import register_fragments as register_fragments
 from .refinement import refine_registration as refine_registration
-from .report import SystemReport as SystemReport
-from .scene import Scene as Scene
 from .scene import integrate_scene as integrate_scene
 from .slac import ControlGrid as ControlGrid
-from .slac import FragmentOverlap as FragmentOverlap
-from .slac import RefinementReport as RefinementReport
 from .slac import SLACOptimizerParams as SLACOptimizerParams
-from .slac import integrate_deformed as integrate_deformed
-from .slac import run_rigid_optimizer_for_fragments as run_rigid_optimizer_for_fragments
 from .slac import run_slac_optimizer_for_fragments as run_slac_optimizer_for_fragments

@@ -9,6 +9,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.core.checks import check_progress
+from pointloom.core.verbosity import get_verbosity_level
 
 SCRIPT = """
 import sys, time, logging
@@ -66,11 +67,11 @@ def test_a_block_leaves_the_level_as_it_was():
     logger = logging.getLogger("pointloom")
     before = logger.level
     with loom.VerbosityContextManager(loom.VerbosityLevel.Error):
-        assert loom.get_verbosity_level() is loom.VerbosityLevel.Error and logger.level == logging.ERROR
+        assert get_verbosity_level() is loom.VerbosityLevel.Error and logger.level == logging.ERROR
         with pytest.raises(KeyError), loom.VerbosityContextManager(loom.VerbosityLevel.Debug):
-            assert loom.get_verbosity_level() is loom.VerbosityLevel.Debug
+            assert get_verbosity_level() is loom.VerbosityLevel.Debug
             raise KeyError
-        assert loom.get_verbosity_level() is loom.VerbosityLevel.Error
+        assert get_verbosity_level() is loom.VerbosityLevel.Error
     assert logger.level == before
     for wrong in (2, "Info", None):
         with pytest.raises(TypeError, match=r"expected (one of VerbosityLevel\.Error|a VerbosityLevel)"):

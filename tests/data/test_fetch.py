@@ -12,7 +12,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.data.public import fetching, sets
-from pointloom.data.public.sets import PublicFile, PublicSet
+from pointloom.data.public.sets import PublicFile, PublicSet, public_sets
 
 
 def zipped(files: dict[str, bytes]) -> bytes:
@@ -172,7 +172,7 @@ def test_an_unknown_set_is_told_with_the_nearest():
 
 def test_every_set_has_a_checksum_an_address_and_a_licence():
     lengths = {"md5": 32, "sha256": 64}
-    for one in loom.data.public_sets():
+    for one in public_sets():
         assert one.licence and one.citation and one.files
         for file in one.files:
             kind, _, digest = file.checksum.partition(":")

@@ -16,6 +16,9 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.cameras.panoramas import Panorama
+from pointloom.cameras.undistortion import Undistortion
+from pointloom.files.frames.recordings import FrameRecorder
 
 from ..files.camera_stubs import KinectStub, RealSenseStub
 from ..hostile import calls_of_clouds, faults_of, faults_of_clouds, missing_from, public_arguments, read_table
@@ -377,12 +380,12 @@ def things() -> dict[str, Any]:
     stream = loom.frames_from(pictures, camera)
     lens = loom.CameraModel("SIMPLE_RADIAL", 16, 12, [10.0, 8.5, 6.5, -0.1])
     return dict(
-        sphere=np.zeros((16, 32, 3), np.uint8), panorama=loom.Panorama(32, 16),
-        splats=splats, lens=lens, straightened=loom.Undistortion(lens),
+        sphere=np.zeros((16, 32, 3), np.uint8), panorama=Panorama(32, 16),
+        splats=splats, lens=lens, straightened=Undistortion(lens),
         model=loom.SfmModel(["a", "b", "c"], [lens] * 3, poses, points, observations=[[0, 1]], pixels=[[1, 2]]),
         bytes3=(255 * colors).astype(np.uint8),
         pictures=pictures, stream=stream, frame=next(iter(stream)), latest=loom.LatestFrames(stream),
-        recorder=lambda: loom.FrameRecorder(tempfile.mkdtemp(), camera),
+        recorder=lambda: FrameRecorder(tempfile.mkdtemp(), camera),
         scene=scene, rays=rng.random((5, 6)),
         loom=loom, points=points, points32=points.astype(np.float32), row=row, colors=colors, depth=depth, cloud=cloud,
         classed=classed,

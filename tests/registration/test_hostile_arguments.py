@@ -17,6 +17,11 @@ import pytest
 
 import pointloom as loom
 from pointloom import registration as reg
+from pointloom.registration.globally.checkers import (
+    CorrespondenceCheckerBasedOnNormal,
+    CorrespondenceCheckerBasedOnSourceRotation,
+)
+from pointloom.registration.robust_kernels import GeneralizedLoss
 
 from ..hostile import calls_of_clouds, faults_of, faults_of_clouds, missing_from, public_arguments, read_table
 
@@ -145,11 +150,11 @@ def things() -> dict[str, Any]:
         criteria=reg.GlobalOptimizationConvergenceCriteria(max_iteration=3),
         to_points=reg.TransformationEstimationPointToPoint(), l2=reg.L2Loss(), l1=reg.L1Loss(),
         tukey=reg.TukeyLoss(0.1),
-        cauchy=reg.CauchyLoss(0.1), gm=reg.GMLoss(0.1), general=reg.GeneralizedLoss(0.1), huber=reg.HuberLoss(0.1),
+        cauchy=reg.CauchyLoss(0.1), gm=reg.GMLoss(0.1), general=GeneralizedLoss(0.1), huber=reg.HuberLoss(0.1),
         by_distance=reg.CorrespondenceCheckerBasedOnDistance(0.5),
         by_edges=reg.CorrespondenceCheckerBasedOnEdgeLength(),
-        by_normal=reg.CorrespondenceCheckerBasedOnNormal(0.5),
-        by_rotation=reg.CorrespondenceCheckerBasedOnSourceRotation([1.0, 1.0, 1.0]),
+        by_normal=CorrespondenceCheckerBasedOnNormal(0.5),
+        by_rotation=CorrespondenceCheckerBasedOnSourceRotation([1.0, 1.0, 1.0]),
         model=loom.SfmModel(["a", "b", "c", "d"], [lens] * 4, poses), gps=str(gps),
         positions={"a": (1, 0, 0), "b": (3, 0, 0), "c": (1, 2, 0), "d": (1, 0, 2)},
         seen=reg.TargetObservation(0, "A", [1.0, 0.5, 0.2]), held=reg.ControlPoint("A", [1.0, 0.5, 0.2]),

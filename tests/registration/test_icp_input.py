@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.core.units import NonFiniteWarning
 
 from .icp_clouds import EACH, KINDS, assert_rigid, on
 from .poses import as_pose
@@ -83,7 +84,7 @@ def test_a_point_with_a_value_that_is_not_finite_is_left_out(device, full_pair, 
     is_used = kind in ("symmetric", "generalised", "voxelised") or side == (column == "normals")
     for cloud in (spoiled, whole.select_by_index(rows, invert=True) if is_used else whole):
         clouds[side] = cloud
-        with pytest.warns(loom.NonFiniteWarning, match="2 of") if cloud is spoiled and is_used else nothing():
+        with pytest.warns(NonFiniteWarning, match="2 of") if cloud is spoiled and is_used else nothing():
             found.append(reg.registration_icp(*clouds, 0.1, None, KINDS[kind]))
     limit = 1e-6 if kind == "coloured" else 1e-9  # the color of the point still counts in the gradients beside it
     np.testing.assert_allclose(found[0].transformation, found[1].transformation, rtol=0, atol=limit)

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 import pointloom as loom
 from pointloom.registration.globally import robust_global
-from pointloom.registration.globally.robust_global import rate_support
+from pointloom.registration.globally.robust_global import rate_support, registration_robust_based_on_feature_matching
 
 from .hilly_clouds import misplacement
 from .poses import moved, random_pose
@@ -127,7 +127,7 @@ def test_features_find_the_pose_and_the_clouds_rate_it(device, hilly_pair, angle
         thinned = thinned.estimate_normals(radius=0.15, max_nn=None)
         clouds.append(thinned.orient_normals_towards_camera_location(thinned.points.mean(axis=0)))
     features = [loom.compute_fpfh_feature(cloud, radius=0.25, max_nn=None) for cloud in clouds]
-    result = reg.registration_robust_based_on_feature_matching(*clouds, *features, 0.075)
+    result = registration_robust_based_on_feature_matching(*clouds, *features, 0.075)
     assert angle_between(result.transformation, T) < 1.5 and result.score > 0.5
-    one_way = reg.registration_robust_based_on_feature_matching(*clouds, *features, 0.075, mutual_filter=False)
+    one_way = registration_robust_based_on_feature_matching(*clouds, *features, 0.075, mutual_filter=False)
     assert angle_between(one_way.transformation, T) < 1.5

@@ -10,6 +10,7 @@ and blunt.
 import numpy as np
 
 import pointloom as loom
+from pointloom.meshing.mesh.simplified_mesh import SimplifiedMesh
 
 # %%
 # A tenth, a hundredth
@@ -20,7 +21,7 @@ import pointloom as loom
 # from samples of either.
 
 mesh = loom.data.object_mesh()
-tenth: loom.SimplifiedMesh = loom.simplify_mesh(mesh, ratio=0.1)
+tenth: SimplifiedMesh = loom.simplify_mesh(mesh, ratio=0.1)
 hundredth = loom.simplify_mesh(mesh, ratio=0.01)
 print(tenth)
 

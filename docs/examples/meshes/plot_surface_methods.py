@@ -11,6 +11,7 @@ import warnings
 import numpy as np
 
 import pointloom as loom
+from pointloom.meshing.mesh.surface_result import SurfaceResult
 
 # %%
 # A scan
@@ -33,7 +34,7 @@ print(f"{len(scan)} points, {np.linalg.norm(high - low):.3f} m across")
 # reports: how much area lies far from all points, how many edges are open, and in ``warnings`` why the surface is
 # unreliable.
 
-results: dict[str, loom.SurfaceResult] = {
+results: dict[str, SurfaceResult] = {
     name: loom.create_surface(scan, name) for name in ("poisson", "ball", "alpha")
 }
 for name, result in results.items():

@@ -10,6 +10,8 @@ nothing in common.
 import numpy as np
 
 import pointloom as loom
+from pointloom.registration.globally.pair import PairRegistration
+from pointloom.registration.voxel_size import choose_voxel_size
 
 reg = loom.registration
 
@@ -43,7 +45,7 @@ def off(T):
 # %%
 # **In one call.** ``register_pair`` chooses the voxels, searches, refines and rates. ``warnings`` has the reasons
 # if the result is unreliable.
-pair: reg.PairRegistration = reg.register_pair(source, target)
+pair: PairRegistration = reg.register_pair(source, target)
 print(pair)
 turn, distance = off(pair.transformation)
 print(f"{turn:.3f} degrees, {1000 * distance:.1f} mm from the truth")
@@ -53,7 +55,7 @@ assert pair.reliable and turn < 0.5 and distance < 0.02
 # **The parts of it.** ``register_globally`` searches; its voxel is the one thing to choose: smaller than what there
 # is to recognise, larger than the noise. ``choose_voxel_size`` proposes one. A score above 0.5 is a pose that is
 # believed.
-voxel = reg.choose_voxel_size(source, target)
+voxel = choose_voxel_size(source, target)
 found = reg.register_globally(source, target, voxel_size=voxel)
 print(f"voxels of {voxel} m: score {found.score:.2f}, {found.reason}, {off(found.transformation)[0]:.2f} degrees off")
 assert found.converged and found.score > 0.5

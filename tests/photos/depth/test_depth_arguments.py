@@ -11,6 +11,7 @@ import pytest
 from PIL import Image
 
 import pointloom as loom
+from pointloom.photos.depth.settings import DepthSettings
 
 from ...hostile import faults_of, missing_from, public_arguments, read_table
 from .tiny_networks import linear
@@ -42,7 +43,7 @@ def things(tmp_path_factory) -> dict[str, Any]:
     return {
         "loom": loom, "path": path, "picture": PICTURE, "camera": CAMERA, "depth": depth,
         "model": lambda: model, "estimate": lambda: estimate, "photo": folder / "photo.png",
-        "settings": loom.DepthSettings(), "place": lambda kind: folder / f"out.{kind}",
+        "settings": DepthSettings(), "place": lambda kind: folder / f"out.{kind}",
     }  # fmt: skip
 
 

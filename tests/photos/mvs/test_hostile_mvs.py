@@ -10,6 +10,8 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.photos.mvs.depth_bundles import DepthBundle
+from pointloom.photos.mvs.depth_maps import DepthMap, DepthMaps
 
 from ...hostile import faults_of, missing_from, read_table
 from .made_maps import true_maps
@@ -41,8 +43,8 @@ def things() -> dict[str, Any]:
     return {
         "loom": loom, "lens": intrinsic(), "pose": np.eye(4), "points": sparse.points, "sparse": sparse,
         "observations": sparse.observations, "cameras": cameras, "pictures": pictures, "sources": [[1], [0]],
-        "depth": depth, "normals": normals, "one": loom.mvs.DepthMap(depth, normals, depth), "maps": maps,
-        "bundle": loom.mvs.DepthBundle(maps, None, ("a", "b"), "VGGT"),
+        "depth": depth, "normals": normals, "one": DepthMap(depth, normals, depth), "maps": maps,
+        "bundle": DepthBundle(maps, None, ("a", "b"), "VGGT"),
     }  # fmt: skip
 
 
@@ -95,9 +97,9 @@ def test_a_world_of_any_size_is_fused_or_refused(to, scale):
         T = camera.T_camera_world.copy()
         T[:3, 3] *= scale
         cameras.append(loom.mvs.PosedCamera(camera.intrinsic, T))
-    resized = [loom.mvs.DepthMap(each.depth * scale, each.normals, each.confidence) for each in maps]
+    resized = [DepthMap(each.depth * scale, each.normals, each.confidence) for each in maps]
     try:
-        made = loom.mvs.fuse(loom.mvs.DepthMaps(cameras, maps.sources, resized), None, to=to)
+        made = loom.mvs.fuse(DepthMaps(cameras, maps.sources, resized), None, to=to)
     except (ValueError, MemoryError) as error:
         assert scale in (1e-30, 1e30), error
     else:

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
-import pointloom as loom
 from pointloom.photos.sfm import matches, retrieval
+from pointloom.photos.sfm.matches import match
 
 
 def places(count: int, views: int, seed: int = 0) -> list[np.ndarray]:
@@ -76,7 +76,7 @@ def test_more_than_forty_pictures_are_matched_in_a_row_and_by_looks(tmp_path, mo
 
     monkeypatch.setattr(matches, "run_job", run_job)
     for pairs in ("retrieval", "auto"):
-        report = loom.sfm.match(database, tmp_path / "m.db", pairs=pairs, overlap=2, neighbours=3)
+        report = match(database, tmp_path / "m.db", pairs=pairs, overlap=2, neighbours=3)
         with sqlite3.connect(tmp_path / "m.db") as connection:
             assert "a picture 07.png" in {name for (name,) in connection.execute("SELECT name FROM images")}
         connection.close()

@@ -8,6 +8,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.core.errors import DeviceError, FileError
+from pointloom.photos.video.ground_control import ControlMark, ScaleBar
 from pointloom.photos.video.job import reconstruct
 from pointloom.photos.video.outputs import Outputs
 from pointloom.photos.video.settings import Settings
@@ -50,8 +51,8 @@ def things(quick, film, tmp_path, monkeypatch) -> dict[str, Any]:
     gcp = tmp_path / "gcp.txt"
     gcp.write_text("EPSG:32632\n447000 5260000 410 320 240 a.jpg A\n")
     point = loom.registration.ControlPoint("A", [447000.0, 5260000.0, 410.0])
-    marks = [loom.video.ControlMark(name, "a.jpg", [3.0, 4.0]) for name in "AB"]
-    bar = loom.video.ScaleBar("A", "B", 1.5)
+    marks = [ControlMark(name, "a.jpg", [3.0, 4.0]) for name in "AB"]
+    bar = ScaleBar("A", "B", 1.5)
     named |= {"gcp": gcp, "point": point, "marks": marks, "bar": bar}
     return named | {"work": None, "frame": loom.video.WorldFrame(47.5, 8.25, 430.0)}
 
