@@ -297,7 +297,8 @@ def ground_reach(cell_size: float = CELL, max_window: float = WINDOW) -> float:
 
     Example:
         >>> import pointloom as loom
-        >>> loom.terrain.ground_reach(cell_size=1.0, max_window=18.0)
+        >>> from pointloom.pcd.terrain import ground_reach
+        >>> ground_reach(cell_size=1.0, max_window=18.0)
         141.0
     """
     cell, window = check_positive("cell_size", cell_size), check_positive("max_window", max_window)

@@ -163,7 +163,8 @@ def public_sets() -> list[PublicSet]:
 
     Example:
         >>> import pointloom as loom
-        >>> [one.name for one in loom.data.public_sets()][:2]
+        >>> from pointloom.data.public.sets import public_sets
+        >>> [one.name for one in public_sets()][:2]
         ['armadillo', 'bunny']
     """
     return list(SETS.values())

@@ -130,6 +130,7 @@ def registration_robust_based_on_feature_matching(
 
     Example:
         >>> import numpy as np, pointloom as loom
+        >>> from pointloom.registration.globally.robust_global import registration_robust_based_on_feature_matching
         >>> x, y = np.random.default_rng(0).uniform(-1, 1, (2, 2000))
         >>> surface = np.column_stack([x, y, 0.2 * np.sin(3 * x) * np.cos(4 * y) + 0.1 * np.sin(7 * y + x)])
         >>> target = loom.PointCloud(surface).estimate_normals(radius=0.1, max_nn=30)
@@ -137,7 +138,7 @@ def registration_robust_based_on_feature_matching(
         >>> T = np.array([[0, -1.0, 0, 5], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
         >>> source = target.transform(np.linalg.inv(T))
         >>> features = [loom.compute_fpfh_feature(cloud, radius=0.25, max_nn=100) for cloud in (source, target)]
-        >>> result = loom.registration.registration_robust_based_on_feature_matching(source, target, *features, 0.08)
+        >>> result = registration_robust_based_on_feature_matching(source, target, *features, 0.08)
         >>> bool(np.allclose(result.transformation, T, atol=1e-3)), result.score > 0.9
         (True, True)
     """

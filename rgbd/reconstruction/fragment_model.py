@@ -41,7 +41,8 @@ class FragmentOptions:
 
     Example:
         >>> import pointloom as loom
-        >>> options = loom.reconstruction.FragmentOptions("stages", resume=True)
+        >>> from pointloom.rgbd.reconstruction.fragment_model import FragmentOptions
+        >>> options = FragmentOptions("stages", resume=True)
         >>> options.config is None, options.slac
         (True, False)
     """

@@ -103,10 +103,11 @@ def plan_sequences(
     Example:
         >>> import pointloom as loom
         >>> from pointloom.data.scenes.room import write_room_sequence
+        >>> from pointloom.scale.jobs.sequences import plan_sequences
         >>> write_room_sequence("walk", frame_count=6, width=80, height=60)
         >>> sizes = {"n_frames_per_fragment": 3, "tsdf_voxel_size": 0.05, "depth_max": 4.0}
         >>> config = loom.reconstruction.ReconstructionConfig(**sizes)
-        >>> loom.scale.plan_sequences(["walk"], "job", config=config).waiting
+        >>> plan_sequences(["walk"], "job", config=config).waiting
         1
         >>> loom.scale.run_job("job").is_finished
         True

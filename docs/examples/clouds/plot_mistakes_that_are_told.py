@@ -13,7 +13,6 @@ import numpy as np
 
 import pointloom as loom
 from pointloom.core.verbosity import get_verbosity_level
-from pointloom.files.points.las_crs import GeographicWarning
 
 cloud = loom.data.object_mesh().sample_points_uniformly(20_000, seed=0).without("normals")
 
@@ -61,7 +60,7 @@ print(said[0].message)
 # a doubt (files in degrees are a ``GeographicWarning`` when they are read, a kind of its own).
 place = loom.PointCloud([[7.62, 51.96, 60.0], [7.63, 51.97, 61.0]], unit="degree")
 with warnings.catch_warnings():
-    for kind in (loom.UnitWarning, GeographicWarning):
+    for kind in (loom.UnitWarning,):
         warnings.simplefilter("error", kind)
     try_it(
         "degrees for metres", lambda: place.compute_point_cloud_distance(loom.PointCloud(place.points, unit="metre"))

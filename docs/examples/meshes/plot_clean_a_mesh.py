@@ -10,8 +10,6 @@ and what is still wrong. Do this before you print, simulate, subtract or measure
 import numpy as np
 
 import pointloom as loom
-from pointloom.meshing.mesh.cleaned_mesh import CleanedMesh
-from pointloom.meshing.mesh.mesh_repair import MeshRepairReport
 
 # %%
 # A whole mesh, broken on purpose
@@ -54,14 +52,14 @@ print(f"broken: {len(broken.triangles)} triangles in {len(parts)} parts")
 # since a hole of that size may be the bottom of the scan. ``min_triangles`` drops parts with fewer triangles: the
 # crumbs.
 
-found: CleanedMesh = loom.clean_mesh(broken, hole_size=0.1 * size, min_triangles=100)
+found = loom.clean_mesh(broken, hole_size=0.1 * size, min_triangles=100)
 print(found)
 
 # %%
 # The result has the mesh and its figures. ``repair`` counts the changes, ``reliable`` is True if all quality checks
 # passed, and ``warnings`` has those that failed. We also compare the mesh with the truth.
 
-report: MeshRepairReport = found.repair
+report = found.repair
 volume = found.mesh.get_volume()
 print(
     f"merged {report.merged_vertices} vertices, turned {report.flipped_triangles} "

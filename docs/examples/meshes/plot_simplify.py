@@ -10,7 +10,6 @@ and blunt.
 import numpy as np
 
 import pointloom as loom
-from pointloom.meshing.mesh.simplified_mesh import SimplifiedMesh
 
 # %%
 # A tenth, a hundredth
@@ -21,7 +20,7 @@ from pointloom.meshing.mesh.simplified_mesh import SimplifiedMesh
 # from samples of either.
 
 mesh = loom.data.object_mesh()
-tenth: SimplifiedMesh = loom.simplify_mesh(mesh, ratio=0.1)
+tenth = loom.simplify_mesh(mesh, ratio=0.1)
 hundredth = loom.simplify_mesh(mesh, ratio=0.01)
 print(tenth)
 

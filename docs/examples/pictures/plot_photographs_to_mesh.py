@@ -13,8 +13,6 @@ from pathlib import Path
 import numpy as np
 
 import pointloom as loom
-from pointloom.photos.mvs.depth_maps import DepthMaps
-from pointloom.photos.sfm.triangulation import TriangulationResult
 
 # %%
 # Photographs
@@ -41,7 +39,7 @@ known = loom.SfmModel(names, [lens] * len(names), T_camera_world)
 #
 # Poses stay as they are. The verdict tells if they do not fit the pictures: a wrong lens, another order, mirrored axes.
 
-found: TriangulationResult = loom.sfm.triangulate(folder, known, max_size=480, max_features=1000)
+found = loom.sfm.triangulate(folder, known, max_size=480, max_features=1000)
 model = found.model
 print(model, "|", "; ".join(found.warnings) or "the poses fit")
 scene = loom.RaycastingScene()
@@ -63,7 +61,7 @@ small = [
     taken.reshape(camera.height, 4, camera.width, 4, 3).mean(axis=(1, 3)).round().astype(np.uint8)
     for taken in shots.pictures[:count]
 ]
-maps: DepthMaps = loom.mvs.estimate_depth_maps(small, posed, model)
+maps = loom.mvs.estimate_depth_maps(small, posed, model)
 kept = loom.mvs.filter_depth_maps(maps)
 errors, shares = [], []
 for one, depth in zip(kept, shots.depths, strict=False):

@@ -10,7 +10,6 @@ nothing in common.
 import numpy as np
 
 import pointloom as loom
-from pointloom.registration.globally.pair import PairRegistration
 from pointloom.registration.voxel_size import choose_voxel_size
 
 reg = loom.registration
@@ -45,7 +44,7 @@ def off(T):
 # %%
 # **In one call.** ``register_pair`` chooses the voxels, searches, refines and rates. ``warnings`` has the reasons
 # if the result is unreliable.
-pair: PairRegistration = reg.register_pair(source, target)
+pair = reg.register_pair(source, target)
 print(pair)
 turn, distance = off(pair.transformation)
 print(f"{turn:.3f} degrees, {1000 * distance:.1f} mm from the truth")

@@ -11,7 +11,6 @@ import numpy as np
 
 import pointloom as loom
 from pointloom.registration.globally.checkers import (
-    CorrespondenceChecker,
     CorrespondenceCheckerBasedOnNormal,
     CorrespondenceCheckerBasedOnSourceRotation,
 )
@@ -60,7 +59,7 @@ assert 0.03 < right.mean() < 0.9
 # **Agree.** RANSAC draws triples and counts; the checkers refuse a triple cheaply: edges that differ in length,
 # normals that disagree. FGR minimises over all pairs with a robust kernel that tightens. The robust form looks for
 # pairs that keep their distances; it draws nothing.
-checkers: list[CorrespondenceChecker] = [
+checkers = [
     reg.CorrespondenceCheckerBasedOnEdgeLength(0.9),
     reg.CorrespondenceCheckerBasedOnDistance(1.5 * voxel),
     CorrespondenceCheckerBasedOnNormal(np.radians(40)),

@@ -10,7 +10,6 @@ the truth is known.
 import numpy as np
 
 import pointloom as loom
-from pointloom.registration.icp.estimation import TransformationEstimation
 from pointloom.registration.icp.kinds import registration_symmetric_icp
 
 reg = loom.registration
@@ -50,7 +49,7 @@ def off(T):
 # The kinds. Point-to-plane lets surfaces slide along each other, which is why it needs few steps; generalised ICP
 # compares surface with surface; the symmetric one suits curved things; colours help where the shape alone leaves a
 # motion open.
-methods: dict[str, TransformationEstimation] = {
+methods = {
     "point to point": reg.TransformationEstimationPointToPoint(),
     "point to plane": reg.TransformationEstimationPointToPlane(),
     "generalised": reg.TransformationEstimationForGeneralizedICP(),

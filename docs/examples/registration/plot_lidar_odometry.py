@@ -14,7 +14,6 @@ import numpy as np
 
 import pointloom as loom
 from pointloom.files.points.scan_files import list_scans
-from pointloom.registration.lidar.lidar_steps import OdometryStep, OdometrySummary
 
 reg = loom.registration
 
@@ -28,12 +27,12 @@ print(drive.scans[0])
 # Scan by scan. ``voxel_size`` is the map's [m]: a hundredth of the range as a rule. The first scan is the world.
 odometry = reg.LidarOdometry(max_range=80.0, min_range=1.0)
 poses = [odometry.register(scan) for scan in drive.scans]
-last: OdometryStep = odometry.steps[-1]
+last = odometry.steps[-1]
 print(f"last scan: fitness {last.fitness:.2f}, {last.inliers} inliers, {last.iterations} steps, {last.reason}")
 
 # %%
 # **Quality** first. ``reliable`` is True if all checks of the path passed; ``warnings`` has those that failed.
-summary: OdometrySummary = odometry.summary
+summary = odometry.summary
 print(summary)
 assert summary.reliable
 

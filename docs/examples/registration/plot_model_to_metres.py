@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 import pointloom as loom
-from pointloom.registration.trajectories.similarity import SimilarityFit, read_positions
+from pointloom.registration.trajectories.similarity import read_positions
 
 reg = loom.registration
 
@@ -66,7 +66,7 @@ print(f"{len(positions)} of {len(names)} pictures have a place")
 # %%
 # The fit finds which places agree, and rests on those. ``residuals`` are in the unit of the places; look at them, and
 # at ``rotation_uncertainty``: cameras on a line leave the turn about it open.
-fit: SimilarityFit = reg.fit_to_positions(model, positions)
+fit = reg.fit_to_positions(model, positions)
 wrong = [name for name, good in zip(fit.names, fit.inliers, strict=True) if not good]
 print(
     f"scale {fit.scale:.5f}, rmse {1000 * fit.rmse:.1f} mm, rotation to {fit.rotation_uncertainty:.2f} "

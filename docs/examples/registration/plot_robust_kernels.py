@@ -10,7 +10,7 @@ clutter.
 import numpy as np
 
 import pointloom as loom
-from pointloom.registration.robust_kernels import GeneralizedLoss, RobustKernel
+from pointloom.registration.robust_kernels import GeneralizedLoss
 
 reg = loom.registration
 
@@ -48,7 +48,7 @@ def off(T):
 # all. The generalised loss is all of them by one number. Geman and McClure's k is a squared length, here as in
 # Open3D.
 k = 0.02
-kernels: dict[str, RobustKernel] = {
+kernels = {
     "L2 (least squares)": reg.L2Loss(),
     "L1": reg.L1Loss(),
     "Huber": reg.HuberLoss(k),

@@ -12,9 +12,7 @@ from pathlib import Path
 import numpy as np
 
 import pointloom as loom
-from pointloom.core.errors import DatasetError
 from pointloom.files.frames.recordings import FrameRecorder
-from pointloom.files.frames.rgbd_sources import RGBDSource
 
 folder = Path(tempfile.mkdtemp())
 
@@ -28,7 +26,6 @@ folder = Path(tempfile.mkdtemp())
 frames = loom.data.room_frames(12)
 camera = frames[0].intrinsic
 source = loom.frames_from(frames, camera, depth_scale=1000.0)
-assert isinstance(source, RGBDSource)
 try:
     list(loom.frames_from([(frames[0].color, frames[0].color[..., 0])], camera))
 except TypeError as error:
@@ -81,7 +78,7 @@ print(color.shape, color.dtype, depth.shape, depth.dtype, lens)
 for wrong in (folder, folder / "take-3"):
     try:
         loom.open_dataset(wrong)
-    except DatasetError as error:
+    except loom.PointloomError as error:
         print(str(error).replace(str(folder), "..."))
 
 # %%

@@ -10,7 +10,6 @@ import numpy as np
 
 import pointloom as loom
 from pointloom.rgbd.odometry.options import OdometryConvergenceCriteria
-from pointloom.rgbd.odometry.results import OdometryResult
 from pointloom.rgbd.odometry.rgbd_odometry import compute_odometry_information_matrix, rgbd_odometry_multi_scale
 
 od = loom.odometry
@@ -43,7 +42,7 @@ print(f"the camera turned by {still[0]:.1f} degrees and went {still[1] / 10:.1f}
 
 source = od.OdometryFrame(first.depth, camera, first.color, depth_scale=1.0)
 target = od.OdometryFrame(second.depth, camera, second.color, depth_scale=1.0)
-result: OdometryResult = od.align_frames(source, target)
+result = od.align_frames(source, target)
 assert result.reliable, result.warnings
 print(f"fitness {result.fitness:.2f}, inlier rmse {result.inlier_rmse * 1e3:.1f} mm, {result.iterations} iterations")
 for name, method in {

@@ -9,8 +9,6 @@ whether the result is to be believed. ``check_focal`` asks whether the camera's 
 import numpy as np
 
 import pointloom as loom
-from pointloom.rgbd.reconstruction.frames_to_mesh import ReconstructionResult
-from pointloom.rgbd.slam.focal_check import FocalCheck
 
 # %%
 # Frames alone
@@ -28,7 +26,7 @@ source = loom.frames_from([(frame.color, frame.depth) for frame in recorded], ca
 #
 # ``voxel_size`` [m]: 3 cm for a quick look, 1 cm for keeps. ``print`` tells what happened to the frames.
 
-result: ReconstructionResult = loom.reconstruct(source, voxel_size=0.03)
+result = loom.reconstruct(source, voxel_size=0.03)
 print(result)
 
 # %%
@@ -74,7 +72,7 @@ assert np.median(off) < 0.02
 # Frames that are a fifth wrong in focal length make a room that looks right and has wrong lengths. ``check_focal``
 # turns other frames onto each other and asks which focal length fits best: ``factor`` 1 means the one given.
 
-check: FocalCheck | None = loom.check_focal(loom.frames_from(recorded, camera, depth_scale=1.0), result.trajectory)
+check = loom.check_focal(loom.frames_from(recorded, camera, depth_scale=1.0), result.trajectory)
 print(
     "focal length:",
     "nothing to tell it by" if check is None else f"factor {check.factor:.2f}; reliable {check.reliable}",

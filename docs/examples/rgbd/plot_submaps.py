@@ -9,7 +9,6 @@ makes one volume of several, as if all frames had gone into one; submaps do it f
 import numpy as np
 
 import pointloom as loom
-from pointloom.rgbd.slam.loops import LoopClosure
 
 # %%
 # Two volumes
@@ -72,7 +71,7 @@ recorder = loom.slam.SubmapRecorder(camera, voxel_size=0.03, depth_scale=1.0, fr
 for frame, T in zip(frames, drifted, strict=False):
     recorder.add(frame.depth, T, frame.color)
 submaps = recorder.finish()
-closure: LoopClosure = loom.slam.close_loops(submaps)
+closure = loom.slam.close_loops(submaps)
 numbers, poses = loom.slam.corrected_trajectory(submaps, closure.T_world_submap)
 true = np.array([frames[i].T_world_camera for i in numbers])
 
