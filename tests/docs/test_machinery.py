@@ -45,7 +45,6 @@ print(cloud.points)
         "pointloom.read_point_cloud",
         "pointloom.PointCloud.remove_statistical_outlier",
         "pointloom.PointCloud.points",
-        "pointloom.FusionResult",
         "pointloom.TriangleMesh.compute_vertex_normals",
     }
 

@@ -77,7 +77,7 @@ def test_degrees_are_told_by_the_records(records, expected, tmp_path, rng):
     assert all("a.las: x and y are degrees" in str(w.message) and w.filename == __file__ for w in told)
 
 
-@pytest.mark.filterwarnings("ignore::pointloom.GeographicWarning")
+@pytest.mark.filterwarnings("ignore::pointloom.files.points.las_crs.GeographicWarning")
 @pytest.mark.parametrize("has_stray", [False, True])
 def test_a_cloud_in_degrees_keeps_the_steps_of_the_file(has_stray, tmp_path, rng, device):
     path = tmp_path / "degrees.las"
@@ -97,7 +97,7 @@ def test_a_cloud_in_degrees_keeps_the_steps_of_the_file(has_stray, tmp_path, rng
         assert again.is_geographic is (like is not None)
 
 
-@pytest.mark.filterwarnings("ignore::pointloom.GeographicWarning")
+@pytest.mark.filterwarnings("ignore::pointloom.files.points.las_crs.GeographicWarning")
 def test_degrees_become_metres_to_the_step_of_the_file(degrees):
     path, raw = degrees
     metres = loom.project_to_utm(loom.read_point_cloud(path)).points
