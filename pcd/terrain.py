@@ -1,4 +1,4 @@
-"""Terrain as rasters, and heights above the ground: `loom.terrain`."""
+"""Terrain as rasters, and heights above the ground."""
 
 from __future__ import annotations
 

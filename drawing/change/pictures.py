@@ -1,4 +1,4 @@
-"""Pictures of change: `loom.change.paint` and `loom.change.draw`."""
+"""Pictures of change: `loom.change.draw`."""
 
 from __future__ import annotations
 

@@ -1,6 +1,7 @@
 """The public names of pointloom.reconstruction: the one list of them, for type checkers and for `public_names`."""
 
 from .config import ReconstructionConfig as ReconstructionConfig
+from .fragment_model import FragmentOptions as FragmentOptions
 from .fragments import make_fragments as make_fragments
 from .job import run_system as run_system
 from .placement import register_fragments as register_fragments

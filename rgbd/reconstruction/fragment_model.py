@@ -41,8 +41,7 @@ class FragmentOptions:
 
     Example:
         >>> import pointloom as loom
-        >>> from pointloom.rgbd.reconstruction.fragment_model import FragmentOptions
-        >>> options = FragmentOptions("stages", resume=True)
+        >>> options = loom.reconstruction.FragmentOptions("stages", resume=True)
         >>> options.config is None, options.slac
         (True, False)
     """

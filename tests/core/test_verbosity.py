@@ -103,7 +103,8 @@ def test_a_closed_stderr_is_nobody_to_tell(monkeypatch, capsys):
 @pytest.mark.slow
 @pytest.mark.parametrize(("given", "level"), [("error", "Error"), ("DEBUG", "Debug"), ("loud", "Info"), ("", "Info")])
 def test_the_environment_says_how_much_is_said(given, level):
-    program = "import pointloom as loom; loom.PointCloud([[0, 0, 0]]); from pointloom.core.verbosity import get_verbosity_level as level; print(level().name)"
+    program = "import pointloom as loom; loom.PointCloud([[0, 0, 0]]); "
+    program += "from pointloom.core.verbosity import get_verbosity_level as level; print(level().name)"
     command = [sys.executable, "-c", "from pointloom.core import verbosity; verbosity.start(); " + program]
     settings = os.environ | {"POINTLOOM_VERBOSITY": given}
     assert subprocess.run(command, capture_output=True, text=True, check=True, env=settings).stdout.strip() == level

@@ -175,7 +175,6 @@ CASES = [(call, name) for call, (_, names) in TABLE.items() for name, good in na
 # Values that are taken run a whole registration each. The forms of ICP check the arguments that they share at once.
 FORMS = ("registration_icp_batch", "registration_colored_icp", "registration_generalized_icp", "multi_scale_icp")
 DEAR = {(call, name) for call in FORMS for name in TABLE[call][1] if name in set(TABLE["registration_icp"][1])}
-DEAR |= {("registration_symmetric_icp", name) for name in TABLE["registration_symmetric_icp"][1]}
 DEAR |= {
     ("register_stations", name) for name in ("rough", "voxel_size", "overlap", "position_sigma", "level_sigma", "seed")
 }

@@ -341,7 +341,8 @@ with warnings.catch_warnings(record=True) as caught:
     warnings.simplefilter("always", RuntimeWarning)
 {textwrap.indent(THIN, "    ")}
     print(thin())
-assert loom.get_num_threads() == 1
+from pointloom.core.threads import get_num_threads
+assert get_num_threads() == 1
 (warning,) = [str(w.message) for w in caught if w.category is RuntimeWarning]
 assert "pointloom uses one CPU core, and slower code: Warp" in warning and EXPECTED in warning, warning
 """
