@@ -176,7 +176,9 @@ ON_CLOUDS: dict[str, Callable[[Place], Any]] = {
         p.cloud, radius=2 * p.spacing, max_nn=None
     ),
     "estimate_curvature": lambda p: loom().estimate_curvature(p.cloud, radius=4 * p.spacing, max_nn=20),
-    "create_from_point_cloud_ball_pivoting": lambda p: loom().TriangleMesh.create_from_point_cloud_ball_pivoting(p.facing),
+    "create_from_point_cloud_ball_pivoting": lambda p: loom().TriangleMesh.create_from_point_cloud_ball_pivoting(
+        p.facing
+    ),
     "create_from_point_cloud_ball_pivoting, radii": lambda p: loom().TriangleMesh.create_from_point_cloud_ball_pivoting(
         p.facing, [1.2 * p.spacing, 2.5 * p.spacing]
     ),

@@ -538,7 +538,9 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "write and read .e57": lambda d: cloud_file(d.cloud(d.far.cloud.points, colors=d.far.cloud.colors), ".e57"),
     "write and read_copc": lambda d: copc_window(d.far),
     "read_las_chunks": lambda d: las_chunks(d.far),
-    "create_from_depth_image": lambda d: loom().PointCloud.create_from_depth_image(d.frames.depths[0], d.lens, device=d.device),
+    "create_from_depth_image": lambda d: loom().PointCloud.create_from_depth_image(
+        d.frames.depths[0], d.lens, device=d.device
+    ),
     "create_from_depth_image, normals": lambda d: loom().PointCloud.create_from_depth_image(
         d.frames.depths[1], d.lens, d.extrinsics(UTM)[1], depth_trunc=3.0, with_normals=True, device=d.device
     ),

@@ -22,6 +22,8 @@ import mvs_scenes
 import numpy as np
 from real_data import DataMissingError
 
+from pointloom.photos.mvs.sources import choose_sources
+
 SETS: dict[str, Callable[[Any], mvs_scenes.Scene]] = {
     "room, 12 frames": lambda given: mvs_scenes.room(12, given.width),
     "plain room, 12 frames": lambda given: mvs_scenes.room(12, given.width, texture=False),
@@ -74,7 +76,7 @@ def run(name: str, scene: mvs_scenes.Scene, given: Any) -> dict[str, Any]:
     print(
         f"{name}: {len(scene.pictures)} pictures, {len(scene.sparse.points)} sparse points, at least {seen.min()} each"
     )
-    sources = loom.mvs.choose_sources(scene.cameras, scene.sparse)
+    sources = choose_sources(scene.cameras, scene.sparse)
     begun, cpu = time.perf_counter(), time.process_time()
     maps = loom.mvs.estimate_depth_maps(
         scene.pictures, scene.cameras, scene.sparse, sources=sources, device=given.device

@@ -14,6 +14,8 @@ from typing import Any
 import numpy as np
 from real_data import DataMissingError, real_data
 
+from pointloom.photos.mvs.posed_pictures import SparsePoints
+
 FEATURES = 4000  # of a picture
 RATIO = 0.8  # of the distances of the nearest and the second feature (Lowe 2004)
 EPIPOLAR = 1.5  # [px] from the line
@@ -128,7 +130,6 @@ def temple() -> Scene:
 
 def sparse_points(pictures: list[Any], cameras: list[Any]) -> Any:
     """Points that features of several pictures agree on."""
-    import pointloom as loom
 
     features = [_features(picture) for picture in pictures]
     parent = {}
@@ -147,7 +148,7 @@ def sparse_points(pictures: list[Any], cameras: list[Any]) -> Any:
             points.append(point)
     if not points:
         raise ValueError("sparse points: no two pictures have features that agree")
-    return loom.mvs.SparsePoints(np.array(points), np.array(observations))
+    return SparsePoints(np.array(points), np.array(observations))
 
 
 def _features(picture: Any) -> tuple[Any, Any]:

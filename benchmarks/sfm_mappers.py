@@ -19,7 +19,9 @@ import numpy as np
 import sfm_accuracy
 from real_data import real_data
 
-import pointloom as loom
+from pointloom.photos.sfm.features import find_features
+from pointloom.photos.sfm.mapping import map_pictures
+from pointloom.photos.sfm.matches import match
 
 sfm_accuracy.ROOM_FRAMES, sfm_accuracy.STRIDE = 18, 10
 
@@ -61,12 +63,12 @@ def compare(name: str, work: Path) -> None:
     data = None if folder is None else real_data(folder)
     pictures, truth, options, _ = make(work, data)
     intrinsic = None if "unknown" in name else options.get("intrinsic")
-    loom.sfm.find_features(pictures, work / "f.db", intrinsic=intrinsic, max_size=1000, max_features=2048)
-    loom.sfm.match(work / "f.db", work / "m.db", pairs="auto")
+    find_features(pictures, work / "f.db", intrinsic=intrinsic, max_size=1000, max_features=2048)
+    match(work / "f.db", work / "m.db", pairs="auto")
     for mapper in ("incremental", "global"):
         before = cpu_seconds()
         fixed = {"fix_intrinsic": intrinsic is not None, "mapper": mapper}
-        result = loom.sfm.map_pictures(pictures, work / "m.db", work / mapper, **fixed)
+        result = map_pictures(pictures, work / "m.db", work / mapper, **fixed)
         spent, model = cpu_seconds() - before, result.model
         if model is None:
             print(f"| {name} | {mapper} | none | | | | {spent:.0f} |", flush=True)

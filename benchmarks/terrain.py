@@ -34,7 +34,7 @@ def main() -> None:
     print(beside_scipy(cloud, 3.0))
     print(ground(data / "lidar-pcl-terrain"))
     if len(sys.argv) > 1:
-        dtm, dsm = (loom.terrain.rasterize(cloud, 3.0, kind, reach=200) for kind in ("dtm", "dsm"))
+        dtm, dsm = (loom.rasterize(cloud, 3.0, kind, reach=200) for kind in ("dtm", "dsm"))
         shades = [hillshade(raster.fill_gaps(200).values, 3.0) for raster in (dsm, dtm)]
         loom.save_picture(sys.argv[1], np.repeat(np.vstack(shades)[:, :, None], 3, axis=2))
 
@@ -70,9 +70,9 @@ def beside_scipy(cloud: Any, cell: float) -> str:
 
     rasters, seconds = {}, {}
     for method in ("idw", "tin"):
-        loom.terrain.rasterize(cloud, cell, method=method)  # compiles
+        loom.rasterize(cloud, cell, method=method)  # compiles
         begin = time.process_time()
-        rasters[method] = loom.terrain.rasterize(cloud, cell, method=method)
+        rasters[method] = loom.rasterize(cloud, cell, method=method)
         seconds[method] = time.process_time() - begin
     x0, _, _, y1 = rasters["tin"].bounds
     rows, columns = rasters["tin"].values.shape

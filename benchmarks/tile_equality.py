@@ -29,6 +29,7 @@ from pointloom.scale.manifest import Manifest
 from pointloom.scale.steps.parse import KNOWN
 
 from made_survey import SIDE, made_rows  # isort: skip
+from pointloom.pcd.terrain import Raster
 
 SURVEYS = {
     "slope": ("lidar-pcl-terrain/CSite1_red2-utm.pcd", 1.0),
@@ -152,7 +153,7 @@ def steps_of(s: float, other: Path, box: NDArray[Any]) -> dict[str, tuple[Steps,
         "m3c2": ([{"step": "m3c2", **change}], lambda c, o, v: with_change(c, o, s)),
         "rasterize": (
             [ground, {"step": "rasterize", "cell": 2 * s, "reach": 9 * s}],
-            lambda c, o, v: loom.terrain.rasterize(classified(c, s), 2 * s, reach=9 * s),
+            lambda c, o, v: loom.rasterize(classified(c, s), 2 * s, reach=9 * s),
         ),
     }
 
@@ -216,7 +217,7 @@ def rows_of(cloud: Any, names: list[str]) -> NDArray[np.int64]:
 
 def differing(result: Path, job: Path, expected: Any) -> tuple[int, int]:
     """Rows, or cells, that are not those that are expected, and how many there are."""
-    if isinstance(expected, loom.terrain.Raster):
+    if isinstance(expected, Raster):
         import rasterio
 
         with rasterio.open(job / "result.dtm.tif") as file:

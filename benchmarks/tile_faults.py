@@ -31,6 +31,8 @@ import psutil
 
 import pointloom as loom
 from pointloom.scale.manifest import Manifest
+from pointloom.scale.runners import retry_tiles
+from pointloom.scale.status import tile_status
 
 STEPS = [
     {"step": "remove_statistical_outlier", "nb_neighbors": 8, "std_ratio": 2.0},
@@ -92,18 +94,18 @@ class Attack:
                 process = _begin("run", str(self.job), *options)
                 self._harass(process, others)
                 _end(process)
-            status = loom.scale.tile_status(self.job)
+            status = tile_status(self.job)
             if status.aside + status.failed:
                 self.counts["tiles set aside"] += status.aside
                 self.counts["tiles failed"] += status.failed
                 if status.failed:
                     print(str(status)[:600], file=sys.stderr)
-                loom.scale.retry_tiles(self.job)
+                retry_tiles(self.job)
             elif states := _bad_files(self.job):
                 print(str(status)[:600], file=sys.stderr)
                 self.counts["files set aside"] += states.count("aside")  # three workers were killed at it
                 self.counts["files failed"] += states.count("failed")
-                loom.scale.retry_tiles(self.job)
+                retry_tiles(self.job)
             elif status.is_finished:
                 return
         raise SystemExit(f"{self.job}: not finished after {MOST_RUNS} runs")

@@ -48,7 +48,8 @@ class PinholeCameraIntrinsicParameters(enum.Enum):
 
     Example:
         >>> import pointloom as loom
-        >>> loom.PinholeCameraIntrinsic(loom.PinholeCameraIntrinsicParameters.PrimeSenseDefault).get_focal_length()
+        >>> from pointloom.cameras.camera import PinholeCameraIntrinsicParameters
+        >>> loom.PinholeCameraIntrinsic(PinholeCameraIntrinsicParameters.PrimeSenseDefault).get_focal_length()
         (525.0, 525.0)
     """
 

@@ -132,8 +132,9 @@ def create_normal_map(
 
     Example:
         >>> import numpy as np, pointloom as loom
+        >>> from pointloom.cameras.depth_filters import create_normal_map
         >>> camera = loom.PinholeCameraIntrinsic(3, 2, 1.0, 1.0, 1.0, 0.5)
-        >>> loom.create_normal_map(np.ones((2, 3)), camera)[0, 0].tolist()
+        >>> create_normal_map(np.ones((2, 3)), camera)[0, 0].tolist()
         [0.0, 0.0, -1.0]
     """
     fill = check_number("invalid_fill", invalid_fill, allow_nan=True, allow_infinite=True)
@@ -167,7 +168,8 @@ def pyrdown_depth(
 
     Example:
         >>> import numpy as np, pointloom as loom
-        >>> loom.pyrdown_depth(np.array([[1.0, 1.1, 5.0, 5.0], [1.1, 1.0, 5.0, 0.0]])).round(3)
+        >>> from pointloom.cameras.depth_filters import pyrdown_depth
+        >>> pyrdown_depth(np.array([[1.0, 1.1, 5.0, 5.0], [1.1, 1.0, 5.0, 0.0]])).round(3)
         array([[1.048, 5.   ]], dtype=float32)
     """
     jump = check_positive("diff_threshold", diff_threshold)
@@ -199,7 +201,8 @@ def pyrdown_color(color: ArrayLike, *, device: Any = None) -> NDArray[np.uint8]:
 
     Example:
         >>> import numpy as np, pointloom as loom
-        >>> loom.pyrdown_color(np.full((480, 640), 7, np.uint8)).shape
+        >>> from pointloom.cameras.depth_filters import pyrdown_color
+        >>> pyrdown_color(np.full((480, 640), 7, np.uint8)).shape
         (240, 320, 3)
     """
     where, form = device_for(color, device), form_of(color)
@@ -232,7 +235,8 @@ def create_depth_pyramid(
 
     Example:
         >>> import numpy as np, pointloom as loom
-        >>> [image.shape for image in loom.create_depth_pyramid(np.ones((480, 640)))]
+        >>> from pointloom.cameras.depth_filters import create_depth_pyramid
+        >>> [image.shape for image in create_depth_pyramid(np.ones((480, 640)))]
         [(480, 640), (240, 320), (120, 160)]
     """
     count = check_count("levels", levels)

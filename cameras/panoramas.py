@@ -54,7 +54,8 @@ class Panorama:
 
     Example:
         >>> import numpy as np, pointloom as loom
-        >>> panorama = loom.Panorama(64, 32)
+        >>> from pointloom.cameras.panoramas import Panorama
+        >>> panorama = Panorama(64, 32)
         >>> faces = panorama.apply(np.full((32, 64, 3), 90, np.uint8))
         >>> faces.shape, panorama.intrinsic.fx, int(faces.min())
         ((6, 20, 20, 3), 10.0, 90)

@@ -20,8 +20,9 @@ def set_num_threads(count: int | None) -> None:
 
     Examples:
         >>> import pointloom as loom
+        >>> from pointloom.core.threads import get_num_threads
         >>> loom.set_num_threads(1)
-        >>> loom.get_num_threads()
+        >>> get_num_threads()
         1
         >>> loom.set_num_threads(None)
     """
@@ -42,7 +43,8 @@ def get_num_threads() -> int:
 
     Examples:
         >>> import pointloom as loom
-        >>> loom.get_num_threads() >= 1
+        >>> from pointloom.core.threads import get_num_threads
+        >>> get_num_threads() >= 1
         True
     """
     from ..kernels.language import cpu_pool, warp_compiler  # noqa: F401

@@ -46,8 +46,9 @@ class NonFiniteWarning(UserWarning):
 
     Example:
         >>> import warnings, pointloom as loom
+        >>> from pointloom.core.units import NonFiniteWarning
         >>> with warnings.catch_warnings():
-        ...     warnings.simplefilter("error", loom.NonFiniteWarning)  # make it an error
+        ...     warnings.simplefilter("error", NonFiniteWarning)  # make it an error
     """
 
 
@@ -66,10 +67,11 @@ class LengthUnit:
 
     Example:
         >>> import pointloom as loom
+        >>> from pointloom.core.units import LengthUnit
         >>> cloud = loom.PointCloud([[0, 0, 0], [0, 0, 10]], unit="foot")
         >>> cloud.unit
         LengthUnit(name='foot', symbol='ft', metres=0.3048)
-        >>> link = loom.LengthUnit("Gunter's link", "li", 0.201168)  # a unit that is not known by name
+        >>> link = LengthUnit("Gunter's link", "li", 0.201168)  # a unit that is not known by name
         >>> loom.PointCloud([[0, 0, 10]], unit=link).to_unit("metre").points.round(5).tolist()
         [[0.0, 0.0, 2.01168]]
     """

@@ -87,8 +87,9 @@ def set_verbosity_level(verbosity_level: VerbosityLevel) -> None:
 
     Example:
         >>> import pointloom as loom
+        >>> from pointloom.core.verbosity import get_verbosity_level
         >>> loom.set_verbosity_level(loom.VerbosityLevel.Error)
-        >>> loom.get_verbosity_level()
+        >>> get_verbosity_level()
         <VerbosityLevel.Error: 0>
         >>> loom.set_verbosity_level(loom.VerbosityLevel.Info)
     """
@@ -104,8 +105,9 @@ def get_verbosity_level() -> VerbosityLevel:
 
     Example:
         >>> import pointloom as loom
+        >>> from pointloom.core.verbosity import get_verbosity_level
         >>> with loom.VerbosityContextManager(loom.VerbosityLevel.Warning):
-        ...     loom.get_verbosity_level()
+        ...     get_verbosity_level()
         <VerbosityLevel.Warning: 1>
     """
     level = LOGGER.getEffectiveLevel()
@@ -124,8 +126,9 @@ class VerbosityContextManager:
 
     Example:
         >>> import pointloom as loom
+        >>> from pointloom.core.verbosity import get_verbosity_level
         >>> with loom.VerbosityContextManager(loom.VerbosityLevel.Debug):
-        ...     print(loom.get_verbosity_level().name)
+        ...     print(get_verbosity_level().name)
         Debug
     """
 

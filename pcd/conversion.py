@@ -172,7 +172,9 @@ class Conversion(Selection):
         """
         colors = self._required_array("colors", "assign cloud.colors, or use project_to_depth_image")
         words, rows, columns = self._project(width, height, intrinsic, extrinsic, depth_max)
-        return RGBDImage._from_device_arrays(read_colors(words, colors), read_depth(words), rows, columns, self._library)
+        return RGBDImage._from_device_arrays(
+            read_colors(words, colors), read_depth(words), rows, columns, self._library
+        )
 
     @classmethod
     def _from_device_depth(

@@ -54,7 +54,8 @@ def utm_epsg(cloud: PointCloud) -> int:
 
     Example:
         >>> import pointloom as loom
-        >>> loom.utm_epsg(loom.PointCloud([[-123.07, 44.05, 120.0]]))
+        >>> from pointloom.pcd.geographic import utm_epsg
+        >>> utm_epsg(loom.PointCloud([[-123.07, 44.05, 120.0]]))
         32610
     """
     check_cloud("cloud", cloud)

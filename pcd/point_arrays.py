@@ -314,7 +314,9 @@ class PointArrays(InUnit, KnownNames):
         return self._library
 
     @classmethod
-    def _from_device_arrays(cls, arrays: dict[str, wp.array], origin: NDArray[np.float64], library: str = NUMPY) -> Self:
+    def _from_device_arrays(
+        cls, arrays: dict[str, wp.array], origin: NDArray[np.float64], library: str = NUMPY
+    ) -> Self:
         """A cloud around device arrays, for kernels: nothing is copied or checked.
 
         Args:

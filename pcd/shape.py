@@ -32,7 +32,8 @@ class ShapeSurface(NamedTuple):
 
     Example:
         >>> import pointloom as loom
-        >>> surface = loom.ShapeSurface([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+        >>> from pointloom.pcd.shape import ShapeSurface
+        >>> surface = ShapeSurface([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
         >>> loom.TriangleMesh(*surface).triangles.shape
         (1, 3)
     """

@@ -1,4 +1,4 @@
-"""Terrain as rasters, and heights above the ground: `loom.terrain`."""
+"""Terrain as rasters, and heights above the ground."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ MOST_EDGE = 1 << 24  # cells along a side of what gaps are filled in: their cent
 
 @dataclass(frozen=True, eq=False)
 class Raster:
-    """Values on a grid of square cells, as `loom.terrain.rasterize` makes it.
+    """Values on a grid of square cells, as `loom.rasterize` makes it.
 
     Attributes:
         values: float32 [rows, columns], the northernmost row first; NaN where there is no value.
@@ -98,7 +98,7 @@ class Raster:
             >>> x, y = np.mgrid[0:20, 0:20].reshape(2, -1) + 0.5
             >>> hole = np.hypot(x - 10, y - 10) < 3
             >>> cloud = loom.PointCloud(np.column_stack([x, y, 0.1 * x])[~hole])
-            >>> raster = loom.terrain.rasterize(cloud, 1.0, "lowest")
+            >>> raster = loom.rasterize(cloud, 1.0, "lowest")
             >>> int(np.isnan(raster.values).sum()), int(raster.fill_gaps(5.0).filled.sum())
             (32, 32)
         """
@@ -134,7 +134,7 @@ class Raster:
         Example:
             >>> import numpy as np, pointloom as loom
             >>> points = np.random.default_rng(0).random((5000, 3)) * (40, 20, 1)
-            >>> loom.terrain.rasterize(loom.PointCloud(points), 1.0, "dsm", crs="EPSG:26910").write("dsm.tif").name
+            >>> loom.rasterize(loom.PointCloud(points), 1.0, "dsm", crs="EPSG:26910").write("dsm.tif").name
             'dsm.tif'
         """
         shape, corner = self.values.shape, (self.corner[0], self.corner[1])
@@ -200,7 +200,7 @@ def rasterize(
         >>> tree = np.hypot(x - 25, y - 25) < 5
         >>> z = 0.1 * x + np.where(tree, 8.0, 0.0)
         >>> cloud = loom.PointCloud(np.column_stack([x, y, z]), classification=np.where(tree, 5, 2).astype(np.uint8))
-        >>> canopy = loom.terrain.rasterize(cloud, 1.0, "chm")
+        >>> canopy = loom.rasterize(cloud, 1.0, "chm")
         >>> canopy.values.shape, round(float(np.nanmax(canopy.values)))
         ((50, 50), 8)
     """
@@ -239,7 +239,7 @@ def height_above_ground(
 ) -> NDArray[np.float32]:
     """The height of each point above the ground points near it.
 
-    The ground is interpolated by inverse distance in plan, as `loom.terrain.rasterize` does.
+    The ground is interpolated by inverse distance in plan, as `loom.rasterize` does.
 
     Args:
         cloud: A classified survey, z up.
@@ -297,7 +297,8 @@ def ground_reach(cell_size: float = CELL, max_window: float = WINDOW) -> float:
 
     Example:
         >>> import pointloom as loom
-        >>> loom.terrain.ground_reach(cell_size=1.0, max_window=18.0)
+        >>> from pointloom.pcd.terrain import ground_reach
+        >>> ground_reach(cell_size=1.0, max_window=18.0)
         141.0
     """
     cell, window = check_positive("cell_size", cell_size), check_positive("max_window", max_window)

@@ -38,8 +38,9 @@ def choose_voxel_size(*clouds: PointCloud) -> float:
 
     Example:
         >>> import numpy as np, pointloom as loom
+        >>> from pointloom.registration.voxel_size import choose_voxel_size
         >>> room = loom.PointCloud(np.random.default_rng(0).random((20000, 3)) * [4, 5, 2.5])
-        >>> loom.registration.choose_voxel_size(room)
+        >>> choose_voxel_size(room)
         0.076
     """
     if not clouds:

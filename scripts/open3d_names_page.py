@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 
 import pointloom as loom
 from pointloom.core.open3d_names import SHAPES, row_of
+from pointloom.registration.result import RegistrationResult
 
 HOMES = {  # where the names of a module of Open3D are here, first
     "geometry": loom, "geometry.keypoint": loom, "io": loom, "io.rpc": loom, "camera": loom, "utility": loom,
@@ -30,7 +31,7 @@ CLASSES = {  # what has the members of a class of Open3D; None where rows alone 
     "geometry.RGBDImage": loom.RGBDImage, "geometry.VoxelGrid": loom.VoxelGrid,
     "geometry.KDTreeFlann": loom.NearestNeighborSearch, "camera.PinholeCameraIntrinsic": loom.PinholeCameraIntrinsic,
     "camera.PinholeCameraTrajectory": loom.Trajectory,
-    "pipelines.registration.RegistrationResult": loom.registration.RegistrationResult,
+    "pipelines.registration.RegistrationResult": RegistrationResult,
     "pipelines.registration.FastGlobalRegistrationOption": loom.registration.FastGlobalRegistrationOption,
     "pipelines.registration.PoseGraph": loom.registration.PoseGraph,
     "pipelines.registration.PoseGraphEdge": loom.registration.PoseGraphEdge,

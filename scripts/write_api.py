@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import argparse
 import difflib
+import enum
 import importlib
 import inspect
 import re
@@ -42,17 +43,22 @@ def is_own(cls: type) -> bool:
 
 
 def members(cls: type) -> Iterator[str]:
-    """Each public method, property and field of a class, with inherited ones of this package."""
+    """Each documented method, property and field of a class, with inherited ones of this package.
+
+    A field counts if the docstring of a class names it; the values of an enumeration count.
+    """
     own: dict[str, Any] = {}
+    said = ""
     for base in reversed([each for each in cls.__mro__ if is_own(each)]):
         fields = {name: None for name in inspect.get_annotations(base)}
         own |= {name: value for name, value in {**fields, **vars(base)}.items() if not name.startswith("_")}
+        said += vars(base).get("__doc__") or ""
     for name, value in sorted(own.items()):
         if isinstance(value, staticmethod | classmethod):
             yield f"{name}{parameters(getattr(cls, name))}"
         elif inspect.isfunction(value):
             yield f"{name}{parameters(value)}"
-        else:
+        elif isinstance(value, property) or issubclass(cls, enum.Enum) or re.search(rf"\b{name}\b", said):
             yield name
 
 
@@ -76,20 +82,13 @@ def packages(name: str) -> Iterator[tuple[str, ModuleType]]:
             yield f"loom.{each}", value
 
 
-def names_of(module: ModuleType) -> list[str]:
-    """The public classes and functions that a module without a list of names defines."""
-    named = {name: value for name, value in vars(module).items() if not name.startswith("_") and callable(value)}
-    return [name for name, value in named.items() if getattr(value, "__module__", "") == module.__name__]
-
-
 def api() -> str:
     """The text of the file."""
     lines: list[str] = []
     names, member_count = 0, 0
     for title, package in packages(PACKAGE):
         lines += ["", title]
-        listed = getattr(package, "__all__", None) or names_of(package)
-        for name in sorted(listed):
+        for name in package.__all__:
             value = getattr(package, name)
             if inspect.ismodule(value):
                 continue

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 import pointloom as loom
+from pointloom.core.units import NonFiniteWarning
 
 # What is no number at all, or none that 64 bits hold: refused wherever a number is expected.
 NO_NUMBERS: dict[str, Any] = {
@@ -109,7 +110,7 @@ def hostile_clouds() -> dict[str, loom.PointCloud]:
 
 def ignore_true_warnings() -> None:
     """Ignore the warnings that are right for hostile clouds: random or NaN normals, huge sizes, flat or NaN shapes."""
-    for category in (loom.DroppedResultWarning, loom.NormalsWarning, loom.NonFiniteWarning, loom.UnitWarning):
+    for category in (loom.DroppedResultWarning, loom.NormalsWarning, NonFiniteWarning, loom.UnitWarning):
         warnings.simplefilter("ignore", category)
     warnings.filterwarnings("ignore", "cloud: .* so no alpha gives a surface")
     warnings.filterwarnings("ignore", "mesh: triangle .* NaN or infinite")
@@ -219,22 +220,12 @@ def missing_from(table: Table, arguments: dict[str, set[str]]) -> dict[str, set[
     return {name: names for name, names in missing.items() if names}
 
 
-# The interface of arrays on a device, by which the houses hand them to each other without a copy. It takes what kernels
-# made: shapes and types are its callers' matter, which the docstrings say, and pyright checks. A name with () is the
-# constructor alone: `DetailTree.from_cloud` and `from_file` are what users call.
-DEVICE_LEVEL = {
-    *(f"PointCloud.{name}" for name in ("device_array", "_from_device_arrays", "_handed_out", "points_about")),
-    *(f"PointCloud.{name}" for name in ("_from_device_depth", "_required_array", "_select_rows", "_with_arrays")),
-    "PointCloud._adopt_search_tree",
-    *(f"TriangleMesh.{name}" for name in ("_from_device_arrays", "_handed_out", "_triangles_at", "_with_arrays")),
-    *(f"TSDFVolume.{name}" for name in ("_integrate_device_frame", "render_maps", "render_colors")),
-    *("DetailTree()", "RGBDImage._from_device_arrays", "OdometryFrame._from_device_maps", "OdometryFrame.from_image"),
-}
-
-
 def public_arguments(module: ModuleType, left_out: set[str]) -> dict[str, set[str]]:
-    """The arguments of each public call of a module that has any, but switches, `**options` and DEVICE_LEVEL."""
-    calls, left_out = {}, left_out | DEVICE_LEVEL
+    """The arguments of each public call of a module that has any, but switches and `**options`.
+
+    A name with () is the constructor alone: of a `DetailTree`, users call `from_cloud` and `from_file`.
+    """
+    calls, left_out = {}, left_out | {"DetailTree()"}
     for name in set(module.__all__) - left_out:
         value = getattr(module, name)
         if inspect.ismodule(value) or (inspect.isclass(value) and issubclass(value, Warning)):

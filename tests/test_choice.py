@@ -90,7 +90,7 @@ QUICK_TESTS = [
     "test_of_a_device[cpu-warp]", "test_of_a_stored_answer", "test_of_the_compilers[cpu-warp]",
 ]  # fmt: skip
 SLOW_TESTS = ["test_a_claim_of_which_one_case_is_slow[9]", "test_a_slow_claim"]
-ON_TAICHI = ["test_of_a_compiler[taichi]", "test_of_taichi", "test_of_the_compilers[cpu-taichi]"]
+NEED_MORE = ["test_of_a_compiler[taichi]", "test_of_open3d", "test_of_taichi", "test_of_the_compilers[cpu-taichi]"]
 
 # Public names of which tests/test_compilers.py has no line, and why not.
 NOT_COMPARED = {
@@ -112,13 +112,7 @@ NOT_COMPARED = {
         *("clear", "to_unit", "select_faces_by_mask", "create_isosurfaces"),  # without, scale, by index, marching_cubes
         *("slice_plane", "section_loops"),  # clip_plane
     ),
-    "by the operations that hand arrays on by it": (
-        *("device_array", "_device_bounds", "_from_device_arrays", "_from_device_depth", "_handed_out", "points_about"),
-        *("_required_array", "search_tree", "_select_rows", "_with_arrays", "_triangles_at", "edge_topology"),
-        "_vertices_at",
-        "_from_device_voxels",
-        *("_integrate_device_frame", "render_maps", "render_colors", "_adopt_search_tree", "_device_voxels"),
-    ),
+    "by the operations that hand arrays on by it": (*("search_tree", "edge_topology"),),
     "on scenes that hold such shapes, by tests/pcd/test_shapes.py": (
         *(
             "detect_shapes",
@@ -159,9 +153,8 @@ def test_make_test_leaves_out_slow_tests_open3d_and_taichi(run_suite):
 @pytest.mark.slow
 def test_all_tests_are_those_and_the_others(run_suite):
     nightly = "test_a_nightly_claim"
-    assert run_suite() == sorted([*QUICK_TESTS, *SLOW_TESTS, *ON_TAICHI, "test_of_open3d", nightly])
-    assert run_suite("--rest") == sorted([*SLOW_TESTS, "test_of_open3d", "test_of_a_stored_answer"])
-    assert run_suite("--taichi") == ON_TAICHI
+    assert run_suite() == sorted([*QUICK_TESTS, *SLOW_TESTS, *NEED_MORE, nightly])
+    assert run_suite("--rest") == sorted([*SLOW_TESTS, *NEED_MORE, "test_of_a_stored_answer"])
     assert run_suite(installed=False) == sorted([*QUICK_TESTS, *SLOW_TESTS, nightly])
 
 

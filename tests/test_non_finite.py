@@ -50,14 +50,13 @@ MORE = """
 1e-4 reg.register_stations([other, made(points, normals=normals)]).poses
 0 reg.register_stations([other, cloud], poses=poses).poses
 0 reg.evaluate_trajectory(loom.Trajectory(poses, stamps), loom.Trajectory(poses, stamps)).absolute_translation.rmse
-0 reg.levelled(near, direction)
 0 reg.global_optimization(reg.PoseGraph([reg.PoseGraphNode(T) for T in poses], [reg.PoseGraphEdge(0, 1, near, information)])).nodes[1].pose
 1e-5 drive(made(points, times=times))
 1e-6 loom.change.cloud_to_mesh(made(points), mesh).distances
 1e-6 loom.change.cloud_to_mesh(cloud, loom.TriangleMesh(vertices, mesh.triangles)).distances
 1e-6 loom.change.m3c2(cloud, made(points), normal_radii=[0.5], cylinder_radius=0.3, max_distance=1.0).level_of_detection
 1e-6 loom.height_above_ground(made(points, classification=np.full(len(points), 2, np.uint8)))
-1e-6 loom.terrain.rasterize(made(points), 0.5, "dsm").values
+1e-6 loom.rasterize(made(points), 0.5, "dsm").values
 0 loom.NearestNeighborSearch(made(points)).knn_search(queries, 3)[0]
 0 loom.NearestNeighborSearch(cloud).hybrid_search(queries, 0.3, 5)[0]
 0 scene.compute_signed_distance(queries)
@@ -82,13 +81,8 @@ MORE = """
 0 mesh.clip_plane([0, 0, 0], direction).vertices
 0 mesh.trim(values, 0.5).vertices
 1e-5 loom.odometry.compute_rgbd_odometry(rgbd(depth), rgbd(np.full_like(depth, 2.01)), camera, near).transformation
-1e-5 loom.odometry.rgbd_odometry_multi_scale(rgbd(depth), rgbd(np.full_like(depth, 2.01)), camera, method=loom.odometry.Method.PointToPlane).transformation
-0 loom.odometry.compute_odometry_information_matrix(depth, np.full_like(depth, 2.01), camera, near, 0.07)
-0 loom.create_normal_map(depth, camera)
 0 loom.filter_depth_bilateral(depth)
 0 loom.erode_depth_edges(depth)
-0 loom.create_depth_pyramid(depth)[2]
-0 loom.evaluate_depth(depth, np.full_like(depth, 2.01)).rmse
 0 loom.fuse_volumes([volume, volume], poses).extract_point_cloud(weight_threshold=0).points
 1e-4 loom.compute_metrics(made(points), other).chamfer
 0 loom.AxisAlignedBoundingBox.create_from_points(points).max_bound

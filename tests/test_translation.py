@@ -91,7 +91,6 @@ pose 2e-6 reg.registration_icp(other, cloud, 0.2, about(start), reg.Transformati
 pose 2e-6 reg.registration_icp(other, cloud, 0.2, about(start), reg.TransformationEstimationPointToPlane(), overlap=0.9).transformation
 pose 2e-6 reg.registration_generalized_icp(other, cloud, 0.2, about(start)).transformation
 pose 2e-5 reg.registration_generalized_icp(other, cloud, 0.2, about(start), reg.TransformationEstimationForGeneralizedICP(voxel_size=0.5)).transformation
-pose 2e-6 reg.registration_symmetric_icp(other, cloud, 0.2, about(start)).transformation
 pose 2e-5 reg.registration_colored_icp(other, cloud, 0.2, about(start)).transformation
 pose 2e-6 reg.registration_icp_batch([other, other], cloud, 0.2, np.array([about(start), about(near)]), reg.TransformationEstimationPointToPlane())[1].transformation
 pose 2e-5 reg.multi_scale_icp(other, cloud, [0.25, 0.125], [reg.ICPConvergenceCriteria()] * 2, [0.5, 0.25], init=about(start), estimation_method=reg.TransformationEstimationPointToPlane()).transformation
@@ -153,10 +152,7 @@ moved 0 loom.LineSet.create_from_triangle_mesh(mesh).points
 same 0 loom.AxisAlignedBoundingBox(at([0, 0, 0]), at([2, 2, 1])).get_point_indices_within_bounding_box(cloud.points)
 same 0 loom.OrientedBoundingBox(at([2, 1, 1]), turn, [2, 2, 1]).get_point_indices_within_bounding_box(cloud.points)
 moved 1e-6 loom.OrientedBoundingBox.create_from_points(cloud.points).center
-pose 2e-5 reg.registration_fgr_based_on_correspondence(other, cloud, pairs).transformation
 pose 2e-5 reg.registration_robust_based_on_correspondence(other, cloud, pairs, 0.1).transformation
-pose 1e-3 reg.registration_robust_based_on_feature_matching(other, cloud, *features, 0.1).transformation
-same 1e-6 reg.choose_voxel_size(cloud)
 same 0 loom.classify_ground(cloud)
 same 1e-4 loom.compute_eigen_features(cloud, radius=0.3)["linearity"]
 same 0 loom.compute_iss_keypoints(cloud).normals

@@ -26,6 +26,8 @@ from judged import Judged
 from numpy.typing import NDArray
 from scipy.stats import spearmanr
 
+from pointloom.photos.depth.estimation import DepthEstimate
+
 ROOT = Path(__file__).resolve().parents[2]
 if str(ROOT) not in sys.path:
     sys.path.append(str(ROOT))
@@ -107,7 +109,7 @@ def _refusal(path: Path, preset: str) -> str | None:
     return None
 
 
-def _answer(path: Path, preset: str) -> loom.DepthEstimate | None:
+def _answer(path: Path, preset: str) -> DepthEstimate | None:
     """What would be answered, were nothing asked of names and heads; None where the file cannot run."""
 
     def believed(*given: object) -> Head:
@@ -123,7 +125,7 @@ def _answer(path: Path, preset: str) -> loom.DepthEstimate | None:
             return None
 
 
-def _error(found: loom.DepthEstimate, truth: NDArray[np.float64]) -> float:
+def _error(found: DepthEstimate, truth: NDArray[np.float64]) -> float:
     """Median relative error of metres; without a unit 0 where the order is right, infinity where not."""
     seen = found.depth > 0
     if seen.mean() < 0.5:

@@ -6,7 +6,7 @@ from ...core.threads import get_num_threads, set_num_threads
 
 
 def get_max_threads() -> int:
-    """As `loom.get_num_threads`."""
+    """Threads of the CPU kernels."""
     return get_num_threads()
 
 

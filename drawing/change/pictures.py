@@ -1,4 +1,4 @@
-"""Pictures of change: `loom.change.paint` and `loom.change.draw`."""
+"""Pictures of change: `loom.change.draw`."""
 
 from __future__ import annotations
 
@@ -48,8 +48,9 @@ def paint(cloud: PointCloud, change: Any, *, limit: float | None = None) -> Poin
 
     Example:
         >>> import pointloom as loom
+        >>> from pointloom.drawing.change.pictures import paint
         >>> cloud = loom.PointCloud([[0, 0, 0], [1, 0, 0], [2, 0, 0]])
-        >>> loom.change.paint(cloud, [0.5, -0.5, 0], limit=0.5).colors.astype(float).round(2).tolist()
+        >>> paint(cloud, [0.5, -0.5, 0], limit=0.5).colors.astype(float).round(2).tolist()
         [[0.71, 0.02, 0.15], [0.23, 0.3, 0.75], [0.87, 0.87, 0.87]]
     """
     return _painted(cloud, change, limit)[0]

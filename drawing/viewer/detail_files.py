@@ -34,8 +34,9 @@ def sample_file(path: str | os.PathLike[str], count: int) -> PointCloud | None:
 
     Example:
         >>> import numpy as np, pointloom as loom
+        >>> from pointloom.drawing.viewer.detail_files import sample_file
         >>> loom.write_point_cloud("scan.ply", loom.PointCloud(np.random.default_rng(0).random((1000, 3))))
-        >>> loom.sample_file("scan.ply", 10)
+        >>> sample_file("scan.ply", 10)
         PointCloud(10 points, no attributes, cpu)
     """
     path, count = path_of(path), check_count("count", count)

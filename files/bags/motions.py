@@ -37,7 +37,8 @@ class ImuReadings:
 
     Example:
         >>> import pointloom as loom
-        >>> def up_of(recording: loom.Recording):
+        >>> from pointloom.files.bags.recording import Recording
+        >>> def up_of(recording: Recording):
         ...     return recording.imu().linear_acceleration[:100].mean(axis=0)  # as `registration.levelled` takes it
     """
 

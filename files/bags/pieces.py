@@ -26,8 +26,9 @@ class RecordingWarning(UserWarning):
 
     Example:
         >>> import warnings, pointloom as loom
+        >>> from pointloom.files.bags.pieces import RecordingWarning
         >>> with warnings.catch_warnings():
-        ...     warnings.simplefilter("error", loom.RecordingWarning)  # make it an error
+        ...     warnings.simplefilter("error", RecordingWarning)  # make it an error
     """
 
 

@@ -62,7 +62,8 @@ class RecordedMessage:
 
     Example:
         >>> import pointloom as loom
-        >>> loom.RecordedMessage("/points", 12.5, None).time
+        >>> from pointloom.files.bags.recording import RecordedMessage
+        >>> RecordedMessage("/points", 12.5, None).time
         12.5
     """
 
@@ -80,7 +81,8 @@ class Recording:
 
     Example:
         >>> import pointloom as loom
-        >>> def spans(recording: loom.Recording) -> dict[str, float]:
+        >>> from pointloom.files.bags.recording import Recording
+        >>> def spans(recording: Recording) -> dict[str, float]:
         ...     return {topic.name: topic.last - topic.first for topic in recording.topics if topic.count}
     """
 

@@ -44,7 +44,8 @@ class RecordedTransforms:
 
     Example:
         >>> import pointloom as loom
-        >>> def path_of_base(recording: loom.Recording, times):
+        >>> from pointloom.files.bags.recording import Recording
+        >>> def path_of_base(recording: Recording, times):
         ...     return recording.transforms().lookup("odom", "base_link", times)  # T_odom_base [n, 4, 4]
     """
 

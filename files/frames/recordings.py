@@ -49,9 +49,10 @@ class FrameRecorder:
 
     Example:
         >>> import numpy as np, pointloom as loom
+        >>> from pointloom.files.frames.recordings import FrameRecorder
         >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
         >>> stream = loom.frames_from([(None, np.full((48, 64), 1000, np.uint16), 0.5)], camera)
-        >>> recorder = loom.FrameRecorder("take", camera)
+        >>> recorder = FrameRecorder("take", camera)
         >>> for frame in stream:
         ...     recorder.write(frame)  # and whatever else is done with it
         >>> [frame.timestamp for frame in loom.open_frames("take")]

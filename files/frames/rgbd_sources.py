@@ -22,10 +22,11 @@ class RGBDSource(Protocol):
 
     Example:
         >>> import numpy as np, pointloom as loom
+        >>> from pointloom.files.frames.rgbd_sources import RGBDSource
         >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
         >>> pictures = [(np.zeros((48, 64, 3), np.uint8), np.full((48, 64), 1500, np.uint16))] * 2
         >>> source = loom.frames_from(pictures, camera)
-        >>> isinstance(source, loom.RGBDSource), len(list(source))
+        >>> isinstance(source, RGBDSource), len(list(source))
         (True, 2)
     """
 

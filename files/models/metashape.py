@@ -55,6 +55,7 @@ def read_metashape_cameras(path: str | os.PathLike[str]) -> SfmModel:
 
     Example:
         >>> import pathlib, pointloom as loom
+        >>> from pointloom.files.models.metashape import read_metashape_cameras
         >>> _ = pathlib.Path("cameras.xml").write_text('''<document version="2.0.0"><chunk label="Chunk 1">
         ... <sensors><sensor id="0" type="frame"><resolution width="640" height="480"/>
         ... <calibration type="frame" class="adjusted"><resolution width="640" height="480"/>
@@ -62,7 +63,7 @@ def read_metashape_cameras(path: str | os.PathLike[str]) -> SfmModel:
         ... <cameras><camera id="0" sensor_id="0" label="IMG_1">
         ... <transform>1 0 0 2 0 1 0 0 0 0 1 0 0 0 0 1</transform></camera>
         ... <camera id="1" sensor_id="0" label="IMG_2"/></cameras></chunk></document>''')
-        >>> model = loom.read_metashape_cameras("cameras.xml")
+        >>> model = read_metashape_cameras("cameras.xml")
         >>> model.centers.tolist(), model.left_out, model.cameras[0].model
         ([[2.0, 0.0, 0.0]], ('IMG_2: not aligned',), 'SIMPLE_RADIAL')
     """

@@ -57,8 +57,9 @@ class GeographicWarning(UserWarning):
 
     Example:
         >>> import warnings, pointloom as loom
+        >>> from pointloom.files.points.las_crs import GeographicWarning
         >>> with warnings.catch_warnings():
-        ...     warnings.simplefilter("error", loom.GeographicWarning)  # refuse such files
+        ...     warnings.simplefilter("error", GeographicWarning)  # refuse such files
     """
 
 

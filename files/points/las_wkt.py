@@ -30,8 +30,9 @@ class LostSystemWarning(UserWarning):
 
     Example:
         >>> import warnings, pointloom as loom
+        >>> from pointloom.files.points.las_wkt import LostSystemWarning
         >>> with warnings.catch_warnings():
-        ...     warnings.simplefilter("error", loom.LostSystemWarning)  # refuse that
+        ...     warnings.simplefilter("error", LostSystemWarning)  # refuse that
     """
 
 

@@ -5,8 +5,4 @@ from .optimizers import run_rigid_optimizer as run_rigid_optimizer
 from .options import NonRigidOptimizerOption as NonRigidOptimizerOption
 from .options import RigidOptimizerOption as RigidOptimizerOption
 from .picture_texturing import texture_from_pictures as texture_from_pictures
-from .pictured_mesh import PicturedMesh as PicturedMesh
-from .results import ColorMapResult as ColorMapResult
-from .results import NothingSeenError as NothingSeenError
-from .textured_mesh import TexturedMesh as TexturedMesh
 from .texturing import texture_mesh as texture_mesh

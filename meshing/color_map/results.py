@@ -20,12 +20,13 @@ class NothingSeenError(ValueError):
 
     Example:
         >>> import numpy as np, pointloom as loom
+        >>> from pointloom.meshing.color_map.results import NothingSeenError
         >>> mesh = loom.TriangleMesh([[0, 0, -1], [1, 0, -1], [0, 1, -1]], [[0, 1, 2]])
         >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
         >>> frame = loom.RGBDImage(np.zeros((48, 64, 3), np.uint8), np.full((48, 64), 1000, np.uint16))
         >>> try:
         ...     loom.color_map.run_rigid_optimizer(mesh, [frame], loom.Trajectory([np.eye(4)]), intrinsic=camera)
-        ... except loom.color_map.NothingSeenError as error:
+        ... except NothingSeenError as error:
         ...     print("nothing seen")
         nothing seen
     """

@@ -324,7 +324,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
         seen, colored = SeenBlocks(self._blocks, threshold), self.has_frame_colors
         return cast_view(seen, intrinsic, T, (near, far), self.origin, colored, self._library)
 
-    def render_maps(
+    def _render_maps(
         self,
         intrinsic: PinholeCameraIntrinsic,
         T_world_camera: NDArray[Any],
@@ -343,7 +343,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
         seen, colored = SeenBlocks(self._blocks, threshold), self.has_frame_colors
         return render_maps(seen, intrinsic, T, (near, far), colored, normals)
 
-    def render_colors(
+    def _render_colors(
         self,
         intrinsic: PinholeCameraIntrinsic,
         T_world_camera: NDArray[Any],
@@ -352,7 +352,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
         depth_max: float = 3.0,
         weight_threshold: float = 3.0,
     ) -> tuple[wp.array, wp.array]:
-        """As `render_maps`: depth, float32 [h * w], 0 where nothing is seen, and colours, vec3 [h * w] in 0..1."""
+        """As `_render_maps`: depth, float32 [h * w], 0 where nothing is seen, and colours, vec3 [h * w] in 0..1."""
         near, far, threshold = check_view(intrinsic, depth_min, depth_max, weight_threshold)
         T = self._place_of(np.array(T_world_camera, np.float64))
         return render_colors(SeenBlocks(self._blocks, threshold), intrinsic, T, (near, far))

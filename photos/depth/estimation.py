@@ -285,10 +285,11 @@ class DepthEstimate:
 
         Example:
             >>> import numpy as np, pointloom as loom
+            >>> from pointloom.photos.depth.estimation import DepthEstimate
             >>> color, camera = np.zeros((2, 3, 3), np.uint8), loom.PinholeCameraIntrinsic(3, 2, 2.0, 2.0, 1.0, 0.5)
             >>> wall = np.full((2, 3), 4.0, np.float32)
             >>> given = (wall, True, 1.0, 0.0, None, "CPUExecutionProvider", "m", color, camera, "given", (2, 3), 1.0)
-            >>> loom.DepthEstimate(*given).to_point_cloud().points[0].tolist()
+            >>> DepthEstimate(*given).to_point_cloud().points[0].tolist()
             [-2.0, -1.0, 4.0]
         """
         step = check_count("stride", stride)

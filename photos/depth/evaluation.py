@@ -52,7 +52,8 @@ def evaluate_depth(depth: ArrayLike, truth: ArrayLike, *, depth_scale: float = 1
 
     Example:
         >>> import numpy as np, pointloom as loom
-        >>> loom.evaluate_depth(np.array([[1.1, 2.0, 0.0]]), np.array([[1.0, 2.0, 3.0]])).abs_rel.__round__(3)
+        >>> from pointloom.photos.depth.evaluation import evaluate_depth
+        >>> evaluate_depth(np.array([[1.1, 2.0, 0.0]]), np.array([[1.0, 2.0, 3.0]])).abs_rel.__round__(3)
         0.05
     """
     scale = check_positive("depth_scale", depth_scale)

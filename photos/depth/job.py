@@ -79,7 +79,8 @@ def depth_of_pictures(
 
     Example:
         >>> import pointloom as loom
-        >>> loom.depth_of_pictures("photo.jpg", "net.onnx", "cloud.mp3")
+        >>> from pointloom.photos.depth.job import depth_of_pictures
+        >>> depth_of_pictures("photo.jpg", "net.onnx", "cloud.mp3")
         Traceback (most recent call last):
         pointloom.core.errors.FileError: cloud.mp3: clouds are not written to .mp3. Give a name that ends in one of ...
     """

@@ -191,8 +191,9 @@ class DepthReport(Assessed):
 
     Example:
         >>> import pointloom as loom
+        >>> from pointloom.photos.depth.report import DepthReport
         >>> network = ("net.onnx", "dpt", "MIT", "CPUExecutionProvider")
-        >>> loom.DepthReport("photo.jpg", False, *network, "cpu", (), (), {"open": 0.1}, 2**20).reliable
+        >>> DepthReport("photo.jpg", False, *network, "cpu", (), (), {"open": 0.1}, 2**20).reliable
         True
     """
 

@@ -33,7 +33,8 @@ class DepthSettings:
 
     Example:
         >>> import pointloom as loom
-        >>> loom.DepthSettings(preset="dpt", tiles=2).align is None
+        >>> from pointloom.photos.depth.settings import DepthSettings
+        >>> DepthSettings(preset="dpt", tiles=2).align is None
         True
     """
 

@@ -49,7 +49,8 @@ class DepthMap:
 
     Example:
         >>> import numpy as np, pointloom as loom
-        >>> loom.mvs.DepthMap(np.ones((6, 8)), np.zeros((6, 8, 3)), np.ones((6, 8)))
+        >>> from pointloom.photos.mvs.depth_maps import DepthMap
+        >>> DepthMap(np.ones((6, 8)), np.zeros((6, 8, 3)), np.ones((6, 8)))
         DepthMap(8 x 6, 100 % with depth)
     """
 
@@ -103,11 +104,13 @@ class DepthMaps(Sequence[DepthMap]):
 
     Example:
         >>> import numpy as np, pointloom as loom
+        >>> from pointloom.photos.mvs.depth_maps import DepthMap
+        >>> from pointloom.photos.mvs.depth_maps import DepthMaps
         >>> intrinsic = loom.PinholeCameraIntrinsic(8, 6, 10.0, 10.0, 3.5, 2.5)
         >>> camera = loom.mvs.PosedCamera(intrinsic, np.eye(4))
-        >>> empty = loom.mvs.DepthMap(np.zeros((6, 8)), np.zeros((6, 8, 3)), np.zeros((6, 8)))
-        >>> maps = loom.mvs.DepthMaps([camera], [()], [empty], folder="maps")
-        >>> loom.mvs.DepthMaps.open("maps")
+        >>> empty = DepthMap(np.zeros((6, 8)), np.zeros((6, 8, 3)), np.zeros((6, 8)))
+        >>> maps = DepthMaps([camera], [()], [empty], folder="maps")
+        >>> DepthMaps.open("maps")
         DepthMaps(1 picture in maps)
     """
 

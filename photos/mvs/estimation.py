@@ -149,13 +149,14 @@ def estimate_depth_maps(
 
     Example:
         >>> import numpy as np, pointloom as loom
+        >>> from pointloom.photos.mvs.posed_pictures import SparsePoints
         >>> wall = np.random.default_rng(0).integers(0, 255, (40, 60), dtype=np.uint8).repeat(2, 0).repeat(2, 1)
         >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
         >>> right = np.eye(4)
         >>> right[0, 3] = -0.2  # 6 pixels at 2 m
         >>> cameras = [loom.mvs.PosedCamera(camera, np.eye(4)), loom.mvs.PosedCamera(camera, right)]
         >>> points = [[x, y, 2.0] for x in (-0.5, 0.0, 0.5) for y in (-0.4, 0.4)]
-        >>> sparse = loom.mvs.SparsePoints(points, [[i, k] for i in (0, 1) for k in range(6)])
+        >>> sparse = SparsePoints(points, [[i, k] for i in (0, 1) for k in range(6)])
         >>> pictures = [wall[:48, 10:74], wall[:48, 16:80]]
         >>> maps = loom.mvs.estimate_depth_maps(pictures, cameras, sparse, sources=[[1], [0]])
         >>> round(float(np.median(maps[0].depth)), 1)

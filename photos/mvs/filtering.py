@@ -82,6 +82,8 @@ def filter_depth_maps(
 
     Example:
         >>> import numpy as np, pointloom as loom
+        >>> from pointloom.photos.mvs.depth_maps import DepthMap
+        >>> from pointloom.photos.mvs.depth_maps import DepthMaps
         >>> intrinsic = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
         >>> poses = np.tile(np.eye(4), (3, 1, 1))
         >>> poses[:, 0, 3] = [0.0, -0.1, -0.2]
@@ -89,8 +91,8 @@ def filter_depth_maps(
         >>> wall = np.full((48, 64), 2.0)
         >>> wall[10, 20] = 1.5
         >>> normals = np.tile([0.0, 0.0, -1.0], (48, 64, 1))
-        >>> given = [loom.mvs.DepthMap(wall, normals, np.ones((48, 64)))] * 3
-        >>> maps = loom.mvs.DepthMaps(cameras, [(1, 2), (0, 2), (0, 1)], given)
+        >>> given = [DepthMap(wall, normals, np.ones((48, 64)))] * 3
+        >>> maps = DepthMaps(cameras, [(1, 2), (0, 2), (0, 1)], given)
         >>> kept = loom.mvs.filter_depth_maps(maps)
         >>> float(kept[0].depth[20, 30]), float(kept[0].depth[10, 20])
         (2.0, 0.0)

@@ -98,13 +98,15 @@ def fuse(
 
     Example:
         >>> import numpy as np, pointloom as loom
+        >>> from pointloom.photos.mvs.depth_maps import DepthMap
+        >>> from pointloom.photos.mvs.depth_maps import DepthMaps
         >>> intrinsic = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
         >>> poses = np.tile(np.eye(4), (2, 1, 1))
         >>> poses[1, 0, 3] = -0.1
         >>> cameras = [loom.mvs.PosedCamera(intrinsic, pose) for pose in poses]
         >>> normals = np.tile([0.0, 0.0, -1.0], (48, 64, 1))
-        >>> wall = loom.mvs.DepthMap(np.full((48, 64), 2.0), normals, np.ones((48, 64)))
-        >>> maps = loom.mvs.DepthMaps(cameras, [(1,), (0,)], [wall, wall])
+        >>> wall = DepthMap(np.full((48, 64), 2.0), normals, np.ones((48, 64)))
+        >>> maps = DepthMaps(cameras, [(1,), (0,)], [wall, wall])
         >>> cloud = loom.mvs.fuse(maps, [np.full((48, 64, 3), 200, np.uint8)] * 2)
         >>> len(cloud), int(cloud["views"].max()), float(cloud.points[:, 2].min())
         (2928, 2, 2.0)

@@ -65,7 +65,8 @@ class SparsePoints:
 
     Example:
         >>> import pointloom as loom
-        >>> sparse = loom.mvs.SparsePoints([[0.0, 0.0, 2.0], [1.0, 0.0, 3.0]], [[0, 1], [0, 0], [1, 1]])
+        >>> from pointloom.photos.mvs.posed_pictures import SparsePoints
+        >>> sparse = SparsePoints([[0.0, 0.0, 2.0], [1.0, 0.0, 3.0]], [[0, 1], [0, 0], [1, 1]])
         >>> sparse.seen_by(0).tolist(), sparse.seen_by(1).tolist()
         ([0, 1], [1])
     """

@@ -54,12 +54,14 @@ def choose_sources(cameras: Any, sparse: Any, *, count: int = COUNT) -> tuple[tu
 
     Example:
         >>> import numpy as np, pointloom as loom
+        >>> from pointloom.photos.mvs.posed_pictures import SparsePoints
+        >>> from pointloom.photos.mvs.sources import choose_sources
         >>> intrinsic = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
         >>> poses = np.tile(np.eye(4), (4, 1, 1))
         >>> poses[:, 0, 3] = [0.0, -0.1, -0.2, -2.0]
         >>> cameras = [loom.mvs.PosedCamera(intrinsic, pose) for pose in poses]
-        >>> sparse = loom.mvs.SparsePoints([[0.0, 0.0, 1.0]], [[0, 0], [1, 0], [2, 0], [3, 0]])
-        >>> loom.mvs.choose_sources(cameras, sparse, count=2)
+        >>> sparse = SparsePoints([[0.0, 0.0, 1.0]], [[0, 0], [1, 0], [2, 0], [3, 0]])
+        >>> choose_sources(cameras, sparse, count=2)
         ((1, 2), (0, 2), (1, 0), (2, 1))
     """
     posed = check_cameras("cameras", cameras)

@@ -15,7 +15,8 @@ Example:
     What is found of a set of pictures is judged without COLMAP too:
 
     >>> import pointloom as loom
-    >>> loom.sfm.assess_model(None, 20).registered_count
+    >>> from pointloom.photos.sfm.model_quality import assess_model
+    >>> assess_model(None, 20).registered_count
     0
 """
 

@@ -133,7 +133,8 @@ def find_features(
 
     Example:
         >>> import pointloom as loom
-        >>> loom.sfm.find_features("no such folder", "features.db")
+        >>> from pointloom.photos.sfm.features import find_features
+        >>> find_features("no such folder", "features.db")
         Traceback (most recent call last):
         pointloom.core.errors.DatasetError: no such folder: does not exist. Give a folder of pictures
     """

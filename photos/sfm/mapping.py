@@ -100,7 +100,8 @@ def map_pictures(
 
     Example:
         >>> import pointloom as loom
-        >>> loom.sfm.map_pictures(".", "matches.db", "sparse")
+        >>> from pointloom.photos.sfm.mapping import map_pictures
+        >>> map_pictures(".", "matches.db", "sparse")
         Traceback (most recent call last):
         pointloom.core.errors.FileError: matches.db: does not exist. sfm.find_features makes one
     """

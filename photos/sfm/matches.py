@@ -230,7 +230,8 @@ def match(
 
     Example:
         >>> import pointloom as loom
-        >>> loom.sfm.match("features.db", "matches.db")
+        >>> from pointloom.photos.sfm.matches import match
+        >>> match("features.db", "matches.db")
         Traceback (most recent call last):
         pointloom.core.errors.FileError: features.db: does not exist. sfm.find_features makes one
     """

@@ -266,7 +266,8 @@ def assess_model(
 
     Example:
         >>> import pointloom as loom
-        >>> found = loom.sfm.assess_model(None, 12)
+        >>> from pointloom.photos.sfm.model_quality import assess_model
+        >>> found = assess_model(None, 12)
         >>> found.registered_count, found.warnings[0].split(":")[0]
         (0, 'none of the 12 pictures could be placed')
     """

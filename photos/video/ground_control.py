@@ -37,7 +37,8 @@ class ControlMark:
 
     Example:
         >>> import pointloom as loom
-        >>> loom.video.ControlMark("A", "IMG_0012.jpg", (320.25, 240.5)).pixel.tolist()
+        >>> from pointloom.photos.video.ground_control import ControlMark
+        >>> ControlMark("A", "IMG_0012.jpg", (320.25, 240.5)).pixel.tolist()
         [320.25, 240.5]
     """
 
@@ -72,7 +73,8 @@ class ScaleBar:
 
     Example:
         >>> import pointloom as loom
-        >>> loom.video.ScaleBar("A", "B", 1.5).sigma
+        >>> from pointloom.photos.video.ground_control import ScaleBar
+        >>> ScaleBar("A", "B", 1.5).sigma
         0.002
     """
 
@@ -112,9 +114,11 @@ class GroundControl:
 
     Example:
         >>> import pointloom as loom
+        >>> from pointloom.photos.video.ground_control import ControlMark
+        >>> from pointloom.photos.video.ground_control import GroundControl
         >>> a = loom.registration.ControlPoint("A", [447000.0, 5260000.0, 410.0], sigma=0.01)
-        >>> marks = [loom.video.ControlMark("A", name, (320.0, 240.0)) for name in ("a.jpg", "b.jpg")]
-        >>> loom.video.GroundControl([a], marks, crs="EPSG:32632")
+        >>> marks = [ControlMark("A", name, (320.0, 240.0)) for name in ("a.jpg", "b.jpg")]
+        >>> GroundControl([a], marks, crs="EPSG:32632")
         GroundControl(1 point, 2 marks, EPSG:32632)
     """
 

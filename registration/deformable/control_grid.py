@@ -169,7 +169,9 @@ class ControlGrid:
             DeviceError: The depth lies on another GPU.
         """
         farthest = check_positive("depth_max", depth_max, allow_infinite=True)
-        cloud = PointCloud.create_from_depth_image(depth, intrinsic, extrinsic, depth_scale, farthest, device=self.device)
+        cloud = PointCloud.create_from_depth_image(
+            depth, intrinsic, extrinsic, depth_scale, farthest, device=self.device
+        )
         size = intrinsic.width, intrinsic.height
         return self.deform(cloud).project_to_depth_image(
             *size, intrinsic, extrinsic, depth_scale=1.0, depth_max=depth_max

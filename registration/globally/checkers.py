@@ -132,7 +132,8 @@ class CorrespondenceCheckerBasedOnNormal(CorrespondenceChecker):
 
     Example:
         >>> import numpy as np, pointloom as loom
-        >>> checker = loom.registration.CorrespondenceCheckerBasedOnNormal(np.radians(30))
+        >>> from pointloom.registration.globally.checkers import CorrespondenceCheckerBasedOnNormal
+        >>> checker = CorrespondenceCheckerBasedOnNormal(np.radians(30))
         >>> up, side = (loom.PointCloud([[0, 0, 0]], normals=[n]) for n in ([0, 0, 1], [0, 1, 0]))
         >>> checker.Check(up, up, [[0, 0]], np.eye(4)), checker.Check(up, side, [[0, 0]], np.eye(4))
         (True, False)
@@ -171,7 +172,8 @@ class CorrespondenceCheckerBasedOnSourceRotation(CorrespondenceChecker):
 
     Example:
         >>> import numpy as np, pointloom as loom
-        >>> about_z = loom.registration.CorrespondenceCheckerBasedOnSourceRotation([0.1, 0.1, 3.2])
+        >>> from pointloom.registration.globally.checkers import CorrespondenceCheckerBasedOnSourceRotation
+        >>> about_z = CorrespondenceCheckerBasedOnSourceRotation([0.1, 0.1, 3.2])
         >>> cloud, T = loom.PointCloud([[0, 0, 0]]), np.diag([-1.0, -1, 1, 1])
         >>> about_z.Check(cloud, cloud, [[0, 0]], T), about_z.Check(cloud, cloud, [[0, 0]], T[[2, 0, 1, 3]])
         (True, False)

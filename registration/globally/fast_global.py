@@ -187,13 +187,14 @@ def registration_fgr_based_on_correspondence(
 
     Example:
         >>> import numpy as np, pointloom as loom
+        >>> from pointloom.registration.globally.fast_global import registration_fgr_based_on_correspondence
         >>> rng = np.random.default_rng(0)
         >>> target = loom.PointCloud(rng.random((500, 3)))
         >>> T = np.array([[0, -1.0, 0, 5], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
         >>> source = target.transform(np.linalg.inv(T))
         >>> pairs = np.column_stack([np.arange(500), np.arange(500)])
         >>> pairs[250:, 1] = rng.integers(0, 500, 250)  # half of them are wrong
-        >>> result = loom.registration.registration_fgr_based_on_correspondence(source, target, pairs)
+        >>> result = registration_fgr_based_on_correspondence(source, target, pairs)
         >>> bool(np.allclose(result.transformation, T, atol=1e-2)), result.fitness > 0.9
         (True, True)
     """

@@ -335,7 +335,8 @@ def refine_poses(
 ) -> list[RegistrationResult]:
     """Poses about the clouds' origins, refined by point-to-plane ICP on the surfaces in free motions, all at once."""
     left, right = clouds = [
-        PointCloud._from_device_arrays({"points": s.points, "normals": s.normals}, np.zeros(3)) for s in (source, target)
+        PointCloud._from_device_arrays({"points": s.points, "normals": s.normals}, np.zeros(3))
+        for s in (source, target)
     ]
     for cloud, surface in zip(clouds, (source, target), strict=True):
         cloud._adopt_search_tree(surface.tree)

@@ -36,7 +36,8 @@ def levelled(
 
     Example:
         >>> import numpy as np, pointloom as loom
-        >>> T = loom.registration.levelled(None, up_in_source=[0.0, 0.5, 9.8])
+        >>> from pointloom.registration.icp.levelling import levelled
+        >>> T = levelled(None, up_in_source=[0.0, 0.5, 9.8])
         >>> up = T[:3, :3] @ [0.0, 0.5, 9.8]
         >>> bool(np.abs(up[:2]).max() < 1e-12), np.degrees(np.arccos(T[2, 2])).round(2)
         (True, np.float64(2.92))

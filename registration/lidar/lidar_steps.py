@@ -251,9 +251,11 @@ def summarize_steps(steps: Sequence[OdometryStep]) -> OdometrySummary:
 
     Example:
         >>> import pointloom as loom
+        >>> from pointloom.registration.lidar.lidar_runs import iterate_odometry
+        >>> from pointloom.registration.lidar.lidar_steps import summarize_steps
         >>> wall = loom.PointCloud([[10, 0.5 * i, 0.5 * j] for i in range(-20, 20) for j in range(20)])
-        >>> steps = list(loom.registration.iterate_odometry([wall, loom.PointCloud(), wall]))
-        >>> loom.registration.summarize_steps(steps).predicted
+        >>> steps = list(iterate_odometry([wall, loom.PointCloud(), wall]))
+        >>> summarize_steps(steps).predicted
         (1,)
     """
     steps = check_list("steps", steps, "OdometryStep")

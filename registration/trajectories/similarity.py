@@ -293,8 +293,9 @@ def read_positions(path: str | os.PathLike[str], names: Sequence[str]) -> dict[s
     Example:
         >>> from pathlib import Path
         >>> import pointloom as loom
+        >>> from pointloom.registration.trajectories.similarity import read_positions
         >>> _ = Path("gps.txt").write_text("porch 1 0 0\\ngarden 3 0 0\\n")
-        >>> positions = loom.registration.read_positions("gps.txt", ["0001_garden.jpg", "0002_porch.jpg"])
+        >>> positions = read_positions("gps.txt", ["0001_garden.jpg", "0002_porch.jpg"])
         >>> positions["0001_garden.jpg"].tolist()
         [3.0, 0.0, 0.0]
     """

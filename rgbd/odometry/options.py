@@ -88,7 +88,8 @@ class OdometryConvergenceCriteria:
 
     Example:
         >>> import pointloom as loom
-        >>> loom.odometry.OdometryConvergenceCriteria(10).relative_rmse
+        >>> from pointloom.rgbd.odometry.options import OdometryConvergenceCriteria
+        >>> OdometryConvergenceCriteria(10).relative_rmse
         1e-06
     """
 
@@ -117,7 +118,8 @@ class OdometryLossParams:
 
     Example:
         >>> import pointloom as loom
-        >>> loom.odometry.OdometryLossParams().depth_outlier_trunc
+        >>> from pointloom.rgbd.odometry.options import OdometryLossParams
+        >>> OdometryLossParams().depth_outlier_trunc
         0.07
     """
 

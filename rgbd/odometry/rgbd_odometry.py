@@ -145,9 +145,10 @@ def rgbd_odometry_multi_scale(
 
     Example:
         >>> import numpy as np, pointloom as loom
+        >>> from pointloom.rgbd.odometry.rgbd_odometry import rgbd_odometry_multi_scale
         >>> blank = loom.RGBDImage(np.zeros((48, 64), np.uint8), np.zeros((48, 64), np.uint16))
         >>> K = [[60.0, 0, 31.5], [0, 60.0, 23.5], [0, 0, 1]]
-        >>> loom.odometry.rgbd_odometry_multi_scale(blank, blank, K).warnings[0]
+        >>> rgbd_odometry_multi_scale(blank, blank, K).warnings[0]
         'the source has no depth'
     """
     camera = _check_pair("intrinsics", source, target, intrinsics)
@@ -197,8 +198,9 @@ def compute_odometry_information_matrix(
 
     Example:
         >>> import numpy as np, pointloom as loom
+        >>> from pointloom.rgbd.odometry.rgbd_odometry import compute_odometry_information_matrix
         >>> depth, K = np.full((48, 64), 1.0), [[60.0, 0, 31.5], [0, 60.0, 23.5], [0, 0, 1]]
-        >>> float(loom.odometry.compute_odometry_information_matrix(depth, depth, K, np.eye(4), 0.07)[5, 5])
+        >>> float(compute_odometry_information_matrix(depth, depth, K, np.eye(4), 0.07)[5, 5])
         3072.0
     """
     reach, farthest = check_positive("dist_threshold", dist_threshold), check_positive("depth_max", depth_max)

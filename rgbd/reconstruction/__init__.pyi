@@ -2,23 +2,11 @@
 
 from .config import ReconstructionConfig as ReconstructionConfig
 from .fragment_model import FragmentOptions as FragmentOptions
-from .fragments import Fragment as Fragment
-from .fragments import FragmentSet as FragmentSet
 from .fragments import make_fragments as make_fragments
-from .frames import LostFrame as LostFrame
 from .job import run_system as run_system
-from .nonrigid import BentPlacement as BentPlacement
-from .nonrigid import refine_with_slac as refine_with_slac
-from .placement import Placement as Placement
 from .placement import register_fragments as register_fragments
 from .refinement import refine_registration as refine_registration
-from .report import SystemReport as SystemReport
-from .scene import Scene as Scene
 from .scene import integrate_scene as integrate_scene
 from .volumes import ControlGrid as ControlGrid
-from .volumes import FragmentOverlap as FragmentOverlap
-from .volumes import RefinementReport as RefinementReport
 from .volumes import SLACOptimizerParams as SLACOptimizerParams
-from .volumes import integrate_deformed as integrate_deformed
-from .volumes import run_rigid_optimizer_for_fragments as run_rigid_optimizer_for_fragments
 from .volumes import run_slac_optimizer_for_fragments as run_slac_optimizer_for_fragments

@@ -108,8 +108,9 @@ def close_loops(
 
     Example:
         >>> import numpy as np, pointloom as loom
+        >>> from pointloom.rgbd.slam.submaps import Submap
         >>> volume = loom.TSDFVolume(voxel_size=0.1)
-        >>> apart = [loom.slam.Submap(volume, np.eye(4), [k], [np.eye(4)], follows=False) for k in range(2)]
+        >>> apart = [Submap(volume, np.eye(4), [k], [np.eye(4)], follows=False) for k in range(2)]
         >>> closure = loom.slam.close_loops(apart)  # volumes without a surface
         >>> closure.groups.tolist(), closure.loops
         ([0, 1], [])
@@ -326,8 +327,9 @@ def corrected_trajectory(submaps: Sequence[Submap], T_world_submap: ArrayLike) -
 
     Example:
         >>> import numpy as np, pointloom as loom
+        >>> from pointloom.rgbd.slam.submaps import Submap
         >>> volume = loom.TSDFVolume(voxel_size=0.1)
-        >>> submap = loom.slam.Submap(volume, np.eye(4), [7, 8], [np.eye(4)] * 2)
+        >>> submap = Submap(volume, np.eye(4), [7, 8], [np.eye(4)] * 2)
         >>> moved = np.eye(4)
         >>> moved[0, 3] = 0.5
         >>> numbers, poses = loom.slam.corrected_trajectory([submap], [moved])

@@ -43,10 +43,11 @@ class Submap:
 
     Example:
         >>> import numpy as np, pointloom as loom
+        >>> from pointloom.rgbd.slam.submaps import Submap
         >>> camera, pose = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5), np.eye(4)
         >>> volume = loom.TSDFVolume(voxel_size=0.1, color=False)
         >>> touched = volume.integrate(np.full((48, 64), 1000, np.uint16), camera, pose)
-        >>> submap = loom.slam.Submap(volume, pose, [7], [pose])
+        >>> submap = Submap(volume, pose, [7], [pose])
         >>> submap.T_world_camera.shape, len(submap.cloud(0.2)) > 10
         ((1, 4, 4), True)
     """

@@ -17,6 +17,7 @@ from pointloom.app.jobs.job import Done
 from pointloom.app.shell import doctor
 from pointloom.app.shell.cli import cli
 from pointloom.core import cuda_driver
+from pointloom.core.threads import get_num_threads
 from pointloom.core.wording import format_bytes
 from pointloom.files.pictures.image_files import write_png
 from pointloom.files.points import ply
@@ -360,7 +361,7 @@ def test_doctor_runs_a_kernel_and_reports_the_number_of_threads(monkeypatch):
     assert "healthy" in run("doctor").stdout
     monkeypatch.delenv("POINTLOOM_CPU_THREADS")
     loom.set_num_threads(None)
-    count = loom.get_num_threads()
+    count = get_num_threads()
     assert answer("doctor")["why"] == ("1 thread" if count == 1 else f"{count} threads")
 
 

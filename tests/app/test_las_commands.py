@@ -106,7 +106,7 @@ def test_damage_and_missing_packages_are_errors_of_one_line(autzen, tmp_path, mo
     assert 'pip install "pointloom[las]"' in result.stderr
 
 
-@pytest.mark.filterwarnings("always::pointloom.GeographicWarning")
+@pytest.mark.filterwarnings("always::pointloom.files.points.las_crs.GeographicWarning")
 def test_a_file_in_degrees_is_said_to_be_and_keeps_its_rows(tmp_path, rng):
     degrees, points = tmp_path / "degrees.las", rng.random((200, 3)) * [1e-3, 1e-3, 50] + [-123, 44, 100]
     header = laspy.LasHeader(point_format=6, version="1.4")

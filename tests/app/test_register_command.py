@@ -7,9 +7,9 @@ import pytest
 from PIL import Image
 
 import pointloom as loom
-from pointloom.registration import choose_voxel_size
 from pointloom.registration.globally import pair as pair_module
 from pointloom.registration.globally.pair import METHODS
+from pointloom.registration.voxel_size import choose_voxel_size
 
 from ..registration.room_corners import ONE, OTHER, corner
 from .commands import answer, chosen_device, names_in, refusal, run, unreliable

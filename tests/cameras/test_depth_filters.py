@@ -6,6 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import pointloom as loom
+from pointloom.cameras.depth_filters import create_depth_pyramid, create_normal_map, pyrdown_color, pyrdown_depth
 
 
 def _small(seed, height, width, holes):
@@ -125,17 +126,17 @@ def test_normals_and_halved_depth_are_open3ds(device, rng, oracle, tolerances):
     depth[rng.random(depth.shape) < 0.1] = 0
     camera = loom.PinholeCameraIntrinsic(40, 24, 525.0, 525.0, 19.5, 11.5)
     normals, *halves = oracle("cameras/pyramid", open3d_pyramid, depth, camera.matrix)
-    found = loom.create_normal_map(depth, camera, device=device)
+    found = create_normal_map(depth, camera, device=device)
     empty = (normals == 0).all(axis=2)
     np.testing.assert_array_equal((found == 0).all(axis=2), empty)
     lengths = np.linalg.norm(normals, axis=2)[~empty]
     assert lengths.min() < 0.7
     np.testing.assert_allclose(np.linalg.norm(found, axis=2)[~empty], 1, atol=tolerances.unit_length)
     np.testing.assert_allclose(found[~empty], normals[~empty] / lengths[:, None], atol=tolerances.normal_map)
-    holes = loom.create_normal_map(depth, camera, np.nan, device=device)
+    holes = create_normal_map(depth, camera, np.nan, device=device)
     np.testing.assert_array_equal(np.isnan(holes).all(axis=2), empty)
     for stride, points, theirs in zip((2, 4), halves[::2], halves[1::2], strict=True):
-        halved = loom.create_depth_pyramid(depth, stride.bit_length(), device=device)[-1]
+        halved = create_depth_pyramid(depth, stride.bit_length(), device=device)[-1]
         assert halved.shape == (24 // stride, 40 // stride)
         np.testing.assert_array_equal(halved > 0, depth[::stride, ::stride] > 0)
         f, cx, cy = 525 / stride, 19.5 / stride, 11.5 / stride
@@ -152,7 +153,7 @@ def test_normals_of_a_slanted_wall_are_its_own(device):
     v, u = np.mgrid[:48, :64]
     rays = np.stack([(u - 31.5) / 60, (v - 23.5) / 61, np.ones_like(u)], axis=2)
     depth = -1.6 / (rays @ n)
-    found = loom.create_normal_map(depth, camera, device=device)[:-1, :-1]
+    found = create_normal_map(depth, camera, device=device)[:-1, :-1]
     np.testing.assert_allclose(found, np.broadcast_to(n, found.shape), atol=2e-5)
 
 
@@ -162,7 +163,7 @@ def test_holes_and_other_surfaces_do_not_count_in_halved_depth(depth, threshold)
     h, w = depth.shape
     if min(h, w) < 2:
         with pytest.raises(ValueError, match="depth:"):
-            loom.pyrdown_depth(depth)
+            pyrdown_depth(depth)
         return
     weights = np.array([1, 4, 6, 4, 1]) / 16
     expected = np.zeros((h // 2, w // 2))
@@ -176,7 +177,7 @@ def test_holes_and_other_surfaces_do_not_count_in_halved_depth(depth, threshold)
                         weight = weights[y - 2 * row + 2] * weights[x - 2 * column + 2]
                         total, count = total + weight * depth[y, x], count + weight
             expected[row, column] = total / count
-    np.testing.assert_allclose(loom.pyrdown_depth(depth, threshold), expected, rtol=3e-7)
+    np.testing.assert_allclose(pyrdown_depth(depth, threshold), expected, rtol=3e-7)
 
 
 def open3d_halves(o3d, pictures):
@@ -189,20 +190,20 @@ def test_halved_colours_are_open3ds(device, rng, oracle):
     pictures = [color, color[:, :, 1], np.array(image.color)]
     rgb, green, brightness = oracle("cameras/halved-colors", open3d_halves, pictures)
     for picture, expected in ((color, rgb), (color[:, :, 1], np.repeat(green[:, :, None], 3, axis=2))):
-        found = loom.pyrdown_color(picture, device=device)
+        found = pyrdown_color(picture, device=device)
         assert found.shape == (18, 20, 3) and found.dtype == np.uint8
         off = np.abs(found - expected.astype(int))
         assert off.max() <= 1 and (off == 0).mean() > 0.99, "sums near a half round"
-    np.testing.assert_allclose(loom.create_depth_pyramid(image, 2)[1].color, brightness, atol=1e-6)
+    np.testing.assert_allclose(create_depth_pyramid(image, 2)[1].color, brightness, atol=1e-6)
     image = loom.RGBDImage(color[:24], depth, device=device)
-    levels = loom.create_depth_pyramid(image, 3)
-    assert levels[0] is image and loom.create_depth_pyramid(image, 1) == [image]
+    levels = create_depth_pyramid(image, 3)
+    assert levels[0] is image and create_depth_pyramid(image, 1) == [image]
     assert [(level.width, level.height) for level in levels] == [(40, 24), (20, 12), (10, 6)]
-    np.testing.assert_array_equal(levels[1].depth, loom.pyrdown_depth(image.depth, device=device))
-    np.testing.assert_array_equal(levels[1].color, loom.pyrdown_color(color[:24], device=device))
+    np.testing.assert_array_equal(levels[1].depth, pyrdown_depth(image.depth, device=device))
+    np.testing.assert_array_equal(levels[1].color, pyrdown_color(color[:24], device=device))
 
 
-FILTERS = {"bilateral": loom.filter_depth_bilateral, "erosion": loom.erode_depth_edges, "pyramid": loom.pyrdown_depth}
+FILTERS = {"bilateral": loom.filter_depth_bilateral, "erosion": loom.erode_depth_edges, "pyramid": pyrdown_depth}
 
 
 @pytest.mark.parametrize("run", FILTERS.values(), ids=FILTERS)

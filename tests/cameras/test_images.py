@@ -138,6 +138,16 @@ def test_depth_of_any_type_is_taken(device, dtype):
         np.testing.assert_array_equal(cloud.points[:, 2], expected)
 
 
+def test_a_camera_at_utm_coordinates_keeps_millimetres(device, frame, tolerances):
+    extrinsic = EXTRINSIC.copy()
+    utm = np.array([5e5, 5.4e6, 100.25])
+    extrinsic[:3, 3] -= extrinsic[:3, :3] @ utm
+    near = loom.PointCloud.create_from_depth_image(frame.depth, INTRINSIC, EXTRINSIC, device=device)
+    far = loom.PointCloud.create_from_depth_image(frame.depth, INTRINSIC, extrinsic, device=device)
+    assert far.origin.any()
+    np.testing.assert_allclose(far.points - utm, near.points, rtol=0, atol=tolerances.position / 100)
+
+
 def test_grey_is_repeated_to_colours(device):
     grey = np.array([[0, 51, 255], [102, 1, 2]], np.uint8)
     image = loom.RGBDImage(grey, np.full((2, 3), 1000, np.uint16), device=device)

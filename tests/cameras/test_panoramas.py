@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 import pointloom as loom
+from pointloom.cameras.panoramas import Panorama
 
 WIDTH, HEIGHT = 256, 128
 
@@ -28,7 +29,7 @@ def rays_of(lens: loom.PinholeCameraIntrinsic) -> np.ndarray:
 
 
 def test_each_face_shows_its_directions(device):
-    panorama = loom.Panorama(WIDTH, HEIGHT, device=device)
+    panorama = Panorama(WIDTH, HEIGHT, device=device)
     faces = panorama.apply(sphere())
     assert faces.shape == (6, 81, 81, 3) and panorama.intrinsic.fx == 40.5  # 90 degrees
     for face, turn in zip(faces, panorama.turns, strict=True):
@@ -37,7 +38,7 @@ def test_each_face_shows_its_directions(device):
 
 
 def test_faces_are_named_by_where_they_look():
-    panorama = loom.Panorama(WIDTH, HEIGHT)
+    panorama = Panorama(WIDTH, HEIGHT)
     forward = dict(zip(panorama.names, panorama.turns[:, :, 2].tolist(), strict=True))
     assert forward["right"] == [1, 0, 0] and forward["up"] == [0, -1, 0] and forward["back"] == [0, 0, -1]
     assert np.allclose(np.linalg.det(panorama.turns), 1)

@@ -10,6 +10,8 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.cameras.depth_filters import create_normal_map, pyrdown_color
+from pointloom.registration.globally.fast_global import registration_fgr_based_on_correspondence
 
 from ..array_library import LIBRARIES, assert_same, package, stand_in
 
@@ -192,7 +194,7 @@ def test_registrations_take_features_and_pairs_where_they_are(library, clouds):
         "ransac": lambda c, f, p: register.registration_ransac_based_on_feature_matching(
             c, c.transform(T), f, f, True, 0.05, criteria=register.RANSACConvergenceCriteria(500)
         ),
-        "fgr": lambda c, f, p: register.registration_fgr_based_on_correspondence(c, c.transform(T), p),
+        "fgr": lambda c, f, p: registration_fgr_based_on_correspondence(c, c.transform(T), p),
         "robust": lambda c, f, p: register.registration_robust_based_on_correspondence(c, c.transform(T), p, 0.02),
     }
     for name, call in calls.items():
@@ -235,9 +237,9 @@ def test_depth_and_colour_pictures_are_taken_where_they_are(library, device, rng
             np.testing.assert_array_equal(image.depth, expected.depth)
         filtered = loom.filter_depth_bilateral(library.make(depth))
         assert_same(library, filtered, loom.filter_depth_bilateral(depth, device=device))
-    assert_same(library, loom.pyrdown_color(library.make(color)), loom.pyrdown_color(color, device=device))
-    normals = loom.create_normal_map(library.make(depth), camera)
-    expected = loom.create_normal_map(depth, camera, device=device)
+    assert_same(library, pyrdown_color(library.make(color)), pyrdown_color(color, device=device))
+    normals = create_normal_map(library.make(depth), camera)
+    expected = create_normal_map(depth, camera, device=device)
     np.testing.assert_array_equal(library.host(normals), expected)
 
 

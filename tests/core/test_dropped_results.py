@@ -92,7 +92,7 @@ def test_an_unknown_python_warns_of_nothing(monkeypatch):
     assert warned("box.scale()", in_a_function=True) == []
 
 
-FOR_CODE_ON_THE_DEVICE = {"_with_arrays", "_select_rows", "geometry"}
+FOR_CODE_ON_THE_DEVICE = {"geometry"}
 
 
 def public_classes(module):

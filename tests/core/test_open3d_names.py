@@ -57,7 +57,7 @@ MESSAGES = [
     ("loom.TSDFVolume(0.02, 0.08)", r"write TSDFVolume\(voxel_size=0\.02, truncation=0\.08\)"),
     ("loom.PointCloud(cloud.points, cloud.points)", r"write PointCloud\(points, normals=\.\.\.\)"),
     ("loom.render(cloud, zoom=0.5)", r"a view is the second argument of render: loom\.render\(cloud, \{\"zoom\": 0\.5"),
-    ("loom.draw_geometries(cloud, foo=1)", "has no argument 'foo'; it takes geometries, width, height"),
+    ("loom.draw(cloud, foo=1)", "has no argument 'foo'; it takes geometries, width, height"),
     (
         "loom.registration.registration_icp(cloud, cloud, 0.1, max_iteration=9)",
         "ICPConvergenceCriteria.max_iteration=30",

@@ -13,6 +13,7 @@ from pointloom.core.units import (
     KNOWN,
     METRE,
     US_FOOT,
+    LengthUnit,
     common_unit,
     symbol_of,
     text_of,
@@ -21,7 +22,7 @@ from pointloom.core.units import (
     unit_of_text,
 )
 
-LINK = loom.LengthUnit("Gunter's link", "li", 0.201168)
+LINK = LengthUnit("Gunter's link", "li", 0.201168)
 
 
 @pytest.mark.parametrize(

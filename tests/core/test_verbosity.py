@@ -9,6 +9,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.core.checks import check_progress
+from pointloom.core.verbosity import get_verbosity_level
 
 SCRIPT = """
 import sys, time, logging
@@ -66,11 +67,11 @@ def test_a_block_leaves_the_level_as_it_was():
     logger = logging.getLogger("pointloom")
     before = logger.level
     with loom.VerbosityContextManager(loom.VerbosityLevel.Error):
-        assert loom.get_verbosity_level() is loom.VerbosityLevel.Error and logger.level == logging.ERROR
+        assert get_verbosity_level() is loom.VerbosityLevel.Error and logger.level == logging.ERROR
         with pytest.raises(KeyError), loom.VerbosityContextManager(loom.VerbosityLevel.Debug):
-            assert loom.get_verbosity_level() is loom.VerbosityLevel.Debug
+            assert get_verbosity_level() is loom.VerbosityLevel.Debug
             raise KeyError
-        assert loom.get_verbosity_level() is loom.VerbosityLevel.Error
+        assert get_verbosity_level() is loom.VerbosityLevel.Error
     assert logger.level == before
     for wrong in (2, "Info", None):
         with pytest.raises(TypeError, match=r"expected (one of VerbosityLevel\.Error|a VerbosityLevel)"):
@@ -102,7 +103,8 @@ def test_a_closed_stderr_is_nobody_to_tell(monkeypatch, capsys):
 @pytest.mark.slow
 @pytest.mark.parametrize(("given", "level"), [("error", "Error"), ("DEBUG", "Debug"), ("loud", "Info"), ("", "Info")])
 def test_the_environment_says_how_much_is_said(given, level):
-    program = "import pointloom as loom; loom.PointCloud([[0, 0, 0]]); print(loom.get_verbosity_level().name)"
+    program = "import pointloom as loom; loom.PointCloud([[0, 0, 0]]); "
+    program += "from pointloom.core.verbosity import get_verbosity_level as level; print(level().name)"
     command = [sys.executable, "-c", "from pointloom.core import verbosity; verbosity.start(); " + program]
     settings = os.environ | {"POINTLOOM_VERBOSITY": given}
     assert subprocess.run(command, capture_output=True, text=True, check=True, env=settings).stdout.strip() == level

@@ -9,10 +9,10 @@ import threading
 import zipfile
 
 import pytest
+from pointloom.data.public.sets import PublicFile, PublicSet, public_sets
 
 import pointloom as loom
-from pointloom.data.public import fetching
-from pointloom.data.public.fetching import PublicFile, PublicSet
+from pointloom.data.public import fetching, sets
 
 
 def zipped(files: dict[str, bytes]) -> bytes:
@@ -63,7 +63,7 @@ def add(server, monkeypatch):
         (server.folder / name).write_bytes(content)
         digest = hashlib.new(algorithm, b"other" if wrong else content).hexdigest()
         file = PublicFile(f"{server.url}/{name}", f"{algorithm}:{digest}", unpack)
-        monkeypatch.setitem(fetching.SETS, "made", PublicSet("made", "a made set", "none", "nobody", (file,)))
+        monkeypatch.setitem(sets.SETS, "made", PublicSet("made", "a made set", "none", "nobody", (file,)))
         return file
 
     return make
@@ -172,7 +172,7 @@ def test_an_unknown_set_is_told_with_the_nearest():
 
 def test_every_set_has_a_checksum_an_address_and_a_licence():
     lengths = {"md5": 32, "sha256": 64}
-    for one in loom.data.public_sets():
+    for one in public_sets():
         assert one.licence and one.citation and one.files
         for file in one.files:
             kind, _, digest = file.checksum.partition(":")

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from pointloom.rgbd.reconstruction.slac import integrate_deformed, run_rigid_optimizer_for_fragments
 
 import pointloom as loom
 from pointloom.data.scenes.room import room_sequence, surface_errors
@@ -45,7 +46,7 @@ class BentRound:
         """Vertices of the model, in the frame of the room: all points of the fragments fitted to it as one body."""
         volume = loom.TSDFVolume(voxel_size=0.04, color=False)
         for node, depth in zip(graph.nodes, self.depths, strict=True):
-            slac.integrate_deformed(volume, grid, depth, self.camera, node.pose, depth_max=REACH)
+            integrate_deformed(volume, grid, depth, self.camera, node.pose, depth_max=REACH)
         found = [moved(n.pose, grid.deform(c).points) for n, c in zip(graph.nodes, self.clouds, strict=True)]
         truth = [
             moved(T, loom.PointCloud.create_from_depth_image(d, self.camera, depth_trunc=2 * REACH).points)
@@ -60,7 +61,7 @@ class BentRound:
 def test_a_room_seen_by_a_camera_that_bends_is_nearer_to_the_truth_after_slac():
     scene = BentRound()
     params = slac.SLACOptimizerParams(max_iterations=3)
-    rigid = slac.run_rigid_optimizer_for_fragments(scene.clouds, scene.graph, params)
+    rigid = run_rigid_optimizer_for_fragments(scene.clouds, scene.graph, params)
     solved, grid = slac.run_slac_optimizer_for_fragments(scene.clouds, scene.graph, params)
     assert solved.report.rmse[-1] < 0.65 * rigid.report.rmse[-1]
     before, after = (

@@ -34,7 +34,6 @@ tree.pixels(view=view, lengths=tree.spacings)
 tree.points_of(i=0)
 tree.select(view=view, budget=100, counts=tree.counts, finest=0.5)
 tree.shares_in_view(view=view, nodes=[0])
-loom.sample_file(path="scan.ply", count=10)
 """  # noqa: E501
 TABLE = read_table(CALLS, {"view": "View", "tree": "DetailTree"})
 CASES = [(call, name) for call, (_, names) in TABLE.items() for name in names]

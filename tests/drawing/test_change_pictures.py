@@ -6,12 +6,14 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.drawing.change.pictures import paint
 from pointloom.drawing.render.colormaps import MISSING
+from pointloom.pcd.change import M3C2Result
 
 
 def result(distances, limits):
     n = len(distances)
-    return loom.change.M3C2Result(
+    return M3C2Result(
         np.array(distances, np.float64), np.array(limits, np.float64), np.zeros((n, 3), np.float32), np.ones(n),
         np.zeros((n, 2)), np.full((n, 2), 9, np.int32),
     )  # fmt: skip
@@ -24,7 +26,7 @@ def row_of(count, device="cpu"):
 def test_what_is_noise_is_grey_and_the_rest_diverges(device):
     found = result([1.0, -1.0, 0.1, np.nan, 0.5], [0.2, 0.2, 0.2, np.nan, 0.2])
     cloud = row_of(5, device)
-    colors = loom.change.paint(cloud, found).colors
+    colors = paint(cloud, found).colors
     assert colors[0, 0] > 0.6 > 0.3 > colors[0, 2] and colors[1, 2] > 0.6 > 0.3 > colors[1, 0]
     np.testing.assert_allclose(colors[2:4], [MISSING] * 2, atol=1e-6)
     assert colors[4, 0] > colors[4, 2] and colors[4, 0] > 0.8
@@ -35,10 +37,10 @@ def test_ends_are_where_nearly_all_changes_lie(device):
     cloud = row_of(1000, device)
     values = np.linspace(-1, 1, 1000)
     values[0] = 300.0
-    far = loom.change.paint(cloud, values)
-    given = loom.change.paint(cloud, values, limit=0.99)
+    far = paint(cloud, values)
+    given = paint(cloud, values, limit=0.99)
     np.testing.assert_array_equal(far.colors, given.colors)
-    still = loom.change.paint(cloud, np.zeros(1000))
+    still = paint(cloud, np.zeros(1000))
     assert np.ptp(still.colors) < 0.01
 
 
@@ -88,7 +90,7 @@ def test_a_distance_from_a_mesh_is_painted_too(device):
     floor = [[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]], [[0, 1, 2], [0, 2, 3]]
     cloud = loom.PointCloud([[1, 1, 0.5], [2, 3, -0.5], [2, 2, 0.01]], device=device)
     found = loom.change.cloud_to_mesh(cloud, loom.TriangleMesh(*floor, device=device), registration_error=0.1)
-    colors = loom.change.paint(cloud, found).colors
+    colors = paint(cloud, found).colors
     assert colors[0, 0] > colors[0, 2] and colors[1, 2] > colors[1, 0]
     np.testing.assert_allclose(colors[2], MISSING, atol=1e-6)
 
@@ -96,8 +98,8 @@ def test_a_distance_from_a_mesh_is_painted_too(device):
 def test_changes_of_another_cloud_are_refused():
     cloud = row_of(3)
     with pytest.raises(ValueError, match="change:"):
-        loom.change.paint(cloud, [1.0, 2.0])
+        paint(cloud, [1.0, 2.0])
     with pytest.raises(ValueError, match="limit"):
-        loom.change.paint(cloud, [1.0, 2.0, 3.0], limit=0)
+        paint(cloud, [1.0, 2.0, 3.0], limit=0)
     with pytest.raises(TypeError, match="cloud"):
         loom.change.draw([1, 2], [1.0])

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.registration.globally.fast_global import registration_fgr_based_on_correspondence
 
 DEVICE = "cuda:0"
 
@@ -56,7 +57,7 @@ def test_global_registrations_wait_for_few_numbers(emulated):
     asked = emulated.asked(lambda: loom.registration.register_globally(source, target, voxel_size=0.08))
     assert asked["waits"] <= 34 and asked["graphs made"] <= 2
     pairs = np.column_stack([np.arange(1000, 2000), np.arange(1000)])
-    fgr = loom.registration.registration_fgr_based_on_correspondence
+    fgr = registration_fgr_based_on_correspondence
     asked = emulated.asked(lambda: fgr(source, target, pairs))
     assert asked["waits"] <= 7 and asked["graphs made"] <= 1
 

@@ -6,9 +6,10 @@ import sys
 
 import numpy as np
 import pytest
+from pointloom.files.frames.lens import LensMap, distort
 
 import pointloom as loom
-from pointloom.files.frames.depth_cameras import LensMap, distort
+from pointloom.core.errors import CameraError
 from pointloom.files.frames.rgbd_sources import RGBDSource
 
 from .camera_stubs import HEIGHT, WIDTH, K4ATimeoutException, KinectStub, RealSenseStub, color_of, depth_of
@@ -42,7 +43,7 @@ def kinect(monkeypatch):
 )
 def test_a_missing_driver_is_named_with_what_installs_it(monkeypatch, camera, module, extra):
     monkeypatch.setitem(sys.modules, module, None)
-    with pytest.raises(loom.CameraError, match=rf"{module}.*pip install \"pointloom\[{extra}\]\""):
+    with pytest.raises(CameraError, match=rf"{module}.*pip install \"pointloom\[{extra}\]\""):
         camera()
 
 
@@ -89,7 +90,7 @@ def test_each_depth_map_comes_once_and_with_the_colour_closest_in_time(realsense
 def test_a_frame_that_waits_for_its_colour_is_not_lost_with_the_camera(realsense):
     realsense([1, (2, 1), RuntimeError("Device disconnected")])
     taken = []
-    with pytest.raises(loom.CameraError, match="stopped after 2 frames: Device disconnected"):
+    with pytest.raises(CameraError, match="stopped after 2 frames: Device disconnected"):
         taken.extend(frame.timestamp for frame in loom.RealSenseCamera())
     realsense([1, (2, 1)])
     assert len(list(loom.RealSenseCamera(file="walk.bag"))) == 2
@@ -113,7 +114,7 @@ def test_frames_that_the_driver_lost_are_counted(realsense):
 def test_a_realsense_that_fails_says_so_after_its_last_whole_frame(realsense, last, message):
     stub = realsense([1, 2, last])
     camera, taken = loom.RealSenseCamera(timeout=0.5), []
-    with pytest.raises(loom.CameraError, match=message), camera:
+    with pytest.raises(CameraError, match=message), camera:
         for frame in camera:
             taken.append(frame)
     assert len(taken) == 2 and np.array_equal(taken[0].depth, depth_of(1))
@@ -122,13 +123,13 @@ def test_a_realsense_that_fails_says_so_after_its_last_whole_frame(realsense, la
 
 def test_a_realsense_that_is_not_there_is_an_error(realsense):
     realsense([], start_error=RuntimeError("No device connected"))
-    with pytest.raises(loom.CameraError, match=r"No device connected\. Check the cable"):
+    with pytest.raises(CameraError, match=r"No device connected\. Check the cable"):
         loom.RealSenseCamera()
 
 
 def test_a_lens_of_an_unknown_kind_is_refused_and_the_camera_released(realsense):
     stub = realsense([1], model="ftheta", coefficients=(0.1, 0, 0, 0, 0))
-    with pytest.raises(loom.CameraError, match="ftheta"):
+    with pytest.raises(CameraError, match="ftheta"):
         loom.RealSenseCamera()
     assert not stub.running
 
@@ -150,7 +151,7 @@ def test_a_kinect_that_fails_says_so_after_its_last_whole_frame(kinect):
     stub = kinect([1, 2, "silence"])
     camera, taken = loom.AzureKinectCamera(number=1), []
     assert stub.asked[0][1] == 1 and stub.asked[0][0]["synchronized_images_only"]
-    with pytest.raises(loom.CameraError, match="stopped after 2 frames: K4ATimeoutException"), camera:
+    with pytest.raises(CameraError, match="stopped after 2 frames: K4ATimeoutException"), camera:
         for frame in camera:
             taken.append(frame)
     assert len(taken) == 2 and not stub.running
@@ -158,10 +159,10 @@ def test_a_kinect_that_fails_says_so_after_its_last_whole_frame(kinect):
 
 def test_a_kinect_that_is_not_there_is_an_error(kinect):
     kinect([], start_error=K4ATimeoutException())
-    with pytest.raises(loom.CameraError, match="no Azure Kinect 0 can be opened"):
+    with pytest.raises(CameraError, match="no Azure Kinect 0 can be opened"):
         loom.AzureKinectCamera()
     kinect([])
-    with pytest.raises(loom.CameraError, match="holds no frame"):
+    with pytest.raises(CameraError, match="holds no frame"):
         loom.AzureKinectCamera(file="empty.mkv")
 
 

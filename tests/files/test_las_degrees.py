@@ -12,7 +12,7 @@ import pytest
 import pointloom as loom
 from pointloom.files.points.formats import write_table
 from pointloom.files.points.las import open_las, read_las
-from pointloom.files.points.las_crs import crs_name, is_geographic
+from pointloom.files.points.las_crs import GeographicWarning, crs_name, is_geographic
 from pointloom.files.points.las_writer import write_las
 from pointloom.files.table import PointTable
 
@@ -72,12 +72,12 @@ def test_degrees_are_told_by_the_records(records, expected, tmp_path, rng):
         warnings.simplefilter("always")
         loom.read_point_cloud(path)
         next(loom.read_las_chunks(path))
-    told = [w for w in caught if w.category is loom.GeographicWarning]
+    told = [w for w in caught if w.category is GeographicWarning]
     assert len(told) == 2 * expected
     assert all("a.las: x and y are degrees" in str(w.message) and w.filename == __file__ for w in told)
 
 
-@pytest.mark.filterwarnings("ignore::pointloom.GeographicWarning")
+@pytest.mark.filterwarnings("ignore::pointloom.files.points.las_crs.GeographicWarning")
 @pytest.mark.parametrize("has_stray", [False, True])
 def test_a_cloud_in_degrees_keeps_the_steps_of_the_file(has_stray, tmp_path, rng, device):
     path = tmp_path / "degrees.las"
@@ -97,7 +97,7 @@ def test_a_cloud_in_degrees_keeps_the_steps_of_the_file(has_stray, tmp_path, rng
         assert again.is_geographic is (like is not None)
 
 
-@pytest.mark.filterwarnings("ignore::pointloom.GeographicWarning")
+@pytest.mark.filterwarnings("ignore::pointloom.files.points.las_crs.GeographicWarning")
 def test_degrees_become_metres_to_the_step_of_the_file(degrees):
     path, raw = degrees
     metres = loom.project_to_utm(loom.read_point_cloud(path)).points

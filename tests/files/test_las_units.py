@@ -9,7 +9,9 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.core.units import LengthUnit
 from pointloom.files.points.las import open_las
+from pointloom.files.points.las_crs import GeographicWarning
 from pointloom.files.points.las_units import units_of
 
 DEGREES = 'UNIT["degree",0.0174532925199433]'
@@ -117,7 +119,7 @@ def test_heights_in_another_unit_are_a_warning_with_what_mends_it(tmp_path):
 
 def test_heights_in_feet_over_degrees_are_a_warning(tmp_path):
     path = write(tmp_path / "a.las", keys((1024, 2), (4099, 9003)))
-    with pytest.warns(loom.UnitWarning, match="z is in US survey foot"), pytest.warns(loom.GeographicWarning):
+    with pytest.warns(loom.UnitWarning, match="z is in US survey foot"), pytest.warns(GeographicWarning):
         cloud = loom.read_point_cloud(path)
     assert cloud.unit == "degree"
     assert loom.project_to_utm(cloud).unit == "metre"
@@ -141,7 +143,7 @@ def test_real_files_are_in_the_units_that_they_tell(shipped_file):
 
 
 @pytest.mark.parametrize("name", ["a.las", "a.laz"])
-@pytest.mark.parametrize("unit", ["foot", "US survey foot", "metre", loom.LengthUnit('5" ell', "el", 0.5)], ids=str)
+@pytest.mark.parametrize("unit", ["foot", "US survey foot", "metre", LengthUnit('5" ell', "el", 0.5)], ids=str)
 def test_a_file_that_is_written_tells_the_unit_of_the_cloud(name, unit, tmp_path):
     cloud = loom.PointCloud([[0, 0, 0], [1, 2, 3]], unit=unit)
     loom.write_point_cloud(tmp_path / name, cloud)

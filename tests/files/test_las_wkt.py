@@ -9,6 +9,7 @@ import pointloom as loom
 from pointloom.files.points.las import open_las
 from pointloom.files.points.las_crs import crs_name, find_keys, find_text
 from pointloom.files.points.las_units import units_of
+from pointloom.files.points.las_wkt import LostSystemWarning
 
 laspy = pytest.importorskip("laspy")
 pyproj = pytest.importorskip("pyproj")
@@ -69,7 +70,7 @@ def test_systems_of_the_register_become_text(tmp_path, keys, code, name):
 def test_what_has_no_text_is_said_and_keeps_its_keys(tmp_path, keys, reason):
     path = with_keys(tmp_path / "a.laz", *keys)
     cloud = loom.read_point_cloud(path)
-    with pytest.warns(loom.LostSystemWarning, match=reason):
+    with pytest.warns(LostSystemWarning, match=reason):
         loom.write_point_cloud(tmp_path / "b.copc.laz", cloud, like=path)
     assert find_keys(open_las(tmp_path / "b.copc.laz").header) == find_keys(open_las(path).header)
 

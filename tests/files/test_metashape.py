@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.files.models.metashape import read_metashape_cameras
 
 POSE = "0 -1 0 2 1 0 0 3 0 0 1 4 0 0 0 1"  # a quarter turn about z, at (2, 3, 4)
 TURN = "<rotation locked='true'>0 0 1 1 0 0 0 1 0</rotation>"
@@ -37,7 +38,7 @@ def document(cameras: str, sensors: str = sensor("<f>500</f>"), more: str = "") 
 def read(tmp_path, text: str | bytes) -> loom.SfmModel:
     path = tmp_path / "cameras.xml"
     path.write_bytes(text if isinstance(text, bytes) else text.encode())
-    return loom.read_metashape_cameras(path)
+    return read_metashape_cameras(path)
 
 
 def test_a_camera_stands_where_its_transform_says(tmp_path):

@@ -14,6 +14,7 @@ from PIL import Image
 import pointloom as loom
 from pointloom.app.shell.cli import cli
 from pointloom.core.errors import FileError
+from pointloom.files.frames.rgbd_sources import RGBDSource
 
 pytest.importorskip("rosbags")
 
@@ -102,7 +103,7 @@ def test_frames_come_with_camera_colour_and_times(tmp_path, form):
     frames = loom.open_recording(write(tmp_path, form)).frames()
     camera = loom.PinholeCameraIntrinsic(WIDTH, HEIGHT, 20.0, 21.0, 7.5, 5.5)
     assert (len(frames), frames.intrinsic, frames.depth_scale) == (5, camera, 1000)
-    assert isinstance(frames, loom.RGBDSource) and frames.intrinsic_source == INFO and not frames.intrinsic_doubt
+    assert isinstance(frames, RGBDSource) and frames.intrinsic_source == INFO and not frames.intrinsic_doubt
     for i, frame in enumerate(frames):
         np.testing.assert_array_equal(frame.depth, depth_of(i))
         np.testing.assert_array_equal(frame.color, color_of(i))

@@ -9,11 +9,14 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.core.errors import DatasetError
 from pointloom.data.scenes.room import room_loop_sequence
 from pointloom.files.frames import recordings
 from pointloom.files.frames.dataset_layouts import FRAME_TIMES
 from pointloom.files.frames.datasets import Frame
 from pointloom.files.frames.frame_times import MOST_REMARKS, TimeWatch
+from pointloom.files.frames.recordings import FrameRecorder
+from pointloom.files.frames.rgbd_sources import RGBDSource
 
 CAMERA = loom.PinholeCameraIntrinsic(8, 6, 7.0, 7.0, 3.5, 2.5)
 DEPTH = np.full((6, 8), 1500, np.uint16)
@@ -110,8 +113,8 @@ def test_sources_of_all_kinds_are_rgbd_sources(tmp_path):
     loom.record_frames(stream((COLOR, DEPTH)), tmp_path / "set")
     rooms = room_loop_sequence(2, width=8, height=6)
     for source in (stream((COLOR, DEPTH)), loom.open_frames(tmp_path / "set"), rooms, loom.LatestFrames(rooms)):
-        assert isinstance(source, loom.RGBDSource)
-    assert not isinstance([(COLOR, DEPTH)], loom.RGBDSource)
+        assert isinstance(source, RGBDSource)
+    assert not isinstance([(COLOR, DEPTH)], RGBDSource)
 
 
 def paced(count, gate=None, started=None):
@@ -236,7 +239,7 @@ def test_metres_are_rounded_to_millimetres_and_what_is_no_depth_is_none(tmp_path
 
 def test_a_recording_can_be_read_after_each_step_of_writing_it(tmp_path, monkeypatch):
     """However far the second frame got, the first is there and nothing is half."""
-    recorder = loom.FrameRecorder(tmp_path / "set", CAMERA)
+    recorder = FrameRecorder(tmp_path / "set", CAMERA)
     frames = list(stream((COLOR, DEPTH, 0.5), (COLOR, DEPTH, 0.6)))
     recorder.write(frames[0])
     steps = []
@@ -258,7 +261,7 @@ def test_a_recording_can_be_read_after_each_step_of_writing_it(tmp_path, monkeyp
 
 
 def test_a_disk_that_fills_up_leaves_the_frames_before_it(tmp_path, monkeypatch):
-    recorder = loom.FrameRecorder(tmp_path / "set", CAMERA)
+    recorder = FrameRecorder(tmp_path / "set", CAMERA)
     frames = list(stream((COLOR, DEPTH), (COLOR, DEPTH)))
     recorder.write(frames[0])
 
@@ -292,7 +295,7 @@ def test_a_listed_frame_that_is_gone_is_named_or_skipped(tmp_path):
     loom.record_frames(stream(*[(COLOR, DEPTH)] * 3), tmp_path / "set")
     for path in (tmp_path / "set").glob("frame-000001.*"):
         path.unlink()
-    with pytest.raises(loom.DatasetError, match=rf"frame-000001\.depth\.png: missing, though {FRAME_TIMES} lists it"):
+    with pytest.raises(DatasetError, match=rf"frame-000001\.depth\.png: missing, though {FRAME_TIMES} lists it"):
         loom.open_frames(tmp_path / "set")
     source = loom.open_frames(tmp_path / "set", skip_missing=True)
     assert len(source) == 2 and len(source.left_out) == 1
@@ -312,7 +315,7 @@ def test_a_damaged_list_of_times_is_refused_by_line(tmp_path, line):
 def test_a_folder_that_holds_something_is_left_alone(tmp_path):
     (tmp_path / "notes.txt").write_text("mine")
     with pytest.raises(loom.FileError, match=r"holds notes\.txt already"):
-        loom.FrameRecorder(tmp_path, CAMERA)
+        FrameRecorder(tmp_path, CAMERA)
     with pytest.raises(loom.FileError, match="does not exist"):
-        loom.FrameRecorder(tmp_path / "a" / "b", CAMERA)
+        FrameRecorder(tmp_path / "a" / "b", CAMERA)
     assert [path.name for path in tmp_path.iterdir()] == ["notes.txt"]

@@ -6,7 +6,8 @@ import pytest
 
 import pointloom as loom
 from pointloom.core.errors import FileError
-from pointloom.registration import list_scans, run_odometry
+from pointloom.files.points.scan_files import list_scans
+from pointloom.registration import run_odometry
 
 
 def test_names_with_leading_zeros_and_words_have_an_order(tmp_path):

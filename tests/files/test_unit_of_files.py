@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.core.units import LengthUnit
 
 TRIANGLE = [[0, 0, 0], [10, 0, 0], [0, 10, 0]], [[0, 1, 2]]
-LINK = loom.LengthUnit("Gunter's link", "li", 0.201168)
+LINK = LengthUnit("Gunter's link", "li", 0.201168)
 
 
 @pytest.mark.parametrize("unit", [None, "foot", "metre", "degree", LINK], ids=str)

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.meshing.color_map.results import NothingSeenError
 
 from .color_scenes import make_scene, paint, perturb, pose_errors
 from .open3d_meshes import in_open3d
@@ -182,7 +183,7 @@ def test_no_picture_that_sees_anything_is_an_error(device):
     scene = make_scene(device, rows=15)
     poses = scene.poses.copy()
     poses[:, 2, 3] += 40
-    with pytest.raises(color_map.NothingSeenError, match="camera to world"):
+    with pytest.raises(NothingSeenError, match="camera to world"):
         color(scene, poses)
 
 

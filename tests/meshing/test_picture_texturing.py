@@ -5,6 +5,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.files.pictures.image_files import write_png
+from pointloom.meshing.color_map.results import NothingSeenError
 
 from ..hostile import faults_of
 from .picture_scenes import CAMERA, sampled, steps_of, wall_colors, wall_mesh, wall_scene
@@ -99,7 +100,7 @@ def test_what_hides_a_triangle_keeps_its_picture_away(device):
 def test_triangles_that_look_away_are_seen_by_nobody(device):
     scene = wall_scene((1.0,), device)
     turned = loom.TriangleMesh(scene.mesh.vertices, np.asarray(scene.mesh.triangles)[:, ::-1], device=device)
-    with pytest.raises(loom.color_map.NothingSeenError, match="none shows a triangle"):
+    with pytest.raises(NothingSeenError, match="none shows a triangle"):
         texture(turned, scene.pictures, CAMERA, scene.extrinsics)
 
 
@@ -172,7 +173,7 @@ def test_bad_input_is_named():
     ):
         with pytest.raises(error, match=match):
             texture(*given)
-    with pytest.raises(loom.color_map.NothingSeenError):
+    with pytest.raises(NothingSeenError):
         texture(mesh, pictures, CAMERA, poses, depth_max=0.5)
 
 

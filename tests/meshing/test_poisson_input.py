@@ -8,7 +8,7 @@ import pytest
 import pointloom as loom
 from pointloom.kernels import memory
 
-from .poisson_scenes import assert_only_the_cube_cuts, poisson, sphere
+from .poisson_scenes import assert_only_the_cube_cuts, bits, poisson, sphere
 
 
 def assert_sane(mesh, densities, points, scale=1.1):
@@ -44,6 +44,19 @@ def test_two_places_close_together_take_the_tree_to_its_depth(device):
     mesh, densities = poisson(points, np.concatenate([sphere(40)] * 2), depth=16, device=device)
     assert_sane(mesh, densities, points)
     assert densities.max() > 14
+
+
+def test_points_and_normals_that_are_not_finite_do_not_count(device):
+    points, normals = sphere(800), sphere(800)
+    whole = poisson(points, normals, device=device)
+    spoilt, without = points.copy(), np.ones(800, bool)
+    bad = {0: (np.nan, 0), 99: (np.inf, 1), 100: (-np.inf, 2)}
+    for row, (value, axis) in bad.items():
+        spoilt[row, axis] = value
+    normals[200], normals[201, 1], normals[300], normals[799] = np.nan, np.inf, 0, 0
+    without[[0, 99, 100, 200, 201, 300, 799]] = False
+    left = poisson(points[without], device=device)
+    assert bits(poisson(spoilt, normals, device=device)) == bits(left) != bits(whole)
 
 
 @pytest.mark.parametrize("normal", [(0, 0, 1), (1, 0, 0)])
@@ -85,6 +98,11 @@ def test_points_at_no_two_places_are_refused(device, points, normals, message):
 def test_a_cloud_without_normals_is_told_how_to_get_some(device):
     with pytest.raises(ValueError, match=r"normals.*estimate_normals\(\)"):
         loom.TriangleMesh.create_from_point_cloud_poisson(loom.PointCloud(sphere(9), device=device))
+
+
+def test_what_is_no_cloud_is_refused():
+    with pytest.raises(TypeError, match="cloud:"):
+        loom.TriangleMesh.create_from_point_cloud_poisson(sphere(9))
 
 
 @pytest.mark.parametrize(
@@ -182,4 +200,6 @@ def test_normals_to_opposite_sides_are_spoken_of(device):
     with pytest.warns(loom.NormalsWarning, match="orient_normals_consistent_tangent_plane") as told:
         loom.TriangleMesh.create_from_point_cloud_poisson(cloud, 4)
     assert told[0].filename == __file__, "it points at the user's line"
-    loom.TriangleMesh.create_from_point_cloud_poisson(cloud.orient_normals_consistent_tangent_plane(12), 4)  # no warning
+    loom.TriangleMesh.create_from_point_cloud_poisson(
+        cloud.orient_normals_consistent_tangent_plane(12), 4
+    )  # no warning

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.meshing.color_map.results import NothingSeenError
 
 from ..hostile import faults_of
 
@@ -84,7 +85,7 @@ def test_frames_that_cannot_colour_a_mesh_are_refused_by_name():
         texture(frames(1), mesh=loom.TriangleMesh())
     with pytest.raises(ValueError, match="mesh:"):
         loom.color_map.texture_mesh(loom.TriangleMesh(), frames(1), [POSE], size=8)
-    with pytest.raises(loom.color_map.NothingSeenError):
+    with pytest.raises(NothingSeenError):
         texture(frames(1), mesh=wall().translate([0, 0, 100]))
 
 

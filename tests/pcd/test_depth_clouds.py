@@ -257,6 +257,17 @@ def test_the_nearest_point_of_each_pixel_wins_ties_to_the_first(seed, count, siz
     np.testing.assert_array_equal(image.color, seen)
 
 
+def test_a_camera_at_utm_coordinates_sees_the_same(device, redwood):
+    raw = redwood[1]
+    utm = np.array([5e5, 5.4e6, 100.25])
+    extrinsic = EXTRINSIC.copy()
+    extrinsic[:3, 3] -= extrinsic[:3, :3] @ utm
+    cloud = loom.PointCloud.create_from_depth_image(raw, CAMERA, extrinsic, device=device)
+    assert cloud.origin.any()
+    back = cloud.project_to_depth_image(640, 480, CAMERA, extrinsic, 1000.0, 100.0)
+    np.testing.assert_array_equal(np.rint(back).astype(np.uint16), raw)
+
+
 def test_clouds_of_no_points_give_empty_images(device):
     intrinsic = loom.PinholeCameraIntrinsic(4, 3, 1, 1, 0, 0)
     for points in (np.zeros((0, 3)), np.full((5, 3), np.nan), [[0, 0, -1.0]], [[0, 0, 0.0]], [[1e30, 0, 1e-30]]):

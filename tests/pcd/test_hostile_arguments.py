@@ -16,6 +16,9 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.cameras.panoramas import Panorama
+from pointloom.cameras.undistortion import Undistortion
+from pointloom.files.frames.recordings import FrameRecorder
 
 from ..files.camera_stubs import KinectStub, RealSenseStub
 from ..hostile import calls_of_clouds, faults_of, faults_of_clouds, missing_from, public_arguments, read_table
@@ -78,7 +81,6 @@ search.radius_search(queries=points, radius=0.3)
 loom.detect_shapes(cloud=cloud, distance_threshold=0.05, normal_threshold_deg=30.0, kinds=("plane", "sphere"), min_support=10, cluster_epsilon=0.3, num_iterations=10, probability=0.9, min_radius=0.0, max_radius=2.0, max_shapes=2, seed=0, progress=None)
 loom.fit_shape(cloud=cloud, kind="plane", start=None, weights=[1.0] * len(points), seed=0)
 loom.free_memory(device="cpu")
-loom.LengthUnit(name="ell", symbol="ell", metres=1.143)
 loom.AxisAlignedBoundingBox(min_bound=three, max_bound=three)
 loom.AxisAlignedBoundingBox.create_from_points(points=points)
 box.get_point_indices_within_bounding_box(points=points)
@@ -114,7 +116,6 @@ loom.CameraModel.from_intrinsic(intrinsic=camera)
 lens.project(points=points)
 lens.unproject(pixels=points[:, :2])
 lens.undistorted(blank_share=0.5, max_size=10, size=None)
-loom.Undistortion(camera=lens, blank_share=0.5, max_size=10, size=None, device="cpu")
 straightened.apply(picture=color)
 loom.undistort_picture(picture=color, camera=lens, blank_share=0.5, max_size=10, size=None, device="cpu")
 loom.SfmModel(names=["a", "b", "c"], cameras=[lens] * 3, T_camera_world=poses, points=points, colors=bytes3, errors=points[:, 0], observations=line_ends, pixels=points[:2, :2], left_out=["d"])
@@ -256,30 +257,23 @@ loom.compare_meshes(first=mesh, second=shell, thresholds=[0.1], samples=50, limi
 loom.simplify_mesh(mesh=mesh, triangles=1, ratio=None, voxel_size=None, max_error=1.0, boundary_weight=1.0, progress=None)
 loom.smooth_mesh(mesh=mesh, method="taubin", iterations=1, lambda_filter=0.5, mu=-0.53, strength=None)
 loom.create_surface(cloud=cloud, method="poisson", depth=2, density_quantile=0.1, radii=None, alpha=None, progress=None)
-loom.create_depth_pyramid(depth=depth, levels=2, diff_threshold=0.1, depth_scale=1.0, device="cpu")
-loom.create_normal_map(depth=depth, intrinsic=camera, invalid_fill=0.0, depth_scale=1.0, device="cpu")
 loom.erode_depth_edges(depth=depth, radius=1, depth_threshold=0.1, depth_scale=1.0, device="cpu")
 loom.change.cloud_to_mesh(cloud=cloud, mesh=mesh, radius=0.5, registration_error=0.01, max_distance=9.0)
 loom.change.m3c2(first=cloud, second=other, normal_radii=[0.5], cylinder_radius=0.3, max_distance=0.5, core_points=cloud, registration_error=0.01, orientation=[0, 0, 1])
-loom.change.paint(cloud=cloud, change=cloud.points[:, 0], limit=0.5)
 loom.estimate_curvature(cloud=cloud, radius=0.5, max_nn=10)
 loom.filter_depth_bilateral(depth=depth, kernel_size=3, value_sigma=0.03, dist_sigma=2.0, depth_scale=1.0, device="cpu")
 loom.marching_cubes(field=field, level=0.0, spacing=three, origin=three, device="cpu")
-loom.pyrdown_color(color=color, device="cpu")
-loom.pyrdown_depth(depth=depth, diff_threshold=0.1, depth_scale=1.0, device="cpu")
 loom.open_dataset(folder="nowhere", layout="auto", intrinsic=camera, every=1, skip_missing=True)
 loom.open_frames(folder="nowhere", layout="auto", intrinsic=camera, every=1, depth_scale=1000.0, poses=True, skip_missing=True, resize_color=True)
 loom.frames_from(frames=pictures, intrinsic=camera, depth_scale=1000.0, resize_color=True)
 loom.LatestFrames(source=stream)
 latest.close(timeout=1.0)
-loom.FrameRecorder(folder="recorded", intrinsic=camera, depth_scale=1000.0)
 recorder().write(frame=frame)
 loom.RealSenseCamera(serial="0123", file="nowhere.bag", width=640, height=480, rate=30, color=True, timeout=5.0)
 loom.AzureKinectCamera(number=0, file="nowhere.mkv", timeout=5.0)
 loom.read_colmap_model(folder="nowhere")
 loom.write_colmap_model(folder="model", model=model, format="bin")
 loom.write_transforms(path="transforms.json", model=model, pictures="images")
-loom.read_metashape_cameras(path="nowhere.xml")
 loom.record_frames(source=stream, folder="recording", progress=None)
 loom.open_recording(path="nowhere.mcap")
 loom.read_copc(path="nowhere.copc.laz", within=box, spacing=0.5, device="cpu")
@@ -307,7 +301,6 @@ loom.read_triangle_mesh(path="mesh.ply", device="cpu", up="y")
 loom.write_pinhole_camera_intrinsic(path="camera.json", intrinsic=camera)
 loom.write_point_cloud(path="cloud.las", cloud=cloud, scale=0.001, like=None)
 loom.project_to_utm(cloud=lonlat, epsg=32632)
-loom.utm_epsg(cloud=lonlat)
 loom.write_trajectory(path="trajectory.tum", trajectory=trajectory, format="tum", intrinsic=camera)
 loom.write_triangle_mesh(path="mesh.ply", mesh=mesh, up="y")
 loom.orthophoto(mesh=mesh, cell=0.1, frame=world, epsg=32632, corner=[0.0, 0.5], bounds=None, crs=None)
@@ -316,7 +309,6 @@ loom.read_color(path="nowhere.png")
 loom.read_depth(path="nowhere.png")
 loom.read_pinhole_camera_intrinsic(path="nowhere.json")
 loom.read_trajectory(path="nowhere.log", skip_missing=True)
-loom.Panorama(width=32, height=16, side=8, device="cpu")
 panorama.apply(picture=sphere)
 loom.SelectionPolygonVolume.from_json(path="nowhere.json")
 volume.to_json(path="volume.json")
@@ -377,12 +369,12 @@ def things() -> dict[str, Any]:
     stream = loom.frames_from(pictures, camera)
     lens = loom.CameraModel("SIMPLE_RADIAL", 16, 12, [10.0, 8.5, 6.5, -0.1])
     return dict(
-        sphere=np.zeros((16, 32, 3), np.uint8), panorama=loom.Panorama(32, 16),
-        splats=splats, lens=lens, straightened=loom.Undistortion(lens),
+        sphere=np.zeros((16, 32, 3), np.uint8), panorama=Panorama(32, 16),
+        splats=splats, lens=lens, straightened=Undistortion(lens),
         model=loom.SfmModel(["a", "b", "c"], [lens] * 3, poses, points, observations=[[0, 1]], pixels=[[1, 2]]),
         bytes3=(255 * colors).astype(np.uint8),
         pictures=pictures, stream=stream, frame=next(iter(stream)), latest=loom.LatestFrames(stream),
-        recorder=lambda: loom.FrameRecorder(tempfile.mkdtemp(), camera),
+        recorder=lambda: FrameRecorder(tempfile.mkdtemp(), camera),
         scene=scene, rays=rng.random((5, 6)),
         loom=loom, points=points, points32=points.astype(np.float32), row=row, colors=colors, depth=depth, cloud=cloud,
         classed=classed,
@@ -425,8 +417,8 @@ LEFT_OUT = {
     "DroppedResultWarning", "UnitWarning", "MeshRepairReport", "VoxelGrid", "RGBDSource", "SurfaceResult",
     "CleanedMesh", "SimplifiedMesh", "SmoothedMesh", "MeshComparison", "RayHits", "SplatPicture", "Shape",
     "ShapeSurface", "DetectedShapes", "BoxShape", "Stations", "Orthophoto", "ImuReadings", "DistanceField",
-    "AxisAlignedBoundingBox.mask_points", "OrientedBoundingBox.mask_points", "TriangleMesh._vertices_at",
-    "DistanceField._from_device_voxels", "PointCloud.from_open3d", "find_boxes",
+    "AxisAlignedBoundingBox.mask_points", "OrientedBoundingBox.mask_points",
+    "PointCloud.from_open3d", "find_boxes",
     # tests/drawing: viewer, recording, render
     "draw", "draw_geometries", "Viewer", "DetailTree", "sample_file", "record", "render", "save_picture", "View",
     "fit_view", "read_view", "write_view", "CameraFrustum",

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 import pointloom as loom
 from pointloom.pcd.raster_cells import NoGroundError
+from pointloom.pcd.terrain import ground_reach
 
 ORIGIN = np.array([500_000.0, 4_000_000.0, 250.0])
 
@@ -58,7 +59,7 @@ def local(cloud, mask):
 @pytest.mark.parametrize(("cell", "reach"), [(1.5, 4.0), (1.1, 1.5), (6.5, 30.0)])
 def test_bare_earth_is_the_inverse_distance_of_its_definition(device, rng, cell, reach):
     cloud = survey(rng, device, 600)
-    raster = loom.terrain.rasterize(cloud, cell, "dtm", reach=reach, neighbors=5, corner=ORIGIN[:2] + 0.3)
+    raster = loom.rasterize(cloud, cell, "dtm", reach=reach, neighbors=5, corner=ORIGIN[:2] + 0.3)
     ground = local(cloud, np.asarray(cloud["classification"]) == 2)
     told = {"cell": cell, "corner": 0.3, "reach": reach, "neighbors": 5}
     expected = [weighed(ground, x, y, **told) for x, y in zip(*map(np.ravel, centres(raster)), strict=True)]
@@ -70,12 +71,12 @@ def test_bare_earth_is_the_inverse_distance_of_its_definition(device, rng, cell,
 def test_bare_earth_on_triangles_is_scipys(device, rng):
     interpolate = pytest.importorskip("scipy.interpolate")
     cloud = survey(rng, device)
-    raster = loom.terrain.rasterize(cloud, 0.5, method="tin")
+    raster = loom.rasterize(cloud, 0.5, method="tin")
     ground = local(cloud, np.asarray(cloud["classification"]) == 2)
     expected = interpolate.LinearNDInterpolator(ground[:, :2], ground[:, 2])(*centres(raster)) + ORIGIN[2]
     np.testing.assert_array_equal(np.isnan(raster.values), np.isnan(expected))
     np.testing.assert_allclose(raster.values, expected, rtol=2e-7)
-    short = loom.terrain.rasterize(cloud, 0.5, method="tin", reach=1.0)
+    short = loom.rasterize(cloud, 0.5, method="tin", reach=1.0)
     assert 0 < np.isfinite(short.values).sum() < np.isfinite(raster.values).sum()
 
 
@@ -84,7 +85,7 @@ def test_centres_on_the_edges_of_triangles_belong_to_one(device):
     cloud = loom.PointCloud(
         np.column_stack([x, y, 3 * x - 2 * y]), classification=np.full(81, 2, np.uint8), device=device
     )
-    raster = loom.terrain.rasterize(cloud, 0.5, method="tin", bounds=(0.25, 0.25, 8.75, 8.75), corner=(0.25, 0.25))
+    raster = loom.rasterize(cloud, 0.5, method="tin", bounds=(0.25, 0.25, 8.75, 8.75), corner=(0.25, 0.25))
     assert raster.values.shape == (17, 17)
     u, v = np.meshgrid(np.arange(0.5, 9, 0.5), np.arange(0.5, 9, 0.5)[::-1])
     np.testing.assert_allclose(raster.values, 3 * u - 2 * v, atol=1e-6)
@@ -93,7 +94,7 @@ def test_centres_on_the_edges_of_triangles_belong_to_one(device):
 @pytest.mark.parametrize("kind", ["dsm", "lowest", "density", "intensity"])
 def test_what_lies_in_a_cell_is_counted_once(device, rng, kind):
     cloud = survey(rng, device)
-    raster = loom.terrain.rasterize(cloud, 1.5, kind)
+    raster = loom.rasterize(cloud, 1.5, kind)
     chosen = np.isfinite(cloud.points).all(axis=1) & (np.asarray(cloud["classification"]) != 7)
     if kind == "dsm":
         chosen &= np.asarray(cloud["return_number"]) == 1
@@ -116,7 +117,7 @@ def test_what_lies_in_a_cell_is_counted_once(device, rng, kind):
 
 def test_canopy_is_the_surface_less_the_ground(device, rng):
     cloud = survey(rng, device)
-    canopy, surface, ground = (loom.terrain.rasterize(cloud, 2.0, kind, reach=5) for kind in ("chm", "dsm", "dtm"))
+    canopy, surface, ground = (loom.rasterize(cloud, 2.0, kind, reach=5) for kind in ("chm", "dsm", "dtm"))
     np.testing.assert_allclose(canopy.values, surface.values - ground.values, atol=1e-4)
 
 
@@ -139,7 +140,7 @@ def test_a_point_far_from_the_ground_has_no_height_and_one_at_the_edge_of_the_re
 
 
 def test_ground_depends_on_nothing_beyond_its_reach(device, rng):
-    reach = loom.terrain.ground_reach(1.0, 2.0)
+    reach = ground_reach(1.0, 2.0)
     x, y = rng.random((2, 9000)) * [[150], [60]]
     points = np.column_stack([x, y, np.sin(x / 9) + 2 * ((x % 20 < 4) & (y % 20 < 4)) + 0.05 * rng.normal(size=9000)])
     far = rng.random((4000, 3)) * [300, 60, 40] + [150 + reach, 0, -20]
@@ -164,14 +165,14 @@ def test_ground_and_rasters_move_with_whole_cells(shift):
     np.testing.assert_array_equal(*masks)
     for cloud, mask in zip(clouds, masks, strict=True):
         cloud["classification"] = np.where(mask, 2, 1)
-    rasters = [loom.terrain.rasterize(cloud, 1.0, reach=4) for cloud in clouds]
+    rasters = [loom.rasterize(cloud, 1.0, reach=4) for cloud in clouds]
     np.testing.assert_array_equal(rasters[0].values, rasters[1].values)
     np.testing.assert_array_equal(rasters[1].corner - rasters[0].corner, shift)
 
 
 def test_filled_cells_are_marked_and_the_rest_stays(rng):
     cloud = survey(rng)
-    raster = loom.terrain.rasterize(cloud, 0.5, "lowest")
+    raster = loom.rasterize(cloud, 0.5, "lowest")
     filled = raster.fill_gaps(1.0)
     known = np.isfinite(raster.values)
     np.testing.assert_array_equal(filled.values[known], raster.values[known])
@@ -186,7 +187,7 @@ def test_filled_cells_are_marked_and_the_rest_stays(rng):
 
 def test_a_geotiff_holds_values_place_and_marks(tmp_path, rng):
     rasterio = pytest.importorskip("rasterio")
-    raster = loom.terrain.rasterize(survey(rng), 0.5, "dsm", crs="EPSG:32633").fill_gaps(0.6)
+    raster = loom.rasterize(survey(rng), 0.5, "dsm", crs="EPSG:32633").fill_gaps(0.6)
     with rasterio.open(raster.write(tmp_path / "dsm.tif")) as file:
         assert file.crs.to_epsg() == 32633 and file.nodata == raster.nodata and file.compression.name == "deflate"
         assert file.bounds == pytest.approx(raster.bounds)
@@ -199,10 +200,10 @@ def test_a_geotiff_holds_values_place_and_marks(tmp_path, rng):
 
 def test_a_geotiff_that_cannot_be_written_leaves_nothing(tmp_path, rng):
     pytest.importorskip("rasterio")
-    raster = loom.terrain.rasterize(survey(rng), 2.0, "dsm", crs="no system")
+    raster = loom.rasterize(survey(rng), 2.0, "dsm", crs="no system")
     with pytest.raises(loom.FileError, match="crs:"):
         raster.write(tmp_path / "a.tif")
-    good = loom.terrain.rasterize(survey(rng), 2.0, "dsm")
+    good = loom.rasterize(survey(rng), 2.0, "dsm")
     (tmp_path / "b.tif").write_text("old")
     with pytest.raises(loom.FileError, match="exists already"):
         good.write(tmp_path / "b.tif", overwrite=False)
@@ -217,7 +218,7 @@ def test_a_disk_that_is_full_at_the_very_end_is_noticed(tmp_path, missing):
     pytest.importorskip("rasterio")
     import resource
 
-    raster = loom.terrain.rasterize(loom.PointCloud(np.random.default_rng(0).random((40_000, 3)) * 400), 1.0, "dsm")
+    raster = loom.rasterize(loom.PointCloud(np.random.default_rng(0).random((40_000, 3)) * 400), 1.0, "dsm")
     size, path = raster.write(tmp_path / "whole.tif").stat().st_size, tmp_path / "dsm.tif"
     before, handler = resource.getrlimit(resource.RLIMIT_FSIZE), signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
     try:
@@ -236,16 +237,16 @@ GROUND = {"classification": np.full(5, 2, np.uint8)}
 @pytest.mark.parametrize("kind", ["dtm", "dsm", "chm", "density", "lowest"])
 def test_one_point_is_one_cell(device, kind):
     cloud = loom.PointCloud([[3.5, 2.5, 7.0]], classification=np.array([2], np.uint8), device=device)
-    raster = loom.terrain.rasterize(cloud, 1000.0, kind)
+    raster = loom.rasterize(cloud, 1000.0, kind)
     assert raster.values.tolist() == [[{"chm": 0.0, "density": np.float32(1e-6)}.get(kind, 7.0)]]
 
 
 def test_all_points_on_a_line_have_heights_but_no_triangles(device):
     line = np.column_stack([np.arange(5) + 0.5, np.arange(5) + 0.5, np.arange(5)])
     cloud = loom.PointCloud(line, **GROUND, device=device)
-    np.testing.assert_allclose(np.diag(loom.terrain.rasterize(cloud, 1.0).values[::-1]), np.arange(5), atol=1e-6)
+    np.testing.assert_allclose(np.diag(loom.rasterize(cloud, 1.0).values[::-1]), np.arange(5), atol=1e-6)
     with pytest.raises(ValueError, match="span no triangle: fewer than 3, or all on one line; take method='idw'"):
-        loom.terrain.rasterize(cloud, 1.0, method="tin")
+        loom.rasterize(cloud, 1.0, method="tin")
 
 
 POINTS = np.random.default_rng(0).random((5, 3)) * (100, 100, 1)
@@ -267,13 +268,13 @@ POINTS = np.random.default_rng(0).random((5, 3)) * (100, 100, 1)
 )
 def test_what_no_raster_can_be_made_of_is_said_by_name(cloud, options, message):
     with pytest.raises(ValueError, match=message):
-        loom.terrain.rasterize(cloud, **{"cell": 1.0} | options)
+        loom.rasterize(cloud, **{"cell": 1.0} | options)
 
 
 def test_a_cloud_without_ground_is_said_by_name():
     bare = loom.PointCloud(POINTS, classification=np.ones(5, np.uint8))
     with pytest.raises(NoGroundError, match=r"has no points of class 2; classify_ground\(cloud\)"):
-        loom.terrain.rasterize(bare, 1.0)
+        loom.rasterize(bare, 1.0)
     with pytest.raises(NoGroundError, match="has no points of class 2 or 8"):
         loom.height_above_ground(bare, classes=(2, 8))
 
@@ -281,11 +282,11 @@ def test_a_cloud_without_ground_is_said_by_name():
 def test_a_raster_that_exceeds_the_memory_is_refused_with_numbers(monkeypatch, rng):
     monkeypatch.setattr("pointloom.pcd.raster_cells.free_bytes", lambda _: 1000)
     with pytest.raises(MemoryError, match="cell:"):
-        loom.terrain.rasterize(loom.PointCloud(rng.random((5, 3)) * 50, **GROUND), 1.0)
+        loom.rasterize(loom.PointCloud(rng.random((5, 3)) * 50, **GROUND), 1.0)
 
 
 @pytest.mark.parametrize("value", [np.nan, np.inf])
 def test_an_intensity_that_is_not_finite_is_left_out_of_the_mean(device, value):
     points = [[0.5, 0.5, 0], [0.6, 0.5, 0], [0.7, 0.5, 0], [1.5, 0.5, 0]]
     cloud = loom.PointCloud(points, intensity=[1.0, value, 4.0, value], device=device)
-    np.testing.assert_array_equal(loom.terrain.rasterize(cloud, 1.0, "intensity").values, [[2.5, np.nan]])
+    np.testing.assert_array_equal(loom.rasterize(cloud, 1.0, "intensity").values, [[2.5, np.nan]])

@@ -9,7 +9,9 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.registration.icp.kinds import registration_symmetric_icp
 from pointloom.registration.rigid import fit_pose
+from pointloom.registration.robust_kernels import GeneralizedLoss
 
 from .estimator_steps import DISTANCE, legacy_cloud, ours_after, tensor_after, tensor_cloud, tensor_kernel
 from .icp_clouds import back, wavy, wavy_normals
@@ -159,7 +161,7 @@ def test_the_functions_of_their_own_are_open3ds(device, pair):
     for name, call in (
         ("ForColoredICP", reg.registration_colored_icp),
         ("ForGeneralizedICP", reg.registration_generalized_icp),
-        ("Symmetric", reg.registration_symmetric_icp),
+        ("Symmetric", registration_symmetric_icp),
     ):
         one = call(source, target, DISTANCE, criteria=rules)
         other = ours_after(device, pair, method_of(reg, name, ()), 2)
@@ -176,13 +178,13 @@ def steps_of_shapes(o3d, pair):
 def test_general_kernels_step_as_open3ds(device, pair, oracle, tolerances):
     answers = oracle("registration/estimation/general_kernels", steps_of_shapes, pair)
     for shape, expected in zip(SHAPES, answers, strict=True):
-        method = reg.TransformationEstimationPointToPlane(reg.GeneralizedLoss(0.02, shape))
+        method = reg.TransformationEstimationPointToPlane(GeneralizedLoss(0.02, shape))
         for steps, pose in zip((1, 20), expected, strict=True):
             found = ours_after(device, pair, method, steps).transformation
             np.testing.assert_allclose(found, pose, rtol=0, atol=tolerances.icp_pose, err_msg=f"{shape} {steps}")
 
 
-@pytest.mark.parametrize("loss", [reg.HuberLoss(0.02), reg.TukeyLoss(0.1), reg.GeneralizedLoss(0.02, -2)], ids=repr)
+@pytest.mark.parametrize("loss", [reg.HuberLoss(0.02), reg.TukeyLoss(0.1), GeneralizedLoss(0.02, -2)], ids=repr)
 def test_point_to_point_kernels_hold_off_clutter(device, pair, angle_between, loss):
     """Open3D has no kernels there; with one the clutter counts less."""
     init = as_pose([0.002, 0.002, 0], [0.002, 0, 0.001]) @ pair.T

@@ -7,6 +7,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import pointloom as loom
+from pointloom.registration.icp.levelling import levelled
 
 from ..products import each_pair
 from .dense_icp import MOTIONS, DenseICP
@@ -204,9 +205,9 @@ def test_a_rail_tells_that_it_is_not_held(device, rng):
 def test_a_levelled_pose_has_the_sources_up_as_the_targets(rng):
     for _ in range(20):
         init, up = as_pose(rng.normal(size=3), rng.normal(size=3)), rng.normal(size=3)
-        T = reg.levelled(init, up, (0, 0, 2))
+        T = levelled(init, up, (0, 0, 2))
         np.testing.assert_allclose(T[:3, :3] @ up, [0, 0, np.linalg.norm(up)], atol=1e-12)
         np.testing.assert_allclose(T[:3, 3], init[:3, 3], atol=0)
         least = np.arccos(np.clip((init[:3, :3] @ up)[2] / np.linalg.norm(up), -1, 1))
         assert abs(Rotation.from_matrix(T[:3, :3] @ init[:3, :3].T).magnitude() - least) < 1e-9
-    np.testing.assert_allclose(reg.levelled(None, (0, 0, 9.81)), np.eye(4), atol=0)
+    np.testing.assert_allclose(levelled(None, (0, 0, 9.81)), np.eye(4), atol=0)

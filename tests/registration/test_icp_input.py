@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.core.units import NonFiniteWarning
 
 from .icp_clouds import EACH, KINDS, assert_rigid, on
 from .poses import as_pose
@@ -62,6 +63,54 @@ def test_few_points_give_finite_poses(device, kind, rng):
         assert np.isfinite(result.transformation).all() and 0 <= result.fitness <= 1
         if kind != "scaled":
             assert_rigid(result.transformation)
+
+
+@pytest.mark.parametrize("side", [0, 1], ids=["source", "target"])
+@pytest.mark.parametrize(
+    ("kind", "column"),
+    [(k, "normals") for k in ("plane", "robust", "symmetric", "generalised", "voxelised", "coloured", "doppler")]
+    + [("generalised", "covariances"), ("doppler", "dopplers")],
+)
+def test_a_point_with_a_value_that_is_not_finite_is_left_out(device, full_pair, kind, column, side):
+    """The pose is that of the clouds without the point, and a warning counts it."""
+    clouds, rows = list(on(device, *full_pair[:2])), [5, 77]
+    whole = clouds[side]
+    if column == "covariances":
+        whole = whole.estimate_covariances(max_nn=20)
+    spoiled, values = whole.copy(), np.array(whole[column])
+    values[rows] = np.nan
+    spoiled[column] = values
+    found = []
+    is_used = kind in ("symmetric", "generalised", "voxelised") or side == (column == "normals")
+    for cloud in (spoiled, whole.select_by_index(rows, invert=True) if is_used else whole):
+        clouds[side] = cloud
+        with pytest.warns(NonFiniteWarning, match="2 of") if cloud is spoiled and is_used else nothing():
+            found.append(reg.registration_icp(*clouds, 0.1, None, KINDS[kind]))
+    limit = 1e-6 if kind == "coloured" else 1e-9  # the color of the point still counts in the gradients beside it
+    np.testing.assert_allclose(found[0].transformation, found[1].transformation, rtol=0, atol=limit)
+    assert found[0].fitness == found[1].fitness and found[0].converged
+
+
+@EACH
+def test_points_that_are_not_finite_do_not_count(device, full_pair, kind):
+    """NaN and infinity sprinkled over both clouds: the pose of the clouds without them."""
+    source, target = on(device, *full_pair[:2])
+    spoiled = []
+    for cloud in (source, target):
+        order = np.arange(len(cloud) + 30) % len(cloud)
+        points = cloud.points[order]
+        points[-30:, :] = [np.nan, 0.1, 0.1]
+        points[-10:, 2] = np.inf
+        attributes = {n: cloud[n][order] for n in ("dopplers",)}
+        normals = cloud.normals[order]
+        normals[-30:] = np.nan
+        colors = cloud.colors[order]
+        spoiled.append(loom.PointCloud(points, normals=normals, colors=colors, device=device, **attributes))
+    rules = reg.ICPConvergenceCriteria(0, 0, 5)
+    clean = reg.registration_icp(source, target, 0.15, None, KINDS[kind], rules)
+    result = reg.registration_icp(*spoiled, 0.15, None, KINDS[kind], rules)
+    np.testing.assert_allclose(result.transformation, clean.transformation, atol=1e-9)
+    assert result.fitness == clean.fitness
 
 
 def test_an_initial_pose_that_is_nearly_rigid_is_made_so(device, full_pair):

@@ -9,6 +9,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import pointloom as loom
+from pointloom.registration.pose_graphs.multiway import FragmentPair
 from pointloom.registration.rigid import make_pose
 
 reg = loom.registration
@@ -87,7 +88,7 @@ def test_a_known_pair_is_refined_and_not_sought(fragments):
     near = truth.copy()
     near[:3, 3] += 0.02
     seen = []
-    known = [reg.FragmentPair(1, 0, near, 0.0, 1.0)]
+    known = [FragmentPair(1, 0, near, 0.0, 1.0)]
     found = reg.register_fragments(clouds, voxel_size=0.06, known=known, progress=lambda *step: seen.append(step))
     assert seen == [("pairs", 0, 0)]
     assert [(pair.source, pair.target) for pair in found.pairs] == [(1, 0)]
@@ -165,6 +166,6 @@ def test_level_clouds_stay_level(fragments):
     assert np.abs(found.poses[:, 2, :2]).max() < 1e-15 and np.abs(found.poses[:, :2, 2]).max() < 1e-15
     assert worst_shift(found.poses, np.linalg.inv(truth[0]) @ truth, [0, 1, 2], clouds[0].points[::50]) < 0.01
     tilted = make_pose(Rotation.from_euler("x", 1, degrees=True).as_matrix(), np.zeros(3))
-    known = [reg.FragmentPair(1, 0, tilted, 0.0, 1.0)]
+    known = [FragmentPair(1, 0, tilted, 0.0, 1.0)]
     with pytest.raises(ValueError, match=r"known\[0\].transformation: tilts by 1 degrees"):
         reg.register_fragments(clouds, voxel_size=0.06, free=("x", "y", "z", "yaw"), known=known)

@@ -8,6 +8,10 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.registration.globally.checkers import (
+    CorrespondenceCheckerBasedOnNormal,
+    CorrespondenceCheckerBasedOnSourceRotation,
+)
 
 from .poses import moved, pose_within
 from .wrong_pairs import made_up, ransac
@@ -89,7 +93,7 @@ def test_normal_checker_tells_a_shape_from_its_mirror_image_upside_down(device, 
     )
     source = loom.PointCloud(flat, normals=normals, device=device)
     target = loom.PointCloud(both, normals=np.concatenate([normals, normals]), device=device)
-    checker = [reg.CorrespondenceCheckerBasedOnNormal(0.5)]
+    checker = [CorrespondenceCheckerBasedOnNormal(0.5)]
     result = reg.registration_ransac_based_on_correspondence(source, target, pairs, 0.02, checkers=checker)
     np.testing.assert_allclose(result.transformation, np.eye(4), atol=1e-5)
     bare = loom.PointCloud(flat, device=device), loom.PointCloud(both, device=device)
@@ -102,7 +106,7 @@ def test_rotation_checker_keeps_the_pose_that_turns_less(device, rng):
     turned = moved(points, np.diag([-1.0, -1, 1, 1])) + np.array([4, 0, 0])
     pairs = np.concatenate([np.column_stack([np.arange(300), k * 300 + np.arange(300)]) for k in (0, 1, 1, 1)])
     case = SimpleNamespace(source=points, target=np.concatenate([points, turned]), pairs=pairs)
-    level = reg.CorrespondenceCheckerBasedOnSourceRotation([0.2, 0.2, 1.0])
+    level = CorrespondenceCheckerBasedOnSourceRotation([0.2, 0.2, 1.0])
     np.testing.assert_allclose(ransac(case, device, checkers=[level]).transformation, np.eye(4), atol=1e-5)
 
 
@@ -130,8 +134,8 @@ def test_the_stricter_of_two_checkers_counts_on_the_device():
     from pointloom.registration.globally.checkers import checks_of
 
     normal, edges, distance, rotation = (
-        reg.CorrespondenceCheckerBasedOnNormal, reg.CorrespondenceCheckerBasedOnEdgeLength,
-        reg.CorrespondenceCheckerBasedOnDistance, reg.CorrespondenceCheckerBasedOnSourceRotation,
+        CorrespondenceCheckerBasedOnNormal, reg.CorrespondenceCheckerBasedOnEdgeLength,
+        reg.CorrespondenceCheckerBasedOnDistance, CorrespondenceCheckerBasedOnSourceRotation,
     )  # fmt: skip
     alone = checks_of([normal(0.3), edges(0.8), distance(0.05), rotation([0.1, 2.0, 0.3])])
     assert (alone.cosine, alone.similarity, alone.distance) == (np.cos(0.3), 0.8, 0.05)

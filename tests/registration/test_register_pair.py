@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.registration.voxel_size import choose_voxel_size
 
 from ..app.surface_poses import NEAR, POSE, bumpy, colors_at, moved
 
@@ -67,7 +68,7 @@ def test_it_tells_its_stages_and_says_what_it_found(pair):
     stages = []
     found = reg.register_pair(*pair, progress=lambda stage, done, total: stages.append((stage, done, total)))
     assert stages == [("voxels", 0, 0), ("search", 0, 0), ("refine", 0, 0), ("rate", 0, 0)]
-    assert found.voxel_size == reg.choose_voxel_size(*pair) and not found.voxel_size_given
+    assert found.voxel_size == choose_voxel_size(*pair) and not found.voxel_size_given
     report = found.to_dict()
     assert report["transformation"] == found.transformation.tolist()
     assert report["points"] == {"source": len(pair[0]), "target": len(pair[1])}
@@ -84,7 +85,7 @@ def test_a_pose_without_correspondences_is_unreliable(pair):
 
 def test_a_voxel_size_wants_clouds():
     with pytest.raises(ValueError, match="clouds:"):
-        reg.choose_voxel_size()
+        choose_voxel_size()
     with pytest.raises(TypeError, match=r"clouds\[0\]:"):
-        reg.choose_voxel_size(np.zeros((4, 3)))  # pyright: ignore[reportArgumentType]
-    assert reg.choose_voxel_size(loom.PointCloud(np.ones((50, 3)))) == 1
+        choose_voxel_size(np.zeros((4, 3)))  # pyright: ignore[reportArgumentType]
+    assert choose_voxel_size(loom.PointCloud(np.ones((50, 3)))) == 1

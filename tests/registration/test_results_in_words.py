@@ -9,6 +9,9 @@ import pointloom as loom
 from pointloom.app.jobs.evaluate import ALIGNMENTS
 from pointloom.cameras.trajectory import Trajectory, write_trajectory
 from pointloom.core.wording import json_text
+from pointloom.registration.lidar.lidar_runs import iterate_odometry
+from pointloom.registration.lidar.lidar_steps import summarize_steps
+from pointloom.registration.pose_graphs.multiway import FragmentsResult
 
 from ..app.commands import answer, run
 from ..app.surface_poses import turned
@@ -51,7 +54,7 @@ def test_errors_survive_as_json(paths):
 
 def test_a_drive_without_overlap_says_where_it_is_torn():
     wall = loom.PointCloud([[10, 0.5 * i, 0.5 * j] for i in range(-20, 20) for j in range(20)])
-    found = reg.summarize_steps(list(reg.iterate_odometry([wall, loom.PointCloud(), wall])))
+    found = summarize_steps(list(iterate_odometry([wall, loom.PointCloud(), wall])))
     assert (found.empty, found.has_seen) == ((1,), True)
     torn, open_ways = found.warnings
     assert torn == (
@@ -60,13 +63,13 @@ def test_a_drive_without_overlap_says_where_it_is_torn():
     assert open_ways.startswith("1 of 3 scans do not determine the motion along")  # of a wall alone
     assert ("predicted", "1: scan 1") in found.fields()
     assert found.to_dict()["predicted"] == [1]
-    nothing = reg.summarize_steps(list(reg.iterate_odometry([loom.PointCloud()] * 2)))
+    nothing = summarize_steps(list(iterate_odometry([loom.PointCloud()] * 2)))
     assert (nothing.warnings, nothing.to_dict()["mean_fitness"]) == (("no scan has points in range",), None)
     assert [label for label, _ in nothing.fields()] == ["scans", "path", "predicted"]
 
 
 @pytest.fixture
-def placed(rng) -> tuple[list[loom.PointCloud], reg.FragmentsResult]:
+def placed(rng) -> tuple[list[loom.PointCloud], FragmentsResult]:
     """Two parts of a surface, a cloud of noise between them, and where they lie."""
     x, y = rng.uniform(-1, 1, (2, 6000))
     points = np.column_stack([x, y, 0.2 * np.sin(5 * x) * np.cos(4 * y) + 0.1 * np.sin(9 * y + x)])

@@ -11,6 +11,7 @@ from pointloom.core.devices import resolve_device
 from pointloom.kernels.icp.robust_weights import Loss, robust_weight
 from pointloom.kernels.lang import array, float64, kernel, launch, tid
 from pointloom.kernels.memory import empty, upload
+from pointloom.registration.robust_kernels import GeneralizedLoss
 
 reg = loom.registration
 SCALES = (1e-3, 0.3, 1.0, 40.0)
@@ -33,7 +34,7 @@ LOSSES = {
     repr(loss): loss
     for loss in (
         reg.L2Loss(), reg.L1Loss(), *(getattr(reg, name)(k) for name in NAMED for k in SCALES),
-        *(reg.GeneralizedLoss(k, shape) for k in SCALES for shape in SHAPES),
+        *(GeneralizedLoss(k, shape) for k in SCALES for shape in SHAPES),
     )
 }  # fmt: skip
 
@@ -70,18 +71,18 @@ def test_weights_are_open3ds(oracle, tolerances):
 def test_the_general_weights_are_barrons(tolerances):
     r = residuals()
     for k, shape in itertools.product(SCALES, (2.0, 1.0, 0.5, 0.0, -2.0, -1e3, -math.inf)):
-        found = reg.GeneralizedLoss(k, shape).weight(r)
+        found = GeneralizedLoss(k, shape).weight(r)
         np.testing.assert_allclose(found, barron(r, k, shape), rtol=tolerances.weight, err_msg=f"{k}, {shape}")
 
 
 def test_the_general_kernel_holds_the_others():
     r = np.linspace(-3, 3, 101)
-    np.testing.assert_allclose(reg.GeneralizedLoss(0.7, 2).weight(r) * 0.49, reg.L2Loss().weight(r), rtol=1e-14)
+    np.testing.assert_allclose(GeneralizedLoss(0.7, 2).weight(r) * 0.49, reg.L2Loss().weight(r), rtol=1e-14)
     cauchy = reg.CauchyLoss(0.7 * math.sqrt(2)).weight(r)
-    np.testing.assert_allclose(reg.GeneralizedLoss(0.7, 0).weight(r) * 0.49, cauchy, rtol=1e-14)
+    np.testing.assert_allclose(GeneralizedLoss(0.7, 0).weight(r) * 0.49, cauchy, rtol=1e-14)
     # Geman and McClure: (r^2 / 4 c^2 + 1)^-2, Open3D's k / (k + r^2)^2 with k = 4 c^2
     geman = reg.GMLoss(4 * 0.49).weight(r) * 4
-    np.testing.assert_allclose(reg.GeneralizedLoss(0.7, -2).weight(r), geman, rtol=1e-13)
+    np.testing.assert_allclose(GeneralizedLoss(0.7, -2).weight(r), geman, rtol=1e-13)
 
 
 @pytest.mark.parametrize(
@@ -90,7 +91,7 @@ def test_the_general_kernel_holds_the_others():
 def test_the_general_weights_have_no_steps(limit, near, step):
     """The largest is at 2: shapes as near as 2e-3 are taken for 2, as Open3D has it."""
     r = np.linspace(0, 4, 60)
-    whole, beside = reg.GeneralizedLoss(1.0, limit).weight(r), reg.GeneralizedLoss(1.0, near).weight(r)
+    whole, beside = GeneralizedLoss(1.0, limit).weight(r), GeneralizedLoss(1.0, near).weight(r)
     np.testing.assert_allclose(beside, whole, rtol=step)
 
 

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from pointloom.rgbd.reconstruction.slac import run_rigid_optimizer_for_fragments
 
 import pointloom as loom
 from pointloom.registration import PoseGraph, PoseGraphEdge, PoseGraphNode
@@ -24,7 +25,7 @@ def straight():
 
 @pytest.fixture(scope="module")
 def aligned(bent):
-    rigid = slac.run_rigid_optimizer_for_fragments(bent.clouds, bent.graph)
+    rigid = run_rigid_optimizer_for_fragments(bent.clouds, bent.graph)
     return rigid, *slac.run_slac_optimizer_for_fragments(bent.clouds, bent.graph)
 
 
@@ -42,7 +43,7 @@ def test_the_grid_and_the_poses_that_come_back_belong_together():
     graph = PoseGraph([PoseGraphNode(), PoseGraphNode(T)], [PoseGraphEdge(0, 1)])
     solved, grid = slac.run_slac_optimizer_for_fragments(clouds, graph)
     straight, still = [grid.deform(cloud) for cloud in clouds], slac.SLACOptimizerParams(max_iterations=0)
-    measured = slac.run_rigid_optimizer_for_fragments(straight, solved, still)
+    measured = run_rigid_optimizer_for_fragments(straight, solved, still)
     assert measured.report.rmse[0] == pytest.approx(solved.report.rmse[-1], rel=0.01)
 
 
@@ -78,7 +79,7 @@ def test_poses_that_are_off_come_back(straight, bends):
     if bends:
         solved, _ = slac.run_slac_optimizer_for_fragments(straight.clouds, graph)
     else:
-        solved = slac.run_rigid_optimizer_for_fragments(straight.clouds, graph)
+        solved = run_rigid_optimizer_for_fragments(straight.clouds, graph)
     errors = [
         [np.abs(invert_pose(T) @ node.pose - np.eye(4)).max() for node, T in zip(found, straight.poses, strict=True)]
         for found in (nodes, solved.nodes)
@@ -91,7 +92,7 @@ def test_the_first_fragment_keeps_its_pose_and_the_graph_given_stays():
     clouds, given = two()
     before = [node.pose.copy() for node in given.nodes]
     for graph in (
-        slac.run_rigid_optimizer_for_fragments(clouds, given),
+        run_rigid_optimizer_for_fragments(clouds, given),
         slac.run_slac_optimizer_for_fragments(clouds, given)[0],
     ):
         assert np.abs(graph.nodes[0].pose - before[0]).max() < 1e-12
@@ -158,7 +159,7 @@ def test_an_edge_that_contradicts_the_poses_is_dropped_and_said():
     wrong[0, 3] = 0.5
     graph.nodes.append(PoseGraphNode())
     graph.edges += [PoseGraphEdge(1, 2), PoseGraphEdge(0, 2, wrong)]
-    solved = slac.run_rigid_optimizer_for_fragments(clouds, graph)
+    solved = run_rigid_optimizer_for_fragments(clouds, graph)
     assert [overlap.used for overlap in solved.report.overlaps] == [True, True, False]
     assert solved.report.overlaps[2].fitness < 0.3 and solved.report.overlaps[2].correspondences == 0
     assert solved.report.overlaps[0].correspondences > 500
@@ -181,10 +182,10 @@ def test_fragments_may_be_files(tmp_path):
     for i, cloud in enumerate(clouds):
         loom.write_point_cloud(tmp_path / f"{i}.pcd", cloud)
     steps = []
-    read = slac.run_rigid_optimizer_for_fragments(
+    read = run_rigid_optimizer_for_fragments(
         [tmp_path / "0.pcd", str(tmp_path / "1.pcd")], graph, progress=lambda *step: steps.append(step)
     )
-    given = slac.run_rigid_optimizer_for_fragments(clouds, graph)
+    given = run_rigid_optimizer_for_fragments(clouds, graph)
     assert np.abs(read.nodes[1].pose - given.nodes[1].pose).max() < 1e-6
     assert steps == [("slac", i, 5) for i in range(6)]
 

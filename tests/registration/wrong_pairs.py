@@ -7,6 +7,7 @@ from types import SimpleNamespace
 import numpy as np
 
 import pointloom as loom
+from pointloom.registration.globally.fast_global import registration_fgr_based_on_correspondence
 
 from .poses import moved, pose_within
 
@@ -36,7 +37,7 @@ def ransac(case, device="cpu", distance=0.02, **options):
 
 def fgr(case, device="cpu", seed=0, **options):
     option = reg.FastGlobalRegistrationOption(**options)
-    return reg.registration_fgr_based_on_correspondence(*clouds(case, device), case.pairs, option, seed=seed)
+    return registration_fgr_based_on_correspondence(*clouds(case, device), case.pairs, option, seed=seed)
 
 
 def robust(case, device="cpu", bound=0.015, **options):

@@ -18,7 +18,8 @@ from pointloom.kernels.search.point_tree import PointTree
 from pointloom.kernels.segmentation.cluster_labels import NOISE, label_borders, rename_cores
 from pointloom.kernels.segmentation.dbscan import cluster_cores
 from pointloom.scale import label_join, tasks
-from pointloom.scale.steps import parse
+from pointloom.scale.status import tile_status
+from pointloom.scale.steps import clusters
 
 from .scenes import CORNER, STEP, finished, in_memory, plan_of, survey, tiled, whole_cloud
 
@@ -152,7 +153,7 @@ def test_parts_of_an_array_job_join_what_all_of_them_left(files, tmp_path):
     loom.scale.plan_tiles(files, [DBSCAN], tmp_path / "job", size=11.0)
     for part in ((1, 3), (2, 3), (3, 3)):
         assert loom.scale.run_tiles(tmp_path / "job", part=part).done < 16
-    status = loom.scale.tile_status(tmp_path / "job")
+    status = tile_status(tmp_path / "job")
     assert status.waiting > 0 and (status.which_pass, status.passes) == (2, 2)
     assert f"pass 2 of 2: {status.through} of 16 tiles through" in str(status)
     with pytest.raises(loom.FileError, match="is not finished"):
@@ -177,7 +178,7 @@ def test_what_a_tile_left_is_held_against_the_manifest(files, tmp_path, monkeypa
         patch.setattr(tasks, "join_step", spoiled)
         with pytest.raises(loom.FileError, match=r"what tiles left in pass 1 cannot be joined: .*npy: is damaged"):
             loom.scale.run_tiles(tmp_path / "job")
-    status = loom.scale.tile_status(tmp_path / "job")
+    status = tile_status(tmp_path / "job")
     assert status.waiting == 9 and (status.which_pass, status.through) == (2, 0)
     assert not [*(tmp_path / "job" / "joined").iterdir()]
 
@@ -200,7 +201,7 @@ def test_however_few_clusters_are_sorted_at_a_time_their_order_is_the_same(files
 
 
 def test_more_clusters_than_32_bits_can_name_have_labels_of_64(files, tmp_path, monkeypatch):
-    for module in (label_join, parse):
+    for module in (label_join, clusters):
         monkeypatch.setattr(module, "MOST_INT32", 5)
     found, plan = tiled(files, [DBSCAN], tmp_path / "job", size=21.0)
     assert np.asarray(found["cluster"]).dtype == np.int64
@@ -265,7 +266,7 @@ def test_runs_that_are_killed_between_passes_go_on(files, tmp_path, module, name
     environment = os.environ | {"PYTHONPATH": SOURCES}
     done = subprocess.run([sys.executable, "-c", program, str(job)], env=environment, check=False, timeout=120)
     assert done.returncode == -signal.SIGKILL
-    status = loom.scale.tile_status(job)
+    status = tile_status(job)
     assert status.done == 0 and (status.which_pass, status.passes) == (2, 2)
     assert loom.scale.run_tiles(job).is_finished
     assert not [*(job / "joined").glob("*.part")]

@@ -13,7 +13,9 @@ from pointloom.files.points.las_writer import write_las
 from pointloom.files.table import PointTable
 from pointloom.scale import plan as plan_module
 from pointloom.scale import tasks
-from pointloom.scale.manifest import DISTRIBUTES, Manifest, a_worker
+from pointloom.scale.manifest import Manifest, a_worker
+from pointloom.scale.runners import retry_tiles
+from pointloom.scale.status import tile_status
 
 from .scenes import CORNER, RADIUS, SIDE, STEP, finished, plan_of, rows_of, survey, tiled
 
@@ -99,7 +101,7 @@ def test_a_header_that_lies_about_the_bounds_is_an_error_at_the_pass(tmp_path):
     loom.scale.plan_tiles(path, RADIUS, tmp_path / "job", size=10.0)
     with pytest.raises(FileError, match="outside"):
         loom.scale.run_tiles(tmp_path / "job")
-    assert loom.scale.tile_status(tmp_path / "job").sources_waiting == 0
+    assert tile_status(tmp_path / "job").sources_waiting == 0
 
 
 def test_a_plan_that_changed_is_refused_with_what_changed(files, tmp_path):
@@ -148,7 +150,7 @@ def test_a_part_ends_where_it_needs_the_numbers_of_others(files, tmp_path):
 def test_two_runs_at_once_share_the_tiles(job, expected):
     with ThreadPoolExecutor() as pool:
         [*pool.map(loom.scale.run_tiles, [job, job])]
-    status = loom.scale.tile_status(job)
+    status = tile_status(job)
     assert status.is_finished and status.points_in == status.points
     np.testing.assert_array_equal(rows_of(finished(job)), expected)
 
@@ -174,15 +176,7 @@ def test_a_task_at_which_workers_die_is_set_aside(job):
     assert "died 3 times" in status.troubles["0_0"]
     with pytest.raises(FileError, match="is not finished"):
         loom.scale.finish_tiles(job)
-    loom.scale.retry_tiles(job)
-    assert loom.scale.run_tiles(job).is_finished
-
-
-def test_the_death_of_a_run_that_only_distributes_tiles_counts_against_none(job):
-    with Manifest(job) as manifest:
-        for death in range(3):
-            assert manifest.claim("tiles", f"dead {death}{DISTRIBUTES}")["id"] == 0
-            manifest.give_back()
+    retry_tiles(job)
     assert loom.scale.run_tiles(job).is_finished
 
 
@@ -200,7 +194,7 @@ def test_a_step_that_raises_fails_its_tile_alone(files, tmp_path, monkeypatch):
     assert status.failed and status.done
     assert "no points in the east" in str(status)
     monkeypatch.delenv("POINTLOOM_TEST_FAILS")
-    loom.scale.retry_tiles(job)
+    retry_tiles(job)
     assert loom.scale.run_tiles(job).is_finished
 
 
@@ -231,7 +225,7 @@ def test_empty_tiles_and_a_halo_larger_than_tiles(tmp_path):
     steps = [{"step": "estimate_normals", "max_nn": 500}]
     found, _ = tiled(tmp_path / "two.laz", steps, tmp_path / "job", size=7.0)
     other, _ = tiled(tmp_path / "two.laz", steps, tmp_path / "one", size=100.0)
-    assert loom.scale.tile_status(tmp_path / "job").empty > 3
+    assert tile_status(tmp_path / "job").empty > 3
     np.testing.assert_array_equal(rows_of(found), rows_of(other))
 
 
@@ -282,7 +276,7 @@ def test_one_tile_is_done_alone_and_again_if_it_failed(job):
         loom.scale.run_tiles(job, tile="1_1", part=(1, 2))
     with Manifest(job) as manifest, manifest.change() as base:
         base.execute("UPDATE tiles SET state = 'aside', attempts = 3, error = 'a\nb' WHERE ix = 1 AND iy = 1")
-    (said,) = loom.scale.tile_status(job).troubles.values()
+    (said,) = tile_status(job).troubles.values()
     assert said == f"a b; repeated alone by `pointloom tile run {job} --tile 1_1`"
     for _ in range(2):
         status = loom.scale.run_tiles(job, tile="1_1")

@@ -19,6 +19,8 @@ from pointloom.core.errors import FileError
 from pointloom.scale import buckets, finish, sources, tasks
 from pointloom.scale.manifest import NAME, Manifest, a_worker, canonical, hash_of, only_one
 from pointloom.scale.plan import open_plan
+from pointloom.scale.runners import retry_tiles
+from pointloom.scale.status import tile_status
 
 from .scenes import RADIUS, finished, rows_of
 
@@ -58,7 +60,7 @@ def test_a_disk_that_is_full_while_rows_are_laid_is_named_and_leaves_nothing(job
         with pytest.raises(FileError, match=r"its points cannot be laid by tile: .*File too large"):
             loom.scale.run_tiles(job)
     assert not [*(job / "buckets").iterdir()]
-    loom.scale.retry_tiles(job)
+    retry_tiles(job)
     assert_goes_on(job, expected)
 
 
@@ -68,13 +70,13 @@ def test_a_disk_that_is_full_while_tiles_are_written_fails_them_by_name(job, exp
         status = loom.scale.run_tiles(job)
     assert status.failed == 4 and all("File too large" in error for error in status.troubles.values())
     assert not [*(job / "tiles").iterdir()]
-    loom.scale.retry_tiles(job)
+    retry_tiles(job)
     assert_goes_on(job, expected)
 
 
 def test_a_disk_without_room_for_the_manifests_log_is_no_reason_to_plan_anew(job, expected):
     with files_up_to(0), pytest.raises(FileError, match=r"plan\.sqlite"):
-        loom.scale.tile_status(job)
+        tile_status(job)
     assert_goes_on(job, expected)
 
 
@@ -119,7 +121,7 @@ def test_a_tile_that_is_no_longer_what_was_written_is_named_and_made_again(job, 
         path.unlink()
     with pytest.raises(FileError, match=r"1_1\.laz"):
         loom.scale.finish_tiles(job)
-    assert not (job / "result.laz").exists() and loom.scale.tile_status(job).waiting == 1
+    assert not (job / "result.laz").exists() and tile_status(job).waiting == 1
     assert_goes_on(job, expected)
 
 
@@ -197,7 +199,7 @@ def test_rows_by_tile_that_were_removed_are_laid_again_by_retry(job, expected):
         base.execute("UPDATE tiles SET state = 'waiting' WHERE id < 3")
     status = loom.scale.run_tiles(job)
     assert status.failed == 3 and "call retry_tiles(folder)" in status.troubles["0_0"]
-    assert loom.scale.retry_tiles(job).sources_waiting == 1
+    assert retry_tiles(job).sources_waiting == 1
     assert_goes_on(job, expected)
 
 
@@ -221,7 +223,7 @@ def test_a_file_that_is_written_to_while_its_rows_are_laid_is_refused(job, files
     monkeypatch.setattr(buckets, "_fill", touched)
     with pytest.raises(FileError, match=r"part0\.laz"):
         loom.scale.run_tiles(job)
-    assert loom.scale.tile_status(job).done == 0 and not (job / "buckets" / "000000").exists()
+    assert tile_status(job).done == 0 and not (job / "buckets" / "000000").exists()
 
 
 def test_an_octree_that_is_written_to_while_it_is_read_fails_the_tile(files, tmp_path, monkeypatch):
@@ -252,7 +254,7 @@ def test_a_manifest_that_was_copied_without_its_log_or_in_part_is_gone_on_with_o
         copy.mkdir()
         shutil.copy(job / NAME, copy / NAME)
         assert manifest.counts()["done"]
-    assert loom.scale.tile_status(copy).done < loom.scale.tile_status(job).done
+    assert tile_status(copy).done < tile_status(job).done
     assert_goes_on(copy, expected)
     content = (job / NAME).read_bytes()
     (copy / NAME).write_bytes(content[: len(content) // 2])
@@ -289,7 +291,7 @@ def test_two_runs_with_workers_on_one_folder_do_all_tiles_once(files, tmp_path, 
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path), "POINTLOOM_CPU_THREADS": "1"}
     runs = [subprocess.Popen([sys.executable, "-c", program, str(job)], env=environment) for _ in range(2)]
     assert [run.wait() for run in runs] == [0, 0]
-    status = loom.scale.tile_status(job)
+    status = tile_status(job)
     assert status.points_in == status.points
     np.testing.assert_array_equal(rows_of(finished(job)), expected)
     assert not [*(job / "locks").iterdir()] and not [*job.rglob("*.part")]
@@ -322,7 +324,7 @@ PLANS = {
 @pytest.mark.parametrize("change", PLANS.values(), ids=PLANS)
 def test_a_plan_of_wrong_values_is_an_error_that_names_the_manifest(job, change):
     rewritten(job, change)
-    for call in (loom.scale.tile_status, loom.scale.run_tiles, loom.scale.finish_tiles):
+    for call in (tile_status, loom.scale.run_tiles, loom.scale.finish_tiles):
         with pytest.raises(FileError, match=r"plan\.sqlite"):
             call(job)
 

@@ -18,6 +18,7 @@ from pointloom.files.pictures.image_files import write_png
 from pointloom.files.points.ply import read_ply_mesh
 from pointloom.meshing.volume.volume_part import VolumePart
 from pointloom.scale.jobs import fusion
+from pointloom.scale.jobs.run_jobs import job_status, retry_job
 from pointloom.scale.manifest import Manifest, a_worker
 
 from .scenes import kill_runner
@@ -143,7 +144,7 @@ def test_a_cube_holds_its_own_blocks_and_one_layer(walk, tmp_path, monkeypatch):
         lambda self, volume, frame: read.update([type(volume).__name__]) or integrate(self, volume, frame),
     )
     by_cubes(walk, tmp_path / "job", size=3 * 8 * VOXEL)
-    cubes = loom.scale.job_status(tmp_path / "job").done - 1
+    cubes = job_status(tmp_path / "job").done - 1
     assert max(held) <= 4**3 and len(held) == cubes
     assert read["BlockFinder"] == 14
     assert 14 <= read["VolumePart"] < 14 * cubes / 3
@@ -161,7 +162,7 @@ def test_a_frame_that_is_broken_in_the_middle_is_named_and_mended(own_walk, whol
     with pytest.raises(FileError, match=r"(?s)is not finished: .*frame-000007"):
         loom.scale.finish_fusion(job)
     path.write_bytes(content)
-    assert loom.scale.retry_job(job).waiting == 1
+    assert retry_job(job).waiting == 1
     assert loom.scale.run_job(job).is_finished
     np.testing.assert_array_equal(triangles_of(read_ply_mesh(loom.scale.finish_fusion(job))), whole)
 
@@ -176,7 +177,7 @@ def test_frames_without_a_pose_are_named_or_left_out(own_walk, tmp_path):
         loom.scale.plan_fusion(own_walk, tmp_path / "job", voxel_size=VOXEL)
     assert not (tmp_path / "job").exists()
     found = by_cubes(own_walk, tmp_path / "job", size=2.0, leave_out=True)
-    said = str(loom.scale.job_status(tmp_path / "job"))
+    said = str(job_status(tmp_path / "job"))
     assert all(f"frame-00000{number}" in said for number in (3, 5, 9))
     for number in (3, 5, 9):
         for kept in own_walk.glob(f"frame-00000{number}.*"):
@@ -255,11 +256,11 @@ def test_what_a_dead_worker_claimed_is_done_again_and_three_deaths_set_it_aside(
             assert manifest.claim("tasks", f"dead {death}")["name"] == "frames 0 to 13"
             manifest.give_back()
     assert loom.scale.run_job(job).aside == 1
-    loom.scale.retry_job(job)
+    retry_job(job)
     with Manifest(job, is_job=True) as manifest, a_worker(job) as alive:
         manifest.claim("tasks", alive)
         manifest.give_back()
-        assert loom.scale.job_status(job).running == 1
+        assert job_status(job).running == 1
     assert loom.scale.run_job(job).is_finished
     np.testing.assert_array_equal(triangles_of(read_ply_mesh(loom.scale.finish_fusion(job))), whole)
 
@@ -276,7 +277,7 @@ def test_shares_and_two_runs_at_once_do_every_task_once(walk, whole, tmp_path, m
     assert not loom.scale.run_job(job, part=(2, 3)).is_finished
     with ThreadPoolExecutor() as pool:
         [*pool.map(loom.scale.run_job, [job, job])]
-    assert loom.scale.job_status(job).is_finished and set(done.values()) == {1}
+    assert job_status(job).is_finished and set(done.values()) == {1}
     np.testing.assert_array_equal(triangles_of(read_ply_mesh(loom.scale.finish_fusion(job))), whole)
 
 
@@ -310,7 +311,7 @@ def test_a_runner_that_is_killed_is_gone_on_with(walk, whole, tmp_path):
     job = tmp_path / "job"
     loom.scale.plan_fusion(walk, job, voxel_size=VOXEL, size=0.65)
     kill_runner("loom.scale.run_job", job, "cubes")
-    before = loom.scale.job_status(job)
+    before = job_status(job)
     assert before.done and not before.is_finished
     assert loom.scale.run_job(job).is_finished
     np.testing.assert_array_equal(triangles_of(read_ply_mesh(loom.scale.finish_fusion(job))), whole)

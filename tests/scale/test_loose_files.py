@@ -12,6 +12,7 @@ from pointloom.files.points.las import open_las
 from pointloom.files.points.text_parts import TextInParts
 from pointloom.scale import loose_files
 from pointloom.scale import plan as plan_module
+from pointloom.scale.status import tile_status
 
 from .scenes import plan_of
 
@@ -231,9 +232,9 @@ def test_names_that_las_cannot_have_are_others(tmp_path):
 def test_a_made_file_that_is_gone_is_told_before_tiles_are_run(tmp_path):
     loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(np.random.default_rng(0).random((50, 3))))
     loom.scale.plan_tiles(tmp_path / "a.ply", STEPS, tmp_path / "job")
-    assert not loom.scale.tile_status(tmp_path / "job").troubles
+    assert not tile_status(tmp_path / "job").troubles
     (tmp_path / "job" / "sources" / "000000.laz").unlink()
-    (told,) = loom.scale.tile_status(tmp_path / "job").troubles.items()
+    (told,) = tile_status(tmp_path / "job").troubles.items()
     assert told[0].endswith("a.ply") and "was made of" in told[1]
     with pytest.raises(loom.FileError, match=r"made of .*a\.ply.*Plan the tiles anew"):
         loom.scale.plan_tiles(tmp_path / "a.ply", STEPS, tmp_path / "job")

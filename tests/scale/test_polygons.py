@@ -7,6 +7,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.scale.polygons import boxes_that_meet, parse_area, to_json
+from pointloom.scale.status import tile_status
 
 from .scenes import CORNER, SIDE, in_memory, plan_of, rows_of, survey, tiled, whole_cloud
 
@@ -61,7 +62,7 @@ def test_only_tiles_that_polygons_touch_are_made(files, tmp_path):
     np.testing.assert_array_equal(rows_of(found), rows_of(kept.select_by_mask(meets)))
     assert 0 < meets.sum() < len(kept)
     status = loom.scale.plan_tiles(files, steps, tmp_path / "other", size=7.0, only=moved(HOLE)[0])
-    assert status.waiting < 16 < loom.scale.tile_status(tmp_path / "job").done
+    assert status.waiting < 16 < tile_status(tmp_path / "job").done
 
 
 def test_boxes_that_meet_are_those_of_a_fine_raster():

@@ -17,6 +17,8 @@ import pytest
 import pointloom as loom
 from pointloom.scale import processes, tile_tree
 from pointloom.scale.processes import Processes
+from pointloom.scale.runners import retry_tiles
+from pointloom.scale.status import tile_status
 
 from .scenes import finished, kill_runner, rows_of, survey
 
@@ -76,7 +78,7 @@ def test_a_scheduler_that_is_not_there_is_named_and_nothing_is_lost(files, tmp_p
     loom.scale.plan_tiles(files, STEPS, tmp_path / "job", size=30.0)
     with pytest.raises(loom.FileError, match=r"no scheduler at tcp://127\.0\.0\.1:9"):
         loom.scale.run_tiles(tmp_path / "job", scheduler="tcp://127.0.0.1:9")
-    assert loom.scale.tile_status(tmp_path / "job").waiting == 4
+    assert tile_status(tmp_path / "job").waiting == 4
 
 
 def test_a_worker_of_another_version_is_refused(files, scheduler, tmp_path, monkeypatch):
@@ -84,7 +86,7 @@ def test_a_worker_of_another_version_is_refused(files, scheduler, tmp_path, monk
     monkeypatch.setattr(processes, "_prepare", _another_version)
     with pytest.raises(loom.FileError, match=r"has pointloom 0\.0\.1, this is"):
         loom.scale.run_tiles(tmp_path / "job", scheduler=scheduler)
-    assert loom.scale.tile_status(tmp_path / "job").waiting == 4
+    assert tile_status(tmp_path / "job").waiting == 4
 
 
 def _another_version(device):
@@ -128,7 +130,7 @@ def test_a_tile_at_which_workers_die_is_done_again_and_set_aside_after_three_dea
         else:
             assert (status.aside, status.failed) == (1, 0)
             assert "the worker died 3 times at it" in str(status)
-            loom.scale.retry_tiles(job)
+            retry_tiles(job)
             assert loom.scale.run_tiles(job, functions=[dies]).is_finished
         np.testing.assert_array_equal(rows_of(finished(job)), expected)
 
@@ -154,7 +156,7 @@ def test_workers_of_a_runner_that_is_killed_end_and_the_job_goes_on(files, expec
     job = tmp_path / "job"
     loom.scale.plan_tiles(files, STEPS, job, size=4.0)
     kill_runner("loom.scale.run_tiles", job, "pass 2", workers=2)
-    before = loom.scale.tile_status(job)
+    before = tile_status(job)
     assert before.done and not before.is_finished
     assert loom.scale.run_tiles(job).is_finished
     np.testing.assert_array_equal(rows_of(finished(job)), expected)
@@ -177,7 +179,7 @@ def test_a_cluster_that_lacks_workers_or_goes_away_is_an_error_by_name(files, tm
         with pytest.raises(loom.FileError, match="has gone"):
             loom.scale.run_tiles(tmp_path / "job", scheduler=empty.scheduler_address)
         closing.join()
-    assert loom.scale.tile_status(tmp_path / "job").waiting == 4
+    assert tile_status(tmp_path / "job").waiting == 4
 
 
 @pytest.mark.slow

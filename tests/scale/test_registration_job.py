@@ -5,12 +5,14 @@ from collections import Counter
 
 import numpy as np
 import pytest
+from pointloom.scale.jobs.likely_pairs import groups_of, meeting_boxes, most_alike, nearest_of, place_box
 from scipy.spatial.transform import Rotation
 
 import pointloom as loom
 from pointloom.core.errors import FileError
+from pointloom.registration.pose_graphs.multiway import FragmentPair
 from pointloom.scale.jobs import scans as scans_job
-from pointloom.scale.jobs.scans import groups_of, meeting_boxes, most_alike, nearest_of, place_box
+from pointloom.scale.jobs.run_jobs import job_status, retry_job
 from pointloom.scale.manifest import Manifest
 
 SIZE = 0.08
@@ -75,7 +77,7 @@ def assert_same(found, expected):
         np.testing.assert_array_equal(mine.information, theirs.information)
 
 
-def test_scans_are_placed_as_in_memory_and_every_pair_has_a_status(device, surveyed, expected, tmp_path):
+def test_scans_are_placed_as_in_memory_and_every_pair_has_a_verdict(device, surveyed, expected, tmp_path):
     found = by_tasks(surveyed[0], tmp_path / "job", device)
     assert found.placed.tolist() == [True, True, True, False]
     assert_same(found, expected if device == "cpu" else in_memory(surveyed[0], device))
@@ -107,7 +109,7 @@ def test_level_scans_are_placed_as_in_memory_and_none_tilts(surveyed, tmp_path):
 
 def test_given_pairs_and_known_ones_are_those_of_memory(surveyed, expected, tmp_path):
     first = expected.pairs[0]
-    known = [loom.registration.FragmentPair(first.source, first.target, first.transformation, 0.0, 1.0)]
+    known = [FragmentPair(first.source, first.target, first.transformation, 0.0, 1.0)]
     how = {"pairs": [(2, 1), (0, 2)], "known": known}
     assert_same(by_tasks(surveyed[0], tmp_path / "job", alike=0, **how), in_memory(surveyed[0], **how))
     with Manifest(tmp_path / "job", is_job=True) as manifest:
@@ -159,7 +161,7 @@ def test_a_scan_that_cannot_be_read_is_named_and_mended(surveyed, expected, tmp_
     with pytest.raises(FileError, match="is not finished"):
         loom.scale.finish_registration(job)
     paths[1].write_bytes(surveyed[0][1].read_bytes())
-    loom.scale.retry_job(job)
+    retry_job(job)
     assert loom.scale.run_job(job).is_finished
     assert_same(loom.scale.finish_registration(job), expected)
     loom.write_point_cloud(paths[0], loom.PointCloud(np.zeros((1, 3))))
@@ -206,7 +208,7 @@ def test_an_interrupted_run_does_no_pair_again(surveyed, expected, tmp_path, mon
     monkeypatch.setattr(scans_job.RegistrationJob, "do", stop)
     with pytest.raises(KeyboardInterrupt):
         loom.scale.run_job(job)
-    assert loom.scale.job_status(job).done == 7
+    assert job_status(job).done == 7
     monkeypatch.setattr(
         scans_job.RegistrationJob,
         "do",
@@ -222,7 +224,7 @@ def test_a_scan_without_a_surface_is_told_and_left_out(surveyed, tmp_path):
     paths = [surveyed[0][0], tmp_path / "few.ply", surveyed[0][1]]
     found = by_tasks(paths, tmp_path / "job")
     assert found.placed.tolist() == [True, False, True]
-    assert "few.ply: shows no surface" in str(loom.scale.job_status(tmp_path / "job"))
+    assert "few.ply: shows no surface" in str(job_status(tmp_path / "job"))
 
 
 @pytest.mark.parametrize(

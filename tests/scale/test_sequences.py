@@ -7,11 +7,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from pointloom.scale.jobs.sequences import plan_sequences
 
 import pointloom as loom
 from pointloom.core.errors import FileError
 from pointloom.data.scenes.room import write_room_sequence
-from pointloom.scale.jobs import run_jobs
+from pointloom.scale.jobs import sequences
+from pointloom.scale.jobs.run_jobs import job_status, retry_job
 from pointloom.scale.manifest import NAME
 
 SIZES = {"n_frames_per_fragment": 3, "tsdf_voxel_size": 0.04, "depth_max": 4.0}
@@ -36,7 +38,7 @@ def broken(walks, tmp_path):
 
 
 def test_a_sequence_is_what_the_system_makes_of_it_alone(walks, tmp_path):
-    assert loom.scale.plan_sequences(walks[1:], tmp_path / "job", config=CONFIG).waiting == 1
+    assert plan_sequences(walks[1:], tmp_path / "job", config=CONFIG).waiting == 1
     status = loom.scale.run_job(tmp_path / "job")
     assert status.is_finished, status
     alone = loom.reconstruction.run_system(loom.open_frames(walks[1]), CONFIG, tmp_path / "alone")
@@ -49,16 +51,16 @@ def test_a_sequence_is_what_the_system_makes_of_it_alone(walks, tmp_path):
 @pytest.mark.slow
 def test_one_that_cannot_be_read_fails_alone_and_is_mended(broken, tmp_path, monkeypatch):
     job, started = tmp_path / "job", []
-    run_system = run_jobs.run_system
+    run_system = sequences.run_system
     monkeypatch.setattr(
-        run_jobs, "run_system", lambda *args, **how: started.append(args[2].name) or run_system(*args, **how)
+        sequences, "run_system", lambda *args, **how: started.append(args[2].name) or run_system(*args, **how)
     )
-    loom.scale.plan_sequences(broken, job, config=CONFIG)
+    plan_sequences(broken, job, config=CONFIG)
     status = loom.scale.run_job(job)
     assert (status.done, status.failed, started) == (1, 1, ["a"])
     assert "camera-intrinsics.json" in status.troubles["b"]
     shutil.copy(broken[0] / "camera-intrinsics.json", broken[1] / "camera-intrinsics.json")
-    loom.scale.retry_job(job)
+    retry_job(job)
     assert loom.scale.run_job(job).is_finished
     assert started == ["a", "b"]
     path = next(broken[0].glob("*.depth.png"))
@@ -70,21 +72,21 @@ def test_one_that_cannot_be_read_fails_alone_and_is_mended(broken, tmp_path, mon
 @pytest.mark.slow
 def test_an_interrupted_sequence_goes_on_where_it_was(walks, tmp_path, monkeypatch):
     job = tmp_path / "job"
-    loom.scale.plan_sequences(walks[:1], job, config=CONFIG)
+    plan_sequences(walks[:1], job, config=CONFIG)
 
     def stop(stage, done, total):
         if stage == "integrate":
             raise KeyboardInterrupt
 
-    run_system = run_jobs.run_system
-    monkeypatch.setattr(run_jobs, "run_system", lambda *args, **how: run_system(*args, **how, progress=stop))
+    run_system = sequences.run_system
+    monkeypatch.setattr(sequences, "run_system", lambda *args, **how: run_system(*args, **how, progress=stop))
     made = job / "sequences" / "kitchen"
     with pytest.raises(KeyboardInterrupt):
         loom.scale.run_job(job)
-    assert loom.scale.job_status(job).waiting == 1
+    assert job_status(job).waiting == 1
     before = {path: path.stat().st_mtime_ns for path in made.rglob("*.ply")}
     assert before
-    monkeypatch.setattr(run_jobs, "run_system", run_system)
+    monkeypatch.setattr(sequences, "run_system", run_system)
     assert loom.scale.run_job(job).is_finished
     assert all(path.stat().st_mtime_ns == time for path, time in before.items())
 
@@ -93,13 +95,13 @@ def test_what_is_no_queue_is_refused(walks, tmp_path):
     cases = [([], "one folder"), ([walks[0], walks[0]], "kitchen"), ([walks[0], tmp_path / "nowhere"], "nowhere")]
     for folders, expected in cases:
         with pytest.raises((ValueError, FileError), match=expected):
-            loom.scale.plan_sequences(folders, tmp_path / "job")
+            plan_sequences(folders, tmp_path / "job")
     assert not (tmp_path / "job").exists()
 
 
 @pytest.mark.slow
 def test_workers_share_the_queue(walks, tmp_path):
-    loom.scale.plan_sequences(walks, tmp_path / "job", config=CONFIG)
+    plan_sequences(walks, tmp_path / "job", config=CONFIG)
     assert loom.scale.run_job(tmp_path / "job", workers=2).is_finished
     assert np.all([(tmp_path / "job" / "sequences" / name).is_dir() for name in ("kitchen", "kitchen_2")])
 
@@ -107,7 +109,7 @@ def test_workers_share_the_queue(walks, tmp_path):
 @pytest.mark.parametrize("name", ["../../outside", "/tmp/outside", "..", "a/b", "a\0b"])
 def test_the_name_of_a_task_is_no_path(walks, tmp_path, name):
     job = tmp_path / "job"
-    loom.scale.plan_sequences(walks[1:], job, config=CONFIG)
+    plan_sequences(walks[1:], job, config=CONFIG)
     with contextlib.closing(sqlite3.connect(job / NAME)) as base, base:
         base.execute("UPDATE tasks SET name = ?", (name,))
     status = loom.scale.run_job(job)

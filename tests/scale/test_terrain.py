@@ -114,7 +114,7 @@ def test_the_mosaic_of_tiles_is_the_raster_of_one_machine(files, tmp_path, size)
     cloud = classified(whole(files, plan))
     for step in RASTERS:
         told = {key: value for key, value in step.items() if key not in ("step", "fill")}
-        raster = loom.terrain.rasterize(cloud, **told)
+        raster = loom.rasterize(cloud, **told)
         if "fill" in step:
             raster = raster.fill_gaps(step["fill"])
             assert raster.filled.any() and np.isnan(raster.values).any()
@@ -131,7 +131,7 @@ def test_an_area_has_the_cells_of_its_tiles(files, tmp_path):
     steps = [{"step": "rasterize", "cell": 1.5, "kind": "lowest"}]
     low = CORNER[:2] + 70
     _, plan = run(files, steps, tmp_path / "job", size=30.0, only=[*low, *(low + 40)])
-    raster = loom.terrain.rasterize(whole(files, plan), 1.5, "lowest")
+    raster = loom.rasterize(whole(files, plan), 1.5, "lowest")
     with rasterio.open(tmp_path / "job" / "result.lowest.tif") as file:
         found, bounds = file.read(1, masked=True).filled(np.nan), file.bounds
     assert found.shape == (40, 40)
@@ -177,7 +177,7 @@ def test_large_mosaics_have_overviews_in_the_order_of_the_cloud(files, tmp_path)
     step = {"step": "rasterize", "cell": 0.1, "kind": "density"}
     rasters, plan = run(files, [step], tmp_path / "job", size=60.0)
     path = rasters.with_name("result.density.tif")
-    full = loom.terrain.rasterize(whole(files, plan), 0.1, "density").values
+    full = loom.rasterize(whole(files, plan), 0.1, "density").values
     with rasterio.open(path) as file:
         assert file.tags(ns="IMAGE_STRUCTURE")["LAYOUT"] == "COG"
         assert file.overviews(1) == file.overviews(2) == [2, 4, 8]
@@ -199,7 +199,7 @@ def test_a_tile_without_points_has_the_ground_that_is_near(tmp_path):
     write_las(tmp_path / "gap.laz", table, scale=1e-3)
     step = {"step": "rasterize", "cell": 1.0, "reach": 8.0}
     _, plan = run([tmp_path / "gap.laz"], [step], tmp_path / "job", size=30.0)
-    raster = loom.terrain.rasterize(whole([tmp_path / "gap.laz"], plan), 1.0, reach=8.0)
+    raster = loom.rasterize(whole([tmp_path / "gap.laz"], plan), 1.0, reach=8.0)
     with rasterio.open(tmp_path / "job" / "result.dtm.tif") as file:
         found = file.read(1)
     assert np.isfinite(raster.values[:, 30:36]).all() and np.isnan(raster.values[:, 40:50]).all()
@@ -253,7 +253,7 @@ def test_real_surveys_are_the_same_by_tiles(scan_file, tmp_path, name, size):
     names = ("classification", "height_above_ground")
     np.testing.assert_array_equal(rows_of(loom.read_point_cloud(result), *names), rows_of(cloud, *names))
     for kind, cell in kinds.items():
-        raster = loom.terrain.rasterize(cloud, cell, kind, reach=9 * scale)
+        raster = loom.rasterize(cloud, cell, kind, reach=9 * scale)
         with rasterio.open(tmp_path / "job" / f"result.{kind}.tif") as file:
             assert file.bounds == pytest.approx(raster.bounds, abs=1e-6)
             np.testing.assert_array_equal(file.read(1, masked=True).filled(np.nan), raster.values)

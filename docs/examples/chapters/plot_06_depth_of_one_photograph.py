@@ -28,6 +28,7 @@ import onnx
 from onnx import helper, numpy_helper
 
 import pointloom as loom
+from pointloom.photos.depth.evaluation import evaluate_depth
 
 SIDE = 384  # MiDaS looks at 384 x 384 pixels, whatever the picture's shape
 
@@ -130,10 +131,10 @@ assert fitted.is_metric and fitted.inlier_share > 0.9
 
 results = {"alone": alone, "with a tape": measured, "with a sensor": fitted}
 for name, found in results.items():
-    errors = loom.evaluate_depth(found.depth, truth)
+    errors = evaluate_depth(found.depth, truth)
     print(f"{name:14} abs_rel {errors.abs_rel:.3f}, rmse {errors.rmse:.3f} m, within 25 %: {errors.delta1:.1%}")
 
-scores = {name: loom.evaluate_depth(found.depth, truth).abs_rel for name, found in results.items()}
+scores = {name: evaluate_depth(found.depth, truth).abs_rel for name, found in results.items()}
 assert scores["with a sensor"] < 0.03 and scores["with a tape"] < 0.06
 assert scores["alone"] > 5 * scores["with a sensor"]
 

@@ -13,11 +13,12 @@ import numpy as np
 import warp as wp
 
 import pointloom as loom
+from pointloom.core.threads import get_num_threads
 
 # %%
 # What is here. ``device="auto"`` takes the GPU where there is one.
 devices = ["cpu"] + [str(device) for device in wp.get_cuda_devices()]
-print("devices:", devices, "| threads:", loom.get_num_threads())
+print("devices:", devices, "| threads:", get_num_threads())
 room = loom.data.room_cloud().voxel_down_sample(0.03)
 chosen = room.to("auto")
 print("auto is", chosen.device)
@@ -42,7 +43,7 @@ def digest(arrays):
 # %%
 # With one thread, with two, with all: one digest. Sums run in a fixed order, and what happens first is never what
 # decides. So a test may compare results bit for bit, and an experiment can be repeated.
-before = loom.get_num_threads()
+before = get_num_threads()
 digests = {}
 for threads in (1, 2, before):
     loom.set_num_threads(threads)

@@ -14,6 +14,8 @@ from pathlib import Path
 import numpy as np
 
 import pointloom as loom
+from pointloom.core.units import LengthUnit
+from pointloom.pcd.geographic import utm_epsg
 
 folder = Path(tempfile.mkdtemp())
 rng = np.random.default_rng(1)
@@ -70,7 +72,7 @@ assert np.median(feet.to_unit("metre").compute_point_cloud_distance(metres)) < 1
 
 # %%
 # A unit that has no name here is made: the length of one, in metres.
-link = loom.LengthUnit("Gunter's link", "li", 0.201168)
+link = LengthUnit("Gunter's link", "li", 0.201168)
 field = loom.PointCloud([[0, 0, 0], [100, 0, 0]], unit=link).to_unit("metre")
 print(f"a chain of 100 links is {field.points[1, 0]:.4f} m")
 assert abs(field.points[1, 0] - 20.1168) < 1e-4
@@ -82,7 +84,7 @@ longitude = -79.3871 + rng.uniform(0, 0.002, 5000)
 latitude = 43.6426 + rng.uniform(0, 0.002, 5000)
 hill = 100 + 20 * np.exp(-(((longitude + 79.3861) / 5e-4) ** 2) - ((latitude - 43.6436) / 5e-4) ** 2)
 degrees = loom.PointCloud(np.column_stack([longitude, latitude, hill]), unit="degree")
-zone = loom.utm_epsg(degrees)
+zone = utm_epsg(degrees)
 utm = loom.project_to_utm(degrees, epsg=zone)
 size = np.ptp(utm.points, axis=0)
 print(f"EPSG:{zone}, {size[0]:.1f} by {size[1]:.1f} m")

@@ -52,14 +52,14 @@ print(f"broken: {len(broken.triangles)} triangles in {len(parts)} parts")
 # since a hole of that size may be the bottom of the scan. ``min_triangles`` drops parts with fewer triangles: the
 # crumbs.
 
-found: loom.CleanedMesh = loom.clean_mesh(broken, hole_size=0.1 * size, min_triangles=100)
+found = loom.clean_mesh(broken, hole_size=0.1 * size, min_triangles=100)
 print(found)
 
 # %%
 # The result has the mesh and its figures. ``repair`` counts the changes, ``reliable`` is True if all quality checks
 # passed, and ``warnings`` has those that failed. We also compare the mesh with the truth.
 
-report: loom.MeshRepairReport = found.repair
+report = found.repair
 volume = found.mesh.get_volume()
 print(
     f"merged {report.merged_vertices} vertices, turned {report.flipped_triangles} "

@@ -20,7 +20,7 @@ import pointloom as loom
 # from samples of either.
 
 mesh = loom.data.object_mesh()
-tenth: loom.SimplifiedMesh = loom.simplify_mesh(mesh, ratio=0.1)
+tenth = loom.simplify_mesh(mesh, ratio=0.1)
 hundredth = loom.simplify_mesh(mesh, ratio=0.01)
 print(tenth)
 

@@ -30,7 +30,7 @@ print(f"{len(truth.vertices)} vertices, {size:.3f} m across, noise of {sigma * 1
 # ``smooth_mesh`` tells how far vertices moved and how the area changed. More iterations smooth more; with "laplacian"
 # each of them shrinks the figure as well.
 
-results: dict[str, loom.SmoothedMesh] = {name: loom.smooth_mesh(noisy, name, 30) for name in ("laplacian", "taubin")}
+results = {name: loom.smooth_mesh(noisy, name, 30) for name in ("laplacian", "taubin")}
 print(results["taubin"])
 
 # %%

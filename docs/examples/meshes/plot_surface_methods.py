@@ -33,9 +33,7 @@ print(f"{len(scan)} points, {np.linalg.norm(high - low):.3f} m across")
 # reports: how much area lies far from all points, how many edges are open, and in ``warnings`` why the surface is
 # unreliable.
 
-results: dict[str, loom.SurfaceResult] = {
-    name: loom.create_surface(scan, name) for name in ("poisson", "ball", "alpha")
-}
+results = {name: loom.create_surface(scan, name) for name in ("poisson", "ball", "alpha")}
 for name, result in results.items():
     metrics = result.mesh.compute_metrics(truth, n_sampled_points=20_000)
     print(f"{name:8} {len(result.mesh.triangles):7} triangles, closed: {result.mesh.is_watertight()!s:5} "

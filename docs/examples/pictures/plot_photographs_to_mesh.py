@@ -40,7 +40,7 @@ known = loom.SfmModel(names, [lens] * len(names), T_camera_world)
 # Poses stay as they are. ``warnings`` reports poses that do not fit the images: a wrong lens, another order,
 # mirrored axes.
 
-found: loom.sfm.TriangulationResult = loom.sfm.triangulate(folder, known, max_size=480, max_features=1000)
+found = loom.sfm.triangulate(folder, known, max_size=480, max_features=1000)
 model = found.model
 print(model, "|", "; ".join(found.warnings) or "the poses fit")
 scene = loom.RaycastingScene()
@@ -62,7 +62,7 @@ small = [
     taken.reshape(camera.height, 4, camera.width, 4, 3).mean(axis=(1, 3)).round().astype(np.uint8)
     for taken in shots.pictures[:count]
 ]
-maps: loom.mvs.DepthMaps = loom.mvs.estimate_depth_maps(small, posed, model)
+maps = loom.mvs.estimate_depth_maps(small, posed, model)
 kept = loom.mvs.filter_depth_maps(maps)
 errors, shares = [], []
 for one, depth in zip(kept, shots.depths, strict=False):

@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy as np
 
 import pointloom as loom
+from pointloom.files.models.metashape import read_metashape_cameras
 
 folder = Path(tempfile.mkdtemp())
 shots = loom.data.photographs(12)
@@ -75,7 +76,7 @@ cameras = "".join(
     f'<resolution width="{camera.width}" height="{camera.height}"/><f>{camera.fx}</f></calibration></sensor></sensors>'
     f"<cameras>{cameras}</cameras></chunk></document>"
 )
-metashape = loom.read_metashape_cameras(folder / "cameras.xml")
+metashape = read_metashape_cameras(folder / "cameras.xml")
 print(metashape, metashape.cameras[0].intrinsic)
 assert np.allclose(metashape.T_world_camera, shots.poses[:2], atol=1e-9)
 

@@ -9,6 +9,7 @@ its camera. ``CameraModel`` knows the lenses of COLMAP, OpenCV and Metashape.
 import numpy as np
 
 import pointloom as loom
+from pointloom.cameras.undistortion import Undistortion
 
 # %%
 # A lens
@@ -71,7 +72,7 @@ assert difference < 30
 # %%
 # Many pictures of one lens: the places are computed once, and ``seen`` tells which pixels the lens showed.
 
-undistortion = loom.Undistortion(lens, blank_share=1.0)
+undistortion = Undistortion(lens, blank_share=1.0)
 whole = undistortion.apply(bent)
 print(whole.shape, undistortion.intrinsic, f"{100 * undistortion.seen.mean():.0f} % of it seen")
 assert 0.5 < undistortion.seen.mean() < 1.0

@@ -1,14 +1,16 @@
 """
-From any pose, and when to trust it
-===================================
+From any pose, and when to believe it
+=====================================
 
-Two scans are registered without an initial pose, and a score rates the result. The score matters more than the pose:
-any two clouds have a best pose, also two that have nothing in common.
+Two scans that lie anyhow are brought together without a first guess, and the answer says how far to believe it: a
+score. The score matters more than the pose, since some pose comes out of any two clouds, also of two that have
+nothing in common.
 """
 
 import numpy as np
 
 import pointloom as loom
+from pointloom.registration.voxel_size import choose_voxel_size
 
 reg = loom.registration
 
@@ -42,7 +44,7 @@ def off(T):
 # %%
 # **In one call.** ``register_pair`` chooses the voxels, searches, refines and rates. ``warnings`` has the reasons
 # if the result is unreliable.
-pair: reg.PairRegistration = reg.register_pair(source, target)
+pair = reg.register_pair(source, target)
 print(pair)
 turn, distance = off(pair.transformation)
 print(f"{turn:.3f} degrees, {1000 * distance:.1f} mm from the truth")
@@ -50,17 +52,17 @@ assert pair.reliable and turn < 0.5 and distance < 0.02
 
 # %%
 # **The parts of it.** ``register_globally`` searches; its voxel is the one thing to choose: smaller than what there
-# is to recognise, larger than the noise. ``choose_voxel_size`` proposes one. A pose with a score above 0.5 is
-# accepted.
-voxel = reg.choose_voxel_size(source, target)
+# is to recognise, larger than the noise. ``choose_voxel_size`` proposes one. A score above 0.5 is a pose that is
+# believed.
+voxel = choose_voxel_size(source, target)
 found = reg.register_globally(source, target, voxel_size=voxel)
 print(f"voxels of {voxel} m: score {found.score:.2f}, {found.reason}, {off(found.transformation)[0]:.2f} degrees off")
 assert found.converged and found.score > 0.5
 
 # %%
-# **Rejected poses.** The scores of the true pose, of one that is 60 cm off across the room, and of one that is rotated
-# by 180 degrees. A pose that is a voxel or two off is refined before it is rated. The score has a limit: the last pose
-# slides along the walls that both scans have, and only furniture distinguishes it from the true one.
+# **What is not believed.** The right pose rated, one that is 60 cm off across the room, and one that is turned by
+# half a turn. A pose that is a voxel or two off is brought nearer before it is judged. The score is not blind-proof:
+# the last pose slides along the walls that both scans have, and nothing but furniture tells it from the right one.
 # Two such poses are compared by their scores, not by 0.5.
 beside, upside = truth.copy(), truth @ np.diag([-1.0, -1.0, 1.0, 1.0])
 beside[1, 3] += 0.6

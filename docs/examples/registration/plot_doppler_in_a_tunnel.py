@@ -62,7 +62,7 @@ assert plane.fitness > 0.9 and abs(plane.transformation[0, 3] - truth[0, 3]) > 1
 # motion (cars) may be dropped.
 doppler = reg.TransformationEstimationForDopplerICP(period=period, lambda_doppler=0.05, reject_dynamic_outliers=True)
 criteria = reg.ICPConvergenceCriteria(max_iteration=100)
-found: reg.RegistrationResult = reg.registration_icp(first, target, 1.0, np.eye(4), doppler, criteria)
+found = reg.registration_icp(first, target, 1.0, np.eye(4), doppler, criteria)
 print(f"with speeds: {found.transformation[0, 3]:+.3f} m along the tunnel; the truth is {truth[0, 3]:+.3f} m")
 turn = np.degrees(np.arccos(np.clip((np.trace(found.transformation[:3, :3]) - 1) / 2, -1, 1)))
 print(

@@ -8,8 +8,14 @@ here, of which four in five are wrong.
 """
 
 import numpy as np
+from pointloom.registration.globally.robust_global import registration_robust_based_on_feature_matching
 
 import pointloom as loom
+from pointloom.registration.globally.checkers import (
+    CorrespondenceCheckerBasedOnNormal,
+    CorrespondenceCheckerBasedOnSourceRotation,
+)
+from pointloom.registration.globally.fast_global import registration_fgr_based_on_correspondence
 
 reg = loom.registration
 
@@ -53,10 +59,10 @@ assert 0.03 < right.mean() < 0.9
 # **Agree.** RANSAC draws triples and counts; the checkers refuse a triple cheaply: edges that differ in length,
 # normals that disagree. FGR minimises over all pairs with a robust kernel that tightens. The robust form looks for
 # pairs that keep their distances; it draws nothing.
-checkers: list[reg.CorrespondenceChecker] = [
+checkers = [
     reg.CorrespondenceCheckerBasedOnEdgeLength(0.9),
     reg.CorrespondenceCheckerBasedOnDistance(1.5 * voxel),
-    reg.CorrespondenceCheckerBasedOnNormal(np.radians(40)),
+    CorrespondenceCheckerBasedOnNormal(np.radians(40)),
 ]
 criteria = reg.RANSACConvergenceCriteria(max_iteration=200_000, confidence=0.999)
 option = reg.FastGlobalRegistrationOption(maximum_correspondence_distance=1.5 * voxel)
@@ -68,8 +74,8 @@ found = {
         *thin, pairs, 1.5 * voxel, checkers=checkers, criteria=criteria, seed=0
     ),
     "FGR": reg.registration_fgr_based_on_feature_matching(*thin, *features, option),
-    "FGR, pairs given": reg.registration_fgr_based_on_correspondence(*thin, pairs, option),
-    "robust": reg.registration_robust_based_on_feature_matching(*thin, *features, 1.5 * voxel),
+    "FGR, pairs given": registration_fgr_based_on_correspondence(*thin, pairs, option),
+    "robust": registration_robust_based_on_feature_matching(*thin, *features, 1.5 * voxel),
     "robust, pairs given": reg.registration_robust_based_on_correspondence(*thin, pairs, 1.5 * voxel),
 }
 for name, result in found.items():
@@ -94,7 +100,7 @@ assert off(refined.transformation)[0] < 0.5
 # Where scans stand upright, say so: this checker refuses poses that tilt, and RANSAC has to find only the turn about
 # one axis. In the frames of these cameras that is not z, so it has nothing to accept here; it is shown for what it
 # says.
-upright = reg.CorrespondenceCheckerBasedOnSourceRotation([np.radians(10), np.radians(10), np.pi])
+upright = CorrespondenceCheckerBasedOnSourceRotation([np.radians(10), np.radians(10), np.pi])
 assert upright.Check(*thin, pairs[:3], np.eye(4)) and not upright.Check(*thin, pairs[:3], np.diag([1.0, -1, -1, 1]))
 
 # %%

@@ -10,6 +10,7 @@ the truth is known.
 import numpy as np
 
 import pointloom as loom
+from pointloom.registration.icp.kinds import registration_symmetric_icp
 
 reg = loom.registration
 
@@ -48,7 +49,7 @@ def off(T):
 # The kinds. Point-to-plane lets surfaces slide along each other, which is why it needs few steps; generalised ICP
 # compares surface with surface; the symmetric one suits curved things; colours help where the shape alone leaves a
 # motion open.
-methods: dict[str, reg.TransformationEstimation] = {
+methods = {
     "point to point": reg.TransformationEstimationPointToPoint(),
     "point to plane": reg.TransformationEstimationPointToPlane(),
     "generalised": reg.TransformationEstimationForGeneralizedICP(),
@@ -87,7 +88,7 @@ init = turned(10, axes[0])
 for name, found in {
     "icp": reg.registration_icp(source, target, distance, init, methods["point to plane"]),
     "generalized": reg.registration_generalized_icp(source, target, distance, init),
-    "symmetric": reg.registration_symmetric_icp(source, target, distance, init),
+    "symmetric": registration_symmetric_icp(source, target, distance, init),
     "colored": reg.registration_colored_icp(source, target, distance, init),
 }.items():
     print(

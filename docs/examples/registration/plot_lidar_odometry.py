@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy as np
 
 import pointloom as loom
+from pointloom.files.points.scan_files import list_scans
 
 reg = loom.registration
 
@@ -26,12 +27,12 @@ print(drive.scans[0])
 # Scan by scan. ``voxel_size`` is the map's [m]: a hundredth of the range as a rule. The first scan is the world.
 odometry = reg.LidarOdometry(max_range=80.0, min_range=1.0)
 poses = [odometry.register(scan) for scan in drive.scans]
-last: reg.OdometryStep = odometry.steps[-1]
+last = odometry.steps[-1]
 print(f"last scan: fitness {last.fitness:.2f}, {last.inliers} inliers, {last.iterations} steps, {last.reason}")
 
 # %%
 # **Quality** first. ``reliable`` is True if all checks of the path passed; ``warnings`` has those that failed.
-summary: reg.OdometrySummary = odometry.summary
+summary = odometry.summary
 print(summary)
 assert summary.reliable
 
@@ -49,7 +50,7 @@ assert error.segment_translation < 1.0  # percent of the way
 with tempfile.TemporaryDirectory() as folder:
     for k in range(8):
         loom.write_point_cloud(Path(folder) / f"scan{k}.ply", drive.scans[k])
-    print([file.name for file in reg.list_scans(folder)])
+    print([file.name for file in list_scans(folder)])
     again = reg.run_odometry(folder, max_range=80.0, min_range=1.0)
     assert np.array_equal(again.poses, path.poses[:8])  # the same bits
     loom.write_trajectory(Path(folder) / "path.kitti", path)

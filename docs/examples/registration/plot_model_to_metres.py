@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy as np
 
 import pointloom as loom
+from pointloom.registration.trajectories.similarity import read_positions
 
 reg = loom.registration
 
@@ -59,13 +60,13 @@ with tempfile.TemporaryDirectory() as folder:
     file.write_text(
         "".join(f"{name} {x:.4f} {y:.4f} {z:.4f}\n" for name, (x, y, z) in zip(names[:-1], gps[:-1], strict=True))
     )
-    positions = reg.read_positions(file, names)
+    positions = read_positions(file, names)
 print(f"{len(positions)} of {len(names)} pictures have a place")
 
 # %%
 # The fit finds which places agree, and rests on those. ``residuals`` are in the unit of the places; look at them, and
 # at ``rotation_uncertainty``: cameras on a line leave the turn about it open.
-fit: reg.SimilarityFit = reg.fit_to_positions(model, positions)
+fit = reg.fit_to_positions(model, positions)
 wrong = [name for name, good in zip(fit.names, fit.inliers, strict=True) if not good]
 print(
     f"scale {fit.scale:.5f}, rmse {1000 * fit.rmse:.1f} mm, rotation to {fit.rotation_uncertainty:.2f} "

@@ -23,10 +23,10 @@ print(len(views.scans), "scans,", views.scans[0])
 
 # %%
 # The voxel is a tenth of what there is to recognise: 5 mm on a figure of 30 cm. Poses end up far finer than it.
-result: reg.FragmentsResult = reg.register_fragments(views.scans, voxel_size=0.005)
+result = reg.register_fragments(views.scans, voxel_size=0.005)
 print(result)
 assert result.placed.all()
-best: reg.FragmentPair = max(result.pairs, key=lambda pair: pair.fitness)
+best = max(result.pairs, key=lambda pair: pair.fitness)
 print(f"scans {best.source} and {best.target} share most: {100 * best.fitness:.0f} %")
 print(
     f"{len(result.pairs)} of 45 pairs were accepted; the least score "

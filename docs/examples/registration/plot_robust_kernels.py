@@ -10,6 +10,7 @@ clutter.
 import numpy as np
 
 import pointloom as loom
+from pointloom.registration.robust_kernels import GeneralizedLoss
 
 reg = loom.registration
 
@@ -47,14 +48,14 @@ def off(T):
 # all. The generalised loss is all of them by one number. Geman and McClure's k is a squared length, here as in
 # Open3D.
 k = 0.02
-kernels: dict[str, reg.RobustKernel] = {
+kernels = {
     "L2 (least squares)": reg.L2Loss(),
     "L1": reg.L1Loss(),
     "Huber": reg.HuberLoss(k),
     "Cauchy": reg.CauchyLoss(k),
     "Geman-McClure": reg.GMLoss(k**2),
     "Tukey": reg.TukeyLoss(3 * k),
-    "generalised, -2": reg.GeneralizedLoss(k, shape=-2.0),
+    "generalised, -2": GeneralizedLoss(k, shape=-2.0),
 }
 criteria = reg.ICPConvergenceCriteria(max_iteration=80)
 error, poses = {}, {}

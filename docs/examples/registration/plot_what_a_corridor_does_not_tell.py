@@ -10,6 +10,8 @@ wheels or an IMU closes the gap.
 import numpy as np
 
 import pointloom as loom
+from pointloom.registration.lidar.lidar_runs import iterate_odometry
+from pointloom.registration.lidar.lidar_steps import summarize_steps
 
 reg = loom.registration
 
@@ -70,7 +72,7 @@ bare_scans, furnished_scans = (walk(corridor(furnished)[0]) for furnished in (Fa
 # **The bare corridor from its scans alone** is refused, with the direction that is open. That refusal is the point:
 # the path itself looks as smooth as any. It stands still in it, since the rings that a scanner draws on walls move
 # with it.
-bare = reg.summarize_steps(list(reg.iterate_odometry(bare_scans, **options)))
+bare = summarize_steps(list(iterate_odometry(bare_scans, **options)))
 print(bare)
 print("warnings:", bare.warnings)
 assert not bare.reliable and len(bare.undetermined) > 10 and "x" in bare.open_motions

@@ -9,6 +9,7 @@ make it smaller without mixing near and far, and see its normals.
 import numpy as np
 
 import pointloom as loom
+from pointloom.cameras.depth_filters import create_depth_pyramid, create_normal_map, pyrdown_color, pyrdown_depth
 
 # %%
 # A frame with noise, and the same without
@@ -56,9 +57,9 @@ assert ((cut > 0) & (smooth == 0)).sum() == 0 and (cut > 0).sum() < (smooth > 0)
 #
 # A unit vector a pixel in the camera's frame, shape [h, w, 3], 0 where there is none.
 
-raw = loom.create_normal_map(depth, camera, depth_scale=1.0)
-normals = loom.create_normal_map(smooth, camera, depth_scale=1.0)
-true = loom.create_normal_map(exact, camera, depth_scale=1.0)
+raw = create_normal_map(depth, camera, depth_scale=1.0)
+normals = create_normal_map(smooth, camera, depth_scale=1.0)
+true = create_normal_map(exact, camera, depth_scale=1.0)
 angles = {}
 for name, found in {"measured": raw, "smoothed": normals}.items():
     there = inner & (np.linalg.norm(found, axis=-1) > 0.5) & (np.linalg.norm(true, axis=-1) > 0.5)
@@ -74,9 +75,9 @@ assert angles["smoothed"] < 0.7 * angles["measured"]
 # a level lies at (2 u, 2 v) of the one before, so its camera has half of all four numbers. (``camera.scaled(0.5)`` is
 # for pictures that were resized by area: their borders keep their place.)
 
-levels = loom.create_depth_pyramid(smooth, 3, depth_scale=1.0)
-color = loom.pyrdown_color(noisy.color)
-assert np.array_equal(levels[1], loom.pyrdown_depth(levels[0], depth_scale=1.0))
+levels = create_depth_pyramid(smooth, 3, depth_scale=1.0)
+color = pyrdown_color(noisy.color)
+assert np.array_equal(levels[1], pyrdown_depth(levels[0], depth_scale=1.0))
 half = loom.PinholeCameraIntrinsic(
     camera.width // 2, camera.height // 2, *(0.5 * np.array([camera.fx, camera.fy, camera.cx, camera.cy]))
 )

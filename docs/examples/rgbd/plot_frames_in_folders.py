@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 
 import pointloom as loom
+from pointloom.files.frames.recordings import FrameRecorder
 
 folder = Path(tempfile.mkdtemp())
 
@@ -25,7 +26,6 @@ folder = Path(tempfile.mkdtemp())
 frames = loom.data.room_frames(12)
 camera = frames[0].intrinsic
 source = loom.frames_from(frames, camera, depth_scale=1000.0)
-assert isinstance(source, loom.RGBDSource)
 try:
     list(loom.frames_from([(frames[0].color, frames[0].color[..., 0])], camera))
 except TypeError as error:
@@ -40,7 +40,7 @@ except TypeError as error:
 
 count = loom.record_frames(source, folder / "take-1")
 print(count, "frames,", sorted(path.name for path in (folder / "take-1").iterdir())[:4])
-recorder = loom.FrameRecorder(folder / "take-2", camera, depth_scale=1000.0)
+recorder = FrameRecorder(folder / "take-2", camera, depth_scale=1000.0)
 for frame in loom.frames_from(frames[:5], camera, depth_scale=1000.0):
     recorder.write(frame)
 assert count == 12 and recorder.count == 5
@@ -78,7 +78,7 @@ print(color.shape, color.dtype, depth.shape, depth.dtype, lens)
 for wrong in (folder, folder / "take-3"):
     try:
         loom.open_dataset(wrong)
-    except loom.DatasetError as error:
+    except loom.PointloomError as error:
         print(str(error).replace(str(folder), "..."))
 
 # %%

@@ -30,7 +30,7 @@ source = loom.frames_from(frames, camera, depth_scale=1.0)
 # ``voxel_size`` [m] is the finest detail that stays. The result is a record: the mesh, the volume, what share of the
 # depth was used, and ``warnings`` if it is unreliable.
 
-result: loom.FusionResult = loom.fuse(source, voxel_size=0.03)
+result = loom.fuse(source, voxel_size=0.03)
 print(result)
 assert result.reliable and result.frame_count == 24
 

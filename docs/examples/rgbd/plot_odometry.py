@@ -9,6 +9,8 @@ that do not show the same place have no motion between them.
 import numpy as np
 
 import pointloom as loom
+from pointloom.rgbd.odometry.options import OdometryConvergenceCriteria
+from pointloom.rgbd.odometry.rgbd_odometry import compute_odometry_information_matrix, rgbd_odometry_multi_scale
 
 od = loom.odometry
 
@@ -40,7 +42,7 @@ print(f"the camera turned by {still[0]:.1f} degrees and went {still[1] / 10:.1f}
 
 source = od.OdometryFrame(first.depth, camera, first.color, depth_scale=1.0)
 target = od.OdometryFrame(second.depth, camera, second.color, depth_scale=1.0)
-result: loom.odometry.OdometryResult = od.align_frames(source, target)
+result = od.align_frames(source, target)
 assert result.reliable, result.warnings
 print(f"fitness {result.fitness:.2f}, inlier rmse {result.inlier_rmse * 1e3:.1f} mm, {result.iterations} iterations")
 for name, method in {
@@ -76,10 +78,10 @@ success, T, information = od.compute_rgbd_odometry(
     *pair, camera, np.eye(4), od.RGBDOdometryJacobianFromHybridTerm(), od.OdometryOption()
 )
 assert success and information.shape == (6, 6)
-multi = od.rgbd_odometry_multi_scale(
-    *pair, camera, depth_scale=1.0, criteria_list=[od.OdometryConvergenceCriteria(n) for n in (10, 5, 3)]
+multi = rgbd_odometry_multi_scale(
+    *pair, camera, depth_scale=1.0, criteria_list=[OdometryConvergenceCriteria(n) for n in (10, 5, 3)]
 )
-matrix = od.compute_odometry_information_matrix(first.depth, second.depth, camera, T, 0.03, depth_scale=1.0)
+matrix = compute_odometry_information_matrix(first.depth, second.depth, camera, T, 0.03, depth_scale=1.0)
 print(
     f"Open3D's calls: off by {difference(T)[1]:.1f} and "
     f"{difference(multi.transformation)[1]:.1f} mm; {matrix[5, 5]:.0f} pixels agree"

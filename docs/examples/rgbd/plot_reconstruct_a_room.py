@@ -26,7 +26,7 @@ source = loom.frames_from([(frame.color, frame.depth) for frame in recorded], ca
 #
 # ``voxel_size`` [m]: 3 cm for a quick look, 1 cm for keeps. ``print`` tells what happened to the frames.
 
-result: loom.ReconstructionResult = loom.reconstruct(source, voxel_size=0.03)
+result = loom.reconstruct(source, voxel_size=0.03)
 print(result)
 
 # %%
@@ -72,7 +72,7 @@ assert np.median(off) < 0.02
 # Frames that are a fifth wrong in focal length make a room that looks right and has wrong lengths. ``check_focal``
 # turns other frames onto each other and asks which focal length fits best: ``factor`` 1 means the one given.
 
-check: loom.FocalCheck | None = loom.check_focal(loom.frames_from(recorded, camera, depth_scale=1.0), result.trajectory)
+check = loom.check_focal(loom.frames_from(recorded, camera, depth_scale=1.0), result.trajectory)
 print(
     "focal length:",
     "nothing to tell it by" if check is None else f"factor {check.factor:.2f}; reliable {check.reliable}",

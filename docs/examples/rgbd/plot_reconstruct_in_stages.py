@@ -37,12 +37,12 @@ config = system.ReconstructionConfig(n_frames_per_fragment=12, tsdf_voxel_size=0
 # Each stage leaves its result in the job's folder and a record of what it was made from. A pair of frames whose
 # odometry is unreliable ends a fragment: no motion is assumed.
 
-fragments: loom.reconstruction.FragmentSet = system.make_fragments(frames, config, job)
+fragments = system.make_fragments(frames, config, job)
 for fragment in fragments.fragments:
     print(f"fragment {fragment.number}: frames {fragment.indices[0]} to {fragment.indices[-1]}")
-placed: loom.reconstruction.Placement = system.register_fragments(config, job)
+placed = system.register_fragments(config, job)
 refined = system.refine_registration(config, job)
-scene: loom.reconstruction.Scene = system.integrate_scene(frames, config, job)
+scene = system.integrate_scene(frames, config, job)
 assert placed.placed.all() and refined.placed.all() and not fragments.lost
 
 # %%
@@ -52,7 +52,7 @@ assert placed.placed.all() and refined.placed.all() and not fragments.lost
 # ``run_system`` runs what is not done yet. With ``resume=True`` everything is kept here, since nothing changed: an
 # interrupted job loses at most the fragment that it was at, and ends with the same bits.
 
-report: loom.reconstruction.SystemReport = system.run_system(frames, config, job, resume=True)
+report = system.run_system(frames, config, job, resume=True)
 print(report)
 assert report.reliable and not report.lost
 

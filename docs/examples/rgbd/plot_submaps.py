@@ -71,7 +71,7 @@ recorder = loom.slam.SubmapRecorder(camera, voxel_size=0.03, depth_scale=1.0, fr
 for frame, T in zip(frames, drifted, strict=False):
     recorder.add(frame.depth, T, frame.color)
 submaps = recorder.finish()
-closure: loom.slam.LoopClosure = loom.slam.close_loops(submaps)
+closure = loom.slam.close_loops(submaps)
 numbers, poses = loom.slam.corrected_trajectory(submaps, closure.T_world_submap)
 true = np.array([frames[i].T_world_camera for i in numbers])
 

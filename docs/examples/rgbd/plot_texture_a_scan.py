@@ -41,9 +41,9 @@ mesh = volume.extract_triangle_mesh(weight_threshold=2)
 # leaves poses as they are.
 
 source = loom.frames_from(frames, camera, depth_scale=1.0)
-found: loom.color_map.TexturedMesh = loom.color_map.texture_mesh(mesh, source, poses)
+found = loom.color_map.texture_mesh(mesh, source, poses)
 print(found)
-colors: loom.color_map.ColorMapResult = found.colors
+colors = found.colors
 print(f"residual {colors.residual_before:.4f} before, {colors.residual:.4f} after {colors.iterations} turns")
 assert colors.residual < colors.residual_before and found.reliable
 

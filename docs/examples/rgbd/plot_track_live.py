@@ -54,7 +54,7 @@ assert len(results) + frames.dropped == len(recorded)
 # Where nothing is live, ``track`` takes all frames, and compares the path with the true one if the frames bring it: ATE
 # is how far the camera's places are off.
 
-path: loom.TrackedPath = loom.track(loom.frames_from(recorded, camera, depth_scale=1.0), voxel_size=0.03)
+path = loom.track(loom.frames_from(recorded, camera, depth_scale=1.0), voxel_size=0.03)
 print(path)
 error = path.error
 print(f"off the true path by {error.absolute_translation.rmse * 1e3:.1f} mm (rms)")
@@ -63,7 +63,7 @@ assert path.reliable and not path.lost and len(path.trajectory) == len(recorded)
 # %%
 # The same bits come out each time, and each pose can be asked: what did the last frame look like?
 
-last: loom.slam.TrackingResult = results[-1]
+last = results[-1]
 print(f"last frame: {last.verdict}, fitness {last.fitness:.2f}, {last.inlier_rmse * 1e3:.1f} mm off the model")
 assert last.pose is not None
 

@@ -16,6 +16,7 @@ import pointloom as loom
 from pointloom.core.errors import PointloomError
 from pointloom.drawing.render.view import View
 from pointloom.drawing.viewer import draw as drawing
+from pointloom.drawing.viewer.draw import draw_geometries
 from pointloom.drawing.viewer.presence import Presence
 
 from .events import announce, join_threads, wait_until
@@ -49,7 +50,7 @@ def test_draw_says_where_the_page_is_on_stderr_alone(cloud, capfd):
 def test_unattended_draw_is_a_picture_and_waits_for_nobody(cloud, capfd, monkeypatch):
     monkeypatch.setenv("POINTLOOM_DRAW", "picture")
     monkeypatch.setattr(drawing.webbrowser, "open", lambda url: pytest.fail("a browser was opened"))
-    still = loom.draw_geometries([cloud], width=64, height=48, zoom=0.5, front=[0, 0, 1])
+    still = draw_geometries([cloud], width=64, height=48, zoom=0.5, front=[0, 0, 1])
     drawn = loom.render(cloud, {"zoom": 0.5, "front": [0, 0, 1]}, (64, 48), mesh_show_back_face=False)
     assert np.array_equal(still, drawn)
     assert capfd.readouterr() == ("", "")

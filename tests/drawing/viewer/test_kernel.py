@@ -15,7 +15,7 @@ CELLS = {
     "start": "import numpy as np, pointloom as loom\n"
     "cloud = loom.PointCloud(np.random.default_rng(0).random((300_000, 3)))",
     "inline": "loom.draw([cloud], inline=True, width=320, height=240)",
-    "open3d's name": "loom.draw_geometries([cloud], inline=True, width=320, height=240)",
+    "open3d's name": "loom.draw([cloud], inline=True, width=320, height=240)",
     "live": "viewer = loom.draw([cloud], port=0, inline=False, width=320, height=240)\nviewer",
     "closed": "viewer.close()\nviewer",
     "picture": "loom.render(cloud, size=(320, 240))",

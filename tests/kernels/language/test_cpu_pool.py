@@ -13,6 +13,7 @@ import pytest
 import warp as wp
 
 import pointloom as loom
+from pointloom.core.threads import get_num_threads
 from pointloom.kernels import lang, memory
 from pointloom.kernels.arrays.segment_blocks import SegmentBlocks
 from pointloom.kernels.language import cpu_code, cpu_pool
@@ -166,13 +167,13 @@ def test_sums_of_segments_have_the_same_bits_for_any_number_of_threads(kernels, 
 
 def test_the_number_of_threads_is_the_program_s_to_choose(monkeypatch):
     monkeypatch.setenv("POINTLOOM_CPU_THREADS", "3")
-    assert loom.get_num_threads() == 3
+    assert get_num_threads() == 3
     loom.set_num_threads(2)
-    assert loom.get_num_threads() == 2
+    assert get_num_threads() == 2
     loom.set_num_threads(None)
-    assert loom.get_num_threads() == 3
+    assert get_num_threads() == 3
     monkeypatch.delenv("POINTLOOM_CPU_THREADS")
-    assert 1 <= loom.get_num_threads() <= len(os.sched_getaffinity(0))
+    assert 1 <= get_num_threads() <= len(os.sched_getaffinity(0))
 
 
 @pytest.mark.parametrize("count", [0, -1, 1025, 2.5, True])
@@ -340,7 +341,8 @@ with warnings.catch_warnings(record=True) as caught:
     warnings.simplefilter("always", RuntimeWarning)
 {textwrap.indent(THIN, "    ")}
     print(thin())
-assert loom.get_num_threads() == 1
+from pointloom.core.threads import get_num_threads
+assert get_num_threads() == 1
 (warning,) = [str(w.message) for w in caught if w.category is RuntimeWarning]
 assert "pointloom uses one CPU core, and slower code: Warp" in warning and EXPECTED in warning, warning
 """

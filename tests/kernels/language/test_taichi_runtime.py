@@ -163,13 +163,14 @@ FORK = """
 import multiprocessing, warnings
 import numpy as np
 import pointloom as loom
+from pointloom.core.threads import get_num_threads
 from pointloom.kernels.lang import cpu_compiler, current_cpu_compiler
 
 def count(seed):
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         cloud = loom.PointCloud(np.random.default_rng(seed).random((100_000, 3))).voxel_down_sample(0.5)
-    return len(cloud), loom.get_num_threads(), [str(w.message) for w in caught]
+    return len(cloud), get_num_threads(), [str(w.message) for w in caught]
 
 def count_by_warp(seed):
     with cpu_compiler("warp"):

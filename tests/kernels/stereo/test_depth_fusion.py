@@ -9,6 +9,7 @@ import warp as wp
 import pointloom as loom
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.stereo.depth_fusion import Agreement, DepthPixels, Gathered, gather_pixels, make_points
+from pointloom.photos.mvs.depth_maps import DepthMap
 from pointloom.photos.mvs.filtering import pair_of
 
 from ...photos.mvs.made_maps import cameras, true_map
@@ -48,7 +49,7 @@ def noisy(posed, rng):
         each = true_map(camera)
         depth = each.depth * (1 + 0.003 * rng.normal(size=each.depth.shape))
         depth[rng.random(depth.shape) < 0.1] = 0
-        maps.append(loom.mvs.DepthMap(depth, each.normals, rng.random(depth.shape)))
+        maps.append(DepthMap(depth, each.normals, rng.random(depth.shape)))
         colors.append(rng.integers(0, 256, (*depth.shape, 3)).astype(np.uint8))
     return maps, colors
 
@@ -133,9 +134,9 @@ def test_the_picture_with_finer_pixels_has_the_point_and_of_equals_the_first(dev
 def test_surfaces_that_face_elsewhere_do_not_merge(device):
     posed = cameras(2)
     maps, colors = [true_map(camera, balls=()) for camera in posed], []
-    turned = loom.mvs.DepthMap(maps[1].depth, maps[1].normals[..., [1, 2, 0]], maps[1].confidence)
+    turned = DepthMap(maps[1].depth, maps[1].normals[..., [1, 2, 0]], maps[1].confidence)
     colors = [np.zeros((*each.depth.shape, 3), np.uint8) for each in maps]
     assert fused(maps, posed, colors, 0, device)[0]["v"].max() == 2
     assert fused([maps[0], turned], posed, colors, 0, device)[0]["v"].max() == 1
-    bare = loom.mvs.DepthMap(maps[1].depth, 0 * maps[1].normals, maps[1].confidence)
+    bare = DepthMap(maps[1].depth, 0 * maps[1].normals, maps[1].confidence)
     assert fused([maps[0], bare], posed, colors, 0, device)[0]["v"].max() == 2

@@ -10,7 +10,9 @@ from PIL import Image
 import pointloom as loom
 from pointloom.files.points import ply
 from pointloom.photos.depth import job
+from pointloom.photos.depth.job import depth_of_pictures
 from pointloom.photos.depth.presets import DEFAULT
+from pointloom.photos.depth.settings import DepthSettings
 
 from ...app.commands import answer, names_in, refusal, run, unreliable
 from .test_estimation import CAMERA, PICTURE, SIDE, scene, sparse_model
@@ -243,9 +245,9 @@ def test_a_view_from_aside_still_looks_at_the_scene():
 def test_the_call_from_python_gives_what_the_command_prints(folder):
     align = ["--align", folder / "z.npy", "--intrinsic", folder / "camera.json"]
     printed, shown = answer(*words(folder, *align)), run(*words(folder, *align, "--force"))
-    settings = loom.DepthSettings(intrinsic=CAMERA, align=folder / "z.npy")
+    settings = DepthSettings(intrinsic=CAMERA, align=folder / "z.npy")
     places = folder / "photo.png", folder / "net.onnx", folder / "out.ply"
-    report = loom.depth_of_pictures(*places, settings, device="cpu", overwrite=True)
+    report = depth_of_pictures(*places, settings, device="cpu", overwrite=True)
     changing = ("seconds", "peak_bytes")
     made = json.loads(json.dumps(report.to_dict()))
     assert {k: v for k, v in made.items() if k not in changing} == {

@@ -7,6 +7,8 @@ import pytest
 from PIL import Image
 
 import pointloom as loom
+from pointloom.photos.depth.estimation import DepthEstimate
+from pointloom.photos.depth.evaluation import evaluate_depth
 from pointloom.photos.depth.tiles import refine_by_tiles, side_of, starts_of
 
 from .tiny_networks import fixed_map, linear
@@ -41,7 +43,7 @@ def test_a_depth_map_brings_metres(network):
         assert (found.unit, found.inlier_share, found.references) == ("m", 1.0, SIDE * SIDE)
         assert (found.scale, found.shift) == pytest.approx((1 / 37, -5 / 37), rel=1e-3)
         np.testing.assert_allclose(found.depth, z, rtol=1e-3)
-        assert loom.evaluate_depth(found.depth, z).abs_rel < 1e-3
+        assert evaluate_depth(found.depth, z).abs_rel < 1e-3
 
 
 def test_a_depth_map_of_another_size_lies_border_on_border(network):
@@ -129,13 +131,13 @@ def test_a_sparse_model_brings_its_own_unit_and_camera(network, tmp_path):
         )
         assert found.references == 120
         assert found.inlier_share > 0.6
-        assert loom.evaluate_depth(found.depth, z).abs_rel < 5e-3
+        assert evaluate_depth(found.depth, z).abs_rel < 5e-3
 
 
 def test_a_sparse_model_of_smaller_pictures_fits_too(network):
     path, z = network
     found = loom.estimate_depth(PICTURE, path, align=(sparse_model(z, size=259), "photo.png"))
-    assert loom.evaluate_depth(found.depth, z).abs_rel < 5e-3
+    assert evaluate_depth(found.depth, z).abs_rel < 5e-3
     assert found.intrinsic_source == "the sparse model"
     np.testing.assert_allclose(found.intrinsic.matrix, CAMERA.matrix, rtol=1e-12)
 
@@ -143,7 +145,7 @@ def test_a_sparse_model_of_smaller_pictures_fits_too(network):
 def test_of_a_lens_that_bends_rays_the_points_lie_where_it_sees_them(network):
     path, z = network
     found = loom.estimate_depth(PICTURE, path, align=(sparse_model(z, distorted=True), "photo.png"))
-    assert loom.evaluate_depth(found.depth, z).abs_rel < 5e-3
+    assert evaluate_depth(found.depth, z).abs_rel < 5e-3
     assert found.intrinsic_source == "the sparse model, its distortion left out"
     camera = found.intrinsic
     assert (camera.fx, camera.fy, camera.cx, camera.cy) == pytest.approx((500, 500, 250, 262), rel=1e-5)
@@ -156,7 +158,7 @@ def test_the_folder_of_a_model_will_do(network, tmp_path):
     loom.write_colmap_model(tmp_path / "sparse", model)
     by_folder = loom.estimate_depth(tmp_path / "photo.png", path, align=tmp_path / "sparse")
     assert by_folder.references == 120
-    assert loom.evaluate_depth(by_folder.depth, z).abs_rel < 5e-3
+    assert evaluate_depth(by_folder.depth, z).abs_rel < 5e-3
     (tmp_path / "empty").mkdir()
     with pytest.raises(loom.FileError, match="empty: "):
         loom.estimate_depth(tmp_path / "photo.png", path, align=tmp_path / "empty")
@@ -246,7 +248,7 @@ def test_a_smoothed_edge_leaves_no_points_between_the_surfaces(tmp_path, device)
     small = (1 / z)[::7, ::7].astype(np.float32)
     smooth = np.array(Image.fromarray(small).resize((SIDE, SIDE), Image.Resampling.BILINEAR))
     found = loom.estimate_depth(PICTURE, fixed_map(tmp_path / "m.onnx", smooth), align=1 / smooth, intrinsic=CAMERA)
-    found = loom.DepthEstimate(**{**vars(found), "enlargement": 3.0})
+    found = DepthEstimate(**{**vars(found), "enlargement": 3.0})
     kept = found.to_point_cloud(device=device)
     depth = kept.project_to_depth_image(SIDE, SIDE, CAMERA, depth_scale=1, depth_max=100)
     row = SIDE // 3  # the board before the wall
@@ -345,13 +347,13 @@ def test_an_estimate_by_tiles_is_that_of_the_whole_where_the_network_sees_no_mor
 def test_errors_are_those_of_the_papers():
     truth = np.array([[1.0, 2.0, 4.0, 0.0, 8.0]])
     depth = np.array([[1.1, 2.0, 6.0, 3.0, np.nan]])
-    found = loom.evaluate_depth(depth, truth)
+    found = evaluate_depth(depth, truth)
     assert found.abs_rel == pytest.approx((0.1 + 0 + 0.5) / 3)
     assert found.delta1 == pytest.approx(2 / 3)
     assert found.rmse == pytest.approx(np.sqrt((0.01 + 0 + 4) / 3))
     assert (found.coverage, found.pixel_count) == (0.75, 3)
     raw = np.array([[1100, 2000]], np.uint16)
-    assert loom.evaluate_depth(raw, np.array([[1.0, 2.0]])).abs_rel == pytest.approx(0.05)
-    assert np.isnan(loom.evaluate_depth(np.zeros((2, 2)), np.ones((2, 2))).abs_rel)
+    assert evaluate_depth(raw, np.array([[1.0, 2.0]])).abs_rel == pytest.approx(0.05)
+    assert np.isnan(evaluate_depth(np.zeros((2, 2)), np.ones((2, 2))).abs_rel)
     with pytest.raises(ValueError, match="resize one"):
-        loom.evaluate_depth(np.ones((2, 2)), np.ones((2, 3)))
+        evaluate_depth(np.ones((2, 2)), np.ones((2, 3)))

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 import pointloom as loom
+from pointloom.photos.mvs.depth_maps import DepthMap, DepthMaps
 
 SMALL = loom.PinholeCameraIntrinsic(48, 36, 50.0, 51.0, 23.2, 17.9)
 LARGE = loom.PinholeCameraIntrinsic(64, 40, 66.0, 65.0, 30.7, 20.4)
@@ -50,7 +51,7 @@ def true_map(camera: Any, *, balls: Any = BALLS, wall: float = WALL, shift: Any 
         depth = np.where(hit, near, depth)
         at = center + rays * depth[..., None]
         normals = np.where(hit[..., None], (at - (x, y, z)) / radius, normals)
-    return loom.mvs.DepthMap(depth, normals @ camera.T_camera_world[:3, :3].T, np.full(depth.shape, 0.75))
+    return DepthMap(depth, normals @ camera.T_camera_world[:3, :3].T, np.full(depth.shape, 0.75))
 
 
 def lifted(depth: Any, camera: Any) -> Any:
@@ -68,11 +69,11 @@ def all_sources(count: int) -> list[list[int]]:
 def true_maps(count: int, **scene: Any) -> Any:
     """Exact maps of some cameras, each with all others as sources."""
     posed = cameras(count, shift=scene.get("shift", (0.0, 0.0, 0.0)))
-    return loom.mvs.DepthMaps(posed, all_sources(count), [true_map(camera, **scene) for camera in posed])
+    return DepthMaps(posed, all_sources(count), [true_map(camera, **scene) for camera in posed])
 
 
 def changed(maps: Any, i: int, depth: Any) -> Any:
     """The maps with another depth for one picture."""
     kept = list(maps)
-    kept[i] = loom.mvs.DepthMap(depth, kept[i].normals, kept[i].confidence)
-    return loom.mvs.DepthMaps(maps.cameras, maps.sources, kept)
+    kept[i] = DepthMap(depth, kept[i].normals, kept[i].confidence)
+    return DepthMaps(maps.cameras, maps.sources, kept)

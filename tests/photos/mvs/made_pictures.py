@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import pointloom as loom
+from pointloom.photos.mvs.posed_pictures import SparsePoints
 
 WIDTH, HEIGHT, FOCAL = 48, 36, 50.0
 NORMAL, DISTANCE = np.array([0.3, 0.1, -1.0]) / np.sqrt(1.1), 2.0  # n . X = -distance, towards the first camera
@@ -44,7 +45,7 @@ def look(camera: loom.mvs.PosedCamera) -> tuple[NDArray[np.uint8], NDArray[np.fl
     return (255 * texture(points[..., 0], points[..., 1])).astype(np.uint8), depth
 
 
-def scene(cameras: list[loom.mvs.PosedCamera]) -> tuple[list[NDArray[np.uint8]], loom.mvs.SparsePoints]:
+def scene(cameras: list[loom.mvs.PosedCamera]) -> tuple[list[NDArray[np.uint8]], SparsePoints]:
     """The pictures of these cameras, and the points that every sixth pixel of the first sees."""
     depth = look(cameras[0])[1][::6, ::6]
     lens = cameras[0].intrinsic
@@ -52,7 +53,7 @@ def scene(cameras: list[loom.mvs.PosedCamera]) -> tuple[list[NDArray[np.uint8]],
     seen = np.stack([(u - lens.cx) / lens.fx * depth, (v - lens.cy) / lens.fy * depth, depth], axis=-1).reshape(-1, 3)
     points = (seen - cameras[0].T_camera_world[:3, 3]) @ cameras[0].T_camera_world[:3, :3]
     pairs = [(i, k) for i in range(len(cameras)) for k in range(len(points))]
-    return [look(camera)[0] for camera in cameras], loom.mvs.SparsePoints(points, pairs)
+    return [look(camera)[0] for camera in cameras], SparsePoints(points, pairs)
 
 
 def three() -> list[loom.mvs.PosedCamera]:

@@ -8,23 +8,25 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.photos.mvs.depth_maps import DepthMap, DepthMaps
+from pointloom.photos.mvs.posed_pictures import SparsePoints
 
 from .made_pictures import camera_at, intrinsic
 
 
-def a_map(seed: int, scale: float = 1.0) -> loom.mvs.DepthMap:
+def a_map(seed: int, scale: float = 1.0) -> DepthMap:
     rng, lens = np.random.default_rng(seed), intrinsic(scale)
     size = (lens.height, lens.width)
-    return loom.mvs.DepthMap(rng.random(size), rng.normal(size=(*size, 3)), rng.random(size))
+    return DepthMap(rng.random(size), rng.normal(size=(*size, 3)), rng.random(size))
 
 
-def kept_in(folder) -> loom.mvs.DepthMaps:
+def kept_in(folder) -> DepthMaps:
     cameras = [camera_at(0.0), camera_at(0.2, scale=1.5)]
-    return loom.mvs.DepthMaps(cameras, [(1,), (0,)], (a_map(i, 1 + i / 2) for i in range(2)), folder=folder)
+    return DepthMaps(cameras, [(1,), (0,)], (a_map(i, 1 + i / 2) for i in range(2)), folder=folder)
 
 
 def test_a_folder_gives_back_every_bit(tmp_path):
-    made, opened = kept_in(tmp_path / "maps"), loom.mvs.DepthMaps.open(tmp_path / "maps")
+    made, opened = kept_in(tmp_path / "maps"), DepthMaps.open(tmp_path / "maps")
     assert len(opened) == len(made) == 2 and opened.sources == ((1,), (0,))
     for i, each in enumerate(opened):
         for name in ("depth", "normals", "confidence"):
@@ -65,7 +67,7 @@ def test_a_damaged_folder_is_refused(tmp_path, name, damage):
     else:
         path.write_bytes(damage(path.read_bytes()))
     with pytest.raises(loom.FileError):
-        list(loom.mvs.DepthMaps.open(tmp_path))
+        list(DepthMaps.open(tmp_path))
 
 
 def test_maps_of_other_pictures_are_refused(tmp_path):
@@ -73,11 +75,11 @@ def test_maps_of_other_pictures_are_refused(tmp_path):
     index = json.loads((tmp_path / "depth_maps.json").read_text())
     (tmp_path / "000000.npz").write_bytes((tmp_path / "000001.npz").read_bytes())
     with pytest.raises(loom.FileError, match=r"000000.npz: depth: expected float32 \[36, 48\]"):
-        loom.mvs.DepthMaps.open(tmp_path)[0]
+        DepthMaps.open(tmp_path)[0]
     index["sources"] = [[5], []]
     (tmp_path / "depth_maps.json").write_text(json.dumps(index))
     with pytest.raises(loom.FileError, match=r"sources\[0\]"):
-        loom.mvs.DepthMaps.open(tmp_path)
+        DepthMaps.open(tmp_path)
 
 
 def test_a_folder_that_is_written_anew_is_unfinished_till_the_end(tmp_path):
@@ -88,9 +90,9 @@ def test_a_folder_that_is_written_anew_is_unfinished_till_the_end(tmp_path):
         raise RuntimeError("stop")
 
     with pytest.raises(RuntimeError, match="stop"):
-        loom.mvs.DepthMaps([camera_at(0.0)], [()], broken(), folder=tmp_path)
+        DepthMaps([camera_at(0.0)], [()], broken(), folder=tmp_path)
     with pytest.raises(loom.FileError, match="no finished depth maps"):
-        loom.mvs.DepthMaps.open(tmp_path)
+        DepthMaps.open(tmp_path)
 
 
 def test_what_is_no_depth_map_is_refused():
@@ -105,22 +107,22 @@ def test_what_is_no_depth_map_is_refused():
         ("confidence", np.full(size, 1.5), "confidence: expected 0 to 1"),
     ):
         with pytest.raises(ValueError, match=match):
-            loom.mvs.DepthMap(**(good | {name: value}))
+            DepthMap(**(good | {name: value}))
     with pytest.raises(ValueError, match=r"maps\[0\]:"):
-        loom.mvs.DepthMaps([camera_at(0.0)], [()], [loom.mvs.DepthMap(**good)])
+        DepthMaps([camera_at(0.0)], [()], [DepthMap(**good)])
     with pytest.raises(ValueError, match="maps:"):
-        loom.mvs.DepthMaps([camera_at(0.0)] * 2, [(), ()], [a_map(0)])
+        DepthMaps([camera_at(0.0)] * 2, [(), ()], [a_map(0)])
 
 
 def test_a_map_is_read_only():
     depth = np.ones((6, 8), np.float32)
-    made = loom.mvs.DepthMap(depth, np.zeros((6, 8, 3)), np.ones((6, 8)))
+    made = DepthMap(depth, np.zeros((6, 8, 3)), np.ones((6, 8)))
     with pytest.raises(ValueError, match="read-only"):
         made.depth[0, 0] = 2.0
 
 
 def test_sparse_points_are_sorted_and_checked():
-    sparse = loom.mvs.SparsePoints(np.zeros((3, 3)), [[1, 2], [0, 1], [1, 0], [0, 1]])
+    sparse = SparsePoints(np.zeros((3, 3)), [[1, 2], [0, 1], [1, 0], [0, 1]])
     assert sparse.observations.tolist() == [[0, 1], [1, 0], [1, 2]]
     assert [sparse.seen_by(i).tolist() for i in range(3)] == [[1], [0, 2], []]
     for points, pairs, error in (
@@ -131,4 +133,4 @@ def test_sparse_points_are_sorted_and_checked():
         (np.zeros((3, 2)), [[0, 0]], ValueError),
     ):
         with pytest.raises(error, match=r"points|observations"):
-            loom.mvs.SparsePoints(points, pairs)
+            SparsePoints(points, pairs)

@@ -9,13 +9,15 @@ import pytest
 from PIL import Image
 
 import pointloom as loom
+from pointloom.photos.mvs.depth_maps import DepthMap, DepthMaps
+from pointloom.photos.mvs.posed_pictures import SparsePoints
 
 from .made_pictures import FOCAL, NORMAL, camera_at, look, scene, three
 
 ALL = [[1, 2], [0, 2], [0, 1]]
 
 
-def digest(maps: loom.mvs.DepthMaps) -> str:
+def digest(maps: DepthMaps) -> str:
     parts = [getattr(each, name).tobytes() for each in maps for name in ("depth", "normals", "confidence")]
     return hashlib.sha256(b"".join(parts)).hexdigest()
 
@@ -25,7 +27,7 @@ def estimate(cameras, **options):
     return loom.mvs.estimate_depth_maps(pictures, cameras, sparse, **({"sources": ALL[: len(cameras)]} | options))
 
 
-def errors(each: loom.mvs.DepthMap, camera: loom.mvs.PosedCamera, unit: float = 1.0) -> np.ndarray:
+def errors(each: DepthMap, camera: loom.mvs.PosedCamera, unit: float = 1.0) -> np.ndarray:
     """By how many pixels a source would see each pixel elsewhere, 0.18 aside."""
     truth, has = look(camera)[1], each.depth > 0
     return np.abs(unit / each.depth[has] - 1 / truth[has]) * FOCAL * 0.18
@@ -60,7 +62,7 @@ def test_the_same_bits_come_twice_and_from_a_folder(tmp_path):
     first = estimate(three())
     assert digest(first) == digest(estimate(three()))
     kept = estimate(three(), folder=tmp_path / "maps")
-    assert digest(first) == digest(kept) == digest(loom.mvs.DepthMaps.open(tmp_path / "maps"))
+    assert digest(first) == digest(kept) == digest(DepthMaps.open(tmp_path / "maps"))
     assert sorted(path.name for path in (tmp_path / "maps").iterdir()) == [
         "000000.npz", "000001.npz", "000002.npz", "depth_maps.json",
     ]  # fmt: skip
@@ -116,7 +118,7 @@ def test_the_unit_of_the_poses_and_a_far_origin_change_little():
             T = np.eye(4)
             T[:3, 3] = -(camera.center * factor + origin)
             moved.append(loom.mvs.PosedCamera(camera.intrinsic, T))
-        points = loom.mvs.SparsePoints(sparse.points * factor + origin, sparse.observations)
+        points = SparsePoints(sparse.points * factor + origin, sparse.observations)
         maps = loom.mvs.estimate_depth_maps(pictures, moved, points, sources=ALL)
         assert np.median(errors(maps[0], cameras[0], factor)) < 0.05
 
@@ -143,14 +145,14 @@ def test_without_any_points_depth_is_found_where_frusta_meet():
         assert each.share > 0.8
         assert np.median(wrong) < 0.05
         assert (wrong < 0.2).mean() > 0.85
-    none = loom.mvs.SparsePoints(np.zeros((0, 3)), np.zeros((0, 2), int))
+    none = SparsePoints(np.zeros((0, 3)), np.zeros((0, 2), int))
     assert digest(maps) == digest(loom.mvs.estimate_depth_maps(pictures, cameras, none))
 
 
 def test_a_picture_that_sees_no_points_is_searched_where_frusta_meet():
     cameras = three()
     pictures, sparse = scene(cameras)
-    blind = loom.mvs.SparsePoints(sparse.points, sparse.observations[sparse.observations[:, 0] != 2])
+    blind = SparsePoints(sparse.points, sparse.observations[sparse.observations[:, 0] != 2])
     maps = loom.mvs.estimate_depth_maps(pictures, cameras, blind, sources=ALL)
     assert maps.sources[2] == (0, 1) and maps[2].share > 0.8
     assert np.median(errors(maps[2], cameras[2])) < 0.05
@@ -194,5 +196,5 @@ def test_a_failure_leaves_no_finished_folder(tmp_path):
     with pytest.raises(KeyboardInterrupt):
         estimate(three(), folder=tmp_path / "maps", progress=stop)
     with pytest.raises(loom.FileError, match="no finished depth maps"):
-        loom.mvs.DepthMaps.open(tmp_path / "maps")
+        DepthMaps.open(tmp_path / "maps")
     assert not [path for path in (tmp_path / "maps").iterdir() if path.is_dir()]

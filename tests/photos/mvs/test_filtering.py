@@ -7,6 +7,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.photos.mvs import filtering
+from pointloom.photos.mvs.depth_maps import DepthMap, DepthMaps
 
 from .made_maps import BALLS, cameras, changed, lifted, true_map, true_maps
 
@@ -55,10 +56,10 @@ def test_poses_the_wrong_way_round_are_asked_for():
     posed = cameras(3, step=0.5, shift=far)
     given = [true_map(camera, shift=far) for camera in posed]
     sources = [(1, 2), (0, 2), (0, 1)]
-    loom.mvs.filter_depth_maps(loom.mvs.DepthMaps(posed, sources, given))  # right: nothing is said
+    loom.mvs.filter_depth_maps(DepthMaps(posed, sources, given))  # right: nothing is said
     turned = [loom.mvs.PosedCamera(c.intrinsic, np.linalg.inv(c.T_camera_world)) for c in posed]
     with pytest.warns(UserWarning, match="hardly any depth .* is T_camera_world the inverse of your poses"):
-        loom.mvs.filter_depth_maps(loom.mvs.DepthMaps(turned, sources, given))
+        loom.mvs.filter_depth_maps(DepthMaps(turned, sources, given))
 
 
 def test_planted_wrong_depth_goes_and_none_else(device, rng):
@@ -80,8 +81,8 @@ def test_grains_that_all_pictures_show_go_and_surfaces_two_pixels_wide_stay(devi
     depth[5:25, 8:10] = 2.0  # a post
     depth[4:6, 20:22], depth[15, 25], depth[20:23, 30] = 2.0, 2.0, 2.5  # grains
     normals = np.broadcast_to((0, 0, -1.0), (30, 40, 3))
-    each = loom.mvs.DepthMap(depth, normals, np.ones((30, 40)))
-    maps = loom.mvs.DepthMaps([loom.mvs.PosedCamera(lens, np.eye(4))] * 2, [(1,), (0,)], [each, each])
+    each = DepthMap(depth, normals, np.ones((30, 40)))
+    maps = DepthMaps([loom.mvs.PosedCamera(lens, np.eye(4))] * 2, [(1,), (0,)], [each, each])
     kept = loom.mvs.filter_depth_maps(maps, device=device)[0].depth
     whole = loom.mvs.filter_depth_maps(maps, min_support=0, device=device)[0].depth
     np.testing.assert_allclose(whole, depth)
@@ -102,18 +103,18 @@ def test_slanted_surfaces_support_themselves_by_their_normals():
     depth = np.where(v > 15, 40.0 / np.maximum(v - 5.0, 1e-9), 0)
     camera = [loom.mvs.PosedCamera(lens, np.eye(4))] * 2
     for normal, share in (((0, -1.0, 0), 14 / 30), ((0, 0, -1.0), 0), ((0, 0, 0), 0)):
-        each = loom.mvs.DepthMap(depth, np.broadcast_to(normal, (30, 40, 3)), (depth > 0) * 1.0)
-        maps = loom.mvs.DepthMaps(camera, [(1,), (0,)], [each, each])
+        each = DepthMap(depth, np.broadcast_to(normal, (30, 40, 3)), (depth > 0) * 1.0)
+        maps = DepthMaps(camera, [(1,), (0,)], [each, each])
         assert loom.mvs.filter_depth_maps(maps)[0].share == pytest.approx(share)
 
 
 def test_averaging_takes_noise_away(rng):
     maps = true_maps(5, balls=())
     noisy = [
-        loom.mvs.DepthMap(each.depth * (1 + 0.002 * rng.normal(size=each.depth.shape)), each.normals, each.confidence)
+        DepthMap(each.depth * (1 + 0.002 * rng.normal(size=each.depth.shape)), each.normals, each.confidence)
         for each in maps
     ]
-    kept = loom.mvs.filter_depth_maps(loom.mvs.DepthMaps(maps.cameras, maps.sources, noisy), min_views=4)
+    kept = loom.mvs.filter_depth_maps(DepthMaps(maps.cameras, maps.sources, noisy), min_views=4)
     has = kept[2].depth > 0
     before = (noisy[2].depth / maps[2].depth - 1)[has].std()
     after = (kept[2].depth / maps[2].depth - 1)[has].std()
@@ -130,9 +131,9 @@ def test_more_views_keep_less():
 
 def test_a_picture_with_fewer_sources_needs_all_of_them_and_one_without_keeps_nothing():
     posed = cameras(3)
-    maps = loom.mvs.DepthMaps(posed, [(1,), (0, 2), ()], [true_map(camera) for camera in posed])
+    maps = DepthMaps(posed, [(1,), (0, 2), ()], [true_map(camera) for camera in posed])
     kept = loom.mvs.filter_depth_maps(maps, min_views=5)
-    pair = loom.mvs.filter_depth_maps(loom.mvs.DepthMaps(posed, [(1,), (0, 2), ()], list(maps)), min_views=1)
+    pair = loom.mvs.filter_depth_maps(DepthMaps(posed, [(1,), (0, 2), ()], list(maps)), min_views=1)
     np.testing.assert_array_equal(kept[0].depth, pair[0].depth)
     assert kept[0].depth.any()
     assert not kept[2].depth.any()
@@ -161,8 +162,8 @@ def test_the_unit_of_the_poses_is_of_no_account(scale):
         T = camera.T_camera_world.copy()
         T[:3, 3] *= scale
         resized.append(loom.mvs.PosedCamera(camera.intrinsic, T))
-    given = [loom.mvs.DepthMap(each.depth * scale, each.normals, each.confidence) for each in maps]
-    kept = loom.mvs.filter_depth_maps(loom.mvs.DepthMaps(resized, maps.sources, given))
+    given = [DepthMap(each.depth * scale, each.normals, each.confidence) for each in maps]
+    kept = loom.mvs.filter_depth_maps(DepthMaps(resized, maps.sources, given))
     for a, b in zip(loom.mvs.filter_depth_maps(maps), kept, strict=True):
         assert ((a.depth > 0) == (b.depth > 0)).mean() > 0.999
 
@@ -170,23 +171,23 @@ def test_the_unit_of_the_poses_is_of_no_account(scale):
 def test_maps_on_disk_give_the_same_bits_with_little_room_on_the_device(tmp_path, monkeypatch):
     maps = true_maps(4)
     expected = loom.mvs.filter_depth_maps(maps)
-    stored = loom.mvs.DepthMaps(maps.cameras, maps.sources, list(maps), folder=tmp_path / "raw")
+    stored = DepthMaps(maps.cameras, maps.sources, list(maps), folder=tmp_path / "raw")
     monkeypatch.setattr(filtering, "KEPT_BYTES", 1)
     kept = loom.mvs.filter_depth_maps(stored, folder=tmp_path / "kept")
     assert same(kept, expected)
-    assert same(loom.mvs.DepthMaps.open(tmp_path / "kept"), expected)
+    assert same(DepthMaps.open(tmp_path / "kept"), expected)
 
 
 def test_maps_are_not_filtered_into_their_own_folder(tmp_path):
     maps = true_maps(2)
-    stored = loom.mvs.DepthMaps(maps.cameras, maps.sources, list(maps), folder=tmp_path / "raw")
+    stored = DepthMaps(maps.cameras, maps.sources, list(maps), folder=tmp_path / "raw")
     with pytest.raises(loom.FileError, match="are to be filtered"):
         loom.mvs.filter_depth_maps(stored, folder=str(tmp_path / "raw" / ".." / "raw"))
-    assert same(loom.mvs.DepthMaps.open(tmp_path / "raw"), maps)
+    assert same(DepthMaps.open(tmp_path / "raw"), maps)
 
 
 def test_no_maps_and_empty_maps_stay_so():
-    assert len(loom.mvs.filter_depth_maps(loom.mvs.DepthMaps([], [], []))) == 0
+    assert len(loom.mvs.filter_depth_maps(DepthMaps([], [], []))) == 0
     maps = true_maps(2)
     bare = changed(changed(maps, 0, np.zeros_like(maps[0].depth)), 1, np.zeros_like(maps[1].depth))
     assert not any(each.depth.any() for each in loom.mvs.filter_depth_maps(bare))

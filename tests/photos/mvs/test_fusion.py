@@ -9,6 +9,7 @@ from scipy.spatial import KDTree
 
 import pointloom as loom
 from pointloom.photos.mvs import fusion
+from pointloom.photos.mvs.depth_maps import DepthMaps
 
 from .made_maps import BALLS, WALL, changed, lifted, true_maps
 
@@ -70,7 +71,7 @@ def test_points_that_too_few_pictures_show_go():
 
 def test_pictures_that_overlap_are_merged_though_they_are_no_sources_of_each_other():
     maps = true_maps(3)
-    strangers = loom.mvs.DepthMaps(maps.cameras, [(), (), ()], list(maps))
+    strangers = DepthMaps(maps.cameras, [(), (), ()], list(maps))
     np.testing.assert_array_equal(loom.mvs.fuse(strangers, None).points, loom.mvs.fuse(maps, None).points)
 
 
@@ -96,7 +97,7 @@ def test_the_same_bits_with_maps_and_pictures_on_disk_and_no_room(tmp_path, monk
         paths.append(tmp_path / f"{i}.png")
         Image.fromarray(picture).save(paths[-1])
     expected = loom.mvs.fuse(maps, pictures)
-    stored = loom.mvs.DepthMaps(maps.cameras, maps.sources, list(maps), folder=tmp_path / "maps")
+    stored = DepthMaps(maps.cameras, maps.sources, list(maps), folder=tmp_path / "maps")
     monkeypatch.setattr(fusion, "KEPT_BYTES", 1)
     again = loom.mvs.fuse(stored, paths)
     for name in ("points", "normals", "colors", "confidence", "views"):
@@ -144,14 +145,14 @@ def test_a_mesh_may_be_finer_and_without_colours(to):
 
 @pytest.mark.parametrize("to", ["points", "tsdf", "poisson"])
 def test_nothing_to_fuse_gives_nothing(to):
-    assert len(loom.mvs.fuse(loom.mvs.DepthMaps([], [], []), [], to=to)) == 0
+    assert len(loom.mvs.fuse(DepthMaps([], [], []), [], to=to)) == 0
     maps = true_maps(2)
     bare = changed(changed(maps, 0, np.zeros_like(maps[0].depth)), 1, np.zeros_like(maps[1].depth))
     assert len(loom.mvs.fuse(bare, pictures_of(maps), to=to)) == 0
 
 
 def test_one_map_alone_gives_its_points():
-    maps = loom.mvs.DepthMaps(true_maps(1).cameras, [()], [true_maps(1)[0]])
+    maps = DepthMaps(true_maps(1).cameras, [()], [true_maps(1)[0]])
     assert len(loom.mvs.fuse(maps, None, min_views=1)) == maps[0].depth.size
     assert len(loom.mvs.fuse(maps, None)) == 0
 

@@ -10,19 +10,17 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.photos.mvs.depth_bundles import DepthBundle
+from pointloom.photos.mvs.depth_maps import DepthMap, DepthMaps
 
 from ...hostile import faults_of, missing_from, read_table
 from .made_maps import true_maps
 from .made_pictures import camera_at, intrinsic, scene
 
 CALLS = """
-loom.mvs.choose_sources(cameras=cameras, sparse=sparse, count=8)
 loom.mvs.filter_depth_maps(maps=maps, min_views=2, max_pixels=1.0, max_relative=0.01, min_confidence=0.0, min_support=0.25, folder=None, device="cpu", progress=None)
 loom.mvs.fuse(maps=maps, pictures=None, to="points", voxel_size=0.5, min_views=2, max_pixels=2.0, max_relative=0.01, max_angle=30.0, device="cpu", progress=None)
 loom.mvs.PosedCamera(intrinsic=lens, T_camera_world=pose)
-loom.mvs.SparsePoints(points=points, observations=observations)
-loom.mvs.DepthMap(depth=depth, normals=normals, confidence=depth)
-loom.mvs.DepthMaps(cameras=cameras, sources=sources, maps=[one, one], folder=None)
 loom.mvs.estimate_depth_maps(pictures=pictures, cameras=cameras, sparse=sparse, sources=sources, masks=None, seed=0, device="cpu", folder=None, going=None, device_bytes=1000, progress=None)
 loom.mvs.read_depth_bundle(path=path, names=["a", "b"], device="cpu")
 bundle.transform(transformation=pose)
@@ -41,8 +39,8 @@ def things() -> dict[str, Any]:
     return {
         "loom": loom, "lens": intrinsic(), "pose": np.eye(4), "points": sparse.points, "sparse": sparse,
         "observations": sparse.observations, "cameras": cameras, "pictures": pictures, "sources": [[1], [0]],
-        "depth": depth, "normals": normals, "one": loom.mvs.DepthMap(depth, normals, depth), "maps": maps,
-        "bundle": loom.mvs.DepthBundle(maps, None, ("a", "b"), "VGGT"),
+        "depth": depth, "normals": normals, "one": DepthMap(depth, normals, depth), "maps": maps,
+        "bundle": DepthBundle(maps, None, ("a", "b"), "VGGT"),
     }  # fmt: skip
 
 
@@ -95,9 +93,9 @@ def test_a_world_of_any_size_is_fused_or_refused(to, scale):
         T = camera.T_camera_world.copy()
         T[:3, 3] *= scale
         cameras.append(loom.mvs.PosedCamera(camera.intrinsic, T))
-    resized = [loom.mvs.DepthMap(each.depth * scale, each.normals, each.confidence) for each in maps]
+    resized = [DepthMap(each.depth * scale, each.normals, each.confidence) for each in maps]
     try:
-        made = loom.mvs.fuse(loom.mvs.DepthMaps(cameras, maps.sources, resized), None, to=to)
+        made = loom.mvs.fuse(DepthMaps(cameras, maps.sources, resized), None, to=to)
     except (ValueError, MemoryError) as error:
         assert scale in (1e-30, 1e30), error
     else:

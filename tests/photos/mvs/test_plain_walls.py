@@ -10,6 +10,8 @@ from scipy import ndimage
 
 import pointloom as loom
 from pointloom.photos.mvs import plane_search
+from pointloom.photos.mvs.depth_maps import DepthMaps
+from pointloom.photos.mvs.posed_pictures import SparsePoints
 
 from .made_pictures import texture
 from .test_estimation import ALL, digest
@@ -51,7 +53,7 @@ def look(camera: loom.mvs.PosedCamera, seed: int, ball: bool) -> tuple[np.ndarra
     return np.clip(np.rint(light + noise), 0, 255).astype(np.uint8), depth, kind
 
 
-def estimate(ball: bool, **options) -> tuple[loom.mvs.DepthMaps, list[np.ndarray], list[np.ndarray]]:
+def estimate(ball: bool, **options) -> tuple[DepthMaps, list[np.ndarray], list[np.ndarray]]:
     """Maps, by how much each depth is wrong [share], and what each pixel shows."""
     posed = cameras()
     seen = [look(camera, i, ball) for i, camera in enumerate(posed)]
@@ -59,7 +61,7 @@ def estimate(ball: bool, **options) -> tuple[loom.mvs.DepthMaps, list[np.ndarray
     depth = seen[0][1][v, u]
     points = np.stack([(u - LENS.cx) / FOCAL * depth, (v - LENS.cy) / FOCAL * depth, depth], -1)
     points = points[seen[0][2][v, u] != 1]  # nobody finds features on the grey wall
-    sparse = loom.mvs.SparsePoints(points, [(i, k) for i in range(3) for k in range(len(points))])
+    sparse = SparsePoints(points, [(i, k) for i in range(3) for k in range(len(points))])
     maps = loom.mvs.estimate_depth_maps([each[0] for each in seen], posed, sparse, sources=ALL, **options)
     wrong = [
         np.where(found.depth > 0, np.abs(found.depth / true[1] - 1), np.inf)

@@ -9,7 +9,8 @@ import pytest
 from scipy.spatial import KDTree
 
 import pointloom as loom
-from pointloom.photos.mvs.sources import _step
+from pointloom.photos.mvs.posed_pictures import SparsePoints
+from pointloom.photos.mvs.sources import _step, choose_sources
 
 from .made_maps import pose
 
@@ -26,7 +27,7 @@ def scattered(rng, count=9, points=300):
     """Cameras in a row and points that some of them see."""
     cameras = [camera_at(*rng.normal(0, 0.5, 2)) for _ in range(count)]
     places = rng.normal((0, 0, 6), 1, (points, 3))
-    return cameras, loom.mvs.SparsePoints(places, np.argwhere(rng.random((count, points)) < 0.4))
+    return cameras, SparsePoints(places, np.argwhere(rng.random((count, points)) < 0.4))
 
 
 def plain_cover(cameras, sparse, count):
@@ -58,7 +59,7 @@ def plain_cover(cameras, sparse, count):
 @pytest.mark.parametrize("count", [1, 4, 8])
 def test_the_choice_is_that_of_the_plain_loop(rng, count):
     cameras, sparse = scattered(rng)
-    assert loom.mvs.choose_sources(cameras, sparse, count=count) == plain_cover(cameras, sparse, count)
+    assert choose_sources(cameras, sparse, count=count) == plain_cover(cameras, sparse, count)
 
 
 def test_a_source_that_sees_what_the_others_miss_comes_before_better_ones():
@@ -68,43 +69,43 @@ def test_a_source_that_sees_what_the_others_miss_comes_before_better_ones():
     left = np.flatnonzero(points[:, 0] < 0).tolist()
     right = np.flatnonzero(points[:, 0] > 0).tolist()
     seen = [(0, k) for k in range(40)] + [(j, k) for j in (1, 2, 3, 4) for k in left] + [(5, k) for k in right]
-    chosen = loom.mvs.choose_sources(cameras, loom.mvs.SparsePoints(points, seen), count=4)[0]
+    chosen = choose_sources(cameras, SparsePoints(points, seen), count=4)[0]
     assert chosen.index(5) == 3  # after three good views of the left half a fourth adds nothing
-    assert loom.mvs.choose_sources(cameras, loom.mvs.SparsePoints(points, seen), count=8)[0] == chosen
+    assert choose_sources(cameras, SparsePoints(points, seen), count=8)[0] == chosen
 
 
 def test_angles_of_some_degrees_are_preferred():
     degrees = np.array([0.0, 0.3, 6.0, 40.0, 85.0])
     cameras = [camera_at(5 * np.sin(a), 0, 5 - 5 * np.cos(a)) for a in np.radians(degrees)]
-    sparse = loom.mvs.SparsePoints([[0.0, 0.0, 5.0]], [(i, 0) for i in range(5)])
-    assert loom.mvs.choose_sources(cameras, sparse)[0] == (2, 1, 3, 4)
+    sparse = SparsePoints([[0.0, 0.0, 5.0]], [(i, 0) for i in range(5)])
+    assert choose_sources(cameras, sparse)[0] == (2, 1, 3, 4)
 
 
 def test_observations_in_any_order_and_twice_give_the_same(rng):
     cameras, sparse = scattered(rng)
     shuffled = rng.permutation(np.concatenate([sparse.observations, sparse.observations]))
-    again = loom.mvs.SparsePoints(sparse.points, shuffled)
-    assert loom.mvs.choose_sources(cameras, again) == loom.mvs.choose_sources(cameras, sparse)
+    again = SparsePoints(sparse.points, shuffled)
+    assert choose_sources(cameras, again) == choose_sources(cameras, sparse)
 
 
 def test_the_world_may_lie_anywhere_in_any_unit(rng):
     cameras, sparse = scattered(rng)
-    expected = loom.mvs.choose_sources(cameras, sparse)
+    expected = choose_sources(cameras, sparse)
     for scale, shift in ((1.0, (5e5, 5.4e6, 300.0)), (1e-6, np.zeros(3)), (1e6, np.zeros(3))):
         moved = []
         for camera in cameras:
             T = camera.T_camera_world.copy()
             T[:3, 3] = T[:3, 3] * scale - T[:3, :3] @ shift
             moved.append(loom.mvs.PosedCamera(LENS, T))
-        points = loom.mvs.SparsePoints(sparse.points * scale + shift, sparse.observations)
-        assert loom.mvs.choose_sources(moved, points) == expected
+        points = SparsePoints(sparse.points * scale + shift, sparse.observations)
+        assert choose_sources(moved, points) == expected
 
 
 def test_without_points_cameras_that_look_the_same_way_from_some_steps_aside_are_taken():
     cameras = [camera_at(0.1 * k) for k in range(6)] + [camera_at(0.05, turn=3.0)]
-    none = loom.mvs.SparsePoints(np.zeros((0, 3)), np.zeros((0, 2), int))
-    chosen = loom.mvs.choose_sources(cameras, none, count=3)
-    assert chosen == loom.mvs.choose_sources(cameras, None, count=3)
+    none = SparsePoints(np.zeros((0, 3)), np.zeros((0, 2), int))
+    chosen = choose_sources(cameras, none, count=3)
+    assert chosen == choose_sources(cameras, None, count=3)
     assert set(chosen[0]) <= {1, 2, 3, 4}
     assert set(chosen[3]) <= {1, 2, 4, 5}
     assert all(6 not in each for each in chosen[:6])  # it looks the other way
@@ -129,13 +130,13 @@ def test_a_step_is_the_median_distance_to_the_nearest_camera_elsewhere(kind, rng
 def test_a_model_of_structure_from_motion_is_taken_for_its_points(rng):
     cameras, sparse = scattered(rng)
     model = SimpleNamespace(points=sparse.points, observations=sparse.observations, names=("a.jpg",) * 9)
-    assert loom.mvs.choose_sources(cameras, model) == loom.mvs.choose_sources(cameras, sparse)
+    assert choose_sources(cameras, model) == choose_sources(cameras, sparse)
 
 
 def test_only_a_picture_without_shared_points_is_chosen_for_by_its_camera(rng):
     cameras, sparse = scattered(rng)
-    bare = loom.mvs.SparsePoints(sparse.points, sparse.observations[sparse.observations[:, 0] != 4])
-    chosen = loom.mvs.choose_sources(cameras, bare, count=3)
+    bare = SparsePoints(sparse.points, sparse.observations[sparse.observations[:, 0] != 4])
+    chosen = choose_sources(cameras, bare, count=3)
     assert len(chosen[4]) == 3
     assert all(4 not in each for i, each in enumerate(chosen) if i != 4)
 
@@ -143,16 +144,16 @@ def test_only_a_picture_without_shared_points_is_chosen_for_by_its_camera(rng):
 @pytest.mark.parametrize("count", [0, 1])
 def test_no_picture_and_one_have_no_sources(count):
     cameras = [camera_at(0.0)] * count
-    assert loom.mvs.choose_sources(cameras, None) == ((),) * count
+    assert choose_sources(cameras, None) == ((),) * count
 
 
 def test_cameras_at_one_place_are_no_error():
-    assert loom.mvs.choose_sources([camera_at(0.0)] * 3, None) == ((), (), ())
-    sparse = loom.mvs.SparsePoints([[0.0, 0.0, 2.0]], [(0, 0), (1, 0), (2, 0)])
-    assert loom.mvs.choose_sources([camera_at(0.0)] * 3, sparse) == ((), (), ())
+    assert choose_sources([camera_at(0.0)] * 3, None) == ((), (), ())
+    sparse = SparsePoints([[0.0, 0.0, 2.0]], [(0, 0), (1, 0), (2, 0)])
+    assert choose_sources([camera_at(0.0)] * 3, sparse) == ((), (), ())
 
 
 def test_an_observation_by_a_picture_that_is_not_there_is_refused():
-    sparse = loom.mvs.SparsePoints([[0.0, 0.0, 2.0]], [(3, 0)])
+    sparse = SparsePoints([[0.0, 0.0, 2.0]], [(3, 0)])
     with pytest.raises(ValueError, match="sparse:"):
-        loom.mvs.choose_sources([camera_at(0.0)] * 2, sparse)
+        choose_sources([camera_at(0.0)] * 2, sparse)

@@ -12,7 +12,9 @@ import numpy as np
 import pytest
 from PIL import Image
 
-import pointloom as loom
+from pointloom.photos.sfm.features import find_features
+from pointloom.photos.sfm.mapping import map_pictures
+from pointloom.photos.sfm.matches import match
 
 from .scene import picture, walk
 
@@ -53,12 +55,12 @@ def stages(walked, tmp_path_factory) -> SimpleNamespace:
     def progress(*step):
         said.append(step)
 
-    features = loom.sfm.find_features(pictures, features_db, max_features=FEATURES, progress=progress)
+    features = find_features(pictures, features_db, max_features=FEATURES, progress=progress)
     before = features_db.read_bytes()
-    matches = loom.sfm.match(features_db, matches_db, progress=progress)
+    matches = match(features_db, matches_db, progress=progress)
     assert features_db.read_bytes() == before
     before = matches_db.read_bytes()
-    result = loom.sfm.map_pictures(pictures, matches_db, sparse, progress=progress)
+    result = map_pictures(pictures, matches_db, sparse, progress=progress)
     assert matches_db.read_bytes() == before
     return SimpleNamespace(**{name: value for name, value in locals().items() if name not in ("before", "walked")})
 

@@ -15,7 +15,7 @@ import pytest
 import pointloom as loom
 from pointloom.photos.sfm import colmap_worker
 from pointloom.photos.sfm.camera_check import CameraCheck
-from pointloom.photos.sfm.model_quality import ModelQuality
+from pointloom.photos.sfm.model_quality import ModelQuality, assess_model
 
 from .conftest import has_pycolmap
 from .test_model_quality import FOCAL, HEIGHT, WIDTH, model_of, views
@@ -75,7 +75,7 @@ def test_pictures_of_several_focal_lengths_are_told_or_have_cameras_of_their_own
 
 def test_a_check_and_a_quality_are_read_again_from_json():
     check = CameraCheck(found=663, rise=0.0, error=0.4)
-    quality = dataclasses.replace(loom.sfm.assess_model(None, 3), focal=check)
+    quality = dataclasses.replace(assess_model(None, 3), focal=check)
     again = ModelQuality.from_json(json.loads(json.dumps(quality.to_dict(), allow_nan=False)))
     assert again.focal is not None and again.focal.reasons() == check.reasons() and math.isnan(again.focal.given)
     older = {key: value for key, value in quality.to_dict().items() if key not in ("focal", "notes")}
@@ -92,15 +92,15 @@ def test_points_that_are_more_than_a_pixel_off_are_told(points):
     for error, size, refused in ((0.9, 1, False), (1.1, 1, True), (1.5, 4, False), (1.7, 4, True)):
         cameras = [loom.CameraModel("PINHOLE", size * WIDTH, size * HEIGHT, [FOCAL, FOCAL, 9, 9])] * len(model)
         found = dataclasses.replace(model, cameras=cameras, errors=np.full(len(points), error))
-        said = loom.sfm.assess_model(found, 4, focal=CameraCheck()).warnings
+        said = assess_model(found, 4, focal=CameraCheck()).warnings
         assert ("px off what the model shows" in str(said)) == refused
 
 
 def test_the_check_of_the_focal_length_makes_a_warning(points):
     model = model_of(views(4, side=1.0, turn=0.3), points)
-    quality = loom.sfm.assess_model(model, 4, focal=CameraCheck(found=600, rise=0.001, error=0.4))
+    quality = assess_model(model, 4, focal=CameraCheck(found=600, rise=0.001, error=0.4))
     assert not quality.reliable and "; ".join(quality.warnings).startswith("the pictures do not fix the focal length")
-    kept = loom.sfm.assess_model(model, 4, focal=CameraCheck(found=600, rise=0.001, error=0.4, exif=1, freed_error=0.4))
+    kept = assess_model(model, 4, focal=CameraCheck(found=600, rise=0.001, error=0.4, exif=1, freed_error=0.4))
     assert kept.reliable and kept.to_dict()["notes"] == list(kept.notes) != []
 
 

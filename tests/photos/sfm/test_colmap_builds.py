@@ -10,6 +10,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.photos.sfm import colmap_jobs
+from pointloom.photos.sfm.features import find_features
 
 from .conftest import has_pycolmap, write_pictures
 
@@ -37,5 +38,5 @@ def test_a_gpu_that_was_asked_for_and_is_not_there_is_named(monkeypatch):
 def test_networks_that_are_not_built_in_are_a_named_error(walked, tmp_path):
     pictures = write_pictures(tmp_path / "p", walked[:2])
     with pytest.raises(loom.FileError, match="ALIKED and LightGlue want a pycolmap built with ONNX, and their weights"):
-        loom.sfm.find_features(pictures, tmp_path / "f.db", kind="aliked")
+        find_features(pictures, tmp_path / "f.db", kind="aliked")
     assert not (tmp_path / "f.db").exists()

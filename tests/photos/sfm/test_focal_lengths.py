@@ -9,6 +9,7 @@ import pytest
 from PIL import Image
 
 import pointloom as loom
+from pointloom.photos.sfm.features import find_features
 
 from .conftest import has_pycolmap, write_pictures
 from .scene import FOCAL, HEIGHT, WIDTH, picture, walk
@@ -48,7 +49,7 @@ def test_pictures_of_one_size_are_cameras_by_what_exif_tells(walked, tmp_path):
     write_photographs(tmp_path / "photos", walked[:5], [28, 50, 28, None, 50])
     choice = loom.sfm.choose_frames(tmp_path / "photos", tmp_path / "frames")
     assert any("EXIF tells of 3 cameras or focal lengths" in remark for remark in choice.notes)
-    found = loom.sfm.find_features(tmp_path / "frames", tmp_path / "f.db", max_features=100)
+    found = find_features(tmp_path / "frames", tmp_path / "f.db", max_features=100)
     assert (found.camera_count, found.sizes) == (3, {(WIDTH, HEIGHT): 5})
     diagonal = np.hypot(WIDTH, HEIGHT) / np.hypot(36, 24)
     expected = [(0.85 * WIDTH, 0), (28 * diagonal, 1), (50 * diagonal, 1)]
@@ -56,7 +57,7 @@ def test_pictures_of_one_size_are_cameras_by_what_exif_tells(walked, tmp_path):
         (pytest.approx(focal, rel=1e-3), prior) for focal, prior in sorted(expected)
     ]
     known = loom.PinholeCameraIntrinsic(WIDTH, HEIGHT, FOCAL, FOCAL, 159.5, 119.5)
-    one = loom.sfm.find_features(tmp_path / "frames", tmp_path / "g.db", max_features=100, intrinsic=known)
+    one = find_features(tmp_path / "frames", tmp_path / "g.db", max_features=100, intrinsic=known)
     assert one.camera_count == 1 and [focal for focal, _ in cameras_of(tmp_path / "g.db")] == [FOCAL]
 
 

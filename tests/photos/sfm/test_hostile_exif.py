@@ -14,6 +14,7 @@ from PIL.TiffImagePlugin import IFDRational
 
 import pointloom as loom
 from pointloom.photos.sfm.exif_checks import doubt_of_focal
+from pointloom.photos.sfm.features import find_features
 from pointloom.photos.sfm.picture_folder import read_orientation
 from pointloom.photos.sfm.picture_places import Xmp, parse_xmp
 
@@ -88,7 +89,7 @@ def test_a_focal_length_that_contradicts_itself_is_rejected(tmp_path, told, expe
 def test_mapping_begins_with_no_rejected_focal_length(tmp_path):
     for k, (_, told, _) in enumerate(FOCAL_LENGTHS):  # each of a size of its own, and so a camera
         shot(tmp_path / "in" / f"{k:02d}.jpg", told, size=(96 + 2 * k, 64), seed=k)
-    found = loom.sfm.find_features(tmp_path / "in", tmp_path / "f.db", max_features=64)
+    found = find_features(tmp_path / "in", tmp_path / "f.db", max_features=64)
     with sqlite3.connect(tmp_path / "f.db") as database:
         query = (
             "SELECT name, params, width, prior_focal_length FROM images JOIN cameras USING (camera_id) ORDER BY name"

@@ -17,7 +17,10 @@ import pytest
 
 import pointloom as loom
 from pointloom.photos.sfm import colmap_jobs, colmap_worker, features, limited_process
+from pointloom.photos.sfm.features import find_features
 from pointloom.photos.sfm.limited_process import LimitedProcess
+from pointloom.photos.sfm.mapping import map_pictures
+from pointloom.photos.sfm.matches import match
 
 from .conftest import write_pictures
 
@@ -56,7 +59,7 @@ def test_a_worker_that_dies_is_an_error_with_its_last_words_and_a_remedy(walked,
     limits = {"hung": {"max_seconds": 1}, "greedy": {"max_memory": 200 * 2**20}}.get(death, {})
     began = time.monotonic()
     with pytest.raises(loom.FileError, match=said):
-        loom.sfm.find_features(pictures, tmp_path / "f.db", **limits)
+        find_features(pictures, tmp_path / "f.db", **limits)
     assert time.monotonic() - began < 30
     assert {path.name for path in tmp_path.iterdir()} == {"pictures", "worker.py"}
 
@@ -69,7 +72,7 @@ def test_a_package_that_is_missing_is_told_with_the_line_that_installs_it(walked
     pictures = write_pictures(tmp_path / "pictures", walked[:2])
     if package == "pycolmap":
         with pytest.raises(loom.FileError, match=r'pip install "pointloom\[sfm\]"'):
-            loom.sfm.find_features(pictures, tmp_path / "f.db")
+            find_features(pictures, tmp_path / "f.db")
     else:
         (tmp_path / "video.mp4").write_bytes(b"video")
         with pytest.raises(loom.FileError, match=r"pip install opencv-python-headless"):
@@ -101,7 +104,7 @@ def test_an_interrupt_kills_the_worker_and_its_children(walked, tmp_path, worker
     threading.Thread(target=interrupt, daemon=True).start()
     try:
         with pytest.raises(KeyboardInterrupt):
-            loom.sfm.find_features(pictures, tmp_path / "f.db")
+            find_features(pictures, tmp_path / "f.db")
     finally:
         signal.signal(signal.SIGINT, before)
     assert len(watched) == 2
@@ -169,8 +172,8 @@ def test_the_largest_model_is_kept_whichever_came_first(tmp_path):
 def test_what_is_no_database_is_refused(tmp_path):
     (tmp_path / "no.db").write_bytes(b"no database" * 100)
     for call in (
-        lambda: loom.sfm.match(tmp_path / "no.db", tmp_path / "m.db"),
-        lambda: loom.sfm.map_pictures(tmp_path, tmp_path / "no.db", tmp_path / "sparse"),
+        lambda: match(tmp_path / "no.db", tmp_path / "m.db"),
+        lambda: map_pictures(tmp_path, tmp_path / "no.db", tmp_path / "sparse"),
     ):
         with pytest.raises(loom.FileError, match=r"no\.db:"):
             call()
@@ -180,4 +183,4 @@ def test_what_is_no_database_is_refused(tmp_path):
 @pytest.mark.slow
 def test_a_database_without_matches_says_so(stages, tmp_path):
     with pytest.raises(loom.FileError, match=r"holds no matches. sfm.match makes them"):
-        loom.sfm.map_pictures(stages.pictures, stages.features_db, tmp_path / "sparse")
+        map_pictures(stages.pictures, stages.features_db, tmp_path / "sparse")

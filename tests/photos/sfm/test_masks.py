@@ -10,6 +10,7 @@ import pytest
 from PIL import Image
 
 import pointloom as loom
+from pointloom.photos.sfm.features import find_features
 
 from .conftest import has_pycolmap, left_half, write_pictures
 
@@ -96,7 +97,7 @@ def test_masks_that_do_not_fit_are_named(panned, tmp_path):
 def test_no_feature_lies_where_masks_are_black(walked, tmp_path):
     pictures = write_pictures(tmp_path / "in", walked[:2], ["a.png", "b.png"])
     masks = write_pictures(tmp_path / "masks", [left_half(walked[0].shape)], ["a.png.png"])
-    found = loom.sfm.find_features(pictures, tmp_path / "f.db", masks=masks, max_features=500)
+    found = find_features(pictures, tmp_path / "f.db", masks=masks, max_features=500)
     with sqlite3.connect(tmp_path / "f.db") as database:
         rows = dict(database.execute("SELECT image_id, data FROM keypoints"))
     columns = [
@@ -107,4 +108,4 @@ def test_no_feature_lies_where_masks_are_black(walked, tmp_path):
     assert columns[0].max() <= middle + 1 and len(columns[0]) > 30 and columns[1].max() > 1.5 * middle
     (masks / "b.png.png").write_bytes((masks / "a.png.png").read_bytes()[:-9])
     with pytest.raises(loom.FileError, match=r"b\.png\.png"):
-        loom.sfm.find_features(pictures, tmp_path / "f.db", masks=masks)
+        find_features(pictures, tmp_path / "f.db", masks=masks)

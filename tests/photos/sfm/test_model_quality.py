@@ -6,9 +6,10 @@ import dataclasses
 
 import numpy as np
 import pytest
+from pointloom.photos.sfm.parallax import parallax, triangulation_angles
 
 import pointloom as loom
-from pointloom.photos.sfm.model_quality import parallax, triangulation_angles
+from pointloom.photos.sfm.model_quality import assess_model
 
 FOCAL, WIDTH, HEIGHT = 500.0, 640, 480
 
@@ -53,14 +54,14 @@ def test_turning_explains_what_a_camera_that_turned_saw_whatever_its_lens(points
 def test_turning_does_not_explain_what_a_camera_that_moved_saw(points, side):
     model = model_of(views(8, side=side, turn=0.3), points, noise=0.3)
     assert parallax(model) > 3 and parallax(model, fixed=True) >= parallax(model)
-    assert (loom.sfm.assess_model(model, 8).reliable) == (side == 1.0)  # else the angles are too small
+    assert (assess_model(model, 8).reliable) == (side == 1.0)  # else the angles are too small
 
 
 def test_a_camera_that_turned_is_refused_though_angles_are_wide(points):
     seen = model_of(views(8, side=0.0, turn=0.6), points, noise=0.3)
     moved = seen.T_camera_world.copy()
     moved[:, 0, 3] = np.linspace(-0.5, 0.5, 8)  # motion that was made up
-    quality = loom.sfm.assess_model(dataclasses.replace(seen, T_camera_world=moved), 8)
+    quality = assess_model(dataclasses.replace(seen, T_camera_world=moved), 8)
     assert (
         quality.angle > 2
         and "the camera hardly moved" in str(quality.warnings)
@@ -69,7 +70,7 @@ def test_a_camera_that_turned_is_refused_though_angles_are_wide(points):
 
 
 def test_far_points_are_uncertain(points):
-    quality = loom.sfm.assess_model(model_of(views(8, side=0.1, turn=0.3), points * [1, 1, 0.6]), 8)
+    quality = assess_model(model_of(views(8, side=0.1, turn=0.3), points * [1, 1, 0.6]), 8)
     assert quality.angle < 2 and "; ".join(quality.warnings)
 
 
@@ -92,27 +93,25 @@ def test_points_that_nobody_or_one_saw_have_no_angle():
     assert triangulation_angles(model).tolist() == [0, 0] and np.isnan(parallax(model))
     empty = loom.SfmModel([], [], np.zeros((0, 4, 4)))
     assert triangulation_angles(empty).tolist() == [] and np.isnan(parallax(empty))
-    assert "only 0 points" in str(loom.sfm.assess_model(empty, 0).warnings)
-    assert "only 1 of 5 pictures" in str(loom.sfm.assess_model(model, 5).warnings)
+    assert "only 0 points" in str(assess_model(empty, 0).warnings)
+    assert "only 1 of 5 pictures" in str(assess_model(model, 5).warnings)
 
 
 @pytest.mark.parametrize("scale", [1e-6, 1e6])
-def test_the_quality_does_not_depend_on_the_unit_or_the_position(points, scale):
+def test_a_verdict_does_not_depend_on_the_unit_or_the_place(points, scale):
     model = model_of(views(8, side=1.0, turn=0.3), points)
     T = np.diag([scale, scale, scale, 1.0])
     T[:3, 3] = 5e5 * scale, 4e6 * scale, 0
-    moved, before = loom.sfm.assess_model(model.transform(T), 8), loom.sfm.assess_model(model, 8)
+    moved, before = assess_model(model.transform(T), 8), assess_model(model, 8)
     assert moved.reliable
     assert (moved.angle, moved.parallax) == (pytest.approx(before.angle, rel=1e-5), pytest.approx(before.parallax))
 
 
 def test_few_pictures_few_points_and_several_models_are_told(points):
     model = model_of(views(4, side=1.0, turn=0.3), points)
-    assert loom.sfm.assess_model(model, 4).reliable
-    assert "only 4 of 10 pictures could be placed" in str(loom.sfm.assess_model(model, 10).warnings)
-    assert "the pictures fall into 2 models (4, 2 pictures)" in str(
-        loom.sfm.assess_model(model, 6, model_sizes=(4, 2)).warnings
-    )
-    assert loom.sfm.assess_model(model, 4, model_sizes=(4, 2)).reliable  # the same pictures again
-    few = loom.sfm.assess_model(model_of(views(4, side=1.0, turn=0.3), points[:30]), 4)
+    assert assess_model(model, 4).reliable
+    assert "only 4 of 10 pictures could be placed" in str(assess_model(model, 10).warnings)
+    assert "the pictures fall into 2 models (4, 2 pictures)" in str(assess_model(model, 6, model_sizes=(4, 2)).warnings)
+    assert assess_model(model, 4, model_sizes=(4, 2)).reliable  # the same pictures again
+    few = assess_model(model_of(views(4, side=1.0, turn=0.3), points[:30]), 4)
     assert "only 30 points were found" in str(few.warnings)

@@ -11,6 +11,9 @@ from PIL import Image
 
 import pointloom as loom
 from pointloom.photos.sfm import features, matches
+from pointloom.photos.sfm.features import find_features
+from pointloom.photos.sfm.mapping import map_pictures
+from pointloom.photos.sfm.matches import match
 
 from .conftest import COUNT, FEATURES, write_pictures
 from .scene import FOCAL, HEIGHT, WIDTH, picture, walk
@@ -79,7 +82,7 @@ def test_mapping_begins_with_the_focal_length_of_a_telephone(stages):
 
 @pytest.mark.slow
 def test_the_model_is_the_same_from_run_to_run(stages, tmp_path):
-    loom.sfm.map_pictures(stages.pictures, stages.matches_db, tmp_path / "again")
+    map_pictures(stages.pictures, stages.matches_db, tmp_path / "again")
     for name in ("cameras.bin", "images.bin", "points3D.bin"):
         assert (tmp_path / "again" / name).read_bytes() == (stages.sparse / name).read_bytes()
 
@@ -89,14 +92,14 @@ def test_the_model_is_the_same_from_run_to_run(stages, tmp_path):
 def test_features_and_matches_are_the_same_on_any_number_of_cores(stages, tmp_path, monkeypatch, cores):
     monkeypatch.setattr(features, "usable_cores", lambda: cores)
     monkeypatch.setattr(matches, "usable_cores", lambda: cores)
-    loom.sfm.find_features(stages.pictures, tmp_path / "f.db", max_features=FEATURES)
-    loom.sfm.match(tmp_path / "f.db", tmp_path / "m.db")
+    find_features(stages.pictures, tmp_path / "f.db", max_features=FEATURES)
+    match(tmp_path / "f.db", tmp_path / "m.db")
     assert content(tmp_path / "m.db") == content(stages.matches_db)
 
 
 @pytest.mark.slow
 def test_pairs_of_a_sequence_are_those_that_are_tried(stages, tmp_path):
-    report = loom.sfm.match(stages.features_db, tmp_path / "m.db", pairs="sequential", overlap=3)
+    report = match(stages.features_db, tmp_path / "m.db", pairs="sequential", overlap=3)
     with sqlite3.connect(tmp_path / "m.db") as connection:
         assert connection.execute("SELECT count(*) FROM matches").fetchone() == (report.pair_count,)
     assert report.pairs == "sequential" and report.pair_count == 7 + 6 + 4  # 1, 2 and 4 further on
@@ -119,7 +122,7 @@ def test_a_camera_of_other_pictures_is_refused(walked, tmp_path):
     other = loom.PinholeCameraIntrinsic(640, 640, 500, 500, 320, 320)
     pictures = write_pictures(tmp_path / "in", walked[:2])
     with pytest.raises(ValueError, match="intrinsic:"):
-        loom.sfm.find_features(pictures, tmp_path / "f.db", intrinsic=other)
+        find_features(pictures, tmp_path / "f.db", intrinsic=other)
 
 
 @pytest.mark.slow
@@ -132,11 +135,11 @@ def test_a_camera_that_only_turns_is_found_out(tmp_path):
 
 def test_blank_images_give_no_model_but_a_warning(tmp_path):
     pictures = write_pictures(tmp_path / "pictures", [np.full((64, 96), 40 * k, np.uint8) for k in range(3)])
-    found = loom.sfm.find_features(pictures, tmp_path / "f.db")
+    found = find_features(pictures, tmp_path / "f.db")
     assert found.counts == (0, 0, 0) and len(found.poor_names) == 3
-    matched = loom.sfm.match(tmp_path / "f.db", tmp_path / "m.db")
+    matched = match(tmp_path / "f.db", tmp_path / "m.db")
     assert matched.verified_count == 0 and len(matched.isolated) == 3
-    result = loom.sfm.map_pictures(pictures, tmp_path / "m.db", tmp_path / "sparse")
+    result = map_pictures(pictures, tmp_path / "m.db", tmp_path / "sparse")
     assert result.model is None and len(result.missing) == 3
     assert "none of the 3 pictures could be placed" in str(result.warnings)
     for report in (found, matched, result):
@@ -156,18 +159,18 @@ def test_pictures_that_colmap_would_take_for_others_are_refused(walked, tmp_path
         pixels = walked[0].astype(np.uint16) * 256 if name == "grey.png" else walked[0]
         Image.fromarray(pixels).save(pictures / name, **({} if name == "grey.png" else {"exif": exif}))
     with pytest.raises(loom.FileError, match=rf"{name}.*{remedy}"):
-        loom.sfm.find_features(pictures, tmp_path / "f.db")
+        find_features(pictures, tmp_path / "f.db")
 
 
 def test_a_picture_alone_is_refused(walked, tmp_path):
     with pytest.raises(loom.FileError, match="holds one picture"):
-        loom.sfm.find_features(write_pictures(tmp_path / "one", walked[:1]), tmp_path / "f.db")
+        find_features(write_pictures(tmp_path / "one", walked[:1]), tmp_path / "f.db")
 
 
 @pytest.mark.slow
 def test_all_at_once_and_one_by_one_come_to_the_same_cameras(stages, tmp_path):
-    found = loom.sfm.map_pictures(stages.pictures, stages.matches_db, tmp_path / "g", mapper="global")
-    loom.sfm.map_pictures(stages.pictures, stages.matches_db, tmp_path / "h", mapper="global")
+    found = map_pictures(stages.pictures, stages.matches_db, tmp_path / "g", mapper="global")
+    map_pictures(stages.pictures, stages.matches_db, tmp_path / "h", mapper="global")
     assert found.model is not None and found.model.names == stages.result.model.names
     for name in ("cameras.bin", "images.bin", "points3D.bin"):
         assert (tmp_path / "g" / name).read_bytes() == (tmp_path / "h" / name).read_bytes()

@@ -12,6 +12,7 @@ import pytest
 from PIL import Image
 
 import pointloom as loom
+from pointloom.cameras.undistortion import Undistortion
 from pointloom.core.errors import FileError
 
 from .conftest import has_pycolmap
@@ -63,7 +64,7 @@ def test_points_lie_in_the_straight_pictures_where_the_lens_saw_them(tmp_path, k
     assert len(found.observations) > 0.8 * len(model.observations)
     sizes = np.array([(camera.width, camera.height) for camera in found.cameras])[found.observations[:, 0]]
     assert ((found.pixels >= -0.5) & (found.pixels <= sizes - 0.5)).all()
-    straight = loom.Undistortion(model.cameras[0], max_size=max_size).intrinsic
+    straight = Undistortion(model.cameras[0], max_size=max_size).intrinsic
     for k, camera in enumerate(found.cameras):
         with Image.open(scene / "images" / found.names[k]) as picture:
             assert picture.size == (camera.width, camera.height) == (straight.width, straight.height)
@@ -255,7 +256,7 @@ def test_pycolmap_reads_the_folder_and_projects_the_points_where_they_are_seen(t
     _, scene = written(tmp_path, model)
     command = [sys.executable, "-c", PYCOLMAP, str(scene / "sparse" / "0")]
     pictures, colors, tracks = json.loads(subprocess.run(command, check=True, capture_output=True).stdout)
-    straight = loom.Undistortion(model.cameras[0]).intrinsic
+    straight = Undistortion(model.cameras[0]).intrinsic
     assert sorted(pictures) == ["a.png", "b.png", "c.png"] and colors == model.colors.tolist()
     expected = [straight.fx, straight.fy, straight.cx + 0.5, straight.cy + 0.5]
     for kind, width, height, params, count, off in pictures.values():

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 import pointloom as loom
+from pointloom.photos.video.ground_control import ControlMark, GroundControl
 
 from .made_flights import FRAME, hidden
 
@@ -33,7 +34,7 @@ def marks_of(poses, points=GROUND, names=NAMES, noise=0.0, most=8, seed=0):
             pixel = LENS.project((T[:3, :3] @ point + T[:3, 3])[None])[0]
             if np.isfinite(pixel).all() and (pixel > 0).all() and (pixel < (639, 479)).all() and seen < most:
                 pixel = pixel + rng.normal(size=2) * noise
-                found.append(loom.video.ControlMark(name, f"IMG_{k:04d}.JPG", pixel))
+                found.append(ControlMark(name, f"IMG_{k:04d}.JPG", pixel))
                 seen += 1
     return found
 
@@ -49,4 +50,4 @@ def control_of(
         known[names.index(name)] += off
     marks = marks_of(poses, points, names, noise, seed=seed) if marks is None else marks
     rows = [loom.registration.ControlPoint(name, place, SIGMA) for name, place in zip(names, known, strict=True)]
-    return loom.video.GroundControl(rows, marks, bars, crs, checks)
+    return GroundControl(rows, marks, bars, crs, checks)

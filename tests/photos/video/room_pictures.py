@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 import pointloom as loom
+from pointloom.cameras.panoramas import Panorama
 from pointloom.data.scenes.room import room_views
 
 
@@ -38,7 +39,7 @@ def fisheye_pictures(poses, camera, *, finer=1.5) -> list[np.ndarray]:
 
 def spheres_from(poses, height=256, *, finer=2) -> list[np.ndarray]:
     """Equirectangular pictures, uint8 [height, 2 height, 3], read from six pinholes, `finer` times as dense."""
-    faces = loom.Panorama(2 * height, height, side=finer * height // 2)
+    faces = Panorama(2 * height, height, side=finer * height // 2)
     lens = faces.intrinsic
     v, u = np.mgrid[:height, : 2 * height].reshape(2, -1)
     longitude, latitude = (u + 0.5) / height * np.pi - np.pi, np.pi / 2 - (v + 0.5) / height * np.pi

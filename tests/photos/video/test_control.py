@@ -5,9 +5,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from pointloom.photos.video.control_checks import check_marks
 
 import pointloom as loom
-from pointloom.photos.video.job import check_marks
+from pointloom.photos.video.ground_control import ControlMark, GroundControl, ScaleBar
 from pointloom.photos.video.units import Units, fit_units
 
 from .made_control import GROUND, NAMES, SIGMA, control_of, marks_of, model_of
@@ -103,7 +104,7 @@ def test_points_that_are_somewhat_worse_than_told_are_said_to_be():
 def test_a_mark_of_something_else_is_left_out_and_named():
     marks = marks_of(POSES, POINTS, noise=0.2)
     k = next(k for k, mark in enumerate(marks) if mark.point == "B")
-    marks[k] = loom.video.ControlMark("B", marks[k].picture, np.add(marks[k].pixel, (60, -40)))
+    marks[k] = ControlMark("B", marks[k].picture, np.add(marks[k].pixel, (60, -40)))
     fit = settle(marks=marks)
     assert marks[k].picture.lower() in row(fit, "B").remark.lower() and row(fit, "B").use == "control"
     assert fit.reliable and np.linalg.norm(row(fit, "B").residual) < 0.1
@@ -147,10 +148,10 @@ def test_control_wins_over_gps_whose_gaps_are_told():
     assert "GPS of 24 pictures, not used" in str(fit)
 
 
-def test_another_zone_than_that_of_gps_is_reported():
+def test_another_zone_than_gps_tells_is_doubted():
     places = FRAME.to_utm(POINTS, 32632)
     rows = [loom.registration.ControlPoint(n, p, SIGMA) for n, p in zip(NAMES, places, strict=True)]
-    control = loom.video.GroundControl(rows, marks_of(POSES, POINTS), crs="EPSG:32633")
+    control = GroundControl(rows, marks_of(POSES, POINTS), crs="EPSG:32633")
     fit = fit_units(Units(control=control, places=told(POSES)), MODEL)
     assert "km from where GPS says" in str(fit.warnings) and "EPSG:32633" in str(fit.warnings)
 
@@ -170,14 +171,14 @@ def test_coordinates_that_cannot_be_in_their_system_are_refused(crs, place, reas
     if crs not in ("EPSG:32632", "EPSG:4326"):
         pytest.importorskip("pyproj")
     with pytest.raises(ValueError, match=reason):
-        loom.video.GroundControl([loom.registration.ControlPoint("A", place)], [], crs=crs)
+        GroundControl([loom.registration.ControlPoint("A", place)], [], crs=crs)
 
 
 def test_large_coordinates_without_a_system_lose_an_origin_that_is_told():
     far = np.add(POINTS, (612000.0, 204000.0, 430.0))
     control = control_of(POSES, POINTS, crs="")
     rows = [loom.registration.ControlPoint(n, p, SIGMA) for n, p in zip(NAMES, far, strict=True)]
-    fit = fit_units(Units(control=loom.video.GroundControl(rows, control.marks)), MODEL)
+    fit = fit_units(Units(control=GroundControl(rows, control.marks)), MODEL)
     assert fit.frame is None and fit.control.origin.tolist() == [612000.0, 204000.0, 400.0]
     found = MODEL.transform(fit.T_world_model).centers + fit.control.origin
     np.testing.assert_allclose(found, POSES[:, :3, 3] + (612000, 204000, 430), atol=1e-6)
@@ -185,13 +186,11 @@ def test_large_coordinates_without_a_system_lose_an_origin_that_is_told():
 
 
 def bar(a, b, off=0.0, sigma=0.002):
-    return loom.video.ScaleBar(
-        a, b, float(np.linalg.norm(POINTS[NAMES.index(a)] - POINTS[NAMES.index(b)])) + off, sigma
-    )
+    return ScaleBar(a, b, float(np.linalg.norm(POINTS[NAMES.index(a)] - POINTS[NAMES.index(b)])) + off, sigma)
 
 
 def bars_alone(*bars, noise=0.0, align="none"):
-    control = loom.video.GroundControl([], marks_of(POSES, POINTS, noise=noise), bars)
+    control = GroundControl([], marks_of(POSES, POINTS, noise=noise), bars)
     return fit_units(Units(control=control, align=align), MODEL)
 
 
@@ -242,5 +241,5 @@ def test_the_report_has_residual_sigma_and_use_of_each_point_and_bar():
 
 
 def test_marks_of_pictures_that_were_not_taken_are_passed_over():
-    mark = loom.video.ControlMark("A", "IMG_0009.jpg", (3, 4))
-    check_marks(loom.video.GroundControl([], [mark]), ["IMG_0001.jpg"], {}, ["IMG_0001.jpg", "IMG_0009.jpg"])
+    mark = ControlMark("A", "IMG_0009.jpg", (3, 4))
+    check_marks(GroundControl([], [mark]), ["IMG_0001.jpg"], {}, ["IMG_0001.jpg", "IMG_0009.jpg"])

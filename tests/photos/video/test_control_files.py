@@ -6,6 +6,7 @@ import pytest
 import pointloom as loom
 from pointloom.core.errors import FileError
 from pointloom.photos.video.control_systems import to_geodetic, utm_code
+from pointloom.photos.video.ground_control import ScaleBar
 from pointloom.photos.video.units import Units
 
 ODM = """WGS84 UTM 32N
@@ -52,7 +53,7 @@ def test_a_csv_is_read_with_sigma_and_use(written):
     found = loom.video.read_ground_control(written("\ufeff" + CSV, "gcp.csv"))
     assert (found.crs, found.checks, found.marks[2].picture) == ("EPSG:25832", ("Mill 2",), "a, b.jpg")
     assert np.asarray(found.points[0].sigma).tolist() == [0.01, 0.01, 0.03]
-    assert found.bars == (loom.video.ScaleBar("A", "Mill 2", 41.2),)
+    assert found.bars == (ScaleBar("A", "Mill 2", 41.2),)
 
 
 def test_points_without_names_are_one_by_their_place(written):

@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from PIL import Image
+from pointloom.data.scenes.room_paths import film_pose, look_along
 
 import pointloom as loom
-from pointloom.data.scenes.room import film_pose, look_along
+from pointloom.cameras.panoramas import Panorama
 from pointloom.photos.sfm.sphere_pictures import with_all_faces
 from pointloom.photos.video import motion
 
@@ -54,7 +55,7 @@ def test_a_picture_of_a_lens_is_none_of_all_directions(tmp_path):
 
 def test_faces_that_were_not_placed_stand_where_the_others_of_their_picture_say():
     rng = np.random.default_rng(0)
-    panorama = loom.Panorama(64, 32)
+    panorama = Panorama(64, 32)
     camera = loom.CameraModel.from_intrinsic(panorama.intrinsic)
     names = [f"my_sphere_{k}_{face}.jpg" for k in range(3) for face in panorama.names]
     poses = []
@@ -89,7 +90,7 @@ def test_pictures_of_all_directions_are_placed_where_they_were_taken(tmp_path):
     source = write_pictures(tmp_path / "in", spheres, [f"{k}.png" for k in range(10)])
     (tmp_path / "out").mkdir()
     told = motion.take_frames(tmp_path / "out", quiet, source=source, max_frames=10, masks=None, panorama=True)
-    lens = loom.Panorama(768, 384).intrinsic
+    lens = Panorama(768, 384).intrinsic
     result = loom.sfm.reconstruct(tmp_path / "out" / motion.PICTURES, tmp_path / "work", intrinsic=lens)
     assert told["kept"] == 60 and result.model is not None and len(result.model) >= 45
     whole, _ = with_all_faces(result.model, told["names"])

@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.rgbd.odometry.options import OdometryConvergenceCriteria
+from pointloom.rgbd.odometry.rgbd_odometry import compute_odometry_information_matrix, rgbd_odometry_multi_scale
 
 from .made_frames import CAMERA, picture, pose_of
 
@@ -81,9 +83,9 @@ def check_legacy(theirs, pictures, camera, device, with_depth, steps, tolerances
 
 def check_tensor(theirs, pictures, camera, device, method, steps, tolerances):
     pose, fitness = theirs
-    criteria = [od.OdometryConvergenceCriteria(step, 1e-12, 1e-12) for step in steps]
+    criteria = [OdometryConvergenceCriteria(step, 1e-12, 1e-12) for step in steps]
     images = ours(pictures, device)
-    result = od.rgbd_odometry_multi_scale(*images, camera.matrix, None, 1000.0, 3.0, criteria, method, weights="open3d")
+    result = rgbd_odometry_multi_scale(*images, camera.matrix, None, 1000.0, 3.0, criteria, method, weights="open3d")
     assert np.abs(result.transformation - pose).max() < tolerances.odometry_open3d_tensor
     assert abs(result.fitness - fitness) < 2e-4
 
@@ -126,7 +128,7 @@ def test_the_information_of_two_depths(oracle):
     (first, second), camera = made_pictures()
     raws, pose = [np.ascontiguousarray(pair[1]) for pair in (first, second)], np.linalg.inv(POSES[1]) @ POSES[0]
     theirs = oracle("rgbd/odometry_information", information_of, raws, camera, pose)
-    mine = od.compute_odometry_information_matrix(*raws, camera, pose, 0.07)
+    mine = compute_odometry_information_matrix(*raws, camera, pose, 0.07)
     assert np.abs(mine - theirs).max() < 2e-3 * np.abs(theirs).max()
 
 

@@ -6,10 +6,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from pointloom.rgbd.reconstruction.slac import integrate_deformed
 
 import pointloom as loom
 from pointloom.core.errors import FileError
 from pointloom.registration.deformable.control_grid_files import read_control_grid, write_control_grid
+from pointloom.rgbd.reconstruction.nonrigid import refine_with_slac
 
 from ...interruptions import run_lines
 from .test_job import digest_of
@@ -82,7 +84,7 @@ def test_the_surface_is_written_as_points_where_that_is_asked(whole, job):
 def test_frames_go_through_the_grid(whole):
     folder, report, _ = whole
     settings, walk = SETTINGS, bent_walk()
-    found = rec.refine_with_slac(settings, folder, resume=True)
+    found = refine_with_slac(settings, folder, resume=True)
     scene = rec.integrate_scene(walk, settings, folder, slac=True, resume=True)
     volume = loom.TSDFVolume(voxel_size=settings.volume_voxel_size, truncation=settings.truncation)
     for index, T in zip(scene.indices.tolist(), scene.T_world_camera, strict=True):
@@ -90,7 +92,7 @@ def test_frames_go_through_the_grid(whole):
         pose = found.placement.poses[number]
         step, depth = np.linalg.inv(pose) @ T, frame.depth / 1000
         depth = np.where((depth >= 0.3) & (depth <= 4.0), depth, 0).astype(np.float32)
-        rec.integrate_deformed(volume, found.grid, depth, walk.intrinsic, pose, step, frame.color, depth_max=4.0)
+        integrate_deformed(volume, found.grid, depth, walk.intrinsic, pose, step, frame.color, depth_max=4.0)
     mesh = volume.extract_triangle_mesh(scene.figures["weight_threshold"])
     assert len(mesh.vertices) == pytest.approx(report.mesh["vertices"], rel=1e-3)
     cloud, written = (loom.PointCloud(m.vertices) for m in (mesh, loom.read_triangle_mesh(scene.mesh_path)))
@@ -109,7 +111,7 @@ def test_a_run_without_slac_takes_nothing_of_an_earlier_one_with_it(whole, job, 
 
 def test_the_rigid_method_moves_fragments_and_bends_nothing(whole, job):
     report = whole[1]
-    found = rec.refine_with_slac(dataclasses.replace(SETTINGS, method="rigid"), job, resume=True)
+    found = refine_with_slac(dataclasses.replace(SETTINGS, method="rigid"), job, resume=True)
     assert (found.figures["method"], len(found.grid), found.figures["bent_m"]) == ("rigid", 0, 0)
     assert report.slac["rmse"] < found.figures["rmse"] <= report.slac["rmse_before"] * 1.0001
 
@@ -174,9 +176,9 @@ def test_a_damaged_file_is_made_again(whole, job, name):
 def test_another_stiffness_is_another_stage(whole, job):
     _, report, content = whole
     softer = dataclasses.replace(SETTINGS, regularizer_weight=0.1)
-    found = rec.refine_with_slac(softer, job, resume=True)
+    found = refine_with_slac(softer, job, resume=True)
     assert found.figures["bent_m"] > report.slac["bent_m"]
-    assert rec.refine_with_slac(SETTINGS, job, resume=True).figures == report.slac
+    assert refine_with_slac(SETTINGS, job, resume=True).figures == report.slac
     SETTINGS.write(job / "config.json")
     assert digest_of(job) == content
 
@@ -189,10 +191,10 @@ def test_fragments_placed_again_are_aligned_again(job):
 
 def test_the_stage_wants_the_ones_before(tmp_path):
     with pytest.raises(FileError, match="Run make_fragments"):
-        rec.refine_with_slac(SETTINGS, tmp_path)
+        refine_with_slac(SETTINGS, tmp_path)
     rec.make_fragments(Walk([0, 1]), SETTINGS, tmp_path)
     with pytest.raises(FileError, match="Run register_fragments"):
-        rec.refine_with_slac(SETTINGS, tmp_path)
+        refine_with_slac(SETTINGS, tmp_path)
     rec.register_fragments(SETTINGS, tmp_path)
     with pytest.raises(FileError, match="Run refine_with_slac"):
         rec.integrate_scene(Walk([0, 1]), SETTINGS, tmp_path, slac=True)
