@@ -40,7 +40,7 @@ class Orthophoto:
     Attributes:
         colors: Red, green, blue and alpha, uint8 [rows, columns, 4], the northernmost row first; alpha is 0 where
             nothing is seen or what is seen has no colour, else 255. None of a mesh without any colours.
-        heights: The highest surface at each cell's centre, a raster as of `loom.rasterize` on the same cells; NaN likewise
+        heights: The highest surface at each cell's centre, a raster as of `loom.rasterize` on the same cells; NaN
             where nothing is seen. `heights.write("dem.tif")` writes it.
     """
 
