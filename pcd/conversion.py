@@ -98,7 +98,7 @@ class Conversion(Selection):
         stride: int = 1,
         with_normals: bool = False,
     ) -> Self:
-        """The coloured points of an RGB-D image, grey where it holds brightness; arguments as in `create_from_depth_image`."""
+        """The colored points of an RGB-D image, gray if it has brightness only; see `create_from_depth_image`."""
         if not isinstance(image, RGBDImage):
             raise TypeError(f"image: expected an RGBDImage, got {type(image).__name__}")
         camera = check_intrinsic(intrinsic, image.width, image.height)
@@ -126,8 +126,8 @@ class Conversion(Selection):
             height: Rows of the image [px].
             intrinsic: The camera, of that size.
             extrinsic: T_camera_world, shape [4, 4]; None for the identity.
-            depth_scale: Units of the result a metre; 1000 for millimetres. `create_from_depth_image` with the same one gives
-                the points back.
+            depth_scale: Units of the result a metre; 1000 for millimetres. `create_from_depth_image` with the same one
+                gives the points back.
             depth_max: Farthest depth that is seen [m].
 
         Returns:
@@ -187,7 +187,7 @@ class Conversion(Selection):
         valid_only: bool,
         with_normals: bool,
     ) -> Self:
-        """`create_from_depth_image` for depth in metres that is on the device, float32 [h * w], and colours [h * w, 3]."""
+        """`create_from_depth_image` for depth [m] on the device, float32 [h * w], and colors [h * w, 3]."""
         step = check_count("stride", stride)
         T_world_camera = np.eye(4) if extrinsic is None else inv(check_rigid("extrinsic", extrinsic))
         origin = origin_of_sensor(T_world_camera[:3, 3])

@@ -154,7 +154,8 @@ class MeshReconstruction(MeshMeasures):
             >>> import numpy as np, pointloom as loom
             >>> points = np.random.default_rng(0).normal(size=(2000, 3))
             >>> points /= np.linalg.norm(points, axis=1, keepdims=True)
-            >>> ball, densities = loom.TriangleMesh.create_from_point_cloud_poisson(loom.PointCloud(points, normals=points), 5)
+            >>> cloud = loom.PointCloud(points, normals=points)
+            >>> ball, densities = loom.TriangleMesh.create_from_point_cloud_poisson(cloud, 5)
             >>> ball.is_watertight(), bool(abs(np.linalg.norm(ball.vertices, axis=1) - 1).max() < 0.02)
             (True, True)
         """

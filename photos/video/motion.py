@@ -16,7 +16,10 @@ from ...core.stages import Made
 from ...files.models.colmap import read_colmap_model, write_colmap_model
 from ...files.models.sfm_model import SfmModel
 from ...files.pictures.image_files import read_picture_header
-from .. import sfm
+from ..sfm import features as features_module
+from ..sfm import mapping
+from ..sfm import matches as matches_module
+from ..sfm.frames import choose_frames
 from ..sfm.masks import FOLDER, MakeMask, mask_folder
 from ..sfm.model_quality import MIN_ANGLE, MIN_PARALLAX, ModelQuality
 from ..sfm.picture_folder import check_place
@@ -68,7 +71,7 @@ def take_frames(
 ) -> dict[str, Any]:
     """Sharp frames of a video where the camera has moved, or the pictures of a folder; the faces of spheres."""
     place = folder / (SPHERES if panorama else PICTURES)
-    choice = sfm.choose_frames(source, place, max_frames=max_frames, masks=masks, progress=say)
+    choice = choose_frames(source, place, max_frames=max_frames, masks=masks, progress=say)
     told = choice.to_dict()
     if panorama:
         hidden = None if masks is None else (mask_folder(place), folder / MASKS)
@@ -106,14 +109,14 @@ def find_features(
         intrinsic = PinholeCameraIntrinsic(side, side, side / 2, side / 2, (side - 1) / 2, (side - 1) / 2)
     options = {"camera_model": camera_model, "max_features": max_features, "masks": masks_of(frames.folder)}
     options |= {"intrinsic": intrinsic, "seed": seed, "progress": say}
-    found = sfm.find_features(pictures, folder / DATABASE, **options)
+    found = features_module.find_features(pictures, folder / DATABASE, **options)
     return found.to_dict()
 
 
 def match(folder: Path, say: ReportProgress, *, frames: Made, features: Made, pairs: str, seed: int) -> dict[str, Any]:
     """Which of it two pictures share."""
     options = {"pairs": pairs, "seed": seed, "progress": say}
-    return sfm.match(features.folder / DATABASE, folder / DATABASE, **options).to_dict()
+    return matches_module.match(features.folder / DATABASE, folder / DATABASE, **options).to_dict()
 
 
 def map_pictures(
@@ -129,7 +132,7 @@ def map_pictures(
 ) -> dict[str, Any]:
     """Where the pictures were taken, what the lens is like, and what the model is worth."""
     given = {"fix_intrinsic": fixed_camera, "mapper": mapper, "seed": seed, "progress": say}
-    found = sfm.map_pictures(frames.folder / PICTURES, matches.folder / DATABASE, folder / MODEL, **given)
+    found = mapping.map_pictures(frames.folder / PICTURES, matches.folder / DATABASE, folder / MODEL, **given)
     cameras = () if found.model is None else tuple(dict.fromkeys(found.model.cameras))
     missing, notes = list(found.missing), []
     if panorama and found.model is not None:

@@ -22,7 +22,11 @@ from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_files import write_triangle_mesh
 from ...meshing.mesh.mesh_summary import describe_mesh
 from ...pcd.cloud import PointCloud
-from .. import mvs
+from ..mvs.depth_maps import DepthMap, DepthMaps
+from ..mvs.estimation import estimate_depth_maps
+from ..mvs.filtering import filter_depth_maps
+from ..mvs.fusion import fuse
+from ..mvs.posed_pictures import PosedCamera
 from ..sfm.masks import KEPT, mask_file, masks_in, write_mask
 from ..sfm.straightened import straightened_model
 from . import motion
@@ -67,7 +71,7 @@ def estimate(
     model, pictures, cameras = open_straightened(undistorted)
     masks = masks_in(undistorted.folder / MASKS, [path.name for path in pictures])
     where = {"device": device, "folder": folder / MAPS, "masks": masks, "going": going, "progress": say}
-    maps = mvs.estimate_depth_maps(pictures, cameras, model, seed=seed, **where)
+    maps = estimate_depth_maps(pictures, cameras, model, seed=seed, **where)
     return {"pictures": len(maps), "share": mean_share(maps, masks)}
 
 
@@ -75,8 +79,8 @@ def fuse_points(folder: Path, say: ReportProgress, *, undistorted: Made, depth: 
     """Keep the depth that several pictures agree on, and make one cloud of it."""
     _, pictures, _ = open_straightened(undistorted)
     where = {"device": device, "progress": say}
-    maps = mvs.filter_depth_maps(mvs.DepthMaps.open(depth.folder / MAPS), folder=folder / MAPS, **where)
-    cloud = mvs.fuse(maps, pictures, to="points", **where)
+    maps = filter_depth_maps(DepthMaps.open(depth.folder / MAPS), folder=folder / MAPS, **where)
+    cloud = fuse(maps, pictures, to="points", **where)
     assert isinstance(cloud, PointCloud)
     write_point_cloud(folder / CLOUD, cloud)
     masks = masks_in(undistorted.folder / MASKS, [path.name for path in pictures])
@@ -89,7 +93,7 @@ def make_mesh(
     """The surface through the depth that was kept, without small parts in the air, and the poses."""
     straight, pictures, _ = open_straightened(undistorted)
     where = {"device": device, "progress": say}
-    whole = mvs.fuse(mvs.DepthMaps.open(fused.folder / MAPS), pictures, to="tsdf", **where)
+    whole = fuse(DepthMaps.open(fused.folder / MAPS), pictures, to="tsdf", **where)
     assert isinstance(whole, TriangleMesh)
     kept, fit = without_floaters(whole), fit_units(units, motion.read_model(model))
     mesh = kept.transform(fit.T_world_model)
@@ -111,12 +115,11 @@ def poses_of(model: SfmModel) -> Trajectory:
     return trajectory_of(model.T_world_camera[order], [kept[k] for k in order], [None] * len(kept))
 
 
-def open_straightened(undistorted: Made) -> tuple[SfmModel, list[Path], list[mvs.PosedCamera]]:
+def open_straightened(undistorted: Made) -> tuple[SfmModel, list[Path], list[PosedCamera]]:
     """The model of straightened pictures, the pictures, and their cameras."""
     model = read_colmap_model(undistorted.folder / SPARSE)
     cameras = [
-        mvs.PosedCamera(camera.intrinsic, pose)
-        for camera, pose in zip(model.cameras, model.T_camera_world, strict=True)
+        PosedCamera(camera.intrinsic, pose) for camera, pose in zip(model.cameras, model.T_camera_world, strict=True)
     ]
     return model, [undistorted.folder / IMAGES / name for name in model.names], cameras
 
@@ -129,7 +132,7 @@ def without_floaters(mesh: TriangleMesh) -> TriangleMesh:
     return mesh.remove_small_components(min_area=FLOATER * float(areas.max()))
 
 
-def mean_share(maps: Iterable[mvs.DepthMap], masks: Sequence[Path | None]) -> float:
+def mean_share(maps: Iterable[DepthMap], masks: Sequence[Path | None]) -> float:
     """The mean share of pixels that have depth, of those that masks leave: no depth is looked for in the others."""
     shares = []
     for each, mask in zip(maps, masks, strict=True):
