@@ -16,7 +16,7 @@ from ...core.stages import Made
 from ...files.models.colmap import read_colmap_model, write_colmap_model
 from ...files.models.sfm_model import SfmModel
 from ...files.pictures.photo_files import is_photo
-from .. import sfm
+from ..sfm import features as features_of
 from ..sfm.colmap_jobs import MAX_SECONDS
 from ..sfm.frame_picker import spaced
 from ..sfm.guided_matches import read_matches, write_matches
@@ -148,7 +148,7 @@ def find_features(folder: Path, say: ReportProgress, *, frames: Made, max_featur
     """What can be recognised in each picture, and is not masked."""
     pictures, database = frames.folder / PICTURES, folder / DATABASE
     options = {"max_features": max_features, "masks": masks_of(frames.folder)}
-    return sfm.find_features(pictures, database, seed=seed, progress=say, **options).to_dict()
+    return features_of.find_features(pictures, database, seed=seed, progress=say, **options).to_dict()
 
 
 def match(folder: Path, say: ReportProgress, *, frames: Made, features: Made, device: Any) -> dict[str, Any]:

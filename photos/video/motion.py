@@ -17,6 +17,9 @@ from ...files.models.colmap import read_colmap_model, write_colmap_model
 from ...files.models.sfm_model import SfmModel
 from ...files.pictures.image_files import read_picture_header
 from .. import sfm
+from ..sfm import features as features_of
+from ..sfm import mapping
+from ..sfm import matches as matches_of
 from ..sfm.masks import FOLDER, MakeMask, mask_folder
 from ..sfm.model_quality import MIN_ANGLE, MIN_PARALLAX, ModelQuality
 from ..sfm.picture_folder import check_place
@@ -106,14 +109,14 @@ def find_features(
         intrinsic = PinholeCameraIntrinsic(side, side, side / 2, side / 2, (side - 1) / 2, (side - 1) / 2)
     options = {"camera_model": camera_model, "max_features": max_features, "masks": masks_of(frames.folder)}
     options |= {"intrinsic": intrinsic, "seed": seed, "progress": say}
-    found = sfm.find_features(pictures, folder / DATABASE, **options)
+    found = features_of.find_features(pictures, folder / DATABASE, **options)
     return found.to_dict()
 
 
 def match(folder: Path, say: ReportProgress, *, frames: Made, features: Made, pairs: str, seed: int) -> dict[str, Any]:
     """Which of it two pictures share."""
     options = {"pairs": pairs, "seed": seed, "progress": say}
-    return sfm.match(features.folder / DATABASE, folder / DATABASE, **options).to_dict()
+    return matches_of.match(features.folder / DATABASE, folder / DATABASE, **options).to_dict()
 
 
 def map_pictures(
@@ -129,7 +132,7 @@ def map_pictures(
 ) -> dict[str, Any]:
     """Where the pictures were taken, what the lens is like, and what the model is worth."""
     given = {"fix_intrinsic": fixed_camera, "mapper": mapper, "seed": seed, "progress": say}
-    found = sfm.map_pictures(frames.folder / PICTURES, matches.folder / DATABASE, folder / MODEL, **given)
+    found = mapping.map_pictures(frames.folder / PICTURES, matches.folder / DATABASE, folder / MODEL, **given)
     cameras = () if found.model is None else tuple(dict.fromkeys(found.model.cameras))
     missing, notes = list(found.missing), []
     if panorama and found.model is not None:

@@ -23,6 +23,7 @@ from ...meshing.mesh.mesh_files import write_triangle_mesh
 from ...meshing.mesh.mesh_summary import describe_mesh
 from ...pcd.cloud import PointCloud
 from .. import mvs
+from ..mvs.depth_maps import DepthMap, DepthMaps
 from ..sfm.masks import KEPT, mask_file, masks_in, write_mask
 from ..sfm.straightened import straightened_model
 from . import motion
@@ -75,7 +76,7 @@ def fuse_points(folder: Path, say: ReportProgress, *, undistorted: Made, depth: 
     """Keep the depth that several pictures agree on, and make one cloud of it."""
     _, pictures, _ = open_straightened(undistorted)
     where = {"device": device, "progress": say}
-    maps = mvs.filter_depth_maps(mvs.DepthMaps.open(depth.folder / MAPS), folder=folder / MAPS, **where)
+    maps = mvs.filter_depth_maps(DepthMaps.open(depth.folder / MAPS), folder=folder / MAPS, **where)
     cloud = mvs.fuse(maps, pictures, to="points", **where)
     assert isinstance(cloud, PointCloud)
     write_point_cloud(folder / CLOUD, cloud)
@@ -89,7 +90,7 @@ def make_mesh(
     """The surface through the depth that was kept, without small parts in the air, and the poses."""
     straight, pictures, _ = open_straightened(undistorted)
     where = {"device": device, "progress": say}
-    whole = mvs.fuse(mvs.DepthMaps.open(fused.folder / MAPS), pictures, to="tsdf", **where)
+    whole = mvs.fuse(DepthMaps.open(fused.folder / MAPS), pictures, to="tsdf", **where)
     assert isinstance(whole, TriangleMesh)
     kept, fit = without_floaters(whole), fit_units(units, motion.read_model(model))
     mesh = kept.transform(fit.T_world_model)
@@ -129,7 +130,7 @@ def without_floaters(mesh: TriangleMesh) -> TriangleMesh:
     return mesh.remove_small_components(min_area=FLOATER * float(areas.max()))
 
 
-def mean_share(maps: Iterable[mvs.DepthMap], masks: Sequence[Path | None]) -> float:
+def mean_share(maps: Iterable[DepthMap], masks: Sequence[Path | None]) -> float:
     """The mean share of pixels that have depth, of those that masks leave: no depth is looked for in the others."""
     shares = []
     for each, mask in zip(maps, masks, strict=True):
