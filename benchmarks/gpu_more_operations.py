@@ -132,7 +132,7 @@ def of_surface(name: str, *given: Any, **options: Any) -> Callable[[int], Call]:
         import pointloom as loom
 
         cloud = _oriented(size)
-        make = getattr(loom.TriangleMesh, f"from_point_cloud_{name}")
+        make = getattr(loom.TriangleMesh, f"create_from_point_cloud_{name}")
         return lambda: make(cloud, *given, **options)
 
     return prepare

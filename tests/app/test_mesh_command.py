@@ -135,7 +135,7 @@ def stand_in(monkeypatch, method, mesh):
         return (mesh, np.ones(len(mesh.vertices), np.float32)) if method == "poisson" else mesh
 
     name = {"ball": "ball_pivoting", "alpha": "alpha_shape"}.get(method, method)
-    monkeypatch.setattr(TriangleMesh, f"from_point_cloud_{name}", staticmethod(make))
+    monkeypatch.setattr(TriangleMesh, f"create_from_point_cloud_{name}", staticmethod(make))
     return calls
 
 

@@ -45,7 +45,7 @@ def open3d_frame(o3d, layout, color, raw, to_intensity):
 def check_frame(device, layout, color, raw, to_intensity, expected, tolerances):
     depth, shade, points, colors = expected
     name = "color_and_depth" if layout == "defaults" else f"{layout}_format"
-    make = getattr(loom.RGBDImage, f"from_{name}")
+    make = getattr(loom.RGBDImage, f"create_from_{name}")
     image = make(color, raw, convert_rgb_to_intensity=to_intensity, device=device)
     at_limit = depth == 0
     assert (image.depth[at_limit] == 0).mean() > 0.999, "ours keeps the farthest depth itself"
@@ -80,7 +80,7 @@ def decoded(o3d, layout, raw):
 def test_every_raw_depth_is_decoded_as_by_open3d(device, layout, oracle, tolerances):
     """But for Open3D's 7 m themselves, which it drops."""
     raw = np.arange(65536, dtype=np.uint16).reshape(256, 256)
-    found = getattr(loom.RGBDImage, f"from_{layout}_format")(
+    found = getattr(loom.RGBDImage, f"create_from_{layout}_format")(
         np.zeros((256, 256, 3), np.uint8), raw, device=device
     ).depth
     expected = np.array(oracle(f"pcd/depth_clouds/{layout}", decoded, layout, raw))

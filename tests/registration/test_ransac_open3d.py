@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.registration.globally import checkers
 
 from .poses import as_pose
 
@@ -114,4 +115,4 @@ def test_a_checkers_answer_is_open3ds(oracle):
     for (points, normals, pairs, T), answers in zip(small_cases(), expected, strict=True):
         normals = [None, None] if normals is None else normals
         clouds = [loom.PointCloud(p, normals=n) for p, n in zip(points, normals, strict=True)]
-        assert [make(reg).Check(*clouds, pairs, T) for make in CHECKERS.values()] == answers.tolist()
+        assert [make(checkers).Check(*clouds, pairs, T) for make in CHECKERS.values()] == answers.tolist()

@@ -53,7 +53,6 @@ model().integrate(frame=frame, T_world_camera=pose)
 model().prepare(frame=frame)
 model().render(T_world_camera=pose, weight_threshold=0.0)
 model().track_frame(frame=frame, T_world_camera=pose)
-reg.Submap(volume=submap.volume, T_world_submap=pose, frames=[0, 1], T_submap_camera=[pose, pose])
 submap.cloud(voxel_size=0.1)
 reg.SubmapRecorder(intrinsic=camera, voxel_size=0.1, truncation=0.4, depth_scale=1000.0, depth_max=3.0, frames=4, way=1.0, shared=0.25, device="cpu")
 recorder().add(depth=frame.depth, T_world_camera=pose, color=color, number=0)
@@ -139,7 +138,7 @@ def pair_things() -> dict[str, Any]:
     return dict(
         depth=depth, color=color, camera=SMALL, frame=od.OdometryFrame(depth, SMALL, color),
         rgbd=loom.RGBDImage(color, depth), hybrid=od.Method.Hybrid, term=od.RGBDOdometryJacobianFromHybridTerm(),
-        option=od.OdometryOption(), rules=od.OdometryConvergenceCriteria(2), params=od.OdometryLossParams(),
+        option=od.OdometryOption(),
     )  # fmt: skip
 
 

@@ -8,7 +8,7 @@ from PIL import Image
 
 import pointloom as loom
 from pointloom.core.stages import Made
-from pointloom.photos import mvs
+from pointloom.photos.mvs.depth_maps import DepthMap, DepthMaps
 from pointloom.photos.video import motion, surface
 from pointloom.photos.video.units import Units
 
@@ -72,8 +72,8 @@ def test_straightened_pictures_show_the_sparse_points_where_a_pinhole_does(befor
 def depth_without_any(straight, tmp_path):
     _, _, cameras = surface.open_straightened(straight)
     lens = cameras[0].intrinsic
-    empty = mvs.DepthMap(*(np.zeros((lens.height, lens.width, *rest)) for rest in ((), (3,), ())))
-    mvs.DepthMaps(cameras, [(1,), (0, 2), (1,)], [empty] * 3, folder=tmp_path / "depth" / surface.MAPS)
+    empty = DepthMap(*(np.zeros((lens.height, lens.width, *rest)) for rest in ((), (3,), ())))
+    DepthMaps(cameras, [(1,), (0, 2), (1,)], [empty] * 3, folder=tmp_path / "depth" / surface.MAPS)
     return made(tmp_path / "depth")
 
 
@@ -111,7 +111,7 @@ def test_of_a_masked_picture_the_share_counts_what_the_mask_leaves(tmp_path):
     Image.fromarray(np.zeros((3, 4), np.uint8)).save(tmp_path / "hidden.png")
     depth = np.zeros((3, 4))
     depth[:2, 0] = 1.0  # 2 of the 3 pixels that are left, 2 of 12 of all
-    one, none = (mvs.DepthMap(z, np.zeros((3, 4, 3)), np.zeros((3, 4))) for z in (depth, 0 * depth))
+    one, none = (DepthMap(z, np.zeros((3, 4, 3)), np.zeros((3, 4))) for z in (depth, 0 * depth))
     assert surface.mean_share([one], [tmp_path / "small.png"]) == pytest.approx(2 / 3)
     assert surface.mean_share([one, none], [None, tmp_path / "hidden.png"]) == pytest.approx(1 / 12)
 
