@@ -1,16 +1,24 @@
 """The public names of pointloom.registration: the one list of them, for type checkers and for `public_names`."""
 
+from ..files.points.scan_files import list_scans as list_scans
 from .deformable.coherent_drift import coherent_point_drift as coherent_point_drift
 from .deformable.nonrigid import register_nonrigid as register_nonrigid
+from .globally.checkers import CorrespondenceChecker as CorrespondenceChecker
 from .globally.checkers import CorrespondenceCheckerBasedOnDistance as CorrespondenceCheckerBasedOnDistance
 from .globally.checkers import CorrespondenceCheckerBasedOnEdgeLength as CorrespondenceCheckerBasedOnEdgeLength
+from .globally.checkers import CorrespondenceCheckerBasedOnNormal as CorrespondenceCheckerBasedOnNormal
+from .globally.checkers import CorrespondenceCheckerBasedOnSourceRotation as CorrespondenceCheckerBasedOnSourceRotation
 from .globally.fast_global import FastGlobalRegistrationOption as FastGlobalRegistrationOption
+from .globally.fast_global import registration_fgr_based_on_correspondence as registration_fgr_based_on_correspondence
 from .globally.fast_global import (
     registration_fgr_based_on_feature_matching as registration_fgr_based_on_feature_matching,
 )
 from .globally.global_registration import register_globally as register_globally
 from .globally.global_registration import (
     registration_robust_based_on_correspondence as registration_robust_based_on_correspondence,
+)
+from .globally.global_registration import (
+    registration_robust_based_on_feature_matching as registration_robust_based_on_feature_matching,
 )
 from .globally.localisability import localisability as localisability
 from .globally.pair import register_pair as register_pair
@@ -21,6 +29,7 @@ from .globally.ransac import (
 )
 from .globally.rating import rate_registration as rate_registration
 from .icp.constraint import Prior as Prior
+from .icp.estimation import TransformationEstimation as TransformationEstimation
 from .icp.estimation import TransformationEstimationForColoredICP as TransformationEstimationForColoredICP
 from .icp.estimation import TransformationEstimationForDopplerICP as TransformationEstimationForDopplerICP
 from .icp.estimation import TransformationEstimationForGeneralizedICP as TransformationEstimationForGeneralizedICP
@@ -34,11 +43,16 @@ from .icp.icp import registration_icp as registration_icp
 from .icp.icp import registration_icp_batch as registration_icp_batch
 from .icp.kinds import registration_colored_icp as registration_colored_icp
 from .icp.kinds import registration_generalized_icp as registration_generalized_icp
+from .icp.kinds import registration_symmetric_icp as registration_symmetric_icp
+from .icp.levelling import levelled as levelled
 from .icp.multi_scale import multi_scale_icp as multi_scale_icp
 from .lidar.deskewing import deskew_point_cloud as deskew_point_cloud
 from .lidar.lidar_odometry import LidarOdometry as LidarOdometry
+from .lidar.lidar_runs import iterate_odometry as iterate_odometry
 from .lidar.lidar_runs import run_odometry as run_odometry
+from .lidar.lidar_steps import summarize_steps as summarize_steps
 from .matching import correspondences_from_features as correspondences_from_features
+from .pose_graphs.fragment_graph import FragmentPair as FragmentPair
 from .pose_graphs.multiway import register_fragments as register_fragments
 from .pose_graphs.pose_graph import PoseGraph as PoseGraph
 from .pose_graphs.pose_graph import PoseGraphEdge as PoseGraphEdge
@@ -48,20 +62,27 @@ from .pose_graphs.pose_graph_files import write_pose_graph as write_pose_graph
 from .pose_graphs.pose_graph_optimization import (
     GlobalOptimizationConvergenceCriteria as GlobalOptimizationConvergenceCriteria,
 )
+from .pose_graphs.pose_graph_optimization import GlobalOptimizationGaussNewton as GlobalOptimizationGaussNewton
 from .pose_graphs.pose_graph_optimization import (
     GlobalOptimizationLevenbergMarquardt as GlobalOptimizationLevenbergMarquardt,
 )
+from .pose_graphs.pose_graph_optimization import GlobalOptimizationMethod as GlobalOptimizationMethod
 from .pose_graphs.pose_graph_optimization import GlobalOptimizationOption as GlobalOptimizationOption
 from .pose_graphs.pose_graph_optimization import global_optimization as global_optimization
+from .result import RegistrationResult as RegistrationResult
 from .robust_kernels import CauchyLoss as CauchyLoss
+from .robust_kernels import GeneralizedLoss as GeneralizedLoss
 from .robust_kernels import GMLoss as GMLoss
 from .robust_kernels import HuberLoss as HuberLoss
 from .robust_kernels import L1Loss as L1Loss
 from .robust_kernels import L2Loss as L2Loss
+from .robust_kernels import RobustKernel as RobustKernel
 from .robust_kernels import TukeyLoss as TukeyLoss
 from .stations.observations import ControlPoint as ControlPoint
 from .stations.observations import TargetObservation as TargetObservation
 from .stations.stations import register_stations as register_stations
 from .trajectories.similarity import fit_to_positions as fit_to_positions
+from .trajectories.similarity import read_positions as read_positions
 from .trajectories.similarity import scale_from_known as scale_from_known
 from .trajectories.trajectory_error import evaluate_trajectory as evaluate_trajectory
+from .voxel_size import choose_voxel_size as choose_voxel_size

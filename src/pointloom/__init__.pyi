@@ -111,5 +111,28 @@ from .rgbd.reconstruction.frames_to_mesh import reconstruct as reconstruct
 from .rgbd.slam.focal_check import check_focal as check_focal
 from .rgbd.slam.tracking import track as track
 from .pcd.terrain import rasterize as rasterize
+from .core.errors import CameraError as CameraError
+from .core.errors import DatasetError as DatasetError
+from .files.points.las_crs import GeographicWarning as GeographicWarning
+from .core.units import NonFiniteWarning as NonFiniteWarning
+from .files.bags.pieces import RecordingWarning as RecordingWarning
+from .files.points.las_wkt import LostSystemWarning as LostSystemWarning
+from .core.threads import get_num_threads as get_num_threads
+from .core.verbosity import get_verbosity_level as get_verbosity_level
+from .cameras.depth_filters import create_normal_map as create_normal_map
+from .cameras.depth_filters import create_depth_pyramid as create_depth_pyramid
+from .cameras.depth_filters import pyrdown_color as pyrdown_color
+from .cameras.depth_filters import pyrdown_depth as pyrdown_depth
+from .photos.depth.evaluation import evaluate_depth as evaluate_depth
+from .pcd.geographic import utm_epsg as utm_epsg
+from .files.frames.recordings import FrameRecorder as FrameRecorder
+from .drawing.viewer.detail_files import sample_file as sample_file
+from .cameras.undistortion import Undistortion as Undistortion
+from .core.units import LengthUnit as LengthUnit
+from .files.models.metashape import read_metashape_cameras as read_metashape_cameras
+from .cameras.panoramas import Panorama as Panorama
+from .photos.depth.job import depth_of_pictures as depth_of_pictures
+from .photos.depth.settings import DepthSettings as DepthSettings
+from .files.bags.transforms import RecordedTransforms as RecordedTransforms
 
 __version__: str
