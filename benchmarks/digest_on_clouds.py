@@ -196,8 +196,8 @@ ON_CLOUDS: dict[str, Callable[[Place], Any]] = {
         p.cloud, 4 * p.spacing, 0.05, 30 * p.spacing, p.spacing, corner=(0, 0)
     ),
     "height_above_ground": lambda p: loom().height_above_ground(halved(p), reach=20 * p.spacing, cell=2 * p.spacing),
-    "rasterize": lambda p: loom().terrain.rasterize(halved(p), 3 * p.spacing, "chm").values,
-    "rasterize, triangles": lambda p: loom().terrain.rasterize(halved(p), 3 * p.spacing, "dtm", method="tin").values,
+    "rasterize": lambda p: loom().rasterize(halved(p), 3 * p.spacing, "chm").values,
+    "rasterize, triangles": lambda p: loom().rasterize(halved(p), 3 * p.spacing, "dtm", method="tin").values,
     "project_to_depth_image": lambda p: p.cloud.project_to_depth_image(
         *SIZE, depth_lens(p), p.camera, depth_max=2 * p.size
     ),

@@ -2,6 +2,9 @@
 
 from ...pcd.geodesy import WorldFrame as WorldFrame
 from .control_files import read_ground_control as read_ground_control
+from .ground_control import ControlMark as ControlMark
+from .ground_control import GroundControl as GroundControl
+from .ground_control import ScaleBar as ScaleBar
 from .job import reconstruct as reconstruct
 from .outputs import Outputs as Outputs
 from .settings import Settings as Settings

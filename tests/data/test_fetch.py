@@ -9,10 +9,10 @@ import threading
 import zipfile
 
 import pytest
-from pointloom.data.public.sets import PublicFile, PublicSet, public_sets
 
 import pointloom as loom
-from pointloom.data.public import fetching, sets
+from pointloom.data.public import fetching
+from pointloom.data.public.fetching import PublicFile, PublicSet, public_sets
 
 
 def zipped(files: dict[str, bytes]) -> bytes:
@@ -63,7 +63,7 @@ def add(server, monkeypatch):
         (server.folder / name).write_bytes(content)
         digest = hashlib.new(algorithm, b"other" if wrong else content).hexdigest()
         file = PublicFile(f"{server.url}/{name}", f"{algorithm}:{digest}", unpack)
-        monkeypatch.setitem(sets.SETS, "made", PublicSet("made", "a made set", "none", "nobody", (file,)))
+        monkeypatch.setitem(fetching.SETS, "made", PublicSet("made", "a made set", "none", "nobody", (file,)))
         return file
 
     return make

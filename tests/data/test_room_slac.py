@@ -2,12 +2,13 @@
 
 import numpy as np
 import pytest
-from pointloom.rgbd.reconstruction.slac import integrate_deformed, run_rigid_optimizer_for_fragments
 
 import pointloom as loom
 from pointloom.data.scenes.room import room_sequence, surface_errors
 from pointloom.registration import PoseGraph, PoseGraphEdge, PoseGraphNode
+from pointloom.registration.deformable.slac import run_rigid_optimizer_for_fragments
 from pointloom.registration.rigid import fit_pose, invert_pose
+from pointloom.rgbd.reconstruction.volumes import integrate_deformed
 
 VIEWS, REACH = 31, 4.0  # frames of one round, and the farthest depth [m] that is taken
 slac = loom.reconstruction

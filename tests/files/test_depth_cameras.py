@@ -6,10 +6,10 @@ import sys
 
 import numpy as np
 import pytest
-from pointloom.files.frames.lens import LensMap, distort
 
 import pointloom as loom
 from pointloom.core.errors import CameraError
+from pointloom.files.frames.depth_cameras import LensMap, distort
 from pointloom.files.frames.rgbd_sources import RGBDSource
 
 from .camera_stubs import HEIGHT, WIDTH, K4ATimeoutException, KinectStub, RealSenseStub, color_of, depth_of

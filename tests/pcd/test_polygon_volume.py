@@ -182,4 +182,4 @@ def test_places_that_cannot_be_read_or_written_are_file_errors(tmp_path):
     with pytest.raises(loom.FileError, match="cannot be read"):
         loom.SelectionPolygonVolume.from_json(tmp_path / "missing.json")
     with pytest.raises(loom.FileError, match="does not exist"):
-        loom.SelectionPolygonVolume(SQUARE, "Z", 0, 1).to_dict(tmp_path / "no" / "a.json")
+        loom.SelectionPolygonVolume(SQUARE, "Z", 0, 1).to_json(tmp_path / "no" / "a.json")

@@ -140,7 +140,7 @@ def test_the_hopeless_ends_with_a_reason(device, rng, make):
     assert np.isfinite(result.transformation).all() and len(result.correspondence_set) <= len(source)
 
 
-def test_rooms_that_share_nothing_but_walls_are_not_believed(device, rng):
+def test_rooms_that_share_nothing_but_walls_are_rejected(device, rng):
     source, target = corner(rng, ONE), corner(rng, OTHER)
     start = random_pose(rng)
     clouds = [loom.PointCloud(points, device=device) for points in (moved(source, start), target)]
@@ -149,7 +149,7 @@ def test_rooms_that_share_nothing_but_walls_are_not_believed(device, rng):
     assert "three planes" in result.reason
 
 
-def test_of_few_voxels_a_pose_that_fits_by_chance_is_not_believed(device):
+def test_of_few_voxels_a_pose_that_fits_by_chance_is_rejected(device):
     """Each of these was, 84 to 177 degrees off: so few voxels match that some pose of a search fits as well."""
     frames = loom.data.room_frames(24)
     for i, j, voxel in ((6, 14, 0.6), (16, 0, 0.6), (17, 4, 0.75), (1, 23, 0.6), (2, 20, 0.6)):
@@ -161,7 +161,7 @@ def test_of_few_voxels_a_pose_that_fits_by_chance_is_not_believed(device):
         assert "so few voxels match" in result.reason or "hardly" in result.reason, result.reason
 
 
-def test_rooms_with_the_same_furniture_are_believed(device, rng):
+def test_rooms_with_the_same_furniture_are_accepted(device, rng):
     source, target = (corner(rng, ONE) for _ in range(2))
     start = random_pose(rng)
     clouds = [loom.PointCloud(points, device=device) for points in (moved(source, start), target)]
@@ -170,7 +170,7 @@ def test_rooms_with_the_same_furniture_are_believed(device, rng):
     assert result.score > 0.9 and result.converged and angle < 0.5 and distance < 0.02
 
 
-def test_a_pose_that_is_not_believed_itself_is_no_rival():
+def test_a_rejected_pose_is_no_rival():
     best = Evidence(0.6, 0.03, 1000, rest=0.5)
     assert _is_equal(Evidence(0.62, 0.03, 1000, rest=0.45), best)
     assert not _is_equal(Evidence(0.62, 0.03, 1000, rest=0.45, blocked=0.1), best)
@@ -188,11 +188,3 @@ def test_a_box_has_more_than_one_pose(device, rng):
 
     result = reg.register_globally(box(), box(), voxel_size=0.1)
     assert result.score <= 0.5 and "poses fit alike" in result.reason
-
-
-def test_two_runs_give_the_same_bits(device, hilly_pair):
-    source, target, _ = hilly_pair
-    clouds = [loom.PointCloud(points, device=device) for points in (source, target)]
-    results = [reg.register_globally(*clouds, voxel_size=0.1, seed=3) for _ in range(2)]
-    assert (results[0].transformation == results[1].transformation).all()
-    assert results[0].score == results[1].score and results[0].fitness == results[1].fitness

@@ -2,10 +2,10 @@
 
 import numpy as np
 import pytest
-from pointloom.rgbd.reconstruction.slac import run_rigid_optimizer_for_fragments
 
 import pointloom as loom
 from pointloom.registration import PoseGraph, PoseGraphEdge, PoseGraphNode
+from pointloom.registration.deformable.slac import run_rigid_optimizer_for_fragments
 from pointloom.registration.rigid import fit_pose, invert_pose, pose_of
 
 from .bent_fragments import BentRoom, moved

@@ -30,9 +30,13 @@ loom.reconstruct(frames=frames, voxel_size=0.1, depth_max=3.0, fragments=None, d
 """,  # noqa: E501
     "odometry": """
 reg.OdometryOption(iteration_number_per_pyramid_level=[3, 2], depth_diff_max=0.03, depth_min=0.0, depth_max=4.0)
+reg.OdometryConvergenceCriteria(max_iteration=3, relative_rmse=1e-6, relative_fitness=1e-6)
+reg.OdometryLossParams(depth_outlier_trunc=0.07, depth_huber_delta=0.05, intensity_huber_delta=0.1)
 reg.OdometryFrame(depth=depth, intrinsic=camera, color=color, depth_scale=1000.0, depth_max=5.0, device="cpu")
 reg.align_frames(source=frame, target=frame, T_target_source=pose, method=hybrid)
 reg.compute_rgbd_odometry(source=rgbd, target=rgbd, pinhole_camera_intrinsic=camera, odo_init=pose, jacobian=term, option=option, weights="robust")
+reg.rgbd_odometry_multi_scale(source=rgbd, target=rgbd, intrinsics=camera, init_source_to_target=pose, depth_scale=1000.0, depth_max=4.0, criteria_list=[rules], method=hybrid, params=params, weights="robust")
+reg.compute_odometry_information_matrix(source_depth=depth, target_depth=depth, intrinsic=camera, source_to_target=pose, dist_threshold=0.07, depth_scale=1000.0, depth_max=3.0)
 """,  # noqa: E501
     "slam": """
 reg.DenseSLAM(intrinsic=camera, voxel_size=0.1, truncation=0.4, T_init=pose, depth_scale=1000.0, depth_max=3.0, submap_frames=10, seed=0, device="cpu")
@@ -53,6 +57,7 @@ model().integrate(frame=frame, T_world_camera=pose)
 model().prepare(frame=frame)
 model().render(T_world_camera=pose, weight_threshold=0.0)
 model().track_frame(frame=frame, T_world_camera=pose)
+reg.Submap(volume=submap.volume, T_world_submap=pose, frames=[0, 1], T_submap_camera=[pose, pose])
 submap.cloud(voxel_size=0.1)
 reg.SubmapRecorder(intrinsic=camera, voxel_size=0.1, truncation=0.4, depth_scale=1000.0, depth_max=3.0, frames=4, way=1.0, shared=0.25, device="cpu")
 recorder().add(depth=frame.depth, T_world_camera=pose, color=color, number=0)
@@ -69,16 +74,19 @@ reg.FragmentOptions(folder="stages", config=settings)
 reg.make_fragments(source=walk, config=settings, folder="job", device="cpu", progress=None)
 reg.register_fragments(config=settings, folder="done", device="cpu", progress=None)
 reg.refine_registration(config=settings, folder="done", device="cpu", progress=None)
+reg.refine_with_slac(config=settings, folder="done", device="cpu", progress=None)
 reg.integrate_scene(source=walk, config=settings, folder="done", device="cpu", progress=None)
 reg.run_system(source=walk, config=settings, folder="job", device="cpu", progress=None)
 reg.SLACOptimizerParams(max_iterations=2, voxel_size=0.05, distance_threshold=0.07, fitness_threshold=0.3, regularizer_weight=1.0, grid_size=0.375)
 reg.run_slac_optimizer_for_fragments(fragments=clouds, fragment_pose_graph=graph, params=params, progress=None)
+reg.run_rigid_optimizer_for_fragments(fragments=clouds, fragment_pose_graph=graph, params=params, progress=None)
 reg.ControlGrid(grid_size=0.375, device="cpu")
 grid.touch(cloud=cloud)
 grid.deform(cloud=cloud)
 grid.set_positions(positions=grid.get_init_positions())
 grid.deform_depth(depth=depth, intrinsic=camera, extrinsic=pose, depth_scale=1000.0, depth_max=3.0)
 grid.deform_rgbd(image=image, intrinsic=camera, extrinsic=pose, depth_max=3.0)
+reg.integrate_deformed(volume=volume, grid=grid, depth=depth, intrinsic=camera, T_world_fragment=pose, T_fragment_camera=pose, color=image.color, depth_scale=1000.0, depth_max=3.0)
 """,  # noqa: E501
 }
 HOMES = {
@@ -138,7 +146,7 @@ def pair_things() -> dict[str, Any]:
     return dict(
         depth=depth, color=color, camera=SMALL, frame=od.OdometryFrame(depth, SMALL, color),
         rgbd=loom.RGBDImage(color, depth), hybrid=od.Method.Hybrid, term=od.RGBDOdometryJacobianFromHybridTerm(),
-        option=od.OdometryOption(),
+        option=od.OdometryOption(), rules=od.OdometryConvergenceCriteria(2), params=od.OdometryLossParams(),
     )  # fmt: skip
 
 

@@ -19,7 +19,7 @@ from pointloom.kernels.segmentation.cluster_labels import NOISE, label_borders, 
 from pointloom.kernels.segmentation.dbscan import cluster_cores
 from pointloom.scale import label_join, tasks
 from pointloom.scale.status import tile_status
-from pointloom.scale.steps import clusters
+from pointloom.scale.steps import parse
 
 from .scenes import CORNER, STEP, finished, in_memory, plan_of, survey, tiled, whole_cloud
 
@@ -201,7 +201,7 @@ def test_however_few_clusters_are_sorted_at_a_time_their_order_is_the_same(files
 
 
 def test_more_clusters_than_32_bits_can_name_have_labels_of_64(files, tmp_path, monkeypatch):
-    for module in (label_join, clusters):
+    for module in (label_join, parse):
         monkeypatch.setattr(module, "MOST_INT32", 5)
     found, plan = tiled(files, [DBSCAN], tmp_path / "job", size=21.0)
     assert np.asarray(found["cluster"]).dtype == np.int64

@@ -13,7 +13,7 @@ from pointloom.files.points.las_writer import write_las
 from pointloom.files.table import PointTable
 from pointloom.scale import plan as plan_module
 from pointloom.scale import tasks
-from pointloom.scale.manifest import Manifest, a_worker
+from pointloom.scale.manifest import DISTRIBUTES, Manifest, a_worker
 from pointloom.scale.runners import retry_tiles
 from pointloom.scale.status import tile_status
 
@@ -177,6 +177,14 @@ def test_a_task_at_which_workers_die_is_set_aside(job):
     with pytest.raises(FileError, match="is not finished"):
         loom.scale.finish_tiles(job)
     retry_tiles(job)
+    assert loom.scale.run_tiles(job).is_finished
+
+
+def test_the_death_of_a_run_that_only_distributes_tiles_counts_against_none(job):
+    with Manifest(job) as manifest:
+        for death in range(3):
+            assert manifest.claim("tiles", f"dead {death}{DISTRIBUTES}")["id"] == 0
+            manifest.give_back()
     assert loom.scale.run_tiles(job).is_finished
 
 

@@ -5,7 +5,6 @@ from collections import Counter
 
 import numpy as np
 import pytest
-from pointloom.scale.jobs.likely_pairs import groups_of, meeting_boxes, most_alike, nearest_of, place_box
 from scipy.spatial.transform import Rotation
 
 import pointloom as loom
@@ -13,6 +12,7 @@ from pointloom.core.errors import FileError
 from pointloom.registration.pose_graphs.multiway import FragmentPair
 from pointloom.scale.jobs import scans as scans_job
 from pointloom.scale.jobs.run_jobs import job_status, retry_job
+from pointloom.scale.jobs.scans import groups_of, meeting_boxes, most_alike, nearest_of, place_box
 from pointloom.scale.manifest import Manifest
 
 SIZE = 0.08
@@ -77,7 +77,7 @@ def assert_same(found, expected):
         np.testing.assert_array_equal(mine.information, theirs.information)
 
 
-def test_scans_are_placed_as_in_memory_and_every_pair_has_a_verdict(device, surveyed, expected, tmp_path):
+def test_scans_are_placed_as_in_memory_and_every_pair_has_a_status(device, surveyed, expected, tmp_path):
     found = by_tasks(surveyed[0], tmp_path / "job", device)
     assert found.placed.tolist() == [True, True, True, False]
     assert_same(found, expected if device == "cpu" else in_memory(surveyed[0], device))

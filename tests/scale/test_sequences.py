@@ -7,13 +7,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from pointloom.scale.jobs.sequences import plan_sequences
 
 import pointloom as loom
 from pointloom.core.errors import FileError
 from pointloom.data.scenes.room import write_room_sequence
-from pointloom.scale.jobs import sequences
-from pointloom.scale.jobs.run_jobs import job_status, retry_job
+from pointloom.scale.jobs import run_jobs
+from pointloom.scale.jobs.run_jobs import job_status, plan_sequences, retry_job
 from pointloom.scale.manifest import NAME
 
 SIZES = {"n_frames_per_fragment": 3, "tsdf_voxel_size": 0.04, "depth_max": 4.0}
@@ -51,9 +50,9 @@ def test_a_sequence_is_what_the_system_makes_of_it_alone(walks, tmp_path):
 @pytest.mark.slow
 def test_one_that_cannot_be_read_fails_alone_and_is_mended(broken, tmp_path, monkeypatch):
     job, started = tmp_path / "job", []
-    run_system = sequences.run_system
+    run_system = run_jobs.run_system
     monkeypatch.setattr(
-        sequences, "run_system", lambda *args, **how: started.append(args[2].name) or run_system(*args, **how)
+        run_jobs, "run_system", lambda *args, **how: started.append(args[2].name) or run_system(*args, **how)
     )
     plan_sequences(broken, job, config=CONFIG)
     status = loom.scale.run_job(job)
@@ -78,15 +77,15 @@ def test_an_interrupted_sequence_goes_on_where_it_was(walks, tmp_path, monkeypat
         if stage == "integrate":
             raise KeyboardInterrupt
 
-    run_system = sequences.run_system
-    monkeypatch.setattr(sequences, "run_system", lambda *args, **how: run_system(*args, **how, progress=stop))
+    run_system = run_jobs.run_system
+    monkeypatch.setattr(run_jobs, "run_system", lambda *args, **how: run_system(*args, **how, progress=stop))
     made = job / "sequences" / "kitchen"
     with pytest.raises(KeyboardInterrupt):
         loom.scale.run_job(job)
     assert job_status(job).waiting == 1
     before = {path: path.stat().st_mtime_ns for path in made.rglob("*.ply")}
     assert before
-    monkeypatch.setattr(sequences, "run_system", run_system)
+    monkeypatch.setattr(run_jobs, "run_system", run_system)
     assert loom.scale.run_job(job).is_finished
     assert all(path.stat().st_mtime_ns == time for path, time in before.items())
 

@@ -8,7 +8,6 @@ here, of which four in five are wrong.
 """
 
 import numpy as np
-from pointloom.registration.globally.robust_global import registration_robust_based_on_feature_matching
 
 import pointloom as loom
 from pointloom.registration.globally.checkers import (
@@ -16,6 +15,7 @@ from pointloom.registration.globally.checkers import (
     CorrespondenceCheckerBasedOnSourceRotation,
 )
 from pointloom.registration.globally.fast_global import registration_fgr_based_on_correspondence
+from pointloom.registration.globally.global_registration import registration_robust_based_on_feature_matching
 
 reg = loom.registration
 

@@ -6,10 +6,9 @@ import dataclasses
 
 import numpy as np
 import pytest
-from pointloom.photos.sfm.parallax import parallax, triangulation_angles
 
 import pointloom as loom
-from pointloom.photos.sfm.model_quality import assess_model
+from pointloom.photos.sfm.model_quality import assess_model, parallax, triangulation_angles
 
 FOCAL, WIDTH, HEIGHT = 500.0, 640, 480
 
@@ -98,7 +97,7 @@ def test_points_that_nobody_or_one_saw_have_no_angle():
 
 
 @pytest.mark.parametrize("scale", [1e-6, 1e6])
-def test_a_verdict_does_not_depend_on_the_unit_or_the_place(points, scale):
+def test_the_quality_does_not_depend_on_the_unit_or_the_position(points, scale):
     model = model_of(views(8, side=1.0, turn=0.3), points)
     T = np.diag([scale, scale, scale, 1.0])
     T[:3, 3] = 5e5 * scale, 4e6 * scale, 0

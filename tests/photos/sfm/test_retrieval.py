@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from pointloom.photos.sfm import matches, retrieval
+from pointloom.photos.sfm import matches
 from pointloom.photos.sfm.matches import match
 
 
@@ -25,7 +25,7 @@ def places(count: int, views: int, seed: int = 0) -> list[np.ndarray]:
 
 def test_views_of_one_place_find_each_other():
     sets = places(count=12, views=4)
-    alike = retrieval.alike_pictures(sets, 3, seed=0, words=16)
+    alike = matches.alike_pictures(sets, 3, seed=0, words=16)
     right = [j // 4 == i // 4 for i, row in enumerate(alike) for j in row]
     assert len(right) == 3 * 48 and np.mean(right) > 0.95
     assert all(i not in row for i, row in enumerate(alike))
@@ -33,7 +33,7 @@ def test_views_of_one_place_find_each_other():
 
 def test_a_second_run_changes_nothing():
     sets = places(count=6, views=4)
-    assert retrieval.alike_pictures(sets, 3, seed=0, words=16) == retrieval.alike_pictures(sets, 3, seed=0, words=16)
+    assert matches.alike_pictures(sets, 3, seed=0, words=16) == matches.alike_pictures(sets, 3, seed=0, words=16)
 
 
 def test_distances_are_exact_and_the_first_of_equal_words_is_taken():
@@ -44,15 +44,15 @@ def test_distances_are_exact_and_the_first_of_equal_words_is_taken():
     )
     words[5] = words[2]
     exact = ((descriptors[:, None].astype(int) - words[None]) ** 2).sum(axis=2).argmin(axis=1)
-    assert np.array_equal(retrieval.nearest_words(descriptors, words), exact) and 5 not in exact
+    assert np.array_equal(matches.nearest_words(descriptors, words), exact) and 5 not in exact
 
 
 def test_pictures_without_features_are_like_none():
     none = np.zeros((0, 128), np.uint8)
     sets = [*places(count=2, views=2), none]
-    alike = retrieval.alike_pictures(sets, 9, seed=0, words=8)
+    alike = matches.alike_pictures(sets, 9, seed=0, words=8)
     assert alike[4] == [] and [len(row) for row in alike] == [3, 3, 3, 3, 0]
-    assert retrieval.alike_pictures([none, none], 9, seed=0) == [[], []]
+    assert matches.alike_pictures([none, none], 9, seed=0) == [[], []]
 
 
 def test_more_than_forty_pictures_are_matched_in_a_row_and_by_looks(tmp_path, monkeypatch):

@@ -21,7 +21,11 @@ KINDS = "masks=None, kind='sift', use_gpu=None"
 FOUND = f"camera_model='PINHOLE', intrinsic=None, max_size=640, max_features=500, {KINDS}, {LIMITS}"
 CALLS = f"""
 loom.sfm.choose_frames(source=pictures, folder=new(), max_frames=5, max_size=64, min_movement=0.04, max_gap=30, kind="png", reader="auto", masks=None, max_seconds=60.0, max_memory=2**32, progress=None)
+loom.sfm.find_features(pictures=pictures, database=new(), {FOUND})
+loom.sfm.match(database=database, matches=new(), pairs="auto", overlap=10, neighbours=5, use_gpu=None, {LIMITS})
+loom.sfm.map_pictures(pictures=pictures, matches=database, folder=new(), mapper="auto", {LIMITS})
 loom.sfm.reconstruct(pictures=pictures, work=new(), pairs="auto", overlap=10, mapper="auto", {FOUND})
+loom.sfm.assess_model(model=model, picture_count=3, model_sizes=[2, 1], focal=None, poses=None)
 loom.sfm.read_picture_places(source=pictures)
 loom.sfm.write_training_folder(folder=new(), model=model, pictures=[grey, grey], masks=[None, seen], max_size=64, shift=True, device="cpu", overwrite=True, progress=None)
 loom.sfm.triangulate(pictures=pictures, cameras=posed, max_size=640, max_features=500, device="cpu", {LIMITS})

@@ -5,10 +5,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from pointloom.photos.video.control_checks import check_marks
 
 import pointloom as loom
 from pointloom.photos.video.ground_control import ControlMark, GroundControl, ScaleBar
+from pointloom.photos.video.job import check_marks
 from pointloom.photos.video.units import Units, fit_units
 
 from .made_control import GROUND, NAMES, SIGMA, control_of, marks_of, model_of
@@ -148,7 +148,7 @@ def test_control_wins_over_gps_whose_gaps_are_told():
     assert "GPS of 24 pictures, not used" in str(fit)
 
 
-def test_another_zone_than_gps_tells_is_doubted():
+def test_another_zone_than_that_of_gps_is_reported():
     places = FRAME.to_utm(POINTS, 32632)
     rows = [loom.registration.ControlPoint(n, p, SIGMA) for n, p in zip(NAMES, places, strict=True)]
     control = GroundControl(rows, marks_of(POSES, POINTS), crs="EPSG:32633")

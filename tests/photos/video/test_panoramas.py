@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from PIL import Image
-from pointloom.data.scenes.room_paths import film_pose, look_along
 
 import pointloom as loom
 from pointloom.cameras.panoramas import Panorama
+from pointloom.data.scenes.room import film_pose, look_along
 from pointloom.photos.sfm.sphere_pictures import with_all_faces
 from pointloom.photos.video import motion
 

@@ -8,7 +8,6 @@ import pytest
 
 import pointloom as loom
 from pointloom.core.errors import DeviceError, FileError
-from pointloom.photos.video.ground_control import ControlMark, ScaleBar
 from pointloom.photos.video.job import reconstruct
 from pointloom.photos.video.outputs import Outputs
 from pointloom.photos.video.settings import Settings
@@ -22,6 +21,9 @@ CALLS = f"""
 loom.video.reconstruct(source=film, settings=settings, outputs=outputs, work=work, device="cpu", progress=None)
 loom.video.Settings(max_frames=30, max_size=320, intrinsic=None, units=units, seed=0, cameras=None, {PLACING})
 loom.video.Units(scale=2.0, known=None, align=None, places=None, control=None, scale_bars=None)
+loom.video.GroundControl(points=[point], marks=marks, bars=[bar], crs="EPSG:32632", checks=["A"], path="gcp.txt")
+loom.video.ControlMark(point="A", picture="a.jpg", pixel=[3.0, 4.0], where="line 3")
+loom.video.ScaleBar(a="A", b="B", metres=1.5, sigma=0.01)
 loom.video.read_ground_control(path=gcp, scale_bars=None)
 loom.video.WorldFrame(latitude=47.5, longitude=8.25, altitude=430.0)
 frame.to_enu(places=[[47.5, 8.25, 430.0]])
@@ -48,8 +50,8 @@ def things(quick, film, tmp_path, monkeypatch) -> dict[str, Any]:
     gcp = tmp_path / "gcp.txt"
     gcp.write_text("EPSG:32632\n447000 5260000 410 320 240 a.jpg A\n")
     point = loom.registration.ControlPoint("A", [447000.0, 5260000.0, 410.0])
-    marks = [ControlMark(name, "a.jpg", [3.0, 4.0]) for name in "AB"]
-    bar = ScaleBar("A", "B", 1.5)
+    marks = [loom.video.ControlMark(name, "a.jpg", [3.0, 4.0]) for name in "AB"]
+    bar = loom.video.ScaleBar("A", "B", 1.5)
     named |= {"gcp": gcp, "point": point, "marks": marks, "bar": bar}
     return named | {"work": None, "frame": loom.video.WorldFrame(47.5, 8.25, 430.0)}
 

@@ -6,12 +6,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from pointloom.rgbd.reconstruction.slac import integrate_deformed
 
 import pointloom as loom
 from pointloom.core.errors import FileError
 from pointloom.registration.deformable.control_grid_files import read_control_grid, write_control_grid
 from pointloom.rgbd.reconstruction.nonrigid import refine_with_slac
+from pointloom.rgbd.reconstruction.volumes import integrate_deformed
 
 from ...interruptions import run_lines
 from .test_job import digest_of
