@@ -424,7 +424,9 @@ HOMES = {
 }  # fmt: skip
 # Results; errors; what takes device arrays, which users do not call; and what tests of other folders try.
 LEFT_OUT = {
-    "FileError", "DeviceError", "PointloomError",
+    "DatasetError", "FileError", "DeviceError", "PointloomError", "CameraError", "NonFiniteWarning",
+    "GeographicWarning", "LostSystemWarning", "RecordingWarning", "RecordedTransforms", "RecordedTransforms.lookup",
+    "RecordedTransforms.span", "evaluate_depth", "DepthSettings", "depth_of_pictures", "sample_file",
     "DroppedResultWarning", "UnitWarning", "VoxelGrid",
     "DistanceField",
     "AxisAlignedBoundingBox.mask_points", "OrientedBoundingBox.mask_points",
