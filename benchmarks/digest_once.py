@@ -49,7 +49,9 @@ def estimated(d: Scenes) -> Any:
     """A depth estimate that gives what the camera measured."""
     depth = loom().RGBDImage(d.paint, d.frames.depths[0]).depth
     size = depth.shape
-    return loom().DepthEstimate(depth, True, 1.0, 0.0, None, "none", "m", d.paint, d.lens, "given", size, 1.5)
+    from pointloom.photos.depth.estimation import DepthEstimate
+
+    return DepthEstimate(depth, True, 1.0, 0.0, None, "none", "m", d.paint, d.lens, "given", size, 1.5)
 
 
 def polygon_file(p: Place) -> Any:

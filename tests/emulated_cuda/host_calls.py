@@ -47,6 +47,7 @@ COLUMNS = {  # of the table: what the device counts
     "bytes": "bytes to host",
 }
 FILES = (
+    "file ",
     "write and read",
     "read_las_chunks",
     "tsdf, save and load",
