@@ -131,7 +131,7 @@ def register_nonrigid(
         >>> bent = loom.PointCloud(np.column_stack([x, y, 0.1 * np.sin(4 * x) + 0.1 * x * x]))
         >>> found = loom.registration.register_nonrigid(flat, bent)
         >>> found.rmse < 0.005, found.is_rigid, found.reliable
-        (True, False, None)
+        (True, False, True)
     """
     check_clouds(source, target)
     tell = check_progress(progress)
