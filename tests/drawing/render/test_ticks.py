@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from pointloom.drawing.render.ticks import choose_ticks, widen
@@ -35,7 +35,7 @@ def test_a_title_without_a_unit_gets_the_power_of_ten():
     assert choose_ticks(0, 3e-9, 4).title("rmse") == "rmse [1e-9]"
 
 
-@settings(max_examples=25)
+@settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(ENDS, ENDS, st.integers(2, 20))
 def test_ticks_lie_inside_and_are_told_apart(a, b, most):
     ticks = choose_ticks(min(a, b), max(a, b), most)
@@ -46,7 +46,7 @@ def test_ticks_lie_inside_and_are_told_apart(a, b, most):
     assert all(len(text) <= 10 for text in ticks.texts)
 
 
-@settings(max_examples=25)
+@settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(ENDS, ENDS, st.integers(4, 20))
 def test_texts_say_where_ticks_are(a, b, most):
     ticks = choose_ticks(min(a, b), max(a, b), most)
