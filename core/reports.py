@@ -71,15 +71,10 @@ class HasWarnings(Protocol):
 
 
 class Assessed:
-    """A result that can be wrong without an exception: `reliable` and `warnings`."""
+    """A result that can be wrong without an exception. Its class has `warnings`, as a property or a field."""
 
     @property
-    def warnings(self) -> tuple[str, ...]:
-        """Failed quality checks, each with its remedy; empty if the result is reliable."""
-        raise NotImplementedError
-
-    @property
-    def reliable(self) -> bool:
+    def reliable(self: HasWarnings) -> bool:
         """True if no quality check failed."""
         return not self.warnings
 
@@ -99,7 +94,7 @@ def failed(*checks: str | None) -> tuple[str, ...]:
     return tuple(check for check in checks if check)
 
 
-def with_warnings(fields: Fields, result: Assessed) -> Fields:
+def with_warnings(fields: Fields, result: HasWarnings) -> Fields:
     """Labels and values, and below them the warnings of a result."""
     return [*fields, *(("warning", warning) for warning in result.warnings)]
 

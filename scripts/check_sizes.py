@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import ast
 import sys
+import tomllib
 from collections.abc import Iterator
 from pathlib import Path
 
 from check_types import is_device_code
 
 ROOT = Path(__file__).resolve().parent.parent
-PACKAGES = (
-    *("kernels", "core", "cameras", "pcd", "files", "registration", "meshing", "rgbd", "drawing", "photos", "scale"),
-    *("data", "app", "bridge"),
-)
+SETTINGS = tomllib.loads((ROOT / "pyproject.toml").read_text())
+PACKAGES = [
+    name for name in SETTINGS["tool"]["hatch"]["build"]["targets"]["wheel"]["sources"] if name != "src/pointloom"
+]
 MODULE_LINES = 800
 FUNCTION_LINES = 60  # without the docstring
 KERNEL_LINES = 80  # of device code, whose state must stay in the registers of one body

@@ -15,7 +15,7 @@ from ...core.checks import check_progress
 from ...core.devices import resolve_device
 from ...core.errors import FilePath
 from ...core.progress import ReportProgress
-from ...core.reports import Assessed, Fields, Report, failed, values_of
+from ...core.reports import Assessed, Fields, Report, failed, quality, values_of
 from ...core.timing import Clock
 from ...core.units import LengthUnit, UnitWarning, symbol_of, without_warnings
 from ...core.wording import plain
@@ -81,7 +81,7 @@ class Done:
     def to_dict(self) -> dict[str, Any]:
         """All of it by name, without the unit if that is unknown."""
         own = {name: value for name, value in values_of(self).items() if name != "unit" or value is not None}
-        return own | {"reliable": not self.warnings}
+        return own | quality(self)
 
 
 @dataclass(frozen=True)

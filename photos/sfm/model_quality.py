@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.checks import check_count, check_list
-from ...core.reports import quality
+from ...core.reports import Assessed, quality
 from ...files.models.sfm_model import SfmModel
 from .camera_check import CameraCheck
 from .pose_check import PoseCheck
@@ -168,7 +168,7 @@ _MOVE = "move, do not only turn: walk sideways around what you film"
 
 
 @dataclasses.dataclass(frozen=True)
-class ModelQuality:
+class ModelQuality(Assessed):
     """Quality of a model of structure from motion.
 
     Args:
@@ -201,11 +201,6 @@ class ModelQuality:
     def notes(self) -> tuple[str, ...]:
         """What is to be known of a result though it is good: cameras that differ, a focal length that is EXIF's."""
         return tuple(line for check in (self.focal, self.poses) if check is not None for line in check.notes())
-
-    @property
-    def reliable(self) -> bool:
-        """True if no quality check failed."""
-        return not self.warnings
 
     def to_dict(self) -> dict[str, Any]:
         """The same in JSON's types; NaN becomes None."""

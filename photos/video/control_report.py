@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...core.reports import Assessed
 from ...pcd.geodesy import WorldFrame
 from .georeference import frame_to_dict
 from .ground_control import ScaleBar
@@ -143,7 +144,7 @@ class GpsGaps:
 
 
 @dataclass(frozen=True, eq=False)
-class ControlFit:
+class ControlFit(Assessed):
     """How ground control fits; printed, it is what the command says of it.
 
     Attributes:
@@ -177,11 +178,6 @@ class ControlFit:
     gps: GpsGaps | None = None
     warnings: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
-
-    @property
-    def reliable(self) -> bool:
-        """True if no quality check failed."""
-        return not self.warnings
 
     def rms(self, use: str) -> float:
         """Root mean square distance of the points of a use, "control" or "check" [m]; NaN where there are none."""

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from ...core.reports import Fields, in_columns, quality
+from ...core.reports import Assessed, Fields, in_columns, quality
 from ...core.stages import Made
 from ...core.wording import format_bounds, format_bytes, format_share
 from ...files.models.sfm_model import SfmModel
@@ -115,7 +115,7 @@ class StageReport:
 
 
 @dataclass(frozen=True, eq=False)
-class VideoResult:
+class VideoResult(Assessed):
     """What became of a video, or of a folder of pictures; printed, it is what `pointloom video` says.
 
     Attributes:
@@ -148,11 +148,6 @@ class VideoResult:
     work: str | None
     peak_bytes: int
     training: TrainingFolder | None = None
-
-    @property
-    def reliable(self) -> bool:
-        """True if no quality check failed."""
-        return not self.warnings
 
     @property
     def units(self) -> str:

@@ -15,7 +15,7 @@ from ...cameras.pose_text import read_lines
 from ...core.checks import check_positive, shown
 from ...core.errors import FileError, FilePath
 from ...core.records import digest_of, digest_of_file
-from ...core.reports import failed
+from ...core.reports import Assessed, failed
 from ...core.wording import few_of
 from ...files.models.sfm_model import SfmModel
 from ...pcd.geodesy import WorldFrame
@@ -165,7 +165,7 @@ class KnownPlaces:
 
 
 @dataclass(frozen=True, eq=False)
-class Fit:
+class Fit(Assessed):
     """Where the model lies in the world.
 
     Attributes:
@@ -191,11 +191,6 @@ class Fit:
     up: UpDirection | None = None
     notes: tuple[str, ...] = ()
     control: ControlFit | None = None
-
-    @property
-    def reliable(self) -> bool:
-        """True if no quality check failed."""
-        return not self.warnings
 
     @property
     def frame(self) -> WorldFrame | None:

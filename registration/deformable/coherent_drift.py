@@ -18,7 +18,7 @@ from ...core.checks import (
     shown,
 )
 from ...core.progress import ReportProgress
-from ...core.reports import Assessed, Fields, Report, failed
+from ...core.reports import Assessed, Fields, Report, failed, with_warnings
 from ...core.told_arguments import told_arguments
 from ...core.wording import format_share
 from ...kernels.arrays.side_by_side import read_together
@@ -98,13 +98,13 @@ class DriftResult(Report, Assessed):
 
     def fields(self) -> Fields:
         """How the sets came together and how well."""
-        return [
+        fields = [
             ("kind", self.kind),
             ("deviation", f"{self.deviation:.4g}, beside {self.spacing:.4g} between targets"),
             ("matched", f"{format_share(self.matched)} of the target"),
             ("steps", f"{self.iterations}{'' if self.converged else ', not settled'}"),
-            *(("warning", warning) for warning in self.warnings),
         ]
+        return with_warnings(fields, self)
 
 
 @told_arguments

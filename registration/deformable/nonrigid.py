@@ -24,7 +24,7 @@ from ...core.checks import (
 )
 from ...core.devices import check_same_device
 from ...core.progress import ReportProgress
-from ...core.reports import Assessed, Fields, Report, failed, quality
+from ...core.reports import Assessed, Fields, Report, failed, quality, with_warnings
 from ...core.told_arguments import told_arguments
 from ...core.wording import format_share
 from ...kernels.arrays.concatenation import concatenate_rows
@@ -443,15 +443,15 @@ class NonRigidResult(Report, Assessed):
     def fields(self) -> Fields:
         """How the bend came about and how good it is."""
         unbent = f"rmse {self.rigid_rmse:.4g}, {format_share(self.rigid_matched)} of the source on the target"
-        return [
+        fields = [
             ("nodes", f"{len(self.deformation):,}"),
             ("matched", f"{format_share(self.matched)} of the source, {format_share(self.covered)} of the target"),
             ("rmse", f"{self.rmse:.4g}"),
             ("unbent", unbent),
             ("strain", f"{self.strain:.1%}, folded at {format_share(self.folded)}"),
             ("steps", f"{self.iterations}{'' if self.converged else ', not settled'}"),
-            *(("warning", warning) for warning in self.warnings),
         ]
+        return with_warnings(fields, self)
 
     def transfer(self, values: ArrayLike, missing: float = np.nan) -> NDArray[Any]:
         """What the target's points have, at the points of the source that lie on them.

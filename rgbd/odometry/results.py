@@ -9,9 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...core.reports import Assessed
+
 
 @dataclasses.dataclass(frozen=True, eq=False)
-class OdometryResult:
+class OdometryResult(Assessed):
     """The motion between two frames. Unpacks as Open3D's (reliable, transformation, information).
 
     Attributes:
@@ -46,11 +48,6 @@ class OdometryResult:
     iterations: int = 0
     contradiction: str = ""
     covariance: NDArray[np.float64] = dataclasses.field(default_factory=lambda: np.zeros((6, 6)))
-
-    @property
-    def reliable(self) -> bool:
-        """True if no quality check failed."""
-        return not self.warnings
 
     def __iter__(self) -> Iterator[Any]:
         return iter((self.reliable, self.transformation, self.information))

@@ -7,7 +7,7 @@ import os
 from dataclasses import dataclass
 from typing import Any
 
-from ...core.reports import Fields, Report, quality
+from ...core.reports import Assessed, Fields, Report, quality
 from ...core.wording import format_bytes, format_seconds, plain
 from .fragments import FragmentSet
 from .frames import LostFrame
@@ -75,7 +75,7 @@ class ToldFragment:
 
 
 @dataclass(frozen=True)
-class SystemReport(Report):
+class SystemReport(Report, Assessed):
     """What `run_system` did; `print(report)` tells it.
 
     Attributes:
@@ -109,11 +109,6 @@ class SystemReport(Report):
     slac: dict[str, Any] | None
     seconds: dict[str, float]
     peak_bytes: int
-
-    @property
-    def reliable(self) -> bool:
-        """True if no quality check failed."""
-        return not self.warnings
 
     @property
     def used(self) -> int:
