@@ -99,9 +99,10 @@ PEERS = {
 
 @pytest.mark.slow
 @pytest.mark.parametrize("peer", PEERS)
-def test_peer_that_is_here_agrees_with_ours_at_the_quick_size(peer):
+def test_peer_that_is_here_agrees_with_ours_at_the_quick_size(peer, monkeypatch):
     import contest
 
+    monkeypatch.delenv("OMP_NUM_THREADS", raising=False)  # py4dgeo warns if it is set
     name, module = PEERS[peer]
     pytest.importorskip(module)
     _, operation = contest.operations()[name]

@@ -23,9 +23,14 @@ def job(files, tmp_path):
 @pytest.fixture(scope="session")
 def two_workers():
     """Address of a scheduler with two worker processes, which are restarted when they die."""
-    distributed = pytest.importorskip("distributed")
+    distributed, config = pytest.importorskip("distributed"), pytest.importorskip("dask.config")
+    # By default distributed sets OMP_NUM_THREADS and others in the environment of this process.
+    environment = {"distributed.nanny.pre-spawn-environ": {"PYTHONHASHSEED": "random"}}
     told = {"threads_per_worker": 1, "memory_limit": 0, "dashboard_address": "127.0.0.1:0", "silence_logs": "CRITICAL"}
-    with distributed.LocalCluster(2, host="127.0.0.1", scheduler_kwargs={"allowed_failures": 2}, **told) as found:
+    with (
+        config.set(environment),
+        distributed.LocalCluster(2, host="127.0.0.1", scheduler_kwargs={"allowed_failures": 2}, **told) as found,
+    ):
         yield found.scheduler_address
 
 
