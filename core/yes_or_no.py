@@ -6,10 +6,10 @@ from __future__ import annotations
 class YesOrNo(int):
     """1 or 0, shown as True or False; calling it gives the bool."""
 
-    def __new__(cls, value: object) -> YesOrNo:  # noqa: D102
+    def __new__(cls, value: object) -> YesOrNo:
         return super().__new__(cls, bool(value))
 
-    def __call__(self) -> bool:  # noqa: D102
+    def __call__(self) -> bool:
         return bool(self)
 
     def __repr__(self) -> str:

@@ -1,7 +1,7 @@
 """Write docs/api.txt: each public name with its signature, from the stubs.
 
     python scripts/write_api.py            # write the file
-    python scripts/write_api.py --check    # print the difference, exit code 1 if there is one
+    python scripts/write_api.py --check    # print the difference and names without a docstring; exit code 1 if any
 
 The file makes each change of the public interface visible in a diff. Names of `pointloom.open3d` are Open3D's and are
 left out.
@@ -98,6 +98,25 @@ def api() -> str:
     return "\n".join([f"{names} public classes and functions, {member_count} members", *lines, ""])
 
 
+def undocumented() -> Iterator[str]:
+    """Each public class, function, method and property without a docstring."""
+    for title, package in packages(PACKAGE):
+        for name in package.__all__:
+            value = getattr(package, name)
+            if not inspect.isclass(value):
+                if inspect.isroutine(value) and not inspect.getdoc(value):
+                    yield f"{title}.{name}"
+                continue
+            own = vars(value).get("__doc__") or ""
+            if not own or own.startswith(f"{name}("):  # the latter is what dataclass writes
+                yield f"{title}.{name}"
+            for base in filter(is_own, value.__mro__):
+                for member, each in vars(base).items():
+                    is_call = inspect.isroutine(each) or isinstance(each, property | staticmethod | classmethod)
+                    if is_call and not member.startswith("_") and not inspect.getdoc(getattr(value, member, None)):
+                        yield f"{title}.{name}.{member}"
+
+
 def main() -> int:
     """The command."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -110,8 +129,9 @@ def main() -> int:
     change = list(
         difflib.unified_diff(stored.splitlines(), text.splitlines(), "docs/api.txt", "public names", lineterm="")
     )
-    print("\n".join(change))
-    return bool(change)
+    missing = [f"{name}: a public name needs a docstring" for name in sorted(set(undocumented()))]
+    print("\n".join(change + missing))
+    return bool(change or missing)
 
 
 if __name__ == "__main__":

@@ -34,7 +34,7 @@ class Picture(np.ndarray[Any, np.dtype[np.uint8]]):
 
     __array_priority__ = 1.0  # type: ignore  # NumPy's own is 0: what is joined of both is a picture
 
-    def __new__(cls, pixels: NDArray[np.uint8]) -> Picture:  # noqa: D102
+    def __new__(cls, pixels: NDArray[np.uint8]) -> Picture:
         return np.asarray(pixels).view(cls)
 
     def __array_wrap__(self, array: Any, context: Any = None, return_scalar: bool = False) -> Any:
