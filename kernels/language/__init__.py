@@ -1,14 +1,10 @@
-"""The compiler front of the kernel language: rules, types, structures and loops, and the two compilers."""
+"""The kernel language: rules, types, structures, loops, and the two compilers."""
 
 import linecache
 
 
 def _require_sources() -> None:
-    """Raise an error if the package consists of bytecode alone: kernels are compiled from their Python source.
-
-    Raises:
-        ImportError: The source of this module is missing.
-    """
+    """Raise ImportError if the package has bytecode only: kernels are compiled from their Python source."""
     if not linecache.getlines(_require_sources.__code__.co_filename, globals()):
         raise ImportError(
             "pointloom compiles its kernels from its .py files, and this installation has bytecode alone. Install it "

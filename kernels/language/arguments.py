@@ -1,4 +1,4 @@
-"""What a launch takes: the types of kernel parameters, and arguments checked against them."""
+"""Types of kernel parameters, and checks of launch arguments against them."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from ..lang import Kernel, Reduction
 
 MAX_SCALARS = 2**31 - 1  # of an array: Taichi counts them in 32 bits
-MAX_THREADS = 2**31 - 256  # both count threads in 32 bits, CUDA in whole blocks; hosts split larger jobs
+MAX_THREADS = 2**31 - 256  # both compilers count threads in 32 bits, CUDA in complete blocks; hosts split larger jobs
 SCALARS = (
     wp.int8,
     wp.int16,
@@ -34,14 +34,14 @@ SCALARS = (
     wp.bool,
 )
 
-LIMITS = {  # from the first to below the second
+LIMITS = {  # half-open range
     scalar: (0, 2**bits) if scalar.startswith("u") else (-(2 ** (bits - 1)), 2 ** (bits - 1))
     for scalar, bits in RANGES.items()
 }
 
 
 def type_of(t: Any) -> Type | None:
-    """The kernel type of one of Warp's or Python's; None of anything else."""
+    """Kernel type of a Warp or Python type, or None."""
     if not isinstance(t, type):
         return None
     t = {int: wp.int32, float: wp.float32, bool: wp.bool}.get(t, t)
@@ -52,7 +52,6 @@ def type_of(t: Any) -> Type | None:
 
 
 def array_of(annotation: Any) -> ArrayType | None:
-    """The array type of an annotation; None of anything else."""
     if not isinstance(annotation, wp.array):
         return None
     element = type_of(annotation.dtype)
@@ -60,7 +59,7 @@ def array_of(annotation: Any) -> ArrayType | None:
 
 
 def checked_arguments(what: Kernel | Reduction, thread_count: int, arguments: Sequence[Any]) -> tuple[list[Any], Any]:
-    """The arguments as Warp takes them, and the device of the arrays."""
+    """Arguments as Warp takes them, and the device of the arrays."""
     name = what.name
     if len(arguments) != len(what.takes):
         raise ValueError(f"{name}: takes {len(what.takes)} arguments, got {len(arguments)}")
@@ -76,10 +75,7 @@ def checked_arguments(what: Kernel | Reduction, thread_count: int, arguments: Se
 
 
 def acceptor(annotations: Sequence[Any]) -> Callable[[Sequence[Any]], tuple[list[Any], Any] | None]:
-    """What takes arguments that are plainly right, in a small part of the time that it takes to say what is wrong.
-
-    It returns None, or raises, where `_checked_one_by_one` has to look; what it returns is what that would.
-    """
+    """Fast check of arguments. It returns None or raises if `_checked_one_by_one` has to check them."""
     plan: list[tuple[Any, Any]] = [
         (annotation.dtype, annotation.ndim) if isinstance(annotation, wp.array) else (None, _reader(annotation))
         for annotation in annotations
@@ -146,7 +142,6 @@ def _checked_one_by_one(what: Kernel | Reduction, arguments: Sequence[Any]) -> t
 
 
 def device_of(arguments: Sequence[Any]) -> Any:
-    """The device of the first array among a launch's arguments, or in a structure of them; the CPU without one."""
     for argument in arguments:
         if isinstance(argument, wp.array):
             return argument.device
@@ -158,7 +153,6 @@ def device_of(arguments: Sequence[Any]) -> Any:
 
 
 def first_device(annotations: Sequence[Any]) -> Callable[[Sequence[Any]], Any]:
-    """The same as `device_of`, for a kernel's arguments of these types, as they are written: without looking for it."""
     paths = [(k, path, type_at(kind, path)) for k, kind in enumerate(annotations) for path in leaves_of(kind)]
     paths.sort(key=lambda found: len(found[1]) > 0)  # arrays before those in structures
     of_array = [(k, path) for k, path, kind in paths if isinstance(kind, wp.array)]
@@ -178,12 +172,7 @@ def first_device(annotations: Sequence[Any]) -> Callable[[Sequence[Any]], Any]:
 
 
 def taker_apart(places: Sequence[Place], names: Sequence[str]) -> Callable[[str, Sequence[Any]], list[Any]] | None:
-    """What takes the structures among a kernel's arguments apart; None where it has none.
-
-    Args:
-        places: Where its flat parameters come from.
-        names: Its parameters as they are written.
-    """
+    """Function that unpacks the structures among a kernel's arguments, or None if there are none."""
     if not any(place.path for place in places):
         return None
     getters = [(p.parameter, operator.attrgetter(".".join(p.path)) if p.path else None) for p in places]
@@ -211,7 +200,6 @@ def _check_array(annotation: wp.array, argument: Any) -> None:
 
 
 def _value(annotation: Any, argument: Any) -> Any:
-    """A number, vector or matrix as its parameter's type has it."""
     kind = type_of(annotation)
     assert kind is not None
     if kind.shape:
@@ -232,7 +220,7 @@ def _whole_number(argument: Any, scalar: str) -> int:
 
 
 def taichi_arguments(name: str, annotations: Sequence[Any], values: Sequence[Any]) -> list[Any]:
-    """Checked arguments as Taichi's own call of a kernel takes them."""
+    """Checked arguments in the form of Taichi's own kernel call."""
     converted: list[Any] = []
     for annotation, value in zip(annotations, values, strict=True):
         if isinstance(annotation, wp.array):
@@ -245,7 +233,7 @@ def taichi_arguments(name: str, annotations: Sequence[Any], values: Sequence[Any
 
 
 def _taichi_array(name: str, annotation: wp.array, argument: wp.array) -> np.ndarray:
-    if argument.size == 0:  # Warp gives empty arrays no memory; the extents must be the true ones, for loops over them
+    if argument.size == 0:  # Warp gives empty arrays no memory; loops over them need the true extents
         shape = getattr(annotation.dtype, "_shape_", ())
         scalar = getattr(annotation.dtype, "_wp_scalar_type_", annotation.dtype)
         return np.zeros((*argument.shape, *shape), wp.dtype_to_numpy(scalar))
@@ -254,10 +242,6 @@ def _taichi_array(name: str, annotation: wp.array, argument: wp.array) -> np.nda
 
 
 def check_scalar_count(name: str, count: int) -> None:
-    """Refuse an array of more numbers than Taichi counts.
-
-    Raises:
-        ValueError: It has as many.
-    """
+    """Raise ValueError if an array has more scalars than Taichi can count."""
     if count > MAX_SCALARS:
         raise ValueError(f"{name}: an array of {count} numbers; split the work into parts below 2^31")

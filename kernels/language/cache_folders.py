@@ -1,8 +1,7 @@
-"""Where the compilers keep compiled kernels: the user's cache folder, or a temporary one where that cannot be used.
+"""Folder of compiled kernels: the user's cache folder, or a temporary one if that is not usable.
 
-Compiled kernels are code that runs in this process. So a folder or file that other users can write to is not used
-silently. Each file has a digest beside it, because a full disk, a failure of power or a killed process can leave a part
-of a file. A file that does not match its digest is compiled again.
+Compiled kernels run in this process, so files that other users can write to are not used silently. Each file has a
+digest, since a full disk or a killed process can truncate it; a mismatch causes recompilation.
 """
 
 from __future__ import annotations
@@ -17,17 +16,16 @@ import struct
 import tempfile
 from pathlib import Path
 
-ROOM = 8 << 20  # [B] that must be free before a module is compiled: LLVM ends the process if the disk is full
-_DIGEST = ".sha256"  # follows the name of the file
-_ELF = struct.Struct("<4s36xQ10xHH")  # of a file of 64 bits: magic, place, size and number of its section headers
+ROOM = 8 << 20  # [B] free space required to compile a module: LLVM ends the process if the disk is full
+_DIGEST = ".sha256"  # suffix of the file name
+_ELF = struct.Struct("<4s36xQ10xHH")  # of a 64-bit ELF file: magic, offset, size and number of its section headers
 
 
-class CacheError(RuntimeError):
-    """No folder for compiled kernels can be written to."""
+class CacheError(RuntimeError): ...
 
 
 def is_writable(folder: str | os.PathLike[str], size: int = 0) -> bool:
-    """True if a file of some bytes can be written in a folder, which need not exist yet."""
+    """True if a file of `size` bytes can be written to a folder, which need not exist yet."""
     path = Path(folder)
     try:
         path.mkdir(parents=True, exist_ok=True)
@@ -41,19 +39,17 @@ def is_writable(folder: str | os.PathLike[str], size: int = 0) -> bool:
 
 
 def cache_folder() -> Path:
-    """The user's cache folder."""
     return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
 
 
 def temporary_cache() -> str:
-    """A folder that is removed when the program ends."""
     folder = tempfile.mkdtemp(prefix="pointloom-kernels-")
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
     return folder
 
 
 def other_writers(folder: Path) -> str:
-    """Which other users can write to a folder or to one in it; empty if none can, or the system has no such users."""
+    """Describe other users who can write to a folder or its contents; empty if none."""
     if not hasattr(os, "getuid"):
         return ""
     try:
@@ -74,10 +70,7 @@ def other_writers(folder: Path) -> str:
 
 
 def is_intact(*files: Path) -> bool:
-    """True if files have their digests and no other user can have written them.
-
-    A file without a digest, as an earlier version or a killed process leaves it, is examined for its end.
-    """
+    """True if files match their digests (or have a complete end) and no other user can have written them."""
     try:
         return all(_is_intact(file) for file in files)
     except OSError:
@@ -85,7 +78,6 @@ def is_intact(*files: Path) -> bool:
 
 
 def seal(*files: Path) -> None:
-    """Write the digests of files, if the folder can be written to."""
     with contextlib.suppress(OSError):
         for file in files:
             write_atomically(file.with_name(file.name + _DIGEST), _digest_of(file.read_bytes()))
@@ -103,7 +95,6 @@ def discard(*files: Path) -> bool:
 
 
 def write_atomically(path: Path, content: bytes) -> None:
-    """Write a file so that other processes see all of it or nothing."""
     part = path.with_name(f".{path.name}.{os.urandom(8).hex()}.part")
     try:
         with part.open("xb") as file:
@@ -126,7 +117,6 @@ def _writers_of(status: os.stat_result) -> str:
 
 
 def _is_own_group(group: int) -> bool:
-    """True if a group has only this user, as many systems create one for each user."""
     import grp
     import pwd
 
@@ -152,7 +142,7 @@ def _digest_of(content: bytes) -> bytes:
 
 
 def _has_end(content: bytes) -> bool:
-    """True if the end of a file is there: the section headers of machine code, or the last brace of PTX and JSON."""
+    """True if the end of the file exists: section headers of machine code, or the last brace of PTX and JSON."""
     if content[:4] == b"\x7fELF" and len(content) >= _ELF.size:
         _, begin, size, count = _ELF.unpack_from(content)
         return bool(begin) and begin + size * count <= len(content)

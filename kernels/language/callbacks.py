@@ -1,8 +1,7 @@
-"""Functions as arguments, given before the compilers see the function.
+"""Functions as arguments of device functions, resolved before compilation.
 
-A parameter `children: callback` takes the name of a device function, or `partial(function, first, arguments)`. A
-`@func` with such a parameter is compiled once for each function that it is given; in a `@loop` its calls are written
-out with the arguments as they are then.
+A `callback` parameter takes the name of a device function or `partial(function, first, arguments)`. A `@func` with such
+parameters is compiled once per function given; in a `@loop`, the calls are inlined.
 """
 
 from __future__ import annotations
@@ -13,32 +12,28 @@ from typing import Any, NamedTuple
 
 from .structs import JOINT
 
-PARTIAL = f"partial{JOINT}of"  # the word in text that is written out
+PARTIAL = f"partial{JOINT}of"  # name in generated text
 
 
 class callback:  # noqa: N801  a type of parameters, as `array` and `vec3` are
-    """The type of a parameter that is a device function."""
+    ...
 
 
 class Given(NamedTuple):
-    """A device function as an argument, and the arguments that it brings along."""
-
     name: str
     function: Any
     bound: list[ast.expr]
 
     def handed_on(self) -> ast.expr:
-        """The argument again."""
         name = ast.Name(self.name, ast.Load())
         return ast.Call(ast.Name(PARTIAL, ast.Load()), [name, *copy.deepcopy(self.bound)], []) if self.bound else name
 
     def call(self, arguments: list[ast.expr]) -> ast.Call:
-        """A call with the rest of its arguments."""
         return ast.Call(ast.Name(self.name, ast.Load()), [*copy.deepcopy(self.bound), *arguments], [])
 
 
 def with_callbacks(visitor: ast.NodeTransformer, node: ast.Call, given: dict[str, Given]) -> ast.AST:
-    """A call with the functions in the place of their parameters: one that is called, and those that are handed on."""
+    """Replace callback parameters in a call, both called ones and those passed on."""
     called = given.get(node.func.id) if isinstance(node.func, ast.Name) else None
     arguments: list[ast.expr] = []
     for argument in node.args:
@@ -53,11 +48,7 @@ def with_callbacks(visitor: ast.NodeTransformer, node: ast.Call, given: dict[str
 def with_functions(
     definition: ast.FunctionDef, written: dict[str, Any], given: dict[str, Given]
 ) -> tuple[ast.FunctionDef, dict[str, Any], dict[str, Any]]:
-    """A function with parameters in the place of its callbacks, one for each argument that these bring along.
-
-    Returns:
-        The definition, the types of its parameters by name, and what its text needs beside its own names.
-    """
+    """Replace callbacks by parameters for their bound arguments. Return definition, parameter types, and globals."""
     definition = copy.deepcopy(definition)
     definition.name = special_name(definition.name, given)
     types: dict[str, Any] = {}
@@ -82,5 +73,4 @@ def with_functions(
 
 
 def special_name(name: str, given: dict[str, Given]) -> str:
-    """The name of a function for these callbacks."""
     return JOINT.join([name, *(chosen.function.source.definition.name for chosen in given.values())])

@@ -1,8 +1,7 @@
-"""Elements of one type as elements of another, by a kernel a pair of types on CUDA, by NumPy on the CPU.
+"""Conversion of array elements: one kernel per pair of types on CUDA, NumPy on the CPU.
 
-Each kernel is a module of its own, compiled once for all programs: Warp's `array_cast` is one kernel for all types,
-whose module it builds anew with each pair that a process comes to. What a cast gives is what C gives: a float beyond
-the range of an integer has no promised value.
+Warp's `array_cast` recompiles its module for each new pair. Conversion follows C: a float outside the range of an
+integer type has an undefined value.
 """
 
 from __future__ import annotations
@@ -49,7 +48,6 @@ def cast_into(out: AnyArray, values: AnyArray) -> None:
 
 
 def _scalars(values: AnyArray) -> Any:
-    """An array's memory as a row of its scalars."""
     scalar = getattr(values.dtype, "_wp_scalar_type_", values.dtype)
     count = values.size * int(np.prod(getattr(values.dtype, "_shape_", ()), dtype=np.int64))
     return wp.array(ptr=values.ptr, dtype=scalar, shape=(count,), device=values.device, copy=False)
@@ -57,13 +55,13 @@ def _scalars(values: AnyArray) -> Any:
 
 def _cast_on_host(out: np.ndarray, values: np.ndarray) -> None:
     if out.dtype == np.float16 and values.dtype != np.float16:
-        values = values.astype(np.float32)  # as CUDA comes to 16 bits: rounded twice
+        values = values.astype(np.float32)  # as CUDA converts to 16 bits: rounded twice
     with np.errstate(over="ignore", invalid="ignore"):
         np.copyto(out, values, casting="unsafe")
 
 
 def kernels_ahead() -> list[Any]:
-    """The kernels of the pairs that operations come to, for whoever compiles them ahead."""
+    """Kernels of the pairs in use, for ahead-of-time compilation."""
     numbers = [wp.dtype_from_numpy(np.dtype(name)) for name in _NUMBERS]
     pairs = [pair for number in numbers for pair in ((number, wp.float64), (wp.float64, number))]
     pairs += [(wp.int32, wp.uint8), (wp.int32, wp.int64), (wp.float16, wp.float32)]

@@ -1,13 +1,8 @@
-"""Kernels that were compiled for CUDA ahead: an archive that is found at run time and handed to Warp piece by piece.
+"""Archive of kernels compiled ahead for CUDA, unpacked into Warp's kernel cache on first use.
 
-`make cuda-cache` (kernels/cuda_cache.py) writes the archive: the machine code of every module for many architectures,
-each compressed by itself, and a manifest of what it was made from. It is found as the package `pointloom_cuda_kernels`
-or where POINTLOOM_CUDA_KERNELS says. When a module is first needed, its code for this GPU is unpacked into Warp's own
-cache of kernels; no other process unpacks it again.
-
-Nothing out of date is used: the archive as a whole must come from the same sources of kernels, the same Warp and the
-same CUDA, and a module is looked up by Warp's hash of its content and its options. The sources are compared beside the
-hash, since Warp counts only the low 32 bits of a whole-number constant.
+`make cuda-cache` (kernels/cuda_cache.py) writes the archive. It is found as the package `pointloom_cuda_kernels` or
+through POINTLOOM_CUDA_KERNELS. The archive must have the same kernel sources, Warp, and CUDA, and modules are looked up
+by Warp's hash. The sources are compared too, since Warp hashes only the low 32 bits of an integer constant.
 """
 
 from __future__ import annotations
@@ -30,22 +25,15 @@ import warp as wp
 from ..array_types import Device
 from .cache_folders import is_intact, seal, temporary_cache, write_atomically
 
-VARIABLE = "POINTLOOM_CUDA_KERNELS"  # names the archive; empty: none is used, an installed one neither
+VARIABLE = "POINTLOOM_CUDA_KERNELS"  # path of the archive; empty disables all archives
 PACKAGE = "pointloom_cuda_kernels"
 ARCHIVE = "kernels.zip"
 MANIFEST = "manifest.json"
 FORMAT = 1
-ON_BOARDS = {
-    72,
-    87,
-    101,
-    110,
-}  # GPUs of Jetson and its like: machine code of others does not run there, nor theirs here
+ON_BOARDS = {72, 87, 101, 110}  # GPUs of Jetson: their machine code is incompatible with that of others
 
 
 class Placed(NamedTuple):
-    """A module's files in Warp's cache."""
-
     binary: Path
     meta: Path
     architecture: int
@@ -53,7 +41,6 @@ class Placed(NamedTuple):
 
 @functools.cache
 def digest_of_sources() -> str:
-    """What all files of kernels/ contain, as one number."""
     root, digest = Path(__file__).parents[1], hashlib.sha256()
     for path in sorted(root.rglob("*.py")):
         content = path.read_bytes()
@@ -62,7 +49,7 @@ def digest_of_sources() -> str:
 
 
 def made_from() -> dict[str, Any]:
-    """What machine code depends on beside a module's own content; an archive holds the same or is not used."""
+    """Versions and sources that machine code depends on, apart from its module."""
     toolkit = wp.get_cuda_toolkit_version() or ()
     return {
         "format": FORMAT,
@@ -76,11 +63,7 @@ _MANIFEST = {"made from": dict, "architectures": list, "modules": dict}
 
 
 class Archive:
-    """Machine code of kernels in a file.
-
-    Raises:
-        OSError, ValueError, KeyError, zipfile.BadZipFile: It cannot be read.
-    """
+    """Archive of machine code. Raises OSError, ValueError, KeyError, or BadZipFile if it cannot be read."""
 
     def __init__(self, path: Path) -> None:
         self.path = path
@@ -96,7 +79,6 @@ class Archive:
         self.modules: dict[str, dict[str, Any]] = manifest["modules"]
 
     def misfit(self) -> str:
-        """Why it is not to be used here; empty where it is."""
         here = made_from()
         others = [name for name in here if self.made_from.get(name) != here[name]]
         named = (
@@ -106,11 +88,7 @@ class Archive:
         return f"made from {words}" if words else ""
 
     def place(self, module: Any, device: Device, block_dim: int) -> Placed | None:
-        """Lay a module's code for a GPU into Warp's cache, under the names that Warp gives it, if it is not there.
-
-        Raises:
-            OSError, ValueError, KeyError, zipfile.BadZipFile, lzma.LZMAError: The archive was damaged or removed.
-        """
+        """Unpack the code of a module for a GPU into Warp's cache unless it exists. Raises as above or LZMAError."""
         key = module.get_module_hash(block_dim).hex()
         entry = self.modules.get(key)
         chosen = choose(entry["binaries"], device) if entry else None
@@ -132,7 +110,6 @@ class Archive:
 
 
 def member(key: str, binary: str) -> str:
-    """The name in an archive of a module's code."""
     return f"{key}/{binary}.xz"
 
 
@@ -141,11 +118,8 @@ def _architecture(binary: str) -> int:
 
 
 def choose(binaries: list[str], device: Device) -> str | None:
-    """The code for a GPU among "sm90.cubin", "sm90.ptx" and the like, or None.
-
-    Machine code runs on its own architecture and on later ones of the same major number; PTX on all later ones, where
-    the driver is as new as the compiler that wrote it.
-    """
+    """Select the code for a GPU among "sm90.cubin", "sm90.ptx" and the like, or None. Machine code runs on later
+    architectures of the same major number; PTX on all later ones if the driver is not older than the compiler."""
     own, found = device.arch, {kind: [] for kind in ("cubin", "ptx")}
     for binary in binaries:
         architecture = _architecture(binary)
@@ -158,7 +132,7 @@ def choose(binaries: list[str], device: Device) -> str | None:
 
 
 def _is_written(files: Placed, code: bytes, meta: dict[str, int]) -> bool:
-    """Write both files, each whole or not at all, the code last."""
+    """Write both files atomically, the code last."""
     try:
         files.binary.parent.mkdir(parents=True, exist_ok=True)
         write_atomically(files.meta, json.dumps(meta, sort_keys=True).encode())
@@ -170,7 +144,6 @@ def _is_written(files: Placed, code: bytes, meta: dict[str, int]) -> bool:
 
 
 def archive_path() -> Path | None:
-    """Where an archive is to be looked for; None where there is none."""
     named = os.environ.get(VARIABLE)
     if named is not None:
         return Path(named) if named else None
@@ -179,15 +152,13 @@ def archive_path() -> Path | None:
 
 
 class _Search:
-    """The archive of this process, looked for once."""
-
     done = False
     found: Archive | None = None
     problem = "none is installed"
 
 
 def archive(*, warns: bool = True) -> Archive | None:
-    """The archive that fits what is installed; one that does not is named in a warning, once."""
+    """The archive that fits the installation. One that does not fit causes one warning."""
     if not _Search.done:
         _Search.done = True
         path = archive_path()
@@ -204,7 +175,6 @@ def archive(*, warns: bool = True) -> Archive | None:
 
 
 def refuse(path: Path, problem: str, *, warns: bool = True) -> None:
-    """Use no archive from now on, and say why."""
     _Search.done, _Search.found, _Search.problem = True, None, f"{path}: {problem}"
     if not warns:
         return
@@ -217,6 +187,5 @@ def refuse(path: Path, problem: str, *, warns: bool = True) -> None:
 
 
 def described() -> str:
-    """Which archive this process uses, or why none."""
     found = archive(warns=False)
     return f"{found.path} for {', '.join(map(str, found.architectures))}" if found else f"none: {_Search.problem}"

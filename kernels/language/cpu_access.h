@@ -1,9 +1,6 @@
-// What the kernels of this package promise, for the CPU code that Warp generates of them; it stands after Warp's headers.
-//
-// Our arrays are contiguous and no index is negative, where Warp's may have strides and count from the end: that costs a
-// multiplication, a comparison and an addition for each element, and loads of whole vectors. The overloads are more
-// special than Warp's, so they are found first. Where Warp renames its own they go unused, or nothing compiles:
-// pool_code.py tries it, and does without this file where the kernel that it tries is not right.
+// Overloads for the CPU code that Warp generates, included after Warp's headers: arrays are contiguous and indices are not
+// negative, which saves a multiplication, a comparison and an addition per element. They are more specialized than Warp's.
+// If Warp renames its own, they are unused or fail to compile: pool_code.py tests that.
 
 namespace wp {
 
@@ -20,7 +17,7 @@ template <typename T> inline void array_store(const array_t<T>& a, int i, int j,
     *address(a, i, j, k) = value;
 }
 
-// Warp's own on the CPU are for one thread: a load, and a store.
+// Warp's own atomics on the CPU are for one thread: a load, and a store.
 template <typename T> inline T shared_add(T* place, T value)
 {
     T old, wanted;
@@ -54,7 +51,7 @@ template <typename T> inline T atomic_max(const array_t<T>& a, int i, int j, T v
 template <unsigned N, typename T> inline T extract(vec_t<N, T>& v, int i) { return v.c[i]; }
 template <unsigned R, unsigned C, typename T> inline T extract(mat_t<R, C, T>& m, int i, int j) { return m.data[i][j]; }
 
-// Warp's is a call of a function in its library, for each number.
+// Warp's version calls a library function for each number.
 inline bool is_number(double x) { return x - x == 0.0; }
 inline bool is_number(float x) { return x - x == 0.0f; }
 template <typename T> inline bool is_number(const T& x) { return true; }
@@ -65,16 +62,15 @@ template <unsigned N, typename T> inline bool is_number(const vec_t<N, T>& v)
     return all;
 }
 
-// A range that is built where it is kept: four numbers that a function returns come back in two registers of 64 bits,
-// and LLVM leaves them packed.
+// A range constructed in place: a function would return four numbers packed in two 64-bit registers.
 struct made_range : range_t {
     inline made_range(int last) { start = 0, end = last, step = 1, i = 0; }
     inline made_range(int first, int last) { start = first, end = last, step = 1, i = first; }
     inline made_range(int first, int last, int by) { start = first, end = last, step = by, i = first; }
 };
 
-// A part of a launch: the highest bit of what Warp keeps for the extent of a launch says that the others are the number
-// of the part's first thread. Warp itself sets the extent, below 2^31, and begins at 0.
+// A part of a launch: if the highest bit of the extent is set, the others are the part's first thread. Warp itself sets
+// the extent, below 2^31, and begins at 0.
 template <bool Linear> inline int linear_tid(size_t index, const launch_bounds_t<1>& bounds)
 {
     const unsigned first = bounds.shape[0];
@@ -84,6 +80,5 @@ template <bool Linear> inline int linear_tid(size_t index, const launch_bounds_t
 }
 #define range made_range
 #define isfinite is_number
-// Warp compiles each body for strides that are known and for others, and asks which: `dim->coord_mult == 1 && ...`. What
-// is above needs one of the two.
+// Warp compiles each body for known and for other strides, and tests `dim->coord_mult == 1 && ...`. One is enough here.
 #define coord_mult coord_mult * 0

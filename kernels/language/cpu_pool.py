@@ -1,17 +1,9 @@
-"""The threads that share a launch on the CPU: each takes the next chunk of it until none is left.
+"""Thread pool for CPU launches: each thread processes chunks until none is left.
 
-Warp's machine code of a kernel runs a launch, or a part of it (cpu_code.py), on the thread that calls it. What hands
-out the parts is a kernel of Warp's as well: native code, compiled by Warp's own compiler and kept in its cache, so no C
-compiler is needed where this package is installed. A Python thread does nothing but call it, and it does not come back
-before the pool ends: no chunk waits for Python's lock.
-
-A worker looks for chunks for some microseconds after its last one, then sleeps on a semaphore of the system. A launch
-wakes the first two workers and they the next ones, as long as chunks are left; it does not wait for a worker that has
-not come yet, and ends when those that came have left. Which thread takes which chunk changes no result: kernels write
-their own elements. Take the lock: a pool runs one launch at a time.
-
-Linux is what this is tested on. macOS and Windows have their waits here, untried: there a pool has one thread, unless
-`POINTLOOM_CPU_THREADS` or `set_thread_count` asks for more.
+The distributing code is a Warp kernel (pool_code.py); Python threads only enter it, and no chunk waits for the GIL. A
+worker polls for some microseconds, then sleeps on a semaphore. A launch wakes two workers, which wake the next ones. A
+pool runs one launch at a time: take the lock. Tested on Linux. On macOS and Windows (untested), a pool has one thread
+unless POINTLOOM_CPU_THREADS or `set_thread_count` sets more.
 """
 
 from __future__ import annotations
@@ -30,17 +22,14 @@ from . import cpu_code
 from .pool_code import CLOSED, FIELDS, LINE, STATE, WORKER, PoolCode, pool_code
 
 VARIABLE = "POINTLOOM_CPU_THREADS"
-MOST_THREADS = 1024  # each is started, and more than any machine's cores only wait
-CHUNKS_A_THREAD = 16  # so that one slow chunk, or a busy core, makes no launch last much longer
-SPINS = 1000  # looks for a chunk before a worker sleeps: 10 to 50 us, more than the host takes from launch to launch
-STACK = 8 << 20  # bytes of a worker's; macOS gives 512 kB, of which kernels with large vectors take a part
+MOST_THREADS = 1024  # each is started, and more threads than cores only wait
+CHUNKS_A_THREAD = 16  # so that one slow chunk, or a busy core, does not prolong a launch much
+SPINS = 1000  # polls for a chunk before a worker sleeps: 10 to 50 us, longer than the host needs between launches
+STACK = 8 << 20  # stack bytes of a worker; macOS gives 512 kB, and kernels with large vectors need a part of it
 
 
 def _functions_of_system() -> tuple[list[Any], Any]:
-    """What waits for a semaphore, wakes one and gives a core away; and what makes a semaphore.
-
-    The waits get two more arguments than POSIX takes: what macOS and Windows want there, for ever and one.
-    """
+    """System functions to wait, wake, yield, create a semaphore; waits get two extra arguments (macOS, Windows)."""
     if sys.platform == "win32":
         system = ctypes.WinDLL("kernel32")  # type: ignore[attr-defined]
         make = system.CreateSemaphoreW
@@ -49,7 +38,7 @@ def _functions_of_system() -> tuple[list[Any], Any]:
             None, 0, 2**30, None
         )
     system = ctypes.CDLL(None)
-    if sys.platform == "darwin":  # where unnamed semaphores of POSIX do not exist
+    if sys.platform == "darwin":  # where POSIX has no unnamed semaphores
         make = system.dispatch_semaphore_create
         make.restype, make.argtypes = ctypes.c_void_p, [ctypes.c_long]
         return [system.dispatch_semaphore_wait, system.dispatch_semaphore_signal, system.sched_yield], lambda: make(0)
@@ -64,17 +53,10 @@ def _functions_of_system() -> tuple[list[Any], Any]:
     return [system.sem_wait, system.sem_post, system.sched_yield], make_posix
 
 
-_held: list[Any] = []  # semaphores, for as long as a worker may wait for one
+_held: list[Any] = []  # semaphores, kept while a worker may wait for one
 
 
 class Pool:
-    """So many threads, one of which is the caller's.
-
-    Args:
-        code: The machine code.
-        thread_count: Threads.
-    """
-
     def __init__(self, code: PoolCode, thread_count: int) -> None:
         self._code, self.thread_count = code, thread_count
         workers = thread_count - 1
@@ -100,7 +82,7 @@ class Pool:
                 )
                 thread.start()
                 self._threads.append(thread)
-        except RuntimeError as error:  # the system gives no more threads, so there are fewer
+        except RuntimeError as error:  # the system allows no more threads, so there are fewer
             warnings.warn(
                 f"pointloom uses {len(self._threads) + 1} of {thread_count} threads: {error}; "
                 f"{VARIABLE} asks for fewer",
@@ -115,12 +97,12 @@ class Pool:
         self._code.serve(ctypes.byref(self._one), struct.pack("2Q", self._address, worker))
 
     def share(self, forward: int, arguments: int, total: int, first: int) -> None:
-        """Run the threads from `first` on, `total` of them, of the machine code at an address."""
+        """Run threads `first` .. `total` - 1 of the machine code at an address."""
         chunk = total // (CHUNKS_A_THREAD * self.thread_count) or 1
         self._code.share(ctypes.byref(self._one), self._pack(self._address, forward, arguments, total, chunk, first))
 
     def end(self) -> None:
-        """End its threads; no launch is running."""
+        """End the threads; no launch may be running."""
         words = self._words
         words[FIELDS["over"]] = 1
         for worker in range(len(self._threads)):
@@ -130,30 +112,26 @@ class Pool:
 
 
 _pool: Pool | None = None
-_is_chosen = False  # whether the pool, or that there is none, is what the next launch takes too
-_wanted: int | None = None  # by set_thread_count
+_is_chosen = False  # True if the next launch uses the same pool, or none
+_wanted: int | None = None  # set by set_thread_count
 _is_over = False  # the program is ending
 
 
 def default_thread_count() -> int:
-    """The threads of a pool that nobody asks for another number of: the cores that this process may use.
-
-    Raises:
-        ValueError: POINTLOOM_CPU_THREADS is no whole number from 1 on.
-    """
+    """Number of cores of this process, or POINTLOOM_CPU_THREADS. Raises ValueError if that is not an integer >= 1."""
     said = os.environ.get(VARIABLE, "")
     if said:
         if not (said.isascii() and said.isdigit() and 1 <= int(said[:9]) <= MOST_THREADS):
             raise ValueError(f"{VARIABLE}: expected a whole number from 1 to {MOST_THREADS}, got {said[:40]!r}")
         return int(said)
     if sys.platform != "linux":
-        return 1  # the waits of other systems are untried
+        return 1  # the waits of other systems are untested
     cores = len(os.sched_getaffinity(0))
     return max(1, min(cores, _cores_of_group() or cores, MOST_THREADS))
 
 
 def _cores_of_group() -> int:
-    """The cores that the time of this process's control group comes to, rounded up; 0 where it has no bound."""
+    """Cores by the CPU quota of this process's control group, rounded up; 0 if unlimited."""
     try:
         quota, period = Path("/sys/fs/cgroup/cpu.max").read_text().split()
         return 0 if quota == "max" else -(-int(quota) // int(period))
@@ -162,11 +140,6 @@ def _cores_of_group() -> int:
 
 
 def thread_count() -> int:
-    """The threads that launches on the CPU are shared by, the caller's among them.
-
-    Raises:
-        ValueError: As `default_thread_count`.
-    """
     if pool_code() is None:
         return 1
     if _pool is not None:
@@ -175,14 +148,14 @@ def thread_count() -> int:
 
 
 def set_thread_count(count: int | None) -> None:
-    """Share launches by so many threads from the next on, 1 to MOST_THREADS, or None for the default; take the lock."""
+    """Set the number of threads, 1 to MOST_THREADS, or None for the default; take the lock."""
     global _wanted
     _wanted = count
     _end()
 
 
 def pool() -> Pool | None:
-    """The pool, made when it is first asked for; None where launches are this thread's. Take the lock."""
+    """The pool, created on first use; None if launches run on the calling thread. Take the lock."""
     global _pool, _is_chosen
     if not _is_chosen:
         code, count = pool_code(), thread_count()
@@ -200,7 +173,7 @@ def _end() -> None:
 
 @atexit.register
 def _end_with_program() -> None:
-    """Machine code is taken away after this, from under whoever still looks for work in it."""
+    """End the workers before their machine code is unloaded."""
     global _is_over
     _is_over = True
     _end()
@@ -208,7 +181,7 @@ def _end_with_program() -> None:
 
 def _after_fork() -> None:
     global _pool, _is_chosen
-    _pool, _is_chosen = None, False  # its threads did not come along
+    _pool, _is_chosen = None, False  # its threads do not exist in the forked process
 
 
 if hasattr(os, "register_at_fork"):

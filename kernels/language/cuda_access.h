@@ -1,9 +1,5 @@
-// Where an element of an array lies, and which thread a thread is, for the CUDA code that Warp generates of our kernels; it
-// stands after Warp's headers.
-//
-// Our arrays are contiguous (a launch with another is refused) and no index is negative, where Warp's may have strides
-// and count from the end: that costs a product of 64 bits, a comparison and an addition for each element. The overloads
-// are more special than Warp's, so they are found first.
+// Overloads for the CUDA code that Warp generates, included after Warp's headers: arrays are contiguous (launches check
+// it) and indices are not negative, which saves a 64-bit product, a comparison and an addition per element.
 
 namespace wp {
 
@@ -56,8 +52,8 @@ template <typename T> inline CUDA_CALLABLE T atomic_max(const array_t<T>& a, int
     return atomic_max(element(a, i, j), value);
 }
 
-// Warp's divides by the number of threads that share an element, which it reads, and the compiler writes a kernel's whole
-// body twice: once for where they are several. Of ours each has its own.
+// Warp's version divides by the number of threads per element, and the compiler duplicates the kernel's body for more
+// than one. Here each thread has its own element.
 inline CUDA_CALLABLE int tid(size_t index, const launch_bounds_t<1>& bounds) { return int(index); }
 
 }

@@ -1,13 +1,8 @@
-"""CUDA launches that are prepared once: each later launch of a kernel only brings its arguments.
+"""Prepared CUDA launches: later launches of a kernel only pack their arguments.
 
-`wp.launch` takes 20 to 40 us of Python for ours, which have up to 40 arguments once their structures are taken apart.
-Here the first launch on a device is Warp's to look up: the kernel's handle, its grid, its shared memory, and the bytes
-of its arguments. What is packed here has to be the same bytes, else all launches stay Warp's. Later ones take the
-arguments apart by a function that is written for the kernel, pack them into a buffer that the driver reads before it
-returns, and call it.
-
-The written function takes what is plainly right and raises otherwise; arguments.py then says what is wrong, or
-converts what can be.
+`wp.launch` takes 20 to 40 us of Python. Here the first launch records the kernel's handle, grid, shared memory, and
+argument bytes. If the bytes packed here differ, all launches go through Warp. A generated function packs later
+arguments; it raises for unusual ones, which arguments.py then converts or rejects.
 """
 
 from __future__ import annotations
@@ -35,22 +30,13 @@ if TYPE_CHECKING:
 
 Flat = tuple[Any, ...]
 Flattener = Callable[[Sequence[Any]], Flat]
-UNFIT = (TypeError, ValueError, AttributeError, OverflowError, struct.error)  # what packing says of odd arguments
+UNFIT = (TypeError, ValueError, AttributeError, OverflowError, struct.error)  # errors of packing unusual arguments
 _BOUNDS = "I4xQQ"  # the extent, the threads, and how many share a coordinate
 _ALIGNMENT = 8
 
 
 def flattener(types: Sequence[Any], device: Device, places: Sequence[Place] | None = None, count: int = 0) -> Flattener:
-    """The function that takes a kernel's arguments apart: bytes for arrays, vectors and matrices, numbers as they are.
-
-    It raises one of UNFIT, or what an attribute of a structure raises, where an argument is not plainly right.
-
-    Args:
-        types: Of the flat parameters.
-        device: Where the arrays are.
-        places: Where the flat parameters come from; None where they are what is passed.
-        count: How many arguments are passed, with places.
-    """
+    """Function that flattens a kernel's arguments to bytes and numbers; raises UNFIT or AttributeError if unusual."""
     if places is None:
         places, count = [Place(k, ()) for k in range(len(types))], len(types)
     scope: dict[str, Any] = {}
@@ -78,7 +64,6 @@ def flattener(types: Sequence[Any], device: Device, places: Sequence[Place] | No
 
 
 def _vector_reader(annotation: Any) -> Callable[[Any], bytes]:
-    """What reads a vector or a matrix as the bytes that are passed."""
     scalar, shape = wp.dtype_to_numpy(annotation._wp_scalar_type_), tuple(annotation._shape_)
     flat = (annotation._length_,)
 
@@ -94,8 +79,6 @@ def _vector_reader(annotation: Any) -> Callable[[Any], bytes]:
 
 
 class _Buffer:
-    """Room for the arguments of a launch, and the addresses in it that the driver is given."""
-
     def __init__(self, size: int, offsets: Sequence[int]) -> None:
         self.room = ctypes.create_string_buffer(size)
         start = ctypes.addressof(self.room)
@@ -103,21 +86,10 @@ class _Buffer:
 
 
 class CudaLaunch:
-    """A kernel of Warp's on a GPU, loaded there.
-
-    Attributes:
-        is_known: Whether what is packed here is what Warp packs; else all launches are to be Warp's.
-    """
+    """A loaded Warp kernel on a GPU. `is_known` is True if its arguments are packed as Warp does."""
 
     def __init__(self, kernel: Any, device: Any, command: Any, flat: Flat) -> None:
-        """Prepare it.
-
-        Args:
-            kernel: Warp's.
-            device: Warp's.
-            command: A launch of it that Warp has recorded.
-            flat: The arguments of that launch, taken apart.
-        """
+        """Prepare from a recorded Warp launch and its flattened arguments."""
         self._kernel, self._device = kernel, device
         self._idle: _Buffer | None = None
         self.is_known = False
@@ -127,7 +99,7 @@ class CudaLaunch:
 
     def _read(self, command: Any) -> None:
         hooks = command.hooks
-        self._held = command.module_exec  # else Warp might unload what the handle is of
+        self._held = command.module_exec  # else Warp might unload the module of the handle
         self._hooks, self._handle = hooks, hooks.forward
         self._grid = (command.max_blocks, command.block_dim, int(command.grid_stride), command.cluster_dim)
         self._shared = hooks.forward_smem_bytes
@@ -140,7 +112,7 @@ class CudaLaunch:
         self._layout = struct.Struct("=" + "".join(map("".join, zip(parts, gaps, strict=True))))
 
     def _packs_as(self, command: Any, flat: Flat) -> bool:
-        """Whether it makes of these arguments the bytes that Warp has made."""
+        """True if the packed arguments equal Warp's bytes."""
         hooks, bounds = command.hooks, command.bounds
         is_plain = hooks.forward is not None and getattr(hooks.det_launch_meta, "needs_deterministic", False) is False
         if not (is_plain and command.cluster_dim == 1 and len(bounds.shape) == 1 and not command.adjoint):
@@ -150,14 +122,9 @@ class CudaLaunch:
         return given == [bytes(param) for param in command.params]
 
     def __call__(self, thread_count: int, flat: Flat) -> None:
-        """Launch; take the lock.
-
-        Raises:
-            struct.error, OverflowError: A number is out of its range, or none; nothing was launched.
-            RuntimeError: The driver refused.
-        """
-        # Nobody else's while it is filled and read: a signal handler may launch the same kernel in between, and what an
-        # interrupt leaves half filled is not used again.
+        """Launch; take the lock. Raises struct.error or OverflowError (not launched), RuntimeError of the driver."""
+        # Detached while in use: a signal handler may launch the same kernel in between, and an interrupted
+        # launch leaves a half-filled buffer that must not be reused.
         buffer, self._idle = self._idle, None
         if buffer is None:
             buffer = _Buffer(self._layout.size, self._offsets)
@@ -183,29 +150,19 @@ class CudaLaunch:
 
 
 def prepared_launch(kernel: Any, thread_count: int, values: Sequence[Any], device: Any, **options: Any) -> CudaLaunch:
-    """A launch like one by `wp.launch` with these values, one a flat parameter.
-
-    Raises:
-        One of UNFIT: These arguments cannot tell whether it is the same.
-    """
+    """Prepare a launch from `wp.launch` arguments. Raises one of UNFIT if they cannot show whether it is equivalent."""
     flat = flattener([argument.type for argument in kernel.adj.args], device)(values)
     command = wp.launch(kernel, thread_count, values, device=device, record_cmd=True, **options)
     return CudaLaunch(kernel, device, command, flat)
 
 
 class PreparedKernel:
-    """What is prepared of a kernel on a GPU: how its arguments are taken apart, and its launch."""
-
     def __init__(self, take_apart: Flattener, launch: CudaLaunch) -> None:
         self.take_apart, self.launch = take_apart, launch
 
     @classmethod
     def of(cls, kernel: Kernel, thread_count: int, values: Sequence[Any], device: Any) -> PreparedKernel | None:
-        """Prepare it from arguments that it was launched with; None where its launches are to be Warp's.
-
-        Raises:
-            One of UNFIT: As `prepared_launch`.
-        """
+        """Prepare from launch arguments; None if Warp must launch it. Raises one of UNFIT as `prepared_launch`."""
         launch = prepared_launch(kernel.cuda, thread_count, values, device)
         if not launch.is_known:
             return None
@@ -213,8 +170,6 @@ class PreparedKernel:
 
 
 class PreparedSum:
-    """What is prepared of a sum on a GPU: how its arguments are taken apart, and the launches of its two kernels."""
-
     def __init__(self, reduction: Reduction, tiles: CudaLaunch, fold: CudaLaunch, device: Any) -> None:
         self.take_apart = flattener(reduction.types, device, reduction.places, len(reduction.takes))
         self.sums = kind_of(reduction.vector, 1, device)
@@ -222,25 +177,20 @@ class PreparedSum:
 
     @classmethod
     def of(cls, reduction: Reduction, given: Sequence[Any], folded: Sequence[Any], device: Any) -> PreparedSum | None:
-        """Prepare it from what its kernels were launched with; None where its launches are to be Warp's.
-
-        Raises:
-            One of UNFIT: As `prepared_launch`.
-        """
+        """Prepare from the arguments of both kernels; None if Warp must launch them. Raises one of UNFIT."""
         kernels, size = reduction.cuda, REDUCTION_BLOCK
         tiles = prepared_launch(kernels.tiles, size, given, device, block_dim=size)
         fold = prepared_launch(kernels.fold_tiles, size, folded, device, block_dim=size)
         return cls(reduction, tiles, fold, device) if tiles.is_known and fold.is_known else None
 
     def sum(self, count: int, flat: Flat, blocks: int, partials: wp.array, out: wp.array) -> None:
-        """Sum `count` elements of what the arguments are taken apart to; take the lock."""
+        """Sum `count` elements of the flattened arguments; take the lock."""
         parts, total = self.sums.packed(partials), self.sums.packed(out)
         self._tiles(blocks * REDUCTION_BLOCK, (*flat, count, parts))
         self._fold(REDUCTION_BLOCK, (blocks, parts, total))
 
 
 def _format(parameter: Parameter) -> str:
-    """How `struct` packs a parameter."""
     if parameter.is_array:
         return f"{warp_parts.DESCRIPTION_BYTES}s"
     return f"{parameter.size}s" if parameter.is_vector else FORMATS[parameter.scalar]

@@ -1,11 +1,8 @@
-"""Arrays on a GPU without Warp's way there: made, described for kernels, cut into parts, released.
+"""Fast creation, slicing, and release of GPU arrays.
 
-`wp.empty` and the release of what it made take 11 us of Python, for two calls of the driver of less than one; a launch
-builds a C structure for each of its arrays anew. Here an array is a copy of one that Warp has made, with its own place
-in memory, and keeps what a kernel is told of it as the bytes that are passed.
-
-All of it knows how Warp 1.19 keeps an array, as warp_parts.py says: where that is otherwise, or where the program has
-Warp look closer (an allocator of its own, a recording for later processes), Warp does it.
+`wp.empty` and the release take 11 us of Python for two driver calls of less than 1 us. Here arrays are copies of a Warp
+array with their own memory, and cache the bytes passed to kernels. This depends on the internals of Warp 1.19
+(warp_parts.py); Warp itself is used if they differ or if it has hooks.
 """
 
 from __future__ import annotations
@@ -29,15 +26,12 @@ _array: Any = wp.array
 _bare = object.__new__
 
 
-class Unfit(TypeError):  # noqa: N818  no error yet: whoever takes a longer look says whether it is one
-    """An argument is not plainly right."""
+class Unfit(TypeError):  # noqa: N818  not an error yet: a slower check decides
+    ...
 
 
 class Kind:
-    """What arrays of a type and a number of axes on a GPU have in common; one object for each.
-
-    An array that has been looked at has its kind as `kind_`, and what a kernel is told of it as `packed_`.
-    """
+    """GPU arrays of a type and number of axes. Checked arrays cache it as `kind_`, and launch bytes as `packed_`."""
 
     def __init__(self, dtype: Any, axes: int, device: Any) -> None:
         self.dtype, self.axes, self.device = dtype, axes, device
@@ -45,24 +39,16 @@ class Kind:
         self.scalar = np.dtype(wp.dtype_to_numpy(getattr(dtype, "_wp_scalar_type_", dtype)))  # of NumPy
         self.inner = tuple(getattr(dtype, "_shape_", ()))  # of an element
         self.pack = _DESCRIPTIONS[axes].pack
-        self._like: dict[str, Any] | None = None  # what a new array keeps, but for its place and its shape
+        self._like: dict[str, Any] | None = None  # attributes of a new array, except address and shape
 
     def packed(self, array: Any) -> bytes:
-        """What a kernel is told of an array.
-
-        Raises:
-            Unfit: It is not of this kind, has gaps, or a gradient.
-        """
+        """Launch bytes of an array. Raises Unfit for another kind, gaps, or a gradient."""
         if getattr(array, "kind_", None) is not self:
             self.mark(array)
         return array.packed_
 
     def mark(self, array: Any) -> None:
-        """Look at an array, and keep what was found with it.
-
-        Raises:
-            Unfit: As `packed`.
-        """
+        """Check an array and cache the result with it. Raises Unfit as `packed`."""
         is_fit = type(array) is _array and array.dtype is self.dtype and array.ndim == self.axes
         if not (is_fit and array.device is self.device and array.is_contiguous and array._grad is None):
             raise Unfit
@@ -70,11 +56,7 @@ class Kind:
         array.kind_ = self
 
     def new(self, shape: Shape, strides: Shape, size: int) -> Any:
-        """An array with undefined contents; take the lock.
-
-        Raises:
-            RuntimeError: The device has no room for it.
-        """
+        """An uninitialized array; take the lock. Raises RuntimeError if device memory is exhausted."""
         like = self._like
         if like is None:
             releases = _releases_of(self.device)
@@ -97,7 +79,7 @@ class Kind:
         return made
 
     def at(self, whole: Any, address: int | None, shape: Shape, strides: Shape, size: int) -> Any:
-        """An array in the memory of another, which stays alive as long as it does."""
+        """A view of the memory of another array, which it keeps alive."""
         state = whole.__dict__.copy()
         state.update(_OF_PART)
         state["dtype"], state["ndim"], state["kind_"], state["_ref"] = self.dtype, self.axes, self, whole
@@ -113,7 +95,6 @@ _kinds: dict[tuple[Any, int, str], Kind] = {}
 
 
 def kind_of(dtype: Any, axes: int, device: Any) -> Kind:
-    """The kind of such arrays."""
     found = _kinds.get((dtype, axes, device.alias))
     if found is None:
         found = _kinds.setdefault((dtype, axes, device.alias), Kind(dtype, axes, device))
@@ -121,11 +102,7 @@ def kind_of(dtype: Any, axes: int, device: Any) -> Kind:
 
 
 def new(shape: int | Shape, dtype: Any, device: Any) -> Any:
-    """An array on a GPU with undefined contents; None where Warp has to make it, or says what is wrong with its shape.
-
-    Raises:
-        RuntimeError: The device has no room for it.
-    """
+    """An uninitialized GPU array; None if Warp has to create it. Raises RuntimeError if device memory is exhausted."""
     if not warp_parts.makes_arrays_plainly(device):
         return None
     if type(shape) is int:
@@ -147,7 +124,6 @@ def new(shape: int | Shape, dtype: Any, device: Any) -> Any:
 
 
 def rows_of(values: Any, first: int, last: int) -> Any:
-    """Rows `first` to below `last` of an array, as `values[first:last]` gives them."""
     kind, first, last = getattr(values, "kind_", None), int(first), int(last)  # addresses are plain numbers
     if kind is None or not 0 <= first < last <= values.shape[0]:
         return values[first:last]
@@ -157,13 +133,12 @@ def rows_of(values: Any, first: int, last: int) -> Any:
 
 
 def flat(values: Any) -> Any:
-    """An array with one axis in the same memory, as `values.flatten()` gives it."""
     seen = values if values.ndim == 1 else seen_as(values, 0, values.dtype, values.size)
     return values.flatten() if seen is None else seen
 
 
 def seen_as(whole: Any, first: int, dtype: Any, shape: int | Shape) -> Any:
-    """The memory of an array on a GPU from a byte on, as elements of another type; None where Warp has to see it so."""
+    """View of an array's memory from a byte on as another type; None if Warp has to create it."""
     if getattr(whole, "kind_", None) is None or whole.ptr is None:
         return None
     shape = (shape,) if type(shape) is int else tuple(map(int, shape))  # type: ignore[arg-type]
@@ -182,16 +157,16 @@ def _kind_and_strides(dtype: Any, shape: Shape, device: Any) -> tuple[Kind, Shap
 
 
 class _Releases:
-    """Releases the arrays of a GPU in turn with its other work; Warp reads it as their allocator."""
+    """Allocator for Warp that releases GPU arrays under the lock."""
 
-    deallocate_requires_context_guard = False  # the function that releases sets the context itself
+    deallocate_requires_context_guard = False  # the release function sets the context itself
     memory_kind = warp_parts.MEMORY_OF_POOL
 
     def __init__(self, device: Any) -> None:
         self._device = device
 
     def deallocate(self, address: int, size: int) -> None:
-        """Release memory at once, or where another thread is at the device, when the next array is made or dropped."""
+        """Release memory now, or with the next array if another thread has the lock."""
         device_lock.release_in_turn(self._device, self._release, address, size, sets_context=True)
 
     def _release(self, address: int, _: int) -> None:

@@ -1,7 +1,6 @@
-"""Copies on, to and from a GPU without Warp's way there, which takes longer than small ones take the driver.
+"""Fast fills and copies on, to, and from a GPU by Warp's native calls on the same stream.
 
-Each of these does what Warp's function does for arrays without gaps, by the same call of its native library on the
-same stream; where it is not as plain as that, during a recording above all, it does nothing and says so. Take the lock.
+Functions return False or None without any effect if Warp has to do it, such as during a recording. Take the lock.
 """
 
 from __future__ import annotations
@@ -20,13 +19,12 @@ def _kind(values: Any) -> Kind:
 
 
 def _is_plain(values: Any) -> bool:
-    """Whether an array is one of a GPU without gaps, and nobody listens to what is done with it."""
+    """True for a contiguous GPU array without hooks."""
     is_plain = values.is_contiguous and values._grad is None and values.device.is_cuda
     return is_plain and warp_parts.makes_arrays_plainly(values.device)
 
 
 def is_zeroed(values: Any) -> bool:
-    """Set the bytes of an array to zero; False, and nothing done, where Warp has to."""
     if not _is_plain(values):
         return False
     size = values.size * _kind(values).element_bytes
@@ -36,8 +34,8 @@ def is_zeroed(values: Any) -> bool:
 
 
 def is_copied(target: Any, source: Any, count: int, offset: int = 0) -> bool:
-    """Copy the first elements between arrays of a GPU; False, and nothing done, where Warp has to."""
-    count, offset = int(count), int(offset)  # as addresses ctypes takes no numbers of NumPy's
+    """Copy the first elements between GPU arrays."""
+    count, offset = int(count), int(offset)  # ctypes accepts no NumPy numbers as addresses
     if target.device is not source.device or not (_is_plain(target) and source.is_contiguous):
         return False
     width = _kind(target).element_bytes
@@ -50,7 +48,7 @@ def is_copied(target: Any, source: Any, count: int, offset: int = 0) -> bool:
 
 
 def is_written(target: Any, values: NDArray[Any]) -> bool:
-    """Copy the bytes of a NumPy array without gaps, as many as the target has; False where Warp has to."""
+    """Copy the bytes of a contiguous NumPy array, as many as the target has."""
     device = target.device
     if not _is_plain(target) or device.captures or not values.flags.c_contiguous:
         return False
@@ -64,7 +62,7 @@ def is_written(target: Any, values: NDArray[Any]) -> bool:
 
 
 def is_sent(target: Any, source: Any) -> bool:
-    """Copy an array of a GPU to one of pinned memory on the host, of its type; False where Warp has to."""
+    """Copy a GPU array to a pinned host array of the same type."""
     device = source.device
     if not _is_plain(source) or not source.size or target.dtype is not source.dtype or target.size != source.size:
         return False
@@ -73,7 +71,7 @@ def is_sent(target: Any, source: Any) -> bool:
 
 
 def fetched(values: Any) -> NDArray[Any] | None:
-    """An array of a GPU on the host (sync); None where Warp has to do it."""
+    """Copy a GPU array to the host (sync)."""
     device = values.device
     if not _is_plain(values) or device.captures or not values.size:
         return None

@@ -1,4 +1,4 @@
-"""The library of CUDA's driver: what Warp has no function for."""
+"""The CUDA driver library, for functions that Warp does not wrap."""
 
 from __future__ import annotations
 
@@ -12,11 +12,7 @@ _NAMES = ("nvcuda.dll",) if os.name == "nt" else ("libcuda.so", "libcuda.so.1") 
 
 @cache
 def driver() -> Any:
-    """The driver's library, which Warp has open; its functions return CUDA's number of an error, 0 for none.
-
-    Raises:
-        OSError: There is none.
-    """
+    """The driver library that Warp has loaded; functions return CUDA error codes. Raises OSError if there is none."""
     for name in _NAMES[:-1]:
         try:
             return ctypes.cdll.LoadLibrary(name)

@@ -1,9 +1,7 @@
-"""Types of the shared kernel language, inferred before either compiler sees a function.
+"""Type inference for the kernel language, before compilation.
 
-Warp mixes no types; Taichi converts in silence, so a kernel tried on the CPU alone would fail at its first CUDA
-compile, or compute in another precision there. Every mixture that is known to be one is refused here, with file, line
-and remedy. Where a type is not known (a function that is still outside the vocabulary), inference stays silent and
-Warp's own check has the last word.
+Warp does not mix types, and Taichi converts silently, so known mixtures are rejected here with file, line and remedy.
+If a type is unknown, the check is left to Warp.
 """
 
 from __future__ import annotations
@@ -39,30 +37,23 @@ BITWISE = (ast.LShift, ast.RShift, ast.BitAnd, ast.BitOr, ast.BitXor)
 
 
 class Scope(NamedTuple):
-    """What a function's names stand for, as lang.py knows it."""
-
     constant: Callable[[str], int | float | bool | None]
     type_named: Callable[[str], Type | None]  # of a constructor
     builtin_named: Callable[[str], str | None]
     signature: Callable[[str], tuple[list[Inferred], Inferred] | None]  # parameters and result of a device function
-    fail: Callable[..., Any]  # raises, with a node and a message
+    fail: Callable[..., Any]  # raises an error, given a node and a message
 
 
 class Inference:
-    """One pass over a function's statements."""
-
     def __init__(self, scope: Scope, parameters: dict[str, Inferred], declared: Inferred) -> None:
         self.scope, self.fail = scope, scope.fail
         self.known: dict[str, Inferred] = dict(parameters)
         self.declared, self.returned = declared, None
-        self.truths: set[str] = set()  # variables that began as True or False
+        self.truths: set[str] = set()  # variables initialized with True or False
         self.numbers = BareNumbers(self.infer)
-        self.uses: dict[str, bool] = {}  # module constants: whether they stand in a 64-bit constructor
-
-    # -------------------------------------------------------------------------------------------- statements
+        self.uses: dict[str, bool] = {}  # module constants: True if used in a 64-bit constructor
 
     def run(self, statements: list[ast.stmt], depth: int = 0) -> None:
-        """Check statements in order."""
         for statement in statements:
             match statement:
                 case ast.Assign(targets=[target]):
@@ -145,10 +136,8 @@ class Inference:
         if isinstance(kind := self.infer(test), Type) and kind.shape:
             self.fail(test, f"a {kind} is neither true nor false: compare its components")
 
-    # -------------------------------------------------------------------------------------------- expressions
-
     def infer(self, node: ast.expr) -> Inferred:
-        """The type of an expression, None where it is not known."""
+        """Type of an expression, or None if unknown."""
         match node:
             case ast.Constant(value=bool()):
                 return BOOL
@@ -203,7 +192,7 @@ class Inference:
         return FLOAT if isinstance(value, float) else None
 
     def _use(self, node: ast.expr, name: str, *, wide: bool) -> None:
-        """Refuse a constant in two widths: Warp 1.19 gives all uses in a function the type of one of them."""
+        """Reject a constant in two widths: Warp 1.19 gives all its uses in a function one type."""
         if self.scope.constant(name) is not None and self.uses.setdefault(name, wide) != wide:
             self.fail(node, f"{name} is used in 32 bits and in 64 bits here: give one of them a constant of its own")
 
@@ -246,7 +235,7 @@ class Inference:
         return left
 
     def _product(self, node: ast.BinOp, left: Type, right: Type) -> Type:
-        """`op` where one side at least is a vector or matrix."""
+        """Type of `op` with at least one vector or matrix."""
         op, symbol = type(node.op), SYMBOLS[type(node.op)]
         if op is ast.MatMult:
             if len(left.shape) + len(right.shape) < 3 or not left.shape or not right.shape:
@@ -288,7 +277,7 @@ class Inference:
 
     def _subscript(self, node: ast.Subscript) -> Inferred:
         if isinstance(node.value, ast.Attribute):
-            return INT  # array.shape[k], as rules.py has checked
+            return INT  # array.shape[k], checked by rules.py
         base = self.infer(node.value)
         indices = node.slice.elts if isinstance(node.slice, ast.Tuple) else [node.slice]
         for index in indices:
@@ -313,7 +302,7 @@ class Inference:
         return None
 
     def _refuse_effects(self, parts: list[ast.expr]) -> None:
-        """Taichi runs the body of a function before it looks at the condition that the call hangs on."""
+        """Reject side effects: Taichi evaluates a call before the condition that guards it."""
         for call in (n for n in nodes_of(parts) if isinstance(n, ast.Call)):
             assert isinstance(call.func, ast.Name)
             signature = self.scope.signature(call.func.id)
@@ -321,8 +310,6 @@ class Inference:
             builtin = self.scope.builtin_named(call.func.id) or ""
             if takes_array or builtin.startswith("atomic_") or builtin in LANES:
                 self.fail(call, f"{call.func.id}(...) would run in any case: call it in an `if` statement or before")
-
-    # -------------------------------------------------------------------------------------------- calls
 
     def _call(self, node: ast.Call) -> Inferred:
         assert isinstance(node.func, ast.Name)
@@ -356,7 +343,7 @@ class Inference:
             value = self._constant(argument) if not isinstance(argument, ast.BinOp) else None
             if value is not None and (names := [n.id for n in nodes_of([argument]) if isinstance(n, ast.Name)]):
                 wide = target.scalar in WIDE
-                if not (wide and target.shape):  # a vector's constructor leaves its constants as they are
+                if not (wide and target.shape):  # a vector constructor leaves its constants unchanged
                     self._use(argument, names[0], wide=wide and isinstance(argument, ast.Name))
             if isinstance(value, int) and target.scalar in RANGES:
                 bits, signed = RANGES[target.scalar], target.scalar[0] == "i"

@@ -1,12 +1,8 @@
-"""What a process finds out about a kernel for the CPU, kept for the next, which launches it without reading its text.
+"""Cache of prepared CPU kernels: later processes launch them without parsing their source.
 
-To read and check the kernels of a file, write out their loops and hand them to Warp, which finds by their hash what it
-compiled before, takes a process 20 to 100 ms a file: twice what registering two small clouds takes. All of it follows
-from the sources of kernels, from Warp and from the kind of processor. So here are kept, under a digest of those, where
-a kernel's machine code lies, what each of its parameters comes from, and how its arguments are packed: one small file
-for each file of kernels, beside Warp's own cache of kernels.
-
-A kernel that is not found here, or whose machine code is gone, goes the long way. Kernels of other packages always do.
+Parsing, checking, and hashing takes 20 to 100 ms per file of kernels. This cache stores, per file and under a digest of
+the kernel sources, Warp, and the processor, where a kernel's machine code is and how its arguments are packed. Kernels
+of other packages are not cached.
 """
 
 from __future__ import annotations
@@ -28,20 +24,13 @@ from .compiled_ahead import digest_of_sources
 from .structs import Place
 
 FOLDER = "pointloom-kept"  # in Warp's cache
-MOST_FOLDERS = 8  # of other sources or processors, before the oldest goes
+MOST_FOLDERS = 8  # folders of other sources or processors, before the oldest is removed
 PACKAGE = __name__.rpartition(".language.")[0]
 
 
 class Kept(NamedTuple):
-    """A kernel as an earlier process found it.
-
-    Attributes:
-        places: Where each flat parameter comes from.
-        plan: A letter a parameter of the machine code: "a" for an array, "v" for a vector or matrix, "s" for a number.
-        layout: The format in which arguments are packed, of `struct`.
-        symbol: The machine code's name.
-        machine_code: The file that it is in.
-    """
+    """A cached kernel: sources of the flat parameters, a letter per parameter (a: array, v: vector or matrix, s:
+    scalar), the `struct` format of the arguments, symbol, and file of machine code."""
 
     places: list[Place]
     plan: str
@@ -51,16 +40,16 @@ class Kept(NamedTuple):
 
 
 def find(module: str, name: str) -> Kept | None:
-    """A kernel or sum by the module that it is written in; None where nothing is kept."""
+    """Cached kernel or sum of a module, or None."""
     entry = _read(module).get(name)
     try:
         return entry and Kept([Place(k, tuple(path)) for k, path in entry[0]], *entry[1:])
-    except (TypeError, ValueError):  # of other making
+    except (TypeError, ValueError):  # of another version
         return None
 
 
 def keep(module: str, name: str, kept: Kept) -> None:
-    """Keep a kernel for later processes, where the folder can be written to."""
+    """Store a kernel for later processes if the folder is writable."""
     path = _path(module)
     if path is None:
         return
@@ -75,7 +64,7 @@ def keep(module: str, name: str, kept: Kept) -> None:
 
 
 def address_of(kept: Kept) -> int:
-    """The address of a kernel's machine code, which is loaded; 0 where it is gone, or this Warp loads it otherwise."""
+    """Address of a kernel's loaded machine code; 0 if it is missing or this Warp loads it differently."""
     try:
         llvm = wp._src.context.runtime.llvm
         handle = _handle(kept.machine_code)
@@ -85,7 +74,7 @@ def address_of(kept: Kept) -> int:
 
 
 def machine_code_of(kernel: Any) -> str:
-    """The file of a kernel's machine code in Warp's cache; empty where there is none, or more than one."""
+    """File of a kernel's machine code in Warp's cache; empty unless there is exactly one."""
     name = kernel.module.get_module_identifier(block_dim=1)
     found = [str(path) for path in (Path(wp.config.kernel_cache_dir or ".") / name).glob(f"{name}*.o")]
     return found[0] if len(found) == 1 else ""
@@ -93,7 +82,7 @@ def machine_code_of(kernel: Any) -> str:
 
 @cache
 def _handle(machine_code: str) -> bytes:
-    """The name by which Warp's loader knows a file, which it has loaded; empty where it does not take it."""
+    """Name of a loaded file in Warp's loader; empty if it cannot be loaded."""
     if not is_intact(Path(machine_code)):
         return b""
     handle = f"pointloom_{Path(machine_code).stem}".encode()
@@ -112,7 +101,6 @@ def _read(module: str) -> dict[str, Any]:
 
 
 def _path(module: str) -> Path | None:
-    """The file that keeps a module's kernels; None where none is kept."""
     folder = _folder()
     return (
         folder / f"{module.removeprefix(PACKAGE + '.')}.json" if folder and module.startswith(f"{PACKAGE}.") else None
@@ -121,7 +109,6 @@ def _path(module: str) -> Path | None:
 
 @cache
 def _folder() -> Path | None:
-    """The folder of these sources, this Warp and this processor."""
     try:
         parts = [digest_of_sources(), cpu_code.header(), wp.get_cpu_kernel_cache_key(cpu_compiler_flags=cpu_code.FLAGS)]
     except (AttributeError, OSError):

@@ -1,9 +1,8 @@
-"""Numbers as they are written in device code: each takes a type here, before either compiler sees it.
+"""Types of number literals in device code, inserted before compilation.
 
-A number takes the type of what it stands beside, a whole one that of integers, one with a point that of floats: both
-compilers see `w * 0.5` of a float64 as `w * float64(0.5)`. One that begins a variable is that variable and no constant
-where a branch or loop changes it later: they see `count = 0` as `count = int(0)`. Warp unrolls a loop over a constant,
-and refuses to change one; `int64(CONST)` is even the constant itself to it, so a variable that begins so is its copy.
+A literal takes the type of its neighbor: `w * 0.5` of a float64 becomes `w * float64(0.5)`. A variable that starts as a
+literal and changes later becomes `int(0)`, since Warp unrolls loops over constants and rejects changes to them. To
+Warp, `int64(CONST)` is the constant itself, so it is copied.
 """
 
 from __future__ import annotations
@@ -20,7 +19,7 @@ _WHOLE = RANGES.keys() - {INT.scalar}
 
 
 def number_of(node: ast.expr) -> int | float | None:
-    """The value of a bare number, with or without a minus; None of anything else."""
+    """Value of a literal with optional minus, else None."""
     if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
         value = number_of(node.operand)
         return None if value is None else -value
@@ -29,7 +28,6 @@ def number_of(node: ast.expr) -> int | float | None:
 
 
 def typed(name: str, node: ast.expr) -> ast.Call:
-    """A constructor around an expression."""
     call = ast.copy_location(ast.Call(ast.Name(name, ast.Load()), [node], []), node)
     return ast.fix_missing_locations(call)
 
@@ -42,7 +40,7 @@ _FOLDS: dict[type, Callable[[int, int], int]] = {
 
 
 def constant_of(node: ast.expr, named: Callable[[str], int | float | bool | None]) -> int | float | None:
-    """The number that an expression of literals and module constants stands for, where it is one number."""
+    """Value of an expression of literals and module constants, if it is one number."""
     match node:
         case ast.Constant(value=int() | float() as value) if not isinstance(value, bool):
             return value
@@ -60,18 +58,11 @@ def constant_of(node: ast.expr, named: Callable[[str], int | float | bool | None
 
 
 class BareNumbers:
-    """Gives bare numbers their types.
-
-    Attributes:
-        widened: The types that were given.
-    """
-
     def __init__(self, infer: Callable[[ast.expr], Inferred]) -> None:
         self.infer = infer
         self.widened: set[str] = set()
 
     def given(self, node: ast.expr, scalar: str) -> ast.expr:
-        """A bare number with a type, where it takes that; anything else as it is."""
         kind = type(number_of(node))
         if (kind is int and scalar in _WHOLE) or (kind is float and scalar == "float64"):
             self.widened.add(scalar)
@@ -79,12 +70,11 @@ class BareNumbers:
         return node
 
     def fit(self, node: ast.expr, target: ast.expr) -> ast.expr:
-        """An expression for a variable that is there, or for an element: a bare number is given its type."""
         kind = self.infer(target) if number_of(node) is not None else None
         return self.given(node, kind.scalar) if isinstance(kind, Type) and not kind.shape else node
 
     def beside(self, parts: list[ast.expr]) -> list[Inferred]:
-        """The types of parts that stand beside each other; the bare numbers among them are given that of the others."""
+        """Types of operands; literals take the type of the others."""
         kinds = [None if number_of(part) is not None else self.infer(part) for part in parts]
         scalars = {kind.scalar for kind in kinds if isinstance(kind, Type)}
         for k, part in enumerate(parts):
@@ -95,18 +85,14 @@ class BareNumbers:
 
 
 class Changed(NamedTuple):
-    """The variables that some statements set, and those that loops among them set."""
+    """Variables assigned in statements, and those assigned in loops among them."""
 
     anywhere: set[str]
     in_loops: set[str]
 
 
 class Beginnings:
-    """Writes what begins as a constant and is changed later as a variable.
-
-    Attributes:
-        count: How many were written.
-    """
+    """Turns constants that change later into variables; `count` is their number."""
 
     def __init__(
         self, constant: Callable[[str], int | float | bool | None], type_named: Callable[[str], Type | None]
@@ -115,7 +101,7 @@ class Beginnings:
         self.count = 0
 
     def write(self, statements: list[ast.stmt]) -> Changed:
-        """Go through statements from the last to the first; what they change."""
+        """Process statements in reverse order. Return the variables that they change."""
         inner = Changed(set(), set())  # by the branches and loops among them
         own: set[str] = set()
         for statement in reversed(statements):
@@ -146,7 +132,7 @@ class Beginnings:
         self.count += 1
 
     def _small(self, node: ast.expr) -> Type | None:
-        """The type of a bare number or a constant with a minus, which Warp knows as constants."""
+        """Type of a literal or a negated constant, which Warp treats as constants."""
         value = number_of(node)
         if value is None and isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
             value = self.constant(node.operand.id) if isinstance(node.operand, ast.Name) else None

@@ -1,8 +1,7 @@
-"""Loops with a name, written out before the compilers see the function.
+"""Named loops (`@loop` generators), inlined before compilation.
 
-`@loop` marks a function with `yield`: a walk that is written once and used as `for j in points_in_reach(...)`. The walk
-stands where the `for` stood, its body where the `yield` stood. An argument that is a name stays the caller's variable:
-what the body changes, the walk sees. Calls that give functions to functions are written out in the same pass.
+`for j in points_in_reach(...)` is replaced by the generator's code, with the body in place of `yield`. Arguments that
+are names stay the caller's variables: the loop sees changes by the body. Callbacks are resolved in the same pass.
 """
 
 from __future__ import annotations
@@ -23,7 +22,7 @@ YIELDED = f"yielded{JOINT}"
 
 
 def check_loop(definition: ast.FunctionDef, fail: Fail) -> None:
-    """Refuse a walk that cannot be written out."""
+    """Reject a loop that cannot be inlined."""
     statements = body_of(definition)
     nodes = nodes_of(statements)
     yields = [n.value for n in nodes if isinstance(n, ast.Expr) and isinstance(n.value, ast.Yield)]
@@ -44,7 +43,7 @@ def check_loop(definition: ast.FunctionDef, fail: Fail) -> None:
 
 
 def with_assignments(definition: ast.FunctionDef) -> ast.FunctionDef:
-    """The walk with what it hands out in variables, for the checks of names and types."""
+    """Replace `yield` by assignments, for the checks of names and types."""
 
     class Kept(ast.NodeTransformer):
         def visit_Expr(self, node: ast.Expr) -> Any:
@@ -63,31 +62,21 @@ def _yielded(node: ast.Yield) -> list[ast.expr]:
 
 
 class Expected(NamedTuple):
-    """What a loop was given, and what it takes."""
-
-    value: ast.expr  # as the flat function has it
+    value: ast.expr  # as in the flat function
     wanted: Any
     place: str
 
 
 class Words(NamedTuple):
-    """What a name may stand for, as lang.py knows it."""
-
     is_loop: Callable[[Any], bool]
     is_builtin: Callable[[Any], bool]
     builtin_name: Callable[[Any], str]
     is_partial: Callable[[Any], bool]
-    specialise: Callable[[Any, dict[str, Given]], Any]  # the function that a `@func` is for these callbacks
+    specialise: Callable[[Any, dict[str, Given]], Any]  # the function of a `@func` for these callbacks
 
 
 class Writer(ast.NodeTransformer):
-    """Writes out the loops of a function, and gives each callback its function.
-
-    Attributes:
-        names: What the text that is written out needs beside the function's own names.
-        expected: What loops were given for numbers, vectors and arrays.
-        count: How much was written out.
-    """
+    """Inlines loops and callbacks: `names` are added globals, `expected` loop arguments, `count` inlined calls."""
 
     def __init__(
         self, definition: ast.FunctionDef, written: dict[str, Any], scope: dict[str, Any], words: Words, fail: Fail
@@ -99,7 +88,6 @@ class Writer(ast.NodeTransformer):
         self.count = 0
 
     def has_work(self, function: Callable) -> bool:
-        """Whether a function names a loop, or a function that takes functions."""
         for value in (self.scope.get(name) for name in function.__code__.co_names):
             written = getattr(getattr(value, "source", None), "written", {})
             if self.words.is_loop(value) or callback in written.values():
@@ -107,7 +95,6 @@ class Writer(ast.NodeTransformer):
         return False
 
     def write(self, statements: list[ast.stmt]) -> list[ast.stmt]:
-        """The statements with all loops written out."""
         found: list[ast.stmt] = []
         for statement in statements:
             written = self.visit(statement)
@@ -115,11 +102,10 @@ class Writer(ast.NodeTransformer):
         return found
 
     def look_up(self, name: str) -> Any:
-        """What a name stands for."""
         return None if name in self.taken else self.names.get(name, self.scope.get(name))
 
     def alias(self, node: ast.AST, name: str, value: Any, owner: str) -> str:
-        """A name in this function for what `name` stands for in another."""
+        """Name in this function for the value of `name` in another."""
         if self.words.is_builtin(value):
             if self.scope.get(name) is not value or name in self.taken:
                 if name in self.taken or name in self.scope or self.words.builtin_name(value) != name:
@@ -128,7 +114,7 @@ class Writer(ast.NodeTransformer):
                     )
                 self.names[name] = value
             return name
-        is_constant = type(value) in (int, float)  # it may stand in other widths here, which one name may not
+        is_constant = type(value) in (int, float)  # it may have several widths here, which one name must not
         if name not in self.taken and self.scope.get(name) is value and not is_constant:
             return name
         alias = f"{name}{JOINT}{owner}"
@@ -136,10 +122,7 @@ class Writer(ast.NodeTransformer):
             alias += "0"
         return alias
 
-    # -------------------------------------------------------------------------------------------- loops
-
     def visit_For(self, node: ast.For) -> Any:
-        """`for x in walk(...)`."""
         called = node.iter.func if isinstance(node.iter, ast.Call) else None
         loop = self.look_up(called.id) if isinstance(called, ast.Name) else None
         if not self.words.is_loop(loop):
@@ -196,10 +179,10 @@ class Writer(ast.NodeTransformer):
         for part in nodes_of((*before, *written)):
             if id(part) not in own and "lineno" in part._attributes:
                 ast.copy_location(part, node)
-        return self.write([*before, *written])  # the walk's own loops, and its calls of functions that take functions
+        return self.write([*before, *written])  # the loop's inner loops, and its calls of functions with callbacks
 
     def _renamed(self, walk: list[ast.stmt], target: ast.expr) -> dict[str, str]:
-        """The walk's variables that take the name of the caller's: those that are set for each `yield` anew."""
+        """Loop variables that take the caller's name: those assigned anew for each `yield`."""
         yields = [n for n in nodes_of(walk) if isinstance(n, ast.Yield)]
         targets = target.elts if isinstance(target, ast.Tuple) else [target]
         values = _yielded(yields[0])
@@ -223,10 +206,7 @@ class Writer(ast.NodeTransformer):
                 reason = "has more loops or more to do" if word == "break" else "does more behind its `yield`"
                 self.fail(jump, f"no `{word}` out of this walk, which {reason}: keep a flag")
 
-    # -------------------------------------------------------------------------------------------- callbacks
-
     def visit_Call(self, node: ast.Call) -> ast.AST:
-        """A call of a function that takes functions."""
         self.generic_visit(node)
         if not isinstance(node.func, ast.Name):
             return node
@@ -264,7 +244,7 @@ class Writer(ast.NodeTransformer):
 
 
 def _path(node: ast.expr) -> tuple[str, ...]:
-    """The names of `tree.curve.codes`; none of anything that is not written so."""
+    """Names of a path such as `tree.curve.codes`, else empty."""
     if isinstance(node, ast.Name):
         return (node.id,)
     path = _path(node.value) if isinstance(node, ast.Attribute) else ()
@@ -272,14 +252,11 @@ def _path(node: ast.expr) -> tuple[str, ...]:
 
 
 class _Splice(ast.NodeTransformer):
-    """Puts the body where the `yield` stands, and the caller's names where the walk's stand."""
-
     def __init__(self, inner: dict[str, str], put: dict[str, ast.expr], given: dict[str, Given], node: ast.For) -> None:
         self.inner, self.put, self.given, self.node = inner, put, given, node
         self.spliced: list[ast.stmt] = []
 
     def visit_Expr(self, node: ast.Expr) -> Any:
-        """The body in the place of the `yield`."""
         if not isinstance(node.value, ast.Yield):
             self.generic_visit(node)
             return node
@@ -294,19 +271,17 @@ class _Splice(ast.NodeTransformer):
         return [*handed, *body]
 
     def visit_Name(self, node: ast.Name) -> ast.AST:
-        """A name of the walk."""
         if node.id in self.put:
             return copy.deepcopy(self.put[node.id])
         node.id = self.inner.get(node.id, node.id)
         return node
 
     def visit_Call(self, node: ast.Call) -> ast.AST:
-        """A call of a callback, or one that hands it on."""
         return with_callbacks(self, node, self.given)
 
 
 def _jumps(statements: list[ast.stmt]) -> list[ast.stmt]:
-    """The `break` and `continue` that belong to the loop around these statements."""
+    """`break` and `continue` statements that belong to the enclosing loop."""
     found: list[ast.stmt] = []
     for statement in statements:
         if isinstance(statement, ast.Break | ast.Continue):
@@ -317,13 +292,13 @@ def _jumps(statements: list[ast.stmt]) -> list[ast.stmt]:
 
 
 def _is_set_anew(walk: list[ast.stmt], name: str) -> bool:
-    """Whether all that sets a variable stands in a loop and before the `yield`."""
+    """True if a variable is assigned only in a loop before the `yield`."""
     steps = list(_steps(walk, name, in_loop=False))
     return None in steps and all(step is None or step for step in steps) and True not in steps[steps.index(None) :]
 
 
 def _steps(statements: list[ast.stmt], name: str, *, in_loop: bool) -> Iterator[bool | None]:
-    """In the order of the text: None for a `yield`; for what sets the variable, whether it stands in a loop."""
+    """In text order: None for a `yield`; for an assignment, whether it is in a loop."""
     for statement in statements:
         if isinstance(statement, ast.If | ast.For | ast.While):
             if isinstance(statement, ast.For) and name in stored_names([ast.Expr(statement.target)]):
@@ -337,11 +312,7 @@ def _steps(statements: list[ast.stmt], name: str, *, in_loop: bool) -> Iterator[
 
 
 def _may_jump(statements: list[ast.stmt], word: str, loops: int = 0, *, last: bool = True) -> bool:
-    """Whether a jump out of the body at each `yield` loses nothing of the walk.
-
-    A `continue` does not where the `yield` is the last statement of its loop; a `break` where it stands in one loop,
-    and nothing comes after that.
-    """
+    """True if a jump at each `yield` skips nothing: `continue` at the end of a loop, `break` if nothing follows it."""
     yielding = [k for k, statement in enumerate(statements) if _yields(statement)]
     if word == "break" and len(yielding) > 1:
         return False

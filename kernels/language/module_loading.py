@@ -1,7 +1,6 @@
-"""A module of kernels is made ready for a device: compiled ahead, kept from an earlier run, or compiled now.
+"""Load a module of kernels: from the archive, the cache, or by compiling.
 
-Warp keeps what it compiles in a folder that all processes of a user share, and writes each module whole or not at all;
-but processes that start together would each compile the same. Here one does, and the others wait for it.
+Processes share Warp's cache folder. One process compiles a module while the others wait.
 """
 
 from __future__ import annotations
@@ -25,22 +24,17 @@ from .notices import compiling
 
 try:
     import fcntl
-except ImportError:  # not a POSIX system: no turns
+except ImportError:  # not a POSIX system: no locks
     fcntl = None
 
-LOCKS = "pointloom.lock"  # in Warp's cache; a byte a module
-LONGEST_WAIT = 300.0  # [s] beyond it a process compiles for itself: who has the turn may have been stopped
-PAUSE = 0.01  # [s] between two looks
+LOCKS = "pointloom.lock"  # in Warp's cache; a byte per module
+LONGEST_WAIT = 300.0  # [s] before a process compiles itself: the lock's owner may have been stopped
+PAUSE = 0.01  # [s] between polls
 
 
 def load_module(module: Any, device: Device) -> None:
-    """Make a module of Warp's ready for launches on a device; take the lock first.
-
-    Args:
-        module: Warp's, all its kernels made.
-        device: Warp's.
-    """
-    block_dim = 1 if device.is_cpu else module.options["block_dim"]  # as launches have it
+    """Load a Warp module for a device; take the lock first."""
+    block_dim = 1 if device.is_cpu else module.options["block_dim"]  # as in launches
     if (device.context, block_dim) in module.execs:
         return
     place = "cpu" if device.is_cpu else f"sm{device.arch}"
@@ -50,18 +44,14 @@ def load_module(module: Any, device: Device) -> None:
 
 
 def _load_or_compile(module: Any, device: Device, block_dim: int) -> None:
-    """Load what an earlier process has left of a module if it is intact, or compile the module.
-
-    Raises:
-        CacheError: It is not there, and cannot be written.
-    """
+    """Load an intact cached module, or compile it. Raises CacheError if the cache is not writable."""
     files = _files_of(module, device, block_dim)
     if is_intact(*files):
         try:
             module.load(device, block_dim)
             return
         except Exception as error:
-            if type(error) is not Exception:  # Warp's own has no other type
+            if type(error) is not Exception:  # Warp raises no more specific type
                 raise
     named = wp.config.kernel_cache_dir
     if not discard(*files) or not is_writable(named or ".", ROOM):
@@ -79,7 +69,6 @@ def _load_or_compile(module: Any, device: Device, block_dim: int) -> None:
 
 
 def _files_of(module: Any, device: Device, block_dim: int) -> tuple[Path, Path]:
-    """What Warp makes of a module, in its cache."""
     folder = Path(wp.config.kernel_cache_dir or ".", module.get_module_identifier(block_dim))
     name = module._get_compile_output_name(device, block_dim=block_dim)
     return folder / name, folder / module._get_meta_name(block_dim=block_dim)
@@ -98,8 +87,8 @@ def _is_loaded_from_archive(module: Any, device: Device, block_dim: int) -> bool
         return False
     try:
         module.load(device, block_dim, files.binary, files.architecture, files.meta)
-    except Exception as error:  # Warp's own has no other type
-        discard(files.binary)  # else Warp would take it for its own
+    except Exception as error:  # Warp raises no more specific type
+        discard(files.binary)  # else Warp would use it
         compiled_ahead.refuse(found.path, f"{device.alias} does not take {files.binary.name}: {error}")
         return False
     return True
@@ -107,20 +96,17 @@ def _is_loaded_from_archive(module: Any, device: Device, block_dim: int) -> bool
 
 @contextlib.contextmanager
 def turn_of(name: str) -> Iterator[None]:
-    """Let one process at a time do what is named; go on without a turn where that cannot be had.
-
-    The system ends a turn with its process, however that ends.
-    """
+    """Let one process at a time do the named work, without a lock if unsupported; it ends with the process."""
     descriptor = -1
     try:
-        with contextlib.suppress(OSError):  # a folder of others, or one that cannot be written to
+        with contextlib.suppress(OSError):  # a folder of another user, or not writable
             path = Path(wp.config.kernel_cache_dir or ".") / LOCKS
             descriptor = os.open(path, os.O_RDWR | os.O_CREAT | getattr(os, "O_CLOEXEC", 0), 0o666)
             _wait_for_turn(descriptor, zlib.crc32(name.encode()))
         yield
     finally:
         if descriptor >= 0:
-            os.close(descriptor)  # which ends the turn
+            os.close(descriptor)  # which releases the lock
 
 
 def _wait_for_turn(descriptor: int, position: int) -> None:
@@ -129,7 +115,7 @@ def _wait_for_turn(descriptor: int, position: int) -> None:
         try:
             fcntl.lockf(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB, 1, position)
             return
-        except (BlockingIOError, PermissionError):  # another has it; systems differ in the word
+        except (BlockingIOError, PermissionError):  # locked by another process; the error code depends on the system
             if time.monotonic() > end:
                 return
             time.sleep(PAUSE)

@@ -1,9 +1,6 @@
-"""Says that a kernel is being compiled, where that takes long: records of the logger "pointloom" at level INFO.
+"""Log record (INFO, logger "pointloom") for a kernel whose compilation lasts longer than `PATIENCE`.
 
-A kernel is compiled at its first launch on a machine, and later processes fetch it from the compilers' caches. What
-makes it ready knows which it is, and calls `compiling` where it is not there: a compilation is announced when it has
-lasted `PATIENCE`, a slow machine that only loads is not. Taichi lets no other thread run while it compiles: there the
-record comes right after.
+Loading from a cache is not announced. Taichi blocks other threads while it compiles, so its record comes afterwards.
 """
 
 from __future__ import annotations
@@ -16,13 +13,13 @@ from collections.abc import Iterator
 
 LOGGER = logging.getLogger("pointloom")
 COMPILES = {"compiles": True}  # of a record, for handlers
-PATIENCE = 1.0  # [s] shorter waits are nobody's concern
+PATIENCE = 1.0  # [s] shorter waits are not reported
 
-_current = threading.local()  # the first launch that this thread is in, if any
+_current = threading.local()  # first launch in progress on this thread, if any
 
 
 class FirstLaunch:
-    """A kernel's first launch in this process: says that it is compiled, once it is known to be and has lasted."""
+    """First launch of a kernel: logs a compilation that takes long."""
 
     def __init__(self, name: str):
         self._name, self._began = name, 0.0
@@ -34,14 +31,12 @@ class FirstLaunch:
         LOGGER.info("compiling %s for its first use on this machine", self._name, extra=COMPILES)
 
     def compiling(self) -> None:
-        """It is compiled from now on."""
         if not self._began:
             self._began = time.monotonic()
-            with contextlib.suppress(RuntimeError):  # the system refuses a thread: then it is said afterwards
+            with contextlib.suppress(RuntimeError):  # the system refuses a thread: the record comes afterwards
                 self._timer.start()
 
     def end(self) -> None:
-        """It is over."""
         self._timer.cancel()
         if self._timer.is_alive():
             self._timer.join()
@@ -52,7 +47,6 @@ class FirstLaunch:
 
 @contextlib.contextmanager
 def announced(name: str) -> Iterator[bool]:
-    """Announce a kernel's first launch, if it is compiled and that lasts; gives True."""
     outer, launch = getattr(_current, "launch", None), FirstLaunch(name)
     _current.launch = launch
     try:
@@ -63,7 +57,7 @@ def announced(name: str) -> Iterator[bool]:
 
 
 def compiling() -> None:
-    """Something is compiled from now on, and not fetched from a cache."""
+    """Note that the current kernel is compiled, not loaded from a cache."""
     launch = getattr(_current, "launch", None)
     if launch is not None:
         launch.compiling()

@@ -1,4 +1,4 @@
-"""A property that is computed when it is first asked for, once, whatever threads ask."""
+"""A thread-safe cached property."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Value = TypeVar("Value")
 
 @contextlib.contextmanager
 def without_collections() -> Iterator[None]:
-    """Hold the garbage collector: what is made here stays, and walking over it takes a third of the time."""
+    """Suspend the garbage collector, which would take a third of the time here."""
     was_on = gc.isenabled()
     gc.disable()
     try:
@@ -25,11 +25,7 @@ def without_collections() -> Iterator[None]:
 
 
 class once(Generic[Value]):  # noqa: N801  a decorator, as `property` is
-    """Marks a method as such a property; the value lies in the object's `__dict__`, so that later reads cost nothing.
-
-    What is computed belongs to the compilers, which take turns: so it takes the launches' lock, and no second one that
-    could be taken in the other order.
-    """
+    """Cached property stored in `__dict__`. It uses the launch lock, since a second lock could cause a deadlock."""
 
     def __init__(self, method: Callable[[Any], Value]) -> None:
         self.method, self.__doc__ = method, method.__doc__
@@ -45,6 +41,6 @@ class once(Generic[Value]):  # noqa: N801  a decorator, as `property` is
             if self.name not in found:
                 try:
                     found[self.name] = self.method(owner)
-                except AttributeError as error:  # which who asks by getattr(..., None) would take for "there is none"
+                except AttributeError as error:  # which getattr(..., None) would interpret as absence
                     raise RuntimeError(f"{self.name}: {error}") from error
             return found[self.name]

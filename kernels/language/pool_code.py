@@ -1,8 +1,7 @@
-"""The machine code that hands out the parts of a launch on the CPU, and the trial of the header that lets it.
+"""Machine code that distributes the parts of a CPU launch, and a test of the header it needs.
 
-Both are kernels of Warp's, in one module: what `_share` and `_serve` do stands in C++, which Warp's compiler reads
-(cpu_pool.py says how they work together); `_try_kernel` uses what cpu_access.h changes. Where that does not compile or
-is wrong, as with a Warp that renamed what the header leans on, kernels are Warp's own, on one core.
+Both are Warp kernels in one module, with C++ bodies (`_share`, `_serve`; see cpu_pool.py). If they do not compile or
+give wrong results, kernels use Warp's own code on one core.
 """
 
 from __future__ import annotations
@@ -21,10 +20,10 @@ from .cache_folders import CacheError
 from .device_lock import lock
 from .module_loading import load_module
 
-TESTED = "1.19.0"  # the version of Warp that the header was last tried with
+TESTED = "1.19.0"  # last version of Warp that the header was tested with
 
-# The pool's words of 64 bits, eight to a cache line. Lines: 0 how many workers are inside a launch, with CLOSED where
-# none is open; 1 the next chunk; 2 the launch; 3 the pool; from 4 on one a worker: whether it sleeps, its semaphore.
+# Layout of the pool in 64-bit words, eight per cache line: 0 workers inside a launch, or CLOSED; 1 next chunk;
+# 2 launch; 3 pool; from 4 on, one line per worker: whether it sleeps, its semaphore.
 LINE = 8
 STATE, NEXT, LAUNCH, POOL, WORKER = (LINE * k for k in range(5))
 CLOSED = 1 << 32
@@ -141,11 +140,7 @@ def _try_kernel(given: wp.array(dtype=wp.vec3), turns: int, out: wp.array2d(dtyp
 
 
 class PoolCode:
-    """The machine code of this file's kernels, tried.
-
-    Raises:
-        Exception: Warp's own, where it does not compile them; RuntimeError where what it compiled is wrong.
-    """
+    """Tested machine code of this file's kernels. Raises Warp's own error, or RuntimeError if a result is wrong."""
 
     def __init__(self) -> None:
         module = wp.get_module("pointloom.cpu_pool")
@@ -156,7 +151,7 @@ class PoolCode:
         load_module(module, wp.get_device("cpu"))
         given = wp.array(np.arange(24, dtype=np.float32).reshape(8, 3), dtype=wp.vec3, device="cpu")
         out = wp.zeros(shape=(8, 2), dtype=wp.float32, device="cpu")
-        self._commands: Any = [  # hold the machine code
+        self._commands: Any = [  # keep the machine code alive
             wp.launch(kernel, 1, values, device="cpu", record_cmd=True)
             for kernel, values in zip(kernels, ([0] * 6, [0] * 2, [given, 3, out]), strict=True)
         ]
@@ -169,7 +164,7 @@ class PoolCode:
 
 
 def filled_with(params: Sequence[Any]) -> ctypes.Structure:
-    """The structure of a recorded launch's arguments, as Warp's machine code takes it: fields argument0, ..."""
+    """Argument structure of a recorded launch, with fields argument0, ..."""
     fields = [(f"argument{k}", type(param)) for k, param in enumerate(params)]
     filled = type("Arguments", (ctypes.Structure,), {"_fields_": fields})()
     for (name, _), param in zip(fields, params, strict=True):
@@ -179,13 +174,13 @@ def filled_with(params: Sequence[Any]) -> ctypes.Structure:
 
 @cache
 def pool_code() -> PoolCode | None:
-    """The machine code; None, and one warning, where Warp's compiler does not take the header."""
+    """The machine code, or None and one warning if the header does not compile."""
     try:
         with lock:
             return PoolCode()
-    except CacheError:  # no fault of Warp's or the header's
+    except CacheError:  # not an error of Warp or the header
         raise
-    except Exception as error:  # Warp's own has no other type
+    except Exception as error:  # Warp raises no more specific type
         warnings.warn(
             f"pointloom uses one CPU core, and slower code: Warp {wp.config.version} does not take cpu_access.h "
             f"({str(error).strip().splitlines()[-1][:200]}); what it was tried with: pip install warp-lang=={TESTED}",
@@ -196,10 +191,9 @@ def pool_code() -> PoolCode | None:
 
 
 def is_usable() -> bool:
-    """Whether kernels are compiled with the header, and launches can be shared."""
+    """True if kernels are compiled with the header and launches can be split."""
     return pool_code() is not None
 
 
 def options() -> dict[str, Any]:
-    """What modules of kernels for the CPU are compiled with, beside what all are."""
     return cpu_code.options() if pool_code() else {}

@@ -1,4 +1,4 @@
-"""CUDA's pool of a GPU: how much it keeps that no array holds, and how that goes back to the system."""
+"""CUDA memory pool: unused reserved bytes, and their release to the system."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _RESERVED, _USED = 5, 7  # CU_MEMPOOL_ATTR_RESERVED_MEM_CURRENT, CU_MEMPOOL_ATTR
 
 
 def kept_bytes(device: Any) -> int:
-    """What a GPU's pool holds beyond what arrays do: room for the next array, for other programs taken."""
+    """Bytes that the pool of a GPU reserves beyond its arrays."""
     if not device.is_mempool_enabled:
         return 0
     with lock:
@@ -24,7 +24,7 @@ def kept_bytes(device: Any) -> int:
 
 
 def trim(device: Any) -> int:
-    """Hand what a GPU's pool keeps back to the system (sync), and what its graphs keep; the bytes of the pool's."""
+    """Release unused memory of the pool and of graphs (sync). Return the pool's bytes."""
     with lock:
         release_all()
         wp.synchronize_device(device)  # sync

@@ -1,12 +1,8 @@
-"""CPU launches that are prepared once: each later launch of a kernel only brings its arguments.
+"""Prepared CPU launches: later launches of a kernel only pass their arguments.
 
-What both compilers do in Python for a launch takes longer than a small kernel runs. Taichi chooses among instances of
-the kernel by the types of its arguments, of which ours has one, and reads arrays through NumPy (0.24 ms for eight
-arguments); Warp looks a module up and builds a C structure for each array (0.02 ms). Here the first launch is theirs,
-and what it found is kept: of Warp the machine code's address and the layout of its arguments, of Taichi the compiled
-kernel and a context, in which only arguments that differ from those of the launch before are set.
-
-Prepared launches check nothing: arguments.py does. Take the lock.
+Launching takes Taichi 0.24 ms for eight arguments and Warp 0.02 ms. After the first launch, the address and argument
+layout of Warp's machine code, or Taichi's compiled kernel and context, are reused. Prepared launches check nothing;
+arguments.py does. Take the lock.
 """
 
 from __future__ import annotations
@@ -30,8 +26,6 @@ FORMATS |= {f"u{name}": code.upper() for name, code in FORMATS.items() if name.s
 
 
 class Parameter(NamedTuple):
-    """What a launch passes for a parameter."""
-
     is_array: bool
     is_vector: bool  # or a matrix
     axes: int  # of an array
@@ -40,7 +34,6 @@ class Parameter(NamedTuple):
 
     @staticmethod
     def of(annotation: Any) -> Parameter:
-        """The parameter of an annotation."""
         array = array_of(annotation)
         element = array.element if array else type_of(annotation)
         assert isinstance(element, Type)
@@ -51,18 +44,11 @@ class Parameter(NamedTuple):
 
     @property
     def size(self) -> int:
-        """Bytes of the number, the vector or an element."""
         return self.length * struct.calcsize(FORMATS[self.scalar])
 
 
-# ------------------------------------------------------------------------------------------------ Warp
-
-
 class WarpLaunch:
-    """A kernel of Warp's on the CPU.
-
-    Its machine code takes two addresses: the bounds of the launch or of a part of it, and one structure of arguments.
-    """
+    """A Warp kernel on the CPU, called with two addresses: the bounds of the launch and one argument structure."""
 
     def __init__(self, kernel: Any, values: Sequence[Any]) -> None:
         parameters = [Parameter.of(argument.type) for argument in kernel.adj.args]
@@ -76,7 +62,7 @@ class WarpLaunch:
 
     @classmethod
     def of_kept(cls, kept: Kept, address: int, kernel: Callable[[], Any]) -> WarpLaunch:
-        """One that an earlier process prepared; `kernel` gives Warp's, where that has to be made after all."""
+        """Restore a cached launch; `kernel` creates Warp's kernel if that is needed after all."""
         made = cls.__new__(cls)
         made._kernel = kernel
         made._begin(kept.plan, ctypes.CFUNCTYPE(None)(address), None)
@@ -84,17 +70,16 @@ class WarpLaunch:
         return made
 
     def _begin(self, plan: str, forward: Any, held: Any) -> None:
-        self.plan, self._forward, self._held = plan, forward, held  # what is held is the machine code
+        self.plan, self._forward, self._held = plan, forward, held  # keeps the machine code alive
         self._address = ctypes.cast(forward, ctypes.c_void_p).value or 0
 
     @property
     def symbol(self) -> str:
-        """The machine code's name."""
         return f"{self._kernel().get_mangled_name()}_cpu_forward"
 
     @property
     def layout(self) -> str:
-        """The format in which arguments are packed, of `struct`; empty where Warp's is another."""
+        """`struct` format of the arguments; empty if Warp's layout differs."""
         return "" if self._layout is None else self._layout.format
 
     def _packed(self, values: Sequence[Any]) -> bytes:
@@ -108,21 +93,15 @@ class WarpLaunch:
         return self._layout.pack(*flat)
 
     def bound(self, values: Sequence[Any], thread_count: int, last_count: int = 0) -> Callable[[], None]:
-        """The launch, to be made as often as one likes; it holds its arrays.
-
-        Args:
-            values: Its arguments.
-            thread_count: Its threads, in any order.
-            last_count: Threads behind them, that begin when those have ended.
-        """
+        """A repeatable launch that keeps its arrays alive; `last_count` threads run after all others have ended."""
         if self._layout is not None:
             try:
                 arguments = self._packed(values)
-            except (struct.error, OverflowError):  # a number beyond float32, an extent beyond 2^31: Warp's to convert
+            except (struct.error, OverflowError):  # a number beyond float32, an extent beyond 2^31: left to Warp
                 pass
             else:
                 return self._bound_packed((values, ctypes.create_string_buffer(arguments)), thread_count, last_count)
-        count = thread_count + last_count  # one after the other on this thread
+        count = thread_count + last_count  # sequential on this thread
         return wp.launch(self._kernel(), count, values, device="cpu", record_cmd=True).launch  # type: ignore[union-attr]
 
     def _bound_packed(self, held: tuple[Any, Any], thread_count: int, last_count: int) -> Callable[[], None]:
@@ -145,7 +124,7 @@ class WarpLaunch:
 
 
 def _read_layout(parameters: Sequence[Parameter], params: Sequence[Any]) -> tuple[struct.Struct | None, bytes]:
-    """The structure's format for `struct`, and these arguments in it as Warp has them; no format if it is new."""
+    """`struct` format and arguments packed by Warp; an empty format if the layout is unknown."""
     filled = filled_with(params)
     kind, layout = type(filled), "="
     for k, (parameter, param) in enumerate(zip(parameters, params, strict=True)):
@@ -161,11 +140,8 @@ def _read_layout(parameters: Sequence[Parameter], params: Sequence[Any]) -> tupl
     return struct.Struct(layout), bytes(filled)
 
 
-# ------------------------------------------------------------------------------------------------ Taichi
-
-
 class Recorder:
-    """Stands for Taichi's program while it launches a kernel, and keeps what it launches."""
+    """Stands in for Taichi's program to record a launch."""
 
     def __init__(self, program: Any) -> None:
         self.program = program
@@ -176,13 +152,12 @@ class Recorder:
         return getattr(self.program, name)
 
     def compile_kernel(self, config: Any, capabilities: Any, kernel: Any) -> Any:
-        """Compile, or find what was compiled."""
         self.kernel, self.compiled = kernel, self.program.compile_kernel(config, capabilities, kernel)
         return self.compiled
 
 
 class _Context:
-    """Arguments as Taichi's machine code reads them, and what they were set from."""
+    """Arguments in Taichi's launch context, and the values that they were set from."""
 
     def __init__(self, made: Any, count: int) -> None:
         self.made, self.held = made, list[Any]([None] * count)
@@ -190,32 +165,28 @@ class _Context:
 
 
 class TaichiLaunch:
-    """A kernel that Taichi compiled for one program.
-
-    An argument that is as in the launch before is not set again.
-    """
+    """A compiled Taichi kernel; only changed arguments are set again."""
 
     def __init__(self, name: str, annotations: Sequence[Any], recorder: Recorder) -> None:
         self._name, self._kernel, self._compiled = name, recorder.kernel, recorder.compiled
         self.program = weakref.ref(recorder.program)
         parameters = [Parameter.of(annotation) for annotation in annotations]
-        # of an array its place and the bytes and the numbers of an element, of a number None and what sets it
+        # array: address plus numbers per element; number: None and its setter
         self._plan: list[tuple[Any, Any, Any]] = [
             ((k,), p.size, p.length) if p.is_array else (None, *_setter(k, p)) for k, p in enumerate(parameters)
         ]
         self._idle: _Context | None = None
 
     def __call__(self, values: Sequence[Any]) -> None:
-        """Launch."""
-        # Nobody else's while it is filled and used: a signal handler may launch the same kernel in between, and what
-        # an interrupt leaves half filled is not used again.
+        # Detached while in use: a signal handler may launch the same kernel in between, and an interrupted
+        # launch leaves a half-filled context that must not be reused.
         context, self._idle = self._idle or self._new_context(), None
         self._fill(context, values)
         self._launch(context)
         self._idle = context
 
     def bound(self, values: Sequence[Any]) -> Callable[[], None]:
-        """The launch, to be made as often as one likes while Taichi's program lives; it holds its arrays."""
+        """A repeatable launch that keeps its arrays alive, valid while Taichi's program lives."""
         context = self._new_context()
         self._fill(context, values)
         return lambda held=values: self._launch(context)
@@ -247,10 +218,7 @@ class TaichiLaunch:
 
 
 def _setter(k: int, parameter: Parameter) -> tuple[Callable[[Any], Any] | None, Callable[[Any, Any], None]]:
-    """What tells two numbers or vectors apart, and what sets one in a context from that.
-
-    None tells floats apart: -0.0 == 0.0, so they are always set.
-    """
+    """Functions that compare and set a number or vector. Floats are always set, since -0.0 == 0.0."""
     kind = "float" if parameter.scalar in FLOATS else "uint" if parameter.scalar.startswith("u") else "int"
     if not parameter.is_vector:
         place, name = (k,), f"set_arg_{kind}"

@@ -1,8 +1,7 @@
-"""The rules of the shared kernel language, checked before either compiler sees a function.
+"""Rules of form and names in the kernel language, checked before compilation.
 
-Warp and Taichi accept different supersets of Python and give some expressions different meanings. What is refused here
-either fails in one of them with an unreadable message or, worse, computes something else there. Each error names file,
-line and remedy. Here stand the rules of form and of names; those of types are in inference.py.
+Warp and Taichi accept different supersets of Python. Code that fails in one of them or has another meaning is rejected
+with file, line and remedy. Type rules are in inference.py.
 """
 
 from __future__ import annotations
@@ -56,7 +55,7 @@ FORBIDDEN = {
 }
 PYTHON_NAMES = {"range", "min", "max", "abs", "int", "float", "bool", "True", "False"}
 RESERVED = {"ti", "wp"}
-# Words of C++ that are names in Python: Warp's C++ has the parameters of a kernel under their own names.
+# C++ keywords that are valid names in Python: Warp's C++ uses the names of parameters.
 CPP_WORDS = frozenset(
     "alignas alignof and_eq asm auto bitand bitor case catch char16_t char32_t compl concept const consteval "
     "constexpr constinit const_cast decltype default delete do double dynamic_cast enum explicit export extern friend "
@@ -70,18 +69,7 @@ CPP_WORDS = frozenset(
 def check(
     function: Callable, role: str, vocabulary: Vocabulary, source: Source | None = None, *, for_cuda: bool = False
 ) -> Source:
-    """Check one function in the role of "kernel", "reduction", "func" or "loop", and write out what is not flat.
-
-    Args:
-        function: The function.
-        role: What it is for.
-        vocabulary: What its names may stand for.
-        source: Its syntax tree, where that does not stand in a file.
-        for_cuda: Whether CUDA alone runs it.
-
-    Raises:
-        KernelLanguageError: With the file, the line, and what to write instead.
-    """
+    """Check and flatten a "kernel", "reduction", "func" or "loop". Raises KernelLanguageError with a remedy."""
     is_written = source is None
     source = source or Source.of(function)
     source.for_cuda = for_cuda
@@ -106,9 +94,8 @@ def check(
 
 
 def _check_walk(source: Source, vocabulary: Vocabulary) -> None:
-    """The rules for a loop, whose text stays as it is until it is written out."""
     if callback in source.written.values():
-        return  # what its calls give is known where it is used
+        return  # the type of its calls is inferred where it is used
     walk = replace(source, definition=with_assignments(source.definition))
     _write_out(walk, vocabulary)
     known = _check_flat(walk, "loop", vocabulary)
@@ -119,7 +106,7 @@ def _check_walk(source: Source, vocabulary: Vocabulary) -> None:
 
 
 def _write_out(source: Source, vocabulary: Vocabulary) -> None:
-    """Write out loops, callbacks and structures, and compile the flat function where there were any."""
+    """Inline loops, callbacks and structures, and compile the flat function if there were any."""
     function, definition = source.function, source.definition
     writer = Writer(definition, source.written, function.__globals__, vocabulary.words, source.fail)
     if writer.has_work(function):
@@ -144,7 +131,6 @@ def _check_spelling(source: Source) -> None:
 
 
 def _check_flat(source: Source, role: str, vocabulary: Vocabulary) -> dict[str, Inferred]:
-    """The rules for what the compilers see; the types of its variables."""
     _check_annotations(source, role, vocabulary)
     nodes = nodes_of(source.body)
     shapes = {id(node.value) for node in nodes if isinstance(node, ast.Subscript)}
@@ -163,7 +149,6 @@ def _check_flat(source: Source, role: str, vocabulary: Vocabulary) -> dict[str, 
 
 
 def _read_annotations(source: Source, role: str) -> None:
-    """The types of the parameters as they are written."""
     arguments = source.definition.args
     if arguments.vararg or arguments.kwarg or arguments.kwonlyargs or arguments.posonlyargs or arguments.defaults:
         source.fail(source.definition, "parameters are positional, without defaults")
@@ -252,7 +237,7 @@ def _check_thread_index(source: Source, role: str) -> None:
 
 
 def _check_pairs(source: Source, nodes: list[ast.AST]) -> None:
-    """Refuse `a, b = b, a`: Warp copies nothing there, so that one name may change what the other stands for."""
+    """Reject `a, b = b, a`: Warp copies nothing there, so one name may change the other's value."""
     stored = [node.id for node in nodes if is_stored(node)] + list(source.parameters)  # type: ignore[attr-defined]
     for node in nodes:
         match node:
@@ -309,7 +294,7 @@ def _check_globals(source: Source, vocabulary: Vocabulary, nodes: list[ast.AST],
 
 
 def _check_scopes(source: Source, role: str, assigned: set[str]) -> None:
-    """Refuse names that are first set inside a branch or loop and read after it, and changes of what is not ours."""
+    """Reject names first assigned inside a branch or loop and read after it, and changes to outer variables."""
     fixed, index = {}, None
     if role in ("kernel", "reduction"):
         index = source.body[0]

@@ -1,7 +1,6 @@
-"""The launches of a segment reduction on CUDA: a block of threads a block of elements, then one a segment.
+"""Launches of a segmented reduction on CUDA: one thread block per block of elements, then one per segment.
 
-Threads are counted in 32 bits, so more than 2^31 / 256 blocks (8.4 million) go in several launches, each over a part of
-the tables: a thread then finds its block by its number within the part.
+Thread counts are 32-bit, so more than 2^31 / 256 blocks (8.4 million) take several launches over parts of the tables.
 """
 
 from __future__ import annotations
@@ -33,14 +32,7 @@ def launch_segments(
     partials: AnyArray,
     out: AnyArray,
 ) -> None:
-    """Sum the vectors of a reduction over segments; take the lock first.
-
-    Args:
-        run: Launches a kernel: (kernel, threads, arguments, device, block_dim=...).
-        kernels: The reduction's.
-        values: Checked arguments of its function.
-        blocks, live, partials, out: As of `lang.reduce_segments`.
-    """
+    """Sum the vectors of a reduction over segments; take the lock first. Arguments as in `lang.reduce_segments`."""
     device, size = out.device, REDUCTION_BLOCK
     for part in _parts(blocks.count):
         tables = [blocks.firsts[part], blocks.lasts[part], blocks.owners[part], live, partials[part]]
@@ -51,7 +43,7 @@ def launch_segments(
 
 
 class PreparedSegmentSum:
-    """What is prepared of a segment reduction on a GPU, for as many blocks and segments as go in one launch."""
+    """Prepared segmented reduction on a GPU, for sizes that fit in one launch."""
 
     def __init__(self, reduction: Reduction, tiles: CudaLaunch, fold: CudaLaunch, device: Any) -> None:
         self._take_apart = flattener(reduction.types, device, reduction.places, len(reduction.takes))
@@ -62,11 +54,7 @@ class PreparedSegmentSum:
     def of(
         cls, reduction: Reduction, values: Sequence[Any], blocks: Any, live: Integers, partials: AnyArray, out: AnyArray
     ) -> PreparedSegmentSum | None:
-        """Prepare it from what it was launched with; None where its launches are to be Warp's.
-
-        Raises:
-            One of UNFIT: As of a kernel.
-        """
+        """Prepare from the arguments of a launch; None if Warp must launch it. Raises one of UNFIT."""
         kernels, device, size = reduction.cuda, out.device, REDUCTION_BLOCK
         given = [*values, blocks.firsts, blocks.lasts, blocks.owners, live, partials]
         tiles = prepared_launch(kernels.tiles, size, given, device, block_dim=size)
@@ -76,7 +64,7 @@ class PreparedSegmentSum:
     def is_launched(
         self, arguments: Sequence[Any], blocks: Any, live: Integers, partials: AnyArray, out: AnyArray
     ) -> bool:
-        """Launch what is plainly right; False, and nothing done, of others."""
+        """Launch; False without any effect for arguments that need conversion."""
         size, packed = REDUCTION_BLOCK, self._tables.packed
         if not 0 < blocks.count <= _MOST or not 0 < out.size <= _MOST:
             return False

@@ -1,7 +1,6 @@
-"""Types of the shared kernel language, and what its built-ins take and return.
+"""Types of the kernel language and signatures of its built-ins: the intersection of Warp and Taichi.
 
-These are the intersection of what Warp and Taichi accept: Taichi's minimum of 8-bit numbers aborts the process, its
-square root of an integer is an integer, and Warp has neither.
+Taichi's minimum of 8-bit numbers aborts the process, and its square root of an integer is an integer; Warp has neither.
 """
 
 from __future__ import annotations
@@ -16,8 +15,6 @@ SMALL = {"int8", "int16", "uint8", "uint16"}
 
 
 class Type(NamedTuple):
-    """A scalar, vector or matrix."""
-
     scalar: str
     shape: tuple[int, ...] = ()
 
@@ -30,8 +27,6 @@ class Type(NamedTuple):
 
 
 class ArrayType(NamedTuple):
-    """An array parameter."""
-
     element: Type
     axes: int
 
@@ -44,7 +39,7 @@ Inferred: TypeAlias = "Type | ArrayType | tuple | None"
 
 
 def remedy(left: Inferred, right: Inferred = None) -> str:
-    """How to make two types one."""
+    """How to unify two types."""
     if isinstance(right, Type) and isinstance(left, Type):
         order = ["int8", "uint8", "int16", "uint16", "int32", "uint32", "int64", "uint64", "float32", "float64"]
         left = max(left, right, key=lambda t: order.index(t.scalar) if t.scalar in order else -1)
@@ -58,13 +53,10 @@ def _constructor(kind: Type) -> str:
 
 
 def words(kind: Any) -> str:
-    """A type as an error names it."""
     if isinstance(kind, tuple) and not isinstance(kind, Type | ArrayType):
         return "(" + ", ".join(words(part) for part in kind) + ")"
     return "an unknown type" if kind is None else str(kind)
 
-
-# ------------------------------------------------------------------------------------------------ built-ins
 
 ONE_FLOAT = {"floor", "ceil", "sqrt", "sin", "cos", "tan", "acos", "asin", "exp", "log"}
 TWO_FLOATS = {"atan2", "pow"}
@@ -74,7 +66,7 @@ ATOMIC = {"int32", "int64", "uint32", "uint64", "float32", "float64"}
 
 
 def check_builtin(fail: Callable[..., Any], node: ast.Call, name: str, kinds: list[Inferred]) -> Inferred:
-    """The result of a built-in; refuses arguments that one of the compilers does not take."""
+    """Result type of a built-in. Rejects arguments that one of the compilers does not accept."""
     if name.startswith("atomic_"):
         return _check_atomic(fail, node, name, kinds)
     if name in LOADS:

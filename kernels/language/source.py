@@ -1,4 +1,4 @@
-"""A device function's syntax tree: where it stands, what it takes and returns, and how errors name its parts."""
+"""Syntax tree of a device function, with its file, signature, and error messages."""
 
 from __future__ import annotations
 
@@ -20,13 +20,12 @@ from .structs import JOINT, Place, fields_of
 from .trees import body_of
 
 
-class KernelLanguageError(SyntaxError):
-    """A kernel that is outside the shared language."""
+class KernelLanguageError(SyntaxError): ...
 
 
 @dataclass(frozen=True)
 class Vocabulary:
-    """What a global name may stand for: tests that lang.py supplies, since the types are Warp's."""
+    """Tests of global names, supplied by lang.py since the types are Warp's."""
 
     is_builtin: Callable[[Any], bool]
     is_for_cuda: Callable[[Any], bool]
@@ -34,24 +33,21 @@ class Vocabulary:
     type_of: Callable[[Any], Type | None]
     array_of: Callable[[Any], ArrayType | None]
     words: Words
-    scalar: Callable[[str], Any]  # a type of numbers by its name
+    scalar: Callable[[str], Any]  # a number type by its name
 
 
 @dataclass
 class Source:
-    """A device function's syntax tree, where it stands, and what it takes and returns.
-
-    Function and definition are flat: what was written with loops, callbacks and structures is written out in them.
-    """
+    """Syntax tree, file, and signature of a device function; loops, callbacks and structures are inlined."""
 
     function: Callable
     definition: ast.FunctionDef
     filename: str
     first_line: int
-    written: dict[str, Any] = field(default_factory=dict)  # the types of the parameters as they are written
-    places: list[Place] = field(default_factory=list)  # where each flat parameter comes from
-    expected: list[Expected] = field(default_factory=list)  # what its loops were given
-    is_template: bool = False  # compiled for each function that it is given
+    written: dict[str, Any] = field(default_factory=dict)  # types of the parameters in the source
+    places: list[Place] = field(default_factory=list)  # source of each flat parameter
+    expected: list[Expected] = field(default_factory=list)  # arguments of its loops
+    is_template: bool = False  # compiled for each callback
     for_cuda: bool = False
     parameters: dict[str, Inferred] = field(default_factory=dict)
     result: Inferred = None
@@ -59,25 +55,23 @@ class Source:
 
     @classmethod
     def of(cls, function: Callable) -> Source:
-        """Find the syntax tree of a decorated function."""
         filename, first = function.__code__.co_filename, function.__code__.co_firstlineno
         linecache.checkcache(filename)
         text = "".join(linecache.getlines(filename))
         definition = _definitions(text, id(function.__globals__)).pop(first, None)
         if definition is not None:
             return cls(function, definition, filename, 1)
-        lines, first = inspect.getsourcelines(function)  # a function in a function, or one that was decorated twice
+        lines, first = inspect.getsourcelines(function)  # a nested function, or one decorated twice
         definition = ast.parse(textwrap.dedent("".join(lines))).body[0]
         assert isinstance(definition, ast.FunctionDef)
         return cls(function, definition, filename, first)
 
     @property
     def body(self) -> list[ast.stmt]:
-        """The statements without the docstring."""
         return body_of(self.definition)
 
     def readable(self, text: str) -> str:
-        """A text with fields and variables of walks named as they are written."""
+        """Replace generated names by those in the source."""
 
         def name(found: re.Match[str]) -> str:
             first, *rest = found[0].split(JOINT)
@@ -86,7 +80,7 @@ class Source:
         return re.sub(rf"\b[A-Za-z]\w*?{JOINT}\w+", name, text)
 
     def fail(self, node: ast.AST, message: str, *, as_it_is: bool = False) -> NoReturn:
-        """Raise with the file and line of a node, with names as they are written unless told otherwise."""
+        """Raise an error at a node, with names as in the source unless `as_it_is`."""
         line = self.first_line + getattr(node, "lineno", 1) - 1
         text = f"{self.function.__name__}: {message}"
         error = KernelLanguageError(text if as_it_is else self.readable(text))
@@ -96,7 +90,7 @@ class Source:
 
 @functools.lru_cache(64)
 def _definitions(text: str, module: int) -> dict[int, ast.FunctionDef]:
-    """The functions of a module by their first lines, decorators included; each is taken once, since it is changed."""
+    """Functions of a module by first line, including decorators; each is taken once, since it is modified."""
     functions = [node for node in ast.parse(text).body if isinstance(node, ast.FunctionDef)]
     return {min([f.lineno, *(d.lineno for d in f.decorator_list)]): f for f in functions}
 
@@ -104,7 +98,7 @@ def _definitions(text: str, module: int) -> dict[int, ast.FunctionDef]:
 def compiled(
     definition: ast.FunctionDef, annotations: dict[str, Any], scope: dict[str, Any], origin: Callable
 ) -> types.FunctionType:
-    """A function of a syntax tree, its names those of a scope, module and documentation those of another function."""
+    """Compile a syntax tree in a scope, with the module and docstring of `origin`."""
     names = ast.arguments([], [ast.arg(a.arg) for a in definition.args.args], None, [], [], None, [])
     bare = ast.copy_location(ast.FunctionDef(definition.name, names, definition.body, []), definition)
     text, filename = ast.unparse(ast.fix_missing_locations(bare)), f"<{origin.__module__}.{definition.name}>"

@@ -1,11 +1,8 @@
-"""Streams of a GPU that stand apart from CUDA's legacy one, and what that asks for.
+"""Non-blocking streams of a GPU, and the order of memory releases.
 
-The legacy stream, torch's default one, and the streams that Warp makes wait for each other: that is what CUDA calls
-blocking. While such a stream records, nobody may use the legacy stream, in any thread: the recording would end with an
-error, and so would what the other thread asked for. A stream that does not block has no part in that.
-
-Torch's other streams do not block. Where a program has put our work on one, memory must be released behind it: Warp
-releases on the legacy stream, which does not wait for it unless it is told to.
+The legacy stream, torch's default stream, and Warp's streams block each other. While a blocking stream records, any use
+of the legacy stream fails in all threads. Torch's other streams do not block. If the library runs on one of them,
+releases must wait for it, since Warp releases on the legacy stream.
 """
 
 from __future__ import annotations
@@ -22,19 +19,12 @@ from .driver import driver
 
 _NON_BLOCKING = 1  # CU_STREAM_NON_BLOCKING
 
-# Streams that do not block, with work of ours that no release has waited for: by handle the GPU, and whether it lives
+# Non-blocking streams in use that no release has waited for: by handle the GPU, and whether the stream exists
 _used: dict[int, tuple[Any, Callable[[], Any]]] = {}
 
 
 class NonBlockingStream(wp.Stream):
-    """A stream of a GPU that does not wait for the legacy stream, nor that for it.
-
-    Args:
-        device: The GPU.
-
-    Raises:
-        RuntimeError: The driver has none.
-    """
+    """A GPU stream that does not synchronize with the legacy stream. Raises RuntimeError if the driver has none."""
 
     def __init__(self, device: Any) -> None:
         handle = ctypes.c_void_p()
@@ -52,19 +42,16 @@ class NonBlockingStream(wp.Stream):
 
 
 def note_use(device: Any) -> None:
-    """What is asked of a GPU now may be on a stream that the release of memory does not wait for by itself."""
+    """Note that the current stream may have to be waited for before a release."""
     stream = device.stream
     if not stream.is_blocking and not isinstance(stream, NonBlockingStream):
-        is_torchs = getattr(stream, "_torch_stream", None) is not None  # which it never gives up
+        is_torchs = getattr(stream, "_torch_stream", None) is not None  # which it never releases
         _used[stream.cuda_stream] = device, (lambda: True) if is_torchs else weakref.ref(stream)
 
 
 def order_releases() -> None:
-    """Have the legacy stream, on which Warp releases memory, wait for all streams in use that it does not wait for.
-
-    A stream is waited for as long as work goes there, and once more after it; the host waits instead where its object
-    is gone, and with it perhaps the stream. One that somebody records is left out.
-    """
+    """Make the legacy stream, which releases memory, wait for all non-blocking streams in use. If a stream's object is
+    gone, the host waits. Recording streams are left out."""
     kept = {}
     while _used:
         handle, (device, stream) = _used.popitem()
@@ -81,9 +68,6 @@ def order_releases() -> None:
 
 
 def wait_for(stream: int | None, other: int, device: Any) -> None:
-    """What a stream gets from now on comes after what another has; both by CUDA's handles, None for the legacy one.
-
-    Without a `wp.Stream` of the other's: Warp would forget the stream with that object, whoever else has one of it.
-    """
+    """Make a stream wait for another (CUDA handles, None: legacy), without a `wp.Stream`, which would unregister it."""
     event = device.stream.cached_event.cuda_event
     context.runtime.core.wp_cuda_stream_wait_stream(stream, other, event, False)

@@ -1,9 +1,7 @@
-"""Structures: several parameters of a kernel under one name, taken apart before either compiler sees them.
+"""Structures: named groups of kernel parameters, flattened before compilation.
 
-`@struct` marks a class whose annotated attributes kernels may read. A parameter `tree: PointTree` becomes one parameter
-for each field that the function uses, itself or through the functions that it hands the structure to, and
-`tree.points[i]` becomes `tree__points[i]`. So neither compiler learns of structures, no field costs anything where it
-is not used, and a launch takes any object with these attributes.
+A parameter `tree: PointTree` becomes one parameter for each field in use, and `tree.points[i]` becomes
+`tree__points[i]`. Unused fields cost nothing, and a launch accepts any object with these attributes.
 """
 
 from __future__ import annotations
@@ -13,17 +11,13 @@ import inspect
 from collections.abc import Callable
 from typing import Any, NamedTuple, TypeVar
 
-JOINT = "__"  # between a structure and its field in the names that the compilers see
-Path = tuple[str, ...]  # the attributes from a parameter to a number or an array
+JOINT = "__"  # between a structure and its field in compiled names
+Path = tuple[str, ...]  # attributes from a parameter to a number or an array
 Class = TypeVar("Class", bound=type)
 
 
 def struct(kind: Class) -> Class:
-    """Mark a class: its annotated attributes (numbers, vectors, matrices, arrays, structures) are what kernels read.
-
-    Raises:
-        TypeError: It has no annotated attribute, or `from __future__ import annotations` hides their types.
-    """
+    """Mark a class whose annotated attributes are parameters. Raises TypeError for none or string annotations."""
     fields = inspect.get_annotations(kind)
     if not fields:
         raise TypeError(f"{kind.__name__}: a structure needs an annotated attribute for each field, `count: int`")
@@ -39,44 +33,30 @@ def struct(kind: Class) -> Class:
 
 
 def fields_of(annotation: Any) -> dict[str, Any] | None:
-    """The fields of a structure; None of anything else."""
     return vars(annotation).get("kernel_fields_") if isinstance(annotation, type) else None
 
 
 def leaves_of(kind: Any) -> list[Path]:
-    """The paths to all numbers and arrays of a structure, in their order; of anything else the empty path."""
+    """Paths to all numbers and arrays of a structure in order; otherwise the empty path."""
     fields = fields_of(kind)
     return [()] if fields is None else [(name, *rest) for name, part in fields.items() for rest in leaves_of(part)]
 
 
 def type_at(kind: Any, path: Path) -> Any:
-    """The type of a structure's field."""
     for name in path:
         kind = (fields_of(kind) or {}).get(name)
     return kind
 
 
 class Place(NamedTuple):
-    """Where a parameter of a flat function comes from."""
-
-    parameter: int  # its number among the parameters as they are written
+    parameter: int  # index among the parameters in the source
     path: Path
 
 
 def flatten(
     definition: ast.FunctionDef, written: dict[str, Any], scope: dict[str, Any], fail: Callable[..., Any]
 ) -> tuple[dict[str, Any], list[Place]]:
-    """Replace the structures of a function by the fields that it uses.
-
-    Args:
-        definition: The function; changed.
-        written: The types of its parameters.
-        scope: What its names stand for.
-        fail: Raises, with a node and a message.
-
-    Returns:
-        The types of the flat parameters by name, and where each comes from.
-    """
+    """Replace the structures of a function (modified) by fields in use. Return their types and sources."""
     structures = {name: kind for name, kind in written.items() if fields_of(kind) is not None}
     flattener = _Flattener(scope, structures, fail)
     definition.body = [flattener.visit(statement) for statement in definition.body]
@@ -94,14 +74,13 @@ def flatten(
 
 
 class _Flattener(ast.NodeTransformer):
-    """Writes the fields of structures as plain names, and notes which are used."""
+    """Replaces structure fields by plain names and records their use."""
 
     def __init__(self, scope: dict[str, Any], structures: dict[str, Any], fail: Callable[..., Any]) -> None:
         self.scope, self.structures, self.fail = scope, structures, fail
         self.used: dict[str, set[Path]] = {name: set() for name in structures}
 
     def visit_Attribute(self, node: ast.Attribute) -> ast.AST:
-        """A field, or something of a field such as `.shape`."""
         found = self._resolve(node)
         if found is None:
             self.generic_visit(node)
@@ -114,13 +93,11 @@ class _Flattener(ast.NodeTransformer):
         return self._field(node, name, path)
 
     def visit_Name(self, node: ast.Name) -> ast.AST:
-        """The structure itself is for calls alone."""
         if node.id in self.structures:
             self._refuse(node)
         return node
 
     def visit_Call(self, node: ast.Call) -> ast.AST:
-        """Structures that are passed on, field by field."""
         callee = self.scope.get(node.func.id) if isinstance(node.func, ast.Name) else None
         source = getattr(callee, "source", None)
         written = list(source.written.values()) if source is not None else []
@@ -152,7 +129,7 @@ class _Flattener(ast.NodeTransformer):
         return ast.copy_location(ast.Name(JOINT.join((name, *path)), ast.Load()), node)
 
     def _resolve(self, node: ast.AST) -> tuple[str, Path, Any] | None:
-        """(parameter, path, type) of an expression that begins at a structure and ends at a field."""
+        """(parameter, path, type) of an attribute chain from a structure to a field."""
         if isinstance(node, ast.Name):
             return (node.id, (), self.structures[node.id]) if node.id in self.structures else None
         found = self._resolve(node.value) if isinstance(node, ast.Attribute) else None
@@ -166,5 +143,4 @@ class _Flattener(ast.NodeTransformer):
 
 
 def callee_name(node: ast.Call) -> str:
-    """The function that is called, as errors name it."""
     return ast.unparse(node.func).split(JOINT)[0]

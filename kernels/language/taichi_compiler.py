@@ -1,23 +1,9 @@
-"""The half of the shared language that Taichi compiles: every CPU core. The one file that imports Taichi.
+"""Taichi compiler of the kernel language for the CPU: the only module that imports Taichi.
 
-A per-thread body becomes the body of a parallel loop, whose source reaches Taichi through
-linecache. Taichi works on the Warp arrays' own buffers, with no copy.
-
-From the source of a kernel as it is written to the source that Taichi compiles; trees of Python's ast in and out.
-`return` turns into `continue`, `atomic_x(a, i, v)` into `ti.atomic_x(a[i], v)`, `%` into the remainder of C, and plain
-numbers get the precision that Warp gives them.
-
-How Taichi starts and ends in a process, beside others that share its folder of compiled kernels. Taichi guards that
-folder by a file, ticache.lock, which it makes, removes, and waits for 0.2 s. It reads the list of kernels when the
-first one is compiled and writes it with the new ones when its program ends: left to itself after the interpreter, in a
-destructor. So without what is here
-
-- a process that is killed in its turn leaves the file behind: all that come later compile everything, in silence;
-- one that waits longer compiles everything too, or loses what it compiled;
-- a kernel whose file is gone while the list names it is compiled in each process, and never kept again;
-- a folder that is removed while Taichi writes ends the process by abort(), as does a thread that the system refuses.
-
-Our processes take turns by flock(), which the system takes back from one that dies. Written for Taichi 1.7.
+The thread body becomes a parallel loop on the Warp arrays' buffers. Taichi 1.7 guards its kernel folder by a file
+ticache.lock, which a killed process leaves behind. It loses kernels if it waits more than 0.2 s, never restores files
+that the list names, and aborts if the folder is removed or a thread is refused. So processes use flock() here, and the
+folder is repaired.
 """
 
 from __future__ import annotations
@@ -48,23 +34,19 @@ from .prepared_launches import Recorder, TaichiLaunch
 
 try:
     import fcntl
-except ImportError:  # Windows: Taichi's own lock has to do
+except ImportError:  # Windows: Taichi's own lock has to suffice
     fcntl = None
 
-PATIENCE = 10.0  # [s] for a turn, which takes some ms; then it is done without
-LEFT_BEHIND = 2.0  # [s] after which a ticache.lock is nobody's
+PATIENCE = 10.0  # [s] to wait for the lock, which takes some ms; then it continues without
+LEFT_BEHIND = 2.0  # [s] after which a ticache.lock is stale
 
 
 class TaichiUnavailableError(RuntimeError):
-    """Taichi cannot serve here; the message says why and how to mend it."""
+    """Taichi is not usable; the message gives the cause and the fix."""
 
 
 def require_threads(count: int) -> None:
-    """Start as many threads as Taichi will, and end them: it aborts where the system refuses it one.
-
-    Raises:
-        TaichiUnavailableError: The system refuses one.
-    """
+    """Start and end as many threads as Taichi will, which aborts if one is refused. Raises TaichiUnavailableError."""
     end, threads = threading.Event(), list[threading.Thread]()
     try:
         for _ in range(count):
@@ -83,14 +65,12 @@ def require_threads(count: int) -> None:
 
 
 class KernelFolder:
-    """The folder of compiled kernels, or none where they are not kept."""
-
     def __init__(self, path: str | None) -> None:
         self.path = Path(path) if path else None
 
     @contextlib.contextmanager
     def turn(self) -> Iterator[None]:
-        """Be the one process of ours that reads or writes the folder, and find it in order."""
+        """Lock the folder among processes and repair it."""
         if self.path is None:
             yield
             return
@@ -105,7 +85,6 @@ class KernelFolder:
 
 
 def _take_lock(descriptor: int, held: contextlib.ExitStack) -> None:
-    """Lock a file until the stack ends, or the process."""
     last = time.monotonic() + PATIENCE
     while fcntl is not None and time.monotonic() < last:
         try:
@@ -113,12 +92,12 @@ def _take_lock(descriptor: int, held: contextlib.ExitStack) -> None:
         except BlockingIOError:
             time.sleep(0.005)
         else:
-            held.callback(fcntl.flock, descriptor, fcntl.LOCK_UN)  # closing is not enough where another thread forked
+            held.callback(fcntl.flock, descriptor, fcntl.LOCK_UN)  # closing is not enough if another thread forked
             return
 
 
 def _remove_left_lock(path: Path) -> None:
-    """Remove Taichi's lock if its process is dead: it is none of ours, and no program holds it as long."""
+    """Remove the lock file of a dead Taichi process: no live one holds it that long."""
     with contextlib.suppress(FileNotFoundError):
         while 0 <= time.time() - path.stat().st_mtime < LEFT_BEHIND:
             time.sleep(0.02)
@@ -126,7 +105,7 @@ def _remove_left_lock(path: Path) -> None:
 
 
 def _forget_lost_kernels(folder: Path) -> None:
-    """Remove the list of kernels if one of them is not there, for Taichi to write a new one."""
+    """Remove the list of kernels if one is missing, so that Taichi rewrites it."""
     listing = folder / "ticache.tcb"
     with contextlib.suppress(FileNotFoundError):
         named = set(re.findall(r"T[0-9a-f]{64}", listing.read_bytes().decode("latin-1")))
@@ -136,19 +115,19 @@ def _forget_lost_kernels(folder: Path) -> None:
 
 
 class OwnProgram:
-    """Taichi's program that this process started by itself, and not its user."""
+    """Taichi program started by this library, not by the user."""
 
     def __init__(self, ti: Any, impl: Any) -> None:
-        """Call it when Taichi has just started: has it read the list of kernels, which it does for the first kernel."""
+        """Load the list of kernels, right after Taichi has started."""
         self._ti, self._impl = ti, impl
         self._program = weakref.ref(impl.get_runtime().prog)
         self._folder = KernelFolder(ti.cfg.offline_cache_file_path if ti.cfg.offline_cache else None)
         with self._folder.turn(), warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # Taichi's compiler uses what newer Pythons deprecate
+            warnings.simplefilter("ignore")  # Taichi's compiler uses features deprecated in newer Pythons
             ti.kernel(_nothing)()
 
     def end(self) -> None:
-        """End it while an error in that is an exception still; what it compiled is kept in the folder."""
+        """End the program while errors can be caught; compiled kernels are saved."""
         if self._impl.get_runtime().prog is not self._program():
             return
         with self._folder.turn():
@@ -158,7 +137,6 @@ class OwnProgram:
                 self.keep_for_ever()  # its destructor would try again, and abort
 
     def keep_for_ever(self) -> None:
-        """Never destroy it."""
         program = self._program()
         if program is not None:
             ctypes.pythonapi.Py_IncRef(ctypes.py_object(program))
@@ -170,11 +148,11 @@ def _nothing():
 
 @contextlib.contextmanager
 def same_arithmetic() -> Iterator[None]:
-    """Give this thread its floating-point mode back: ti.init makes it flush subnormal numbers to zero, NumPy's too."""
+    """Restore the floating-point mode: ti.init flushes subnormal numbers to zero, also for NumPy."""
     try:
         libc = ctypes.CDLL(None)
         read, write = libc.fegetenv, libc.fesetenv
-    except (OSError, AttributeError, TypeError):  # a platform whose C library has no such function
+    except (OSError, AttributeError, TypeError):  # a platform whose C library lacks the function
         yield
         return
     mode = ctypes.create_string_buffer(64)  # fenv_t: 32 bytes on x86-64, 8 on ARM
@@ -185,20 +163,20 @@ def same_arithmetic() -> Iterator[None]:
         write(mode)
 
 
-NEGATED = "negated_"  # the name of what stands for a minus sign
-TURNS = 512  # turns of a parallel loop that Taichi gives to a core at once
+NEGATED = "negated_"  # name of the function for a minus sign
+TURNS = 512  # iterations of a parallel loop that Taichi gives to a core at once
 
 TURNS_LOOP = f"""
 for turn_ in range(chunk_count_ * {TURNS}):
     if turn_ % {TURNS} == 0:
         chunk_ = turn_ // {TURNS}
 """
-# first + min(...), not min((chunk_ + 1) * size, count): that product can pass 2^31
+# first + min(...), not min((chunk_ + 1) * size, count): that product can exceed 2^31
 CHUNK_LOOP = """
 for i in range(chunk_ * chunk_size_, chunk_ * chunk_size_ + min(chunk_size_, thread_count_ - chunk_ * chunk_size_)):
     pass
 """
-# Two parts of one launch: blocks on all cores, then their sums; what stands within an `if` is on one core.
+# Two parts of one launch: blocks on all cores, then their sums; the body of an `if` runs on one core.
 REDUCTION = """
 def {name}_sum({arguments}count_, block_, partials_, out_, block_count_, chunk_size_, chunk_count_):
     first_ = chunk_ * chunk_size_
@@ -233,17 +211,13 @@ def {name}_sum({arguments}firsts_, lasts_, owners_, starts_, live_, partials_, o
 
 
 class ToTaichi(ast.NodeTransformer):
-    """Rewrites what the two compilers spell or read differently.
-
-    Taichi folds expressions of plain numbers in Python, in float64; Warp computes them in the type that they have in
-    the kernel. So the first number of such an expression is given its type.
-    """
+    """Rewrites what the compilers interpret differently, such as literals: Taichi folds them in float64."""
 
     def __init__(self, names: dict[str, Any], is_builtin: Callable, *, in_kernel: bool) -> None:
         self.names, self.is_builtin, self.in_kernel = names, is_builtin, in_kernel
 
     def visit_Call(self, node: ast.Call) -> ast.AST:
-        """Atomics, numbers that take their type from a constructor, built-ins of plain numbers."""
+        """Rewrite atomics, typed literals, and built-ins of literals."""
         self.generic_visit(node)
         name = node.func.id if isinstance(node.func, ast.Name) else ""
         if name.startswith("atomic_"):
@@ -268,7 +242,7 @@ class ToTaichi(ast.NodeTransformer):
         return node
 
     def visit_BinOp(self, node: ast.BinOp) -> ast.AST:
-        """`%` as in C; the first of two plain numbers gets its type."""
+        """`%` as in C; the first of two literals gets its type."""
         self.generic_visit(node)
         if isinstance(self._number(node.left), float) and isinstance(self._number(node.right), float):
             node.left = _call("f32", node.left)
@@ -277,21 +251,19 @@ class ToTaichi(ast.NodeTransformer):
         return node
 
     def visit_UnaryOp(self, node: ast.UnaryOp) -> ast.AST:
-        """`-x` as Warp has it: of a scalar 0 - x, so that of zero it is zero, and not minus zero."""
+        """`-x` of a scalar as 0 - x, as in Warp: -0 becomes 0."""
         self.generic_visit(node)
         if isinstance(node.op, ast.USub) and self._number(node) is None:
             return ast.Call(ast.Name(NEGATED, ast.Load()), [node.operand], [])
         return node
 
     def visit_AugAssign(self, node: ast.AugAssign) -> ast.AST:
-        """`a %= b` as `a = a % b`."""
         self.generic_visit(node)
         if isinstance(node.op, ast.Mod):
             return ast.Assign([node.target], _call("raw_mod", _loaded(node.target), node.value))
         return node
 
     def visit_Return(self, node: ast.Return) -> ast.AST:
-        """The end of a thread is the end of a turn of the loop."""
         self.generic_visit(node)
         return ast.Continue() if self.in_kernel else node
 
@@ -316,19 +288,16 @@ def _loaded(target: ast.expr) -> ast.expr:
 
 
 def in_parallel(body: list[ast.stmt]) -> ast.For:
-    """A parallel loop over chunks around a body that works on `chunk_`."""
     loop: ast.For = ast.parse(TURNS_LOOP).body[0]  # type: ignore[assignment]
     loop.body[0].body += body  # type: ignore[attr-defined]
     return loop
 
 
 def copy_tree(definition: ast.FunctionDef) -> ast.FunctionDef:
-    """A copy that may be changed."""
     return ast.parse(ast.unparse(definition)).body[0]  # type: ignore[return-value]
 
 
 def without_docstring(definition: ast.FunctionDef) -> list[ast.stmt]:
-    """The statements of a function."""
     first = definition.body[0]
     is_doc = isinstance(first, ast.Expr) and isinstance(first.value, ast.Constant)
     return definition.body[1:] if is_doc else definition.body
@@ -337,7 +306,7 @@ def without_docstring(definition: ast.FunctionDef) -> list[ast.stmt]:
 def _after_fork() -> None:
     Taichi.forked = Taichi.instance is not None
     if Taichi.instance is not None and Taichi.instance.own is not None:
-        Taichi.instance.own.keep_for_ever()  # its destructor would wait for threads that did not come along
+        Taichi.instance.own.keep_for_ever()  # its destructor would wait for threads that do not exist in the fork
 
 
 if hasattr(os, "register_at_fork"):  # not on Windows
@@ -346,16 +315,15 @@ if hasattr(os, "register_at_fork"):  # not on Windows
 
 @atexit.register
 def _end() -> None:
-    is_idle = lock.acquire(timeout=5)  # and keep it: daemon threads that come later wait here for the end
+    is_idle = lock.acquire(timeout=5)  # and keep it: daemon threads that come later wait here until exit
     if Taichi.instance is not None and Taichi.instance.own is not None and not Taichi.forked:
         (Taichi.instance.own.end if is_idle else Taichi.instance.own.keep_for_ever)()
 
 
-CHUNKS = {"thread_count_": int, "chunk_size_": int, "chunk_count_": int}  # what a kernel takes after its own
+CHUNKS = {"thread_count_": int, "chunk_size_": int, "chunk_count_": int}  # additional parameters of a kernel
 
 
 def sum_types(vector: Any, *, segmented: bool) -> dict[str, Any]:
-    """What the kernel of a reduction takes after the reduction's own parameters."""
     sums, table = wp.array(dtype=vector), wp.array(dtype=int)
     ends = {"partials_": sums, "out_": sums}
     if segmented:
@@ -367,14 +335,8 @@ def sum_types(vector: Any, *, segmented: bool) -> dict[str, Any]:
 
 
 def start() -> Taichi:
-    """The running Taichi, started at the first call.
-
-    A Taichi that the user's program started before is used as it stands when it runs on the CPU; nobody's fields are
-    ever destroyed by a second `ti.init`.
-
-    Raises:
-        TaichiUnavailableError: Taichi does not import, or the user's program runs it on a GPU.
-    """
+    """Start Taichi on the first call, or use the program's, since ti.init would destroy its fields. Raises
+    TaichiUnavailableError if the import fails or it runs on a GPU."""
     found = Taichi.instance
     if found is not None and found.is_running():
         return found
@@ -391,17 +353,15 @@ def start() -> Taichi:
 
 
 class Taichi:
-    """Taichi's side of the vocabulary and types."""
-
     instance: Taichi | None = None
-    forked = False  # whether the process is a fork of one where Taichi ran
+    forked = False  # True if the process is a fork of one in which Taichi ran
 
     def __init__(self) -> None:
         os.environ.setdefault("ENABLE_TAICHI_HEADER_PRINT", "False")
-        os.environ.setdefault("TI_SKIP_VERSION_CHECK", "ON")  # no thread that asks the internet for newer versions
+        os.environ.setdefault("TI_SKIP_VERSION_CHECK", "ON")  # no thread that searches the internet for newer versions
         os.environ.setdefault("TI_ENABLE_PYBUF", "0")  # no line about "graphical shells" under a captured stdout
         try:
-            # a deprecated call in Taichi 1.7.4, where the program makes warnings errors
+            # a deprecated call in Taichi 1.7.4, if the program turns warnings into errors
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore", DeprecationWarning)
                 import taichi as ti
@@ -419,28 +379,21 @@ class Taichi:
             wp.int8: ti.i8, wp.int16: ti.i16,
         }  # fmt: skip
         self.builtins = _builtins(ti)
-        self._serving: Callable[[], Any] = lambda: None  # the program that was last found to serve, while it lives
+        self._serving: Callable[[], Any] = lambda: None  # the last usable program, while it exists
         self.thread_count = 1  # of a CPU launch
-        self.own: OwnProgram | None = None  # not the user's
+        self.own: OwnProgram | None = None  # not started by the user
 
     def is_running(self) -> bool:
-        """Whether the program that was last found to serve still runs, in the process that started it."""
+        """True if the last program still runs in the process that started it."""
         program = self.program
         return program is not None and self._serving() is program and not Taichi.forked
 
     def prepare(self, kernel: Any, name: str, annotations: Sequence[Any], values: Sequence[Any]) -> TaichiLaunch:
-        """Compile a kernel and launch it; what launches it again. Take the lock first.
-
-        Args:
-            kernel: Taichi's.
-            name: As errors name it.
-            annotations: The types of its parameters, Warp's.
-            values: Checked arguments.
-        """
+        """Compile and launch a kernel with checked arguments. Return a prepared launch. Take the lock first."""
         runtime, recorder = self._impl.get_runtime(), Recorder(self.program)
         arguments = taichi_arguments(name, annotations, values)
         with self.settings(), self._plain_positions(), warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # Taichi's compiler uses what newer Pythons deprecate
+            warnings.simplefilter("ignore")  # Taichi's compiler uses features deprecated in newer Pythons
             runtime.prog = recorder
             try:
                 kernel(*arguments)
@@ -450,11 +403,7 @@ class Taichi:
 
     @contextlib.contextmanager
     def _plain_positions(self) -> Iterator[None]:
-        """Give positions as file and line, while Taichi reads a kernel.
-
-        It wraps and underlines the source of every node in case that an error should name it, for half of the time that
-        it reads. Errors are found before, by rules.py.
-        """
+        """Skip Taichi's formatting of source positions, half of its parsing time; rules.py reports errors earlier."""
 
         def plain(context: Any, node: ast.AST) -> str:
             line = node.lineno  # type: ignore[attr-defined]
@@ -469,16 +418,12 @@ class Taichi:
 
     @property
     def program(self) -> Any:
-        """Taichi's runtime; another one where the program has started Taichi anew."""
+        """Taichi's runtime; replaced if the program restarts Taichi."""
         return self._impl.get_runtime().prog
 
     @contextlib.contextmanager
     def settings(self) -> Iterator[None]:
-        """The settings that give Warp's results, held for a launch and then given back.
-
-        They matter where the program started Taichi itself: its fast arithmetic would take NaN for a number, and
-        float64 as the default type would turn our literals into float64.
-        """
+        """Settings during a launch for Warp's results, as the program's fast math and default types may differ."""
         ti, runtime = self.ti, self._impl.get_runtime()
         held = (ti.cfg.fast_math, runtime.default_fp, runtime.default_ip, runtime.short_circuit_operators)
         wanted = (False, ti.f32, ti.i32, True)
@@ -497,22 +442,19 @@ class Taichi:
         self.ti.cfg.default_fp, self.ti.cfg.default_ip = settings[1], settings[2]
 
     def ensure_running(self) -> None:
-        """Start the runtime, unless one runs that serves."""
         ti = self.ti
         if self._impl.get_runtime().prog is None:
             threads = default_thread_count()
             options: dict[str, Any] = {"cpu_max_num_threads": threads}
             if "TI_NUM_COMPILE_THREADS" not in os.environ:
                 # With 0 each Python thread compiles for itself, and the second one to do so ends the process: LLVM 15
-                # reads the runtime's code with opaque pointers in one context and without in the other. Our kernels
-                # have one part each, so that more threads would only be started.
+                # reads the runtime's code with opaque pointers in one context and without in the other. Kernels have
+                # one part each, so more threads would be unused.
                 options["num_compile_threads"] = 1
             require_threads(1 + threads)
-            if not is_writable(
-                cache_folder() / "taichi"
-            ):  # Taichi would crash at exit, whether it keeps kernels or not
+            if not is_writable(cache_folder() / "taichi"):  # Taichi would crash at exit, with or without a cache
                 options |= {"offline_cache": False, "offline_cache_file_path": temporary_cache()}
-            # "[Taichi] Starting on ..." goes nowhere: stdout is the program's
+            # "[Taichi] Starting on ..." is discarded: stdout belongs to the program
             with contextlib.redirect_stdout(io.StringIO()), same_arithmetic():
                 ti.init(
                     arch=ti.cpu, log_level=ti.ERROR, default_fp=ti.f32, default_ip=ti.i32, fast_math=False, **options
@@ -523,25 +465,22 @@ class Taichi:
         self._serving, self.thread_count = weakref.ref(self.program), int(ti.cfg.cpu_max_num_threads)
 
     def chunks(self, thread_count: int) -> tuple[int, int, int]:
-        """(threads, threads a chunk, chunks) of a launch: some 16 chunks a core, so that uneven work evens out."""
+        """(threads, threads per chunk, chunks): about 16 chunks per core for load balance."""
         size = max(1, thread_count // (16 * self.thread_count))
         return thread_count, size, -(-thread_count // size)
 
     def type_of(self, t: Any) -> Any:
-        """Taichi's type for one of Warp's."""
         if t in self.scalars:
             return self.scalars[t]
         scalar = self.scalars[t._wp_scalar_type_]
         return (self.ti.types.vector if len(t._shape_) == 1 else self.ti.types.matrix)(*t._shape_, scalar)
 
     def argument(self, annotation: Any) -> Any:
-        """The annotation of a Taichi kernel's parameter."""
         if isinstance(annotation, wp.array):
             return self.ti.types.ndarray(dtype=self.type_of(annotation.dtype), ndim=annotation.ndim)
         return self.type_of(annotation)
 
     def scope(self, module_globals: dict[str, Any], names: set[str], is_builtin: Callable) -> dict[str, Any]:
-        """The names that a function uses, as Taichi must see them."""
         scope: dict[str, Any] = {}
         for name in names:
             if name not in module_globals:
@@ -558,7 +497,7 @@ class Taichi:
         return scope | {"ti_": self.ti, NEGATED: self.builtins[NEGATED]}
 
     def make_func(self, function: Callable, definition: ast.FunctionDef, is_builtin: Callable) -> Any:
-        """A Taichi device function; arrays come in as templates."""
+        """A Taichi device function; arrays are templates."""
         definition = copy_tree(definition)
         to_taichi = self._rewriter(function, definition, is_builtin, in_kernel=False)
         definition.body = [to_taichi.visit(s) for s in without_docstring(definition)]
@@ -566,11 +505,8 @@ class Taichi:
         return self.ti.func(self._compile(function, definition, arrays, is_builtin, {}))
 
     def make_kernel(self, function: Callable, definition: ast.FunctionDef, is_builtin: Callable) -> Any:
-        """A Taichi kernel: parallel chunks of threads, the per-thread body in a plain loop over each chunk.
-
-        The chunks are ours, since Taichi calls a function for each turn of its parallel loop (no vectorisation, no
-        hoisting) and hands its turns to cores in blocks of 512 whatever its settings say: so one turn in 512 works.
-        """
+        """A Taichi kernel: a parallel loop over chunks, with a plain loop over each chunk. Taichi calls a function per
+        parallel iteration (no vectorization) in blocks of 512, so one iteration in 512 works."""
         definition = copy_tree(definition)
         body = without_docstring(definition)
         inner: ast.For = ast.parse(CHUNK_LOOP).body[0]  # type: ignore[assignment]
@@ -586,7 +522,7 @@ class Taichi:
     def make_reduction(
         self, function: Callable, definition: ast.FunctionDef, is_builtin: Callable, *, segmented: bool
     ) -> Any:
-        """The Taichi kernel of a reduction: partial sums of blocks, then their sums, both in a fixed order."""
+        """Taichi kernel of a reduction: partial sums of blocks, then their sum, in a fixed order."""
         element_definition = copy_tree(definition)
         body = without_docstring(element_definition)
         index = body[0].targets[0].id  # type: ignore[attr-defined]
@@ -675,7 +611,7 @@ def _builtins(ti: Any) -> dict[str, Any]:
 def _by_kind(ti: Any) -> list[Callable]:
     def isfinite(x):
         if ti.static(is_vector(x)):
-            return (x - x).sum() == 0  # a component that is not finite leaves NaN
+            return (x - x).sum() == 0  # a component that is not finite gives NaN
         else:
             return (x - x) == 0
 

@@ -1,11 +1,8 @@
-"""The half of the shared language that Warp compiles: for CUDA, and for all cores of the CPU.
+"""Warp compiler of the kernel language, for CUDA and the CPU.
 
-Other bounds of registers than kernels ask for, to be tried on a GPU: POINTLOOM_MOST_REGISTERS=KERNEL=NUMBER,... A
-kernel says by `@kernel(most_registers=80)` what a thread of it may hold on CUDA. Whether a bound is right is seen on a
-GPU alone: a lower one lets more threads in and has the assembler spill. A kernel that is named here is compiled with
-the number beside it, 0 for no bound at all; a variant for CUDA goes by its own name, a sum by that of its function. The
-number is part of the hash of the kernel's module, so each build is kept beside the others, and no archive of kernels
-compiled ahead has it.
+`@kernel(most_registers=80)` limits registers per thread on CUDA. To try other limits, set
+POINTLOOM_MOST_REGISTERS=KERNEL=NUMBER,... (0: no limit). A CUDA variant has its own name; a reduction has that of its
+function. The limit is part of the module's hash, so such builds are cached separately and never come from an archive.
 """
 
 from __future__ import annotations
@@ -33,12 +30,7 @@ STDERR = 2
 
 @contextlib.contextmanager
 def lines_removed_from_stderr(phrase: str) -> Iterator[None]:
-    """Drop the lines with a phrase that the block writes to file descriptor 2; all others are written after it.
-
-    The descriptor belongs to the whole process, so the block has to be short. Python's own stream, which may be None,
-    closed or of any class, is not used. If the descriptor is closed or no temporary file can be made, nothing is
-    dropped.
-    """
+    """Drop lines with a phrase that the block writes to file descriptor 2, if that can be redirected."""
     captured = _redirected()
     if captured is None:
         yield
@@ -57,7 +49,7 @@ def lines_removed_from_stderr(phrase: str) -> Iterator[None]:
 
 
 def _redirected() -> tuple[IO[bytes], int] | None:
-    """A temporary file in place of descriptor 2, and a copy of the descriptor; None if that is impossible."""
+    """A temporary file in place of descriptor 2, and a copy of the descriptor; None if impossible."""
     try:
         os.fstat(STDERR)
         file = tempfile.TemporaryFile()
@@ -73,15 +65,11 @@ def _redirected() -> tuple[IO[bytes], int] | None:
 
 
 VARIABLE = "POINTLOOM_MOST_REGISTERS"
-HIGHEST = 255  # that an instruction can name
+HIGHEST = 255  # maximum that an instruction can encode
 
 
 def most_registers_of(name: str, own: int) -> int:
-    """Registers at most that a thread of the kernel may hold on CUDA, 0 for any number: `own` where none is tried.
-
-    Raises:
-        ValueError: What the environment says has another form.
-    """
+    """Maximum registers per thread on CUDA (0: no limit). Raises ValueError for a malformed environment variable."""
     return _tried(os.environ.get(VARIABLE, "")).get(name, own)
 
 
@@ -102,7 +90,7 @@ wp.config.log_level = wp.LOG_ERROR  # no banner on stdout: it belongs to the pro
 
 
 def _start_quietly() -> None:
-    """Start Warp without its line on stderr that there is no NVIDIA driver."""
+    """Start Warp without its message on a missing NVIDIA driver."""
     named = os.environ.get("WARP_CACHE_PATH")
     folder = Path(named) if named else cache_folder() / "warp"
     if writers := other_writers(folder):
@@ -123,7 +111,6 @@ def _start_quietly() -> None:
 
 
 def _has_driver() -> bool:
-    """Whether the NVIDIA driver's library can be loaded, as Warp loads it."""
     try:
         ctypes.CDLL("nvcuda.dll" if sys.platform == "win32" else "libcuda.so.1")
     except OSError:
@@ -134,11 +121,11 @@ def _has_driver() -> bool:
 _start_quietly()
 
 REDUCTION_BLOCK = 256  # threads of a CUDA block; also the stride of the second stage
-PART = 4  # numbers of a vector that a block sums at once
+PART = 4  # elements of a vector that a block sums at once
 
-# One block size for all of a module, since its tiles are compiled for it. Products and sums stay apart: the search tree
-# is exact only where the distances of a box and of a point round alike. CUDA then gives the CPU's bits, but for the two
-# things that the docstring of kernels/lang.py names: reductions, and functions like sin.
+# One block size per module, since its tiles are compiled for it. No fused multiply-add: the search tree is exact only
+# if the distances of a box and a point round alike. CUDA is then bitwise identical to the CPU, except for
+# reductions and functions like sin (see kernels/lang.py).
 _OPTIONS = {"enable_backward": False, "fuse_fp": False, "block_dim": REDUCTION_BLOCK}
 _OPTIONS_FOR_CUDA = _OPTIONS | cuda_code.options()
 
@@ -153,7 +140,7 @@ def _bits_float(i: wp.int32):
     return wp.cast(i, wp.float32)
 
 
-# The 32 lanes of a warp, all of which take part in each of these; those of one name are overloads.
+# All 32 lanes of a warp take part in each of these; functions of one name are overloads.
 @wp.func_native("return (int)(threadIdx.x & 31u);")
 def _lane() -> wp.int32: ...
 
@@ -205,7 +192,7 @@ _eight_points = wp.types.vector(24, wp.float32)
 def _load_eight(points: wp.array(dtype=wp.vec3), first: wp.int32) -> _eight_points: ...  # type: ignore[valid-type]
 
 
-# A stride known to the compiler and one address for all, where each access to an array multiplies 64 bits.
+# Constant stride and one address for all, since each array access multiplies 64-bit numbers.
 @wp.func_native("""
     const float* at = numbers.data + first;
     wp::vec_t<6, float> found;
@@ -239,7 +226,7 @@ OWN = {
 
 
 def translate(function: Callable, is_builtin: Callable[[Any], bool]) -> dict[str, Any]:
-    """The globals that a function uses as Warp must see them; a built-in that Warp has is found there by its name."""
+    """Globals of a function as Warp must see them; Warp's built-ins are found by name."""
     names: dict[str, Any] = {}
     for name in function.__code__.co_names:
         if name not in function.__globals__:
@@ -253,7 +240,7 @@ def translate(function: Callable, is_builtin: Callable[[Any], bool]) -> dict[str
 
 
 def rebind(function: Callable, is_builtin: Callable[[Any], bool]) -> types.FunctionType:
-    """The same code object with its global names looked up in Warp's vocabulary."""
+    """The same code object with its globals replaced by Warp's vocabulary."""
     scope = translate(function, is_builtin)
     twin = types.FunctionType(function.__code__, scope, function.__name__)
     twin.__annotations__ = dict(function.__annotations__)
@@ -262,7 +249,7 @@ def rebind(function: Callable, is_builtin: Callable[[Any], bool]) -> types.Funct
 
 
 def compile_source(name: str, source: str, scope: dict[str, Any], module: str) -> types.FunctionType:
-    """A function from generated source, which Warp can read back through linecache."""
+    """Compile generated source that Warp can read back through linecache."""
     filename = f"<{module}.{name}>"
     linecache.cache[filename] = (len(source), None, source.splitlines(True), filename)
     scope = {**scope, "__name__": module}
@@ -273,7 +260,7 @@ def compile_source(name: str, source: str, scope: dict[str, Any], module: str) -
 
 
 def make_func(function: Callable, is_builtin: Callable[[Any], bool], *, for_cuda: bool) -> Any:
-    """A Warp device function; one for CUDA has a name of its own, since a module may hold the other too."""
+    """A Warp device function; a CUDA one has its own name, since a module may contain both."""
     _set_options(function.__module__)
     twin = rebind(function, is_builtin)
     if for_cuda:
@@ -282,7 +269,7 @@ def make_func(function: Callable, is_builtin: Callable[[Any], bool], *, for_cuda
 
 
 def make_kernel(function: Callable, is_builtin: Callable[[Any], bool], place: str, most_registers: int) -> Any:
-    """A Warp kernel without its adjoint, in the file's module for a place, or for what CUDA runs as it is written."""
+    """A Warp kernel without adjoint, in the file's module for a device type, or its CUDA-only module."""
     _set_options(function.__module__)
     home = _module_of(function.__module__, place) if place else None
     most = 0 if place == "cpu" else most_registers_of(function.__name__, most_registers)
@@ -290,24 +277,24 @@ def make_kernel(function: Callable, is_builtin: Callable[[Any], bool], place: st
 
 
 def cuda_module(module: str) -> Any:
-    """Warp's module of those kernels of a file that only CUDA runs, of sums and variants."""
+    """Warp's module for the CUDA-only kernels of a file: reductions and variants."""
     return _module_of(module, "cuda")
 
 
 def _module_of(module: str, place: str) -> Any:
-    """Warp compiles a module whole, for one place and with its options."""
+    """Warp module of a file and a device type: Warp compiles a complete module with one set of options."""
     found = wp.get_module(f"{module}.{place}")
     found.options.update(_OPTIONS | pool_code.options() if place == "cpu" else _OPTIONS_FOR_CUDA)
     return found
 
 
 def modules_for_cuda(module: str) -> list[Any]:
-    """Warp's modules of a file's kernels that CUDA launches; their kernels must have been made."""
+    """Warp modules of a file's CUDA kernels; the kernels must exist."""
     return [found for found in (wp.get_module(module), cuda_module(module)) if found.kernels]
 
 
 class _Reduction:
-    """What the kernels of a reduction are made of: its element function, its vector, its registers at most (0: any)."""
+    """Parts of a reduction's kernels: element function, vector, and register limit (0: none)."""
 
     def __init__(
         self, name: str, element_source: str, annotations: dict, scope: dict[str, Any], module: str, most_registers: int
@@ -323,7 +310,6 @@ class _Reduction:
         self.partials = wp.array(dtype=self.vector)
 
     def kernel(self, suffix: str, source: str, types: dict) -> Any:
-        """A kernel of generated source, for CUDA where it has tiles, else for the CPU."""
         listed = "".join(f"{a}, " for a in self.arguments)
         source = source.format(
             name=self.name, arguments=listed, block=REDUCTION_BLOCK, sum=_sum_of_block(self.vector._length_)
@@ -336,7 +322,7 @@ class _Reduction:
 
 
 class CpuReduction(_Reduction):
-    """The kernel of a sum on the CPU: threads for the blocks, and behind them one that adds up what those left."""
+    """CPU kernel of a sum: threads for the blocks, then one that adds their results."""
 
     def __init__(self, *made_of: Any) -> None:
         super().__init__(*made_of)
@@ -345,7 +331,7 @@ class CpuReduction(_Reduction):
 
 
 class CpuSegmentReduction(_Reduction):
-    """The kernel of many sums on the CPU: threads for the blocks, and behind them one a sum."""
+    """CPU kernel of many sums: threads for the blocks, then one per sum."""
 
     def __init__(self, *made_of: Any) -> None:
         super().__init__(*made_of)
@@ -355,7 +341,7 @@ class CpuSegmentReduction(_Reduction):
 
 
 class CudaReduction(_Reduction):
-    """The kernels of a sum on CUDA: tiles, and the fold of their partial sums."""
+    """CUDA kernels of a sum: tiles, and the fold of their partial sums."""
 
     def __init__(self, *made_of: Any) -> None:
         super().__init__(*made_of)
@@ -365,7 +351,7 @@ class CudaReduction(_Reduction):
 
 
 class CudaSegmentReduction(_Reduction):
-    """The same kernels for many sums; the folds of a vector are shared within a module."""
+    """CUDA kernels of many sums; folds of a vector length are shared within a module."""
 
     _folds: dict[tuple[str, Any], Any] = {}  # noqa: RUF012
 
@@ -454,14 +440,11 @@ _SEGMENT_FOLD_TILES = """def {name}_fold_tiles(starts_, live_, partials_, out_):
 
 
 def _sum_of_block(length: int) -> str:
-    """Lines that leave the block's sum of `value_` in it, a few numbers at a time.
-
-    A tile of whole vectors takes two of them in registers, beside what else a thread holds.
-    """
+    """Source lines for the block sum of `value_`, in parts: a tile of complete vectors would double its registers."""
     lines = []
     for first in range(0, length, PART):
         part = range(first, min(first + PART, length))
-        if len(part) == 1:  # a vector of one number would be one to be filled
+        if len(part) == 1:  # a vector of one number would be filled
             lines.append(f"    value_[{first}] = wp.tile_extract(wp.tile_sum(wp.tile(value_[{first}])), 0)")
             continue
         listed = ", ".join(f"value_[{k}]" for k in part)

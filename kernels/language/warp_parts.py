@@ -1,8 +1,7 @@
-"""The parts of Warp that are no public interface, named in one place, with what is expected of them.
+"""Private parts of Warp in use, and checks that this Warp has them.
 
-Launches and arrays on a GPU go past Warp's Python (cuda_launches.py, device_arrays.py), which takes longer than the
-driver. They look here whether this Warp has what they know; where it has not, all goes through `wp.launch` and
-`wp.empty`. warp-lang is bound to the versions that were read, 1.19, in pyproject.toml.
+Fast launches and arrays (cuda_launches.py, device_arrays.py) bypass Warp's Python. If a part is missing, `wp.launch`
+and `wp.empty` are used. pyproject.toml pins the tested version, 1.19.
 """
 
 from __future__ import annotations
@@ -17,17 +16,17 @@ from warp._src import context, types
 MAX_AXES = 4  # of an array
 CURRENT_STREAM = 0xFFFFFFFFFFFFFFFF  # stands for a context's own
 MEMORY_OF_POOL = context.MemoryKind.CUDA_MEMPOOL
-DESCRIPTION = ("data", "grad", "shape", "strides", "ndim", "flags")  # of an array, as kernels get it: array_t
+DESCRIPTION = ("data", "grad", "shape", "strides", "ndim", "flags")  # array descriptor of kernels: array_t
 DESCRIPTION_BYTES = 56
-BOUNDS = ("shape", "size", "coord_mult")  # what a kernel gets first: launch_bounds_1d_t
-ARRAY = {  # what an array keeps: all that a copy of one for another place in memory has to change is here
+BOUNDS = ("shape", "size", "coord_mult")  # first kernel argument: launch_bounds_1d_t
+ARRAY = {  # attributes of an array: all that a copy for another address has to change is here
     *("_allocator", "_grad", "capacity", "ctype", "deleter", "device", "dtype", "is_contiguous", "ndim", "ptr"),
     *("shape", "size", "strides"),
 }
 DEVICE = ("_custom_allocator", "alias", "context", "current_allocator", "mempool_allocator", "ordinal", "stream")
 LAUNCH = ("block_dim", "bounds", "cluster_dim", "grid_stride", "hooks", "max_blocks", "module_exec", "params")
 HOOKS = ("det_launch_meta", "forward", "forward_smem_bytes")
-FUNCTIONS = {  # of the native library, with what they take
+FUNCTIONS = {  # of the native library, with their argument types
     "wp_cuda_launch_kernel": 11,
     "wp_alloc_device_async": 4,
     "wp_free_device_async": 3,
@@ -40,12 +39,11 @@ FUNCTIONS = {  # of the native library, with what they take
 
 
 def core() -> Any:
-    """Warp's native library."""
     return context.runtime.core
 
 
 def missing() -> list[str]:
-    """What of these parts this Warp lacks, or has in another form; empty of a version that was read."""
+    """Parts that this Warp lacks or has in another form."""
     found = []
     if tuple(name for name, *_ in types.array_t._fields_) != DESCRIPTION or _size(types.array_t) != DESCRIPTION_BYTES:
         found.append("array_t: an array as kernels get it")
@@ -71,13 +69,12 @@ def _size(structure: Any) -> int:
 
 
 def _has(kind: type, name: str) -> bool:
-    """Whether objects of a class have an attribute: of the class, or named where they are made."""
+    """True if a class has an attribute, or one assigned in its constructor."""
     return hasattr(kind, name) or name in kind.__init__.__code__.co_names
 
 
 @functools.cache
 def is_known() -> bool:
-    """Whether this Warp is one that can be gone past."""
     try:
         return not missing()
     except (AttributeError, TypeError):
@@ -85,13 +82,13 @@ def is_known() -> bool:
 
 
 def raise_launch_error(kernel: Any, device: Any, hooks: Any) -> NoReturn:
-    """Say why the driver refused a launch, in Warp's words."""
+    """Raise the launch error in Warp's wording."""
     context._raise_cuda_launch_error(kernel, device, hooks, False)
     raise AssertionError("it raises")
 
 
 def makes_arrays_plainly(device: Any) -> bool:
-    """Whether an array on a GPU is memory of its pool and nothing else."""
+    """True if a GPU array is plain memory of Warp's pool."""
     return (
         device._custom_allocator is None
         and device.current_allocator is device.mempool_allocator
@@ -101,7 +98,7 @@ def makes_arrays_plainly(device: Any) -> bool:
 
 
 def launches_plainly() -> bool:
-    """Whether a launch is a call of the driver and nothing else: nobody listens, prints or checks."""
+    """True if launches have no hooks, printing, or checks."""
     runtime, config = context.runtime, wp.config
     return not (
         runtime._apic_capture is not None

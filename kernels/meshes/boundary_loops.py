@@ -1,10 +1,9 @@
-"""The border of a mesh: half-edges without a partner, and the loops that they form.
+"""Boundary half-edges of a mesh and the loops that they form.
 
-From the end of a half-edge at the border one thread turns about that vertex through its triangles to the next
-half-edge at the border. That is a list of successors whose loops are ranked by pointer jumping (Wyllie 1979), in
-log2 n passes over n half-edges. A loop that passes a vertex twice is cut there into loops that do not: one thread a
-loop, with a stack. Where the way leads through an edge of three triangles or more, or of two that turn different ways,
-it ends, and what is left is a chain and no loop. About 60 B a half-edge of the border, 8 B a half-edge of the mesh.
+Successors along the boundary are found by rotation around each vertex; loops are ranked by pointer jumping (Wyllie
+1979) in log2 n passes. A loop that passes a vertex twice is split there by one thread per loop. Paths end at
+non-manifold or inconsistently oriented edges and form chains, not loops. About 60 B per boundary half-edge and 8 B per
+half-edge.
 """
 
 import numpy as np
@@ -19,12 +18,12 @@ from ..memory import clone, empty, full
 from .mesh_edges import find_edges, higher_end, key_bits, lower_end, run_places
 from .mesh_topology import corner_vertex, next_corner
 
-BORDER, BLOCKED = -1, -2  # what a half-edge has in place of a partner
+BORDER, BLOCKED = -1, -2  # stored for a half-edge without an opposite
 
 
 @kernel
 def pair_half_edges_kernel(edges: UniqueKeys, bits: int, twins: array(dtype=int32)):
-    """The partner of each half-edge; BORDER where there is none, BLOCKED where there are several."""
+    """Opposite of each half-edge; BORDER if there is none, BLOCKED if there are several."""
     i = tid()
     first = edges.starts[i]
     count = edges.starts[i + 1] - first
@@ -43,7 +42,6 @@ def pair_half_edges_kernel(edges: UniqueKeys, bits: int, twins: array(dtype=int3
 
 @kernel
 def mark_border_kernel(twins: array(dtype=int32), mask: array(dtype=uint8)):
-    """1 for half-edges at the border."""
     i = tid()
     mask[i] = uint8(1 if twins[i] == BORDER else 0)
 
@@ -57,10 +55,7 @@ def find_next_kernel(
     nexts: array(dtype=int32),
     vertices: array(dtype=int32),
 ):
-    """The place of the next half-edge along the border, -1 where the way is blocked; and the vertex of this one.
-
-    Turning about a vertex leads to another half-edge from each one, so from one without a partner it ends.
-    """
+    """Next boundary half-edge (-1 if blocked) and start vertex. Rotation around a vertex ends: it is a permutation."""
     i = tid()
     h = half_edges[i]
     vertices[i] = corner_vertex(triangles, h)
@@ -69,7 +64,7 @@ def find_next_kernel(
     while twins[g] >= 0:
         g = next_corner(twins[g])
         if corner_vertex(triangles, g) != end:
-            g = h  # the two triangles turn different ways; h is at the border, so the walk ends
+            g = h  # the two triangles are inconsistently oriented; h is at the boundary, so the rotation ends
             end = -1
     following = -1
     if twins[g] == BORDER and end >= 0:
@@ -78,14 +73,7 @@ def find_next_kernel(
 
 
 class Border:
-    """The half-edges at the border of a mesh.
-
-    Attributes:
-        half_edges: int32 [b], ascending.
-        vertices: int32 [b], where each one starts.
-        edges: The edges of the mesh, padded.
-        nexts: int32 [b], the place of the one that follows, or -1.
-    """
+    """Boundary half-edges: ascending numbers, start vertices, and successors (-1 for none); `edges` are padded."""
 
     def __init__(self, triangles: Triangles, vertex_count: int) -> None:
         device = triangles.device
@@ -100,12 +88,9 @@ class Border:
         launch(find_next_kernel, count, [triangles, twins, self.half_edges, places, self.nexts, self.vertices])
 
 
-# ------------------------------------------------------------------------------------------------ ranking
-
-
 @kernel
 def begin_leaders_kernel(vertices: array(dtype=int32), leaders: array(dtype=int64)):
-    """Each one leads itself: by its vertex, then by its number."""
+    """Each half-edge leads itself: by vertex, then by number."""
     i = tid()
     leaders[i] = pack_bits(vertices[i], i)
 
@@ -117,7 +102,7 @@ def jump_leaders_kernel(
     new_jumps: array(dtype=int32),
     new_leaders: array(dtype=int64),
 ):
-    """The least of the leaders on twice as long a way."""
+    """Minimum of the leaders over twice the distance."""
     i = tid()
     jump = jumps[i]
     leader = leaders[i]
@@ -132,7 +117,6 @@ def jump_leaders_kernel(
 def cut_loops_kernel(
     nexts: array(dtype=int32), leaders: array(dtype=int64), jumps: array(dtype=int32), lengths: array(dtype=int64)
 ):
-    """Loops cut before their leaders: the way to the end of each."""
     i = tid()
     following = nexts[i]
     if following >= 0:
@@ -149,7 +133,6 @@ def jump_lengths_kernel(
     new_jumps: array(dtype=int32),
     new_lengths: array(dtype=int64),
 ):
-    """The length of twice as long a way."""
     i = tid()
     jump = jumps[i]
     length = lengths[i]
@@ -164,7 +147,6 @@ def jump_lengths_kernel(
 def list_loop_keys_kernel(
     rows: array(dtype=int32), leaders: array(dtype=int64), lengths: array(dtype=int64), before: array(dtype=int64)
 ):
-    """How many of its loop stand before each one."""
     i = tid()
     row = rows[i]
     leader = int(leaders[row] & 0xFFFFFFFF)
@@ -173,7 +155,6 @@ def list_loop_keys_kernel(
 
 @kernel
 def mark_loops_kernel(jumps: array(dtype=int32), mask: array(dtype=uint8)):
-    """1 where the way never ended."""
     i = tid()
     mask[i] = uint8(1 if jumps[i] >= 0 else 0)
 
@@ -188,16 +169,7 @@ def _jump(kernel: Kernel, jumps: Integers, values: LongIntegers) -> tuple[Intege
 
 
 def rank_loops(vertices: Indices, nexts: Integers) -> tuple[Indices, UniqueKeys]:
-    """The loops among successors: each from its lowest vertex on, in the order of these.
-
-    Args:
-        vertices: int32 [b].
-        nexts: int32 [b], no two the same but -1.
-
-    Returns:
-        (rows int32 [k], loops): the places along all loops, and padded UniqueKeys whose `starts` say where each loop
-        begins.
-    """
+    """Loops among distinct successors, each from its lowest vertex on, sorted: (rows int32 [k], padded UniqueKeys)."""
     device, count = nexts.device, nexts.size
     leaders = empty(count, int64, device)
     launch(begin_leaders_kernel, count, [vertices, leaders])
@@ -215,21 +187,16 @@ def rank_loops(vertices: Indices, nexts: Integers) -> tuple[Indices, UniqueKeys]
     return gather_rows(rows, loops.order), loops
 
 
-# ------------------------------------------------------------------------------------------------ vertices passed twice
-
-
 @kernel
 def list_passes_kernel(
     rows: array(dtype=int32), vertices: array(dtype=int32), places: array(dtype=int32), keys: array(dtype=int64)
 ):
-    """The loop and the vertex of each place along the loops."""
     i = tid()
     keys[i] = pack_bits(places[i], vertices[rows[i]])
 
 
 @kernel
 def spread_passes_kernel(passes: UniqueKeys, own: array(dtype=int32), slots: array(dtype=int32)):
-    """The number of its vertex in its loop for each place."""
     i = tid()
     slots[passes.order[i]] = own[i]
 
@@ -238,7 +205,7 @@ def spread_passes_kernel(passes: UniqueKeys, own: array(dtype=int32), slots: arr
 def close_loop(
     rows: array(dtype=int32), stack: array(dtype=int32), first: int, last: int, nexts: array(dtype=int32)
 ) -> int:
-    """Make a loop of the places of a stack from `first` up to `last`; how many they are."""
+    """Make a loop of positions first .. last of a stack. Return their number."""
     for q in range(first, last):
         following = q + 1
         if following == last:
@@ -256,10 +223,7 @@ def cut_at_vertices_kernel(
     stack: array(dtype=int32),
     nexts: array(dtype=int32),
 ):
-    """Close a loop whenever one comes to a vertex that it has passed; one thread a loop.
-
-    heights: where in the stack each vertex of a loop stands, -1 where it does not.
-    """
+    """Close a loop at each repeated vertex; one thread per loop. `heights` are stack positions of vertices, or -1."""
     i = tid()
     base = starts[i]
     top = base
@@ -278,10 +242,7 @@ def cut_at_vertices_kernel(
 
 
 def find_loops(border: Border) -> tuple[Indices, UniqueKeys, np.ndarray]:
-    """The loops of a Border, none of which passes a vertex twice: (rows, loops, starts), the last on the host.
-
-    The first two are as of `rank_loops`, but neither the loops nor the edges of the Border are padded.
-    """
+    """Simple loops of a Border: (rows, loops, starts on the host), as of `rank_loops` but without padding."""
     device = border.nexts.device
     rows, loops = rank_loops(border.vertices, border.nexts)
     places, keys = run_places(loops, rows.size), empty(rows.size, int64, device)

@@ -1,8 +1,6 @@
-"""Which triangles of a mesh are none: those that name a vertex twice, have no area or a corner that is not finite, and
-those that an earlier one repeats.
+"""Masks of degenerate, non-finite and duplicate triangles.
 
-Repeats stand side by side in the order (triangle_order.py) of triangles turned so that their lowest vertex comes first.
-12 B read and 17 B written a triangle beside it.
+Duplicates are adjacent in the order (triangle_order.py) of triangles rotated to begin with their lowest vertex.
 """
 
 from ..array_types import Mask, Points, Triangles
@@ -14,7 +12,6 @@ from .triangle_order import mark_new_triangles_kernel, sort_triangles
 
 @func
 def names_twice(t: vec3i) -> int:
-    """1 where two corners are one vertex."""
     found = 0
     if t[0] == t[1] or t[1] == t[2] or t[2] == t[0]:
         found = 1
@@ -25,7 +22,6 @@ def names_twice(t: vec3i) -> int:
 def mask_degenerate_kernel(
     vertices: array(dtype=vec3), triangles: array(dtype=vec3i), zero_area: int, mask: array(dtype=uint8)
 ):
-    """1 where two corners are one vertex; with `zero_area` where the area is zero, too."""
     i = tid()
     t = triangles[i]
     found = names_twice(t)
@@ -39,7 +35,6 @@ def mask_degenerate_kernel(
 
 @kernel
 def mask_not_finite_kernel(vertices: array(dtype=vec3), triangles: array(dtype=vec3i), mask: array(dtype=uint8)):
-    """1 where a corner is not finite."""
     i = tid()
     t = triangles[i]
     whole = isfinite(vertices[t[0]]) and isfinite(vertices[t[1]]) and isfinite(vertices[t[2]])
@@ -48,7 +43,6 @@ def mask_not_finite_kernel(vertices: array(dtype=vec3), triangles: array(dtype=v
 
 @kernel
 def list_turned_kernel(triangles: array(dtype=vec3i), turned: array(dtype=vec3i)):
-    """The least of the three turns of a triangle, compared corner by corner."""
     i = tid()
     t = triangles[i]
     best = t + vec3i(0, 0, 0)
@@ -68,20 +62,19 @@ def list_turned_kernel(triangles: array(dtype=vec3i), turned: array(dtype=vec3i)
 
 @kernel
 def mask_old_kernel(order: array(dtype=int32), marks: array(dtype=int32), mask: array(dtype=uint8)):
-    """1 where the triangle before in a sorted order is the same; equal ones stand by their numbers."""
+    """1 if a triangle equals its predecessor in sorted order; equal ones are sorted by index."""
     i = tid()
     mask[order[i]] = uint8(1 if i > 0 and marks[i] == 0 else 0)
 
 
 def mask_degenerate(vertices: Points, triangles: Triangles, *, zero_area: bool) -> Mask:
-    """uint8 [t]: 1 for triangles that name a vertex twice, and where asked for those of finite corners without area."""
+    """uint8 [t]: 1 for triangles with repeated vertices, and with `zero_area` also finite triangles without area."""
     mask = empty(triangles.size, uint8, triangles.device)
     launch(mask_degenerate_kernel, triangles.size, [vertices, triangles, int(zero_area), mask])
     return mask
 
 
 def mask_not_finite(vertices: Points, triangles: Triangles) -> Mask:
-    """uint8 [t]: 1 for triangles with a corner that is not finite."""
     mask = empty(triangles.size, uint8, triangles.device)
     launch(mask_not_finite_kernel, triangles.size, [vertices, triangles, mask])
     return mask
@@ -89,14 +82,12 @@ def mask_not_finite(vertices: Points, triangles: Triangles) -> Mask:
 
 @kernel
 def join_masks_kernel(more: array(dtype=uint8), mask: array(dtype=uint8)):
-    """1 where another mask has it, too."""
     i = tid()
     if more[i] != 0:
         mask[i] = uint8(1)
 
 
 def join_masks(mask: Mask, *others: Mask) -> Mask:
-    """A mask, set where others are, too."""
     for more in others:
         launch(join_masks_kernel, mask.size, [more, mask])
     return mask
@@ -104,7 +95,7 @@ def join_masks(mask: Mask, *others: Mask) -> Mask:
 
 @kernel
 def mark_corners_kernel(triangles: array(dtype=vec3i), gone: array(dtype=uint8), used: array(dtype=uint8)):
-    """1 for the vertices of triangles that a mask leaves; threads that meet write the same."""
+    """1 for vertices of unmasked triangles; all threads write the same value."""
     i = tid()
     if gone[i] == 0:
         t = triangles[i]
@@ -113,14 +104,14 @@ def mark_corners_kernel(triangles: array(dtype=vec3i), gone: array(dtype=uint8),
 
 
 def mask_used(triangles: Triangles, gone: Mask, vertex_count: int) -> Mask:
-    """uint8 [m]: 1 for the vertices of the triangles that a mask leaves."""
+    """uint8 [m]: 1 for vertices of unmasked triangles."""
     used = zeros(vertex_count, uint8, triangles.device)
     launch(mark_corners_kernel, triangles.size, [triangles, gone, used])
     return used
 
 
 def mask_repeats(triangles: Triangles, vertex_count: int) -> Mask:
-    """uint8 [t]: 1 for triangles that are an earlier one, turned or not; the opposite of one is another."""
+    """uint8 [t]: 1 for triangles that equal an earlier one up to rotation; the opposite orientation differs."""
     device, count = triangles.device, triangles.size
     turned = empty(count, vec3i, device)
     launch(list_turned_kernel, count, [triangles, turned])

@@ -1,16 +1,8 @@
-"""Which vertices are close to an earlier one: greedy in the order of their numbers, with many threads at once.
+"""Greedy vertex merging by distance, in parallel: each vertex stays or follows the earliest close one that stays.
 
-A vertex stays where no earlier one that stayed lies within the reach; else it follows the earliest of those. So the
-vertices that stay are the first maximal independent set by number, which is one set whatever the order of the threads
-(Blelloch, Fineman and Shun, "Greedy sequential maximal independent set and matching are parallel on average", SPAA
-2012): a vertex is settled once the earlier ones about it are.
-
-Vertices lie in cells of half the reach, whose diagonal is shorter than the reach: at most one vertex of a cell stays,
-and the others after it follow. So a vertex looks at the states of at most 512 cells, whatever the reach and however
-many vertices lie in it, and the time is linear. Cells stand in blocks of 4 x 4 x 4, found by a hash of their
-coordinates; where two blocks have one hash another one is taken. A vertex reaches into at most eight blocks. A round
-lets all vertices try that come first in their cells; after 64 rounds, which only chains of thousands of vertices in
-the order of their numbers need, one thread goes through the rest. About 130 B a vertex.
+The result is the lexicographically first maximal independent set, independent of the thread order (Blelloch, Fineman
+and Shun, SPAA 2012). Cells have half the radius, so at most one vertex per cell stays; they are grouped in hashed
+blocks of 4 x 4 x 4. After 64 rounds, one thread processes the rest. About 130 B per vertex.
 """
 
 from ..algebra.transform import widen
@@ -43,20 +35,18 @@ from .mesh_edges import run_places
 
 HASH_BITS = 57  # of a block
 CELL_BITS = 6  # of a cell in it
-NO_STATE = -1  # of a cell in which none stayed
-WIDER = 1 + 1e-6  # cells than half the reach: more than coordinates of up to 1e10 times the reach round by
+NO_STATE = -1  # of a cell in which no vertex stayed
+WIDER = 1 + 1e-6  # cells per half radius: more than the rounding of coordinates up to 1e10 times the radius
 cell = vector(3, int64)
 
 
 @func
 def block_of(p: vec3d, side: float64) -> cell:
-    """The block that a point lies in."""
     return cell(int64(floor(p[0] / side)), int64(floor(p[1] / side)), int64(floor(p[2] / side)))
 
 
 @func
 def hash_block(at: cell, salt: int64) -> int64:
-    """A hash of a block's coordinates."""
     h = mix_bits(at[0] + salt)
     h = mix_bits((h ^ at[1]) + salt)
     h = mix_bits((h ^ at[2]) + salt)
@@ -65,7 +55,6 @@ def hash_block(at: cell, salt: int64) -> int64:
 
 @kernel
 def hash_cells_kernel(points: array(dtype=vec3), side: float64, salt: int64, keys: array(dtype=int64)):
-    """The hash of a point's block, and which of its cells the point lies in."""
     i = tid()
     p = widen(points[i])
     block = block_of(p, side)
@@ -84,7 +73,7 @@ def compare_blocks_kernel(
     order: array(dtype=int32),
     differ: array(dtype=int32),
 ):
-    """Set where two blocks of one hash are not the same; keys are sorted, and any thread may set it."""
+    """Set `differ` on a hash collision of blocks; keys are sorted, and all threads write the same value."""
     i = tid()
     if i > 0:
         if (keys[i] >> int64(CELL_BITS)) == (keys[i - 1] >> int64(CELL_BITS)):
@@ -96,14 +85,13 @@ def compare_blocks_kernel(
 
 @kernel
 def list_blocks_kernel(keys: array(dtype=int64), blocks: array(dtype=int64)):
-    """The hash of the block that each point lies in."""
     i = tid()
     blocks[i] = keys[i] >> int64(CELL_BITS)
 
 
 @kernel
 def begin_at_cells_kernel(own: array(dtype=int32), cell_count: int, starts: array(dtype=int32)):
-    """Where the cells of each block begin, in the place of where its points do; and the end of all."""
+    """Replace the first point of each block by its first cell, and add the end."""
     i = tid()
     starts[i] = own[starts[i]]
     if i + 2 == starts.shape[0]:
@@ -112,7 +100,6 @@ def begin_at_cells_kernel(own: array(dtype=int32), cell_count: int, starts: arra
 
 @kernel
 def begin_states_kernel(cells: UniqueKeys, states: array(dtype=int32)):
-    """The first vertex of each cell is the one to settle."""
     i = tid()
     states[i] = cells.order[cells.starts[i]]
 
@@ -121,7 +108,6 @@ def begin_states_kernel(cells: UniqueKeys, states: array(dtype=int32)):
 def place_points_kernel(
     cells: UniqueKeys, own: array(dtype=int32), of_point: array(dtype=int32), place: array(dtype=int32)
 ):
-    """The cell and the place of each point."""
     i = tid()
     of_point[cells.order[i]] = own[i]
     place[cells.order[i]] = i
@@ -129,17 +115,9 @@ def place_points_kernel(
 
 @struct
 class Cells:
-    """Points in cells of half the reach.
-
-    Coordinates beyond 1e10 times the reach differ by more than the reach in float32, or not at all.
-
-    Attributes:
-        cells: UniqueKeys of the cells; points of a cell stand by their numbers.
-        blocks: UniqueKeys of the blocks; their `starts` are those of cells, which stand in their order.
-        table: HashTable of the blocks.
-        of_point, place: int32 [n], the cell of each point, and where it stands.
-        states: int32, one a cell: the vertex to settle next; NO_STATE: none of it stayed; -2 - v: vertex v stayed.
-    """
+    """Points in cells of half the radius. Cells and blocks are sorted; `place` is a point's position in its cell order.
+    A cell's state is the vertex to decide next, NO_STATE (none stays), or -2 - v (v stays). Coordinates beyond 1e10
+    radii differ by more than the radius in float32, or not at all."""
 
     cells: UniqueKeys
     blocks: UniqueKeys
@@ -180,17 +158,13 @@ class Cells:
 
 @func
 def square_gap(p: vec3, q: vec3) -> float64:
-    """The squared distance [m^2] of two points, in float64."""
     d = widen(p) - widen(q)
     return dot(d, d)
 
 
 @func
 def look_around(v: int, cells: Cells) -> int:
-    """The earliest vertex that stayed before v within its reach; -1 where there is none; -2 where one is not settled.
-
-    A vertex that is not settled counts wherever it lies in its cell: waiting for it changes no result.
-    """
+    """Earliest staying vertex before v within the radius; -1 if none, -2 if a candidate is undecided."""
     p = cells.points[v]
     half = cells.side * 0.5
     first = block_of(widen(p) - vec3d(half, half, half), cells.side)
@@ -219,11 +193,7 @@ def look_around(v: int, cells: Cells) -> int:
 
 @func
 def settle(v: int, cells: Cells) -> int:
-    """Settle a vertex where its turn has come: 1 where it is settled now or was before.
-
-    Only the thread of the vertex that a cell's state names writes there, and its neighbours read whole words, so they
-    see it settled or not.
-    """
+    """Decide a vertex if possible; 1 if decided. Only the thread of a cell's state writes; others read whole words."""
     c = cells.of_point[v]
     state = cells.states[c]
     done = 1
@@ -246,14 +216,12 @@ def settle(v: int, cells: Cells) -> int:
 
 @kernel
 def try_vertices_kernel(rows: array(dtype=int32), cells: Cells, open_rows: array(dtype=uint8)):
-    """Settle those whose turn has come; 1 for the others."""
     i = tid()
     open_rows[i] = uint8(1 - settle(rows[i], cells))
 
 
 @kernel
 def settle_rest_kernel(rows: array(dtype=int32), cells: Cells):
-    """Settle all in their order; one thread."""
     i = tid()
     for j in range(i, rows.shape[0]):
         settle(rows[j], cells)
@@ -261,7 +229,6 @@ def settle_rest_kernel(rows: array(dtype=int32), cells: Cells):
 
 @kernel
 def find_owners_kernel(cells: Cells, owners: array(dtype=int32)):
-    """The vertex that each one follows, itself where it stayed."""
     i = tid()
     owner = i
     if cells.states[cells.of_point[i]] != -2 - i:
@@ -271,20 +238,12 @@ def find_owners_kernel(cells: Cells, owners: array(dtype=int32)):
 
 @kernel
 def spread_owners_kernel(rows: array(dtype=int32), found: array(dtype=int32), owners: array(dtype=int32)):
-    """Owners by the rows of all vertices."""
     i = tid()
     owners[rows[i]] = rows[found[i]]
 
 
 def find_close_vertices(vertices: Points, finite: Integers, reach: float, owners: Indices) -> None:
-    """Write which vertex each of some follows.
-
-    Args:
-        vertices: vec3 [m].
-        finite: int32 [n], the rows that take part, ascending.
-        reach: [m] a Python number; vertices closer than it are close.
-        owners: int32 [m], written at those rows.
-    """
+    """Write to `owners` (int32 [m]) which vertex each of the ascending `finite` rows follows, within `reach` [m]."""
     device, count = vertices.device, finite.size
     if count == 0:
         return

@@ -1,8 +1,4 @@
-"""Triangles of the same three vertices, whichever way round: each in the class of its vertices.
-
-As repeats are found (clean_triangles.py), by the order of the triangles once their vertices ascend (triangle_order.py).
-12 B read and 16 B written a triangle beside it.
-"""
+"""Classes of triangles with the same three vertices in any orientation, by sorting (triangle_order.py)."""
 
 from ..array_types import Integers, Triangles
 from ..arrays.prefix_sum import inclusive_scan
@@ -13,7 +9,6 @@ from .triangle_order import mark_new_triangles_kernel, sort_triangles
 
 @kernel
 def list_ascending_kernel(triangles: array(dtype=vec3i), ascending: array(dtype=vec3i)):
-    """The vertices of a triangle, the lowest first."""
     i = tid()
     t = triangles[i]
     low = min(t[0], min(t[1], t[2]))
@@ -23,13 +18,12 @@ def list_ascending_kernel(triangles: array(dtype=vec3i), ascending: array(dtype=
 
 @kernel
 def spread_classes_kernel(order: array(dtype=int32), ranks: array(dtype=int32), classes: array(dtype=int32)):
-    """The class of each triangle."""
     i = tid()
     classes[order[i]] = ranks[i]
 
 
 def find_copies(triangles: Triangles, vertex_count: int) -> tuple[Integers, int]:
-    """(classes int32 [t], their count): triangles of the same vertices have the same one; one sync."""
+    """(classes int32 [t], their count); one sync."""
     device, count = triangles.device, triangles.size
     if count == 0:
         return empty(0, int32, device), 0

@@ -1,7 +1,6 @@
-"""Vertices made anew from corners: each set of corners is one vertex, whose row is that of its lowest earlier vertex.
+"""New vertices from sets of corners; each takes the row of its lowest earlier vertex.
 
-The first set at a vertex keeps its place in the order; those beyond come behind all, by their lowest corners. So a mesh
-whose vertices are what they were keeps their numbers. About 20 B a corner.
+The first set at a vertex keeps its index; further sets are appended by their lowest corners. About 20 B per corner.
 """
 
 from ..array_types import Indices, Integers, Triangles
@@ -21,14 +20,14 @@ NONE = 2**31 - 1  # above all vertices and corners
 
 @kernel
 def find_lowest_vertices_kernel(triangles: array(dtype=vec3i), sets: array(dtype=int32), lowest: array(dtype=int32)):
-    """The lowest vertex of each set, at its lowest corner; a minimum is the same in any order."""
+    """Lowest vertex of each set, at its lowest corner; the minimum does not depend on the order."""
     i = tid()
     atomic_min(lowest, sets[i], corner_vertex(triangles, i))
 
 
 @kernel
 def find_first_sets_kernel(sets: array(dtype=int32), lowest: array(dtype=int32), firsts: array(dtype=int32)):
-    """The lowest set at each vertex; a minimum is the same in any order."""
+    """Lowest set at each vertex; the minimum does not depend on the order."""
     i = tid()
     if sets[i] == i:
         atomic_min(firsts, lowest[i], i)
@@ -36,7 +35,6 @@ def find_first_sets_kernel(sets: array(dtype=int32), lowest: array(dtype=int32),
 
 @kernel
 def mark_first_sets_kernel(firsts: array(dtype=int32), used: array(dtype=int32)):
-    """1 for vertices that a set has as its lowest."""
     i = tid()
     used[i] = 1 if firsts[i] != NONE else 0
 
@@ -45,7 +43,6 @@ def mark_first_sets_kernel(firsts: array(dtype=int32), used: array(dtype=int32))
 def mark_further_sets_kernel(
     sets: array(dtype=int32), lowest: array(dtype=int32), firsts: array(dtype=int32), further: array(dtype=int32)
 ):
-    """1 at the lowest corner of sets at a vertex that another set has already."""
     i = tid()
     mark = 0
     if sets[i] == i:
@@ -65,7 +62,7 @@ def write_rows_kernel(
     numbers: array(dtype=int32),
     rows: array(dtype=int32),
 ):
-    """The number of each set, at its lowest corner, and the earlier vertex that it takes its row from."""
+    """New index of each set, at its lowest corner, and the earlier vertex that provides its row."""
     i = tid()
     if sets[i] == i:
         v = lowest[i]
@@ -78,24 +75,12 @@ def write_rows_kernel(
 
 @kernel
 def name_corners_kernel(sets: array(dtype=int32), numbers: array(dtype=int32), named: array(dtype=vec3i)):
-    """Triangles of the vertices that their corners' sets have become."""
     i = tid()
     named[i] = vec3i(numbers[sets[3 * i]], numbers[sets[3 * i + 1]], numbers[sets[3 * i + 2]])
 
 
 class CornerVertices:
-    """The vertices that sets of corners make.
-
-    Args:
-        triangles: vec3i [t].
-        vertex_count: Vertices there are.
-        sets: int32 [3 t], the lowest corner of each one's set.
-
-    Attributes:
-        triangles: vec3i [t], by the new vertices.
-        rows: int32, the earlier vertex that each new one takes its row from.
-        kept: How many of them are the first set of theirs; the others stand behind.
-    """
+    """Vertices from sets of corners, by lowest corner. `rows` are earlier vertices; the first `kept` are first sets."""
 
     def __init__(self, triangles: Triangles, vertex_count: int, sets: Indices) -> None:
         device, corners = triangles.device, sets.size
@@ -117,7 +102,6 @@ class CornerVertices:
 def keep_corners_kernel(
     corners: array(dtype=int32), rows: array(dtype=int32), places: array(dtype=int32), kept: array(dtype=int32)
 ):
-    """What corners of kept triangles name, by its new number; one thread a corner."""
     i = tid()
     corner = corners[3 * rows[i // 3] + i % 3]
     new = -1
@@ -127,7 +111,7 @@ def keep_corners_kernel(
 
 
 def keep_corners(corners: Indices, rows: Indices) -> Integers:
-    """What the corners of the triangles at ascending rows name, in new numbers: corners of these alone, or -1."""
+    """Renumber corner references of the triangles at ascending rows: corners of these triangles, or -1."""
     kept = empty(3 * rows.size, int32, corners.device)
     _, places = mark_places(rows, corners.size // 3)
     launch(keep_corners_kernel, kept.size, [corners, rows, places, kept])
@@ -136,7 +120,7 @@ def keep_corners(corners: Indices, rows: Indices) -> Integers:
 
 @kernel
 def mark_doubled_kernel(edges: UniqueKeys, twins: array(dtype=int32), mask: array(dtype=uint8)):
-    """1 for the half-edges between two vertices that are neither the first nor its twin."""
+    """1 for half-edges that are neither the first of their two vertices nor its opposite."""
     i = tid()
     first = -1
     for j in range(edges.starts[i], edges.starts[i + 1]):
@@ -147,7 +131,7 @@ def mark_doubled_kernel(edges: UniqueKeys, twins: array(dtype=int32), mask: arra
 
 
 def find_doubled_edges(triangles: Triangles, vertex_count: int, twins: Indices) -> Indices:
-    """The half-edges, ascending, that share both vertices with an earlier one that is not their twin."""
+    """Ascending half-edges that share both vertices with an earlier one that is not their opposite."""
     mask, edges = empty(twins.size, uint8, twins.device), find_edges(triangles, vertex_count, padded=True)
     launch(mark_doubled_kernel, edges.count, [edges, twins, mask])
     return positions_of(mask)  # sync
@@ -155,7 +139,6 @@ def find_doubled_edges(triangles: Triangles, vertex_count: int, twins: Indices) 
 
 @func
 def times_named(t: vec3i, v: int) -> int:
-    """How often a triangle names a vertex."""
     times = 0
     for k in range(3):
         if t[k] == v:
@@ -165,7 +148,7 @@ def times_named(t: vec3i, v: int) -> int:
 
 @kernel
 def drop_folded_corners_kernel(triangles: array(dtype=vec3i), around: CornersByVertex, fans: array(dtype=int32)):
-    """Corners of triangles that name their vertex twice go with the first fan there; one thread a vertex."""
+    """Merge corners of triangles that use their vertex twice with the first fan there."""
     i = tid()
     first = NONE
     for j in range(around.starts[i], around.starts[i + 1]):
@@ -182,14 +165,13 @@ def drop_folded_corners_kernel(triangles: array(dtype=vec3i), around: CornersByV
 
 @kernel
 def find_lowest_corners_kernel(fans: array(dtype=int32), lowest: array(dtype=int32)):
-    """The lowest corner of each fan; a minimum is the same in any order."""
+    """Lowest corner of each fan; the minimum does not depend on the order."""
     i = tid()
     atomic_min(lowest, fans[i], i)
 
 
 @kernel
 def name_fans_kernel(lowest: array(dtype=int32), fans: array(dtype=int32)):
-    """Fans by their lowest corners."""
     i = tid()
     fans[i] = lowest[fans[i]]
 
@@ -203,7 +185,6 @@ def take_fans_kernel(
     vertex_count: int,
     split: array(dtype=vec3i),
 ):
-    """Triangles by the vertex of each corner's fan."""
     i = tid()
     t = triangles[i]
     for k in range(3):
@@ -215,7 +196,7 @@ def take_fans_kernel(
 
 @kernel
 def find_first_fans_kernel(triangles: array(dtype=vec3i), fans: array(dtype=int32), firsts: array(dtype=int32)):
-    """The fan with the lowest corner at each vertex; a minimum is the same in any order."""
+    """Fan with the lowest corner at each vertex; the minimum does not depend on the order."""
     i = tid()
     atomic_min(firsts, corner_vertex(triangles, i), fans[i])
 
@@ -224,7 +205,6 @@ def find_first_fans_kernel(triangles: array(dtype=vec3i), fans: array(dtype=int3
 def mark_further_fans_kernel(
     triangles: array(dtype=vec3i), fans: array(dtype=int32), firsts: array(dtype=int32), further: array(dtype=int32)
 ):
-    """1 at the lowest corner of the other fans."""
     i = tid()
     v = corner_vertex(triangles, i)
     further[i] = 1 if fans[i] == i and firsts[v] != i else 0
@@ -238,7 +218,6 @@ def list_fan_rows_kernel(
     vertex_count: int,
     rows: array(dtype=int32),
 ):
-    """Each vertex by itself, then that of each further fan; one thread a vertex or corner."""
     i = tid()
     if i < vertex_count:
         rows[i] = i
@@ -249,11 +228,7 @@ def list_fan_rows_kernel(
 
 
 def split_fans(triangles: Triangles, vertex_count: int) -> tuple[Triangles, Indices]:
-    """A vertex for each fan of triangles that hang together by edges at it.
-
-    Returns:
-        (triangles, rows): vec3i [t], and the earlier vertex of each, int32: all that there are, then the new ones.
-    """
+    """Give each fan of edge-connected triangles its own vertex. Returns (triangles, earlier vertex of each)."""
     device, corners = triangles.device, 3 * triangles.size
     edges, fans = find_edges(triangles, vertex_count, padded=True), positions(corners, device)
     places = run_places(edges, corners)

@@ -1,12 +1,8 @@
-"""Which triangles have to go so that no edge keeps more than two: the smallest first.
+"""Remove triangles, smallest first, until no edge has more than two.
 
-Triangles are taken in the order of their areas in float32, equal ones by their numbers; one goes where, when its turn
-comes, an edge of its has more than two that are still there. So at an edge alone the two largest stay. What comes of it
-is one set, whatever the order of the threads: a triangle is settled when it is the next of all of its crowded edges,
-which one word an edge tells, so no two threads write the same. Beforehand all triangles at crowded edges go that name a
-vertex twice. After 64 rounds, which only chains of many crowded edges need, one thread goes through the rest.
-
-About 100 B a triangle at crowded edges beside the sort of all edges.
+Triangles are decided by ascending float32 area, then index; the result does not depend on the thread order, since one
+word per edge shows which is next. Triangles at such edges that use a vertex twice are removed first. After 64 rounds,
+one thread processes the rest. About 100 B per triangle at such edges.
 """
 
 from ..array_types import Indices, Mask, Points, Triangles
@@ -20,14 +16,14 @@ from .clean_triangles import names_twice
 from .mesh_edges import find_edges, run_places
 from .surface_samples import measure_areas
 
-MANIFOLD = 2  # triangles that an edge may have
-COUNT_MASK = 0xFFFF_FFFF  # of a word: the triangles of an edge that are still there; above it those that are settled
+MANIFOLD = 2  # maximum number of triangles at an edge
+COUNT_MASK = 0xFFFF_FFFF  # of a word: remaining triangles of an edge; decided ones above
 OPEN, STAYS, GOES = 0, 1, 2
 
 
 @kernel
 def spread_edges_kernel(edges: UniqueKeys, places: array(dtype=int32), of_half_edge: array(dtype=int32)):
-    """The edge of each half-edge where it is crowded, else -1."""
+    """Edge of each half-edge if it is crowded, else -1."""
     i = tid()
     e = places[i]
     crowded = edges.starts[e + 1] - edges.starts[e] > MANIFOLD
@@ -38,7 +34,7 @@ def spread_edges_kernel(edges: UniqueKeys, places: array(dtype=int32), of_half_e
 def mask_crowded_kernel(
     triangles: array(dtype=vec3i), of_half_edge: array(dtype=int32), twice: int, mask: array(dtype=uint8)
 ):
-    """1 for the triangles at crowded edges; with `twice` for those of them alone that name a vertex twice."""
+    """1 for triangles at crowded edges; with `twice` only those that use a vertex twice."""
     i = tid()
     found = 0
     for k in range(3):
@@ -51,7 +47,7 @@ def mask_crowded_kernel(
 
 @kernel
 def list_area_keys_kernel(areas: array(dtype=float64), rows: array(dtype=int32), keys: array(dtype=int64)):
-    """The bits of each area in float32, which stand in the order of the areas."""
+    """Bits of each float32 area, which sort like the areas."""
     i = tid()
     keys[i] = int64(float_bits(float(areas[rows[i]])))
 
@@ -60,7 +56,7 @@ def list_area_keys_kernel(areas: array(dtype=float64), rows: array(dtype=int32),
 def list_crowded_slots_kernel(
     rows: array(dtype=int32), of_half_edge: array(dtype=int32), none: int, keys: array(dtype=int64)
 ):
-    """The crowded edges of each triangle, three slots each; `none` stands for no edge."""
+    """Crowded edges of each triangle, three slots each; `none` is the placeholder."""
     i = tid()
     for k in range(3):
         e = of_half_edge[3 * rows[i] + k]
@@ -69,7 +65,7 @@ def list_crowded_slots_kernel(
 
 @kernel
 def number_turns_kernel(groups: UniqueKeys, none: int, of_slot: array(dtype=int32), turns: array(dtype=int32)):
-    """The group of each slot, and its turn there, where it is an edge; one thread a group."""
+    """Group of each slot and its rank there; one thread per group."""
     i = tid()
     if groups.starts[i + 1] > groups.starts[i]:
         if groups.keys[i] != int64(none):
@@ -80,21 +76,14 @@ def number_turns_kernel(groups: UniqueKeys, none: int, of_slot: array(dtype=int3
 
 @kernel
 def begin_words_kernel(groups: UniqueKeys, words: array(dtype=int64)):
-    """All triangles of an edge are there, none is settled."""
     i = tid()
     words[i] = int64(groups.starts[i + 1] - groups.starts[i])
 
 
 @struct
 class CrowdedEdges:
-    """Triangles at crowded edges, by area.
-
-    Attributes:
-        of_slot: int32 [3 n], three edges a triangle, -1 where one is not crowded.
-        turns: int32 [3 n], which in the order of its edge each one is.
-        words: int64, one an edge: how many of its triangles are settled, above how many are still there.
-        states: int32 [n], OPEN, STAYS or GOES.
-    """
+    """Triangles at crowded edges by area. `of_slot` are three edges per triangle (-1 if not crowded), `turns` its rank
+    at each. A word per edge contains the number of decided triangles above the number of remaining ones."""
 
     of_slot: array(dtype=int32)
     turns: array(dtype=int32)
@@ -114,10 +103,7 @@ class CrowdedEdges:
 
 @func
 def settle_triangle(i: int, crowded: CrowdedEdges) -> int:
-    """Settle a triangle where it is the next of all of its edges; its state, which one that is settled keeps.
-
-    Only the thread of the triangle that is the next of an edge writes its word, and others read whole words.
-    """
+    """Decide a triangle that is next at all its edges; its state. Each word has one writer; others read it whole."""
     before = crowded.states[i]
     state = STAYS
     for k in range(3):
@@ -144,7 +130,6 @@ def settle_triangle(i: int, crowded: CrowdedEdges) -> int:
 
 @kernel
 def try_triangles_kernel(rows: array(dtype=int32), crowded: CrowdedEdges, open_rows: array(dtype=uint8)):
-    """Settle those whose turn has come; 1 for the others."""
     i = tid()
     state = settle_triangle(rows[i], crowded)
     open_rows[i] = uint8(1 if state == OPEN else 0)
@@ -152,7 +137,6 @@ def try_triangles_kernel(rows: array(dtype=int32), crowded: CrowdedEdges, open_r
 
 @kernel
 def settle_rest_kernel(rows: array(dtype=int32), crowded: CrowdedEdges):
-    """Settle all in their order; one thread."""
     i = tid()
     for j in range(i, rows.shape[0]):
         settle_triangle(rows[j], crowded)
@@ -160,14 +144,13 @@ def settle_rest_kernel(rows: array(dtype=int32), crowded: CrowdedEdges):
 
 @kernel
 def mask_gone_kernel(rows: array(dtype=int32), states: array(dtype=int32), mask: array(dtype=uint8)):
-    """1 for the triangles that go."""
     i = tid()
     if states[i] == GOES:
         mask[rows[i]] = 1
 
 
 def _crowded_edges_of(triangles: Triangles, vertex_count: int) -> tuple[Indices, int]:
-    """(edges of half-edges, -1 where not crowded; a number beyond those of edges)."""
+    """(Edges of half-edges, -1 if not crowded; a number beyond all edges.)"""
     edges = find_edges(triangles, vertex_count, padded=True)
     places = run_places(edges, 3 * triangles.size)
     of_half_edge = empty(3 * triangles.size, int32, triangles.device)
@@ -176,10 +159,7 @@ def _crowded_edges_of(triangles: Triangles, vertex_count: int) -> tuple[Indices,
 
 
 def find_at_crowded_edges(triangles: Triangles, vertex_count: int) -> tuple[Indices, Indices]:
-    """(the triangles at edges of more than two half-edges, all triangles but those of them that name a vertex twice).
-
-    int32 each, ascending; one sync.
-    """
+    """(Triangles at crowded edges, all but those of them that use a vertex twice), int32, ascending; one sync."""
     device, of_half_edge = triangles.device, _crowded_edges_of(triangles, vertex_count)[0]
     crowded, folded = empty(triangles.size, uint8, device), empty(triangles.size, uint8, device)
     launch(mask_crowded_kernel, triangles.size, [triangles, of_half_edge, 0, crowded])
@@ -189,7 +169,7 @@ def find_at_crowded_edges(triangles: Triangles, vertex_count: int) -> tuple[Indi
 
 
 def mask_crowding(vertices: Points, triangles: Triangles) -> Mask:
-    """uint8 [t]: 1 for the triangles that have to go, none at crowded edges naming a vertex twice."""
+    """uint8 [t]: 1 for triangles to remove, including those at crowded edges that use a vertex twice."""
     device, count = triangles.device, triangles.size
     of_half_edge, edge_count = _crowded_edges_of(triangles, vertices.size)
     mask = empty(count, uint8, device)

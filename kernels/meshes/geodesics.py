@@ -1,12 +1,8 @@
-"""Distances along a mesh from some of its vertices, relaxed over triangles in rounds until none becomes shorter.
+"""Geodesic distances from source vertices, relaxed over triangles until none decreases.
 
-Across a triangle a front comes from a point: the one in the triangle's plane that is as far from two of its corners as
-their distances say (Novotni and Klein, "Computing geodesic distances on triangular meshes", WSCG 2002). So distances on
-a flat mesh are exact, where the straight fronts of Kimmel and Sethian ("Computing geodesic paths on manifolds", PNAS
-95(15), 1998) are not; obtuse triangles need nothing of their own, since all corners are tried in all rounds rather
-than once in the order of arrival. A round reads the distances of the round before, so its outcome does not depend on
-the order of threads. Rounds are about as many as there are edges on the longest way; a vertex works only in a round
-after one in which a corner of its triangles came nearer. 16 B a vertex beside its list of corners.
+Fronts cross a triangle as from a virtual point source (Novotni and Klein, "Computing geodesic distances on triangular
+meshes", WSCG 2002), which is exact on flat meshes. A round reads the distances of the previous round, so the result
+does not depend on the thread order. Only vertices near changes are active. 16 B per vertex.
 """
 
 from ..algebra.transform import widen
@@ -35,14 +31,14 @@ from ..lang import (
 from ..memory import empty, full, zeros
 from .mesh_topology import CornersByVertex, corner_vertex
 
-# A distance shorter by less than this share is the same one: around slivers of float32 vertices distances creep down
-# by up to 7e-11 a round for ever, on the meshes where that was seen.
+# Smaller relative decreases are ignored: around slivers, distances kept decreasing by up to 7e-11 per round on some
+# meshes.
 GAIN = 2.0e-10
 
 
 @func
 def distance_through(a: vec3d, b: vec3d, c: vec3d, to_a: float64, to_b: float64) -> float64:
-    """The distance of c over the triangle (a, b, c) from a point that is `to_a` and `to_b` away from a and b."""
+    """Distance of c across triangle (a, b, c) from a point at distances `to_a` and `to_b`."""
     u = b - a
     v = c - a
     side = length(u)
@@ -64,13 +60,6 @@ def distance_through(a: vec3d, b: vec3d, c: vec3d, to_a: float64, to_b: float64)
 
 @struct
 class Wave:
-    """A mesh over which distances spread.
-
-    Attributes:
-        vertices, triangles, around: The mesh.
-        found: int32 [1], whether a distance became shorter.
-    """
-
     vertices: array(dtype=vec3)
     triangles: array(dtype=vec3i)
     around: CornersByVertex
@@ -85,7 +74,7 @@ class Wave:
 def start_at_sources_kernel(
     sources: array(dtype=int32), wave: Wave, before: array(dtype=float64), awake: array(dtype=uint8)
 ):
-    """Distance 0 at the sources; whichever thread wakes a vertex writes the same."""
+    """Distance 0 at the sources; all threads that activate a vertex write the same value."""
     i = tid()
     source = sources[i]
     before[source] = 0.0
@@ -103,10 +92,7 @@ def spread_distances_kernel(
     after: array(dtype=float64),
     woken: array(dtype=uint8),
 ):
-    """The shortest distance over the triangles of a vertex; wakes those around where it is shorter than before.
-
-    Whichever thread wakes a vertex writes the same; the atomic says whether there are any.
-    """
+    """Shortest distance over a vertex's triangles; activates neighbors if it decreased (all write the same value)."""
     i = tid()
     own = before[i]
     if awake[i] == 1:
@@ -136,7 +122,7 @@ def spread_distances_kernel(
                 nearer = 1
         if nearer == 1:
             own = shortest
-            if wave.found[0] == 0:  # spares most of the atomics; an old value only lets one more through
+            if wave.found[0] == 0:  # avoids most atomics; an old value only causes an extra one
                 atomic_max(wave.found, 0, 1)
             for j in range(wave.around.starts[i], wave.around.starts[i + 1]):
                 t = wave.triangles[wave.around.corners[j] // 3]
@@ -147,17 +133,13 @@ def spread_distances_kernel(
 
 @kernel
 def settle_rounds_kernel(wave: Wave, running: array(dtype=int32)):
-    """Whether there is another round."""
     i = tid()
     running[i] = wave.found[i]
     wave.found[i] = 0
 
 
 def geodesic_distances(vertices: Points, triangles: Triangles, sources: Integers) -> Doubles:
-    """The distance of each vertex from the nearest of int32 sources along the mesh, float64 [m]; infinite where none.
-
-    One look at a flag every second round on the CPU, none on CUDA.
-    """
+    """Geodesic distance of each vertex from the nearest source, float64 [m]; inf if unreachable."""
     device, count = vertices.device, vertices.size
     wave, running = Wave(vertices, triangles), full(1, 1, int32, device)
     before, after = full(count, INFINITY, float64, device), empty(count, float64, device)

@@ -1,16 +1,9 @@
-"""Holes closed by triangles between the vertices of their borders.
+"""Hole filling by minimum-weight triangulations of boundary loops.
 
-Loops are closed in batches of like sizes by the triangulations of least weight. Where two holes took
-the same chord, the later one waits for the next pass, in which the chord is an edge. About 130 B a triangle of the mesh
-for its edges, and 44 B for each pair of vertices of the loops of a batch.
-
-The triangulation of least weight of each of many loops. Of a loop of n vertices it is found from short chords to long
-ones (Barequet and Sharir, "Filling gaps in the boundary of a polyhedron", CAGD 12, 1995): n^3 / 6 triangles are looked
-at, and n^2 chords kept at 44 B each. A weight is the sharpest bend at any edge, to neighbours in the hole and around
-it, then the sum of the squared sides: after Liepa, "Filling holes in meshes", SGP 2003, section 3, with sides in the
-place of areas, since in a plane all triangulations have one area. Bends are compared in steps, so that rounding does
-not choose. A chord that is an edge of the mesh already is not taken. The chords that span as many sides are one thread
-each; all in float64, the same bits everywhere.
+Dynamic programming over chords (Barequet and Sharir, "Filling gaps in the boundary of a polyhedron", CAGD 12, 1995):
+n^3 / 6 triangles and n^2 chords of 44 B. The weight is the largest dihedral angle, quantized so that rounding does not
+decide, then the sum of squared sides (after Liepa, "Filling holes in meshes", SGP 2003, section 3). If two holes choose
+the same chord, the later one waits for the next pass. Float64, bitwise reproducible.
 """
 
 from typing import TYPE_CHECKING
@@ -54,7 +47,7 @@ if TYPE_CHECKING:
     from .holes import FoundLoops
 
 
-STEPS = 256.0  # in which bends of 0..2 are compared: the first is 5 degrees, later ones are less
+STEPS = 256.0  # quantization of bends in 0..2: the first step is 5 degrees, later ones are smaller
 
 
 @kernel
@@ -65,26 +58,15 @@ def list_entries_kernel(
     source_starts: array(dtype=int32),
     rows: array(dtype=int32),
 ):
-    """Where each vertex of the chosen loops stands along all loops."""
     i = tid()
     rows[i] = source_starts[sources[owners[i]]] + i - starts[owners[i]]
 
 
 @struct
 class Loops:
-    """Loops to be closed.
-
-    Attributes:
-        vertices: int32 [k], along the loops, as the triangles at the border run; they run the hole the other way.
-        half_edges: int32 [k], from each vertex to the next.
-        starts: int32 [l + 1], where each loop begins.
-        owners: int32 [k], the loop of each.
-        cells: int32 [l], where the chords of each loop begin; chord (i, j) of n vertices is n i + j further.
-        points: vec3d [k].
-        bends, sizes: float64 weights of the best triangulation beyond each chord.
-        normals: vec3d, of the triangle beyond each chord, of the mesh beyond sides; zero where it has no area.
-        tips: int32, the vertex of the loop that makes a triangle with the chord; -1 where there is none.
-    """
+    """Loops to fill: vertices and half-edges in boundary order, which is opposite to that of the hole. Chord (i, j) of
+    a loop is at n i + j after its entry of `cells`. For each chord: weights `bends` and `sizes`, the normal of the
+    triangle (zero without area), and its tip (-1 if none)."""
 
     vertices: array(dtype=int32)
     half_edges: array(dtype=int32)
@@ -98,7 +80,7 @@ class Loops:
     tips: array(dtype=int32)
 
     def __init__(self, found: "FoundLoops", chosen: np.ndarray, counts: np.ndarray) -> None:
-        """Some of the loops of FoundLoops, with their numbers of vertices (NumPy arrays)."""
+        """Selected loops and their numbers of vertices (NumPy)."""
         device, square = found.vertices.device, counts.astype(np.int64) ** 2
         starts, entries = np.concatenate([[0], np.cumsum(counts)]), int(counts.sum())
         self.starts, self.owners = upload(starts, int32, device), empty(entries, int32, device)
@@ -115,7 +97,7 @@ class Loops:
 
 @kernel
 def begin_loops_kernel(vertices: array(dtype=vec3), triangles: array(dtype=vec3i), loops: Loops):
-    """The point of each vertex, and beyond the side after it the normal of the mesh; the last side closes the loop."""
+    """Position of each vertex, and the mesh normal beyond the side after it; the last side closes the loop."""
     p = tid()
     first = loops.starts[loops.owners[p]]
     count = loops.starts[loops.owners[p] + 1] - first
@@ -129,7 +111,6 @@ def begin_loops_kernel(vertices: array(dtype=vec3), triangles: array(dtype=vec3i
 
 @func
 def unit_or_none(n: vec3d) -> vec3d:
-    """The direction of a vector, zero where it has none."""
     size = length(n)
     unit = vec3d(0.0, 0.0, 0.0)
     if size > 0.0:
@@ -139,7 +120,7 @@ def unit_or_none(n: vec3d) -> vec3d:
 
 @func
 def bend_to(n: vec3d, m: vec3d) -> float64:
-    """1 - cos of the angle between two unit normals; 0 where the second is none."""
+    """1 - cos of the angle between two unit normals; 0 if the second is zero."""
     bend = float64(0.0)
     if dot(m, m) > 0.5:
         bend = 1.0 - dot(n, m)
@@ -148,14 +129,13 @@ def bend_to(n: vec3d, m: vec3d) -> float64:
 
 @func
 def square_side(a: vec3d, b: vec3d) -> float64:
-    """The squared distance of two points."""
     d = a - b
     return dot(d, d)
 
 
 @kernel
 def weigh_chords_kernel(edge_keys: array(dtype=int64), bits: int, loops: Loops, span: int):
-    """The best triangle at each chord that spans so many sides of its loop; chords of fewer sides are weighed."""
+    """Best triangle at each chord that spans `span` sides; shorter chords are complete."""
     p = tid()
     first = loops.starts[loops.owners[p]]
     count = loops.starts[loops.owners[p] + 1] - first
@@ -183,7 +163,7 @@ def weigh_chords_kernel(edge_keys: array(dtype=int64), bits: int, loops: Loops, 
     for k in range(i + 1, last):
         left = base + i * count + k
         right = base + k * count + j
-        bend = max(loops.bends[left], loops.bends[right])  # infinite where a chord cannot be taken
+        bend = max(loops.bends[left], loops.bends[right])  # infinite if a chord is not allowed
         if bend <= best_bend and bend < float64(INFINITY):
             b = loops.points[first + k]
             n = cross(b - c, a - c)
@@ -208,7 +188,6 @@ def weigh_chords_kernel(edge_keys: array(dtype=int64), bits: int, loops: Loops, 
 
 @kernel
 def mark_closed_kernel(loops: Loops, closed: array(dtype=uint8)):
-    """1 for loops that have a triangulation."""
     i = tid()
     count = loops.starts[i + 1] - loops.starts[i]
     closed[i] = uint8(1 if loops.tips[loops.cells[i] + count - 1] >= 0 else 0)
@@ -222,14 +201,13 @@ def write_triangles_kernel(
     stack: array(dtype=int32),
     pieces: array(dtype=vec3i),
 ):
-    """The triangles of a loop, as places along all loops; one thread a loop, two less than it has vertices."""
     i = tid()
     loop = chosen[i]
     first = loops.starts[loop]
     count = loops.starts[loop + 1] - first
     base = loops.cells[loop]
     written = offsets[i]
-    stack[first] = count - 1  # chords as they lie in a row of cells
+    stack[first] = count - 1  # chords in the order of their cells
     depth = 1
     while depth > 0:
         depth -= 1
@@ -255,7 +233,7 @@ def name_pieces_kernel(
     corners: array(dtype=int32),
     of_loop: array(dtype=int32),
 ):
-    """Pieces by vertices in the place of places; the half-edges that start there; the number of each one's loop."""
+    """Replace positions by vertices; also the half-edges that start there and the loop of each triangle."""
     i = tid()
     p = pieces[i]
     for k in range(3):
@@ -267,11 +245,7 @@ def name_pieces_kernel(
 def close_loops(
     vertices: Points, triangles: Triangles, found: "FoundLoops", batch: np.ndarray
 ) -> tuple[Triangles, Indices, Indices, int]:
-    """The pieces of the loops of a batch that can be closed; one sync.
-
-    Returns:
-        (pieces, corners, of_loop, closed): vec3i [p], int32 [3 p], the loop of each, int32 [p]; how many were closed.
-    """
+    """Triangulate a batch; one sync. Returns (pieces vec3i [p], corners int32 [3 p], loop of each, loops filled)."""
     device, counts = triangles.device, found.counts[batch]
     loops, bits = Loops(found, batch, counts), key_bits(vertices.size)
     launch(begin_loops_kernel, loops.owners.size, [vertices, triangles, loops])
@@ -289,9 +263,9 @@ def close_loops(
     return pieces, corners, of_loop, len(rows)
 
 
-MOST_VERTICES = 1000  # of a loop: 1.7e8 triangles are looked at, a second or two on two cores
+MOST_VERTICES = 1000  # of a loop: 1.7e8 triangles, a second or two on two cores
 MOST_CELLS = 2**24  # pairs of vertices at once: 740 MB
-PASSES = 8  # over holes that took a chord of another
+PASSES = 8  # over holes that use a chord of another
 
 
 @kernel
@@ -302,10 +276,7 @@ def measure_loops_kernel(
     starts: array(dtype=int32),
     radii: array(dtype=float64),
 ):
-    """The largest distance [m] of a loop's vertices to the middle of their box.
-
-    NaN where one is not finite, infinite for the border of one triangle, which is no hole. One thread a loop.
-    """
+    """Largest distance [m] of a loop's vertices from their box center; NaN if not finite, inf for a single triangle."""
     i = tid()
     first = starts[i]
     last = starts[i + 1]
@@ -331,7 +302,7 @@ def measure_loops_kernel(
 
 @kernel
 def find_conflicts_kernel(edges: UniqueKeys, of_loop: array(dtype=int32), waits: array(dtype=int32)):
-    """1 for the loops that took a chord of an earlier one; any thread may set it."""
+    """1 for loops that use a chord of an earlier one; all threads write the same value."""
     i = tid()
     first = edges.starts[i]
     last = edges.starts[i + 1]
@@ -347,21 +318,19 @@ def find_conflicts_kernel(edges: UniqueKeys, of_loop: array(dtype=int32), waits:
 
 @kernel
 def mask_settled_kernel(of_loop: array(dtype=int32), waits: array(dtype=int32), mask: array(dtype=uint8)):
-    """1 for the pieces of loops that need not wait."""
     i = tid()
     mask[i] = uint8(1 - waits[of_loop[i]])
 
 
 @kernel
 def gather_three_kernel(values: array(dtype=int32), rows: array(dtype=int32), gathered: array(dtype=int32)):
-    """The three values of each piece."""
     i = tid()
     for k in range(3):
         gathered[3 * i + k] = values[3 * rows[i] + k]
 
 
 class FoundLoops:
-    """All loops of a mesh: their vertices and half-edges (device arrays), where they begin, their radii (NumPy)."""
+    """All loops of a mesh: vertices and half-edges (device), starts and radii (NumPy)."""
 
     def __init__(self, vertices: Points, triangles: Triangles) -> None:
         border = Border(triangles, vertices.size)
@@ -375,7 +344,7 @@ class FoundLoops:
 
 
 def plan_batches(chosen: np.ndarray, counts: np.ndarray) -> list[np.ndarray]:
-    """Chosen loops (NumPy array) in batches of like sizes, none with more than MOST_CELLS chords; the largest first."""
+    """Batches of loops of similar size with at most MOST_CELLS chords, largest first."""
     order, batches, cells = chosen[np.argsort(-counts[chosen], kind="stable")], [], 0
     for loop, count in zip(order.tolist(), counts[order].tolist(), strict=True):
         cells += count * count
@@ -389,7 +358,7 @@ def plan_batches(chosen: np.ndarray, counts: np.ndarray) -> list[np.ndarray]:
 def drop_conflicts(
     pieces: Triangles, corners: Indices, of_loop: Integers, loop_count: int, vertex_count: int
 ) -> tuple[Triangles, Indices, int]:
-    """The pieces of loops that share no chord with an earlier one, their corners, and how many loops wait."""
+    """Remove loops that share a chord with an earlier one. Return pieces, corners, and the number of waiting loops."""
     device = pieces.device
     edges, waits = find_edges(pieces, vertex_count, padded=True), zeros(loop_count, int32, device)
     launch(find_conflicts_kernel, edges.count, [edges, of_loop, waits])
@@ -405,19 +374,8 @@ def drop_conflicts(
 
 
 class Filling:
-    """The triangles that close holes.
-
-    Args:
-        vertices: vec3 [m].
-        triangles: vec3i [t].
-        hole_size: [m], the largest radius of a hole.
-
-    Attributes:
-        triangles: vec3i [t + p], those of the mesh first.
-        corners: int32 [3 p], the half-edge of the mesh at whose start each new corner lies.
-        filled: Holes closed.
-        left: Holes within the size that stay open.
-    """
+    """Triangles that fill holes with a radius up to `hole_size` [m]. `triangles` begins with those of the mesh;
+    `corners` are the half-edges whose start vertices the new corners use; `filled` and `left` count holes."""
 
     def __init__(self, vertices: Points, triangles: Triangles, hole_size: float) -> None:
         self.triangles, self.filled, waiting = triangles, 0, 1
@@ -427,7 +385,6 @@ class Filling:
                 waiting = self._fill(vertices, hole_size)
 
     def _fill(self, vertices: Points, hole_size: float) -> int:
-        """Close what can be closed at once; how many loops have to wait for others."""
         found = FoundLoops(vertices, self.triangles)
         within = found.radii <= hole_size
         chosen = np.flatnonzero(within & (found.counts <= MOST_VERTICES))
@@ -447,20 +404,18 @@ class Filling:
 
 @kernel
 def spread_corners_kernel(values: array(dtype=vec2), corners: array(dtype=int32), first: int, out: array(dtype=vec2)):
-    """The values of new corners, behind the others."""
     i = tid()
     out[first + i] = values[corners[i]]
 
 
 @kernel
 def spread_ids_kernel(ids: array(dtype=int32), corners: array(dtype=int32), first: int, out: array(dtype=int32)):
-    """The material of the triangle at the first corner of each new one, behind the others."""
+    """Append the material of the triangle at the first corner of each new one."""
     i = tid()
     out[first + i] = ids[corners[3 * i] // 3]
 
 
 def spread_corners(values: Array1[vec2], corners: Indices) -> Array1[vec2]:
-    """Values vec2 [3 t] of corners, and behind them those of new corners."""
     out = empty(values.size + corners.size, vec2, values.device)
     copy(out, values, count=values.size)
     launch(spread_corners_kernel, corners.size, [values, corners, values.size, out])
@@ -468,7 +423,6 @@ def spread_corners(values: Array1[vec2], corners: Indices) -> Array1[vec2]:
 
 
 def spread_ids(ids: Indices, corners: Indices) -> Integers:
-    """Material numbers int32 [t], and behind them those of new triangles."""
     out = empty(ids.size + corners.size // 3, int32, ids.device)
     copy(out, ids, count=ids.size)
     launch(spread_ids_kernel, corners.size // 3, [ids, corners, ids.size, out])

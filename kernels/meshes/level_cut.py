@@ -1,10 +1,7 @@
-"""A mesh cut where values at its vertices pass a level.
+"""Cut a mesh where linear values at its vertices cross a level.
 
-Values are linear in a triangle, so the cut is a line there: between a corner above and one below the level lies a new
-vertex, one for each edge whatever the triangles at it; corners on the level are corners of the line. Each triangle
-becomes one to three, all on one side or the other, and both sides stay joined: nothing opens but where a side is
-dropped. New vertices follow the old ones in the order of their edges' two numbers, triangles that of their first ones:
-the same bits on every device. About 80 B of memory a triangle beside the sort of edges.
+Each cut edge gets one vertex, and each triangle becomes one to three pieces that stay connected. New vertices are
+sorted by edge, pieces by triangle: bitwise reproducible. About 80 B per triangle.
 """
 
 from ..algebra.transform import narrow, widen
@@ -21,7 +18,6 @@ from .mixed_rows import MixedRows, with_vertices_on_edges
 
 @kernel
 def mark_sides_kernel(values: array(dtype=float64), level: float64, sides: array(dtype=int32)):
-    """1 where a value is above the level, -1 where it is below, 0 on it."""
     i = tid()
     side = 0
     if values[i] > level:
@@ -33,7 +29,6 @@ def mark_sides_kernel(values: array(dtype=float64), level: float64, sides: array
 
 @kernel
 def mark_cut_edges_kernel(triangles: array(dtype=vec3i), sides: array(dtype=int32), mask: array(dtype=uint8)):
-    """1 for half-edges that lead from above the level to below it or back."""
     i = tid()
     product = sides[corner_vertex(triangles, i)] * sides[corner_vertex(triangles, next_corner(i))]
     mask[i] = uint8(1 if product < 0 else 0)
@@ -41,23 +36,14 @@ def mark_cut_edges_kernel(triangles: array(dtype=vec3i), sides: array(dtype=int3
 
 @struct
 class CutEdges:
-    """The edges that the level cuts.
-
-    Attributes:
-        vertex_count: Vertices m before the cut.
-        bits: Of a vertex' number in a key.
-        edges: UniqueKeys of the edges, by the numbers of their two vertices.
-        vertices: int32 [3 t], the new vertex of each half-edge, -1 where it is not cut.
-        shares: float64 [c], where between its lower and its higher vertex each edge is cut.
-        count: Edges c; on CUDA as many as half-edges, of which those behind the last edge are none: what stands for
-            them has shares and rows of zeros.
-    """
+    """Cut edges, sorted by their two vertices. `vertices` are the new vertices of half-edges (-1 if uncut), `shares`
+    the fraction from the lower to the higher vertex. On CUDA, `count` is the number of half-edges, padded by zeros."""
 
     vertices: array(dtype=int32)
     shares: array(dtype=float64)
 
     def __init__(self, triangles: Triangles, values: Doubles, sides: Integers, level: float, crossings: int) -> None:
-        """Of triangles whose edges pass the level as often as `crossings` says; no sync."""
+        """From triangles with a number of edges that cross the level; no sync."""
         device, half_edges = triangles.device, 3 * triangles.size
         self.bits = max(1, values.size.bit_length())
         keys, mask = empty(half_edges, int64, device), empty(half_edges, uint8, device)
@@ -74,7 +60,6 @@ class CutEdges:
 
 @kernel
 def number_cuts_kernel(edges: UniqueKeys, rows: array(dtype=int32), first: int, vertices: array(dtype=int32)):
-    """The new vertex of each half-edge of an edge."""
     i = tid()
     for j in range(edges.starts[i], edges.starts[i + 1]):
         vertices[rows[edges.order[j]]] = first + i
@@ -84,7 +69,7 @@ def number_cuts_kernel(edges: UniqueKeys, rows: array(dtype=int32), first: int, 
 def place_cuts_kernel(
     edges: UniqueKeys, bits: int, values: array(dtype=float64), level: float64, shares: array(dtype=float64)
 ):
-    """Where each edge is cut; halved first, so that no difference overflows."""
+    """Fraction at which each edge is cut; halved first to avoid overflow."""
     i = tid()
     share = float64(0.0)
     if edges.starts[i + 1] > edges.starts[i]:
@@ -99,7 +84,7 @@ def place_cuts_kernel(
 def interpolate_rows_kernel(
     edges: UniqueKeys, bits: int, shares: array(dtype=float64), unit: int, first: int, rows: array(dtype=vec3)
 ):
-    """The rows of new vertices between those of their edges; of unit length where `unit` is 1 and there is a length."""
+    """Interpolate rows at the new vertices; normalized if `unit` is 1."""
     i = tid()
     row = vec3d(0.0, 0.0, 0.0)
     if edges.starts[i + 1] > edges.starts[i]:
@@ -114,7 +99,6 @@ def interpolate_rows_kernel(
 
 @kernel
 def count_pieces_kernel(triangles: array(dtype=vec3i), sides: array(dtype=int32), counts: array(dtype=int32)):
-    """The triangles that each triangle becomes: one more than its edges that are cut."""
     i = tid()
     t = triangles[i]
     count = 1
@@ -133,7 +117,7 @@ def write_pieces_kernel(
     pieces: array(dtype=vec3i),
     kept: array(dtype=uint8),
 ):
-    """The pieces of each triangle, wound as it is, and 1 for those above the level; all of it on the level is above."""
+    """Pieces of each triangle in its orientation, and 1 for those above or on the level."""
     i = tid()
     first = offsets[i]
     count = offsets[i + 1] - first
@@ -141,7 +125,7 @@ def write_pieces_kernel(
     if count == 1:
         pieces[first] = t
         kept[first] = uint8(1 if min(sides[t[0]], min(sides[t[1]], sides[t[2]])) >= 0 else 0)
-    # The corner to begin from: of two cut edges the one between them, of one the one across.
+    # First corner: between two cut edges, or opposite to a single one.
     h = 3 * i
     for k in range(3):
         before = cuts.vertices[3 * i + (k + 2) % 3]
@@ -179,7 +163,6 @@ def split_cut_keys_kernel(
     lows: array(dtype=int32),
     highs: array(dtype=int32),
 ):
-    """The new vertex and the two ends of each edge."""
     i = tid()
     numbers[i] = first + i
     lows[i] = 0
@@ -199,7 +182,7 @@ def mix_piece_corners_kernel(
     values: array(dtype=vec2),
     mixed: array(dtype=vec2),
 ):
-    """Values of corners at those of the pieces; on cut edges between those of their triangle's own corners."""
+    """Values of corners for the pieces, interpolated on cut edges within their triangle."""
     i = tid()
     piece = pieces[i]
     t = sources[i]
@@ -219,25 +202,11 @@ def mix_piece_corners_kernel(
 
 
 class LevelCut:
-    """The mesh with its triangles cut along a level; nothing is dropped.
-
-    Attributes:
-        sides: int32 [m]: 1 for vertices above the level, -1 below, 0 on it.
-        pieces: vec3i [p], wound as their triangles are.
-        above: uint8 [p]: 1 for pieces above the level, and those that lie on it.
-        sources: int32 [p], the triangle that each piece is of.
-        cuts: The edges that are cut; the vertex on edge i has the number m + i. Beyond the last one are vertices that
-            no piece uses.
-    """
+    """Mesh cut along a level. `sides` are signs of vertices, `above` marks pieces above or on the level, `sources` are
+    their triangles. The vertex on cut edge i has index m + i; trailing vertices may be unused."""
 
     def __init__(self, triangles: Triangles, values: Doubles, level: float) -> None:
-        """Cut; one sync.
-
-        Args:
-            triangles: vec3i [t].
-            values: float64 device array [m], finite.
-            level: A Python number.
-        """
+        """Cut by finite float64 values [m]; one sync."""
         device, self.triangles = triangles.device, triangles
         self.sides = empty(values.size, int32, device)
         launch(mark_sides_kernel, values.size, [values, level, self.sides])
@@ -252,7 +221,7 @@ class LevelCut:
         launch(write_pieces_kernel, triangles.size, arguments)
 
     def rows_of(self, rows: Vectors, unit: bool) -> Vectors:
-        """vec3 [m] rows at vertices and behind them those on the cut; of unit length where they have one."""
+        """Rows vec3 [m] of the vertices, followed by those on the cut; normalized with `unit`."""
         cuts, count = self.cuts, rows.size
         longer = empty(count + cuts.count, vec3, rows.device)
         copy(longer, rows, count=count)
@@ -261,14 +230,13 @@ class LevelCut:
         return longer
 
     def mixed(self) -> MixedRows:
-        """What all vertices are made of, for values of other kinds."""
+        """Sources of all vertices, for values of other types."""
         cuts, device = self.cuts, self.sides.device
         numbers, lows, highs = (empty(cuts.count, int32, device) for _ in range(3))
         launch(split_cut_keys_kernel, cuts.count, [cuts.edges, cuts.bits, cuts.vertex_count, numbers, lows, highs])
         return with_vertices_on_edges(cuts.vertex_count, numbers, lows, highs, cuts.shares)
 
     def corners_of(self, values: Array1[vec2]) -> Array1[vec2]:
-        """vec2 [3 t] values of corners at those of the pieces, vec2 [3 p]."""
         mixed = empty(3 * self.pieces.size, vec2, values.device)
         arguments = [self.triangles, self.cuts, self.cuts.vertex_count, self.pieces, self.sources, values, mixed]
         launch(mix_piece_corners_kernel, self.pieces.size, arguments)

@@ -1,7 +1,7 @@
-"""Vertices made one: those at the same position, and the rows of those that follow another.
+"""Vertex merging: equal positions, and the rows of merged vertices.
 
-Which vertex each one follows is an int32 array `owners` with owners[v] <= v and owners[owners[v]] == owners[v]. The
-owners stay, in their order; triangles name them. About 16 B a vertex beside the sort.
+`owners` maps each vertex to a representative with owners[v] <= v and owners[owners[v]] == owners[v]. About 16 B per
+vertex.
 """
 
 from collections.abc import Iterable
@@ -22,7 +22,7 @@ from ..sampling.duplicates import WORD_BITS, hash_points_kernel, is_nan, same_po
 def unite_equal_kernel(
     points: array(dtype=vec3), keys: array(dtype=int64), order: array(dtype=int32), parents: array(dtype=int32)
 ):
-    """Make one set of a point and the one before it with the same coordinates; one with a NaN equals none."""
+    """Unite a point with its predecessor if the coordinates are equal; NaN equals nothing."""
     i = tid()
     p = points[order[i]]
     j = i - 1
@@ -37,14 +37,12 @@ def unite_equal_kernel(
 
 @kernel
 def mark_owners_kernel(owners: array(dtype=int32), marks: array(dtype=int32)):
-    """1 for the vertices that follow none but themselves."""
     i = tid()
     marks[i] = 1 if owners[i] == i else 0
 
 
 @kernel
 def mask_owners_kernel(owners: array(dtype=int32), mask: array(dtype=uint8)):
-    """1 for the vertices that follow none but themselves."""
     i = tid()
     mask[i] = uint8(1 if owners[i] == i else 0)
 
@@ -53,7 +51,6 @@ def mask_owners_kernel(owners: array(dtype=int32), mask: array(dtype=uint8)):
 def rename_corners_kernel(
     triangles: array(dtype=vec3i), owners: array(dtype=int32), places: array(dtype=int32), renamed: array(dtype=vec3i)
 ):
-    """Triangles by the new numbers of the vertices that theirs follow."""
     i = tid()
     t = triangles[i]
     renamed[i] = vec3i(places[owners[t[0]]], places[owners[t[1]]], places[owners[t[2]]])
@@ -61,17 +58,13 @@ def rename_corners_kernel(
 
 @kernel
 def list_owner_places_kernel(owners: array(dtype=int32), places: array(dtype=int32), keys: array(dtype=int64)):
-    """The new number of the vertex that each one follows."""
     i = tid()
     keys[i] = int64(places[owners[i]])
 
 
 @kernel
 def average_members_kernel(rows: array(dtype=vec3), groups: UniqueKeys, unit: int, means: array(dtype=vec3)):
-    """The mean of the rows of those that follow one vertex, summed by their numbers; a vertex alone keeps its bits.
-
-    With `unit` the mean is brought to unit length where it has one.
-    """
+    """Mean row of the vertices merged into one, by index; single vertices keep their bits. With `unit`, normalized."""
     i = tid()
     first = groups.starts[i]
     last = groups.starts[i + 1]
@@ -89,7 +82,7 @@ def average_members_kernel(rows: array(dtype=vec3), groups: UniqueKeys, unit: in
 
 
 def find_equal_vertices(vertices: Points) -> Indices:
-    """The first vertex at the position of each, int32 [m]; those with a NaN follow themselves."""
+    """First vertex at each one's position, int32 [m]; those with a NaN map to themselves."""
     device, count = vertices.device, vertices.size
     bits = WORD_BITS - max(1, (count - 1).bit_length())
     keys, owners = empty(count, int64, device), positions(count, device)
@@ -101,21 +94,19 @@ def find_equal_vertices(vertices: Points) -> Indices:
 
 
 def number_owners(owners: Indices) -> tuple[Integers, int]:
-    """(places int32 [m + 1], count): the new number of each owner; one sync."""
+    """(places int32 [m + 1], count): new index of each owner; one sync."""
     marks = empty(owners.size, int32, owners.device)
     launch(mark_owners_kernel, owners.size, [owners, marks])
     return exclusive_scan(marks)
 
 
 def mask_owners(owners: Indices) -> Mask:
-    """uint8 [m]: 1 for the vertices that stay."""
     mask = empty(owners.size, uint8, owners.device)
     launch(mask_owners_kernel, owners.size, [owners, mask])
     return mask
 
 
 def rename_corners(triangles: Triangles, owners: Indices, places: Integers) -> Triangles:
-    """The triangles of the vertices that theirs follow, by their new numbers."""
     renamed = empty(triangles.size, vec3i, triangles.device)
     launch(rename_corners_kernel, triangles.size, [triangles, owners, places, renamed])
     return renamed
@@ -124,18 +115,7 @@ def rename_corners(triangles: Triangles, owners: Indices, places: Integers) -> T
 def average_members(
     arrays: Iterable[Vectors], unit: Iterable[bool], owners: Indices, places: Integers, count: int
 ) -> list[Any]:
-    """The mean rows of each owner and those that follow it.
-
-    Args:
-        arrays: vec3 [m] device arrays.
-        unit: For each of them whether its rows have unit length.
-        owners: int32 [m].
-        places: The new numbers of owners.
-        count: Owners.
-
-    Returns:
-        vec3 [count] arrays.
-    """
+    """Mean rows (vec3 [count]) of each owner and its merged vertices; `unit` marks arrays of unit vectors."""
     device = owners.device
     keys = empty(owners.size, int64, device)
     launch(list_owner_places_kernel, owners.size, [owners, places, keys])

@@ -1,9 +1,7 @@
-"""The parts of a mesh: triangles that hang together by edges, how many each part has, and their areas.
+"""Edge-connected components of a mesh, their triangle counts and areas.
 
-Half-edges are sorted by their two vertices, so the triangles at an edge follow each other and are united; an edge of
-three triangles or more joins them all, whatever their directions. Parts are numbered by their first triangles. Areas
-are summed in float64 by ascending triangle, in blocks of 1024 whatever the device: the same bits everywhere. About 60 B
-of memory a triangle beside the sort.
+Triangles at an edge of any number are united; components are numbered by first triangle. Areas are float64 sums in
+blocks of 1024 by ascending triangle: bitwise reproducible. About 60 B per triangle.
 """
 
 import numpy as np
@@ -26,7 +24,6 @@ MOST = 2**31 - 1  # triangles
 
 @kernel
 def mark_roots_kernel(parents: array(dtype=int32), marks: array(dtype=uint8)):
-    """1 at the first triangle of each set."""
     i = tid()
     mark = 0
     if parents[i] == i:
@@ -36,14 +33,12 @@ def mark_roots_kernel(parents: array(dtype=int32), marks: array(dtype=uint8)):
 
 @kernel
 def number_roots_kernel(roots: array(dtype=int32), labels: array(dtype=int64)):
-    """The number of each part at its first triangle."""
     i = tid()
     labels[roots[i]] = int64(i)
 
 
 @kernel
 def spread_labels_kernel(parents: array(dtype=int32), labels: array(dtype=int64)):
-    """The number of its part at each other triangle."""
     i = tid()
     if parents[i] != i:
         labels[i] = labels[parents[i]]
@@ -57,7 +52,6 @@ def sum_blocks_kernel(
     lasts: array(dtype=int32),
     sums: array(dtype=float64),
 ):
-    """The sum over the triangles of each block."""
     i = tid()
     total = float64(0.0)
     for j in range(firsts[i], lasts[i]):
@@ -67,7 +61,6 @@ def sum_blocks_kernel(
 
 @kernel
 def fold_blocks_kernel(sums: array(dtype=float64), starts: array(dtype=int32), totals: array(dtype=float64)):
-    """The sum of the blocks of each part."""
     i = tid()
     total = float64(0.0)
     for j in range(starts[i], starts[i + 1]):
@@ -77,21 +70,21 @@ def fold_blocks_kernel(sums: array(dtype=float64), starts: array(dtype=int32), t
 
 @kernel
 def find_marked_kernel(labels: array(dtype=int64), marks: array(dtype=uint8), held: array(dtype=uint8)):
-    """1 for parts with a marked triangle; all threads write the same."""
+    """1 for components with a marked triangle; all threads write the same value."""
     i = tid()
     if marks[i] != 0:
         held[int(labels[i])] = uint8(1)
 
 
 def holds_marked(labels: LongIntegers, marks: Mask, count: int) -> np.ndarray:
-    """Whether parts hold a marked triangle, bool NumPy array [count]; marks are of the first triangles. One sync."""
+    """True for components with a marked triangle, NumPy [count]; marks are those of first triangles. One sync."""
     held = zeros(count, uint8, labels.device)
     launch(find_marked_kernel, marks.size, [labels, marks, held])
     return download(held) != 0  # sync
 
 
 def number_parts(parents: Indices) -> tuple[LongIntegers, int]:
-    """(labels int64 [t], count): parts by their first triangles, which `parents` gives for each; one sync."""
+    """(labels int64 [t], count) from the first triangle of each component; one sync."""
     device = parents.device
     marks, labels = empty(parents.size, uint8, device), empty(parents.size, int64, device)
     launch(mark_roots_kernel, parents.size, [parents, marks])
@@ -102,16 +95,7 @@ def number_parts(parents: Indices) -> tuple[LongIntegers, int]:
 
 
 class PartOrder:
-    """Triangles by part.
-
-    Args:
-        labels: Of `number_parts`.
-        count: Parts.
-
-    Attributes:
-        order: int32 [t], the triangles by part, those of one ascending.
-        starts: int32 [count + 1], where each part begins.
-    """
+    """Triangles by component: `order` int32 [t] ascending within each, `starts` int32 [count + 1]."""
 
     def __init__(self, labels: LongIntegers, count: int) -> None:
         keys, self.order = argsort_keys(labels, max(1, count.bit_length()))
@@ -119,16 +103,11 @@ class PartOrder:
         find_key_starts(keys, self.starts)
 
     def counts(self) -> np.ndarray:
-        """The triangles of each part, int32 NumPy array [count]; one sync."""
+        """Number of triangles of each component, int32 NumPy [count]; one sync."""
         return np.diff(download(self.starts))  # sync
 
     def sum(self, values: Doubles, counts: np.ndarray) -> Doubles:
-        """Sums over parts, float64 device array [count]: by ascending triangle, in blocks of 1024.
-
-        Args:
-            values: float64 device array [t].
-            counts: Triangles of each part, NumPy array [count].
-        """
+        """Sum float64 values [t] over components in blocks of 1024, given their triangle counts (NumPy)."""
         device = values.device
         blocks = SegmentBlocks(np.cumsum([0, *counts[:-1]])[: len(counts)], counts, device)
         sums, totals = empty(blocks.count, float64, device), empty(self.count, float64, device)
@@ -141,7 +120,6 @@ class PartOrder:
 def unite_chosen_kernel(
     keys: array(dtype=int64), order: array(dtype=int32), chosen: array(dtype=uint8), parents: array(dtype=int32)
 ):
-    """Make one set of the chosen triangles at each edge."""
     i = tid()
     own = order[i] // 3
     if i > 0 and chosen[own] != 0:
@@ -155,7 +133,7 @@ def unite_chosen_kernel(
 
 @kernel
 def count_roots_kernel(parents: array(dtype=int32), chosen: array(dtype=uint8), counts: array(dtype=int32)):
-    """1 at the first triangle of each set of chosen ones."""
+    """1 at the first triangle of each set of selected ones."""
     i = tid()
     counts[i] = 1 if parents[i] == i and chosen[i] != 0 else 0
 
@@ -164,7 +142,6 @@ def count_roots_kernel(parents: array(dtype=int32), chosen: array(dtype=uint8), 
 def label_chosen_kernel(
     parents: array(dtype=int32), chosen: array(dtype=uint8), numbers: array(dtype=int32), labels: array(dtype=int64)
 ):
-    """The number of its set at each chosen triangle, at others a number above all."""
     i = tid()
     label = int64(labels.shape[0])
     if chosen[i] != 0:
@@ -174,7 +151,7 @@ def label_chosen_kernel(
 
 @kernel
 def start_parts_kernel(keys: array(dtype=int64), starts: array(dtype=int32)):
-    """Where the triangles of each part begin, whose labels leave none out, and where those of the last end."""
+    """First triangle of each component, and the end of the last; labels have no gaps."""
     i = tid()
     before = -1
     if i > 0:
@@ -193,7 +170,6 @@ def sum_part_blocks_kernel(
     starts: array(dtype=int32),
     sums: array(dtype=float64),
 ):
-    """The sum over the triangles of a block, by the thread of its first one."""
     i = tid()
     part = int(keys[i])
     if part < keys.shape[0]:
@@ -208,7 +184,7 @@ def sum_part_blocks_kernel(
 def fold_part_blocks_kernel(
     sums: array(dtype=float64), starts: array(dtype=int32), count: array(dtype=int32), totals: array(dtype=float64)
 ):
-    """The sum of the blocks of each part, 0 of those that are not there."""
+    """Sum of the blocks of each component, 0 beyond the last."""
     i = tid()
     total = float64(0.0)
     if i < count[0]:
@@ -221,13 +197,7 @@ def fold_part_blocks_kernel(
 def label_parts(
     edges: tuple[LongIntegers, Integers], count: int, chosen: Mask | None = None
 ) -> tuple[LongIntegers, Indices]:
-    """(labels int64 [t], how many parts there are, int32 [1]) of `count` triangles, by their first ones; no sync.
-
-    Args:
-        edges: Of `sorted_edges`.
-        count: Triangles t.
-        chosen: uint8 [t], 1 for those that count, None for all; the others have the label t.
-    """
+    """(labels int64 [t], count int32 [1]) by first triangle; unselected triangles get the label t. No sync."""
     keys, order = edges
     device, chosen = keys.device, full(count, 1, uint8, keys.device) if chosen is None else chosen
     parents, roots, labels = positions(count, device), empty(count, int32, device), empty(count, int64, device)
@@ -241,20 +211,8 @@ def label_parts(
 
 @struct
 class Parts:
-    """The parts of a mesh that hang together by edges, or of some of its triangles: all of it where the mesh is.
-
-    Args:
-        vertices: vec3 [m].
-        triangles: vec3i [t].
-        chosen: uint8 [t], 1 for the triangles that count; None for all.
-        edges: The half-edges of all triangles in order, as `sorted_edges` gives them, where they are known.
-
-    Attributes:
-        labels: int64 [t], the part of each triangle; t for those that do not count.
-        count: int32 [1], how many parts there are.
-        starts: int32 [t + 2], where the triangles of each part begin among those in order, and where the last end.
-        doubled: float64 [t], twice the area of each part, 0 behind the last.
-    """
+    """Edge-connected components of a mesh or of `chosen` triangles (uint8 [t]). `labels` int64 [t] (t if unselected),
+    `count` int32 [1], `starts` int32 [t + 2], `doubled` float64 [t] twice the areas."""
 
     labels: array(dtype=int64)
     starts: array(dtype=int32)
@@ -278,13 +236,12 @@ class Parts:
         launch(fold_part_blocks_kernel, count, [sums, self.starts, self.count, self.doubled])
 
     def read(self) -> tuple[np.ndarray, np.ndarray]:
-        """(triangles of each part, their areas): int32 and float64 NumPy arrays; two syncs."""
+        """(triangle counts, areas): int32 and float64 NumPy arrays; two syncs."""
         count = int(download(self.count)[0])  # sync
         starts, doubled = read_together([self.starts[: count + 1], self.doubled[:count]]) if count else ([0], [])
         return np.diff(np.asarray(starts, np.int32)), np.asarray(doubled, np.float64) / 2
 
     def mask_large(self, least_count: int, least_area: float) -> Mask:
-        """uint8 [t]: 1 for the triangles of parts that have as many triangles, and as large an area."""
         mask = empty(self.labels.size, uint8, self.labels.device)
         launch(mask_large_parts_kernel, mask.size, [self, min(least_count, MOST), least_area, mask])
         return mask
@@ -292,7 +249,6 @@ class Parts:
 
 @kernel
 def mask_large_parts_kernel(parts: Parts, least_count: int, least_area: float64, mask: array(dtype=uint8)):
-    """1 for the triangles of parts that have as many and as large an area."""
     i = tid()
     part = int(parts.labels[i])
     mask[i] = uint8(0)

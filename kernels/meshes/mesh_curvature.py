@@ -1,9 +1,8 @@
-"""Curvature at the vertices of a mesh: cotangents for the mean, angles for the Gaussian, over mixed Voronoi areas.
+"""Mean and Gaussian curvature by cotangents and angles over mixed Voronoi areas.
 
-Source: Meyer, Desbrun, Schroeder, Barr, "Discrete differential-geometry operators for triangulated 2-manifolds",
-VisMath 2003, equations 8 to 11 and figure 4. One thread a vertex sums over its corners in ascending order, in float64,
-and takes no sine or arc tangent of a compiler: the same bits everywhere. A curvature stands only where the triangles
-around a vertex close a ring and turn alike. Reads some 50 B a corner, writes 32 B a vertex.
+Meyer, Desbrun, Schroeder, Barr, "Discrete differential-geometry operators for triangulated 2-manifolds", VisMath 2003,
+equations 8 to 11 and figure 4. Float64 sums by ascending corner without compiler trigonometry: bitwise reproducible.
+Vertices without a closed, consistently oriented ring get NaN.
 """
 
 from ..algebra.angles import HALF_TURN, angle_of
@@ -38,7 +37,7 @@ ring_sums = vector(8, float64)  # Laplacian (3), normal (3), area, angle
 
 @kernel
 def pair_halves_kernel(triangles: array(dtype=vec3i), edges: MeshEdges, twins: array(dtype=int32)):
-    """The other half-edge of an edge that two triangles run in opposite directions, else -1."""
+    """Opposite half-edge if exactly two triangles use an edge in opposite directions, else -1."""
     i = tid()
     start = edges.starts[i]
     count = edges.starts[i + 1] - start
@@ -54,7 +53,6 @@ def pair_halves_kernel(triangles: array(dtype=vec3i), edges: MeshEdges, twins: a
 
 @func
 def is_ringed(triangles: array(dtype=vec3i), around: CornersByVertex, twins: array(dtype=int32), v: int) -> int:
-    """1 where the triangles around a vertex are one closed ring."""
     count = around.starts[v + 1] - around.starts[v]
     closed = 0
     seen = 1
@@ -74,7 +72,7 @@ def is_ringed(triangles: array(dtype=vec3i), around: CornersByVertex, twins: arr
 
 @func
 def sums_of_corner(p: vec3d, q: vec3d, r: vec3d) -> ring_sums:
-    """What the triangle (p, q, r) adds at p; not finite where it has no area."""
+    """Contribution of triangle (p, q, r) at p; not finite if it has no area."""
     u = q - p
     v = r - p
     w = r - q
@@ -99,7 +97,7 @@ def measure_curvatures_kernel(
     twins: array(dtype=int32),
     curvatures: array(dtype=vec4d),
 ):
-    """(mean, Gaussian, least, largest) curvature of a vertex; NaN where there is none."""
+    """(mean, Gaussian, minimum, maximum) curvature of a vertex, or NaN."""
     i = tid()
     result = vec4d(float64(NAN), float64(NAN), float64(NAN), float64(NAN))
     if is_ringed(triangles, around, twins, i) == 1:
@@ -125,7 +123,7 @@ def measure_curvatures_kernel(
 
 
 def measure_curvatures(vertices: Points, triangles: Triangles) -> Array1[vec4d]:
-    """(mean, Gaussian, least, largest) curvature of each vertex, vec4d [m]; one sync."""
+    """(mean, Gaussian, minimum, maximum) curvature of each vertex, vec4d [m]; one sync."""
     device = vertices.device
     edges, around = MeshEdges(triangles, vertices.size), CornersByVertex(triangles, vertices.size)
     twins, curvatures = empty(3 * triangles.size, int32, device), empty(vertices.size, vec4d, device)

@@ -1,8 +1,6 @@
-"""Normals, area and volume of indexed triangles.
+"""Normals, area and volume of a triangle mesh, in float64 and a fixed order.
 
-Everything is summed in double precision and in a fixed order: at a vertex by ascending corner, over the mesh by
-reductions. Where a triangle or vertex has no area its normal is (0, 0, 1), as Open3D has it; triangles with a corner
-that is not finite add nothing. Vertices are float32, 12 B; triangles three int32.
+Zero-area triangles and vertices get the normal (0, 0, 1), as in Open3D; triangles with a non-finite corner are ignored.
 """
 
 from ..algebra.transform import widen
@@ -31,7 +29,7 @@ from .mesh_topology import CornersByVertex
 
 @func
 def triangle_cross(vertices: array(dtype=vec3), t: vec3i) -> vec3d:
-    """Twice the area of a triangle along its normal; zero where a corner is not finite."""
+    """Twice the area along the normal; zero if a corner is not finite."""
     a = widen(vertices[t[0]])
     n = cross(widen(vertices[t[1]]) - a, widen(vertices[t[2]]) - a)
     if not isfinite(n):
@@ -41,7 +39,7 @@ def triangle_cross(vertices: array(dtype=vec3), t: vec3i) -> vec3d:
 
 @func
 def unit_or_up(n: vec3d) -> vec3:
-    """The direction of n in single precision, (0, 0, 1) where there is none."""
+    """Unit vector in float32, (0, 0, 1) for zero."""
     size = length(n)
     unit = vec3(0.0, 0.0, 1.0)
     if size > 0.0:
@@ -53,7 +51,7 @@ def unit_or_up(n: vec3d) -> vec3:
 def compute_triangle_normals_kernel(
     vertices: array(dtype=vec3), triangles: array(dtype=vec3i), normals: array(dtype=vec3)
 ):
-    """Unit normals of triangles by the right-hand rule; NaN where a corner is not finite."""
+    """Unit normals of triangles; NaN if a corner is not finite."""
     i = tid()
     t = triangles[i]
     normal = unit_or_up(triangle_cross(vertices, t))
@@ -64,7 +62,6 @@ def compute_triangle_normals_kernel(
 
 @kernel
 def cross_triangles_kernel(vertices: array(dtype=vec3), triangles: array(dtype=vec3i), crosses: array(dtype=vec3d)):
-    """The area-weighted normals of triangles."""
     i = tid()
     crosses[i] = triangle_cross(vertices, triangles[i])
 
@@ -73,7 +70,7 @@ def cross_triangles_kernel(vertices: array(dtype=vec3), triangles: array(dtype=v
 def sum_vertex_normals_kernel(
     vertices: array(dtype=vec3), around: CornersByVertex, crosses: array(dtype=vec3d), normals: array(dtype=vec3)
 ):
-    """Unit normals of vertices; NaN where the vertex is not finite."""
+    """Unit normals of vertices; NaN if the vertex is not finite."""
     i = tid()
     total = vec3d(0.0, 0.0, 0.0)
     for j in range(around.starts[i], around.starts[i + 1]):
@@ -86,7 +83,7 @@ def sum_vertex_normals_kernel(
 
 @reduction
 def measure_triangle(vertices: array(dtype=vec3), triangles: array(dtype=vec3i)) -> vec2d:
-    """(twice the area, six times the signed volume of the tetrahedron with vertex 0 as its tip)."""
+    """(twice the area, six times the signed volume of the tetrahedron with vertex 0)."""
     i = tid()
     t = triangles[i]
     n = triangle_cross(vertices, t)
@@ -97,14 +94,13 @@ def measure_triangle(vertices: array(dtype=vec3), triangles: array(dtype=vec3i))
 
 
 def triangle_normals(vertices: Points, triangles: Triangles) -> Vectors:
-    """Unit normals of triangles, vec3 [t]."""
     normals = empty(triangles.size, vec3, vertices.device)
     launch(compute_triangle_normals_kernel, triangles.size, [vertices, triangles, normals])
     return normals
 
 
 def vertex_normals(vertices: Points, triangles: Triangles) -> Vectors:
-    """Unit normals of vertices, vec3 [m]: the mean of the triangles around each, weighted by area."""
+    """Area-weighted unit normals of vertices, vec3 [m]."""
     device = vertices.device
     crosses, normals = empty(triangles.size, vec3d, device), empty(vertices.size, vec3, device)
     launch(cross_triangles_kernel, triangles.size, [vertices, triangles, crosses])

@@ -1,8 +1,7 @@
-"""How the triangles of a mesh hang together: edges with one, two or more triangles, their directions, fans at vertices.
+"""Mesh topology: boundary, non-manifold and inconsistent edges, and fans at vertices.
 
-Half-edge h = 3 t + k runs from corner k of triangle t to the next corner. Half-edges are sorted by their two vertices
-(one stable sort of 64-bit keys), so an edge is a run of equal keys; then one thread a vertex walks around it from
-triangle to triangle. About 40 B a half-edge.
+Half-edge h = 3 t + k runs from corner k of triangle t to the next. Half-edges are sorted by their two vertices (stable
+64-bit sort), so an edge is a run of equal keys. About 40 B per half-edge.
 """
 
 from typing import NamedTuple
@@ -14,12 +13,11 @@ from ..arrays.pair_sort import argsort_pairs
 from ..lang import array, atomic_max, func, int32, int64, kernel, launch, struct, tid, vec3i
 from ..memory import download, empty, zeros
 
-BOUNDARY, CROWDED, TWISTED, SPLIT = 0, 1, 2, 3  # places of the findings
+BOUNDARY, CROWDED, TWISTED, SPLIT = 0, 1, 2, 3  # indices of the findings
 
 
 @kernel
 def list_corner_keys_kernel(triangles: array(dtype=vec3i), keys: array(dtype=int64)):
-    """The vertex of each corner, three corners a triangle."""
     i = tid()
     t = triangles[i]
     keys[3 * i] = int64(t[0])
@@ -29,7 +27,7 @@ def list_corner_keys_kernel(triangles: array(dtype=vec3i), keys: array(dtype=int
 
 @kernel
 def find_starts_kernel(keys: array(dtype=int64), count: int, starts: array(dtype=int32)):
-    """starts[v] is the first place of v or more in the sorted keys; one thread a key writes all up to its own."""
+    """starts[v] is the first position of a key >= v; one thread per key."""
     i = tid()
     first = 0
     if i > 0:
@@ -43,12 +41,7 @@ def find_starts_kernel(keys: array(dtype=int64), count: int, starts: array(dtype
 
 @struct
 class CornersByVertex:
-    """The corners of triangles by vertex.
-
-    Attributes:
-        starts: int32 [m + 1], where each vertex' corners begin in `corners`.
-        corners: int32 [3 t]; corner // 3 is the triangle.
-    """
+    """Corners of triangles by vertex: starts int32 [m + 1], corners int32 [3 t] (corner // 3 is the triangle)."""
 
     starts: array(dtype=int32)
     corners: array(dtype=int32)
@@ -64,7 +57,6 @@ class CornersByVertex:
 
 @kernel
 def list_edge_keys_kernel(triangles: array(dtype=vec3i), bits: int, keys: array(dtype=int64)):
-    """The two vertices of each half-edge, the lower number above the higher one."""
     i = tid()
     t = triangles[i]
     for k in range(3):
@@ -81,7 +73,6 @@ def list_edge_keys_kernel(triangles: array(dtype=vec3i), bits: int, keys: array(
 
 @func
 def corner_vertex(triangles: array(dtype=vec3i), h: int) -> int:
-    """The vertex that a half-edge starts from."""
     t = triangles[h // 3]
     k = h % 3
     v = t[0]
@@ -94,7 +85,6 @@ def corner_vertex(triangles: array(dtype=vec3i), h: int) -> int:
 
 @func
 def next_corner(h: int) -> int:
-    """The half-edge after another in its triangle."""
     return h + 1 if h % 3 < 2 else h - 2
 
 
@@ -106,7 +96,7 @@ def pair_edges_kernel(
     twins: array(dtype=int32),
     findings: array(dtype=int32),
 ):
-    """The other half-edge of each edge with two triangles, else -1; any thread may set a finding."""
+    """Opposite half-edge at edges with two triangles, else -1; all threads that set a finding write the same value."""
     i = tid()
     count = keys.shape[0]
     key = keys[i]
@@ -141,7 +131,6 @@ def pair_edges_kernel(
 
 @func
 def other_edge(triangles: array(dtype=vec3i), h: int, v: int) -> int:
-    """The other half-edge of the triangle of h that touches v."""
     first = (h // 3) * 3
     k = h % 3
     step = 1
@@ -154,7 +143,6 @@ def other_edge(triangles: array(dtype=vec3i), h: int, v: int) -> int:
 def walk_fans_kernel(
     triangles: array(dtype=vec3i), around: CornersByVertex, twins: array(dtype=int32), findings: array(dtype=int32)
 ):
-    """Whether the triangles around each vertex are one fan, walked both ways from the first; any thread may set it."""
     i = tid()
     count = around.starts[i + 1] - around.starts[i]
     if count == 0:
@@ -177,21 +165,15 @@ def walk_fans_kernel(
 
 
 def sorted_edges(triangles: Triangles, vertex_count: int) -> tuple[LongIntegers, Integers]:
-    """The half-edges of triangles by their two vertices: (keys, order), as of `argsort_pairs`."""
+    """Half-edges sorted by their vertices: (keys, order) as of `argsort_pairs`."""
     bits, keys = max(1, vertex_count.bit_length()), empty(3 * triangles.size, int64, triangles.device)
     launch(list_edge_keys_kernel, triangles.size, [triangles, bits, keys])
     return argsort_pairs(keys, bits, vertex_count)
 
 
 class Topology(NamedTuple):
-    """What a mesh is made of.
-
-    Attributes:
-        has_boundary: Some edge belongs to one triangle.
-        has_crowded_edge: Some edge belongs to three triangles or more.
-        has_twisted_edge: The two triangles of some edge run it in the same direction.
-        has_split_vertex: The triangles at some vertex are not one fan.
-    """
+    """Topology flags: `has_boundary` (edges with one triangle), `has_crowded_edge` (more than two), `has_twisted_edge`
+    (two in the same direction), `has_split_vertex` (triangles at a vertex that are not one fan)."""
 
     has_boundary: bool
     has_crowded_edge: bool
@@ -202,7 +184,7 @@ class Topology(NamedTuple):
 def find_topology(
     triangles: Triangles, vertex_count: int, edges: tuple[LongIntegers, Integers] | None = None
 ) -> Integers:
-    """What a Topology is made of, int32 [4] device array; `edges` of `sorted_edges`, where they are known; no sync."""
+    """Topology flags as int32 [4]; `edges` of `sorted_edges` if known; no sync."""
     device, count = triangles.device, 3 * triangles.size
     keys, order = edges or sorted_edges(triangles, vertex_count)
     twins, findings = empty(count, int32, device), zeros(4, int32, device)
@@ -213,10 +195,9 @@ def find_topology(
 
 
 def examine(triangles: Triangles, vertex_count: int) -> Topology:
-    """The topology of vec3i [t] triangles; one sync. Vertices without triangles do not count."""
+    """Topology of triangles; one sync. Unused vertices are ignored."""
     return topology_of(download(find_topology(triangles, vertex_count)))  # sync
 
 
 def topology_of(findings: np.ndarray) -> Topology:
-    """The topology, of what the host has read of `find_topology`."""
     return Topology(*(bool(found) for found in findings))

@@ -1,8 +1,7 @@
-"""Values of vertices that stand between others: each is mixed from the rows of up to three old vertices.
+"""Interpolated vertex values: each is a weighted sum of up to three rows.
 
-Floating values are mixed in float64, the three rows in their order and those of weight zero left out: a vertex that
-stays keeps its bits, and no NaN comes from a row that does not count. Whole numbers are not mixed: a vertex takes that
-of the row that counts most, of equal ones the first. 36 B a vertex; each value is read and written once.
+Floats are mixed in float64, without rows of weight zero: unchanged vertices keep their bits, and NaN does not spread.
+Integers take the row with the greatest weight, the first of equal ones.
 """
 
 from typing import Any
@@ -12,18 +11,12 @@ from ..arrays.select import gather_rows
 from ..lang import array, float64, int32, kernel, launch, struct, tid, vec3d, vec3i
 from ..memory import cast, empty
 
-FLOATING = ("float16", "float32", "float64")  # types that are mixed
+FLOATING = ("float16", "float32", "float64")  # types that are interpolated
 
 
 @struct
 class MixedRows:
-    """What vertices are made of: the first `kept` of themselves, the others of old ones.
-
-    Attributes:
-        count: Vertices n.
-        rows: vec3i [n], the old vertices.
-        weights: vec3d [n], what each counts; together 1.
-    """
+    """Vertices mixed from old ones: `rows` vec3i [n], `weights` vec3d [n], sum 1; the first `kept` are unchanged."""
 
     rows: array(dtype=vec3i)
     weights: array(dtype=vec3d)
@@ -32,13 +25,11 @@ class MixedRows:
         self.rows, self.weights, self.count = rows, weights, rows.size
 
     def nearest(self) -> Indices:
-        """The old vertex that counts most for each, int32 [n]."""
         nearest = empty(self.count, int32, self.rows.device)
         launch(choose_heaviest_kernel, self.count, [self, nearest])
         return nearest
 
     def of(self, values: AnyArray) -> Any:
-        """Values of scalars [m] or [m, c] at the old vertices, for these: [n] or [n, c] of the same type."""
         if values.dtype.__name__ not in FLOATING:
             return gather_rows(values, self.nearest())
         width = 1 if values.ndim == 1 else values.shape[1]
@@ -52,7 +43,6 @@ class MixedRows:
 
 @kernel
 def mix_rows_kernel(values: array(dtype=float64, ndim=2), made: MixedRows, mixed: array(dtype=float64, ndim=2)):
-    """The weighted sum of up to three rows."""
     i = tid()
     rows = made.rows[i]
     weights = made.weights[i]
@@ -69,7 +59,6 @@ def mix_rows_kernel(values: array(dtype=float64, ndim=2), made: MixedRows, mixed
 
 @kernel
 def choose_heaviest_kernel(made: MixedRows, nearest: array(dtype=int32)):
-    """The row of the greatest weight, of equal ones the first."""
     i = tid()
     rows = made.rows[i]
     weights = made.weights[i]
@@ -85,7 +74,6 @@ def choose_heaviest_kernel(made: MixedRows, nearest: array(dtype=int32)):
 
 @kernel
 def keep_rows_kernel(rows: array(dtype=vec3i), weights: array(dtype=vec3d)):
-    """Vertices that stay what they are."""
     i = tid()
     rows[i] = vec3i(i, i, i)
     weights[i] = vec3d(1.0, 0.0, 0.0)
@@ -100,21 +88,13 @@ def mix_ends_kernel(
     rows: array(dtype=vec3i),
     weights: array(dtype=vec3d),
 ):
-    """Vertices between two others."""
     i = tid()
     rows[numbers[i]] = vec3i(lows[i], highs[i], lows[i])
     weights[numbers[i]] = vec3d(1.0 - shares[i], shares[i], 0.0)
 
 
 def with_vertices_on_edges(count: int, numbers: Indices, lows: Indices, highs: Indices, shares: Doubles) -> MixedRows:
-    """`count` vertices as they are, and one behind them for each edge.
-
-    Args:
-        count: Old vertices.
-        numbers: int32 [e], the numbers of the new ones, from `count` on.
-        lows, highs: int32 [e], the ends of the edges.
-        shares: float64 [e], where each new vertex lies between the two.
-    """
+    """Keep `count` vertices and append those `numbers`, one per edge, at the fraction `shares` between its ends."""
     total, device = count + lows.size, lows.device
     rows, weights = empty(total, vec3i, device), empty(total, vec3d, device)
     launch(keep_rows_kernel, count, [rows, weights])

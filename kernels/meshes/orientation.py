@@ -1,10 +1,8 @@
-"""Triangles that turn like their neighbours: disjoint sets over each triangle as it is and as it would be flipped.
+"""Consistent triangle orientation by disjoint sets over original and flipped triangles.
 
-Number 2 t stands for triangle t as it is, 2 t + 1 for its flipped form. The two triangles of an edge that turn alike
-unite their equal forms, others their opposite ones. Where both forms of a triangle are in one set, its part cannot be
-oriented (a Möbius strip, a Klein bottle); else the set of the part's first triangle as it is says who is flipped. The
-roots of sets are their lowest numbers, so the result does not depend on the order of the threads. Edges of three
-triangles or more ask for nothing: no orientation would suit all of them. About 30 B a half-edge beside the sort.
+2 t is triangle t, 2 t + 1 its flipped form. Consistent neighbors unite equal forms, others opposite ones. A component
+with both forms in one set is not orientable. Set roots are minimal, so the result does not depend on the thread order.
+Edges with more than two triangles are ignored. About 30 B per half-edge.
 """
 
 from typing import NamedTuple
@@ -49,10 +47,7 @@ def unite_forms_kernel(
     parents: array(dtype=int32),
     is_open: array(dtype=int32),
 ):
-    """Make sets of the forms of the two triangles of an edge that turn alike; note which triangles lie at other edges.
-
-    Threads that set the same note write the same.
-    """
+    """Unite forms across edges with two triangles; mark triangles at other edges. All threads write the same value."""
     i = tid()
     first = edges.starts[i]
     last = edges.starts[i + 1]
@@ -83,10 +78,7 @@ def read_forms_kernel(
     is_open: array(dtype=int32),
     twisted: array(dtype=int32),
 ):
-    """The first triangle of each one's part, and whether it is to be flipped; any thread may find a part twisted.
-
-    A twisted part has no inside, so it counts as open.
-    """
+    """First triangle of each component, and whether to flip; non-orientable ones count as open (same value written)."""
     i = tid()
     root = parents[2 * i]
     flip = root % 2
@@ -106,7 +98,7 @@ def measure_turned_kernel(
     flips: array(dtype=uint8),
     volumes: array(dtype=float64),
 ):
-    """Six times the volume between each triangle as it will be and the first vertex of its part; 0 if not finite."""
+    """Six times the volume between each oriented triangle and the first vertex of its component; 0 if not finite."""
     i = tid()
     t = triangles[i]
     tip = triangles[firsts[i]]
@@ -120,7 +112,7 @@ def measure_turned_kernel(
 
 @kernel
 def mark_open_parts_kernel(is_open: array(dtype=int32), labels: array(dtype=int64), open_parts: array(dtype=int32)):
-    """1 for the parts that have an edge of one triangle, or of more than two; all threads write the same."""
+    """1 for components with an edge of other than two triangles; all threads write the same value."""
     i = tid()
     if is_open[i] == 1:
         open_parts[int(labels[i])] = 1
@@ -128,7 +120,6 @@ def mark_open_parts_kernel(is_open: array(dtype=int32), labels: array(dtype=int6
 
 @kernel
 def turn_parts_kernel(labels: array(dtype=int64), turned: array(dtype=uint8), flips: array(dtype=uint8)):
-    """Flip all triangles of chosen parts once more."""
     i = tid()
     if turned[int(labels[i])] == 1:
         flips[i] = uint8(1 - int(flips[i]))
@@ -136,7 +127,6 @@ def turn_parts_kernel(labels: array(dtype=int64), turned: array(dtype=uint8), fl
 
 @kernel
 def flip_some_triangles_kernel(triangles: array(dtype=vec3i), flips: array(dtype=uint8), flipped: array(dtype=vec3i)):
-    """The other winding where it is asked for."""
     i = tid()
     t = triangles[i]
     if flips[i] == 1:
@@ -146,7 +136,6 @@ def flip_some_triangles_kernel(triangles: array(dtype=vec3i), flips: array(dtype
 
 @kernel
 def flip_some_corners_kernel(values: array(dtype=vec2), flips: array(dtype=uint8), flipped: array(dtype=vec2)):
-    """Values of corners for triangles that are wound the other way where it is asked for."""
     i = tid()
     other = int(flips[i])
     flipped[3 * i] = values[3 * i]
@@ -155,16 +144,8 @@ def flip_some_corners_kernel(values: array(dtype=vec2), flips: array(dtype=uint8
 
 
 class Orientation:
-    """Which triangles to flip, so that neighbours turn alike.
-
-    Args:
-        triangles: vec3i [t].
-        vertex_count: Vertices there are.
-
-    Attributes:
-        flips: uint8 device array [t]; the first triangle of each part stays, and parts that cannot be oriented do.
-        orientable: Whether all parts can be.
-    """
+    """Triangles to flip for consistent orientation: `flips` uint8 [t], `orientable` if all components are. The first
+    triangle of each component stays, and non-orientable components stay."""
 
     def __init__(self, triangles: Triangles, vertex_count: int) -> None:
         device, count = triangles.device, triangles.size
@@ -178,12 +159,12 @@ class Orientation:
         self.orientable = not download(twisted)[0]  # sync
 
     def face_outwards(self, vertices: Points, triangles: Triangles) -> None:
-        """Flip the closed parts whose outside would be within."""
+        """Flip closed components whose volume is negative."""
         parts = self.measure_parts(vertices, triangles)
         self.turn_parts(parts.labels, (parts.volumes < 0) & parts.closed)
 
     def measure_parts(self, vertices: Points, triangles: Triangles) -> "OrientedParts":
-        """The parts, and what they enclose as they will be turned."""
+        """Components and the volumes that they enclose after flipping."""
         device, count = triangles.device, triangles.size
         labels, part_count = number_parts(self._firsts)  # sync
         volumes, open_parts = empty(count, float64, device), zeros(part_count, int32, device)
@@ -195,24 +176,18 @@ class Orientation:
         return OrientedParts(labels, counts, sums / 6, is_open == 0)
 
     def turn_parts(self, labels: LongIntegers, turned: np.ndarray) -> None:
-        """Flip all triangles of chosen parts once more: int64 [t] numbers of parts, a bool NumPy array a part."""
+        """Flip all triangles of selected components: labels int64 [t], bool NumPy per component."""
         device = self.flips.device
         launch(turn_parts_kernel, self.flips.size, [labels, upload(turned, uint8, device), self.flips])
 
     def follow_most(self) -> None:
-        """Let most triangles of each part stay as they are; as many as are flipped, and its first one decides."""
+        """Flip components so that most triangles keep their orientation; on a tie, the first one does."""
         follow_most(self._firsts, self.flips)
 
 
 class OrientedParts(NamedTuple):
-    """The parts of a mesh that hang together by edges of two triangles, p of them.
-
-    Attributes:
-        labels: Which one each triangle belongs to, int64 device array [t].
-        counts: Triangles of each, NumPy array [p].
-        volumes: The signed volume of each, float64 NumPy array [p].
-        closed: Whether it has no border and can be oriented, bool NumPy array [p].
-    """
+    """Components connected by edges of two triangles: `labels` int64 [t]; NumPy [p] `counts`, signed `volumes`, and
+    `closed` (no boundary and orientable)."""
 
     labels: LongIntegers
     counts: np.ndarray
@@ -221,14 +196,12 @@ class OrientedParts(NamedTuple):
 
 
 def flip_some(triangles: Triangles, flips: Bytes) -> Triangles:
-    """The triangles, wound the other way where a uint8 mask says so."""
     flipped = empty(triangles.size, vec3i, triangles.device)
     launch(flip_some_triangles_kernel, triangles.size, [triangles, flips, flipped])
     return flipped
 
 
 def flip_some_corners(values: Array1[vec2], flips: Bytes) -> Array1[vec2]:
-    """Values vec2 [3 t] of corners for triangles that are wound the other way where a mask says so."""
     flipped = empty(values.size, vec2, values.device)
     launch(flip_some_corners_kernel, flips.size, [values, flips, flipped])
     return flipped

@@ -1,7 +1,6 @@
-"""What a plane does to a mesh that was cut along it: heights of vertices, sides of pieces, half-edges in the plane.
+"""Plane cut of a mesh: heights of vertices, sides of pieces, half-edges in the plane.
 
-A vertex that is nearer to the plane than float32 rounds the mesh's largest coordinate lies in it. O(t) time, 20 B a
-half-edge.
+Vertices closer to the plane than the float32 rounding of the largest coordinate are in it. 20 B per half-edge.
 """
 
 from typing import NamedTuple
@@ -18,11 +17,11 @@ from .mesh_measures import triangle_cross
 from .mesh_topology import corner_vertex, next_corner
 
 ROUNDING = 2.0**-24  # of a coordinate in float32
-COARSE = 2.0**-50  # of a coordinate in float64, with room for sums of some
+COARSE = 2.0**-50  # of a coordinate in float64, with margin for short sums
 
 ABOVE = 1
 BELOW = -1
-IN_PLANE_UP = 2  # all corners in the plane, wound along its normal
+IN_PLANE_UP = 2  # all corners in the plane, oriented along its normal
 IN_PLANE_DOWN = 3
 
 
@@ -30,7 +29,7 @@ IN_PLANE_DOWN = 3
 def measure_heights_kernel(
     vertices: array(dtype=vec3), normal: vec3d, offset: float64, slack: float64, heights: array(dtype=float64)
 ):
-    """Heights above the plane; 0 where they are not above the slack, and for vertices that are not finite."""
+    """Heights above the plane; 0 within the slack and for non-finite vertices."""
     i = tid()
     height = float64(0.0)
     if isfinite(vertices[i]):
@@ -49,7 +48,6 @@ def find_sides_kernel(
     normal: vec3d,
     found: array(dtype=int32),
 ):
-    """On which side a piece lies; its new vertices lie in the plane."""
     i = tid()
     t = pieces[i]
     side = 0
@@ -66,7 +64,6 @@ def find_sides_kernel(
 
 @kernel
 def mark_half_edges_kernel(pieces: array(dtype=vec3i), sides: array(dtype=int32), mask: array(dtype=uint8)):
-    """1 for half-edges of pieces whose two ends lie in the plane."""
     i = tid()
     a = corner_vertex(pieces, i)
     b = corner_vertex(pieces, next_corner(i))
@@ -84,7 +81,6 @@ def mark_half_edges_kernel(pieces: array(dtype=vec3i), sides: array(dtype=int32)
 
 @kernel
 def clear_half_edges_kernel(kept: array(dtype=uint8), mask: array(dtype=uint8)):
-    """0 for half-edges of pieces that go."""
     i = tid()
     if kept[i // 3] == 0:
         mask[i] = uint8(0)
@@ -99,7 +95,7 @@ def list_half_edges_kernel(
     listed: array(dtype=int32, ndim=2),
     ends: array(dtype=vec3),
 ):
-    """Tail, head, the piece's side and the number of half-edges; and where their tails and heads are."""
+    """Tail, head, side of the piece, and number of half-edges, and the positions of their ends."""
     i = tid()
     h = rows[i]
     tail = corner_vertex(pieces, h)
@@ -116,7 +112,6 @@ def list_half_edges_kernel(
 def renumber_half_edges_kernel(
     vertex_places: array(dtype=int32), piece_places: array(dtype=int32), listed: array(dtype=int32, ndim=2)
 ):
-    """Half-edges by the new numbers of vertices and pieces."""
     i = tid()
     listed[i, 0] = vertex_places[listed[i, 0]]
     listed[i, 1] = vertex_places[listed[i, 1]]
@@ -125,7 +120,6 @@ def renumber_half_edges_kernel(
 
 @kernel
 def mask_side_kernel(side_of: array(dtype=int32), with_up: int, mask: array(dtype=uint8)):
-    """1 for the pieces above, and those in the plane: that face down, or all."""
     i = tid()
     side = side_of[i]
     kept = 0
@@ -135,62 +129,39 @@ def mask_side_kernel(side_of: array(dtype=int32), with_up: int, mask: array(dtyp
 
 
 def measure_heights(vertices: Points, normal: np.ndarray, offset: float, slack: float) -> Doubles:
-    """float64 [m]: how far vertices lie above a plane.
-
-    Args:
-        vertices: vec3 [m].
-        normal: float64 [3], of unit length.
-        offset: Of the plane: the height of zero.
-        slack: Vertices no higher and no lower than this lie in the plane.
-    """
+    """Signed heights above a plane (unit normal, offset), float64 [m]; 0 within `slack`."""
     heights = empty(vertices.size, float64, vertices.device)
     launch(measure_heights_kernel, vertices.size, [vertices, vec3d(*normal.tolist()), offset, slack, heights])
     return heights
 
 
 def find_sides(vertices: Points, pieces: Triangles, sides: Integers, normal: np.ndarray) -> Integers:
-    """On which side of a plane the pieces of a cut lie.
-
-    Args:
-        vertices: vec3, those of the pieces.
-        pieces: vec3i [p].
-        sides: int32 [m], of the vertices before the cut; later ones lie in the plane.
-        normal: float64 [3].
-
-    Returns:
-        int32 [p]: ABOVE, BELOW, IN_PLANE_UP or IN_PLANE_DOWN.
-    """
+    """Side of each piece: ABOVE, BELOW, IN_PLANE_UP or IN_PLANE_DOWN. Vertices beyond `sides` are in the plane."""
     found = empty(pieces.size, int32, pieces.device)
     launch(find_sides_kernel, pieces.size, [vertices, pieces, sides, vec3d(*normal.tolist()), found])
     return found
 
 
 def mask_above(side_of: Integers, *, with_up: bool) -> Mask:
-    """uint8 [p]: 1 for pieces above the plane and in it, those that face up only where asked for."""
+    """uint8 [p]: 1 for pieces above or in the plane; those that face up only with `with_up`."""
     mask = empty(side_of.size, uint8, side_of.device)
     launch(mask_side_kernel, side_of.size, [side_of, int(with_up), mask])
     return mask
 
 
 class HalfEdges(NamedTuple):
-    """Half-edges that lie in a plane, on the host.
-
-    Attributes:
-        rows: int32 [n, 4] of tail, head, the piece's side, its number.
-        ends: float32 [n, 2, 3], where tails and heads are.
-    """
+    """Half-edges in a plane, on the host: `rows` int32 [n, 4] of tail, head, side, number; `ends` float32 [n, 2, 3]."""
 
     rows: np.ndarray
     ends: np.ndarray
 
     def places(self, vertices: np.ndarray) -> np.ndarray:
-        """Where some of their vertices are, float64 [k, 3]."""
         numbers, first = np.unique(self.rows[:, :2], return_index=True)
         return self.ends.reshape(-1, 3)[first[np.searchsorted(numbers, vertices)]].astype(np.float64)
 
 
 def mark_in_plane(cut: LevelCut, kept: Mask | None = None) -> Mask:
-    """uint8 [3 p]: 1 for the half-edges of pieces, of those that are kept, that lie in the plane of a cut."""
+    """uint8 [3 p]: 1 for half-edges of (kept) pieces in the plane of a cut."""
     mask = empty(3 * cut.pieces.size, uint8, cut.pieces.device)
     launch(mark_half_edges_kernel, mask.size, [cut.pieces, cut.sides, mask])
     if kept is not None:
@@ -201,15 +172,7 @@ def mark_in_plane(cut: LevelCut, kept: Mask | None = None) -> Mask:
 def read_half_edges(
     vertices: Points, pieces: Triangles, side_of: Integers, rows: Indices, places: tuple[Indices, Indices] | None = None
 ) -> HalfEdges:
-    """Half-edges of pieces; one sync.
-
-    Args:
-        vertices: vec3, those of the pieces.
-        pieces: vec3i [p].
-        side_of: int32 [p], of `find_sides`.
-        rows: int32 [n], the half-edges.
-        places: The new numbers of vertices and of pieces, int32, where they have some.
-    """
+    """Read half-edges `rows` of pieces; one sync. `places` are new indices of vertices and pieces."""
     listed, ends = empty((rows.size, 4), int32, pieces.device), empty(2 * rows.size, vec3, pieces.device)
     launch(list_half_edges_kernel, rows.size, [vertices, pieces, side_of, rows, listed, ends])
     if places is not None:

@@ -1,16 +1,9 @@
-"""Some of many samples of a surface, about evenly far apart: weighted sample elimination in rounds.
+"""Poisson disk sampling by parallel weighted sample elimination.
 
 Yuksel, "Sample elimination for generating Poisson disk sample sets", Computer Graphics Forum 34(2), 2015. A sample
-weighs sum(w(d)) over the samples left within r_max, w(d) = (1 - max(d, r_min) / r_max)^8. The paper removes the
-heaviest sample of all, again and again, by a heap. Here each round removes every sample that is the heaviest within
-r_max, of equally heavy ones the one with the highest index. That is the same: weights only fall, so the heap would
-remove such a sample before its neighbours and at this weight, whatever happens elsewhere. And the weights at which the
-heap removes samples fall from removal to removal, so its first n removals are the n of the largest weights. The rounds
-go on until nobody has a neighbour, a few removals too many, and the lightest of them stay after all.
-
-Weights are whole numbers, so that any order of additions gives the same bits; 2^-30 of the largest weight of a pair is
-far below what decides. Memory: 8 B a neighbour (18 a sample where init_factor is 5, with room for 33 on the CPU), and
-about 60 B a sample beside the search tree. A round reads about one neighbour of each sample that is left.
+weighs sum(w(d)) over remaining samples within r_max, w(d) = (1 - max(d, r_min) / r_max)^8. Each round removes all local
+maxima, equivalent to the paper's heap since weights only decrease; the last removals are undone. Integer weights, so
+the order does not matter. 8 B per neighbor and about 60 B per sample.
 """
 
 import math
@@ -41,32 +34,19 @@ from ..search.neighbor_limits import Neighborhood, members_of, neighbors_of
 from ..search.point_tree import PointTree
 
 BETA, GAMMA = 0.65, 1.5  # of the paper's r_min; its alpha, 8, is the power in `pair_weight`
-WEIGHT_BITS = 30  # of the largest weight of a pair: times 2^31 neighbours it fits into 62 bits
+WEIGHT_BITS = 30  # of the largest weight of a pair: times 2^31 neighbors it fits into 62 bits
 WEIGHT_UNIT = float(2**WEIGHT_BITS)
 IN_TURN = 2**16  # samples up to which one core is no slower than two in rounds, which do the work twice
-ROOM = 6.5  # neighbours times kept samples to all, 1.8 times what they are at random on a flat surface
+ROOM = 6.5  # neighbors times kept samples over all, 1.8 times the value of random samples on a plane
 MOST_ROOM = 2**26  # entries of lists that are not counted first: 512 MB
 MOST_PAIRS = 2**30  # entries of the lists: 8 GB
 
 
 @struct
 class Elimination:
-    """The samples that are left, by place on the tree's curve.
-
-    Attributes:
-        tree: PointTree of the samples.
-        widest: r_max [m].
-        gain: 1 / (1 - r_min / r_max).
-        firsts, lasts: int32 [n], where each sample's neighbours begin in `lists`, and end.
-        lists: int32, the places of neighbours closer than r_max.
-        shares: int32, what each of them weighs on the sample.
-        states: int64 [n], the weight of a sample that is left; of one that was removed, less than zero by the weight
-            that it had.
-        rivals: int32 [n], a neighbour that was heavier when it was last asked for.
-        peaks: int32 [n], 1 for those that the round removes.
-        found: int32 [1], whether a sample that is left has a neighbour.
-        running: int32 [1], the same at the end of the round before.
-    """
+    """Remaining samples by tree position. `gain` is 1 / (1 - r_min / r_max). `firsts` and `lasts` delimit neighbors
+    within r_max in `lists`, with weights `shares`. `states` are weights, or the negated weight at removal. `rivals`
+    cache a heavier neighbor; `peaks` marks samples to remove; `found` and `running` whether neighbors remain."""
 
     tree: PointTree
     widest: float64
@@ -92,10 +72,7 @@ class Elimination:
             self._list_counted(near)
 
     def _list_at_once(self, near: Neighborhood, room: int) -> bool:
-        """List the neighbours of each thread's samples one after the other in room for some more than they should have.
-
-        Whether there was room enough: not where samples lie closer than at random on a surface.
-        """
+        """List neighbors into preallocated room per thread. False if it is too small."""
         device, count = self.tree.device, self.tree.count
         self.firsts, self.lasts = (empty(count, int32, device) for _ in range(2))
         self.lists, self.shares = (empty(count * room, int32, device) for _ in range(2))
@@ -117,18 +94,11 @@ class Elimination:
         near.visit(list_neighbors_kernel, near.places, [0, self, zeros(1, int32, device)])
 
     def round(self) -> None:
-        """Remove the heaviest of each neighbourhood."""
         launch(find_peaks_kernel, self.tree.count, [self])
         launch(remove_peaks_kernel, self.tree.count, [self])
 
 
 class CrowdedError(ValueError):
-    """More pairs of neighbours than fit.
-
-    Args:
-        pair_count: How many there are.
-    """
-
     def __init__(self, pair_count: int) -> None:
         super().__init__(f"{pair_count} pairs of neighbours")
         self.pair_count = pair_count
@@ -136,7 +106,7 @@ class CrowdedError(ValueError):
 
 @func
 def pair_weight(sqdist: float, widest: float64, gain: float64) -> int:
-    """What two samples weigh on each other, in units of 2^-30 of the most that they can."""
+    """Mutual weight of two samples in units of 2^-30 of the maximum."""
     share = (1.0 - sqrt(float64(sqdist)) / widest) * gain
     share = min(max(share, 0.0), 1.0)
     square = share * share
@@ -144,7 +114,7 @@ def pair_weight(sqdist: float, widest: float64, gain: float64) -> int:
     return int(fourth * fourth * float64(WEIGHT_UNIT))
 
 
-@kernel(most_registers=128)  # two blocks of an SM, not one
+@kernel(most_registers=128)  # two blocks per SM, not one
 def count_neighbors_kernel(
     part: LaunchPart,
     ranks: array(dtype=int32),
@@ -152,7 +122,6 @@ def count_neighbors_kernel(
     scratch: GroupScratch,
     counts: array(dtype=int32),
 ):
-    """How many samples lie within reach of each, itself not counted."""
     i = tid()
     for member, base, held in members_of(i, part, ranks, neighborhood, scratch):
         found = held - 1
@@ -173,11 +142,7 @@ def list_neighbors_kernel(
     samples: Elimination,
     lacking: array(dtype=int32),
 ):
-    """The neighbours of each sample, what they weigh on it, and the sum of that.
-
-    With room a thread lists the neighbours of its samples one after the other; without, the lists' places are known.
-    The atomic settles who says that there was too little.
-    """
+    """Neighbors of each sample, their weights, and the sum; appended within `room`. The atomic records overflow."""
     i = tid()
     at = (part.first + i * part.run) * scratch.width * room
     end = min((part.first + (i + 1) * part.run) * scratch.width, ranks.shape[0]) * room
@@ -220,7 +185,7 @@ def list_neighbors_kernel(
 
 @func
 def outweighs(samples: Elimination, j: int, i: int) -> int:
-    """1 where a sample is left and goes before another, which is left."""
+    """1 if j remains and has priority over the remaining i."""
     a = samples.states[j]
     b = samples.states[i]
     heavier = 0
@@ -234,10 +199,7 @@ def outweighs(samples: Elimination, j: int, i: int) -> int:
 
 @func
 def is_outweighed(i: int, samples: Elimination) -> int:
-    """1 where a neighbour of a sample goes before it.
-
-    A neighbour that was heavier the last time most often still is, so few lists are read to their end.
-    """
+    """1 if a neighbor has priority. The last heavier neighbor is tried first, so few lists are read completely."""
     rival = samples.rivals[i]
     beaten = 0
     if rival >= 0:
@@ -254,7 +216,6 @@ def is_outweighed(i: int, samples: Elimination) -> int:
 
 @func
 def remove_sample(i: int, samples: Elimination):
-    """Remove a sample, and take its weight off its neighbours; the atomic adds whole numbers."""
     samples.states[i] = -samples.states[i]
     for at in range(samples.firsts[i], samples.lasts[i]):
         j = samples.lists[at]
@@ -264,20 +225,17 @@ def remove_sample(i: int, samples: Elimination):
 
 @kernel
 def find_peaks_kernel(samples: Elimination):
-    """1 for the samples that outweigh all their neighbours; the atomic settles who says that there are any left."""
+    """1 for samples that outweigh all neighbors; the atomic records whether any are left."""
     i = tid()
     if samples.states[i] > 0:
-        if samples.found[0] == 0:  # spares most of the atomics; an old value only lets one more through
+        if samples.found[0] == 0:  # avoids most atomics; an old value only causes an extra one
             atomic_max(samples.found, 0, 1)
         samples.peaks[i] = 1 - is_outweighed(i, samples)
 
 
 @kernel
 def remove_peaks_kernel(samples: Elimination):
-    """Remove the samples that were found. None is another's neighbour, so nobody's state is read that changes.
-
-    The first thread says whether the rounds go on.
-    """
+    """Remove the local maxima, which are not neighbors of each other. Thread 0 decides whether to continue."""
     i = tid()
     if i == 0:
         samples.running[0] = samples.found[0]
@@ -289,7 +247,7 @@ def remove_peaks_kernel(samples: Elimination):
 
 @kernel(for_cpu=True)
 def remove_in_turn_kernel(samples: Elimination):
-    """All rounds by one thread, which removes a sample as soon as it outweighs its neighbours."""
+    """All rounds on one thread, which removes a sample as soon as it outweighs its neighbors."""
     i = tid()
     left = 1
     while left == 1:
@@ -303,26 +261,14 @@ def remove_in_turn_kernel(samples: Elimination):
 
 @kernel
 def spread_keys_kernel(states: array(dtype=int64), order: array(dtype=int32), keys: array(dtype=int64)):
-    """Weights at removal by index, zero for samples that were never removed."""
+    """Weights at removal by index, zero for samples never removed."""
     i = tid()
     keys[order[i]] = max(-states[i], 0)
 
 
 def eliminate_samples(tree: PointTree, kept: int, widest: float) -> Integers:
-    """The rows of `kept` of the samples in a tree, spread evenly, ascending.
-
-    Args:
-        tree: PointTree of the samples, more than `kept` of them.
-        kept: How many to keep.
-        widest: The distance r_max [m] within which samples weigh on each other.
-
-    Returns:
-        int32 device array [kept]. About 40 rounds of two launches; one sync.
-
-    Raises:
-        CrowdedError: More than 2^30 pairs of neighbours.
-        MemoryError: The device has no room for them.
-    """
+    """Ascending rows (int32 [kept]) of evenly spread samples; `widest` is r_max [m]. About 40 rounds of two launches;
+    one sync. Raises CrowdedError for more than 2^30 pairs of neighbors, MemoryError if device memory is exhausted."""
     narrowest = widest * BETA * (1 - (kept / tree.count) ** GAMMA)
     samples = Elimination(tree, widest, narrowest, kept)
     if tree.device.is_cuda or tree.count > IN_TURN:
@@ -330,10 +276,10 @@ def eliminate_samples(tree: PointTree, kept: int, widest: float) -> Integers:
     else:
         launch(remove_in_turn_kernel, 1, [samples])
     most = tree.count
-    if not tree.device.is_cuda:  # where a sort of fewer bits is another, faster one
+    if not tree.device.is_cuda:  # up to which a faster sort with fewer bits is used
         most = int((download(samples.lasts) - download(samples.firsts)).max()) + 1
     weight_bits = WEIGHT_BITS + most.bit_length()
-    keys = full(tree.source.size, 2**weight_bits, int64, tree.device)  # beyond all weights: samples that are not finite
+    keys = full(tree.source.size, 2**weight_bits, int64, tree.device)  # above all weights: samples that are not finite
     launch(spread_keys_kernel, tree.count, [samples.states, tree.order, keys])
     _, order = argsort_keys(keys, weight_bits + 1)
     return sort_rows(order[:kept], tree.source.size, are_distinct=True)

@@ -1,12 +1,8 @@
-"""Angle-weighted pseudonormals: on which side of a closed mesh a point lies, whatever part of it is nearest.
+"""Angle-weighted pseudonormals for the side of a point relative to a closed mesh.
 
-The sign of (p - c) . N for the nearest point c of the mesh is that of the side, where N is the triangle's normal if c
-lies inside it, the sum of both triangles' unit normals if it lies on an edge, and at a vertex the sum of the unit
-normals weighted by the triangles' angles there: Baerentzen and Aanaes, "Signed distance computation using the angle
-weighted pseudonormal", IEEE TVCG 2005, theorem 1. That holds where each edge has two triangles that run it in opposite
-directions, the triangles at a vertex are one fan, none is without area, and the surface does not cut itself.
-
-About 40 B a half-edge to build; 12 B a triangle and 24 B a vertex are kept.
+Baerentzen and Aanaes, "Signed distance computation using the angle weighted pseudonormal", IEEE TVCG 2005, theorem 1:
+the sign of (p - c) . N at the nearest point c. Requires a consistently oriented manifold without degenerate triangles
+or self-intersections. 40 B per half-edge to build.
 """
 
 from ..algebra.angles import angle_between
@@ -36,12 +32,12 @@ from .mesh_components import label_parts
 from .mesh_measures import measure_triangle, triangle_cross
 from .mesh_topology import CornersByVertex, find_topology, pair_edges_kernel, sorted_edges, topology_of
 
-NARROW = 1e-16  # sine squared of the angle at the first corner: below it float32 corners give no direction
+NARROW = 1e-16  # sine squared of the angle at the first corner: below it float32 corners define no direction
 
 
 @func
 def unit_normal(vertices: array(dtype=vec3), t: vec3i) -> vec3d:
-    """The unit normal of a triangle; zero where it has no area."""
+    """Unit normal of a triangle; zero if it has no area."""
     n = triangle_cross(vertices, t)
     size = length(n)
     if size > 0.0:
@@ -51,7 +47,7 @@ def unit_normal(vertices: array(dtype=vec3), t: vec3i) -> vec3d:
 
 @reduction
 def count_narrow(vertices: array(dtype=vec3), triangles: array(dtype=vec3i)) -> vec2d:
-    """How many triangles have no area that float32 can tell or a corner that is not finite."""
+    """Number of triangles without area in float32 or with a non-finite corner."""
     i = tid()
     t = triangles[i]
     n = triangle_cross(vertices, t)
@@ -68,7 +64,7 @@ def count_narrow(vertices: array(dtype=vec3), triangles: array(dtype=vec3i)) -> 
 def sum_vertex_pseudonormals_kernel(
     vertices: array(dtype=vec3), triangles: array(dtype=vec3i), around: CornersByVertex, normals: array(dtype=vec3d)
 ):
-    """The normals of the triangles at each vertex, weighted by their angles, by ascending corner."""
+    """Angle-weighted sum of triangle normals at each vertex, by ascending corner."""
     i = tid()
     total = vec3d(0.0, 0.0, 0.0)
     p = widen(vertices[i])
@@ -83,14 +79,7 @@ def sum_vertex_pseudonormals_kernel(
 
 @struct
 class Pseudonormals:
-    """What the side of a point needs of a closed mesh.
-
-    Attributes:
-        vertices, triangles: The mesh.
-        twins: int32 [3 t], the other half-edge of each edge.
-        normals: vec3d [m], of the vertices.
-        turn: 1, or -1 where the mesh is inside out as a whole, its signed volume negative.
-    """
+    """Pseudonormals of a closed mesh: opposite half-edges, vertex normals, and `turn` (-1 for a negative volume)."""
 
     vertices: array(dtype=vec3)
     triangles: array(dtype=vec3i)
@@ -110,17 +99,8 @@ class Pseudonormals:
 
 @func
 def side_of_part(gap: vec3d, triangle: int, part: int, sides: Pseudonormals) -> float64:
-    """Which side of the mesh a point lies on, by its distance vector from a part of its nearest triangle.
-
-    Args:
-        gap: From the nearest point to the query.
-        triangle: The nearest triangle.
-        part: 0 for its inside, 1 to 3 for its edges from corner 0, 1 and 2, 4 to 6 for its corners.
-        sides: Of the mesh.
-
-    Returns:
-        Negative inside.
-    """
+    """Side of a point (negative inside), given the vector `gap` from the nearest point, and the part of the nearest
+    triangle: 0 for the interior, 1 to 3 for edges from corner 0, 1, 2, and 4 to 6 for corners."""
     t = sides.triangles[triangle]
     normal = unit_normal(sides.vertices, t)
     if part > 3:
@@ -133,16 +113,13 @@ def side_of_part(gap: vec3d, triangle: int, part: int, sides: Pseudonormals) -> 
 
 
 def volume_of_shell(vertices: Points, triangles: Triangles) -> float | None:
-    """The signed volume of a mesh of one part whose sides pseudonormals tell, if it does not cut itself; else None.
-
-    One sync. Each edge has two triangles, wound alike; the triangles at each vertex are one fan; none is narrow.
-    """
+    """Signed volume of a one-component mesh as required (self-intersections unchecked), else None. One sync."""
     if not triangles.size:
         return None
     edges = sorted_edges(triangles, vertices.size)
     findings = find_topology(triangles, vertices.size, edges)
     if not findings.device.is_cuda and any(topology_of(download(findings))):
-        return None  # what comes next would not be looked at
+        return None  # the rest would not be used
     mesh = [vertices, triangles]
     sums = [reduce(reduction, triangles.size, mesh) for reduction in (count_narrow, measure_triangle)]
     found = read_together([findings, label_parts(edges, triangles.size)[1], *sums])  # sync

@@ -1,8 +1,7 @@
-"""The seams of a mesh: borders that lie on each other, where files keep two vertices at one place for two textures.
+"""Seams of a mesh: coincident boundaries, as files split vertices for texture coordinates.
 
-A half-edge at the border, which has its edge between two vertices alone, is looked at by the positions of its ends.
-Where two or more have the same ends, their vertices are one place of the surface; so are the ends of one without
-length. What is closed is joined to nothing that it touches. About 50 B a half-edge beside the sorts.
+Boundary half-edges with equal end positions unite their vertices, as do the ends of zero-length ones. Interior edges
+are ignored. About 50 B per half-edge.
 """
 
 from ..array_types import Indices, Points, Triangles
@@ -19,7 +18,6 @@ from .mesh_topology import corner_vertex, next_corner
 
 @kernel
 def mark_border_kernel(keys: array(dtype=int64), order: array(dtype=int32), mask: array(dtype=uint8)):
-    """1 for half-edges that have their edge alone, by the sorted edges of all."""
     i = tid()
     alone = 1
     if i > 0:
@@ -39,7 +37,6 @@ def list_place_keys_kernel(
     bits: int,
     keys: array(dtype=int64),
 ):
-    """The places of the ends of some half-edges."""
     i = tid()
     a = owners[corner_vertex(triangles, rows[i])]
     b = owners[corner_vertex(triangles, next_corner(rows[i]))]
@@ -54,7 +51,7 @@ def unite_ends_kernel(
     groups: UniqueKeys,
     parents: array(dtype=int32),
 ):
-    """Make one set of the vertices at each end of half-edges with the same ends; one thread a place."""
+    """Unite the vertices at each end of half-edges with the same end positions."""
     i = tid()
     first = groups.starts[i]
     if first == groups.starts[i + 1]:
@@ -77,7 +74,7 @@ def unite_ends_kernel(
 
 
 def find_seams(vertices: Points, triangles: Triangles) -> Indices | None:
-    """The lowest vertex of those that are one place of the surface, int32 [m]; None where there is no border."""
+    """Lowest vertex at each surface position, int32 [m]; None without a boundary."""
     device, count = triangles.device, vertices.size
     border = empty(3 * triangles.size, uint8, device)
     launch(mark_border_kernel, border.size, [*sorted_edges(triangles, count), border])

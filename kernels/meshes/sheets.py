@@ -1,18 +1,11 @@
-"""Which half-edges of a mesh are two sides of one sheet: cut where more than two meet, and stitched again in pairs.
+"""Manifold sheets of a mesh: non-manifold edges are cut, and half-edges are stitched again in pairs.
 
 After Guéziec, Taubin, Lazarus and Horn, "Cutting and stitching: converting sets of polygons to manifold surfaces", IEEE
-TVCG 7(2), 2001. Two half-edges are a pair where they alone have an edge between two vertices. All others are open, and
-matched by the positions of their ends. Pairs of two that run the same way at an edge of more are kept
-only where they leave their part two sides. About 40 B a half-edge beside the sorts.
-
-Half-edges that have no partner yet, matched by the places of their ends: two at one place, more by angle. Two at one
-place are a pair. Where more meet, they are put in order by angle about the edge, and the matching is that of brackets:
-a triangle behind which there is solid, seen counter-clockwise, goes with the next that ends it, so that solids which
-touch there stay two. Where as many begin as end, all are matched so; else those first that lie flattest to each other,
-sheets that end nowhere else before the others. A triangle goes with its own opposite copy only where nothing else is
-left.
-
-One thread an edge. About 60 B a half-edge beside the sort.
+TVCG 7(2), 2001. Two half-edges alone on an edge are a pair; all others are matched by the positions of their ends. If
+more than two meet, they are sorted by angle around the edge and matched like brackets around solids, so that touching
+solids stay separate. Otherwise the flattest pairs match first, complete sheets before others. A triangle matches its
+own opposite copy last. Same-direction pairs at crowded edges are kept only if their component stays two-sided. About
+100 B per half-edge.
 """
 
 from ..algebra.angles import HALF_TURN, arctangent
@@ -45,14 +38,13 @@ from .mesh_measures import measure
 from .mesh_topology import corner_vertex, next_corner
 from .part_votes import follow_most
 
-SAME_ANGLE = 1.0e-5  # [rad]: what float32 leaves of the angle between two walls that lie on each other
+SAME_ANGLE = 1.0e-5  # [rad]: float32 resolution of the angle between coincident walls
 MOST_TRIED = 64  # half-edges at one edge for which all pairs are tried
-MATCHED, TENTATIVE = 1, 2  # how a half-edge got its partner, 0 where it has none
+MATCHED, TENTATIVE = 1, 2  # how a half-edge was matched, 0 if it was not
 
 
 @func
 def tip_of(triangles: array(dtype=vec3i), h: int) -> int:
-    """The vertex of a half-edge's triangle that is not on it."""
     return corner_vertex(triangles, next_corner(next_corner(h)))
 
 
@@ -60,7 +52,6 @@ def tip_of(triangles: array(dtype=vec3i), h: int) -> int:
 def list_open_keys_kernel(
     placed: array(dtype=vec3i), rows: array(dtype=int32), bits: int, none: int64, keys: array(dtype=int64)
 ):
-    """The places of the ends of open half-edges; `none` for those without length."""
     i = tid()
     h = rows[i]
     a = corner_vertex(placed, h)
@@ -72,19 +63,9 @@ def list_open_keys_kernel(
 
 @struct
 class OpenEdges:
-    """Open half-edges by the places of their ends.
-
-    Attributes:
-        count: Edges e.
-        starts: int32 [e + 1], where each edge's half-edges begin in `halves`.
-        halves: int32 [n].
-        angles: float64 [n], about the edge.
-        ends: uint8 [n], 1 where the solid behind a triangle ends at it, counter-clockwise about the edge from its lower
-            vertex.
-        order: int32 [n], places of half-edges in the order of their angles, edge by edge.
-        partners: int32 [n], the place of the one that each goes with, else -1.
-        states: uint8 [n], MATCHED or TENTATIVE, 0 where there is none.
-    """
+    """Open half-edges by the positions of their ends. `ends` is 1 if the solid behind a triangle ends at it,
+    counter-clockwise around the edge from its lower vertex. `order` sorts each edge by angle; `partners` are -1 if
+    unmatched; `states` are MATCHED, TENTATIVE or 0."""
 
     starts: array(dtype=int32)
     halves: array(dtype=int32)
@@ -110,7 +91,7 @@ class OpenEdges:
 
 @kernel
 def pair_two_kernel(open_edges: OpenEdges, twins: array(dtype=int32), natural: array(dtype=uint8)):
-    """Pair two half-edges at one place; mark the triangles of those that are alone there."""
+    """Pair two half-edges at one position; mark triangles of single ones."""
     i = tid()
     first = open_edges.starts[i]
     count = open_edges.starts[i + 1] - first
@@ -132,7 +113,7 @@ def measure_angles(
     first: int,
     last: int,
 ):
-    """The angle of each triangle about its edge, from the first one there, the same bits at one place; its side."""
+    """Angle of each triangle around its edge relative to the first, equal at equal positions, and its side."""
     g = open_edges.halves[first]
     c = corner_vertex(placed, g)
     d = corner_vertex(placed, next_corner(g))
@@ -155,7 +136,7 @@ def measure_angles(
 
 @func
 def sort_by_angle(open_edges: OpenEdges, first: int, last: int):
-    """Put the half-edges of one edge in order: by angle, and where angles are the same, those that end solid first."""
+    """Sort the half-edges of an edge by angle; on ties, those that end a solid come first."""
     for p in range(first + 1, last):
         q = p
         while q > first and open_edges.angles[open_edges.order[max(q - 1, 0)]] > open_edges.angles[p]:
@@ -185,7 +166,7 @@ def sort_by_angle(open_edges: OpenEdges, first: int, last: int):
 
 @func
 def is_free(open_edges: OpenEdges, naturals: array(dtype=uint8), slot: int, tier: int) -> int:
-    """1 where a half-edge has no partner yet and is of the tier: 0 for sheets that end nowhere else, 1 for all."""
+    """1 for an unmatched half-edge of the tier: 0 for sheets without other open ends, 1 for all."""
     free = 0
     if open_edges.partners[slot] < 0:
         if tier == 1 or naturals[open_edges.halves[slot] // 3] == 0:
@@ -195,7 +176,6 @@ def is_free(open_edges: OpenEdges, naturals: array(dtype=uint8), slot: int, tier
 
 @func
 def join_slots(open_edges: OpenEdges, s: int, e: int, state: int):
-    """Make partners of two."""
     open_edges.partners[s] = e
     open_edges.partners[e] = s
     open_edges.states[s] = uint8(state)
@@ -206,7 +186,7 @@ def join_slots(open_edges: OpenEdges, s: int, e: int, state: int):
 def match_brackets(
     placed: array(dtype=vec3i), open_edges: OpenEdges, naturals: array(dtype=uint8), first: int, last: int, tier: int
 ):
-    """Match each beginning of solid with the next free one about the edge, where that ends it; until none is left."""
+    """Match each start of a solid with the next free half-edge if that ends it, repeatedly."""
     n = last - first
     changed = 1
     while changed == 1:
@@ -240,10 +220,8 @@ def match_flattest(
     tier: int,
     against: int,
 ):
-    """Match the two free ones that lie flattest to each other, again and again.
-
-    With `against` 1 those of opposite directions, with 0 those of one direction, tentatively, with 2 opposite copies.
-    """
+    """Match the two free half-edges that are flattest to each other, repeatedly. `against`: 1 for opposite directions,
+    0 for one direction (tentative), 2 for opposite copies."""
     found = 1
     while found == 1:
         found = 0
@@ -286,7 +264,6 @@ def match_sheets_kernel(
     rows: array(dtype=int32),
     open_edges: OpenEdges,
 ):
-    """Find partners at an edge of three half-edges or more."""
     i = tid()
     first = open_edges.starts[rows[i]]
     last = open_edges.starts[rows[i] + 1]
@@ -311,7 +288,6 @@ def match_sheets_kernel(
 def write_twins_kernel(
     open_edges: OpenEdges, twins: array(dtype=int32), tentative: array(dtype=uint8), crowding: array(dtype=uint8)
 ):
-    """The twin of each half-edge that found a partner; marks those found tentatively, and those that found none."""
     i = tid()
     first = open_edges.starts[i]
     last = open_edges.starts[i + 1]
@@ -328,7 +304,6 @@ def write_twins_kernel(
 
 @kernel
 def mask_crowded_runs_kernel(starts: array(dtype=int32), mask: array(dtype=uint8)):
-    """1 for the edges of more than two."""
     i = tid()
     mask[i] = uint8(1 if starts[i + 1] - starts[i] > 2 else 0)
 
@@ -336,34 +311,22 @@ def mask_crowded_runs_kernel(starts: array(dtype=int32), mask: array(dtype=uint8
 def match_by_angle(
     open_edges: OpenEdges, vertices: Points, placed: Triangles, rows: Indices, naturals: Mask, flips: Mask
 ) -> None:
-    """Find partners at the edges of three half-edges or more.
-
-    Args:
-        open_edges: All open half-edges.
-        vertices, placed: The mesh, by the first vertex at each position.
-        rows: Those edges.
-        naturals: uint8 [t], 1 for triangles of sheets that end somewhere else.
-        flips: uint8 [t], 1 for triangles that count as wound the other way.
-    """
+    """Find partners at edges `rows`. `naturals` marks triangles of sheets that end elsewhere, `flips` flipped ones."""
     launch(match_sheets_kernel, rows.size, [vertices, placed, naturals, flips, rows, open_edges])
 
 
 def crowded_rows(open_edges: OpenEdges) -> Indices:
-    """The edges of three half-edges or more; one sync."""
     crowded = empty(open_edges.count, uint8, open_edges.starts.device)
     launch(mask_crowded_runs_kernel, open_edges.count, [open_edges.starts, crowded])
     return positions_of(crowded)  # sync
 
 
-FLAT = 1.0e-6  # of its area to the power of 1.5: with less volume a mesh looks neither way
+FLAT = 1.0e-6  # of its area to the power of 1.5: with less volume the orientation is undefined
 
 
 @kernel
 def mark_unsound_kernel(triangles: array(dtype=vec3i), edges: UniqueKeys, unsound: array(dtype=uint8)):
-    """1 for triangles at an edge that is not one of two which turn alike, and for a triangle and its other side alone.
-
-    All threads write the same.
-    """
+    """1 for triangles at edges without two consistent ones, and alone with their copy. Same value by all threads."""
     i = tid()
     first = edges.starts[i]
     last = edges.starts[i + 1]
@@ -383,7 +346,6 @@ def mark_unsound_kernel(triangles: array(dtype=vec3i), edges: UniqueKeys, unsoun
 
 @kernel
 def unite_runs_kernel(edges: UniqueKeys, parents: array(dtype=int32)):
-    """Make one set of the triangles at each edge."""
     i = tid()
     first = edges.starts[i]
     for j in range(first + 1, edges.starts[i + 1]):
@@ -392,7 +354,7 @@ def unite_runs_kernel(edges: UniqueKeys, parents: array(dtype=int32)):
 
 @kernel
 def mark_roots_kernel(parents: array(dtype=int32), marks: array(dtype=uint8), of_part: array(dtype=uint8)):
-    """1 at the first triangle of a part with a marked one; all threads write the same."""
+    """1 at the first triangle of a component with a marked one; all threads write the same value."""
     i = tid()
     if marks[i] != 0:
         of_part[parents[i]] = uint8(1)
@@ -400,7 +362,6 @@ def mark_roots_kernel(parents: array(dtype=int32), marks: array(dtype=uint8), of
 
 @kernel
 def spread_marks_kernel(parents: array(dtype=int32), of_part: array(dtype=uint8), marks: array(dtype=uint8)):
-    """The mark of each triangle's part."""
     i = tid()
     marks[i] = of_part[parents[i]]
 
@@ -413,7 +374,7 @@ def pair_given_kernel(
     twins: array(dtype=int32),
     is_open: array(dtype=uint8),
 ):
-    """Pair the two half-edges that an edge has alone; mark the others, and those of a loose triangle and its copy."""
+    """Pair the half-edges alone on an edge; mark the others, and those of a loose triangle and its copy."""
     i = tid()
     first = edges.starts[i]
     last = edges.starts[i + 1]
@@ -436,7 +397,6 @@ def pair_given_kernel(
 
 @kernel
 def unite_twins_kernel(twins: array(dtype=int32), parents: array(dtype=int32)):
-    """Make one set of the triangles that hang together by pairs."""
     i = tid()
     if twins[i] > i:
         unite(parents, i // 3, twins[i] // 3)
@@ -444,7 +404,7 @@ def unite_twins_kernel(twins: array(dtype=int32), parents: array(dtype=int32)):
 
 @kernel
 def unite_forms_of_twins_kernel(placed: array(dtype=vec3i), twins: array(dtype=int32), parents: array(dtype=int32)):
-    """Make sets of the forms of triangles, as they are and flipped, that pairs make turn alike."""
+    """Unite original and flipped forms of triangles that pairs orient consistently."""
     i = tid()
     g = twins[i]
     if g > i:
@@ -457,7 +417,6 @@ def unite_forms_of_twins_kernel(placed: array(dtype=vec3i), twins: array(dtype=i
 
 @kernel
 def part_tentative_kernel(parents: array(dtype=int32), tentative: array(dtype=uint8), twins: array(dtype=int32)):
-    """Part tentative pairs of parts that have one side only."""
     i = tid()
     t = i // 3
     if tentative[i] != 0 and parents[2 * t] == parents[2 * t + 1]:
@@ -468,7 +427,7 @@ def part_tentative_kernel(parents: array(dtype=int32), tentative: array(dtype=ui
 def part_copies_kernel(
     placed: array(dtype=vec3i), chosen: array(dtype=uint8), twins: array(dtype=int32), parted: array(dtype=int32)
 ):
-    """The pairs without those of a chosen triangle and its own copy."""
+    """Remove pairs of a selected triangle and its own copy."""
     i = tid()
     g = twins[i]
     if g >= 0:
@@ -479,7 +438,7 @@ def part_copies_kernel(
 
 
 def mask_loose(triangles: Triangles, vertex_count: int) -> Mask:
-    """uint8 [t]: 0 for triangles of closed parts that turn alike, 1 for all others."""
+    """uint8 [t]: 0 for triangles of closed, consistently oriented components, else 1."""
     device, count = triangles.device, triangles.size
     edges = find_edges(triangles, vertex_count, padded=True)
     unsound, of_part, parents = zeros(count, uint8, device), zeros(count, uint8, device), positions(count, device)
@@ -494,13 +453,12 @@ def mask_loose(triangles: Triangles, vertex_count: int) -> Mask:
 
 @kernel
 def read_flips_kernel(forms: array(dtype=int32), flips: array(dtype=uint8)):
-    """1 for triangles in the set of their part's flipped form."""
     i = tid()
     flips[i] = uint8(forms[2 * i] % 2)
 
 
 def _winding(forms: Indices, parents: Indices, inwards: bool) -> Mask:
-    """uint8 [t]: 1 for triangles that are wound against most of their part, 0 where all look `inwards`."""
+    """uint8 [t]: 1 for triangles oriented against most of their component; inverted with `inwards`."""
     flips = empty(parents.size, uint8, parents.device)
     launch(read_flips_kernel, flips.size, [forms, flips])
     follow_most(parents, flips, inwards)
@@ -508,18 +466,9 @@ def _winding(forms: Indices, parents: Indices, inwards: bool) -> Mask:
 
 
 class Sheets:
-    """The pairs of half-edges that make sheets of a mesh.
-
-    Args:
-        vertices: vec3 [m].
-        triangles: vec3i [t], finite; none names a vertex twice.
-        placed: vec3i [t], the same by the first vertex at each one's position; none that is loose names one twice.
-        loose: uint8 [t], 0 for those of parts that are closed and turn alike.
-
-    Attributes:
-        twins: int32 [3 t], the other half-edge of the pair; -1 where there is none.
-        crowding: uint8 [t], 1 for triangles with a half-edge that found no partner where more than two meet.
-    """
+    """Pairs of half-edges that form the sheets of a mesh. `placed` are the triangles by the first vertex at each
+    position; `loose` is 0 for closed, consistently oriented components. `twins` int32 [3 t] (-1 if unpaired);
+    `crowding` marks triangles unpaired at a crowded edge."""
 
     def __init__(self, vertices: Points, triangles: Triangles, placed: Triangles, loose: Mask) -> None:
         device, count, vertex_count = triangles.device, triangles.size, vertices.size
@@ -548,27 +497,27 @@ class Sheets:
         launch(part_tentative_kernel, 3 * count, [self._forms(), tentative, self.twins])
 
     def _forms(self) -> Indices:
-        """The sets of triangles as they are, 2 t, and flipped, 2 t + 1, that pairs make turn alike."""
+        """Sets of original (2 t) and flipped (2 t + 1) triangles that pairs make consistent."""
         forms = positions(2 * self._placed.size, self._placed.device)
         launch(unite_forms_of_twins_kernel, self.twins.size, [self._placed, self.twins, forms])
         launch(flatten_sets_kernel, forms.size, [forms])
         return forms
 
     def parts(self) -> Indices:
-        """The first triangle of each one's part, int32 [t]: parts hang together by pairs."""
+        """First triangle of each one's pair-connected component, int32 [t]."""
         parents = positions(self._placed.size, self._placed.device)
         launch(unite_twins_kernel, self.twins.size, [self.twins, parents])
         launch(flatten_sets_kernel, parents.size, [parents])
         return parents
 
     def part_copies(self, chosen: Mask) -> None:
-        """Part the pairs of a triangle and its own opposite copy where the triangle is chosen, uint8 [t]."""
+        """Separate pairs of selected triangles (uint8 [t]) and their opposite copies."""
         parted = empty(self.twins.size, int32, self.twins.device)
         launch(part_copies_kernel, self.twins.size, [self._placed, chosen, self.twins, parted])
         self.twins = parted
 
     def corner_sets(self) -> Integers:
-        """The lowest corner of those that are one vertex, int32 [3 t]: pairs join them, nothing else."""
+        """Lowest corner of each vertex formed by pairs, int32 [3 t]."""
         parents = positions(self.twins.size, self.twins.device)
         launch(unite_corners_of_twins_kernel, self.twins.size, [self._placed, self.twins, parents])
         launch(flatten_sets_kernel, parents.size, [parents])
@@ -577,7 +526,6 @@ class Sheets:
 
 @kernel
 def unite_corners_of_twins_kernel(placed: array(dtype=vec3i), twins: array(dtype=int32), parents: array(dtype=int32)):
-    """Make one set of the corners at either end of a pair."""
     i = tid()
     g = twins[i]
     if g > i:

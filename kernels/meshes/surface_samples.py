@@ -1,13 +1,8 @@
-"""Points drawn from the surface of a mesh, each place as likely as any other of the same area.
+"""Uniform random samples of a mesh surface.
 
-A sample's triangle is found by bisection in the running sums of areas, its place in it by the map of Turk, "Generating
-random points in triangles", Graphics Gems 1990: of two uniform numbers r and s, corner a weighs 1 - sqrt(r), corner b
-sqrt(r) (1 - s), corner c sqrt(r) s. All in float64 from one block of random words a sample, so a sample depends on the
-mesh, the seed and its number alone, and has the same bits on every device. A table of where equal shares of the area
-begin leaves a step or two of the bisection. At most 24 B of memory a triangle; a sample writes 28 B and 12 B an
-attribute.
-
-Triangles without area, and those with a corner that is not finite, get none.
+Bisection in cumulative areas, then the map of Turk, "Generating random points in triangles", Graphics Gems 1990.
+Float64 from one random block per sample: bitwise identical on all devices. At most 24 B per triangle. Triangles without
+area or with non-finite corners get no samples.
 """
 
 from functools import cached_property
@@ -23,20 +18,18 @@ from ..memory import download, empty, rows_of
 from .mesh_measures import triangle_cross, unit_or_up
 
 WORD = 1.0 / 4294967296.0  # 2^-32
-HALF_WORD = 1.0 / 4503599627370496.0  # 2^-52, of a number of 52 bits: times a sum, it rounds to less than the sum
-GUIDED = 4  # samples a step of the table that shortens their searches, at least
+HALF_WORD = 1.0 / 4503599627370496.0  # 2^-52, of a 52-bit number: times a sum, it rounds to less than the sum
+GUIDED = 4  # minimum samples per entry of the lookup table
 
 
 @kernel
 def measure_areas_kernel(vertices: array(dtype=vec3), triangles: array(dtype=vec3i), areas: array(dtype=float64)):
-    """Twice the area of each triangle."""
     i = tid()
     areas[i] = length(triangle_cross(vertices, triangles[i]))
 
 
 @kernel
 def list_areas_kernel(vertices: array(dtype=vec3), triangles: array(dtype=vec3i), areas: array(dtype=float64)):
-    """The area of each triangle, NaN where a corner is not finite."""
     i = tid()
     t = triangles[i]
     area = 0.5 * length(triangle_cross(vertices, t))
@@ -47,7 +40,7 @@ def list_areas_kernel(vertices: array(dtype=vec3), triangles: array(dtype=vec3i)
 
 @func
 def find_share(running: array(dtype=float64), share: float64, first: int, last: int) -> int:
-    """The first place from `first` to `last` whose running sum exceeds a share of the last one; `last` if none does."""
+    """First position in first .. last with a cumulative sum above a fraction of the total, else `last`."""
     low = first
     high = last
     wanted = share * running[running.shape[0] - 1]
@@ -62,7 +55,7 @@ def find_share(running: array(dtype=float64), share: float64, first: int, last: 
 
 @kernel
 def guide_shares_kernel(running: array(dtype=float64), steps: int, guide: array(dtype=int32)):
-    """Where the shares 0, 1 / steps, 2 / steps .. 1 are; `steps` is a power of two, so that these are exact."""
+    """Positions of the fractions 0, 1 / steps .. 1, exact since `steps` is a power of two."""
     i = tid()
     guide[i] = find_share(running, float64(i) / float64(steps), 0, running.shape[0] - 1)
 
@@ -76,7 +69,6 @@ def draw_places_kernel(
     chosen: array(dtype=int32),
     weights: array(dtype=vec3d),
 ):
-    """The triangle of each sample, and the weights of its corners."""
     i = tid()
     words = random_bits(seed, i, 0)
     share = (float64(words[0]) * 1048576.0 + float64(words[1] >> 12)) * float64(HALF_WORD)
@@ -89,7 +81,6 @@ def draw_places_kernel(
 
 @func
 def mix_corners(values: array(dtype=vec3), t: vec3i, w: vec3d) -> vec3d:
-    """The mean of what belongs to the corners of a triangle."""
     return widen(values[t[0]]) * w[0] + widen(values[t[1]]) * w[1] + widen(values[t[2]]) * w[2]
 
 
@@ -101,7 +92,6 @@ def mix_vectors_kernel(
     weights: array(dtype=vec3d),
     mixed: array(dtype=vec3),
 ):
-    """What belongs to vertices, at the samples."""
     i = tid()
     mixed[i] = narrow(mix_corners(values, triangles[chosen[i]], weights[i]))
 
@@ -114,7 +104,7 @@ def mix_normals_kernel(
     weights: array(dtype=vec3d),
     mixed: array(dtype=vec3),
 ):
-    """Normals of vertices at the samples, at unit length; (0, 0, 1) where they cancel out, NaN where one is NaN."""
+    """Unit normals at the samples; (0, 0, 1) if they cancel out, NaN if one is NaN."""
     i = tid()
     n = mix_corners(values, triangles[chosen[i]], weights[i])
     if isfinite(n):
@@ -127,35 +117,26 @@ def mix_normals_kernel(
 def take_triangle_normals_kernel(
     vertices: array(dtype=vec3), triangles: array(dtype=vec3i), chosen: array(dtype=int32), normals: array(dtype=vec3)
 ):
-    """The unit normal of each sample's triangle."""
     i = tid()
     normals[i] = unit_or_up(triangle_cross(vertices, triangles[chosen[i]]))
 
 
 def measure_areas(vertices: Points, triangles: Triangles) -> Doubles:
-    """Twice the area of each triangle, float64 [t]; zero where a corner is not finite."""
+    """Twice the area of each triangle, float64 [t]; zero if a corner is not finite."""
     areas = empty(triangles.size, float64, vertices.device)
     launch(measure_areas_kernel, triangles.size, [vertices, triangles, areas])
     return areas
 
 
 def triangle_areas(vertices: Points, triangles: Triangles) -> Doubles:
-    """The area of each triangle, float64 [t]; NaN where a corner is not finite."""
+    """Area of each triangle, float64 [t]; NaN if a corner is not finite."""
     areas = empty(triangles.size, float64, vertices.device)
     launch(list_areas_kernel, areas.size, [vertices, triangles, areas])
     return areas
 
 
 class SurfaceSamples:
-    """Samples of a mesh's surface.
-
-    Args:
-        vertices: vec3 [m].
-        triangles: vec3i [t].
-
-    Attributes:
-        doubled_area: float64 device array, twice the area of the mesh; empty without triangles.
-    """
+    """Samples of a mesh surface. `doubled_area` is twice the area, empty without triangles."""
 
     def __init__(self, vertices: Points, triangles: Triangles) -> None:
         self.vertices, self.triangles, self.device = vertices, triangles, vertices.device
@@ -166,16 +147,14 @@ class SurfaceSamples:
 
     @cached_property
     def area(self) -> float:
-        """The area of the mesh; 0 where there is nothing to draw from. One sync when it is first asked for."""
+        """Area of the mesh, 0 if empty. One sync on first use."""
         return self.area_of(download(self.doubled_area))  # sync
 
     @staticmethod
     def area_of(doubled: np.ndarray) -> float:
-        """The area, of what the host has read of `doubled_area`."""
         return float(doubled[0]) / 2 if doubled.size else 0.0
 
     def draw(self, count: int, seed: int) -> None:
-        """Draw samples; the area must not be 0."""
         self.count = count
         self.chosen, self.weights = empty(count, int32, self.device), empty(count, vec3d, self.device)
         steps = 1 << max(0, min(self.triangles.size, count // GUIDED).bit_length() - 1)
@@ -184,14 +163,12 @@ class SurfaceSamples:
         launch(draw_places_kernel, count, [self.running, steps, guide, seed, self.chosen, self.weights])
 
     def mix(self, values: Vectors, unit: bool = False) -> Vectors:
-        """What belongs to vertices, vec3 [m], at the samples; `unit` makes unit vectors of it."""
         mixed = empty(self.count, vec3, self.device)
         kernel = mix_normals_kernel if unit else mix_vectors_kernel
         launch(kernel, self.count, [values, self.triangles, self.chosen, self.weights, mixed])
         return mixed
 
     def triangle_normals(self) -> Vectors:
-        """The unit normals of the samples' triangles, vec3 [n]."""
         normals = empty(self.count, vec3, self.device)
         launch(take_triangle_normals_kernel, self.count, [self.vertices, self.triangles, self.chosen, normals])
         return normals

@@ -1,8 +1,4 @@
-"""Triangles in the order of their vertices: three numbers a triangle, compared one after another.
-
-Two sorts of whole numbers, the third number first; of equal triangles the earlier stands first. 24 B read and 12 B
-written a triangle beside the sorts.
-"""
+"""Lexicographic order of triangles by two stable integer sorts."""
 
 from ..array_types import Indices, Triangles
 from ..arrays.select import gather_rows
@@ -13,7 +9,6 @@ from ..memory import empty
 
 @kernel
 def list_third_keys_kernel(triangles: array(dtype=vec3i), keys: array(dtype=int64)):
-    """The third number of a triangle."""
     i = tid()
     keys[i] = int64(triangles[i][2])
 
@@ -22,7 +17,6 @@ def list_third_keys_kernel(triangles: array(dtype=vec3i), keys: array(dtype=int6
 def list_first_keys_kernel(
     triangles: array(dtype=vec3i), rows: array(dtype=int32), bits: int, keys: array(dtype=int64)
 ):
-    """The first two numbers of some triangles."""
     i = tid()
     t = triangles[rows[i]]
     keys[i] = (int64(t[0]) << int64(bits)) | int64(t[1])
@@ -30,7 +24,6 @@ def list_first_keys_kernel(
 
 @kernel
 def mark_new_triangles_kernel(triangles: array(dtype=vec3i), order: array(dtype=int32), marks: array(dtype=int32)):
-    """1 where a triangle differs from the one before in the order; 0 at the first."""
     i = tid()
     mark = 0
     if i > 0:
@@ -42,7 +35,7 @@ def mark_new_triangles_kernel(triangles: array(dtype=vec3i), order: array(dtype=
 
 
 def sort_triangles(triangles: Triangles, vertex_count: int) -> Indices:
-    """The rows of triangles [t] in ascending order of their three numbers, all below `vertex_count`."""
+    """Rows of triangles in lexicographic order; equal ones keep their order."""
     device, count, bits = triangles.device, triangles.size, max(1, vertex_count.bit_length())
     keys = empty(count, int64, device)
     launch(list_third_keys_kernel, count, [triangles, keys])

@@ -1,6 +1,6 @@
-"""Which parts of the two sides of a cut are too small to count: islands to be dropped, holes to be kept.
+"""Small components on both sides of a cut: islands to drop and holes to keep.
 
-Source: SurfaceTrimmer of PoissonRecon (Kazhdan), whose islands and holes are these.
+Source: SurfaceTrimmer of PoissonRecon (Kazhdan).
 """
 
 from ..array_types import Array1, Mask, Points, Triangles
@@ -15,14 +15,13 @@ from .mesh_topology import sorted_edges
 
 @func
 def is_small(part: int, parts: Parts, ratio: float64, twice: array(dtype=vec2d)) -> int:
-    """1 where a part has less than a share of the area of the mesh, of which there is the double."""
+    """1 if a component has less than a fraction of the mesh area; `twice` is twice that area."""
     whole = twice[0]
     return 1 if parts.doubled[part] / 2.0 < ratio * (whole[0] / 2.0) else 0
 
 
 @kernel
 def drop_islands_kernel(parts: Parts, ratio: float64, twice: array(dtype=vec2d), mask: array(dtype=uint8)):
-    """Clear the mask of triangles in small parts."""
     i = tid()
     if mask[i] != 0:
         small = is_small(int(parts.labels[i]), parts, ratio, twice)
@@ -39,7 +38,6 @@ def keep_holes_kernel(
     touches: array(dtype=int32),
     mask: array(dtype=uint8),
 ):
-    """Set the mask of triangles in small parts that others enclose."""
     i = tid()
     part = int(parts.labels[i])
     if part < mask.shape[0]:
@@ -56,7 +54,7 @@ def find_edges_of_parts_kernel(
     is_open: array(dtype=int32),
     touches: array(dtype=int32),
 ):
-    """Which parts end at the mesh's own border, and which touch what is in none; any thread may set it to 1."""
+    """Components at the mesh boundary, and those adjacent to triangles of none; all threads write 1."""
     i = tid()
     count = labels.shape[0]
     part = int(labels[order[i] // 3])
@@ -75,16 +73,7 @@ def find_edges_of_parts_kernel(
 
 
 def change_small_parts(vertices: Points, pieces: Triangles, mask: Mask, ratio: float, twice: Array1[vec2d]) -> None:
-    """Clear the mask, uint8 [p], of parts of the chosen pieces whose area is too small; then set it for such parts of
-    the others that chosen ones enclose.
-
-    Args:
-        vertices: vec3.
-        pieces: vec3i [p].
-        mask: uint8 [p], changed.
-        ratio: Parts with less than this share of the area are too small.
-        twice: Twice the area, of `measure_triangle`.
-    """
+    """Clear `mask` of small selected components, then set it for small others that selected ones enclose."""
     device, count = pieces.device, pieces.size
     edges = sorted_edges(pieces, vertices.size)
     islands = Parts(vertices, pieces, mask, edges)
@@ -97,17 +86,7 @@ def change_small_parts(vertices: Points, pieces: Triangles, mask: Mask, ratio: f
 
 
 def mask_trimmed(vertices: Points, cut: LevelCut, whole: Triangles, island_ratio: float) -> Mask:
-    """Which pieces of a cut stay.
-
-    Args:
-        vertices: vec3, those of the pieces.
-        cut: The mesh cut at the level.
-        whole: vec3i [t], the triangles before.
-        island_ratio: Parts of less than this share of the whole area change sides.
-
-    Returns:
-        uint8 [p]; no sync.
-    """
+    """Pieces of a cut that remain, uint8 [p]; components below a fraction of the area change sides. No sync."""
     if island_ratio > 0:
         twice = reduce(measure_triangle, whole.size, [vertices, whole])
         change_small_parts(vertices, cut.pieces, cut.above, island_ratio, twice)

@@ -1,4 +1,4 @@
-"""The neighbours of each vertex of a mesh along its edges, each once and ascending. About 30 B an edge."""
+"""Sorted unique neighbors of each vertex along edges. About 30 B per edge."""
 
 from typing import Protocol
 
@@ -10,12 +10,7 @@ from .mesh_topology import find_starts_kernel
 
 
 class Edges(Protocol):
-    """MeshEdges, or others with these attributes.
-
-    Attributes:
-        count: How many e.
-        lows, highs: Their vertices, int32 [e], ascending by both.
-    """
+    """MeshEdges or an object with the same attributes: ascending vertices `lows` and `highs`, int32 [e]."""
 
     count: int
     lows: Indices
@@ -24,7 +19,7 @@ class Edges(Protocol):
 
 @kernel
 def list_ends_kernel(lows: array(dtype=int32), highs: array(dtype=int32), loop_key: int64, keys: array(dtype=int64)):
-    """Each edge's ends, all higher ones before all lower ones; an edge from a vertex to itself goes behind all."""
+    """Ends of each edge, all higher ones before all lower ones; self-loops go last."""
     i = tid()
     first = int64(highs[i])
     second = int64(lows[i])
@@ -43,7 +38,6 @@ def list_neighbors_kernel(
     vertices: array(dtype=int32),
     edges: array(dtype=int32),
 ):
-    """The other end of an edge, seen from each of its ends."""
     i = tid()
     count = lows.shape[0]
     edge = order[i] % count
@@ -56,20 +50,13 @@ def list_neighbors_kernel(
 
 @struct
 class VertexNeighbors:
-    """The neighbours of each vertex along edges, ascending; no vertex is its own.
-
-    Attributes:
-        starts: int32 [m + 1], where each vertex' neighbours begin.
-        vertices: int32 [2 e].
-        edges: int32 [2 e], the edges that lead there.
-    """
+    """Ascending neighbors of each vertex: starts int32 [m + 1], vertices and edges that lead there int32 [2 e]."""
 
     starts: array(dtype=int32)
     vertices: array(dtype=int32)
     edges: array(dtype=int32)
 
     def __init__(self, edges: Edges, vertex_count: int) -> None:
-        """The neighbours along edges."""
         device, count = edges.lows.device, 2 * edges.count
         keys = empty(count, int64, device)
         launch(list_ends_kernel, edges.count, [edges.lows, edges.highs, vertex_count, keys])

@@ -1,34 +1,9 @@
-"""Alpha shapes: the faces between Delaunay tetrahedra whose sphere has a radius up to alpha and those beyond.
+"""Alpha shapes: faces between Delaunay tetrahedra with a circumradius <= alpha and the others.
 
-Each point builds its own star, so it knows both sides of each of its faces: no triangulation of the
-whole, no list of tetrahedra, nothing to match or to orient afterwards. The point of the lowest row hands a face out,
-turned so that its outside is the side that is not kept. For several alphas the stars are built once, for the largest:
-a tetrahedron has the class of the first alpha that keeps it, and a face belongs to the alphas between its two classes.
-
-Faces are the boundary of the union of the kept tetrahedra, as CGAL's regularised alpha shape and Open3D's (Edelsbrunner
-and Muecke 1994): an even number of them meets at each edge. Exact, and unique for points on one sphere (see
-alpha_predicates.py).
-
-Cost: about 20 triangles a star, each asked about each point near a sphere of the star; 8 kB of scratch a thread, on the
-CPU used again for RUN points; a star that outgrows it is built again with four times the room.
-
-What points hand out of their stars: tables in which a thread's rows begin anywhere, and the same rows in order. A
-thread does not know how many rows the others have. It takes room from one counter by an atomic, and afterwards each
-owner's rows are copied to where they belong: the result is the same whichever thread came first.
-
-The star of a point in the Delaunay triangulation, from the points within a radius of it alone. A star is the tetrahedra
-at one point a, kept as the triangles opposite it. It begins as the eight between a and its six guards, and takes in one
-point after the other: the triangles whose sphere holds the new one go, and the edges around the gap are joined to it
-(Bowyer 1981, Watson 1981, on one star; the dual of clipping a Voronoi cell: Ray et al., "Meshless Voronoi on the GPU",
-2018). The order of the points changes the work, not the result, since answers are exact.
-
-A tetrahedron of radius R <= alpha has all its corners, and every point that could lie in its sphere, within 2 alpha of
-a, and the guards lie farther. So it is in the star of a exactly where it is in the triangulation of all points, and
-two points never disagree on a tetrahedron that they share.
-
-Most points near a surface touch no sphere of the star. So the nearest come first, from a list, and a walk through the
-tree of boxes takes the rest: it enters a box only where some sphere may reach into it. Boxes and points are held
-against eight spheres at once, in float32 with a margin; what they may touch is looked at again in float64.
+Each point builds its star of the Delaunay triangulation from its neighbors within 2 alpha (Bowyer 1981, Watson 1981;
+dual of Ray et al., "Meshless Voronoi on the GPU", 2018). Exact predicates make all stars consistent and the result
+unique. The point with the lowest row emits a face. The faces bound the union of the kept tetrahedra, as in CGAL's
+regularized alpha shape and Open3D (Edelsbrunner and Muecke 1994). 8 kB of scratch memory per thread.
 """
 
 import math
@@ -74,32 +49,20 @@ from .alpha_predicates import EXACT_BITS, Predicates, ball, is_within_radius, of
 
 FIRST_TRIANGLES = 8
 NUMBERS = 6  # of a triangle: N, D, the bounds of their errors
-LANES = 8  # spheres side by side in vector registers
+LANES = 8  # spheres processed together in vector registers
 LANE_BITS = 3
 MARGIN = 2e-6  # relative: 32 roundings of float32, where ten are made
-LARGEST = 1e18  # [m] a sphere beyond is not held against anything in float32: its products are no numbers there
-OPEN = 3e38  # the margin of a sphere that may hold any point
+LARGEST = 1e18  # [m] spheres farther away are not tested in float32: their products overflow
+OPEN = 3e38  # margin of a sphere that may contain any point
 eight_counts = vector(8, int32)
 NO_ROOM = -1
 
 
 @struct
 class Stars:
-    """Scratch memory: a star a thread.
-
-    Args:
-        device: Where.
-        threads: How many.
-        room: Triangles a star.
-
-    Attributes:
-        corners: int32 [threads, room, 3]: codes of points; seen from outside they turn counter-clockwise.
-        spheres: float64 [threads, room, NUMBERS].
-        xs, ys, zs, margins: float32 [threads, room]: N / D, twice the centre, and how far from the sphere nothing is
-            certain, over the distance from a. Zeros behind the last triangle, up to a multiple of LANES.
-        edges: int32 [threads, 3 * room]: the edges around a gap; in the end the triangles' classes, and the faces that
-            the point hands out.
-    """
+    """Scratch memory, one star per thread: corners and spheres [threads, room], edges [threads, 3 * room]. `xs`, `ys`,
+    `zs` are N / D, twice the center. `margins` bound the float32 error over the distance from the star's point. They
+    are padded with zeros to a multiple of LANES. `edges` finally stores the classes and the emitted faces."""
 
     corners: array(dtype=int32)
     spheres: array(dtype=float64)
@@ -120,7 +83,6 @@ class Stars:
 
 @func
 def write_triangle(at: int, a: int, b: int, c: int, d: int, stars: Stars, given: Predicates):
-    """Put a triangle and its sphere at a place."""
     stars.corners[3 * at] = b
     stars.corners[3 * at + 1] = c
     stars.corners[3 * at + 2] = d
@@ -132,7 +94,7 @@ def write_triangle(at: int, a: int, b: int, c: int, d: int, stars: Stars, given:
     y = found[1] * share
     z = found[2] * share
     size = abs(x) + abs(y) + abs(z)
-    error = (found[4] + given.guard * found[5]) * share  # no point that is asked about lies beyond the guards
+    error = (found[4] + given.guard * found[5]) * share  # no tested point is beyond the guards
     stars.xs[at] = 0.0
     stars.ys[at] = 0.0
     stars.zs[at] = 0.0
@@ -146,7 +108,7 @@ def write_triangle(at: int, a: int, b: int, c: int, d: int, stars: Stars, given:
 
 @func
 def fill_lanes(first: int, size: int, stars: Stars):
-    """Spheres that hold nothing, behind the last up to a multiple of LANES."""
+    """Pad the float32 spheres with empty ones to a multiple of LANES."""
     for j in range(first + size, first + (size + LANES - 1) // LANES * LANES):
         stars.xs[j] = 0.0
         stars.ys[j] = 0.0
@@ -156,7 +118,6 @@ def fill_lanes(first: int, size: int, stars: Stars):
 
 @func
 def begin_star(a: int, first: int, stars: Stars, given: Predicates):
-    """The tetrahedra between a and its guards."""
     n = int(FIRST_TRIANGLES)
     for j in range(n):
         x = given.count + j % 2
@@ -168,7 +129,7 @@ def begin_star(a: int, first: int, stars: Stars, given: Predicates):
 
 @func
 def exchange_triangles(a: int, b: int, stars: Stars):
-    """Exchange the corners of two triangles; the second's sphere takes the place of the first's, which is lost."""
+    """Swap the corners of two triangles; the sphere of a is overwritten by that of b."""
     for j in range(3):
         corner = stars.corners[3 * a + j]
         stars.corners[3 * a + j] = stars.corners[3 * b + j]
@@ -183,13 +144,13 @@ def exchange_triangles(a: int, b: int, stars: Stars):
 
 @func
 def may_touch(p: vec3, first: int, size: int, stars: Stars) -> int:
-    """How many spheres may hold a point seen from the star's own; 0 is certain."""
+    """Number of spheres that may contain a point relative to the star's own; 0 is certain."""
     square = p[0] * p[0] + p[1] * p[1] + p[2] * p[2]
     far = sqrt(square)
     least = square - square * MARGIN
     counts = eight_counts(0)
     for chunk in range((size + LANES - 1) // LANES):
-        start = ((first >> LANE_BITS) + chunk) * LANES  # so written, a compiler knows that no lane wraps around
+        start = ((first >> LANE_BITS) + chunk) * LANES  # in this form, a compiler can exclude wrapping of lanes
         for j in range(LANES):
             value = p[0] * stars.xs[start + j] + p[1] * stars.ys[start + j] + p[2] * stars.zs[start + j]
             counts[j] = counts[j] + (1 if value + far * stars.margins[start + j] >= least else 0)
@@ -201,7 +162,7 @@ def may_touch(p: vec3, first: int, size: int, stars: Stars) -> int:
 
 @func
 def part_touched(a: int, code: int, thread: int, first: int, size: int, stars: Stars, given: Predicates) -> int:
-    """Move the triangles whose spheres hold a point behind the others; how many others there are."""
+    """Move triangles whose spheres contain a point behind the others. Return the number of the others."""
     p = offset_of(code, a, given)
     square = p[0] * p[0] + p[1] * p[1] + p[2] * p[2]
     far = sqrt(square)
@@ -234,7 +195,6 @@ def part_touched(a: int, code: int, thread: int, first: int, size: int, stars: S
 
 @func
 def has_edge(b: int, c: int, first: int, last: int, stars: Stars) -> int:
-    """The triangle of first .. last - 1 with the edge from b to c, or -1."""
     found = -1
     j = first
     while j < last and found < 0:
@@ -249,7 +209,7 @@ def has_edge(b: int, c: int, first: int, last: int, stars: Stars) -> int:
 
 @func
 def list_gap_edges(first: int, last: int, edges_at: int, stars: Stars) -> int:
-    """List the edges of triangles whose other side is not among them, as long as there is room; how many there are."""
+    """List the boundary edges of triangles first .. last - 1, up to the room. Return their number."""
     count = 0
     for j in range(first, last):
         for side in range(3):
@@ -265,7 +225,7 @@ def list_gap_edges(first: int, last: int, edges_at: int, stars: Stars) -> int:
 
 @func
 def insert_point(a: int, code: int, thread: int, size: int, stars: Stars, given: Predicates) -> int:
-    """Take a point into the star; the number of its triangles, or NO_ROOM."""
+    """Insert a point into the star. Return its number of triangles, or NO_ROOM."""
     first = thread * stars.room
     left = part_touched(a, code, thread, first, size, stars, given)
     after = size
@@ -286,17 +246,14 @@ def insert_point(a: int, code: int, thread: int, size: int, stars: Stars, given:
 
 @func
 def reaches_box(low: vec3, high: vec3, first: int, size: int, stars: Stars) -> int:
-    """How many spheres may hold a point of a box seen from the star's own; 0 is certain.
-
-    What `may_touch` compares is largest where the box comes nearest to the centre.
-    """
+    """Number of spheres that may contain a point of a box; 0 is certain."""
     x = larger(-low[0], high[0])
     y = larger(-low[1], high[1])
     z = larger(-low[2], high[2])
     far = sqrt(x * x + y * y + z * z)
     counts = eight_counts(0)
     for chunk in range((size + LANES - 1) // LANES):
-        start = ((first >> LANE_BITS) + chunk) * LANES  # so written, a compiler knows that no lane wraps around
+        start = ((first >> LANE_BITS) + chunk) * LANES  # in this form, a compiler can exclude wrapping of lanes
         for j in range(LANES):
             N = vec3(stars.xs[start + j], stars.ys[start + j], stars.zs[start + j])
             x = larger(low[0], smaller(high[0], N[0] * 0.5))
@@ -315,7 +272,7 @@ def reaches_box(low: vec3, high: vec3, first: int, size: int, stars: Stars) -> i
 def children_in_star(
     tree: PointTree, a: vec3, reach: float, first: int, size: int, stars: Stars, level: int, node: int
 ) -> int:
-    """A byte: bit j is set where child j of a node may hold a point within reach that changes the star."""
+    """Bit mask of the children of a node that may contain a point within reach that changes the star."""
     record = tree.levels[level] + node
     distances = measure_boxes(tree.boxes, record, a, a)
     found = 0
@@ -344,21 +301,17 @@ def grow_star(
     stars: Stars,
     given: Predicates,
 ) -> int:
-    """The star of the point at place a, from its `near` nearest points in lists[head:] and a walk; its triangles.
-
-    NO_ROOM where it has more of them than a thread holds. The list and each leaf are one batch a turn, so that there is
-    one place where a point is taken in: a compiler that inlines calls would write each out.
-    """
+    """Build the star of a from its `near` nearest points and a tree traversal; insertion is inlined once only."""
     p = tree.points[a]
     first = thread * stars.room
     begin_star(a, first, stars, given)
     size = int(FIRST_TRIANGLES)
     limit = int64(-1)
-    low = -1  # the first of a leaf, or -1 for the list
+    low = -1  # first of a leaf, or -1 for the list
     count = near
     level = tree.root
     node = 0
-    pending = int64(0)  # a byte a level above the buckets: the children left to visit
+    pending = int64(0)  # a byte per level above the buckets: the children left to visit
     leaves = 0  # of the bucket
     entering = 1
     while size > 0 and level <= tree.root:
@@ -369,7 +322,7 @@ def grow_star(
             if q >= 0 and size > 0:
                 sqdist = square_distance(p, tree.points[q])
                 key = pack_key(sqdist, q)
-                # the listed ones are in the star already: they have been asked about
+                # points of the list have already been inserted
                 if key > limit and sqdist <= reach:
                     if low < 0:
                         limit = key
@@ -404,24 +357,12 @@ def grow_star(
     return size
 
 
-COLUMNS = 5  # of what is found: a face's corners and its two classes, or a tetrahedron's corners and its class
+COLUMNS = 5  # of a result: a face's corners and two classes, or a tetrahedron's corners and class
 
 
 @struct
 class Found:
-    """Rows that points hand out, in an order of their own.
-
-    Args:
-        device: Where.
-        owners: Rows of the cloud.
-        capacity: Rows there is room for.
-        total: int32 [1], zero.
-
-    Attributes:
-        table: int32 [capacity * COLUMNS].
-        starts, counts: int32 [owners]: each owner's rows.
-        total: int32 [1]: how many there are, with those that found no room.
-    """
+    """Emitted rows in any order; `starts` and `counts` by owner. `total` includes rows that did not fit."""
 
     table: array(dtype=int32)
     starts: array(dtype=int32)
@@ -435,7 +376,6 @@ class Found:
         self.starts, self.counts = zeros(owners, int32, device), zeros(owners, int32, device)
 
     def sorted_table(self, total: int) -> Integers:
-        """The rows, so many as there are: the owners in order, the rows of each by their second and third number."""
         table = empty(total * COLUMNS, int32, self.device)
         launch(sort_found_kernel, self.counts.size, [self, offsets_of(self.counts), table])
         return table
@@ -443,7 +383,7 @@ class Found:
 
 @kernel
 def sort_found_kernel(found: Found, offsets: array(dtype=int32), table: array(dtype=int32)):
-    """Put an owner's rows where they belong, by their second and third number, which no two share."""
+    """Sort the rows of an owner by their second and third number, which are unique."""
     i = tid()
     first = found.starts[i]
     last = first + found.counts[i]
@@ -459,7 +399,6 @@ def sort_found_kernel(found: Found, offsets: array(dtype=int32), table: array(dt
 
 @kernel
 def mark_faces_kernel(table: array(dtype=int32), kind: int, mask: array(dtype=uint8)):
-    """1 for the faces between a class up to `kind` and one beyond."""
     i = tid()
     inside = 0
     if table[i * COLUMNS + 3] <= kind and kind < table[i * COLUMNS + 4]:
@@ -469,7 +408,6 @@ def mark_faces_kernel(table: array(dtype=int32), kind: int, mask: array(dtype=ui
 
 @kernel
 def mark_tetrahedra_kernel(table: array(dtype=int32), kind: int, mask: array(dtype=uint8)):
-    """1 for the tetrahedra of a class up to `kind`."""
     i = tid()
     inside = 0
     if table[i * COLUMNS + 4] <= kind:
@@ -479,7 +417,6 @@ def mark_tetrahedra_kernel(table: array(dtype=int32), kind: int, mask: array(dty
 
 @kernel
 def read_faces_kernel(table: array(dtype=int32), rows: array(dtype=int32), triangles: array(dtype=vec3i)):
-    """The corners of some rows."""
     i = tid()
     at = rows[i] * COLUMNS
     triangles[i] = vec3i(table[at], table[at + 1], table[at + 2])
@@ -487,14 +424,12 @@ def read_faces_kernel(table: array(dtype=int32), rows: array(dtype=int32), trian
 
 @kernel
 def read_tetrahedra_kernel(table: array(dtype=int32), rows: array(dtype=int32), corners: array(dtype=vec4i)):
-    """The corners of some rows."""
     i = tid()
     at = rows[i] * COLUMNS
     corners[i] = vec4i(table[at], table[at + 1], table[at + 2], table[at + 3])
 
 
 def mark_rows(mark: Kernel, table: Integers, kind: int) -> Mask:
-    """1 for the rows of a table that belong to one alpha."""
     count = table.size // COLUMNS
     mask = empty(count, uint8, table.device)
     launch(mark, count, [table, kind, mask])
@@ -502,26 +437,25 @@ def mark_rows(mark: Kernel, table: Integers, kind: int) -> Mask:
 
 
 def read_rows(read: Kernel, kind_of_row: type[Element], table: Integers, rows: Indices) -> Array1[Element]:
-    """Chosen rows of a table."""
     out = empty(rows.size, kind_of_row, table.device)
     launch(read, rows.size, [table, rows, out])
     return out
 
 
-NEAREST = 16  # points that come into a star before the walk
-RUN = 64  # points a thread on the CPU, which share its scratch memory
-ROOM = 96  # triangles a star, at first
-SCRATCH = 2**25  # numbers of scratch memory a launch
-FACES_A_POINT = 6  # there is room for at first: a surface has 4, both its sides counted
+NEAREST = 16  # points inserted into a star before the traversal
+RUN = 64  # points per thread on the CPU, which share its scratch memory
+ROOM = 96  # initial triangles per star
+SCRATCH = 2**25  # scratch numbers per launch
+FACES_A_POINT = 6  # initial room: a surface has 4 per point, both sides counted
 TETRAHEDRA_A_POINT = 8  # a Delaunay triangulation of random points has 6.8
-WIDER = 2.001  # times alpha: what is looked at is a little more than what counts
-TOGETHER = 16  # alphas whose faces are counted in one wait; each takes a byte a face for that
-GUARD_BITS = 5  # of the guards' distance, so that it is a float64 and a whole number of units
+WIDER = 2.001  # times alpha: search slightly more than necessary
+TOGETHER = 16  # alphas whose faces are counted in one sync; each takes a byte per face
+GUARD_BITS = 5  # of the guards' distance, so that it is a float64 and an integer number of units
 
 
 @func
 def class_of(b: int, c: int, d: int, a: int, at: int, thread: int, stars: Stars, given: Predicates) -> int:
-    """The first radius that is no less than that of a tetrahedron's sphere; their number where there is none."""
+    """Index of the first radius >= the circumradius of a tetrahedron, or the number of radii."""
     found = ball(0.0)
     for j in range(6):
         found[j] = stars.spheres[NUMBERS * at + j]
@@ -535,7 +469,6 @@ def class_of(b: int, c: int, d: int, a: int, at: int, thread: int, stars: Stars,
 
 @func
 def classify_star(a: int, thread: int, size: int, stars: Stars, given: Predicates):
-    """The class of each triangle's tetrahedron; beyond all for those with a guard."""
     for j in range(size):
         at = thread * stars.room + j
         b = stars.corners[3 * at]
@@ -549,7 +482,7 @@ def classify_star(a: int, thread: int, size: int, stars: Stars, given: Predicate
 
 @func
 def list_faces(a: int, thread: int, size: int, stars: Stars, given: Predicates) -> int:
-    """List the faces that a hands out, as triangle and side, behind the classes; how many: below 1.5 a triangle."""
+    """List the faces that a emits, as triangle and side, behind the classes. Return their number (< 1.5 a triangle)."""
     first = thread * stars.room
     row = given.rows[a]
     count = 0
@@ -569,7 +502,6 @@ def list_faces(a: int, thread: int, size: int, stars: Stars, given: Predicates) 
 
 @func
 def write_faces(a: int, thread: int, size: int, count: int, start: int, stars: Stars, given: Predicates, faces: Found):
-    """Write the listed faces from `start` on, where there is room."""
     first = thread * stars.room
     for place in range(min(count, faces.capacity - start)):
         listed = stars.edges[3 * first + stars.room + place]
@@ -588,7 +520,7 @@ def write_faces(a: int, thread: int, size: int, count: int, start: int, stars: S
 def write_tetrahedra(
     a: int, thread: int, size: int, start: int, room: int, stars: Stars, given: Predicates, tetrahedra: Found
 ) -> int:
-    """The tetrahedra that a hands out, their least other row next, written where there is room; how many."""
+    """Write the tetrahedra that a emits, lowest other row next, up to the room. Return their number."""
     first = thread * stars.room
     row = given.rows[a]
     count = 0
@@ -627,11 +559,7 @@ def find_faces_kernel(
     tetrahedra: Found,
     crowded: array(dtype=int32),
 ):
-    """Hand out the faces of a run of points, and their tetrahedra where asked; crowded: the stars without room.
-
-    The atomics give out room in the table. Where a point's rows come to lie is a race, and not seen in the result:
-    the rows are put in order afterwards.
-    """
+    """Emit faces and optionally tetrahedra of a run of points. The order of rows is a race that sorting removes."""
     i = tid()
     for place in range(i * run, min((i + 1) * run, ranks.shape[0])):
         a = ranks[place]
@@ -661,19 +589,8 @@ def find_faces_kernel(
 def find_alpha_shapes(
     tree: PointTree, rows: Indices, owners: int, alphas: Sequence[float], with_tetrahedra: bool = False
 ) -> list[tuple[Cells, Array1[vec4i] | None]]:
-    """The boundary of each alpha shape of the points of a tree.
-
-    Args:
-        tree: A PointTree over at least one point, no two of them equal.
-        rows: int32 device array, each point's row in the cloud by its place in the tree.
-        owners: Rows of the cloud.
-        alphas: Positive floats, ascending; infinity keeps all tetrahedra.
-        with_tetrahedra: Whether the tetrahedra are wanted.
-
-    Returns:
-        For each alpha (triangles, tetrahedra): vec3i [t] rows of the cloud, counter-clockwise from outside, by their
-        least corners; vec4i [k], or None where they are not wanted, det(b - a, c - a, d - a) > 0.
-    """
+    """Boundary of each alpha shape (ascending `alphas`, inf allowed) of the distinct points of a tree: (triangles,
+    tetrahedra) as rows of the cloud, counter-clockwise from outside, and with a positive determinant, or None."""
     given, reach, radius = prepare_predicates(tree, rows, alphas)
     room = [FACES_A_POINT * tree.count, TETRAHEDRA_A_POINT * tree.count if with_tetrahedra else 0]
     while True:
@@ -709,10 +626,7 @@ def hand_out(
     tetrahedra: Found,
     totals: Integers,
 ) -> list[int]:
-    """Launch the search over the points of some lists, again with more room for those that had too little.
-
-    `totals` are those of faces and tetrahedra; given back as they are then. One sync a launch.
-    """
+    """Launch the search, and repeat it with more room for stars that overflowed. One sync per launch."""
     device, room, needed = tree.device, ROOM, [0, 0]
     run = 1 if device.is_cuda else RUN
     todo = empty(lists.size // NEAREST, int32, device)
@@ -738,27 +652,25 @@ def hand_out(
 
 @kernel
 def number_places_kernel(begin: int, places: array(dtype=int32)):
-    """The places from one on."""
     i = tid()
     places[i] = begin + i
 
 
 @kernel
 def list_crowded_kernel(ranks: array(dtype=int32), offsets: array(dtype=int32), crowded: array(dtype=int32)):
-    """The points whose stars had too little room."""
     i = tid()
     if offsets[i + 1] > offsets[i]:
         crowded[offsets[i]] = ranks[i]
 
 
 def prepare_predicates(tree: PointTree, rows: Indices, alphas: Sequence[float]) -> tuple[Predicates, float, float]:
-    """What exact answers need, how far a point looks (squared, for walks), and that distance [m]."""
+    """Exact predicates, the squared search radius, and the search radius [m]."""
     device = tree.device
     unit = lowest_bit(tree.points)  # sync
     one = Fraction(2) ** unit
     sides = [(Fraction(float(b)) - Fraction(float(a))) / one for a, b in zip(tree.low, tree.high, strict=True)]
     extent = max(1, math.ceil(max(sides)))
-    # D is a whole number and |N| < 32 extent^4, so no sphere's radius |N| / (2 D) passes this one
+    # D is an integer and |N| < 32 extent^4, so no sphere's radius |N| / (2 D) exceeds this one
     largest = 16 * extent**4
     radii = [Fraction(largest) if math.isinf(alpha) else min(Fraction(alpha) / one, largest) for alpha in alphas]
     guard = math.ceil(Fraction(WIDER) * radii[-1])
@@ -780,5 +692,5 @@ def prepare_predicates(tree: PointTree, rows: Indices, alphas: Sequence[float]) 
         exact.table([square.denominator for square in squares]),
     )
     radius = WIDER * float(radii[-1] * one)
-    reach = min(radius * radius * (1 + 1e-6) + 1e-37, LARGEST_SQDIST)  # below that squares are no float32
+    reach = min(radius * radius * (1 + 1e-6) + 1e-37, LARGEST_SQDIST)  # smaller squares are no float32
     return given, reach, radius

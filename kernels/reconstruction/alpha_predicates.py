@@ -1,15 +1,10 @@
-"""The three questions of a Delaunay triangulation's star, answered exactly for float32 coordinates.
+"""Exact predicates of a Delaunay star for float32 coordinates: side of a plane, in a sphere, radius of a sphere.
 
-Which side of a plane, inside a sphere or not, a sphere up to a radius or not. Each is reckoned in float64 first, with a
-bound of its error, and by remainders (algebra/residues.py) where the bound leaves it open.
-
-Points on one sphere are told apart as if every point were lifted a little less than its square: the point with the
-lowest row of the cloud by most, each next by infinitely less (simulation of simplicity: Edelsbrunner and Muecke 1990;
-the power diagram's weights alone are changed, not the places). That makes the triangulation unique, whoever looks, and
-none of its tetrahedra is flat: they are the lower facets of lifted points, and a flat one would be an upright facet.
-
-Points are named by codes: places in the tree, and behind them the six guards of the star's own point, at a distance
-along the axes that no ball of the largest radius reaches.
+Each is computed in float64 with an error bound, and by residues (algebra/residues.py) where the bound is not enough.
+Cospherical points are perturbed by simulation of simplicity (Edelsbrunner and Muecke 1990): heights of the lifted
+points decrease, most for the lowest row. The triangulation is then unique, without flat tetrahedra. Points are named by
+codes: indices in the tree, followed by the six guards of the star's own point, on the axes beyond the reach of the
+largest sphere.
 """
 
 from ..algebra.residues import (
@@ -25,33 +20,21 @@ from ..array_types import Doubles, Indices, LongIntegers, Points
 from ..lang import array, cross, dot, float64, func, int32, int64, length, sqrt, struct, vec3, vec3d, vector
 from ..memory import empty
 
-ERROR = 4.44e-15  # 40 roundings of float64: the sums of absolute values below take 31 of them at most
-BELOW_ONE = 0.999999999999999  # and above: they cover the rounding of a radius
+ERROR = 4.44e-15  # 40 roundings of float64: the sums of absolute values below take at most 31
+BELOW_ONE = 0.999999999999999  # and above: covers the rounding of a radius
 ABOVE_ONE = 1.000000000000001
 NO_ROW = 0x7FFFFFFF
 ROWS = 20  # residues of five points with their squares
-EXACT_BITS = 53  # whole numbers below 2^53 are exact in float64
-MOST_ROW = 0x7FFFFFF0  # guards come behind every row of a cloud
+EXACT_BITS = 53  # integers below 2^53 are exact in float64
+MOST_ROW = 0x7FFFFFF0  # guards follow all rows of a cloud
 ball = vector(6, float64)  # N and D of a sphere, and the bounds of their errors
 
 
 @struct
 class Predicates:
-    """Points, and what exact answers about them need.
-
-    Args:
-        points: vec3 by place in the tree.
-        rows: int32, the row in the cloud by place.
-        exact: The Residues; its counts are those of `side_of_plane`, `side_of_sphere` and `is_within_radius`.
-        guard: float64, how far the guards lie.
-        guard_residues: int64, that distance modulo each prime.
-        radii: float64, ascending.
-        numerators, denominators: int64 [radii * primes]: a radius in units is sqrt(n / d) / 2.
-
-    Attributes:
-        digits: int64, scratch memory: a thread's begins at its number times the number of primes and ROWS.
-        plane_primes, sphere_primes, radius_primes: What each question needs; 0 where float64 alone is exact.
-    """
+    """Points by index in the tree, rows in the cloud, guard distance, ascending radii, and residues. A radius in units
+    is sqrt(numerator / denominator) / 2 (int64 [radii * primes]). `plane_primes`, `sphere_primes`, and `radius_primes`
+    are 0 where float64 alone is exact."""
 
     points: array(dtype=vec3)
     rows: array(dtype=int32)
@@ -84,13 +67,12 @@ class Predicates:
         self.radii, self.numerators, self.denominators = radii, numerators, denominators
 
     def reserve(self, threads: int) -> None:
-        """Memory for the digits of this many threads."""
         self.digits = empty(threads * (self.exact.count + ROWS), int64, self.points.device)
 
 
 @func
 def offset_of(code: int, a: int, given: Predicates) -> vec3d:
-    """Where a point lies, seen from the star's own [m]: each coordinate rounded once."""
+    """Position of a point relative to the star's own [m], each coordinate rounded once."""
     guard = code - given.count
     p = given.points[a if guard >= 0 else code]
     q = given.points[a]
@@ -106,7 +88,7 @@ def offset_of(code: int, a: int, given: Predicates) -> vec3d:
 
 @func
 def fill_residues(b: int, c: int, d: int, p: int, origin: int, a: int, k: int, thread: int, given: Predicates):
-    """Four points seen from an origin, each with its square, modulo prime k: into the thread's rows 1 to 4."""
+    """Write four points relative to an origin, each with its square, modulo prime k to rows 1 to 4 of the thread."""
     prime = given.exact.primes[k]
     at = thread * (given.exact.count + ROWS) + given.exact.count
     points = int(5)
@@ -129,20 +111,19 @@ def fill_residues(b: int, c: int, d: int, p: int, origin: int, a: int, k: int, t
 
 @func
 def row_of_residues(j: int, thread: int, given: Predicates) -> quadruple:
-    """A row that `fill_residues` wrote."""
     at = thread * (given.exact.count + ROWS) + given.exact.count + 4 * j
     return quadruple(given.digits[at], given.digits[at + 1], given.digits[at + 2], given.digits[at + 3])
 
 
 @func
 def side_of_plane(origin: int, b: int, c: int, d: int, a: int, thread: int, given: Predicates) -> int:
-    """The sign of det(b - origin, c - origin, d - origin); `a` is the star's own point."""
+    """Sign of det(b - origin, c - origin, d - origin); `a` is the star's own point."""
     o = offset_of(origin, a, given)
     x = offset_of(b, a, given)
     y = offset_of(c, a, given)
     z = offset_of(d, a, given)
     value = dot(x - o, cross(y - o, z - o))
-    # all are rounded before they are subtracted: their own sizes count, not those of the differences
+    # all are rounded before subtraction: their own sizes count, not those of the differences
     far = length(o)
     bound = (length(x) + far) * (length(y) + far) * (length(z) + far) * float64(ERROR)
     if given.plane_primes == 0:
@@ -167,12 +148,8 @@ def side_of_plane(origin: int, b: int, c: int, d: int, a: int, thread: int, give
 
 @func
 def sphere_through(b: vec3d, c: vec3d, d: vec3d) -> ball:
-    """The sphere through the star's own point and three others seen from it.
-
-    Returns:
-        N (3 numbers), D > 0 and the sizes that bound the errors of p . N and of |p|^2 D: a point p lies inside where
-        p . N > |p|^2 D. The centre is N / (2 D).
-    """
+    """Sphere through the star's own point and three others: N, D > 0, and sizes for the error bounds of p.N and |p|^2
+    D. A point p is inside if p.N > |p|^2 D. The center is N / (2 D)."""
     cd = cross(c, d)
     N = cd * dot(b, b) + cross(d, b) * dot(c, c) + cross(b, c) * dot(d, d)
     x = length(b)
@@ -184,7 +161,6 @@ def sphere_through(b: vec3d, c: vec3d, d: vec3d) -> ball:
 
 @func
 def row_of(code: int, given: Predicates) -> int:
-    """The row of a point in the cloud; guards come behind all."""
     row = MOST_ROW + code - given.count
     if code < given.count:
         row = given.rows[code]
@@ -193,10 +169,7 @@ def row_of(code: int, given: Predicates) -> int:
 
 @func
 def settle_tie(b: int, c: int, d: int, p: int, a: int, thread: int, given: Predicates) -> int:
-    """`side_of_sphere` where all five points lie on one sphere: the point of the lowest row that counts decides.
-
-    With lifted heights h the value is p . N - h_p D; a lower h of a point changes it by minus its coefficient.
-    """
+    """`side_of_sphere` for cospherical points: the lowest row with a nonzero coefficient in p.N - h_p D decides."""
     sign = 0
     last = -1
     while sign == 0:
@@ -211,7 +184,7 @@ def settle_tie(b: int, c: int, d: int, p: int, a: int, thread: int, given: Predi
                 least = row
                 which = j
         if which == 0:
-            sign = 1  # D > 0 always: a star holds no flat tetrahedron
+            sign = 1  # always D > 0: a star contains no flat tetrahedron
         else:
             o = p if which == 1 else a
             x = p if which == 2 else b
@@ -224,7 +197,7 @@ def settle_tie(b: int, c: int, d: int, p: int, a: int, thread: int, given: Predi
 
 @func
 def side_of_sphere(b: int, c: int, d: int, p: int, a: int, thread: int, given: Predicates) -> int:
-    """1 where p lies inside the sphere of the star's tetrahedron (a, b, c, d), else -1; never 0. Exact, and slow."""
+    """1 if p is inside the sphere of tetrahedron (a, b, c, d), else -1; never 0. Exact and slow."""
     base = thread * (given.exact.count + ROWS)
     for k in range(given.sphere_primes):
         fill_residues(b, c, d, p, a, a, k, thread, given)
@@ -241,7 +214,7 @@ def side_of_sphere(b: int, c: int, d: int, p: int, a: int, thread: int, given: P
 
 @func
 def is_within_radius(b: int, c: int, d: int, found: ball, a: int, j: int, thread: int, given: Predicates) -> int:
-    """1 where the sphere through four points, as `sphere_through` has found it, has at most radius j."""
+    """1 if the sphere of `sphere_through` has at most radius j."""
     size = sqrt(found[0] * found[0] + found[1] * found[1] + found[2] * found[2])
     double = 2.0 * given.radii[j]
     within = 2

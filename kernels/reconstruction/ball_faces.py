@@ -1,36 +1,18 @@
-"""All triangles of some points on which a ball of one radius rests and is empty, on the side of their normals.
+"""All triangles on which an empty ball of one radius rests, on the side of their normals.
 
-A triangle is found once, at the corner that comes first on the tree's curve: its neighbours within twice the radius are
-gathered and sorted by distance, the circles of the pairs are cut by the others, nearest first, and what
-touches an end of an arc that is left is tried exactly. For k neighbours that is some k^2 / 2 steps
-at worst, and far fewer where the points are dense for the ball; the naive search of triples takes k^4.
+Bernardini et al., "The ball-pivoting algorithm for surface reconstruction", IEEE TVCG 1999. A triangle is found once,
+at its first corner in tree order. For each neighbor b, the centers of balls on both points form a circle. Every other
+neighbor removes an arc of it, and points that touch an end of a remaining arc are tested exactly. Arcs are kept too
+long rather than too short. At most about k^2 / 2 steps for k neighbors; 56 B of scratch memory per neighbor and 100 B
+per point.
 
-Nothing is found about points that are not asked for, but all of a tree's points are in the way of balls.
-
-A point takes 56 B of scratch memory a neighbour while its thread works on it, and 100 B of room for results; points are
-taken in parts, and those that need more room than others are done again with what they need.
-
-The ball of a given radius on three points, and whether it holds a fourth: exact but for rounding, ties by index. All is
-in float64 relative to the first of the three, whose differences to the others are exact for float32 coordinates of
-similar size. With edges B and C, N = B x C and a fourth point D, the ball's centre is
+The exact test uses float64 relative to the first corner. With edges B and C, N = B x C and a fourth point D, the center
+is
 
     x = (K + s N sqrt(R)) / (2 |N|^2),  K = |C|^2 (N x B) + |B|^2 (C x N),  R = 4 r^2 |N|^2 - |B|^2 |C|^2 |B - C|^2,
 
-so D lies inside exactly where |D|^2 |N|^2 - D.K - s (D.N) sqrt(R) < 0: a polynomial and one root, homogeneous of degree
-six, and hence the same decision at every scale. Where the value lies within its own rounding D counts as on the ball,
-as points of a grid do, and the tie is broken as if each point were a ball itself, larger the lower its index, by
-amounts each of which outweighs all later ones (Edelsbrunner and Muecke, "Simulation of simplicity", ACM TOG 1990). The
-four points of a square then give two triangles of the four, any number on one circle a fan about the lowest index.
-
-Bernardini et al., "The ball-pivoting algorithm for surface reconstruction", IEEE TVCG 1999.
-
-Where a ball that touches two points may lie without holding a third: arcs of the circle of its centres. The centres of
-the balls on points 0 and b are a circle about the middle of b. Each other point q forbids the arc of it that lies
-nearer than the radius; where what is left begins, the ball touches b, q and 0 and holds nothing: a triangle. So the
-triangles on an edge are found in one pass over the neighbours, and most edges have no arc left after few.
-
-Arcs are kept too long rather than too short: what is found here is tried exactly afterwards.
-Directions on the circle are numbers from 0 to 4 that grow with the angle, without sines.
+and D is inside if |D|^2 |N|^2 - D.K - s (D.N) sqrt(R) < 0. Values within rounding are ties: points with lower indices
+count as larger balls (Edelsbrunner and Muecke, "Simulation of simplicity", ACM TOG 1990).
 """
 
 import numpy as np
@@ -65,16 +47,16 @@ from ..search.bucket_walk import points_in_reach
 from ..search.neighbor_keys import keep_nearest
 from ..search.point_tree import BUCKET, PointTree
 
-ARCS = 8  # kept of a circle; where more are left one is not split, so that too much of it stays
-SHARE = 1.0e-9  # of the numbers that an arc's ends are computed from, by which it is taken to be shorter
-LOSS = 1.0e-14  # of the lengths, which covers what those numbers lose to rounding
-NEAR = 2.0e-8  # of the lengths: five times what SHARE makes an arc longer, so that what touches its end is known
+ARCS = 8  # per circle; if there are more, one is not split, so that too much of it remains
+SHARE = 1.0e-9  # relative rounding of the numbers that define an arc's ends, by which it is shortened
+LOSS = 1.0e-14  # of the lengths, which covers rounding
+NEAR = 2.0e-8  # of the lengths: five times the effect of SHARE, so that points touching an arc's end are found
 FULL_TURN = 4.0
 
 
 @func
 def across(b: vec3d) -> vec3d:
-    """A unit vector at a right angle to b."""
+    """A unit vector perpendicular to b."""
     axis = vec3d(0.0, 0.0, 1.0)
     if abs(b[2]) > abs(b[0]) and abs(b[2]) > abs(b[1]):
         axis = vec3d(1.0, 0.0, 0.0)
@@ -84,7 +66,7 @@ def across(b: vec3d) -> vec3d:
 
 @func
 def turn_of(x: float64, y: float64) -> float64:
-    """A direction as a number from 0 to 4, a quarter turn each."""
+    """Direction as a number from 0 to 4 that grows with the angle, one per quadrant, without sines."""
     turn = float64(0.0)
     if y >= 0.0:
         if x >= 0.0:
@@ -101,7 +83,7 @@ def turn_of(x: float64, y: float64) -> float64:
 
 @func
 def point_at(turn: float64, u: vec3d, v: vec3d) -> vec3d:
-    """The unit vector in a direction, u being 0 and v 1."""
+    """Unit vector in a direction; u is direction 0, v is 1."""
     x = 1.0 - turn
     y = turn
     if turn >= 1.0:
@@ -115,10 +97,7 @@ def point_at(turn: float64, u: vec3d, v: vec3d) -> vec3d:
 
 @func
 def cut_arcs(arcs: array(dtype=float64), at: int, count: int, start: float64, end: float64) -> int:
-    """Take what lies between start and end out of the arcs; how many are left.
-
-    An arc's start stands at 2 j, its end behind it.
-    """
+    """Remove [start, end] from the arcs, stored as (start, end) at 2 j. Return the number of remaining arcs."""
     left = count
     j = 0
     while j < left:
@@ -146,7 +125,7 @@ def cut_arcs(arcs: array(dtype=float64), at: int, count: int, start: float64, en
 
 @func
 def cut_turns(arcs: array(dtype=float64), at: int, count: int, start: float64, end: float64) -> int:
-    """`cut_arcs` where the end may lie beyond a full turn, and so before the start."""
+    """`cut_arcs` for an interval that may wrap around a full turn."""
     left = count
     if start <= end:
         left = cut_arcs(arcs, at, left, start, end)
@@ -169,11 +148,8 @@ def forbid_arc(
     v: vec3d,
     height: float64,
 ) -> int:
-    """Take the arc out on whose balls a point q at this distance lies inside; how many are left.
-
-    The centres are b / 2 + height (u cos + v sin), b of this length. q lies inside where cos(angle to q) exceeds
-    q.(q - b) / (2 height |q'|), q' its part at a right angle to b.
-    """
+    """Remove the arc of centers whose balls contain q. Return the number of remaining arcs. Centers are b / 2 + height
+    (u cos + v sin). q is inside if cos(angle to q) exceeds q.(q - b) / (2 height |q'|), q' perpendicular to b."""
     left = count
     rise = dot(q, q - b)
     x = dot(q, u)
@@ -192,11 +168,7 @@ def forbid_arc(
 
 @func
 def arc_sag(first: vec3d, last: vec3d, low: float64, high: float64, height: float64, slack: float64) -> float64:
-    """How much nearer than the centres at both ends of an arc its others can be to a point, as `passes_arc` takes it.
-
-    2 height (1 - cos(half the arc)) and a slack, so that a point on a ball at an end does not pass; more than any point
-    can pass by for half a turn and beyond.
-    """
+    """Bound of how much closer to a point an arc is than its ends: 2 height (1 - cos(half the arc)) + slack."""
     gap = first - last
     half = dot(gap, gap) * 0.25  # (height sin(half the arc))^2
     sag = 4.0 * height
@@ -207,7 +179,7 @@ def arc_sag(first: vec3d, last: vec3d, low: float64, high: float64, height: floa
 
 @func
 def passes_arc(q: vec3d, size: float64, first: vec3d, last: vec3d, sag: float64) -> int:
-    """1 where a point at this distance surely lies outside all balls of an arc, from the centres at its ends."""
+    """1 if a point is certainly outside all balls of an arc, given the centers at its ends."""
     near = max(dot(q, first), dot(q, last))
     passes = 0
     if size * (size - sag) > 2.0 * near:
@@ -215,16 +187,16 @@ def passes_arc(q: vec3d, size: float64, first: vec3d, last: vec3d, sag: float64)
     return passes
 
 
-ROUNDING = 1.0e-14  # times the magnitudes: some 45 ulp, three times what the operations of the polynomial can lose
-FACING = 1.0e-15  # times the lengths: a normal at a right angle agrees with a face, as in Open3D
-THINNEST = 1.0e-20  # squared sine of the angle below which three points are one line: float32 cannot tell them apart
-FLAT = 1.0e-10  # times the magnitudes: a centre is known to so much where the triangle is as thin as it may be
-TAKEN = 4  # more than the places of four points
+ROUNDING = 1.0e-14  # times the magnitudes: some 45 ulp, three times the rounding of the polynomial
+FACING = 1.0e-15  # times the lengths: a perpendicular normal agrees with a face, as in Open3D
+THINNEST = 1.0e-20  # squared sine of the angle below which three float32 points are collinear
+FLAT = 1.0e-10  # times the magnitudes: accuracy of a center for the thinnest triangle allowed
+TAKEN = 4  # more than the indices of four points
 
 
 @func
 def side_of_normals(n: vec3d, a: vec3, b: vec3, c: vec3) -> int:
-    """1 where a face with normal n agrees with the normals of its corners, -1 where its back does, else 0."""
+    """1 if a face with normal n agrees with the normals of its corners, -1 if its back does, else 0."""
     p = widen(a)
     q = widen(b)
     r = widen(c)
@@ -245,10 +217,7 @@ def side_of_normals(n: vec3d, a: vec3, b: vec3, c: vec3) -> int:
 
 @func
 def root_of_ball(b: vec3d, c: vec3d, radius: float64) -> float64:
-    """sqrt(R) of the ball on 0, b and c; -1 where the points are in line or their circle is larger than the ball.
-
-    Where the circle is the ball's to rounding its centre is the circle's.
-    """
+    """sqrt(R) of the ball on 0, b and c; -1 if collinear or if the circle is larger than the ball."""
     n = cross(b, c)
     nn = dot(n, n)
     bb = dot(b, b)
@@ -264,7 +233,6 @@ def root_of_ball(b: vec3d, c: vec3d, radius: float64) -> float64:
 
 @func
 def ball_center(b: vec3d, c: vec3d, root: float64, side: int) -> vec3d:
-    """The centre of the ball on 0, b and c, on one side of b x c."""
     n = cross(b, c)
     k = cross(n, b) * dot(c, c) + cross(c, n) * dot(b, b)
     return (k + n * (root * float64(side))) * (0.5 / dot(n, n))
@@ -272,7 +240,7 @@ def ball_center(b: vec3d, c: vec3d, root: float64, side: int) -> vec3d:
 
 @func
 def width_of_circle(b: vec3d, c: vec3d, radius: float64) -> float:
-    """The circle's squared radius through 0, b and c as a share of the ball's."""
+    """Squared radius of the circle through 0, b and c as a fraction of the ball's."""
     n = cross(b, c)
     d = b - c
     return float(dot(b, b) * dot(c, c) * dot(d, d) / (4.0 * radius * radius * dot(n, n)))
@@ -280,7 +248,6 @@ def width_of_circle(b: vec3d, c: vec3d, radius: float64) -> float:
 
 @func
 def sign_of(x: float64, bound: float64) -> int:
-    """-1, 0 or 1; 0 within the bound."""
     sign = 0
     if x > bound:
         sign = 1
@@ -291,10 +258,7 @@ def sign_of(x: float64, bound: float64) -> int:
 
 @func
 def weigh_tie(on_a: int, on_b: int, on_c: int, a: int, b: int, c: int, d: int) -> int:
-    """Whether D, on the ball of A, B and C, counts as inside: 1 or -1, from the signs of D's coordinates by them.
-
-    The lowest index whose coordinate is not zero decides; that of D itself is -1.
-    """
+    """1 if D on the ball of A, B and C counts as inside, else -1; the lowest index with a coordinate != 0 decides."""
     decided = 0
     passed = -1
     for turn in range(TAKEN):
@@ -320,7 +284,7 @@ def weigh_tie(on_a: int, on_b: int, on_c: int, a: int, b: int, c: int, d: int) -
 
 @func
 def break_tie(b: vec3d, c: vec3d, d: vec3d, root: float64, side: int, ia: int, ib: int, ic: int, at: int) -> int:
-    """1 where d, which lies on the ball on 0, b and c, counts as inside, else -1."""
+    """1 if d, on the ball on 0, b and c, counts as inside, else -1."""
     n = cross(b, c)
     lengths = sqrt(dot(b, b) * dot(c, c))
     v = b - d
@@ -332,7 +296,7 @@ def break_tie(b: vec3d, c: vec3d, d: vec3d, root: float64, side: int, ia: int, i
         on_a = sign_of(dot(n, cross(v, w)), float64(ROUNDING) * lengths * sqrt(dot(v, v) * dot(w, w)))
         on_b = sign_of(dot(n, cross(d, c)), float64(ROUNDING) * lengths * sqrt(dot(c, c) * dot(d, d)))
         on_c = sign_of(dot(n, cross(b, d)), float64(ROUNDING) * lengths * sqrt(dot(b, b) * dot(d, d)))
-    else:  # coordinates as seen from the centre
+    else:  # coordinates relative to the center
         x = ball_center(b, c, root, side)
         size = sqrt(dot(x, x)) * float64(FLAT)
         on_a = -side * sign_of(dot(d - x, cross(v, w)), size * sqrt(dot(v, v) * dot(w, w)))
@@ -345,7 +309,7 @@ def break_tie(b: vec3d, c: vec3d, d: vec3d, root: float64, side: int, ia: int, i
 def holds_point(
     b: vec3d, c: vec3d, d: vec3d, root: float64, side: int, radius: float64, ia: int, ib: int, ic: int, at: int
 ) -> int:
-    """1 where the ball on 0, b and c holds d, ties by the indices of the four; -1 where not."""
+    """1 if the ball on 0, b and c contains d, else -1; ties by the indices of the four."""
     n = cross(b, c)
     nn = dot(n, n)
     bb = dot(b, b)
@@ -366,31 +330,18 @@ def holds_point(
     return inside
 
 
-FIRST_ROOM = 96  # neighbours that scratch memory is laid out for at first
-FIRST_SLOTS = 8  # triangles a point, which has some two as the first of their corners
-SCRATCH = 2**24  # neighbours that all threads of a launch may hold
-NEAREST = 5  # points that cut a circle before it is looked which others reach what is left
+FIRST_ROOM = 96  # initial neighbors per thread in scratch memory
+FIRST_SLOTS = 8  # triangles per point, which is the first corner of about two
+SCRATCH = 2**24  # neighbors of all threads of a launch
+NEAREST = 5  # points that cut a circle before testing which others reach the rest
 PART = 2**18  # points a launch
-CPU_THREADS = 512  # a launch: few, so that their scratch memory stays in the caches; more than there are chunks of them
-REACH = 1.00001  # times the squared reach: float32 distances must not lose a neighbour
+CPU_THREADS = 512  # per launch: few, so that scratch memory stays in the caches, but more than the chunks
+REACH = 1.00001  # times the squared reach: float32 distances must not lose a neighbor
 
 
 @struct
 class BallScratch:
-    """Scratch memory of the threads: neighbours by distance, and the arcs of the circle that is cut.
-
-    Attributes:
-        room: Neighbours a thread.
-        run: Points a thread.
-        keys: Two for each neighbour.
-        places: Where a neighbour stands in the tree.
-        xs, ys, zs, sizes: Coordinates about the point, and distances.
-        cutters, cuts: The neighbours that came near what was left of the circle, and how many they are: no other can
-            touch an end of it.
-        arcs: Two numbers an arc.
-        ends: Their first and last centres.
-        sags: What `arc_sag` says of them.
-    """
+    """Scratch memory: `room` neighbors by distance, arcs of the current circle. Only `cutters` can touch arc ends."""
 
     room: int
     run: int
@@ -422,15 +373,7 @@ class BallScratch:
 
 @struct
 class BallPoints:
-    """The points that balls roll over.
-
-    Attributes:
-        tree: A PointTree.
-        normals: By place in the tree, of any length, none zero.
-        asked: 1 at the places whose triangles are wanted.
-        radius: Of the ball [m].
-        reach: Squared distance [m^2] of neighbours.
-    """
+    """Points that balls roll over. `asked` marks the points to search; `reach` is the squared search radius [m^2]."""
 
     tree: PointTree
     normals: array(dtype=vec3)
@@ -445,16 +388,8 @@ class BallPoints:
 
 @struct
 class BallFaces:
-    """Room for the triangles of some points.
-
-    Attributes:
-        places: int32, the points' places in the tree.
-        slots: Triangles a point.
-        held: Neighbours of each point; nothing was searched where they are more than the scratch memory's room.
-        counts: Triangles of each point; only `slots` are stored.
-        corners: The three places of each triangle.
-        widths: The squared radius of its circle as a share of the ball's.
-    """
+    """Triangles of the points at `places`, up to `slots` each. `held` counts neighbors: a point with more than the
+    scratch memory's room was not searched. `widths` are the squared radii of the circles as fractions of the ball's."""
 
     places: array(dtype=int32)
     slots: int
@@ -472,13 +407,12 @@ class BallFaces:
 
 @func
 def neighbor_at(scratch: BallScratch, j: int) -> vec3d:
-    """A neighbour's place about the point."""
     return vec3d(scratch.xs[j], scratch.ys[j], scratch.zs[j])
 
 
 @func
 def gather_neighbors(place: int, points: BallPoints, scratch: BallScratch, base: int) -> int:
-    """List the neighbours of a point by distance; how many, of which only `room` are listed."""
+    """List up to `room` neighbors of a point by distance. Return their total number."""
     p = points.tree.points[place]
     held = 0
     for j, sqdist in points_in_reach(place // BUCKET, p, points.reach, points.tree):
@@ -512,7 +446,7 @@ def is_empty_ball(
     base: int,
     held: int,
 ) -> int:
-    """1 where no neighbour lies in the ball on a point and two of its neighbours, on one side of them."""
+    """1 if no neighbor is in the ball on a point and two of its neighbors."""
     b = neighbor_at(scratch, jb)
     c = neighbor_at(scratch, jc)
     x = ball_center(b, c, root, side)
@@ -539,7 +473,6 @@ def is_empty_ball(
 
 @func
 def write_ends(b: vec3d, u: vec3d, v: vec3d, height: float64, count: int, scratch: BallScratch, at: int):
-    """The centres at the ends of the arcs, and how far the others sag between them."""
     middle = b * 0.5
     slack = float64(NEAR) * (height + sqrt(dot(b, b)))  # more than NEAR of the radius
     for k in range(count):
@@ -554,7 +487,6 @@ def write_ends(b: vec3d, u: vec3d, v: vec3d, height: float64, count: int, scratc
 
 @func
 def touches_arcs(q: vec3d, size: float64, count: int, scratch: BallScratch, at: int) -> int:
-    """1 where a point may lie in a ball of the arcs whose ends are known."""
     touches = 0
     for k in range(count):
         if passes_arc(q, size, scratch.ends[at + 2 * k], scratch.ends[at + 2 * k + 1], scratch.sags[at + k]) == 0:
@@ -564,12 +496,7 @@ def touches_arcs(q: vec3d, size: float64, count: int, scratch: BallScratch, at: 
 
 @func
 def free_arcs(jb: int, u: vec3d, v: vec3d, height: float64, scratch: BallScratch, base: int, held: int, at: int) -> int:
-    """The arcs of the circle of centres over a point and a neighbour where no other neighbour lies inside; how many.
-
-    First those cut that lie between the two, in the ball about both: more than half the circle each, so that two end
-    most searches. After some more the others mostly do not reach what is left, which is seen from the centres at its
-    ends sooner than it is cut.
-    """
+    """Number of remaining arcs of the circle of centers over two points. Neighbors between both go first."""
     b = neighbor_at(scratch, jb)
     length = scratch.sizes[jb]
     count = 1
@@ -609,7 +536,6 @@ def free_arcs(jb: int, u: vec3d, v: vec3d, height: float64, scratch: BallScratch
 
 @func
 def store_face(place: int, b: int, c: int, width: float, row: int, found: int, faces: BallFaces):
-    """Keep a triangle where there is room."""
     if found < faces.slots:
         faces.corners[row * faces.slots + found] = vec3i(place, b, c)
         faces.widths[row * faces.slots + found] = width
@@ -629,7 +555,7 @@ def try_faces(
     found: int,
     faces: BallFaces,
 ) -> int:
-    """Store the triangles of a point, a neighbour and what touches the ends of the arcs left; how many there are."""
+    """Store the triangles of a point, a neighbor, and points that touch arc ends. Return their number."""
     total = found
     b = neighbor_at(scratch, jb)
     other = scratch.places[jb]
@@ -668,7 +594,7 @@ def try_faces(
 def find_faces(
     place: int, row: int, thread: int, points: BallPoints, scratch: BallScratch, held: int, faces: BallFaces
 ) -> int:
-    """The triangles of a point whose other corners lie behind it on the curve; how many."""
+    """Find triangles of a point whose other corners follow it in tree order. Return their number."""
     base = thread * scratch.room
     at = thread * 2 * ARCS
     found = 0
@@ -689,7 +615,6 @@ def find_faces(
 
 @kernel
 def find_faces_kernel(points: BallPoints, scratch: BallScratch, faces: BallFaces):
-    """The triangles of the points of a run, one after the other."""
     i = tid()
     for row in range(i * scratch.run, min((i + 1) * scratch.run, faces.places.shape[0])):
         place = faces.places[row]
@@ -705,7 +630,6 @@ def find_faces_kernel(points: BallPoints, scratch: BallScratch, faces: BallFaces
 def pack_faces_kernel(
     faces: BallFaces, offsets: array(dtype=int32), corners: array(dtype=vec3i), widths: array(dtype=float32)
 ):
-    """The triangles of points that had enough room, one after the other."""
     i = tid()
     for j in range(offsets[i + 1] - offsets[i]):
         corners[offsets[i] + j] = faces.corners[i * faces.slots + j]
@@ -716,10 +640,7 @@ def pack_faces_kernel(
 def part_crowd_kernel(
     faces: BallFaces, room: int, usable: array(dtype=int32), again: array(dtype=int32), most: array(dtype=int32)
 ):
-    """The triangles of points that had enough room, 1 at those that had not, and the most that any asked for.
-
-    The maxima of whole numbers are the same in any order; a plain read spares the atomic where nothing would change.
-    """
+    """Count triangles, mark points without enough room, compute the maximum (atomic if the plain value is lower)."""
     i = tid()
     held = faces.held[i]
     count = faces.counts[i]
@@ -737,24 +658,14 @@ def part_crowd_kernel(
 
 @kernel
 def list_crowd_kernel(places: array(dtype=int32), ranks: array(dtype=int32), crowd: array(dtype=int32)):
-    """The places of points that had not enough room."""
     i = tid()
     if ranks[i + 1] > ranks[i]:
         crowd[ranks[i]] = places[i]
 
 
 def list_faces(points: BallPoints, places: Integers) -> tuple[Triangles, Scalars]:
-    """The triangles whose first corner on the curve is one of the points at these places.
-
-    Args:
-        points: BallPoints.
-        places: int32 device array.
-
-    Returns:
-        (corners, widths): vec3i [t], places in the tree, counter-clockwise seen from the ball; float32 [t], the squared
-            radius of each one's circle as a share of the ball's. One wait for the device a part, and one more where
-            points need more room than others.
-    """
+    """Triangles with a first corner at `places`: (corners vec3i [t], counter-clockwise seen from the ball; widths
+    float32 [t]). One sync per batch, and one more if points need more room."""
     device, found = places.device, []
     for begin in range(0, places.size, PART):
         left, room, slots = places[begin : min(begin + PART, places.size)], FIRST_ROOM, FIRST_SLOTS
@@ -774,7 +685,7 @@ def list_faces(points: BallPoints, places: Integers) -> tuple[Triangles, Scalars
             crowd = empty(rest, int32, device)
             launch(list_crowd_kernel, left.size if rest else 0, [left, ranks, crowd])
             left = crowd
-            room = min(4 * room, held) if held > room else room  # most of the crowd need less than the worst
+            room = min(4 * room, held) if held > room else room  # most of these need less than the maximum
             slots = max(slots, count)
     none = [(empty(0, vec3i, device), empty(0, float32, device))]
     corners, widths = zip(*(found or none), strict=True)

@@ -1,22 +1,9 @@
-"""Ball pivoting without an order: radius by radius, the triangles of all empty balls, and their conflicts settled.
+"""Order-independent ball pivoting: all triangles with an empty ball per radius, then conflict resolution.
 
-The triangles on which an empty ball of one radius rests are faces of the Delaunay tetrahedra, so no two of them cut
-through each other; ball_faces.py finds them, then it is settled who takes an edge. A larger radius is for what
-the smaller ones left: points without a triangle, and those of edges with one triangle.
-
-20 B a point for a second tree where some points take no part; 100 B a point for each radius, and 60 B a half-edge.
-
-Which triangles stay where several want the same side of an edge, and which points the next radius is for. Of all
-triangles at most one runs an edge in each direction; so every edge has at most two, and neighbours turn the same way.
-The choice is greedy and free of any order: in each round a triangle is taken that comes before all undecided ones it
-shares a directed edge with, by (the radius of its circle, its vertices), and those that share one with a triangle taken
-are refused. What earlier radii took stays.
-
-Triangles of a later radius grow from what is there: one waits unless it touches a point that no triangle had before
-this radius, or lies on an edge that has a triangle on its other side only.
-
-A round reads the half-edges around three vertices a triangle that is still undecided; some ten rounds of ever fewer.
-About 60 B a half-edge, most of it for one sort.
+At most one triangle may use a directed edge. Each round accepts the triangles that precede, by (circle radius,
+vertices), all undecided ones on their directed edges, and rejects those that share one with an accepted triangle. Later
+radii process points without a triangle or on boundary edges, and grow from accepted triangles. 100 B per point and
+radius, 60 B per half-edge.
 """
 
 from collections.abc import Callable, Iterable
@@ -56,25 +43,15 @@ REFUSED, UNDECIDED, TAKEN = 0, 1, 2
 
 @kernel
 def find_ends_kernel(triangles: array(dtype=vec3i), around: CornersByVertex, ends: array(dtype=int32)):
-    """The vertices that the half-edges run to, listed by the vertices that they start from."""
     i = tid()
     ends[i] = corner_vertex(triangles, next_corner(around.corners[i]))
 
 
 @struct
 class BallMesh:
-    """Triangles that are taken, undecided or refused, and the half-edges that start from each vertex.
-
-    Attributes:
-        triangles: vec3i [t], those of earlier radii first.
-        widths: float32 [t], by which they are taken first.
-        around: The half-edges by vertex: half-edge h starts from corner h.
-        ends: int32 [3 t], the vertices that they run to, in the order of `around`.
-        states: uint8 [t].
-        waiting: uint8 [t], 1 where a triangle has nothing yet to grow from.
-        seen: uint8 [n], 1 at vertices that had a triangle before this radius.
-        order: int32 [n], the numbers by which triangles are compared where their circles are equal.
-    """
+    """Accepted, undecided and rejected triangles, and the half-edges by start vertex. Triangles of earlier radii come
+    first. `ends` follow the order of `around`. `waiting` marks triangles that have nothing to grow from yet, `seen` the
+    vertices that had a triangle before this radius. `order` breaks ties between equal circles."""
 
     triangles: array(dtype=vec3i)
     widths: array(dtype=float32)
@@ -98,7 +75,6 @@ class BallMesh:
 
 @func
 def sorted_corners(t: vec3i, order: array(dtype=int32)) -> vec3i:
-    """The numbers of a triangle's vertices, ascending."""
     a = order[t[0]]
     b = order[t[1]]
     c = order[t[2]]
@@ -110,7 +86,6 @@ def sorted_corners(t: vec3i, order: array(dtype=int32)) -> vec3i:
 
 @func
 def comes_before(a: int, b: int, mesh: BallMesh) -> int:
-    """1 where triangle a is taken rather than b."""
     before = 0
     if mesh.widths[a] < mesh.widths[b]:
         before = 1
@@ -124,7 +99,6 @@ def comes_before(a: int, b: int, mesh: BallMesh) -> int:
 
 @func
 def has_taken_edge(a: int, b: int, mesh: BallMesh) -> int:
-    """1 where a triangle that is taken runs from a to b."""
     found = 0
     for j in range(mesh.around.starts[a], mesh.around.starts[a + 1]):
         if mesh.ends[j] == b:
@@ -135,7 +109,7 @@ def has_taken_edge(a: int, b: int, mesh: BallMesh) -> int:
 
 @func
 def can_grow(t: int, mesh: BallMesh) -> int:
-    """1 where a triangle touches a vertex that had none, or lies on an edge with one on its other side only."""
+    """1 if a triangle touches a new vertex or an edge with a triangle on its other side only."""
     grows = 0
     for k in range(3):
         a = corner_vertex(mesh.triangles, 3 * t + k)
@@ -149,7 +123,7 @@ def can_grow(t: int, mesh: BallMesh) -> int:
 
 @kernel
 def find_waiting_kernel(undecided: array(dtype=int32), mesh: BallMesh, changed: array(dtype=int32)):
-    """Which triangles have nothing yet to grow from; nothing has changed in this round yet."""
+    """Mark triangles that have nothing to grow from yet, and reset `changed`."""
     i = tid()
     if i == 0:
         changed[0] = 0
@@ -160,7 +134,6 @@ def find_waiting_kernel(undecided: array(dtype=int32), mesh: BallMesh, changed: 
 
 @kernel
 def decide_kernel(undecided: array(dtype=int32), mesh: BallMesh, decided: array(dtype=uint8)):
-    """The state of each undecided triangle after this round; others keep theirs."""
     i = tid()
     t = undecided[i]
     state = int(TAKEN)
@@ -193,7 +166,7 @@ def settle_kernel(
     left: array(dtype=uint8),
     changed: array(dtype=int32),
 ):
-    """Make the round's decisions; 1 where there is none yet. Whichever thread notes a change, it writes 1."""
+    """Apply the decisions of a round and mark undecided triangles. All threads that write `changed` write 1."""
     i = tid()
     t = undecided[i]
     if mesh.states[t] != decided[i]:
@@ -207,10 +180,7 @@ def settle_kernel(
 
 @kernel
 def mark_taken_kernel(mesh: BallMesh, asked: array(dtype=uint8), taken: array(dtype=uint8), rims: array(dtype=uint8)):
-    """Mark the vertices that have triangles, and those of edges with one triangle; all threads write the same.
-
-    An edge with one triangle lies between two vertices that were asked for: the others have all their triangles.
-    """
+    """Mark vertices that have triangles, and those on boundary edges between searched ones (same value written)."""
     i = tid()
     if mesh.states[i] == uint8(TAKEN):
         for k in range(3):
@@ -225,7 +195,7 @@ def mark_taken_kernel(mesh: BallMesh, asked: array(dtype=uint8), taken: array(dt
 
 @kernel
 def ask_again_kernel(seen: array(dtype=uint8), rims: array(dtype=uint8), asked: array(dtype=uint8)):
-    """The vertices that the next radius is for: without a triangle, or of an edge with one triangle."""
+    """Mark vertices for the next radius: without a triangle, or on a boundary edge."""
     i = tid()
     wanted = 0
     if seen[i] == 0 or rims[i] != 0:
@@ -237,7 +207,7 @@ def ask_again_kernel(seen: array(dtype=uint8), rims: array(dtype=uint8), asked: 
 def part_triangles_kernel(
     mesh: BallMesh, asked: array(dtype=uint8), open: array(dtype=uint8), closed: array(dtype=uint8)
 ):
-    """Part the triangles that are taken: those of a vertex that is asked for, and the others."""
+    """Split accepted triangles into those with a vertex to be searched again and the others."""
     i = tid()
     near = 0
     far = 0
@@ -252,10 +222,7 @@ def part_triangles_kernel(
 
 
 def settle_conflicts(mesh: BallMesh, first: int) -> None:
-    """Decide which triangles are taken; those from number `first` on are undecided. No wait.
-
-    On CUDA the rounds are one loop of the device over all of them, on the CPU each takes what the one before left.
-    """
+    """Decide which triangles from number `first` on are accepted, in one device loop on CUDA. No sync."""
     device = mesh.triangles.device
     undecided = (
         positions(mesh.triangles.size, device)[first:] if first < mesh.triangles.size else empty(0, int32, device)
@@ -280,17 +247,8 @@ def settle_conflicts(mesh: BallMesh, first: int) -> None:
 
 
 def close_radius(mesh: BallMesh, asked: Bytes) -> tuple[Triangles, Triangles, Indices]:
-    """What a radius leaves: which vertices the next is for, and its triangles in two parts.
-
-    Args:
-        mesh: A BallMesh whose conflicts are settled.
-        asked: uint8 [n], the vertices that this radius was for; gets those that the next is for. `mesh.seen` gets those
-            that have triangles.
-
-    Returns:
-        (open, closed, places): vec3i triangles of vertices that the next radius is for, and all others; and those
-        vertices, int32. One sync.
-    """
+    """Split the accepted triangles and select the vertices for the next radius; updates `asked` and `mesh.seen`. One
+    sync. Returns (open, closed, places): triangles with selected vertices, others, and the selected vertices."""
     device = asked.device
     rims = zeros(asked.size, uint8, device)
     near, far = (empty(mesh.triangles.size, uint8, device) for _ in range(2))
@@ -301,12 +259,11 @@ def close_radius(mesh: BallMesh, asked: Bytes) -> tuple[Triangles, Triangles, In
     return gather_triangles(mesh.triangles, open_rows), gather_triangles(mesh.triangles, closed_rows), places
 
 
-SAMPLE = 64  # points by which the number of neighbours is guessed
+SAMPLE = 64  # points used to estimate the number of neighbors
 
 
 @kernel
 def mark_facing_kernel(points: array(dtype=vec3), normals: array(dtype=vec3), facing: array(dtype=uint8)):
-    """1 at points that are finite and have a normal."""
     i = tid()
     n = widen(normals[i])
     valid = 0
@@ -318,7 +275,7 @@ def mark_facing_kernel(points: array(dtype=vec3), normals: array(dtype=vec3), fa
 
 @kernel
 def mark_repeated_kernel(points: array(dtype=vec3), marks: array(dtype=uint8)):
-    """1 where a point in the tree's order equals the one before."""
+    """1 where a point equals its predecessor in tree order."""
     i = tid()
     repeated = 0
     if i > 0:
@@ -328,7 +285,6 @@ def mark_repeated_kernel(points: array(dtype=vec3), marks: array(dtype=uint8)):
 
 @func
 def turned_first(t: vec3i) -> vec3i:
-    """The triangle from its lowest vertex on."""
     first = t + vec3i(0, 0, 0)
     if t[1] < t[0] and t[1] < t[2]:
         first = vec3i(t[1], t[2], t[0])
@@ -339,7 +295,7 @@ def turned_first(t: vec3i) -> vec3i:
 
 @kernel
 def name_corners_kernel(rows: array(dtype=int32), bits: int, triangles: array(dtype=vec3i), keys: array(dtype=int64)):
-    """Name corners by rows, not places, the lowest first; the key is the first edge, which no other has."""
+    """Replace places by rows, the lowest first; the key is the first edge, which is unique."""
     i = tid()
     t = triangles[i]
     named = turned_first(vec3i(rows[t[0]], rows[t[1]], rows[t[2]]))
@@ -349,13 +305,12 @@ def name_corners_kernel(rows: array(dtype=int32), bits: int, triangles: array(dt
 
 @kernel
 def sample_points_kernel(points: array(dtype=vec3), places: array(dtype=int32), step: int, sample: array(dtype=vec3)):
-    """The points at every so-many-th place."""
     i = tid()
     sample[i] = points[places[i * step]]
 
 
 def count_around(tree: PointTree, places: Indices, radius: float) -> float:
-    """The mean number of points within a radius [m] of points at some places in a tree, of at most SAMPLE of these."""
+    """Mean number of points within a radius [m] of at most SAMPLE of some points of a tree."""
     step = -(-places.size // SAMPLE)
     size = -(-places.size // step)
     sample, counts = empty(size, vec3, tree.device), empty(size, int32, tree.device)
@@ -365,17 +320,7 @@ def count_around(tree: PointTree, places: Indices, radius: float) -> float:
 
 
 class RollingBall:
-    """The points of a cloud that balls roll over: finite, with a normal, the first of those at one place.
-
-    Args:
-        points, normals: Device arrays of vec3 [n].
-        grown: A function that gives the tree over the points.
-
-    Attributes:
-        tree: A PointTree over those that take part.
-        rows: int32, their rows by place in the tree.
-        normals: By place.
-    """
+    """Points that balls roll over: finite, with a normal, without duplicates. `grown` builds the tree over points."""
 
     def __init__(self, points: Points, normals: Vectors, grown: Callable[[], PointTree]) -> None:
         device = points.device
@@ -393,7 +338,7 @@ class RollingBall:
         self.normals = gather_rows(normals, self.rows[: self.tree.count]) if self.tree.count else empty(0, vec3, device)
 
     def _mark_repeated(self) -> Mask:
-        """1 where points that follow each other in the tree are equal; others that are do no harm but to time."""
+        """Mark points equal to their predecessor in the tree. Other duplicates only cost time."""
         marks = empty(self.tree.count, uint8, self.tree.device)
         launch(mark_repeated_kernel, self.tree.count, [self.tree.points, marks])
         return marks
@@ -401,16 +346,8 @@ class RollingBall:
     def roll(
         self, radii: Iterable[float], row_count: int, check: Callable[[PointTree, float, Indices], None]
     ) -> Triangles:
-        """The triangles of balls of these radii [m], one after the other.
-
-        Args:
-            radii: Positive numbers.
-            row_count: Rows of the cloud.
-            check: Called with each radius and the places it is for, before it is searched; refuses what takes too long.
-
-        Returns:
-            vec3i [t], rows of the cloud, by ascending first and second corner; the first is the lowest of the three.
-        """
+        """Triangles of balls of the given radii [m], as rows of the cloud, the lowest first, sorted. `check` is called
+        with each radius and its points before the search, and may raise if it would take too long."""
         device, count = self.tree.device, self.tree.count
         asked, seen = full(count, 1, uint8, device), zeros(count, uint8, device)
         open, parts = empty(0, vec3i, device), []

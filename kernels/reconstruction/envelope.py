@@ -1,9 +1,7 @@
-"""Which corners of an octree lie outside a closed mesh: where a reconstruction is held to be outside, too.
+"""Keep a reconstruction within a closed mesh: octree corners outside it are set to outside.
 
-By the generalised winding number, the sum of the triangles' solid angles (Van Oosterom and Strackee, "The solid angle
-of a plane triangle", IEEE TBME 30(2), 1983) in float64 and in their order, so holes of rounding and the triangles'
-common direction do not matter; corners outside the mesh's box are decided by that. One thread a slot, each reading all
-triangles: for envelopes of some thousand triangles at most.
+By the generalized winding number in float64 (Van Oosterom and Strackee, "The solid angle of a plane triangle", IEEE
+TBME 30(2), 1983). Each thread reads all triangles, so envelopes should have some thousand triangles at most.
 """
 
 import numpy as np
@@ -31,20 +29,13 @@ from ..lang import (
 from .octree_levels import SLOTS, OctreeLevel, slot_place
 from .sample_cells import Cube
 
-OUTSIDE = 0.5  # the function's value there: it rises by 1 across the surface, and is about 0 on it
+OUTSIDE = 0.5  # value of the function there: it rises by 1 across the surface, and is about 0 on it
 FULL_ANGLE = 12.566370614359172  # 4 pi
 
 
 @struct
 class Envelope:
-    """A closed mesh.
-
-    Attributes:
-        vertices: vec3 [m], relative to the cloud's origin.
-        triangles: vec3i [t].
-        count: t.
-        low, high: Its box.
-    """
+    """A closed mesh, its vertices relative to the cloud's origin, and its bounding box."""
 
     vertices: array(dtype=vec3)
     triangles: array(dtype=vec3i)
@@ -59,7 +50,6 @@ class Envelope:
 
 @func
 def solid_angle(a: vec3d, b: vec3d, c: vec3d) -> float64:
-    """Half of the solid angle that a triangle takes up, seen from zero."""
     la = length(a)
     lb = length(b)
     lc = length(c)
@@ -69,7 +59,6 @@ def solid_angle(a: vec3d, b: vec3d, c: vec3d) -> float64:
 
 @func
 def is_enclosed(p: vec3d, envelope: Envelope) -> int:
-    """1 for places inside the mesh."""
     inside = 1
     for axis in range(3):
         if p[axis] < float64(envelope.low[axis]) or p[axis] > float64(envelope.high[axis]):
@@ -91,10 +80,7 @@ def is_enclosed(p: vec3d, envelope: Envelope) -> int:
 def hold_outside_kernel(
     level: OctreeLevel, cube: Cube, envelope: Envelope, mask: array(dtype=uint8), values: array(dtype=float32)
 ):
-    """Set the function at unknowns outside the envelope, which are unknown no more.
-
-    What a finer level takes from the one above at its rim stays, so that the function is continuous there.
-    """
+    """Set the function outside the envelope; values from the coarser level at the rim stay, for continuity."""
     i = tid()
     if mask[i] != 0:
         color = i // level.count
@@ -107,5 +93,5 @@ def hold_outside_kernel(
 
 
 def hold_outside(level: OctreeLevel, cube: Cube, envelope: Envelope, mask: Mask, values: Scalars) -> None:
-    """Set a level's values outside an envelope; `mask` tells its unknowns, by colour and block (uint8)."""
+    """Set the values of a level outside an envelope; `mask` marks unknowns by color and block (uint8)."""
     launch(hold_outside_kernel, mask.size, [level, cube, envelope, mask, values])

@@ -1,8 +1,7 @@
-"""Vertices on the edges of an octree's undivided cells where a function on their corners passes zero.
+"""Vertices on edges of undivided octree cells where a function on the corners crosses zero.
 
-One vertex for each edge that no cell divides further. The function is linear along a coarse edge beside finer cells, so
-it crosses one of the edge's halves where it crosses the edge. A thread a block; 12 B a block, and 4 B a slot for the
-function less its value on the surface.
+One vertex per edge that no cell divides further. The function is linear along a coarse edge next to finer cells, so it
+crosses one half of the edge. One thread per block; 12 B per block and 4 B per slot.
 """
 
 from ..algebra.transform import narrow, widen
@@ -33,14 +32,7 @@ HALVINGS = 24  # of an edge, to a float32's precision
 
 @struct
 class LevelSurface:
-    """A level's part of the surface.
-
-    Attributes:
-        level: The OctreeLevel.
-        values: float32 [slots], the function at the corners, less the value on the surface.
-        crossings: int32 [blocks], bit 3 * corner + axis for the edges that hold a vertex.
-        firsts: int32 [blocks + 1], the first vertex of each block, behind those of the levels above.
-    """
+    """Part of the surface on one level, with relative `values`. Bits 3 * corner + axis of `crossings` mark edges."""
 
     level: OctreeLevel
     values: array(dtype=float32)
@@ -48,10 +40,7 @@ class LevelSurface:
     firsts: array(dtype=int32)
 
     def __init__(self, level: OctreeLevel, values: Scalars, iso: Array1[vec2d], counts: Integers) -> None:
-        """What crosses the surface; the vertices of each block to `counts`. `firsts` follows from those of all levels.
-
-        `iso` is the value on the surface: (sum, weight).
-        """
+        """Find the crossings and write the vertex count of each block to `counts`. `iso` is (sum, weight)."""
         self.level, self.values = level, empty(values.size, float32, level.device)
         self.crossings = empty(level.count, int32, level.device)
         launch(lower_to_surface_kernel, values.size, [values, iso, self.values])
@@ -60,14 +49,12 @@ class LevelSurface:
 
 @kernel
 def lower_to_surface_kernel(values: array(dtype=float32), iso: array(dtype=vec2d), lowered: array(dtype=float32)):
-    """The function less its value on the surface."""
     i = tid()
     lowered[i] = values[i] - float(iso[0][0] / iso[0][1])
 
 
 @func
 def along(axis: int) -> vec3i:
-    """One step along an axis."""
     step = vec3i(1, 0, 0)
     if axis == 1:
         step = vec3i(0, 1, 0)
@@ -78,13 +65,11 @@ def along(axis: int) -> vec3i:
 
 @func
 def slot_after(slot: int, step: vec3i, level: OctreeLevel) -> int:
-    """The slot some steps away."""
     return neighbor_slot(slot, step[0], step[1], step[2], level)
 
 
 @func
 def differ(a: float, b: float) -> int:
-    """1 where one of two values is below zero and the other is not."""
     found = 0
     if (a < 0.0 and b >= 0.0) or (a >= 0.0 and b < 0.0):
         found = 1
@@ -93,7 +78,7 @@ def differ(a: float, b: float) -> int:
 
 @func
 def holds_vertex(slot: int, axis: int, level: OctreeLevel, values: array(dtype=float32)) -> int:
-    """1 for an edge of cells none of which is divided, whose ends lie on different sides."""
+    """1 for an edge of undivided cells whose ends have different signs."""
     found = 0
     end = slot_after(slot, along(axis), level)
     if end >= 0:
@@ -118,7 +103,6 @@ def holds_vertex(slot: int, axis: int, level: OctreeLevel, values: array(dtype=f
 def mark_crossings_kernel(
     level: OctreeLevel, values: array(dtype=float32), crossings: array(dtype=int32), counts: array(dtype=int32)
 ):
-    """The edges of each block that hold a vertex."""
     i = tid()
     bits = 0
     n = int(8)
@@ -133,7 +117,7 @@ def mark_crossings_kernel(
 
 @func
 def own_vertex(slot: int, axis: int, surface: LevelSurface) -> int:
-    """The vertex on an edge of this level, -1 where it holds none."""
+    """Vertex on an edge of this level, or -1."""
     block = slot // SLOTS
     bit = 3 * (slot - SLOTS * block) + axis
     bits = surface.crossings[block]
@@ -145,7 +129,7 @@ def own_vertex(slot: int, axis: int, surface: LevelSurface) -> int:
 
 @func
 def edge_vertex(slot: int, axis: int, surface: LevelSurface, below: LevelSurface) -> int:
-    """The vertex on an edge of this level that crosses the surface: its own, or that of one of its halves."""
+    """Vertex on an edge that crosses the surface: its own, or that of one of its halves."""
     vertex = own_vertex(slot, axis, surface)
     if vertex < 0:
         first = SLOTS * surface.level.children[slot]
@@ -157,7 +141,6 @@ def edge_vertex(slot: int, axis: int, surface: LevelSurface, below: LevelSurface
 
 @func
 def difference_along(slot: int, step: vec3i, level: OctreeLevel, values: array(dtype=float32)) -> float:
-    """The derivative at a corner, a cell's width being 1: from both sides where there are both."""
     ahead = slot_after(slot, step, level)
     behind = slot_after(slot, -step, level)
     slope = 0.0
@@ -172,7 +155,6 @@ def difference_along(slot: int, step: vec3i, level: OctreeLevel, values: array(d
 
 @func
 def gradient_at(slot: int, level: OctreeLevel, values: array(dtype=float32)) -> vec3:
-    """The derivatives at a corner along the three axes."""
     x = difference_along(slot, vec3i(1, 0, 0), level, values)
     y = difference_along(slot, vec3i(0, 1, 0), level, values)
     z = difference_along(slot, vec3i(0, 0, 1), level, values)
@@ -181,10 +163,7 @@ def gradient_at(slot: int, level: OctreeLevel, values: array(dtype=float32)) -> 
 
 @func
 def crossing_share(a: float, b: float, slope_a: float, slope_b: float, is_linear: int) -> float:
-    """Where between 0 and 1 a function is zero that is a and b there: a line, or a parabola.
-
-    Of the slopes only their ratio counts: scaled, so that their mean is b - a, they make the Hermite cubic a parabola.
-    """
+    """Zero in 0..1 of a line, or of a parabola: the Hermite cubic with slopes scaled to a mean of b - a."""
     share = a / (a - b)
     if is_linear == 0:
         rise = b - a
@@ -214,7 +193,7 @@ def write_vertices_kernel(
     slots: array(dtype=int32),
     places: array(dtype=vec3),
 ):
-    """Position, unit normal, slot and place in the cube of the vertices of a block."""
+    """Position, unit normal, slot, and cube coordinates of the vertices of a block."""
     i = tid()
     bits = surface.crossings[i]
     vertex = surface.firsts[i]

@@ -1,13 +1,9 @@
-"""The levels of an adaptive octree as arrays: cells and their corners, in blocks of eight.
+"""Levels of an adaptive octree as arrays: cells and corners in blocks of eight.
 
-Level d has 2^d cells an axis. The cell (x, y, z) and the corner (x, y, z), its lowest one, share a slot; eight slots
-with the same halved place are a block, in the order x + 2 y + 4 z. So a block of level d belongs to one slot of level
-d - 1, its parent, and a level is made from the one above without a hash: the neighbour of a block is the child of the
-neighbour of its parent. A block exists where one of its slots is a corner of a cell that exists; those whose parent is
-divided hold cells, the others, the halo, only corners.
-
-Balance: a cell is divided together with its 26 neighbours, so each divided cell has all its neighbours, and cells that
-touch differ by one level at most. 180 B a block: 108 of them its neighbours.
+Level d has 2^d cells per axis. A cell and its lowest corner share a slot, and eight slots with the same halved position
+form a block (x + 2 y + 4 z), the child of a slot of level d - 1: no hash is needed. Blocks with a divided parent
+contain cells, halo blocks only corners. A cell is divided together with its 26 neighbors, so adjacent cells differ by
+one level at most. 180 B per block.
 """
 
 import numpy as np
@@ -18,23 +14,14 @@ from ..lang import array, func, int32, kernel, launch, struct, tid, uint8, vec3i
 from ..memory import check_room, empty, fill, full, upload, zeros
 
 SLOTS = 8  # of a block
-AROUND = 27  # blocks around a block, itself included
+AROUND = 27  # blocks around a block, including itself
 
 
 @struct
 class OctreeLevel:
-    """One level of the tree.
-
-    Attributes:
-        depth: Its number; it has 2^depth cells an axis.
-        count: Blocks.
-        places: vec3i [count], the place of each block: half of its first slot's.
-        parents: int32 [count], the slot of each block on the level above; -1 on level 1, the first.
-        has_cells: uint8 [count], 1 where the parent is divided.
-        around: int32 [27 * count], the blocks around each, x slowest; -1 where there is none.
-        divided: uint8 [8 * count], 1 for cells with children.
-        children: int32 [8 * count], the block of the next level that belongs to each slot, or -1.
-    """
+    """One level of the tree with `count` blocks of eight slots. `places` are half the positions of first slots.
+    `parents` are slots of the level above (-1 on level 1). `around` are the 27 blocks around each, x slowest, -1 for
+    none. `children` are blocks of the next level by slot, or -1."""
 
     depth: int
     count: int
@@ -54,7 +41,7 @@ class OctreeLevel:
 
 @func
 def slot_beside(around: array(dtype=int32), block: int, x: int, y: int, z: int) -> int:
-    """The slot at (x, y, z), each -2..3, from a block's first slot; -1 where there is none."""
+    """Slot at (x, y, z), each -2..3, from the first slot of a block; -1 for none."""
     other = around[AROUND * block + 9 * ((x >> 1) + 1) + 3 * ((y >> 1) + 1) + (z >> 1) + 1]
     slot = -1
     if other >= 0:
@@ -64,14 +51,12 @@ def slot_beside(around: array(dtype=int32), block: int, x: int, y: int, z: int) 
 
 @func
 def slot_place(slot: int, level: OctreeLevel) -> vec3i:
-    """The place of a slot, in cells of its level."""
     place = level.places[slot // SLOTS]
     return vec3i(2 * place[0] + (slot & 1), 2 * place[1] + ((slot >> 1) & 1), 2 * place[2] + ((slot >> 2) & 1))
 
 
 @func
 def is_cell(slot: int, level: OctreeLevel) -> int:
-    """1 where there is a cell at the slot."""
     found = 0
     if slot >= 0:
         found = int(level.has_cells[slot // SLOTS])
@@ -80,7 +65,6 @@ def is_cell(slot: int, level: OctreeLevel) -> int:
 
 @func
 def is_divided(slot: int, level: OctreeLevel) -> int:
-    """1 where there is a cell with children at the slot."""
     found = 0
     if slot >= 0:
         found = int(level.divided[slot])
@@ -89,7 +73,7 @@ def is_divided(slot: int, level: OctreeLevel) -> int:
 
 @func
 def neighbor_slot(slot: int, x: int, y: int, z: int, level: OctreeLevel) -> int:
-    """The slot at an offset of -2..2 an axis from another; -1 where there is none."""
+    """Slot at an offset of -2..2 per axis, or -1."""
     return slot_beside(
         level.around, slot // SLOTS, x + (slot & 1), y + ((slot >> 1) & 1), z + ((slot >> 2) & 1)
     )  # fmt: skip
@@ -97,7 +81,7 @@ def neighbor_slot(slot: int, x: int, y: int, z: int, level: OctreeLevel) -> int:
 
 @kernel
 def divide_around_kernel(wanted: array(dtype=int32), level: OctreeLevel):
-    """Divide the cells wanted and their neighbours; whichever thread writes, it writes 1. No cell where it is -1."""
+    """Divide the given cells (-1 for none) and their neighbors; all threads write 1."""
     i = tid()
     n = int(3)
     if wanted[i] < 0:
@@ -112,14 +96,12 @@ def divide_around_kernel(wanted: array(dtype=int32), level: OctreeLevel):
 
 @kernel
 def divide_all_kernel(level: OctreeLevel):
-    """Divide all cells."""
     i = tid()
     level.divided[i] = level.has_cells[i // SLOTS]
 
 
 @kernel
 def mark_children_kernel(level: OctreeLevel, marks: array(dtype=int32)):
-    """1 for slots that are a corner of a divided cell: they need a block on the next level."""
     i = tid()
     mark = 0
     n = int(2)
@@ -133,7 +115,7 @@ def mark_children_kernel(level: OctreeLevel, marks: array(dtype=int32)):
 
 @kernel
 def begin_blocks_kernel(level: OctreeLevel, marks: array(dtype=int32), offsets: array(dtype=int32), below: OctreeLevel):
-    """The blocks of the next level, in the order of their parents."""
+    """Create the blocks of the next level in the order of their parents."""
     i = tid()
     if marks[i] == 1:
         block = offsets[i]
@@ -145,7 +127,7 @@ def begin_blocks_kernel(level: OctreeLevel, marks: array(dtype=int32), offsets: 
 
 @kernel
 def find_blocks_around_kernel(level: OctreeLevel, below: OctreeLevel):
-    """The blocks around each of the next level's: the children of the slots around its parent."""
+    """Neighbors of each new block: the children of the slots around its parent."""
     i = tid()
     parent = below.parents[i]
     at = AROUND * i
@@ -162,10 +144,7 @@ def find_blocks_around_kernel(level: OctreeLevel, below: OctreeLevel):
 
 
 def first_levels(device: Device) -> tuple[OctreeLevel, OctreeLevel]:
-    """(level 0, level 1), where the tree begins: one block of the cube's octants, a halo of seven for its far corners.
-
-    Of level 0 there is nothing but the child of its one cell.
-    """
+    """Level 0, which stores only its child, and level 1: one block of octants and a halo of seven."""
     root = OctreeLevel(0, 1, device)
     fill(root.children, 0)
     level = OctreeLevel(1, SLOTS, device)
@@ -181,18 +160,7 @@ def first_levels(device: Device) -> tuple[OctreeLevel, OctreeLevel]:
 
 
 def next_level(level: OctreeLevel, block_bytes: int, is_full: bool = False) -> OctreeLevel | None:
-    """The level below one whose divided cells are marked; None where none is.
-
-    One sync: a level's size follows from the one above alone, and decides what is allocated.
-
-    Args:
-        level: The level above.
-        block_bytes: What its owner will need for each block of the new level.
-        is_full: All cells that the level could have are divided: no sync.
-
-    Raises:
-        MemoryError: The device has no room for it; nothing of it was allocated.
-    """
+    """Next level for the marked cells, or None. One sync unless `is_full`. Raises MemoryError before any allocation."""
     slots, device = SLOTS * level.count, level.device
     marks = empty(slots, int32, device)
     launch(mark_children_kernel, slots, [level, marks])
@@ -210,7 +178,7 @@ def next_level(level: OctreeLevel, block_bytes: int, is_full: bool = False) -> O
 
 
 def divide(level: OctreeLevel, wanted: Integers | None) -> None:
-    """Mark cells (int32 slots, -1 for none), and their neighbours, as divided; all cells where `wanted` is None."""
+    """Mark cells (int32 slots, -1 for none) and their neighbors as divided; None for all cells."""
     if wanted is None:
         launch(divide_all_kernel, SLOTS * level.count, [level])
     else:

@@ -1,18 +1,8 @@
-"""The surface where a function on the corners of an adaptive octree passes a level, without cracks.
+"""Crack-free isosurface of a function on the corners of an adaptive octree; bitwise reproducible.
 
-Vertices lie on the edges of undivided cells (`octree_edges`). Cells with undivided neighbours take their triangles from
-the table of marching cubes (`volumes/cube_table.py`), those beside finer cells join contours (`octree_contours`). The
-levels are done from coarse to fine, and all orders are those of the slots: the same bits from run to run.
-
-Lorensen and Cline, "Marching cubes", SIGGRAPH 1987.
-
-The surface in cells of an octree that lie beside finer ones: contours on their faces, joined to loops. On a face that
-it shares with four finer faces a cell takes their contours, by the same rule for signs, so there is no crack. A loop of
-more than three vertices is a fan about a vertex in its middle: no edge of it lies in a face, so none is shared by more
-than two triangles. A thread a cell, 400 B of scratch for each.
-
-Faces of finer cells handed to coarser ones: Kazhdan, Klein, Dalal and Hoppe, "Unconstrained isosurface extraction on
-arbitrary octrees", SGP 2007.
+Cells with undivided neighbors use marching cubes (Lorensen and Cline, SIGGRAPH 1987). A cell next to finer cells joins
+the contours of the finer faces to loops, triangulated as fans around a middle vertex (Kazhdan, Klein, Dalal and Hoppe,
+"Unconstrained isosurface extraction on arbitrary octrees", SGP 2007).
 """
 
 from collections.abc import Iterable, Sequence
@@ -36,7 +26,7 @@ SEGMENTS = 48  # of the contours on a cell's faces: two on each of four parts of
 
 @func
 def face_step(k: int, side: int, is_second: int) -> int:
-    """0 or 1: where the k-th corner of a face lies along its first or second axis, counter-clockwise from outside."""
+    """Offset (0 or 1) of the k-th corner of a face along one of its axes, counter-clockwise from outside."""
     turned = k
     if side == 0:
         turned = (4 - k) % 4
@@ -50,15 +40,7 @@ def face_step(k: int, side: int, is_second: int) -> int:
 
 @struct
 class Contours:
-    """The contours on the faces of cells beside finer ones.
-
-    Attributes:
-        cells: int32 [n], their slots, counted through all levels.
-        base: The first slot of their level.
-        sizes: int32 [n], segments of each.
-        froms, tos: int32 [48 n], the vertices that each segment leads from and to; ordered, segments of a loop follow
-            each other.
-    """
+    """Contours of cells next to finer ones: int32 [48 n] ends of segments by loop. `base`: first slot of the level."""
 
     cells: array(dtype=int32)
     base: int
@@ -74,7 +56,6 @@ class Contours:
 
 @func
 def face_corner(slot: int, axis: int, side: int, u: int, v: int, is_fine: int, level: OctreeLevel) -> int:
-    """The slot of a corner of a cell's face, u and v steps along the face's axes; of the next level where `is_fine`."""
     step = along(axis) * side + along((axis + 1) % 3) * (u >> is_fine) + along((axis + 2) % 3) * (v >> is_fine)
     corner = slot_after(slot, step, level)
     if is_fine == 1:
@@ -87,7 +68,7 @@ def face_corner(slot: int, axis: int, side: int, u: int, v: int, is_fine: int, l
 def contour_vertex(
     slot: int, axis: int, side: int, k: int, u: int, v: int, is_fine: int, surface: LevelSurface, below: LevelSurface
 ) -> int:
-    """The vertex on the edge from the k-th corner to the next of the part of a face that begins at (u, v)."""
+    """Vertex on the edge after the k-th corner of the face part that begins at (u, v)."""
     k0 = k % 4
     k1 = (k + 1) % 4
     u0 = face_step(k0, side, 0)
@@ -120,10 +101,7 @@ def draw_contour(
     below: LevelSurface,
     contours: Contours,
 ) -> int:
-    """Add the segments on a face, or the part of it that begins at (u, v); the number of segments then.
-
-    Around the face a run of inside corners is entered through one edge and left through another: that is its segment.
-    """
+    """Add the segments of a face part and return the new number: one per run of inside corners."""
     slot = contours.cells[i] - contours.base
     inside = 0
     n = int(4)
@@ -153,7 +131,7 @@ def draw_contour(
 
 @func
 def join_segments(i: int, size: int, contours: Contours) -> vec3i:
-    """Order a cell's segments so that each loop's follow each other: (triangles, middles of loops, 0)."""
+    """Order the segments of a cell by loop. Return (triangles, middle vertices, 0)."""
     base = SEGMENTS * i
     triangles = 0
     middles = 0
@@ -188,7 +166,6 @@ def draw_contours_kernel(
     triangle_counts: array(dtype=int32),
     middle_counts: array(dtype=int32),
 ):
-    """The contours on the faces of each cell, in loops."""
     i = tid()
     size = 0
     axes = int(3)
@@ -221,7 +198,7 @@ def write_loops_kernel(
     places: array(dtype=vec3),
     triangles: array(dtype=vec3i),
 ):
-    """The triangles of each loop, and the vertices in the middle of those of more than three sides."""
+    """Write the triangles of each loop and the middle vertices of loops with more than three sides."""
     i = tid()
     base = SEGMENTS * i
     triangle = first + offsets[i]
@@ -258,13 +235,13 @@ def write_loops_kernel(
             start = at + 1
 
 
-EDGES = 15  # entries of a case in the table of triangles
+EDGES = 15  # entries of a case in the triangle table
 MOST = 2**31 - 1  # triangles and vertices
 
 
 @func
 def leaf_case(slot: int, surface: LevelSurface) -> int:
-    """The signs at the corners of an undivided cell, a bit each; 0 where there is no such cell."""
+    """Signs at the corners of an undivided cell as bits, else 0."""
     case = 0
     if is_cell(slot, surface.level) > is_divided(slot, surface.level):
         n = int(8)
@@ -277,7 +254,6 @@ def leaf_case(slot: int, surface: LevelSurface) -> int:
 
 @func
 def is_beside_divided(slot: int, level: OctreeLevel) -> int:
-    """1 for a cell one of whose six neighbours is divided."""
     found = 0
     n = int(3)
     for axis in range(n):
@@ -291,7 +267,7 @@ def is_beside_divided(slot: int, level: OctreeLevel) -> int:
 def count_triangles_kernel(
     surface: LevelSurface, tables: CubeTables, counts: array(dtype=int32), joined: array(dtype=int32)
 ):
-    """Triangles of each cell that takes them from the table; 1 for cells that have to be joined to finer ones."""
+    """Count the marching cubes triangles and mark cells that join finer ones."""
     i = tid()
     case = leaf_case(i, surface)
     count = 0
@@ -306,7 +282,6 @@ def count_triangles_kernel(
 
 @kernel
 def list_joined_kernel(ranks: array(dtype=int32), cells: array(dtype=int32)):
-    """The cells that have to be joined to finer ones."""
     i = tid()
     if ranks[i + 1] > ranks[i]:
         cells[ranks[i]] = i
@@ -314,7 +289,6 @@ def list_joined_kernel(ranks: array(dtype=int32), cells: array(dtype=int32)):
 
 @func
 def cell_edge_vertex(slot: int, edge: int, surface: LevelSurface, below: LevelSurface, tables: CubeTables) -> int:
-    """The vertex on an edge of the cell at a slot."""
     corner = tables.edge_corner[edge]
     start = neighbor_slot(slot, corner & 1, (corner >> 1) & 1, (corner >> 2) & 1, surface.level)
     return edge_vertex(start, edge // 4, surface, below)
@@ -329,7 +303,6 @@ def write_triangles_kernel(
     first: int,
     triangles: array(dtype=vec3i),
 ):
-    """The triangles of cells that take them from the table."""
     i = tid()
     count = offsets[i + 1] - offsets[i]
     if count > 0:
@@ -343,28 +316,14 @@ def write_triangles_kernel(
 
 
 def _part(values: Array1[Any], first: int, end: int) -> Array1[Any]:
-    """The elements from one on to another, or none: a slice that is empty may not begin at the end."""
+    """A slice that may be empty: Warp slices may not begin at the end."""
     return values[first:end] if end > first else empty(0, values.dtype, values.device)
 
 
 class OctreeSurface:
-    """The surface on all levels of a tree.
-
-    Args:
-        levels: OctreeLevels by depth (None for 0).
-        solutions: float32 device arrays by depth, the function at the corners.
-        iso: Its value on the surface as (sum, weight).
-        cube: The Cube.
-        is_linear: Take the function as linear along an edge, else as the cubic with its slopes at the ends.
-
-    Attributes:
-        vertices: vec3 [m] [m], relative to the cloud's origin.
-        normals: vec3 [m], unit gradients.
-        triangles: vec3i [t], counter-clockwise seen from where the function is above its value on the surface.
-        places: vec3 [m], the vertices in the cube, 0..1.
-        slots: int32 [m], the cell or corner of each vertex on its level.
-        ranges: (depth, first, last) of runs of vertices of one level.
-    """
+    """Surface on all levels. `iso` is the value on the surface as (sum, weight). Vertices are relative to the cloud's
+    origin, triangles counter-clockwise seen from higher values. `places` are positions in the cube (0..1), `slots` the
+    cell or corner of each vertex, `ranges` runs (depth, first, last). Edges are linear if `is_linear`, else cubic."""
 
     def __init__(
         self, levels: Sequence[Any], solutions: Sequence[Any], iso: Array1[vec2d], cube: Cube, is_linear: bool
@@ -376,7 +335,7 @@ class OctreeSurface:
         self._write(cube, is_linear)
 
     def _find_vertices(self, levels: Sequence[OctreeLevel], solutions: Sequence[Scalars], iso: Array1[vec2d]) -> None:
-        """The vertices on edges and the triangles from the table, counted; the cells that have to be joined."""
+        """Find edge vertices, count the table's triangles, and list the cells next to finer ones."""
         blocks = self._blocks
         slots = [SLOTS * block for block in blocks]
         vertices, triangles, joined = (empty(n, int32, self._device) for n in (blocks[-1], slots[-1], slots[-1]))
@@ -395,7 +354,6 @@ class OctreeSurface:
         launch(list_joined_kernel, joined.size if self._joined.size else 0, [ranks, self._joined])
 
     def _draw_contours(self) -> None:
-        """The contours of cells beside finer ones, whose triangles and middles are counted."""
         loops, middles = (empty(self._joined.size, int32, self._device) for _ in range(2))
         self._contours = []
         for k, (surface, below) in enumerate(self._pairs()):

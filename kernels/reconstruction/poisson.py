@@ -1,29 +1,9 @@
-"""A surface from oriented points by the screened Poisson equation: the passes in their order.
+"""Screened Poisson surface reconstruction (Kazhdan and Hoppe, ACM TOG 32(3), 2013).
 
-Samples by cell (`sample_cells`), the tree grown level by level to where they end (`octree_levels`, `sample_density`),
-the equation of each level (`poisson_system`), its solution from coarse to fine (`poisson_solver`), the surface through
-the samples' mean value (`octree_surface`), and how dense they lie there.
-
-Kazhdan and Hoppe, "Screened Poisson surface reconstruction", ACM TOG 32(3), 2013.
-
-The Poisson system of each level, coarse to fine: eight-coloured Gauss-Seidel from the coarser level's solution. The
-corners of a level that all eight cells around exist for are its unknowns; the others hold what the level above has
-there, so the solution is continuous where levels meet. Corners of one colour (equal parity of x, y and z) do not meet
-in an equation, so all of them are renewed at once, and the result does not depend on the order of the threads.
-
-Divided by the width of a cell the Laplacian is 8/3 at the corner, 0 at the 6 next to it, -1/6 at the 12 across a face
-and -1/12 at the 8 across a cell. Samples pull u to 0 with a weight a point that does not depend on the level; those of
-a cell count as one, at their mean, and what u is there is kept and corrected as its corners change. At the sides of
-the cube no gradient is asked for (Neumann): corners there see themselves mirrored.
-
-A renewal reads 21 corners, through a table of where they lie from each kind of corner; each level is solved by a fixed
-number of sweeps, never until a tolerance.
-
-The unknowns of a level of an octree's Poisson system: corners all of whose cells exist, listed colour by colour. 12 B a
-slot on CUDA while they are listed, 4 B after.
-
-How long the normals of samples are on average: a length over that is a weight that no unit changes. Two float64 sums by
-a reduction; 12 B read a point.
+Levels are solved from coarse to fine by a fixed number of eight-colored Gauss-Seidel sweeps, independent of the thread
+order. Unknowns are corners inside eight existing cells; the others keep the coarser solution. Divided by the cell
+width, the Laplacian is 8/3 at the corner, -1/6 at the 12 corners across a face and -1/12 at the 8 across a cell.
+Samples of a cell pull u to 0 at their mean. The sides of the cube have Neumann boundary conditions.
 """
 
 from collections.abc import Callable, Sequence
@@ -84,20 +64,19 @@ if TYPE_CHECKING:
 
 @reduction
 def sum_lengths(normals: array(dtype=vec3), rows: array(dtype=int32)) -> vec2d:
-    """(length, 1) of a sample's normal."""
     i = tid()
     return vec2d(length(widen(normals[rows[i]])), 1.0)
 
 
 def mean_length(normals: Vectors, rows: Indices) -> float:
-    """The mean length of chosen normals; 1 where none is chosen."""
+    """Mean length of the selected normals, or 1 if none: the scale of weights."""
     total, count = download(reduce(sum_lengths, rows.size, [normals, rows]))[0]  # sync
     return float(total) / float(count) if count else 1.0
 
 
 @kernel
 def mark_unknowns_kernel(level: OctreeLevel, blocks: int, mask: array(dtype=uint8)):
-    """1 for corners within the cube whose cells all exist, by colour and block; outside the cube they need not."""
+    """Mark corners in the cube whose cells all exist, by color and block."""
     i = tid()
     color = i // blocks
     slot = SLOTS * (i - color * blocks) + color
@@ -124,7 +103,6 @@ def mark_unknowns_kernel(level: OctreeLevel, blocks: int, mask: array(dtype=uint
 
 @kernel(for_cpu=True)
 def name_corners_kernel(places: array(dtype=int32), blocks: int, corners: array(dtype=int32)):
-    """The slots of corners that are listed by colour and block."""
     i = tid()
     color = places[i] // blocks
     corners[i] = SLOTS * (places[i] - color * blocks) + color
@@ -132,7 +110,6 @@ def name_corners_kernel(places: array(dtype=int32), blocks: int, corners: array(
 
 @kernel
 def count_unknowns_kernel(mask: array(dtype=uint8), counts: array(dtype=int32)):
-    """The mask as numbers to be added up."""
     i = tid()
     counts[i] = int(mask[i])
 
@@ -145,7 +122,7 @@ def list_unknowns_kernel(
     corners: array(dtype=int32),
     firsts: array(dtype=int32),
 ):
-    """The slots of unknowns by colour and block, and where each colour's begin; ranks count from one."""
+    """Slots of unknowns by color and block, and the start of each color; ranks count from one."""
     i = tid()
     color = i // blocks
     if mask[i] != 0:
@@ -157,16 +134,7 @@ def list_unknowns_kernel(
 
 
 def list_unknowns(mask: Mask, blocks: int) -> tuple[Indices, Integers, list[int]]:
-    """The unknowns of a level, colour by colour.
-
-    Args:
-        mask: uint8 [8 * blocks], 1 for unknowns by colour and block.
-        blocks: Of the level.
-
-    Returns:
-        (corners, firsts, counts): their slots, int32; where each colour's begin and the last ends, int32 [9]; and how
-        many of a colour there are at most: on CUDA as many as blocks, which spares a wait.
-    """
+    """Unknowns by color, from uint8 [8 * blocks]: (slots, color starts int32 [9], upper bound per color)."""
     device = mask.device
     if device.is_cuda:
         ranks, corners, firsts = (empty(size, int32, device) for size in (mask.size, mask.size, SLOTS + 1))
@@ -183,8 +151,8 @@ def list_unknowns(mask: Mask, blocks: int) -> tuple[Indices, Integers, list[int]
 
 COARSE = 4  # levels up to this one are small and get more sweeps
 COARSE_SWEEPS = 10
-FULL_SWEEPS = 8  # of the last level that fills the cube; four leave its surface 10 % less exact
-SWEEPS = 4  # from the level above its solution; eight change no error by 1 %
+FULL_SWEEPS = 8  # of the last level that fills the cube; four leave its surface 10% less accurate
+SWEEPS = 4  # from the level above its solution; eight change no error by 1%
 eight = vector(8, int32)
 
 
@@ -192,21 +160,13 @@ eight = vector(8, int32)
 def lower_values_kernel(
     above: OctreeLevel, coarse: array(dtype=float32), level: OctreeLevel, fine: array(dtype=float32)
 ):
-    """The values at a level's corners from those of the level above."""
     i = tid()
     fine[i] = corner_value(coarse, level.parents[i // SLOTS], shares_in_parent(i), above)
 
 
 @struct
 class SamplePulls:
-    """How the samples pull on a level's solution.
-
-    Attributes:
-        cells_at: int32 [slots], the cell of samples at each slot, or -1.
-        shares: vec3 [cells], where each cell's samples lie in it.
-        weights: float32 [cells].
-        values: float32 [cells], the solution there.
-    """
+    """Pull of the samples: cell of samples by slot (or -1), mean position in the cell, weight, and solution there."""
 
     cells_at: array(dtype=int32)
     shares: array(dtype=vec3)
@@ -234,7 +194,7 @@ def begin_pulls_kernel(
     areas: array(dtype=vec2d),
     pulls: SamplePulls,
 ):
-    """Place and weight of each cell's samples, and what the solution is there; `areas` is (area, weight) of all."""
+    """Position, weight, and current solution of each cell's samples; `areas` is (area, weight) of all."""
     i = tid()
     pull = float(weight * areas[0][0] / areas[0][1])
     f = vec3(0.0, 0.0, 0.0)
@@ -247,13 +207,13 @@ def begin_pulls_kernel(
     pulls.values[i] = value
 
 
-FACES, CELLS = 12, 8  # corners across the faces around a corner, and across the cells
+FACES, CELLS = 12, 8  # corners across the faces and across the cells around a corner
 ENTRIES = FACES + 2 * CELLS  # of a kind of corner in the table, the cells around it last
-EVEN, ODD, FIRST, LAST = range(4)  # where a corner lies along an axis: in its block, or at a side of the cube
+EVEN, ODD, FIRST, LAST = range(4)  # position of a corner along an axis: in its block, or at a side of the cube
 
 
 def _step(kind: int, step: int) -> tuple[int, int]:
-    """Along one axis: the block (-1, 0, 1) and the place in it of the corner a step away; at a side as in a mirror."""
+    """Along one axis: block offset and slot of the adjacent corner, mirrored at a side."""
     if (kind == FIRST and step < 0) or (kind == LAST and step > 0):
         step = -step
     at = (1 if kind == ODD else 0) + step
@@ -267,7 +227,7 @@ def _entry(kinds: Sequence[int], steps: Sequence[int] | tuple[int, int, int]) ->
 
 
 def _cell_entry(kinds: Sequence[int], corner: int) -> int:
-    """Of the cell that a corner is the given corner of: not mirrored, so outside the cube there is no block."""
+    """Table entry of the cell with the given corner; no block outside the cube."""
     plain = [ODD if kind == ODD else EVEN for kind in kinds]
     return _entry(plain, [-(corner >> axis & 1) for axis in range(3)])
 
@@ -282,12 +242,11 @@ def _build_table() -> np.ndarray:
     return np.array(rows, np.int32).ravel()
 
 
-CORNER_TABLE = _build_table()  # [64 * ENTRIES], SLOTS * (which block around) + place in it
+CORNER_TABLE = _build_table()  # [64 * ENTRIES], SLOTS * (neighbor block) + index in it
 
 
 @func
 def axis_kind(at: int, cells: int) -> int:
-    """EVEN, ODD, FIRST or LAST."""
     kind = at & 1
     if at == 0:
         kind = FIRST
@@ -298,7 +257,7 @@ def axis_kind(at: int, cells: int) -> int:
 
 @func
 def sides_met(place: vec3i, cells: int) -> float:
-    """2 to the number of sides of the cube that a corner lies on."""
+    """2 to the power of the number of cube sides that a corner is on."""
     factor = 1.0
     for axis in range(3):
         if place[axis] == 0 or place[axis] == cells:
@@ -317,7 +276,7 @@ def renew_corners_kernel(
     pulls: SamplePulls,
     values: array(dtype=float32),
 ):
-    """One Gauss-Seidel step at the corners of a colour; a cell of samples has one corner of it, so none is shared."""
+    """One Gauss-Seidel step at the corners of a color; a cell of samples has one of them, so none is shared."""
     i = tid()
     first = firsts[color]
     if first + i >= firsts[color + 1]:
@@ -365,7 +324,7 @@ def renew_corners_kernel(
 def weigh_values(
     cells: SampleCells, slots: array(dtype=int32), level: OctreeLevel, values: array(dtype=float32)
 ) -> vec2d:
-    """(weight times value, weight) of the solution at the samples of undivided cells; the halo's slots lack corners."""
+    """(weight * value, weight) at the samples of undivided cells; halo slots lack corners."""
     i = tid()
     weight = float64(0.0)
     value = 0.0
@@ -384,17 +343,8 @@ def solve(
     envelope: Envelope | None = None,
     progress: Callable[[str, int, int], None] | None = None,
 ) -> list[Any]:
-    """The solution at the corners of all levels, a list by depth (None for 0) of float32 device arrays.
-
-    Args:
-        pyramid: A DensityPyramid whose levels are complete.
-        tests: From `constraints`.
-        weight: How much a sample pulls where samples stand for a face of a cell on level 0; 4^depth times that on a
-            level.
-        areas: vec2d [1], the area that all samples stand for, in those faces, and their weight.
-        cube, envelope: A Cube, and an Envelope in it beyond which the function is held; None for none.
-        progress: Called with "levels", levels solved and levels in all, before each.
-    """
+    """Solution at the corners of all levels by depth (None for 0). `weight` is the pull on level 0, times 4^depth.
+    `areas` vec2d [1]: area of all samples in faces of level 0, and weight. `progress`: ("levels", solved, total)."""
     levels = pyramid.levels
     solutions: list[Any] = [None]
     table = upload(CORNER_TABLE, int32, levels[1].device)
@@ -424,7 +374,6 @@ def solve(
 
 
 def _repeat(body: Callable[[], None], count: int, device: Device) -> None:
-    """The same launches so many times; on CUDA a graph of one turn, launched again and again."""
     if device.is_cuda:
         turn = record(device, body)
         for _ in range(count):
@@ -436,13 +385,11 @@ def _repeat(body: Callable[[], None], count: int, device: Device) -> None:
 
 @kernel
 def add_pair_kernel(pair: array(dtype=vec2d), total: array(dtype=vec2d)):
-    """Add a sum to those before it."""
     i = tid()
     total[i] = total[i] + pair[i]
 
 
 def sum_levels(sums: Sequence[Array1[vec2d]]) -> Array1[vec2d]:
-    """The sum of vec2d [1] arrays in their order, on their device."""
     total = zeros(1, vec2d, sums[0].device)
     for part in sums:
         launch(add_pair_kernel, 1, [part, total])
@@ -450,7 +397,7 @@ def sum_levels(sums: Sequence[Array1[vec2d]]) -> Array1[vec2d]:
 
 
 def mean_at_samples(pyramid: "DensityPyramid", solutions: Sequence[Scalars | None]) -> Array1[vec2d]:
-    """The solution's mean at the samples, weighted as they are, the value on the surface: (sum, weight), vec2d [1]."""
+    """Weighted mean of the solution at the samples, the value on the surface: (sum, weight), vec2d [1]."""
     sums = []
     for depth in range(1, len(solutions)):
         cells, slots = pyramid.cells[depth], pyramid.reaches[depth].slots
@@ -458,9 +405,9 @@ def mean_at_samples(pyramid: "DensityPyramid", solutions: Sequence[Scalars | Non
     return sum_levels(sums)
 
 
-FULL_DEPTH = 5  # up to this level all cells are divided: the function is sought in the whole cube
-BLOCK_BYTES = 800  # of a block of eight slots, in all arrays that live together, the surface's part included
-SAMPLE_BYTES = 90  # of a sample on the finest level, with what its cells of the levels above take
+FULL_DEPTH = 5  # up to this level all cells are divided: the function is solved in the complete cube
+BLOCK_BYTES = 800  # of a block of eight slots, in all simultaneous arrays, including the surface
+SAMPLE_BYTES = 90  # of a sample on the finest level, with its cells of the levels above
 
 
 @reduction
@@ -476,14 +423,7 @@ def sum_areas(cells: SampleCells, reach: SampleReach) -> vec2d:
 
 
 class PoissonSurface(NamedTuple):
-    """What the equation gives.
-
-    Attributes:
-        vertices, normals: vec3 [m].
-        triangles: vec3i [t].
-        densities: float32 [m], local depths.
-        depth: The finest level that the tree came to.
-    """
+    """Surface, local depths of its vertices, and the finest level of the tree."""
 
     vertices: Points
     normals: Vectors
@@ -495,11 +435,7 @@ class PoissonSurface(NamedTuple):
 def grow_tree(
     cells: Sequence[SampleCells], sample_count: int, deepest: int, kernel_depth: int, samples_per_cell: float
 ) -> DensityPyramid:
-    """The tree over samples, as a DensityPyramid.
-
-    Raises:
-        MemoryError: The device has no room for the next level; nothing of it was allocated.
-    """
+    """Grow the octree over samples. Raises MemoryError if the next level does not fit on the device."""
     device = cells[0].codes.device
     pyramid = DensityPyramid(cells, sample_count, deepest, kernel_depth, samples_per_cell)
     above, level = first_levels(device)
@@ -527,24 +463,9 @@ def reconstruct_poisson(
     envelope: Envelope | None = None,
     progress: Callable[[str, int, int], None] | None = None,
 ) -> PoissonSurface:
-    """The surface of oriented points.
-
-    Args:
-        points, normals: vec3 device arrays.
-        rows: int32, those that count: a finite point and a finite normal that is not zero.
-        cube: A Cube around the points that count.
-        depth: The finest level that the tree may have, at least 2.
-        is_linear: Place vertices linearly between corners.
-        point_weight: How much the samples pull.
-        samples_per_cell: Points in a cell where the tree ends.
-        by_length: A normal's length is its weight.
-        envelope: An Envelope that the surface does not leave, or None.
-        progress: Called with each stage, how many of its steps are done, and how many there are.
-
-    Raises:
-        MemoryError: The device has no room for the tree.
-        ValueError: More triangles than 32 bits count.
-    """
+    """Reconstruct a surface from oriented points. `rows` (int32) are points with a valid normal, `cube` contains them,
+    `depth` >= 2 is the finest level. `by_length` weights samples by normal length. `progress` gets (stage, steps done,
+    total). Raises MemoryError if the tree does not fit, and ValueError for more triangles than int32 counts."""
     check_room(points.device, rows.size * SAMPLE_BYTES, f"the cells of {rows.size:,} points")
     cells = gather_samples(points, normals, rows, cube, depth, by_length)
     pyramid = grow_tree(cells, rows.size, depth, max(1, depth - 2), samples_per_cell)

@@ -1,18 +1,9 @@
-"""The Poisson equation on the levels of an octree: a function whose gradient follows the samples' normals.
+"""The Poisson equation on the levels of an octree: a function whose gradient fits the sample normals.
 
-Sought is the piecewise linear u that makes |grad u - V|^2 least, integrated over the cube, plus a weight times the
-squares of u at the samples. V is the field of normals: each sample's, times the area that it stands for, spread by the
-quadratic splines of its cell on the level where its tree ends (between two levels, on both).
-
-Level by level the equation is tested with the functions at the level's corners (`constraints`): V from this level by
-exact integrals over splines, from finer levels by restriction, from coarser ones by their values at the corners. All of
-it is divided by the width h of a cell, so that no number depends on the level.
-
-Beyond the sides of the cube V goes on as in a mirror, so that what a spline has there is not lost: samples lie within a
-cell or two of the sides.
-
-A field V is held as V h: on a cell's spline the sum of area h^-2 times normals. Source: Kazhdan and Hoppe, "Screened
-Poisson surface reconstruction", ACM TOG 32(3), 2013; the corners' linear functions are those of its code since 2018.
+Kazhdan and Hoppe, "Screened Poisson surface reconstruction", ACM TOG 32(3), 2013, and its code since 2018. The
+piecewise linear u minimizes the integral of |grad u - V|^2 plus weighted squares of u at the samples. V spreads normals
+times area by quadratic splines, and is stored as V h, mirrored at the sides. Constraints of a level come from its own V
+by exact integrals, from finer levels by restriction, and from coarser ones by corner values.
 """
 
 from typing import Any
@@ -47,7 +38,7 @@ eight = vector(8, float32)
 
 @func
 def level_share(local: float, depth: int) -> float:
-    """How much of a sample whose tree ends on a level is spread there; the rest is on the level above."""
+    """Fraction of a sample that is spread on the level where its tree ends; the rest goes to the level above."""
     share = 1.0
     if depth > 1:
         share = min(max(1.0 - (float(depth) - local), 0.0), 1.0)
@@ -56,7 +47,6 @@ def level_share(local: float, depth: int) -> float:
 
 @func
 def cell_area(local: float, depth: int, samples_per_cell: float) -> float:
-    """The area that a sample stands for, in those of a cell's face."""
     return pow(4.0, float(depth) - local) / samples_per_cell
 
 
@@ -72,7 +62,7 @@ def sum_flux_kernel(
     flux: array(dtype=vec3),
     found: array(dtype=int32),
 ):
-    """Area times normal of each cell's samples that are spread on this level; any thread notes that there are some."""
+    """Area times normal of each cell's samples on this level; all threads that write `found` write the same value."""
     i = tid()
     total = vec3(0.0, 0.0, 0.0)
     if reach.states[i] == ENDS:
@@ -98,10 +88,7 @@ def spread_flux_kernel(
     level: OctreeLevel,
     field: array(dtype=vec3),
 ):
-    """V h of the splines of a block's cells, from the samples of the 64 cells that they reach.
-
-    What splines beyond the sides of the cube hold is their images'.
-    """
+    """V h of the splines of a block's cells, from the samples of 64 cells, mirrored at the sides."""
     i = tid()
     xs = eight(0.0)
     ys = eight(0.0)
@@ -141,7 +128,7 @@ def spread_flux_kernel(
 
 @func
 def near_weight(f: float, k: int) -> float:
-    """`spline_weight`, and 0 for cells that are not next to each other."""
+    """`spline_weight`, and 0 for cells that are not adjacent."""
     weight = 0.0
     if k >= -1 and k <= 1:
         weight = spline_weight(f, k)
@@ -150,13 +137,13 @@ def near_weight(f: float, k: int) -> float:
 
 @func
 def is_outside(k: int, at: int, width: int) -> int:
-    """1 where the k-th cell from a corner lies across the side of the cube that the corner lies on, or too far away."""
+    """1 if the k-th cell from a corner is beyond the corner's side of the cube, or too far."""
     return 1 if k < -2 or k > 1 or (at == 0 and k < 0) or (at == width and k >= 0) else 0
 
 
 @func
 def spline_mass(k: int, at: int, width: int) -> float:
-    """The integral of a corner's function times the spline of the k-th cell from it, on a side of its image too."""
+    """Integral of a corner function times the spline of the k-th cell, including mirror images."""
     mass = 0.4583333333333333  # 11 / 24
     if k == -2 or k == 1:
         mass = 0.041666666666666664  # 1 / 24
@@ -167,10 +154,10 @@ def spline_mass(k: int, at: int, width: int) -> float:
 
 @func
 def spline_slope(k: int, at: int, width: int) -> float:
-    """The same of the derivative of a corner's function."""
+    """Integral of the derivative of a corner function times the spline of the k-th cell."""
     slope = 0.5
     if at == 0 or at == width:
-        slope = 0.8333333333333334  # 2 / 3 and its image's 1 / 6
+        slope = 0.8333333333333334  # 2 / 3 and its mirror image's 1 / 6
     if k == -2 or k == 1:
         slope = 0.16666666666666666
     if k >= 0:
@@ -182,7 +169,7 @@ def spline_slope(k: int, at: int, width: int) -> float:
 
 @func
 def linear_mass(k: int, at: int, width: int) -> float:
-    """The integral within the cube of the functions of two corners, k apart; the first lies at `at`."""
+    """Integral within the cube of the functions of two corners k apart; the first is at `at`."""
     mass = 0.16666666666666666
     if k == 0:
         mass = 0.6666666666666666
@@ -195,7 +182,7 @@ def linear_mass(k: int, at: int, width: int) -> float:
 
 @func
 def linear_slope(k: int, at: int, width: int) -> float:
-    """The same of the derivative of the first and the function of the second."""
+    """Integral of the derivative of the first times the function of the second corner."""
     slope = -0.5 * float(k)
     if at == 0:
         slope = -0.5 if k >= 0 else 0.0
@@ -208,7 +195,7 @@ def linear_slope(k: int, at: int, width: int) -> float:
 
 @func
 def tested_along_z(v: vec3, step: int, z: int, width: int, mass: callback, slope: callback) -> vec3:
-    """A vector's parts, integrated along z against the function at z, `step` steps from it, and the last its slope."""
+    """Integrals along z of a vector's components against the function at z and, for the last, its slope."""
     m = mass(step, z, width)
     return vec3(v[0] * m, v[1] * m, v[2] * slope(step, z, width))
 
@@ -217,7 +204,7 @@ def tested_along_z(v: vec3, step: int, z: int, width: int, mass: callback, slope
 def tested_across(
     total: eight, low: vec3, high: vec3, dx: int, dy: int, base: vec3i, width: int, mass: callback, slope: callback
 ) -> eight:
-    """The sums of a block's corners with one column's parts: `low` for the lower four, `high` for the upper."""
+    """Add one column to the sums of a block's corners: `low` for the lower four, `high` for the upper."""
     mx = vec2(mass(dx, base[0], width), mass(dx - 1, base[0] + 1, width))
     my = vec2(mass(dy, base[1], width), mass(dy - 1, base[1] + 1, width))
     sx = vec2(slope(dx, base[0], width), slope(dx - 1, base[0] + 1, width))
@@ -238,10 +225,7 @@ def tested_across(
 
 @kernel
 def test_field_kernel(field: array(dtype=vec3), level: OctreeLevel, tested: array(dtype=float32)):
-    """The integral of V from this level's splines against the gradient of the functions of a block's corners.
-
-    Axis by axis over the 5^3 cells that the corners' functions meet: along z into two corners, then along y and x.
-    """
+    """Integral of this level's V against the gradients of a block's corner functions, along z, y, then x."""
     i = tid()
     total = eight(0.0)
     width = 1 << level.depth
@@ -268,7 +252,7 @@ def test_field_kernel(field: array(dtype=vec3), level: OctreeLevel, tested: arra
 
 @kernel
 def restrict_tests_kernel(level: OctreeLevel, below: array(dtype=float32), tested: array(dtype=float32)):
-    """Add what the next level's functions were tested with: a function is theirs, halved with each step away."""
+    """Restrict the constraints of the next level: weights halve with each step."""
     i = tid()
     total = 0.0
     n = int(3)
@@ -293,7 +277,6 @@ def restrict_tests_kernel(level: OctreeLevel, below: array(dtype=float32), teste
 
 @func
 def shares_in_parent(slot: int) -> vec3:
-    """Where a corner lies in the cell of its block's parent: at its lowest corner or half way along an axis."""
     return vec3(0.5 * float(slot & 1), 0.5 * float((slot >> 1) & 1), 0.5 * float((slot >> 2) & 1))
 
 
@@ -305,7 +288,7 @@ def half_spline_weight(half: int, k: int) -> float:
 
 @func
 def half_corner_weight(half: int, k: int) -> float:
-    """What the lower (0) or upper (1) corner of a cell weighs at its lowest corner (0) and in its middle (1)."""
+    """Weight of the lower (0) or upper (1) cell corner at the lowest corner (0) and in the middle (1)."""
     return 0.5 * float(half) if k == 1 else 1.0 - 0.5 * float(half)
 
 
@@ -317,7 +300,7 @@ def lower_field_kernel(
     level: OctreeLevel,
     fine: array(dtype=vec3),
 ):
-    """V h at a block's corners from all levels above it; `coarse` is that of the level above, `splines` its own V h."""
+    """V h at the corners of a block from all coarser levels; `coarse` is that of the level above."""
     i = tid()
     parent = level.parents[i]
     place = slot_place(parent, above)
@@ -360,7 +343,7 @@ def lower_field_kernel(
 
 @kernel
 def test_lowered_kernel(field: array(dtype=vec3), level: OctreeLevel, tested: array(dtype=float32)):
-    """Add the integral of V from coarser levels, linear between corners, against the gradients at a block."""
+    """Add the integral of V from coarser levels, linear between corners, against the corner gradients."""
     i = tid()
     total = eight(0.0)
     width = 1 << level.depth
@@ -383,11 +366,7 @@ def test_lowered_kernel(field: array(dtype=vec3), level: OctreeLevel, tested: ar
 
 
 def constraints(pyramid: DensityPyramid) -> list[Scalars | None]:
-    """The right-hand sides of all levels, a list by depth (None for 0): float32 device arrays, a number a slot.
-
-    Args:
-        pyramid: A DensityPyramid whose levels are complete.
-    """
+    """Right-hand sides of all levels of a complete pyramid by depth (None for 0), float32 per slot."""
     levels, reaches, cells = pyramid.levels, pyramid.reaches, pyramid.cells
     device, last = levels[1].device, len(levels) - 1
     found = zeros(last + 1, int32, device)
@@ -400,7 +379,7 @@ def constraints(pyramid: DensityPyramid) -> list[Scalars | None]:
         arguments = [cells[depth], reaches[depth], depth, has_below, *beside, pyramid.samples_per_cell, flux, found]
         launch(sum_flux_kernel, flux.size, arguments)
         fields[depth] = flux
-    # on CUDA a field of zeros is cheaper than to ask whether it is one
+    # on CUDA a field of zeros is faster than a test for zero
     is_found = np.ones(last + 1, bool) if device.is_cuda else download(found) != 0
     for depth in range(last, 0, -1):
         level, slots = levels[depth], SLOTS * levels[depth].count

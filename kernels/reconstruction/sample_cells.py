@@ -1,9 +1,8 @@
-"""Oriented points gathered into the cells of a cube that is halved again and again: counts, means and normals.
+"""Oriented points summed into the cells of a repeatedly halved cube: counts, means and normals.
 
-Level d has 2^d cells an axis. A cell's code is the Morton code of its place, so that `code & 7` is its corner number in
-its parent (x + 2 y + 4 z) and `code >> 3` its parent's code. Cells without points do not exist. The finest level sums
-its points in the order of the cloud, each level above sums its at most eight children in their order: one thread a
-cell, the same bits from run to run. 40 B a cell and level, beside 20 B a point while the codes are sorted.
+Level d has 2^d cells per axis. A cell's code is the Morton code of its position: `code & 7` is its corner in its parent
+(x + 2 y + 4 z), `code >> 3` the parent's code. One thread per cell sums in a fixed order: bitwise reproducible. 40 B
+per cell and level, and 20 B per point while the codes are sorted.
 """
 
 import numpy as np
@@ -36,19 +35,13 @@ from ..lang import (
 from ..memory import download, empty, zeros
 from ..search.hilbert_order import spread_bits
 
-MAX_DEPTH = 20  # three bits a level in 63 bits, and room for a carry
-COUNT_ROWS = 64  # of results: at one address a million atomics would stand in line
+MAX_DEPTH = 20  # three bits per level in 63 bits, and room for a carry
+COUNT_ROWS = 64  # of results: a million atomics at one address would be serialized
 
 
 @struct
 class Cube:
-    """The cube that is halved.
-
-    Attributes:
-        corner: Its lowest corner [m], relative to the cloud's origin.
-        side: Its edge [m].
-        scale: Cubes a metre.
-    """
+    """The root cube: lowest corner [m] relative to the cloud's origin, edge [m], and 1 / edge."""
 
     corner: vec3d
     side: float64
@@ -60,7 +53,6 @@ class Cube:
 
 @func
 def place_in_cube(p: vec3, cube: Cube) -> vec3d:
-    """Where a point [m] lies in the cube, 0..1 along each axis."""
     return (widen(p) - cube.corner) * cube.scale
 
 
@@ -68,7 +60,7 @@ def place_in_cube(p: vec3, cube: Cube) -> vec3d:
 def mark_samples_kernel(
     points: array(dtype=vec3), normals: array(dtype=vec3), mask: array(dtype=uint8), samples: array(dtype=vec3)
 ):
-    """1 for finite points with a finite normal of some length; and those points, NaN in the place of all others."""
+    """Mark finite points with a finite, nonzero normal, and replace all others by NaN."""
     i = tid()
     size = length(widen(normals[i]))
     usable = 0
@@ -84,7 +76,6 @@ def mark_samples_kernel(
 def encode_samples_kernel(
     points: array(dtype=vec3), rows: array(dtype=int32), cube: Cube, depth: int, codes: array(dtype=int64)
 ):
-    """The code of each point's cell on the finest level."""
     i = tid()
     x = place_in_cube(points[rows[i]], cube)
     cells = float64(1 << depth)
@@ -97,7 +88,7 @@ def encode_samples_kernel(
 
 @kernel
 def count_cells_kernel(codes: array(dtype=int64), depth: int, counts: array(dtype=int32)):
-    """Count each sorted code at the coarsest level on which it begins a cell; sums, so their order does not matter."""
+    """Count each sorted code at the coarsest level on which it begins a cell; sums, so the order does not matter."""
     i = tid()
     level = 0
     if i > 0:
@@ -111,7 +102,6 @@ def count_cells_kernel(codes: array(dtype=int64), depth: int, counts: array(dtyp
 
 @kernel
 def mark_heads_kernel(codes: array(dtype=int64), shift: int64, heads: array(dtype=int32)):
-    """1 where a sorted code differs from the one before; shifted, its cell on a coarser level."""
     i = tid()
     head = 1
     if i > 0:
@@ -130,7 +120,7 @@ def begin_cells_kernel(
     starts: array(dtype=int32),
     parents: array(dtype=int32),
 ):
-    """The code of each cell and where its members begin; the cell of each member."""
+    """Code and first member of each cell; the cell of each member."""
     i = tid()
     cell = offsets[i] + heads[i] - 1
     parents[i] = cell
@@ -155,7 +145,7 @@ def sum_samples_kernel(
     sums: array(dtype=vec3),
     weights: array(dtype=float32),
 ):
-    """Counts, means, summed unit normals and their weights for the cells of the finest level."""
+    """Counts, means, summed unit normals, and weights of the cells on the finest level."""
     i = tid()
     place = vec3d(0.0, 0.0, 0.0)
     normal = vec3d(0.0, 0.0, 0.0)
@@ -189,7 +179,6 @@ def sum_children_kernel(
     sums: array(dtype=vec3),
     weights: array(dtype=float32),
 ):
-    """Counts, means, summed normals and weights of cells from their children's."""
     i = tid()
     place = vec3d(0.0, 0.0, 0.0)
     normal = vec3d(0.0, 0.0, 0.0)
@@ -209,18 +198,7 @@ def sum_children_kernel(
 
 @struct
 class SampleCells:
-    """The occupied cells of one level, in the order of their codes.
-
-    Attributes:
-        count: Cells.
-        codes: int64 [count].
-        starts: int32 [count + 1], where the children of each begin on the next level (on the finest its points).
-        parents: int32 [count], the cell of the level above; missing on level 0.
-        counts: float32 [count], points in each.
-        means: vec3 [count], where they lie on average, 0..1 in the cube.
-        sums: vec3 [count], their unit normals added up, times their weights.
-        weights: float32 [count], their weights added up.
-    """
+    """Occupied cells of a level by code: `starts` of children, `parents`, `means` in the cube, `sums` of normals."""
 
     codes: array(dtype=int64)
     starts: array(dtype=int32)
@@ -231,7 +209,7 @@ class SampleCells:
     weights: array(dtype=float32)
 
     def __init__(self, members: LongIntegers, shift: int, count: int | None) -> None:
-        """The cells whose codes are those of sorted `members`, shifted; one sync where their number is not known."""
+        """Cells of sorted, shifted codes; one sync if `count` is None."""
         device, n = members.device, members.size
         heads = empty(n, int32, device)
         launch(mark_heads_kernel, n, [members, shift, heads])
@@ -247,12 +225,7 @@ class SampleCells:
 
 
 def bound_samples(points: Points, normals: Vectors) -> tuple[Indices, np.ndarray, np.ndarray]:
-    """What counts among oriented points.
-
-    Returns:
-        (rows, low, high): the rows with a finite point and a finite normal that is not zero, int32, ascending; and
-        their box, float32 [3] on the host, infinite where there is none. One sync.
-    """
+    """(rows, low, high): int32 rows of valid oriented points and their box, infinite if none. One sync."""
     mask, samples = empty(points.size, uint8, points.device), empty(points.size, vec3, points.device)
     launch(mark_samples_kernel, points.size, [points, normals, mask, samples])
     low, high, count = bound_points(samples)  # sync
@@ -260,12 +233,12 @@ def bound_samples(points: Points, normals: Vectors) -> tuple[Indices, np.ndarray
 
 
 def sample_rows(points: Points, normals: Vectors) -> Indices:
-    """The rows with a finite point and a finite normal that is not zero: int32, ascending (one sync)."""
+    """Rows with a finite point and a finite, nonzero normal, ascending (one sync)."""
     return bound_samples(points, normals)[0]
 
 
 def count_cells(codes: LongIntegers, depth: int) -> list[int | None]:
-    """How many cells each of the levels 0 .. depth has (one sync); on the CPU a level's own scan tells, so None."""
+    """Cells per level 0 .. depth (one sync); None on the CPU, where each level's scan counts."""
     device = codes.device
     if not device.is_cuda:
         return [None] * (depth + 1)
@@ -278,18 +251,7 @@ def count_cells(codes: LongIntegers, depth: int) -> list[int | None]:
 def gather_samples(
     points: Points, normals: Vectors, rows: Indices, cube: Cube, depth: int, by_length: bool = False
 ) -> list[SampleCells]:
-    """The occupied cells of levels 0 .. depth.
-
-    Args:
-        points, normals: vec3 device arrays.
-        rows: int32 [n], the rows with a finite point and a normal of some length.
-        cube: A Cube around those points.
-        depth: The finest level, at most MAX_DEPTH.
-        by_length: A normal's length is its weight, else all weigh the same.
-
-    Returns:
-        A list of SampleCells by level.
-    """
+    """Occupied cells of levels 0 .. depth as a list of SampleCells. `by_length` weights samples by normal length."""
     device, n = points.device, rows.size
     codes = empty(n, int64, device)
     launch(encode_samples_kernel, n, [points, rows, cube, depth, codes])

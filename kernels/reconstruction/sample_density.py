@@ -1,12 +1,8 @@
-"""How densely samples lie, and how deep the tree goes for them.
+"""Sample density and the resulting local depth of the octree.
 
-W of a level is the number of points in a cell, in units of `samples_per_cell`, smoothed by quadratic B-splines: a
-cell's coefficient is what its spline weighs the points around by, and W is evaluated by the same splines. The local
-depth of a place is where W is 1: up to level `kernel_depth` the tree is walked down until W falls below 1 and the depth
-interpolated between, logarithmically; beyond it W grows by 4 from level to level, as it does on a surface.
-
-After `getSampleDepthAndWeight` of PoissonRecon (Kazhdan and Hoppe, "Screened Poisson surface reconstruction", ACM TOG
-32(3), 2013, section 4.4, and its code), whose "density" of a vertex is the local depth.
+W is the number of points per cell, in units of `samples_per_cell`, smoothed by quadratic B-splines. The local depth is
+where W = 1: interpolated up to `kernel_depth`; beyond it, W grows by 4 per level. After `getSampleDepthAndWeight` of
+PoissonRecon (Kazhdan and Hoppe, ACM TOG 32(3), 2013, section 4.4).
 """
 
 from collections.abc import Iterator, Sequence
@@ -19,22 +15,15 @@ from .octree_levels import SLOTS, OctreeLevel, neighbor_slot, slot_place
 from .sample_cells import SampleCells
 from .splines import is_beyond, shares_in_cell, spline_product, spline_value
 
-ON, ENDS, BELOW = 0, 1, 2  # the tree goes on below a cell of samples, ends with it, has ended above it
-SPLINE_SQUARES = 0.59375  # of the splines at the middle of a cell, along one axis: 1 / 64 + 9 / 16 + 1 / 64
-LOG_4 = 1.3862943611198906  # on a surface a cell's children hold a quarter of its points
+ON, ENDS, BELOW = 0, 1, 2  # the tree continues below a cell of samples, ends with it, or has ended above it
+SPLINE_SQUARES = 0.59375  # of the splines at the center of a cell, along one axis: 1 / 64 + 9 / 16 + 1 / 64
+LOG_4 = 1.3862943611198906  # on a surface a cell's children contain a quarter of its points
 
 
 @struct
 class SampleReach:
-    """How far down the tree goes for the cells of samples of one level.
-
-    Attributes:
-        slots: int32 [cells], the slot of each; -1 where the tree does not reach down to it.
-        anchors: int32 [cells], the slot on the level whose density is asked: the cell's own up to the kernel's level.
-        states: int32 [cells], ON, ENDS or BELOW.
-        densities: float32 [cells], W.
-        depths: float32 [cells], the local depth of cells that end.
-    """
+    """Reach of the tree for cells of samples of one level. `slots` are -1 below the tree, `anchors` the slots on the
+    level of the density, `states` ON, ENDS or BELOW, `densities` W, `depths` the local depth of cells that end."""
 
     slots: array(dtype=int32)
     anchors: array(dtype=int32)
@@ -51,7 +40,7 @@ class SampleReach:
 def find_slots_kernel(
     cells: SampleCells, above: SampleReach, level_above: OctreeLevel, own_anchors: int, reach: SampleReach
 ):
-    """The slot of each cell of samples, and the one whose density is asked."""
+    """Slot of each cell of samples, and the slot that provides its density."""
     i = tid()
     parent = cells.parents[i]
     slot = -1
@@ -65,7 +54,6 @@ def find_slots_kernel(
 
 @kernel
 def fill_cells_kernel(slots: array(dtype=int32), cells_at: array(dtype=int32)):
-    """The cell of samples at each slot."""
     i = tid()
     if slots[i] >= 0:
         cells_at[slots[i]] = i
@@ -75,7 +63,7 @@ def fill_cells_kernel(slots: array(dtype=int32), cells_at: array(dtype=int32)):
 def gather_density_kernel(
     cells_at: array(dtype=int32), cells: SampleCells, unit: float, level: OctreeLevel, density: array(dtype=float32)
 ):
-    """The coefficient of each cell's spline; none beyond the cube, where only its upper sides have slots."""
+    """Spline coefficients of the cells; none beyond the cube, where only its upper sides have slots."""
     i = tid()
     if is_beyond(slot_place(i, level), (1 << level.depth) - 1) == 1:
         density[i] = 0.0
@@ -96,13 +84,12 @@ def gather_density_kernel(
 
 @func
 def depth_beyond(w: float, depth: int) -> float:
-    """The local depth where W is 1 or more on the kernel's own level."""
     return float(depth) + log(max(w, 1.0)) / LOG_4
 
 
 @func
 def depth_between(above: float, w: float, depth: int) -> float:
-    """The local depth where W falls from `above`, 1 or more, below 1 on the level `depth`."""
+    """Local depth where W falls from `above` (>= 1) below 1 on level `depth`."""
     fall = log(max(above, 1.0) / max(w, 1.0e-30))
     return float(depth - 1) + log(max(above, 1.0)) / fall
 
@@ -118,7 +105,7 @@ def measure_reach_kernel(
     density: array(dtype=float32),
     reach: SampleReach,
 ):
-    """W at each cell of samples whose parent goes on, and whether it goes on itself."""
+    """W at each cell of samples with a growing parent, and whether the cell itself grows."""
     i = tid()
     parent = cells.parents[i]
     state = int(BELOW)
@@ -144,7 +131,7 @@ def measure_reach_kernel(
 
 @kernel
 def list_growing_kernel(reach: SampleReach, growing: array(dtype=int32)):
-    """The slots of cells of samples below which the tree goes on, -1 for others."""
+    """Slots of cells of samples that the tree subdivides, -1 for others."""
     i = tid()
     slot = -1
     if reach.states[i] == ON:
@@ -153,15 +140,7 @@ def list_growing_kernel(reach: SampleReach, growing: array(dtype=int32)):
 
 
 class DensityPyramid:
-    """What the levels of a tree know of their samples' density, from level 1 on.
-
-    Args:
-        cells: SampleCells of levels 0 .. depth.
-        sample_count: Points.
-        deepest: The finest level that the tree may have.
-        kernel_depth: The finest level whose density is asked.
-        samples_per_cell: Points in a cell where W is 1.
-    """
+    """Sample density by level from 1 on: `deepest`, `kernel_depth` with a density, W = 1 for `samples_per_cell`."""
 
     def __init__(
         self, cells: Sequence[SampleCells], sample_count: int, deepest: int, kernel_depth: int, samples_per_cell: float
@@ -175,12 +154,12 @@ class DensityPyramid:
         top.states, top.depths = full(1, ON, int32, device), full(1, 0.0, float32, device)
         top.densities = full(1, max(1.0, sample_count / samples_per_cell), float32, device)
         self.reaches: list[SampleReach] = [top]
-        self.cells_at: list[Any] = [None]  # by depth, so of 0 as of all below
+        self.cells_at: list[Any] = [None]  # by depth; None at 0
         self.densities: list[Any] = [None]
         self.levels: list[Any] = [None]
 
     def enter(self, level: OctreeLevel, level_above: OctreeLevel) -> Integers:
-        """Find the samples of a new level and how dense they lie; int32, slots where it goes on, or -1."""
+        """Find the samples and densities of a new level. Return the slots to subdivide, or -1 (int32)."""
         depth, device = level.depth, level.device
         cells, above = self.cells[depth], self.reaches[-1]
         reach = SampleReach(cells.count, device)
@@ -203,7 +182,7 @@ class DensityPyramid:
         return growing
 
     def pairs(self) -> Iterator[tuple[SampleCells, SampleReach]]:
-        """The cells of samples and their SampleReach, level by level from level 1 on."""
+        """Cells of samples and their SampleReach by level, from level 1 on."""
         return zip(self.cells[1 : len(self.reaches)], self.reaches[1:], strict=True)
 
 
@@ -218,7 +197,7 @@ def rise_to_density_kernel(
     below: array(dtype=float32),
     found: array(dtype=float32),
 ):
-    """The local depth at places that stand on this level; those where W is below 1 go on to the level above."""
+    """Local depth at positions of this level; those with W < 1 continue on the level above."""
     i = tid()
     if depths[i] == level.depth:
         slot = slots[i]
@@ -239,13 +218,7 @@ def rise_to_density_kernel(
 
 
 def local_depths(pyramid: DensityPyramid, places: Points, slots: Integers, depths: Integers) -> Scalars:
-    """The local depth at places in the cube, float32 [m]: how fine the tree would be for the samples around.
-
-    Args:
-        pyramid: A complete DensityPyramid.
-        places: vec3 [m], 0..1.
-        slots, depths: int32 [m], a slot at or beside each place and its level; both are changed.
-    """
+    """Local depth (float32 [m]) at positions (0..1); `slots` and `depths` of a slot at or next to each are modified."""
     device = places.device
     below, found = full(places.size, -1.0, float32, device), full(places.size, 0.0, float32, device)
     for level in reversed(pyramid.levels[1:]):

@@ -1,7 +1,6 @@
-"""Quadratic B-splines at the cells of a level, and piecewise linear functions at their corners.
+"""Quadratic B-splines at cells (27 overlap a point) and piecewise linear functions at corners (8 overlap a point).
 
-A cell's spline is centred in it and reaches 1.5 cells each way, so 27 of them hold a point; a corner's function reaches
-one cell each way, so eight do. Both are products over the axes, and each kind adds up to 1 everywhere.
+Both are products over the axes, and both are partitions of unity.
 """
 
 from ..lang import array, float32, func, vec3, vec3i
@@ -10,7 +9,7 @@ from .octree_levels import OctreeLevel, neighbor_slot, slot_place
 
 @func
 def spline_weight(f: float, k: int) -> float:
-    """What the spline of the k-th next cell (-1, 0, 1) weighs at a share f of a cell's width."""
+    """Spline weight of the adjacent cell k (-1, 0, 1) at a fraction f of a cell."""
     weight = 0.75 - (f - 0.5) * (f - 0.5)
     if k < 0:
         weight = 0.5 * (1.0 - f) * (1.0 - f)
@@ -21,13 +20,12 @@ def spline_weight(f: float, k: int) -> float:
 
 @func
 def spline_product(f: vec3, x: int, y: int, z: int) -> float:
-    """The same in space."""
     return spline_weight(f[0], x) * spline_weight(f[1], y) * spline_weight(f[2], z)
 
 
 @func
 def corner_weight(f: vec3, corner: int) -> float:
-    """What the function of a cell's corner (x + 2 y + 4 z) weighs at shares f of its widths."""
+    """Weight of a cell corner (x + 2 y + 4 z) at fractions f."""
     x = f[0] if (corner & 1) == 1 else 1.0 - f[0]
     y = f[1] if (corner & 2) == 2 else 1.0 - f[1]
     z = f[2] if (corner & 4) == 4 else 1.0 - f[2]
@@ -36,7 +34,6 @@ def corner_weight(f: vec3, corner: int) -> float:
 
 @func
 def shares_in_cell(x: vec3, slot: int, level: OctreeLevel) -> vec3:
-    """Where a place in the cube (0..1) lies in the cell of a slot, 0..1 along each axis."""
     place = slot_place(slot, level)
     cells = float(1 << level.depth)
     fx = min(max(x[0] * cells - float(place[0]), 0.0), 1.0)
@@ -47,7 +44,7 @@ def shares_in_cell(x: vec3, slot: int, level: OctreeLevel) -> vec3:
 
 @func
 def spline_value(values: array(dtype=float32), slot: int, f: vec3, level: OctreeLevel) -> float:
-    """The sum of the splines times their values, at shares f of the cell of a slot."""
+    """Sum of the splines times their values at fractions f of a cell."""
     total = 0.0
     n = int(3)
     for x in range(n):
@@ -61,7 +58,7 @@ def spline_value(values: array(dtype=float32), slot: int, f: vec3, level: Octree
 
 @func
 def mirrored_step(at: int, step: int, width: int) -> int:
-    """A step from a cell or corner to a cell; to its image where that lies beyond the sides of a cube of `width`."""
+    """Step to a cell, or to its mirror image beyond the sides of the cube."""
     other = at + step
     taken = step
     if other < 0:
@@ -73,13 +70,12 @@ def mirrored_step(at: int, step: int, width: int) -> int:
 
 @func
 def is_beyond(place: vec3i, width: int) -> int:
-    """1 where a place is greater than `width` along an axis."""
     return 1 if place[0] > width or place[1] > width or place[2] > width else 0
 
 
 @func
 def corner_value(values: array(dtype=float32), slot: int, f: vec3, level: OctreeLevel) -> float:
-    """The piecewise linear function of the values at the corners, at shares f of the cell of a slot."""
+    """Trilinear interpolation of the corner values at fractions f of a cell."""
     total = 0.0
     n = int(8)
     for corner in range(n):

@@ -1,15 +1,9 @@
-"""The mesh whose edges collapse: its arrays, the triangles around its vertices, and what its edges border.
+"""Mesh for edge collapse: arrays, triangles around vertices, and feature edges.
 
-An edge is a feature where a collapse across it would change what the mesh is: it has not exactly two triangles, or
-texture coordinates or material numbers differ across it. A vertex is free where no feature edge ends, on a line where
-two do, and a corner else. These are the orders of Dey, Edelsbrunner, Guha and Nekhayev, "Topology preserving edge
-contraction", 1999.
-
-Triangles around a vertex are listed once by a sort; each round then joins the lists of the ends of edges that
-collapsed, so what a thread reads of its surroundings lies side by side. Half-edges and vertices keep their numbers from
-round to round, and what is gone is squeezed out when it is a quarter of all (squeezed_mesh.py). How much there is
-stands in a record on the device, which nobody waits for: on CUDA launches are over the most that there can be, and
-threads beyond what there is do nothing. Some 300 B of memory a triangle, with a twin for what is new.
+An edge is a feature without exactly two triangles, or with different texture coordinates or materials across it. A
+vertex is free, on a line (two features), or a corner (Dey, Edelsbrunner, Guha and Nekhayev, "Topology preserving edge
+contraction", 1999). Removed elements are compacted at a quarter of all (squeezed_mesh.py). Sizes are in a record on the
+device: CUDA launches cover the maximum. About 300 B per triangle.
 """
 
 import copy
@@ -25,43 +19,28 @@ from ..memory import clone, empty, fill, full, host_view, upload, zeros
 from ..meshes.mesh_topology import CornersByVertex, corner_vertex, next_corner
 from .quadrics import quadric
 
-OWNER, FEATURE = 1, 2  # bits of a half-edge: the one that speaks for its edge; its edge is a feature
+OWNER, FEATURE = 1, 2  # bits of a half-edge: owner of its edge; feature edge
 FREE, LINE, CORNER = 0, 1, 2  # kinds of vertices
-REFUSED_KEY = NO_KEY - 1  # of an edge that may not collapse as things are around it
-STALE_KEY = NO_KEY - 2  # of an edge that is to be priced
+REFUSED_KEY = NO_KEY - 1  # of an edge that may not collapse in its current neighborhood
+STALE_KEY = NO_KEY - 2  # of an edge whose cost must be computed
 
-# Places of the record: triangles that are left, triangles and vertices with those that are gone, edges that are looked
-# at, that may collapse at once, that do; the bin of the dearest that are looked at, -1 for none.
+# Record: remaining triangles; triangles and vertices including removed ones; edges considered, able to collapse at
+# once, and collapsing; the highest cost bin considered (-1 for none).
 TRIANGLES, SLOTS, VERTICES, EDGES, PICKED, CHOSEN, BIN = 0, 1, 2, 3, 4, 5, 6
-# Whether triangles may turn over, seams are features, what is gone is to be squeezed out, all features to be found.
+# Flags: triangles may flip, seams are features, compaction is due, all features must be found.
 BENDING, SEAMS, SQUEEZE, EVERY = 7, 8, 9, 10
 NUMBERS = 11
 
-LISTS = ("starts", "corners", "spokes")  # what a round makes anew
+LISTS = ("starts", "corners", "spokes")  # arrays recomputed by a round
 OTHERS = ("positions", "quadrics", "triangles", "uvs", "materials", "flags", "kinds", "touched", "keys")
 
 
 @struct
 class CollapseMesh:
-    """A mesh between two rounds.
-
-    Attributes:
-        positions: vec3d [m], in a box of one unit about zero.
-        quadrics: Of the vertices.
-        triangles: vec3i [t]; of three -1 where one is gone.
-        uvs: vec2 [3 t], or one row where there are none.
-        materials: int32 [t], or one row where there are none.
-        starts: int32 [m + 1], where each vertex' corners begin.
-        corners: The half-edges that leave vertices.
-        spokes: For each of them the next and the last vertex of its triangle.
-        flags: uint8 [3 t] of half-edges.
-        kinds: uint8 [m].
-        touched: uint8 [m], 1 for vertices of edges that collapsed in the last round, and those next to them.
-        keys: int64 [3 t], the prices of edges at their owners; NO_KEY elsewhere.
-        numbers: int32, the record of where the rounds are.
-        has_uvs, has_materials: 1 or 0.
-        rows: The vec3 [m] arrays that belong to vertices; on the host.
-    """
+    """A mesh between two rounds, scaled to a unit box. `starts` and `corners` are half-edges by vertex, `spokes` the
+    next and last vertex of their triangles. `triangles` are -1 if removed; `uvs` and `materials` have one row if
+    absent. `touched` marks vertices near the last collapses; `keys` are edge costs at their owners, or NO_KEY;
+    `numbers` is the device record."""
 
     positions: array(dtype=vec3d)
     quadrics: array(dtype=quadric)
@@ -105,11 +84,11 @@ class CollapseMesh:
         self.keys = full(3 * triangles.size, NO_KEY, int64, device)
 
     def live(self, number: int, most: int) -> int:
-        """Threads for what a number of the record counts: so many on the CPU, `most` on CUDA, which is not asked."""
+        """Number of threads for a count in the record: exact on the CPU, `most` on CUDA."""
         return most if self.numbers.device.is_cuda else int(host_view(self.numbers)[number])
 
     def twin(self) -> "CollapseMesh":
-        """Room for all that changes from round to round, of the same record."""
+        """A copy with room for all arrays that change, sharing the record."""
         other = copy.copy(self)
         for name in (*LISTS, *OTHERS):
             values = getattr(self, name)
@@ -119,19 +98,18 @@ class CollapseMesh:
         return other
 
     def exchange(self, other: "CollapseMesh", names: Sequence[str]) -> None:
-        """Take arrays of a twin for one's own."""
         for name in names:
             mine = getattr(self, name)
             setattr(self, name, getattr(other, name))
             setattr(other, name, mine)
 
     def find_all_features(self) -> None:
-        """Flag all half-edges and sort all vertices into kinds, where the record says so; all edges want a price."""
+        """Flag all half-edges and classify all vertices if the record requests it; all edges then need a cost."""
         every, count = empty(0, int32, self.numbers.device), self.live(VERTICES, self.positions.size)
         self._find_features(every, count)
 
     def find_features(self, moved: Integers, most: int) -> None:
-        """The same around vertices that moved, of which none is next to another; int32 device array."""
+        """`find_all_features` around moved vertices (int32), none adjacent to another."""
         self._find_features(moved, self.live(CHOSEN, most))
 
     def _find_features(self, rows: Integers, count: int) -> None:
@@ -139,13 +117,7 @@ class CollapseMesh:
         launch(sort_vertices_kernel, count, [self, rows, self.kinds])
 
     def join_corners(self, partners: Integers, other: "CollapseMesh", scan: LoopScan) -> None:
-        """List the corners anew after a round.
-
-        Args:
-            partners: int32 [m], the vertex whose corners each takes over; -2 - v where v takes its own; else -1.
-            other: The twin.
-            scan: For as many counts as there are vertices.
-        """
+        """Update corner lists. `partners`: vertex whose corners each takes over; -2 - v if v keeps its own, else -1."""
         count = self.live(VERTICES, self.positions.size)
         counts = other.starts[1:]
         launch(count_corners_kernel, count, [self, partners, counts])
@@ -161,16 +133,11 @@ class CollapseMesh:
 
 @func
 def last_corner(h: int) -> int:
-    """The half-edge before another in its triangle."""
     return h - 1 if h % 3 > 0 else h + 2
-
-
-# ------------------------------------------------------------------------------------------------ lists of corners
 
 
 @kernel
 def fill_spokes_kernel(triangles: array(dtype=vec3i), corners: array(dtype=int32), spokes: array(dtype=vec2i)):
-    """The other two vertices of each corner's triangle."""
     i = tid()
     h = corners[i]
     spokes[i] = vec2i(corner_vertex(triangles, next_corner(h)), corner_vertex(triangles, last_corner(h)))
@@ -178,7 +145,6 @@ def fill_spokes_kernel(triangles: array(dtype=vec3i), corners: array(dtype=int32
 
 @func
 def joined_spoke(mesh: CollapseMesh, j: int, partners: array(dtype=int32)) -> vec2i:
-    """A spoke by the vertices that are left."""
     s = mesh.spokes[j]
     p = partners[s[0]]
     q = partners[s[1]]
@@ -187,7 +153,6 @@ def joined_spoke(mesh: CollapseMesh, j: int, partners: array(dtype=int32)) -> ve
 
 @kernel
 def count_corners_kernel(mesh: CollapseMesh, partners: array(dtype=int32), counts: array(dtype=int32)):
-    """How many triangles each vertex has after a round; those are gone that have a vertex twice."""
     i = tid()
     if i >= mesh.numbers[VERTICES]:
         counts[i] = 0
@@ -211,7 +176,7 @@ def join_corners_kernel(
     corners: array(dtype=int32),
     spokes: array(dtype=vec2i),
 ):
-    """The corners of each vertex, then those that it takes over."""
+    """Corners of each vertex, followed by those that it takes over."""
     i = tid()
     if i >= mesh.numbers[VERTICES]:
         return
@@ -231,7 +196,6 @@ def join_corners_kernel(
 def keep_lists_kernel(
     other: CollapseMesh, starts: array(dtype=int32), corners: array(dtype=int32), spokes: array(dtype=vec2i)
 ):
-    """The lists of a twin, over those that are."""
     i = tid()
     count = other.numbers[VERTICES]
     if i <= count:
@@ -243,27 +207,19 @@ def keep_lists_kernel(
 
 @func
 def mix_number(h: int) -> int64:
-    """Another 32-bit number for each number, so that edges of one price are told apart, and in no order of space.
-
-    Without that only the ends of a chain of edges whose prices rise could collapse at once.
-    """
+    """Bijective 32-bit hash to break ties without spatial order, so that not only the ends of chains collapse."""
     x = (int64(h) * 0x9E3779B1) & 0xFFFFFFFF
     x = x ^ (x >> 15)
     return (x * 0x85EBCA6B) & 0xFFFFFFFF
 
 
-# ------------------------------------------------------------------------------------------------ features
-
-
 @func
 def valence(mesh: CollapseMesh, v: int) -> int:
-    """The triangles at a vertex."""
     return mesh.starts[v + 1] - mesh.starts[v]
 
 
 @func
 def uv_at(mesh: CollapseMesh, h: int, v: int) -> vec2:
-    """The texture coordinates at vertex v, an end of h, in the triangle of h."""
     place = h
     if corner_vertex(mesh.triangles, h) != v:
         place = next_corner(h)
@@ -272,7 +228,7 @@ def uv_at(mesh: CollapseMesh, h: int, v: int) -> vec2:
 
 @func
 def differ_across(mesh: CollapseMesh, g: int, h: int, a: int, b: int) -> int:
-    """1 where two half-edges of the edge a, b have other texture coordinates or materials."""
+    """1 if two half-edges of edge a, b have different texture coordinates or materials."""
     found = 0
     if mesh.has_uvs == 1:
         p = uv_at(mesh, g, a) - uv_at(mesh, h, a)
@@ -287,7 +243,7 @@ def differ_across(mesh: CollapseMesh, g: int, h: int, a: int, b: int) -> int:
 
 @func
 def edge_at(mesh: CollapseMesh, j: int, u: int) -> int:
-    """The half-edge between the vertex of the j-th corner and u in the corner's triangle, or -1."""
+    """Half-edge between the vertex of the j-th corner and u in its triangle, or -1."""
     s = mesh.spokes[j]
     h = -1
     if s[0] == u:
@@ -299,7 +255,6 @@ def edge_at(mesh: CollapseMesh, j: int, u: int) -> int:
 
 @func
 def edge_valence(mesh: CollapseMesh, a: int, b: int) -> int:
-    """The triangles at an edge."""
     count = 0
     for j in range(mesh.starts[a], mesh.starts[a + 1]):
         if edge_at(mesh, j, b) >= 0:
@@ -309,7 +264,7 @@ def edge_valence(mesh: CollapseMesh, a: int, b: int) -> int:
 
 @func
 def edge_flags(mesh: CollapseMesh, h: int, a: int, b: int, seams: int) -> int:
-    """The bits of a half-edge between a and b; the first half-edge of an edge owns it."""
+    """Flags of a half-edge between a and b; the first half-edge of an edge owns it."""
     v = a
     u = b
     if valence(mesh, b) < valence(mesh, a):
@@ -337,7 +292,7 @@ def edge_flags(mesh: CollapseMesh, h: int, a: int, b: int, seams: int) -> int:
 
 @func
 def row_at(mesh: CollapseMesh, i: int, rows: array(dtype=int32)) -> int:
-    """The i-th of vertices that moved, or of all where there are no rows and the record says so; -1 for none."""
+    """The i-th moved vertex, or vertex i if there are no rows and the record requests all; -1 for none."""
     v = -1
     if rows.shape[0] > 0:
         if i < mesh.numbers[CHOSEN]:
@@ -351,7 +306,7 @@ def row_at(mesh: CollapseMesh, i: int, rows: array(dtype=int32)) -> int:
 def flag_edges_kernel(
     mesh: CollapseMesh, rows: array(dtype=int32), flags: array(dtype=uint8), keys: array(dtype=int64)
 ):
-    """The bits of the half-edges that leave some vertices and that lead there; of all where there are no rows."""
+    """Flags of the half-edges from and to some vertices; of all without rows."""
     i = tid()
     v = row_at(mesh, i, rows)
     if v < 0:
@@ -373,7 +328,7 @@ def flag_edges_kernel(
 
 @kernel
 def sort_vertices_kernel(mesh: CollapseMesh, rows: array(dtype=int32), kinds: array(dtype=uint8)):
-    """How many feature edges end at a vertex: none, two, or another number; each edge is counted at its owner."""
+    """Classify vertices by their number of feature edges (0, 2, other); each edge is counted at its owner."""
     i = tid()
     v = row_at(mesh, i, rows)
     if v < 0:

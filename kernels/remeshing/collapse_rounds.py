@@ -1,23 +1,9 @@
-"""The rounds in which edges collapse, until enough triangles are gone: on CUDA one graph, whose end the device decides.
+"""Rounds of edge collapses until the target number of triangles; one CUDA graph, terminated by the device.
 
-A round: edges get the prices that they lack, those up to a limit are looked at, some are picked that are not next to
-each other, the cheapest of them collapse, and what that changed is found anew. Some 70 launches, most of them over what
-is left and little more.
-
-Edges that collapse at once: none has an end next to an end of another. The least key of the edges at each vertex is
-found; an edge whose key is the least at both its ends and at all vertices around them is looked at, and chosen where it
-may collapse (Luby, "A simple parallel algorithm for the maximal independent set problem", 1986, with prices for random
-numbers). What is next to a chosen edge is out, what may not collapse is out until something near it moves, and the rest
-chooses again.
-
-Which edges are looked at in a round, and which of those that may collapse do: numbers found by counts in bins. The
-price up to which edges are looked at is that of a bin. Towards the end the cheapest edges are found to the one with
-which enough triangles are gone: digit by digit of their keys, as a radix sort would, without their order. A block of
-bins is summed, then a thread a block finds out whether the number falls into it: 64 numbers are read, and 64 more.
-
-Chosen edges collapse: their vertices move and take what belongs to both ends, their triangles go. One thread an edge;
-no two of them share a triangle, so each writes its own. Where the vertex comes to lie off the edge, normals, colours
-and texture coordinates are those of the place in the triangle of the edge beneath it.
+A round computes missing costs, considers edges up to a histogram limit, selects an independent set (Luby, "A simple
+parallel algorithm for the maximal independent set problem", 1986, with costs for random numbers), and collapses the
+cheapest. An edge is selected if its key is minimal at all vertices around both ends. Towards the end, a radix selection
+finds the edges that reach the target. About 70 launches per round.
 """
 
 from collections.abc import Sequence
@@ -76,7 +62,7 @@ from .squeezed_mesh import Squeezing, left_vertices
 
 @func
 def place_in_triangle(a: vec3d, b: vec3d, c: vec3d, x: vec3d) -> vec3d:
-    """The shares of a triangle's corners at the foot of x, none negative; c has none in a triangle without area."""
+    """Nonnegative barycentric coordinates of x projected to a triangle; c gets 0 without area."""
     u = b - a
     v = c - a
     w = x - a
@@ -105,10 +91,7 @@ def place_edges_kernel(
     shares: array(dtype=vec3d),
     tips: array(dtype=int32),
 ):
-    """Where the vertices of edges come to lie.
-
-    `shares` are those of the first end, the other end and the tip of the triangle beneath, whose corner is in `tips`.
-    """
+    """New vertex positions of edges; `shares` of first end, other end and tip (`tips`) of the triangle below."""
     i = tid()
     if i >= mesh.numbers[CHOSEN]:
         return
@@ -148,10 +131,7 @@ def collapse_edges_kernel(
     keys: array(dtype=int64),
     moved: array(dtype=int32),
 ):
-    """Move the first end of each edge to where its vertex comes to lie, and give it the triangles of the other end.
-
-    `moved` are the first ends.
-    """
+    """Move the first end (in `moved`) of each edge to its new position with the triangles of the other end."""
     i = tid()
     if i >= mesh.numbers[CHOSEN]:
         return
@@ -188,7 +168,7 @@ def merge_rows_kernel(
     unit: int,
     rows: array(dtype=vec3),
 ):
-    """The rows of vertices that edges become; of unit length where `unit` is 1 and there is a length."""
+    """Attributes of merged vertices; normalized if `unit` is 1."""
     i = tid()
     if i >= mesh.numbers[CHOSEN]:
         return
@@ -208,10 +188,7 @@ def merge_rows_kernel(
 
 @func
 def merged_uv(mesh: CollapseMesh, a: int, b: int, v: int, old: vec2, s: vec3d, tip: int) -> vec2:
-    """What the coordinates `old` of a corner at v, one end of the edge a, b, become.
-
-    They go with the triangle at the edge that has the same at v; with none they stay.
-    """
+    """New coordinates of a corner at v: from the triangle at the edge with the same `old` ones, or unchanged."""
     new = old
     found = 0
     for j in range(mesh.starts[a], mesh.starts[a + 1]):
@@ -238,7 +215,7 @@ def merge_uvs_kernel(
     tips: array(dtype=int32),
     uvs: array(dtype=vec2),
 ):
-    """The texture coordinates of the corners around edges that collapse; `uvs` are not those of the mesh."""
+    """Texture coordinates around collapsing edges; `uvs` is a separate array."""
     i = tid()
     if i >= mesh.numbers[CHOSEN]:
         return
@@ -255,7 +232,6 @@ def merge_uvs_kernel(
 
 @kernel
 def take_uvs_kernel(mesh: CollapseMesh, edges: array(dtype=int32), merged: array(dtype=vec2), uvs: array(dtype=vec2)):
-    """The coordinates of the corners around edges that collapse become what they were merged to."""
     i = tid()
     if i >= mesh.numbers[CHOSEN]:
         return
@@ -269,16 +245,7 @@ def take_uvs_kernel(mesh: CollapseMesh, edges: array(dtype=int32), merged: array
 
 
 class EdgeCollapse:
-    """Room to collapse edges.
-
-    Args:
-        mesh: CollapseMesh.
-        most: Edges at once.
-        unit: For each of the mesh's rows whether they have unit length.
-
-    Attributes:
-        moved: The vertices that edges have become, int32.
-    """
+    """Buffers to collapse up to `most` edges; `moved` are the merged vertices."""
 
     def __init__(self, mesh: CollapseMesh, most: int, unit: Sequence[bool]) -> None:
         device, self.most, self.unit = mesh.numbers.device, most, unit
@@ -288,7 +255,7 @@ class EdgeCollapse:
         self._scan = LoopScan(mesh.positions.size, device)
 
     def run(self, mesh: CollapseMesh, twin: CollapseMesh, edges: Indices) -> None:
-        """Collapse edges of which none is next to another: int32 half-edges, as many as the record says."""
+        """Collapse independent edges (int32 half-edges), as many as in the record."""
         count, vertices = mesh.live(CHOSEN, self.most), mesh.live(VERTICES, mesh.positions.size)
         launch(place_edges_kernel, count, [mesh, edges, self._places, self._shares, self._tips])
         for rows, is_unit in zip(mesh.rows, self.unit, strict=True):
@@ -302,17 +269,16 @@ class EdgeCollapse:
         mesh.join_corners(self._partners, twin, self._scan)
 
 
-LEAST = 4  # edges are looked at in any case
+LEAST = 4  # minimum number of edges considered
 BLOCKS = 64  # of bins
 BLOCK = BINS // BLOCKS
 DIGIT_BITS = 12  # of BINS
-PRICE_SHIFT = 32 + STEP  # of a key: below are zeros and its own number
-DIGITS = 4  # of a key: 11 bits of the price and 32 of its own number
+PRICE_SHIFT = 32 + STEP  # of a key: lower bits are zeros and the unique number
+DIGITS = 4  # of a key: 11 bits of the cost and 32 of the unique number
 
 
 @kernel
 def sum_bins_kernel(bins: array(dtype=int32), blocks: array(dtype=int32)):
-    """The sum of each block of bins."""
     i = tid()
     total = 0
     for j in range(i * BLOCK, (i + 1) * BLOCK):
@@ -322,7 +288,6 @@ def sum_bins_kernel(bins: array(dtype=int32), blocks: array(dtype=int32)):
 
 @func
 def sum_of_blocks(blocks: array(dtype=int32), count: int) -> int:
-    """The sum of the first blocks."""
     total = 0
     for j in range(count):
         total += blocks[j]
@@ -331,15 +296,12 @@ def sum_of_blocks(blocks: array(dtype=int32), count: int) -> int:
 
 @kernel
 def limit_prices_kernel(blocks: array(dtype=int32), target: int, bins: array(dtype=int32), numbers: array(dtype=int32)):
-    """The bin of the dearest edge to be looked at, -1 where there is none; and bins of zero for the next round.
-
-    They are a share of all, and no more than triangles are to go: towards the end only the cheapest should.
-    """
+    """Highest cost bin to consider (or -1): a fraction of edges, at most the triangles to remove; clears bins."""
     i = tid()
     before = sum_of_blocks(blocks, i)
     total = sum_of_blocks(blocks, BLOCKS)
     excess = numbers[TRIANGLES] - target
-    share = int((int64(total) * 7 + 19) // 20)  # 0.35, rounded up: more is faster and less exact
+    share = int((int64(total) * 7 + 19) // 20)  # 0.35, rounded up: more is faster and less accurate
     wanted = min(max(min(share, excess), LEAST), total)
     if i == 0 and total == 0:
         numbers[BIN] = -1
@@ -356,13 +318,12 @@ def limit_prices_kernel(blocks: array(dtype=int32), target: int, bins: array(dty
 
 @func
 def short_key(key: int64) -> int64:
-    """A key without the bits that are zero in all."""
     return ((key >> int64(PRICE_SHIFT)) << int64(32)) | (key & int64(0xFFFFFFFF))
 
 
 @func
 def is_cut(mesh: CollapseMesh, target: int) -> int:
-    """1 where more than enough triangles might go."""
+    """1 if more triangles than necessary would be removed."""
     return 1 if 2 * mesh.numbers[PICKED] > mesh.numbers[TRIANGLES] - target else 0
 
 
@@ -375,7 +336,7 @@ def count_gone_kernel(
     heads: array(dtype=int64),
     bins: array(dtype=int32),
 ):
-    """How many triangles go with the edges of each digit, of those whose digits before are the ones that were found."""
+    """Triangles removed by the edges of each digit, among those with the digits found so far."""
     i = tid()
     cut = is_cut(mesh, target)
     if i >= mesh.numbers[PICKED] or cut == 0:
@@ -386,7 +347,7 @@ def count_gone_kernel(
     if (key >> int64(rest + DIGIT_BITS)) == heads[digit]:
         a = corner_vertex(mesh.triangles, h)
         b = corner_vertex(mesh.triangles, next_corner(h))
-        atomic_add(bins, int((key >> int64(rest)) & int64(BINS - 1)), edge_valence(mesh, a, b))  # whole numbers
+        atomic_add(bins, int((key >> int64(rest)) & int64(BINS - 1)), edge_valence(mesh, a, b))  # integers
 
 
 @kernel
@@ -399,7 +360,7 @@ def find_digit_kernel(
     rests: array(dtype=int32),
     bins: array(dtype=int32),
 ):
-    """The next digit of the dearest key to be taken, and how many triangles are to go with it; the highest for all."""
+    """Next digit of the highest key to take (the highest if all are), and the triangles to remove with it."""
     i = tid()
     if is_cut(mesh, target) == 0:
         return
@@ -427,7 +388,7 @@ def find_digit_kernel(
 def mark_cheapest_kernel(
     mesh: CollapseMesh, edges: array(dtype=int32), target: int, heads: array(dtype=int64), mask: array(dtype=uint8)
 ):
-    """1 for the edges up to the key that was found; for all where no more triangles would go than are to."""
+    """1 for edges up to the key found; for all if that does not exceed the target."""
     i = tid()
     taken = 0
     if i < mesh.numbers[PICKED]:
@@ -439,8 +400,6 @@ def mark_cheapest_kernel(
 
 
 class EdgeBins:
-    """Room for the counts; the bins are zero between two steps."""
-
     def __init__(self, target: int, numbers: Indices) -> None:
         device = numbers.device
         self.target, self.numbers = target, numbers
@@ -449,12 +408,11 @@ class EdgeBins:
         self._rests = zeros(DIGITS + 1, int32, device)
 
     def limit_prices(self) -> None:
-        """Find the bin up to which edges are looked at, of the prices that were counted."""
         launch(sum_bins_kernel, BLOCKS, [self.bins, self._blocks])
         launch(limit_prices_kernel, BLOCKS, [self._blocks, self.target, self.bins, self.numbers])
 
     def mark_cheapest(self, mesh: CollapseMesh, edges: Indices, count: int, mask: Bytes) -> None:
-        """Mark the cheapest of the picked edges, as many as it takes for the target; all where they are not enough."""
+        """Mark the cheapest selected edges that reach the target, or all."""
         for digit in range(DIGITS):
             launch(count_gone_kernel, count, [mesh, edges, self.target, digit, self._heads, self.bins])
             launch(sum_bins_kernel, BLOCKS, [self.bins, self._blocks])
@@ -467,7 +425,7 @@ class EdgeBins:
 def take_edges_kernel(
     mesh: CollapseMesh, edges: array(dtype=int32), blocked: array(dtype=uint8), least: array(dtype=int64)
 ):
-    """The least key of the edges at each vertex, of edges with no end blocked; a minimum is the same in any order."""
+    """Minimum key of the unblocked edges at each vertex; the minimum does not depend on the order."""
     i = tid()
     if i >= mesh.numbers[EDGES]:
         return
@@ -483,7 +441,6 @@ def take_edges_kernel(
 
 @func
 def is_least_around(mesh: CollapseMesh, v: int, key: int64, least: array(dtype=int64)) -> int:
-    """1 where no vertex around v has an edge with a lower key."""
     found = 1
     j = mesh.starts[v]
     while j < mesh.starts[v + 1] and found == 1:
@@ -496,7 +453,7 @@ def is_least_around(mesh: CollapseMesh, v: int, key: int64, least: array(dtype=i
 
 @func
 def block_around(mesh: CollapseMesh, v: int, blocked: array(dtype=uint8)):
-    """Block a vertex and those around it; threads that meet write the same."""
+    """Block a vertex and its neighbors; all threads write the same value."""
     blocked[v] = 1
     for j in range(mesh.starts[v], mesh.starts[v + 1]):
         s = mesh.spokes[j]
@@ -513,7 +470,7 @@ def choose_edges_kernel(
     chosen: array(dtype=uint8),
     blocked: array(dtype=uint8),
 ):
-    """Choose or refuse the edges whose key is the least all around; `keys` are those of the mesh."""
+    """Select or reject edges whose key is minimal around; `keys` are those of the mesh."""
     i = tid()
     if i >= mesh.numbers[EDGES]:
         return
@@ -535,11 +492,7 @@ def choose_edges_kernel(
 
 
 class EdgeChoice:
-    """Room to choose edges.
-
-    Attributes:
-        chosen: uint8 mask of edges; zero behind those there are.
-    """
+    """Buffers for edge selection; `chosen` is zero beyond the edges."""
 
     def __init__(self, mesh: CollapseMesh) -> None:
         device = mesh.numbers.device
@@ -547,13 +500,7 @@ class EdgeChoice:
         self._least = empty(mesh.positions.size, int64, device)
 
     def run(self, mesh: CollapseMesh, edges: Indices, turns: int) -> None:
-        """Choose edges that may collapse at once; `mesh.touched` becomes 1 for their vertices and those around them.
-
-        Args:
-            mesh: CollapseMesh, whose keys of refused edges change.
-            edges: int32, the owners of edges to choose from, as many as the record says.
-            turns: How often the rest chooses again.
-        """
+        """Select independent `edges` (owners) in `turns` passes; sets `mesh.touched` and the keys of rejected edges."""
         count, vertices = mesh.live(EDGES, edges.size), mesh.live(VERTICES, mesh.positions.size)
         fill(self.chosen[:count], 0)
         fill(mesh.touched[:vertices], 0)
@@ -565,8 +512,8 @@ class EdgeChoice:
             launch(choose_edges_kernel, count, arguments)
 
 
-TURNS = 3  # of choosing a round
-LEFT, PARTS = 3, 4  # where fewer of the triangles are left, what is gone is squeezed out
+TURNS = 3  # selection passes per round
+LEFT, PARTS = 3, 4  # fraction of remaining triangles below which the mesh is compacted
 
 
 @kernel
@@ -577,7 +524,6 @@ def take_rows_kernel(
     place: int,
     out: array(dtype=int32),
 ):
-    """The values at the first rows."""
     i = tid()
     if i < counts[place]:
         out[i] = values[rows[i]]
@@ -585,7 +531,7 @@ def take_rows_kernel(
 
 @kernel
 def judge_round_kernel(mesh: CollapseMesh, ends_there: int, numbers: array(dtype=int32), running: array(dtype=int32)):
-    """What the round has led to: what is let go where no edge may collapse any more, and whether to squeeze."""
+    """Round outcome: if no edge can collapse, relax constraints; decide on compaction."""
     i = tid()
     left = mesh.starts[numbers[VERTICES]] // 3
     numbers[TRIANGLES] = left
@@ -608,7 +554,7 @@ def judge_round_kernel(mesh: CollapseMesh, ends_there: int, numbers: array(dtype
 def end_round_kernel(
     mesh: CollapseMesh, ranks: array(dtype=int32), target: int, numbers: array(dtype=int32), running: array(dtype=int32)
 ):
-    """The sizes after a squeeze, and whether there is another round."""
+    """Sizes after compaction, and whether another round follows."""
     i = tid()
     count = left_vertices(mesh, ranks)
     if count >= 0:
@@ -622,20 +568,12 @@ def end_round_kernel(
 
 @kernel
 def ask_squeeze_kernel(numbers: array(dtype=int32)):
-    """What is gone is to be squeezed out."""
     i = tid()
     numbers[SQUEEZE] = i + 1
 
 
 class CollapseRounds:
-    """All rounds of a mesh, with the arrays that they share.
-
-    Args:
-        mesh: CollapseMesh with features and quadrics, and more triangles than the target.
-        unit: For each of its rows whether they have unit length.
-        target: Triangles to be left.
-        most: The error up to which edges collapse.
-    """
+    """All rounds of a mesh with features and quadrics to `target` triangles; `most` is the maximum error."""
 
     def __init__(self, mesh: CollapseMesh, unit: Sequence[bool], target: int, most: float) -> None:
         device, halves = mesh.numbers.device, mesh.keys.size
@@ -652,7 +590,7 @@ class CollapseRounds:
         self.running = full(1, int(mesh.triangles.size > target), int32, device)
 
     def run(self) -> None:
-        """Collapse edges to the target, or as far as that goes; then squeeze out what is gone."""
+        """Collapse edges to the target or as far as possible, then compact."""
         if self.running.device.is_cuda:
             DeviceLoop(self.running, self.run_round).run()
         else:
@@ -663,14 +601,14 @@ class CollapseRounds:
         self.squeeze()
 
     def price_edges(self) -> None:
-        """Give edges the prices that they lack, and find the limit of those to be looked at."""
+        """Compute missing edge costs and the limit of edges to consider."""
         mesh = self.mesh
         count = 3 * mesh.live(SLOTS, mesh.triangles.size)
         launch(price_edges_kernel, count, [mesh, self.most, mesh.keys, self.bins.bins])
         self.bins.limit_prices()
 
     def choose(self) -> None:
-        """Choose edges of which none is next to another, cheap ones, no more than are to go."""
+        """Select cheap independent edges, at most as many as needed."""
         mesh, numbers = self.mesh, self.mesh.numbers
         count = 3 * mesh.live(SLOTS, mesh.triangles.size)
         launch(mark_cheap_edges_kernel, count, [mesh.keys, numbers, self.cheap])
@@ -687,7 +625,6 @@ class CollapseRounds:
         launch(take_rows_kernel, mesh.live(CHOSEN, self.chosen.size), rows)
 
     def run_round(self) -> None:
-        """Collapse some edges."""
         mesh = self.mesh
         self.price_edges()
         self.choose()
@@ -699,7 +636,6 @@ class CollapseRounds:
         self.squeeze()
 
     def squeeze(self) -> None:
-        """Renumber what is left where the record says so."""
         mesh, on_cuda = self.mesh, self.running.device.is_cuda
         if on_cuda or host_view(mesh.numbers)[SQUEEZE]:
             self.squeezing.run(mesh, self.twin)

@@ -1,12 +1,8 @@
-"""A mesh that is remeshed: which of its edges are creases, that stay where they are, and what is around its vertices.
+"""Mesh for isotropic remeshing, with creases that are preserved.
 
-An edge is a crease where it has not exactly two triangles that run it in opposite ways, where these meet at more than
-an angle, or where it was one before: creases are flagged at half-edges and follow what is done to their triangles. A
-vertex is free where no crease ends, on a line where two do, and a corner else, or where its line bends by more than the
-angle. About 200 B a triangle while edges are sorted.
-
-On CUDA triangles that have gone stay in their places, as three times the number of vertices: a corner of theirs is none
-of a vertex', and the edge of all of them is the last one, which is cut off. So nothing waits for how many are left.
+A crease is an edge without exactly two consistently oriented triangles, with a large dihedral angle, or that was one
+before. A vertex is free, on a line (two creases), or a corner, also if its line bends. About 200 B per triangle. On
+CUDA, removed triangles stay as three times the vertex count, so no sync is needed; their common edge comes last.
 """
 
 import math
@@ -44,37 +40,25 @@ from ..meshes.mesh_measures import triangle_cross
 from ..meshes.mesh_topology import CornersByVertex, corner_vertex, next_corner
 
 FREE, LINE, CORNER = 0, 1, 2  # kinds of vertices
-NO_NUMBER = 0x7FFF_FFFF_FFFF_FFFF  # beyond every key
+NO_NUMBER = 0x7FFF_FFFF_FFFF_FFFF  # above all keys
 
 
 @func
 def last_corner(h: int) -> int:
-    """The half-edge before another in its triangle."""
     return h - 1 if h % 3 > 0 else h + 2
 
 
 @func
 def mixed_key(number: int, i: int) -> int64:
-    """A number above another one that belongs to i alone and is in no order of space: keys of which none are equal."""
+    """Unique key of a number with a hash of i in the low bits, without spatial order."""
     x = (int64(i) * 0x9E3779B1) & 0xFFFFFFFF
     return (int64(number) << 32) | x
 
 
 @struct
 class CreasedMesh:
-    """A mesh between two steps; its edges are padded until `count_edges`.
-
-    Attributes:
-        vertices: vec3 [m].
-        triangles: vec3i [t], none with a vertex twice but those that have gone: m three times.
-        creases: uint8 [3 t], 1 for half-edges of creases.
-        fixed: uint8 [m], 1 for vertices that are corners whatever ends there.
-        edges: Its MeshEdges.
-        edge_of: int32 [3 t], the edge of each half-edge.
-        around: The corners by vertex.
-        kinds: uint8 [m].
-        rims: uint8 [m], 1 for vertices of edges with one triangle.
-    """
+    """A mesh between two steps; edges are padded until `count_edges`. `creases` flags half-edges, `fixed` vertices that
+    are always corners, `rims` those on boundary edges. Removed triangles have three vertices m."""
 
     vertices: array(dtype=vec3)
     triangles: array(dtype=vec3i)
@@ -98,11 +82,10 @@ class CreasedMesh:
 
     @property
     def gone_edge(self) -> int:
-        """The key of the edge of triangles that have gone."""
         return self.vertices.size << key_bits(self.vertices.size) | self.vertices.size
 
     def count_edges(self, *beside: Integers) -> list[Any]:
-        """Cut off what stands behind the edges, and fetch the arrays `beside`, as NumPy; one sync."""
+        """Remove the padding of edges, and copy `beside` to NumPy; one sync."""
         if self.edges.told is None:
             return read_together(beside) if beside else []
         (count, low, high), *found = read_together([self.edges.told, *beside])  # sync
@@ -112,13 +95,12 @@ class CreasedMesh:
 
 @func
 def is_edge(edges: MeshEdges, e: int) -> int:
-    """1 for edges of triangles, 0 for that of those that have gone, and behind it."""
+    """1 for edges of existing triangles."""
     return 1 if edges.lows[e] != edges.highs[e] else 0
 
 
 @func
 def is_paired(triangles: array(dtype=vec3i), edges: MeshEdges, e: int) -> int:
-    """1 for an edge with two triangles that run it in opposite ways."""
     first = edges.starts[e]
     paired = 0
     if edges.starts[e + 1] - first == 2:
@@ -135,7 +117,7 @@ def join_creases_kernel(
     rims: array(dtype=uint8),
     ends: array(dtype=int32),
 ):
-    """Let all half-edges of an edge be creases where one is; count them at vertices, in whole numbers."""
+    """Make all half-edges of an edge creases if one is, and count them at vertices (integers)."""
     e = tid()
     if is_edge(mesh.edges, e) == 0:
         return
@@ -158,7 +140,6 @@ def join_creases_kernel(
 
 @kernel
 def sort_vertices_kernel(ends: array(dtype=int32), fixed: array(dtype=uint8), kinds: array(dtype=uint8)):
-    """The kind of each vertex by the creases that end there."""
     i = tid()
     kind = int(CORNER)
     if ends[i] == 0:
@@ -178,7 +159,7 @@ def find_creases_kernel(
     cosine: float64,
     creases: array(dtype=uint8),
 ):
-    """1 for both half-edges of an edge at which two triangles meet at more than an angle."""
+    """1 for both half-edges of an edge with a dihedral angle above the limit."""
     e = tid()
     if is_paired(triangles, edges, e) == 1:
         g = edges.halves[edges.starts[e]]
@@ -193,7 +174,7 @@ def find_creases_kernel(
 
 @func
 def line_neighbor(mesh: CreasedMesh, v: int, other: int) -> int:
-    """A vertex at the far end of a crease at v, another than `other`; -1 where there is none. The first by corners."""
+    """A vertex other than `other` across a crease at v, the first by corners, or -1."""
     found = -1
     for j in range(mesh.around.starts[v], mesh.around.starts[v + 1]):
         c = mesh.around.corners[j]
@@ -211,7 +192,7 @@ def line_neighbor(mesh: CreasedMesh, v: int, other: int) -> int:
 
 @kernel
 def fix_bends_kernel(mesh: CreasedMesh, cosine: float64, fixed: array(dtype=uint8)):
-    """1 for vertices where a line bends by more than an angle, and corners."""
+    """1 for corners, and where a line bends by more than the angle."""
     i = tid()
     kind = int(mesh.kinds[i])
     value = 0
@@ -234,7 +215,6 @@ def fix_bends_kernel(mesh: CreasedMesh, cosine: float64, fixed: array(dtype=uint
 def drop_creases_kernel(
     mesh: CreasedMesh, sets: array(dtype=int32), chosen: array(dtype=uint8), creases: array(dtype=uint8)
 ):
-    """0 for half-edges of creases in sets that are not chosen."""
     h = tid()
     if chosen[sets[corner_vertex(mesh.triangles, h)]] == 0:
         creases[h] = uint8(0)
@@ -242,7 +222,6 @@ def drop_creases_kernel(
 
 @func
 def is_crease(mesh: CreasedMesh, e: int) -> int:
-    """1 for edges that are creases."""
     found = 0
     if is_edge(mesh.edges, e) == 1:
         found = int(mesh.creases[mesh.edges.halves[mesh.edges.starts[e]]])
@@ -251,7 +230,6 @@ def is_crease(mesh: CreasedMesh, e: int) -> int:
 
 @kernel
 def unite_creases_kernel(mesh: CreasedMesh, sets: array(dtype=int32)):
-    """One set of the vertices that creases join."""
     e = tid()
     if is_crease(mesh, e) == 1:
         unite(sets, mesh.edges.lows[e], mesh.edges.highs[e])
@@ -259,7 +237,7 @@ def unite_creases_kernel(mesh: CreasedMesh, sets: array(dtype=int32)):
 
 @kernel
 def stretch_sets_kernel(mesh: CreasedMesh, sets: array(dtype=int32), extents: array(dtype=float32, ndim=2)):
-    """The box of each set: maxima are the same in any order."""
+    """Bounding box of each set; maxima do not depend on the order."""
     e = tid()
     if is_crease(mesh, e) == 0:
         return
@@ -275,7 +253,6 @@ def stretch_sets_kernel(mesh: CreasedMesh, sets: array(dtype=int32), extents: ar
 
 @kernel
 def choose_wide_kernel(extents: array(dtype=float32, ndim=2), least: float64, chosen: array(dtype=uint8)):
-    """1 for sets whose box has a diagonal of at least so much."""
     i = tid()
     x = float64(extents[i, 0]) + float64(extents[i, 3])
     y = float64(extents[i, 1]) + float64(extents[i, 4])
@@ -285,7 +262,7 @@ def choose_wide_kernel(extents: array(dtype=float32, ndim=2), least: float64, ch
 
 
 def drop_short_creases(mesh: CreasedMesh, least: float) -> Bytes:
-    """The creases of a mesh without those that hang together over less than a length; borders are found again."""
+    """Creases without connected sets smaller than `least`; boundaries are found again."""
     device, count = mesh.vertices.device, mesh.vertices.size
     sets = positions(count, device)
     launch(unite_creases_kernel, mesh.edges.count, [mesh, sets])
@@ -298,14 +275,7 @@ def drop_short_creases(mesh: CreasedMesh, least: float) -> Bytes:
 
 
 def find_features(vertices: Points, triangles: Triangles, angle: float, least: float) -> tuple[Bytes, Bytes]:
-    """(creases, fixed) of a mesh, as CreasedMesh takes them.
-
-    Args:
-        vertices: vec3 [m].
-        triangles: vec3i [t].
-        angle: Between triangles, and between lines [rad]; beyond it an edge is a crease.
-        least: Creases that hang together over less than this are none.
-    """
+    """(creases, fixed): `angle` limits dihedral and line angles [rad], `least` the size of connected creases."""
     device = vertices.device
     creases, cosine = zeros(3 * triangles.size, uint8, device), math.cos(angle)
     edges = MeshEdges(triangles, vertices.size, padded=True)
@@ -320,14 +290,12 @@ def find_features(vertices: Points, triangles: Triangles, angle: float, least: f
 
 @kernel
 def mark_creased_kernel(mesh: CreasedMesh, mask: array(dtype=uint8)):
-    """1 for the edges that are creases."""
     e = tid()
     mask[e] = uint8(is_crease(mesh, e))
 
 
 @kernel
 def list_segments_kernel(mesh: CreasedMesh, rows: array(dtype=int32), segments: array(dtype=vec3i)):
-    """Edges as triangles without area."""
     i = tid()
     a = mesh.edges.lows[rows[i]]
     b = mesh.edges.highs[rows[i]]
@@ -335,14 +303,14 @@ def list_segments_kernel(mesh: CreasedMesh, rows: array(dtype=int32), segments: 
 
 
 def crease_rows(mesh: CreasedMesh) -> Indices:
-    """The edges that are creases, int32; one sync."""
+    """Crease edges, int32; one sync."""
     mask = empty(mesh.edges.count, uint8, mesh.vertices.device)
     launch(mark_creased_kernel, mask.size, [mesh, mask])
     return positions_of(mask)
 
 
 def crease_segments(mesh: CreasedMesh) -> Triangles:
-    """The creases as triangles without area, vec3i: a TriangleTree finds places on them."""
+    """Creases as degenerate triangles, vec3i, for nearest points by a TriangleTree."""
     rows = crease_rows(mesh)  # sync
     segments = empty(rows.size, vec3i, mesh.vertices.device)
     launch(list_segments_kernel, rows.size, [mesh, rows, segments])
@@ -353,10 +321,7 @@ def crease_segments(mesh: CreasedMesh) -> Triangles:
 def end_rounds_kernel(
     told: array(dtype=int32), gone_edge: int64, few: float64, changed: array(dtype=int32), rounds: array(dtype=int32)
 ):
-    """Count a round, and end them where one changed few edges; one thread.
-
-    rounds: 1 where they have ended, and how many there were until then.
-    """
+    """Count a round, and end if it changed few edges; one thread. `rounds` is (1 if ended, count)."""
     i = tid()
     if rounds[i] == 0:
         edges = told[0]
@@ -368,24 +333,14 @@ def end_rounds_kernel(
 
 
 def end_rounds(made: CreasedMesh, changed: Integers, few: float, rounds: Integers) -> None:
-    """After a round on CUDA, whose edges are padded: end the rounds where it changed at most `few` of all edges.
-
-    Args:
-        made: The mesh that it made.
-        changed: int32 [1], how many edges it changed.
-        few: A share of all edges.
-        rounds: int32 [2], 1 where they have ended, and how many there were until then.
-    """
+    """End the rounds on CUDA if at most the fraction `few` of edges changed. `rounds`: int32 (1 if ended, count)."""
     launch(end_rounds_kernel, 1, [made.edges.told, made.gone_edge, few, changed, rounds])
 
 
 def after_round(
     mesh: CreasedMesh, made: CreasedMesh, count: Integers, few: float, rounds: Integers | None
 ) -> tuple[CreasedMesh, int | None]:
-    """(the mesh that a round made, or the one before where it changed nothing; how many edges it changed).
-
-    With `rounds` nothing waits, and None says so.
-    """
+    """(New mesh, or the old one if unchanged; number of changed edges, None with `rounds`, which avoids a sync)."""
     if rounds is not None:
         end_rounds(made, count, few, rounds)
         return made, None

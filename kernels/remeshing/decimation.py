@@ -1,10 +1,8 @@
-"""A mesh with fewer triangles: edges collapse in rounds, the cheapest first.
+"""Mesh decimation by rounds of edge collapses with quadric error metrics.
 
-Garland and Heckbert, "Surface simplification using quadric error metrics", 1997, in rounds. Edges near what moved are
-priced; those up to a limit, which leaves out two of three, are looked at, and of them a set collapses in which no edge
-is next to another, some 6 % of all vertices. So the order is nearly that of a queue, and the triangles go in about
-25 rounds to a tenth. A round costs some 200 B read and written a triangle that is there; all rounds together as much as
-eight of the first. On CUDA all rounds are one graph (collapse_rounds.py), and the host waits for what is left.
+Garland and Heckbert, "Surface simplification using quadric error metrics", 1997. Each round considers the cheaper third
+of the edges and collapses an independent set, about 6% of the vertices, close to the order of a queue: 25 rounds to a
+tenth. 200 B per triangle and round.
 """
 
 from collections.abc import Sequence
@@ -27,7 +25,6 @@ from .unit_frame import UnitFrame
 
 @kernel
 def mark_whole_kernel(mesh: CollapseMesh, mask: array(dtype=uint8)):
-    """0 for triangles with one vertex twice, and for those that repeat an earlier one."""
     i = tid()
     t = mesh.triangles[i]
     whole = 1
@@ -42,7 +39,7 @@ def mark_whole_kernel(mesh: CollapseMesh, mask: array(dtype=uint8)):
 
 @kernel
 def measure_lone_kernel(mesh: CollapseMesh, keys: array(dtype=int64)):
-    """The area above the number of each triangle that shares no edge with another; NO_KEY for others."""
+    """Area and index key of each triangle without neighbors; NO_KEY for others."""
     i = tid()
     t = mesh.triangles[i]
     key = int64(NO_KEY)
@@ -57,28 +54,14 @@ def measure_lone_kernel(mesh: CollapseMesh, keys: array(dtype=int64)):
 
 @kernel
 def keep_lone_kernel(keys: array(dtype=int64), order: array(dtype=int32), mask: array(dtype=uint8)):
-    """0 for the triangles of the first keys, where they are lone."""
     i = tid()
     if keys[i] != int64(NO_KEY):
         mask[order[i]] = uint8(0)
 
 
 class Decimation:
-    """A mesh that loses triangles.
-
-    Args:
-        triangles: vec3i [t].
-        per_vertex: vec3 [m] arrays, the vertices first.
-        unit: For each of the others whether its rows have unit length.
-        uvs: vec2 [3 t], or None.
-        materials: int32 [t], or None.
-        target: Triangles to be left.
-        most: The error up to which edges collapse, as area times squared distance; infinite for any.
-        border_weight: What planes along features count beside those of triangles.
-
-    Attributes:
-        mesh: What is left.
-    """
+    """Decimation to `target` triangles. `per_vertex` are vec3 [m] arrays, vertices first; `unit` marks unit vectors.
+    `most` is the maximum error (area times squared distance). `border_weight` scales the planes along features."""
 
     def __init__(
         self,
@@ -116,11 +99,8 @@ class Decimation:
         return CollapseMesh(mesh.positions, gather_triangles(mesh.triangles, rows), uvs, materials, mesh.rows)
 
     def run(self) -> None:
-        """Collapse edges until the target is reached.
-
-        Where no edge may collapse any more, and any error is allowed: seams of textures and materials are let go for
-        good; then triangles may turn over, for one round at a time; and in the end lone triangles go.
-        """
+        """Collapse edges until the target is reached; if impossible without an error limit, give up texture seams, then
+        allow flips for one round at a time, and finally remove isolated triangles."""
         mesh = self.mesh
         if not mesh.triangles.size:
             return
@@ -151,7 +131,7 @@ class Decimation:
             self.mesh.positions = positions
 
     def result(self) -> tuple[Triangles, list[Vectors], Array1[vec2] | None, Integers | None]:
-        """(triangles, per_vertex, uvs or None, materials or None); some vertices may be without triangles."""
+        """(triangles, per_vertex, uvs or None, materials or None); some vertices may be unused."""
         mesh = self.mesh
         uvs, materials = mesh.uvs if mesh.has_uvs else None, mesh.materials if mesh.has_materials else None
         return mesh.triangles, [self.frame.unscaled(mesh.positions), *mesh.rows], uvs, materials

@@ -1,12 +1,8 @@
-"""What the collapse of each edge costs, where its vertex comes to lie, and whether it may be.
+"""Cost, position, and validity of edge collapses.
 
-A vertex starts with the planes of its triangles and, along features, planes that stand upright on them (Garland and
-Heckbert 1997, section 6). An edge costs the error of the sum of its two quadrics at the best place. Corners stay where
-they are; what is free goes to what is on a line, and lines collapse along themselves alone.
-
-An edge may collapse where its ends share no neighbour but the tips of its triangles (the link condition of Dey et al.
-1999), so that no edge gets a third triangle and no hole closes or opens, and where no triangle around turns by more
-than 78 degrees or shrinks to nothing. Some 6 + 6 triangles are read an edge, and 36 numbers compared.
+Quadrics sum the planes of triangles and perpendicular planes along features (Garland and Heckbert 1997, section 6).
+Corners stay; free vertices move to lines, and lines collapse along themselves. An edge may collapse if it satisfies the
+link condition (Dey et al. 1999) and no adjacent triangle turns by more than 78 degrees or degenerates.
 """
 
 from ..arrays.packed_keys import NO_KEY, key_bits
@@ -33,24 +29,21 @@ from ..meshes.mesh_topology import corner_vertex, next_corner
 from .collapse_mesh import BIN, FEATURE, FREE, LINE, SLOTS, STALE_KEY, CollapseMesh, last_corner, mix_number, valence
 from .quadrics import least_point, plane_quadric, quadric, quadric_error, quadric_trace
 
-REFUSED, BEST, FIRST, SECOND = -1, 0, 1, 2  # where the vertex of an edge comes to lie
-PRICE_UNIT = 2.0**60  # prices are kept in float32: so none is subnormal there that is not zero in float64, nearly
-SHAPE = 1e-9  # what the square of an edge's length adds to its price: where nothing else tells, short edges go first
-PULL = 1e-8  # to the middle of an edge, of the weight of its planes
-REACH = 2.0  # lengths of an edge: no further from its middle does its vertex come to lie
-STEP = (
-    21  # of a float's bits: prices are told apart by quarters of a doubling, and what costs the same goes in any order
-)
-TURN = 0.2  # least cosine between a triangle's normals before and after: 78 degrees
-SHRINK = 1e-3  # least part of a triangle's area that is left
-BIN_SHIFT = 19  # of a float's bits: the sign, the exponent and four more bits number a bin
+REFUSED, BEST, FIRST, SECOND = -1, 0, 1, 2  # possible positions of the merged vertex
+PRICE_UNIT = 2.0**60  # costs are stored in float32: nonzero costs should not be subnormal
+SHAPE = 1e-9  # what the squared length adds to the cost: short edges go first on ties
+PULL = 1e-8  # prior weight of the edge midpoint relative to the planes
+REACH = 2.0  # edge lengths: maximum distance of the merged vertex from the midpoint
+STEP = 21  # of a float's bits: costs are compared in quarters of a doubling; equal ones go in any order
+TURN = 0.2  # minimum cosine between a triangle's normals before and after: 78 degrees
+SHRINK = 1e-3  # minimum fraction of a triangle's area that remains
+BIN_SHIFT = 19  # of a float's bits: sign, exponent and four more bits give a bin
 BINS = 4096
 KEY_SHIFT = 32 + BIN_SHIFT  # of a key
 
 
 @func
 def border_quadric(mesh: CollapseMesh, h: int, normal: vec3d, weight: float64) -> quadric:
-    """The plane through a half-edge that stands upright on its triangle, whose normal is given."""
     p = mesh.positions[corner_vertex(mesh.triangles, h)]
     upright = cross(mesh.positions[corner_vertex(mesh.triangles, next_corner(h))] - p, normal)
     size = length(upright)
@@ -62,7 +55,7 @@ def border_quadric(mesh: CollapseMesh, h: int, normal: vec3d, weight: float64) -
 
 @kernel
 def sum_quadrics_kernel(mesh: CollapseMesh, border_weight: float64, quadrics: array(dtype=quadric)):
-    """The quadrics of vertices before the first round; triangles without an area, or not finite, add nothing."""
+    """Initial quadrics of vertices; degenerate or non-finite triangles are ignored."""
     i = tid()
     total = quadric(0.0)
     p = mesh.positions[i]
@@ -85,7 +78,6 @@ def sum_quadrics_kernel(mesh: CollapseMesh, border_weight: float64, quadrics: ar
 
 @func
 def placement(mesh: CollapseMesh, h: int, a: int, b: int) -> int:
-    """Where the vertex of an edge may come to lie."""
     ka = int(mesh.kinds[a])
     kb = int(mesh.kinds[b])
     mode = int(REFUSED)
@@ -107,7 +99,6 @@ def placement(mesh: CollapseMesh, h: int, a: int, b: int) -> int:
 
 @func
 def place_vertex(mesh: CollapseMesh, a: int, b: int, mode: int) -> vec4d:
-    """Where the vertex of an edge comes to lie, and the error there."""
     q = mesh.quadrics[a] + mesh.quadrics[b]
     p = mesh.positions[a]
     r = mesh.positions[b]
@@ -129,7 +120,7 @@ def place_vertex(mesh: CollapseMesh, a: int, b: int, mode: int) -> vec4d:
 
 @func
 def edge_key(mesh: CollapseMesh, h: int, a: int, b: int, most: float64) -> int64:
-    """The price of an edge above a number of its own."""
+    """Cost of an edge with a unique number in the low bits."""
     key = int64(NO_KEY)
     mode = placement(mesh, h, a, b)
     if mode != REFUSED:
@@ -144,10 +135,7 @@ def edge_key(mesh: CollapseMesh, h: int, a: int, b: int, most: float64) -> int64
 
 @kernel
 def price_edges_kernel(mesh: CollapseMesh, most: float64, keys: array(dtype=int64), bins: array(dtype=int32)):
-    """The keys of edges at their owners, and how many prices fall into each bin.
-
-    A key stays where neither end moved; what was refused is priced again as soon as anything near it moved.
-    """
+    """Keys of edges at owners, and a histogram of costs. Unmoved edges keep theirs; rejected ones are reevaluated."""
     i = tid()
     if i >= 3 * mesh.numbers[SLOTS]:
         return
@@ -160,12 +148,11 @@ def price_edges_kernel(mesh: CollapseMesh, most: float64, keys: array(dtype=int6
                 key = edge_key(mesh, i, a, b, most)
                 keys[i] = key
         if key < int64(STALE_KEY):
-            atomic_add(bins, key_bits(key) >> BIN_SHIFT, 1)  # whole numbers: the order does not matter
+            atomic_add(bins, key_bits(key) >> BIN_SHIFT, 1)  # integers: the order does not matter
 
 
 @kernel
 def mark_cheap_edges_kernel(keys: array(dtype=int64), numbers: array(dtype=int32), mask: array(dtype=uint8)):
-    """1 for keys up to the last of a bin."""
     i = tid()
     cheap = 0
     if i < 3 * numbers[SLOTS]:
@@ -176,7 +163,7 @@ def mark_cheap_edges_kernel(keys: array(dtype=int64), numbers: array(dtype=int32
 
 @func
 def has_neighbor(mesh: CollapseMesh, v: int, u: int) -> int:
-    """1 where a triangle of v has u; the shorter list is read."""
+    """1 if a triangle of v contains u; reads the shorter list."""
     w = v
     wanted = u
     if valence(mesh, u) < valence(mesh, v):
@@ -194,7 +181,6 @@ def has_neighbor(mesh: CollapseMesh, v: int, u: int) -> int:
 
 @func
 def has_triangle(mesh: CollapseMesh, v: int, p: int, q: int) -> int:
-    """1 where a triangle of v has p and q."""
     found = 0
     j = mesh.starts[v]
     while j < mesh.starts[v + 1] and found == 0:
@@ -207,9 +193,8 @@ def has_triangle(mesh: CollapseMesh, v: int, p: int, q: int) -> int:
 
 @func
 def breaks_surface(mesh: CollapseMesh, a: int, b: int) -> int:
-    """1 where the collapse of the edge a, b would make the surface another one than it is."""
     broken = 0
-    closed = 0  # 1 where each neighbour of a begins a triangle there
+    closed = 0  # 1 if each neighbor of a begins a triangle there
     if int(mesh.kinds[a]) == FREE:
         closed = 1
     j = mesh.starts[a]
@@ -217,7 +202,7 @@ def breaks_surface(mesh: CollapseMesh, a: int, b: int) -> int:
         p = mesh.spokes[j][0]
         q = mesh.spokes[j][1]
         if p == b or q == b:
-            # The two sides that fall together: one of them at least is no feature.
+            # At least one of the two merged sides must not be a feature.
             c = mesh.corners[j]
             side = c
             if p == b:
@@ -241,7 +226,7 @@ def breaks_surface(mesh: CollapseMesh, a: int, b: int) -> int:
 
 @func
 def bends_surface(mesh: CollapseMesh, v: int, other: int, x: vec3d) -> int:
-    """1 where a triangle of v turns over or shrinks to nothing as v moves to x; those with the other end go anyway."""
+    """1 if a triangle of v flips or degenerates when v moves to x, except those with the other end."""
     bent = 0
     j = mesh.starts[v]
     while j < mesh.starts[v + 1] and bent == 0:
@@ -261,7 +246,7 @@ def bends_surface(mesh: CollapseMesh, v: int, other: int, x: vec3d) -> int:
 
 @func
 def may_collapse(mesh: CollapseMesh, h: int, a: int, b: int, bending: int) -> int:
-    """1 where an edge may collapse; `bending` is 1 where triangles may turn."""
+    """1 if an edge may collapse; `bending` is 1 if triangles may flip."""
     mode = placement(mesh, h, a, b)
     refused = 1
     if mode != REFUSED:

@@ -1,7 +1,7 @@
-"""Edges flipped where that brings the numbers of triangles around vertices nearer to six, four at borders.
+"""Edge flips that bring vertex valences closer to six, or four at boundaries.
 
-An edge flips that is no crease, whose quadrilateral is convex and as good as flat, and whose other diagonal is no edge.
-Of these flip those whose key, the gain above a mixed number, is the least at all four vertices.
+An edge flips if it is no crease, its quadrilateral is convex and almost flat, and the other diagonal is no edge. Of
+these, edges flip whose key (gain and hash) is minimal at all four vertices.
 """
 
 from ..algebra.transform import widen
@@ -30,12 +30,11 @@ from ..meshes.mesh_topology import corner_vertex, next_corner
 from .creased_mesh import NO_NUMBER, CreasedMesh, after_round, is_crease, is_edge, last_corner, mixed_key
 from .short_edges import LEAST_COSINE, is_next_to
 
-MOST_GAIN = 1 << 20  # beyond all gains
+MOST_GAIN = 1 << 20  # above all gains
 
 
 @func
 def excess(mesh: CreasedMesh, v: int, change: int) -> int:
-    """The square of what a vertex has beyond the triangles that it should have, after some are added."""
     count = mesh.around.starts[v + 1] - mesh.around.starts[v] + change
     wanted = 6
     if mesh.rims[v] != 0:
@@ -45,20 +44,18 @@ def excess(mesh: CreasedMesh, v: int, change: int) -> int:
 
 @func
 def normal_of(a: vec3, b: vec3, c: vec3) -> vec3d:
-    """Twice the area of a triangle along its normal."""
     p = widen(a)
     return cross(widen(b) - p, widen(c) - p)
 
 
 @func
 def agrees(n: vec3d, m: vec3d) -> int:
-    """1 where two normals are within 60 degrees."""
     return 1 if dot(n, m) > float64(LEAST_COSINE) * length(n) * length(m) else 0
 
 
 @func
 def flip_gain(mesh: CreasedMesh, e: int) -> int:
-    """By how much the squares become less where an edge flips; 0 where it may not."""
+    """Decrease of the squared valence errors by a flip; 0 if not allowed."""
     gain = 0
     whole = is_edge(mesh.edges, e)
     if whole == 1:
@@ -93,7 +90,7 @@ def flip_gain(mesh: CreasedMesh, e: int) -> int:
 def price_flips_kernel(
     mesh: CreasedMesh, ended: array(dtype=int32), keys: array(dtype=int64), lowest: array(dtype=int64)
 ):
-    """The key of each edge that may flip, and the least at each vertex: a minimum is the same in any order."""
+    """Key of each edge that may flip, and the minimum at each vertex, which does not depend on the order."""
     e = tid()
     keys[e] = int64(NO_NUMBER)
     gain = 0
@@ -119,7 +116,7 @@ def flip_kernel(
     creases: array(dtype=uint8),
     count: array(dtype=int32),
 ):
-    """Give two triangles the other diagonal; `count` is a sum of whole numbers."""
+    """Flip edges; `count` is an integer sum."""
     e = tid()
     key = keys[e]
     if key == int64(NO_NUMBER):
@@ -145,7 +142,7 @@ def flip_kernel(
 
 
 def flip_edges(mesh: CreasedMesh, few: float, rounds: Integers | None = None) -> tuple[CreasedMesh, int | None]:
-    """(the mesh after one round, how many edges flipped); `few` and `rounds` as of `collapse_short_edges`."""
+    """One round: (mesh, number of flips); `few` and `rounds` as in `collapse_short_edges`."""
     device, edges = mesh.vertices.device, mesh.edges.count
     keys, lowest = full(edges, NO_NUMBER, int64, device), full(mesh.vertices.size, NO_NUMBER, int64, device)
     launch(price_flips_kernel, edges, [mesh, zeros(1, int32, device) if rounds is None else rounds, keys, lowest])

@@ -1,11 +1,8 @@
-"""A weighted graph over the vertices of a mesh, ever coarser: the preconditioner of its Laplacian systems.
+"""Multigrid preconditioner of graph Laplacians: aggregation of vertices to coarser levels.
 
-Free vertices of which no two are neighbours are chosen in rounds, those first whose mixed number is the largest around;
-each other free vertex joins the chosen one that it hangs on most, so a level has a third to a quarter of the vertices
-of the one above. Weights between coarser vertices, and what they hold on to besides, are sums in a fixed order:
-Galerkin's matrices for corrections that are the same all over a coarse vertex. The last is inverted. A cycle is a
-damped Jacobi sweep on each level on the way down and one on the way up, symmetric as conjugate gradients want it. After
-Notay, "An aggregation-based algebraic multigrid method", ETNA 37, 2010. All levels together take some 60 B a neighbour.
+Notay, "An aggregation-based algebraic multigrid method", ETNA 37, 2010. Each level selects an independent set of free
+vertices by hash; others join the neighbor with the largest weight. Galerkin matrices in a fixed order; the coarsest is
+inverted. A damped Jacobi sweep per level down and up, symmetric for conjugate gradients. About 60 B per neighbor.
 """
 
 from ..array_types import Array2, Doubles, Indices, Integers, Positions
@@ -20,25 +17,18 @@ from ..memory import download, empty, full, zeros
 from ..meshes.mesh_edges import MeshEdges, split_edge_keys_kernel
 from ..meshes.vertex_neighbors import VertexNeighbors
 
-ROUNDS = 8  # of choosing; a vertex that is undecided after them is chosen
-DAMPING = 0.85  # of Jacobi sweeps, which are stable below 1; 0.7 takes a tenth more turns
-STRETCH = 1.2  # of corrections, which are stiffer than the error that they stand for; 2 takes twice the turns
-COARSEST = 100  # vertices whose matrix is inverted: two launches of a loop a vertex, and 80 kB
-FLAT = 1.0e-14  # of its diagonal: what rounding leaves of a pivot that should be zero
+ROUNDS = 8  # of selection; vertices still undecided are then selected
+DAMPING = 0.85  # of Jacobi sweeps, which are stable below 1; 0.7 takes a tenth more iterations
+STRETCH = 1.2  # of corrections, since the coarse system is stiffer than the error; 2 takes twice the iterations
+COARSEST = 100  # vertices of the inverted matrix: two launches of a loop per vertex, and 80 kB
+FLAT = 1.0e-14  # of its diagonal: rounding of a pivot that should be zero
 UNDECIDED, CHOSEN, JOINED = 0, 1, 2
 
 
 @struct
 class Level:
-    """A graph, and the diagonal of its matrix.
-
-    Attributes:
-        around: The neighbours of each vertex.
-        pulls: float64 [2 e], the weight of the edge to each neighbour; none is negative.
-        diagonal: float64 [m], the weights of a vertex' edges and what it holds on to besides.
-        free: int32 [m]; 0 where a vertex is held.
-        steps: float64 [m], what a damped Jacobi sweep multiplies residuals with; 0 where a vertex is held.
-    """
+    """A graph with nonnegative edge weights `pulls` [2 e], the matrix `diagonal` (weights plus excess), `free` (0 for
+    fixed vertices), and Jacobi factors `steps` (0 if fixed)."""
 
     around: VertexNeighbors
     pulls: array(dtype=float64)
@@ -49,14 +39,7 @@ class Level:
     def __init__(
         self, edges: "MeshEdges | CoarseEdges", weights: Doubles, excess: Array2[float64], free: Integers
     ) -> None:
-        """The level of a graph.
-
-        Args:
-            edges: What has `lows`, `highs` (int32 [e]) and `count`; they ascend.
-            weights: float64 [e].
-            excess: What vertices hold on to besides their neighbours, float64 [m, 1].
-            free: int32 [m].
-        """
+        """`edges` are sorted `lows`, `highs` (int32 [e]) and `count`; `excess` [m, 1] is added to the diagonal."""
         device, self.count = free.device, free.size
         self.edges, self.weights, self.free = edges, weights, free
         self.around = VertexNeighbors(edges, self.count)
@@ -79,7 +62,7 @@ def spread_weights_kernel(
     diagonal: array(dtype=float64),
     steps: array(dtype=float64),
 ):
-    """The weight of each neighbour, their sum with the excess, and the step of a sweep."""
+    """Weight of each neighbor, their sum with the excess, and the Jacobi factor."""
     i = tid()
     total = excess[i, 0]
     for j in range(around.starts[i], around.starts[i + 1]):
@@ -95,18 +78,16 @@ def spread_weights_kernel(
 
 @func
 def row_product(level: Level, values: array(dtype=vec3d), i: int) -> vec3d:
-    """Row i of the matrix times values."""
     total = level.diagonal[i] * values[i]
     for j in range(level.around.starts[i], level.around.starts[i + 1]):
         weight = level.pulls[j]
-        if weight > 0.0:  # values of vertices without weight may be no numbers
+        if weight > 0.0:  # values of vertices without weight may be NaN
             total = total - weight * values[level.around.vertices[j]]
     return total
 
 
 @func
 def goes_before(i: int, j: int) -> int:
-    """1 where vertex i is chosen before j: by mixed numbers, so that the chosen do not line up."""
     a = mix_bits(int64(i))
     b = mix_bits(int64(j))
     before = 0
@@ -117,7 +98,7 @@ def goes_before(i: int, j: int) -> int:
 
 @kernel
 def choose_peaks_kernel(level: Level, states: array(dtype=int32), last: int, peaks: array(dtype=int32)):
-    """1 for the undecided vertices that go before their undecided neighbours; for all undecided ones in the end."""
+    """1 for undecided vertices with priority over their undecided neighbors; on the last pass for all undecided."""
     i = tid()
     rivals = 0
     for j in range(level.around.starts[i], level.around.starts[i + 1]):
@@ -133,7 +114,7 @@ def choose_peaks_kernel(level: Level, states: array(dtype=int32), last: int, pea
 
 @kernel
 def join_peaks_kernel(level: Level, peaks: array(dtype=int32), states: array(dtype=int32)):
-    """The peaks are chosen, and their undecided neighbours will join one."""
+    """Select the peaks, and mark their undecided neighbors to join one."""
     i = tid()
     if peaks[i] == 1:
         states[i] = CHOSEN
@@ -146,7 +127,6 @@ def join_peaks_kernel(level: Level, peaks: array(dtype=int32), states: array(dty
 
 @kernel
 def mark_chosen_kernel(states: array(dtype=int32), marks: array(dtype=int32)):
-    """1 for the chosen."""
     i = tid()
     mark = 0
     if states[i] == CHOSEN:
@@ -158,7 +138,7 @@ def mark_chosen_kernel(states: array(dtype=int32), marks: array(dtype=int32)):
 def find_parents_kernel(
     level: Level, states: array(dtype=int32), places: array(dtype=int32), parents: array(dtype=int32)
 ):
-    """The coarse vertex of each vertex: of the chosen neighbour with the heaviest edge; none, the last, if held."""
+    """Coarse vertex of each vertex: that of the selected neighbor with the largest weight; the last index if fixed."""
     i = tid()
     parent = places[places.shape[0] - 1]
     if states[i] == CHOSEN:
@@ -176,7 +156,6 @@ def find_parents_kernel(
 
 @kernel
 def key_members_kernel(parents: array(dtype=int32), keys: array(dtype=int64)):
-    """The coarse vertex of each vertex, as a key."""
     i = tid()
     keys[i] = int64(parents[i])
 
@@ -191,7 +170,7 @@ def key_coarse_edges_kernel(
     bits: int,
     keys: array(dtype=int64),
 ):
-    """The coarse vertices at each edge, the lower one first; a key above all where there are not two."""
+    """Coarse vertices at each edge, the lower first; a key above all unless they are two."""
     i = tid()
     a = parents[lows[i]]
     b = parents[highs[i]]
@@ -204,7 +183,7 @@ def key_coarse_edges_kernel(
 
 @kernel
 def measure_excess_kernel(level: Level, excess: array(dtype=float64, ndim=2)):
-    """What a free vertex holds on to besides free neighbours."""
+    """Diagonal of a free vertex without its weights to free neighbors."""
     i = tid()
     rest = float64(0.0)
     if level.free[i] == 1:
@@ -216,11 +195,7 @@ def measure_excess_kernel(level: Level, excess: array(dtype=float64, ndim=2)):
 
 
 class CoarseEdges:
-    """Edges between coarse vertices, ascending: `lows`, `highs`, `count`, and their `weights`.
-
-    Attributes:
-        vertex_count: Coarse vertices; beside the number of edges it comes to the host in the one wait of a level.
-    """
+    """Sorted edges between `vertex_count` coarse vertices, with weights. Both counts need one sync per level."""
 
     def __init__(self, level: Level, parents: Indices, places: Integers) -> None:
         device, coarse = parents.device, places[level.count :]
@@ -241,15 +216,8 @@ class CoarseEdges:
 
 @struct
 class Coarsening:
-    """A level's coarse vertices, and the arrays of a cycle on it.
-
-    Attributes:
-        parents: The coarse vertex of each vertex, or as many as there are for none, int32 [m].
-        members: The vertices of each coarse vertex, ascending, int32.
-        starts: Where they begin, int32 [coarse + 1].
-        rest: The residual on the way down, vec3d [m].
-        guess: The correction on the way up, vec3d [m].
-    """
+    """Aggregates of a level, and buffers of a cycle: `parents` int32 [m] (coarse vertex, or their number for none),
+    sorted `members` by coarse vertex, residual `rest` on the way down, correction `guess` on the way up."""
 
     parents: array(dtype=int32)
     members: array(dtype=int32)
@@ -276,7 +244,6 @@ class Coarsening:
         self.rest, self.guess = empty(count, vec3d, device), empty(count, vec3d, device)
 
     def coarser(self, level: Level) -> Level:
-        """The level of the coarse vertices."""
         device, edges = level.free.device, self._edges
         excess = empty((level.count, 1), float64, device)
         launch(measure_excess_kernel, level.count, [level, excess])
@@ -286,7 +253,6 @@ class Coarsening:
 
 @kernel
 def leave_residual_kernel(level: Level, residual: array(dtype=vec3d), coarsening: Coarsening):
-    """What a damped Jacobi sweep leaves of the residual."""
     i = tid()
     rest = vec3d(0.0, 0.0, 0.0)
     if level.free[i] == 1:
@@ -299,7 +265,6 @@ def leave_residual_kernel(level: Level, residual: array(dtype=vec3d), coarsening
 
 @kernel
 def restrict_kernel(coarsening: Coarsening, coarse: array(dtype=vec3d)):
-    """The residual of a coarse vertex: the sum of its vertices'."""
     i = tid()
     total = vec3d(0.0, 0.0, 0.0)
     for j in range(coarsening.starts[i], coarsening.starts[i + 1]):
@@ -309,7 +274,7 @@ def restrict_kernel(coarsening: Coarsening, coarse: array(dtype=vec3d)):
 
 @kernel
 def correct_kernel(level: Level, residual: array(dtype=vec3d), coarse: array(dtype=vec3d), coarsening: Coarsening):
-    """The damped Jacobi sweep from zero, and the correction of the coarser level."""
+    """Damped Jacobi sweep from zero plus the correction of the coarser level."""
     i = tid()
     guess = level.steps[i] * residual[i]
     if level.free[i] == 1:
@@ -319,7 +284,6 @@ def correct_kernel(level: Level, residual: array(dtype=vec3d), coarse: array(dty
 
 @kernel
 def sweep_kernel(level: Level, residual: array(dtype=vec3d), guess: array(dtype=vec3d), out: array(dtype=vec3d)):
-    """A damped Jacobi sweep from a guess."""
     i = tid()
     value = guess[i]
     if level.steps[i] > 0.0:
@@ -329,14 +293,12 @@ def sweep_kernel(level: Level, residual: array(dtype=vec3d), guess: array(dtype=
 
 @kernel
 def sweep_alone_kernel(level: Level, residual: array(dtype=vec3d), out: array(dtype=vec3d)):
-    """A damped Jacobi sweep from zero."""
     i = tid()
     out[i] = level.steps[i] * residual[i]
 
 
 @kernel
 def fill_matrix_kernel(level: Level, matrix: array(dtype=float64, ndim=2)):
-    """A row of the matrix, which is zero before; of the identity for a held vertex."""
     i = tid()
     matrix[i, i] = 1.0
     if level.free[i] == 1:
@@ -351,10 +313,7 @@ def fill_matrix_kernel(level: Level, matrix: array(dtype=float64, ndim=2)):
 def eliminate_kernel(
     level: Level, matrix: array(dtype=float64, ndim=2), done: array(dtype=int32), turned: array(dtype=float64, ndim=2)
 ):
-    """Exchange the next unknown for its right side (Gauss and Jordan), one thread an entry; a copy where all are.
-
-    Zeros for a pivot that is none.
-    """
+    """Gauss-Jordan step, one thread per entry; a copy once all unknowns are done. Zeros for a zero pivot."""
     i = tid()
     row = i // matrix.shape[0]
     column = i - row * matrix.shape[0]
@@ -377,7 +336,6 @@ def eliminate_kernel(
 
 @kernel
 def count_unknown_kernel(matrix: array(dtype=float64, ndim=2), done: array(dtype=int32), running: array(dtype=int32)):
-    """One more unknown is done."""
     i = tid()
     done[0] = done[0] + 1
     running[i] = 1 if done[0] < matrix.shape[0] else 0
@@ -385,7 +343,6 @@ def count_unknown_kernel(matrix: array(dtype=float64, ndim=2), done: array(dtype
 
 @kernel
 def multiply_kernel(matrix: array(dtype=float64, ndim=2), values: array(dtype=vec3d), out: array(dtype=vec3d)):
-    """A dense matrix times values."""
     i = tid()
     total = vec3d(0.0, 0.0, 0.0)
     for j in range(matrix.shape[0]):
@@ -394,7 +351,7 @@ def multiply_kernel(matrix: array(dtype=float64, ndim=2), values: array(dtype=ve
 
 
 def invert(level: Level) -> Array2[float64]:
-    """The inverse of a level's matrix, float64 [m, m]; without pivoting, as it is symmetric and positive definite."""
+    """Inverse of a level's symmetric positive definite matrix, float64 [m, m], without pivoting."""
     device, count = level.free.device, level.count
     matrix, turned = zeros((count, count), float64, device), empty((count, count), float64, device)
     launch(fill_matrix_kernel, count, [level, matrix])
@@ -410,7 +367,7 @@ def invert(level: Level) -> Array2[float64]:
 
 
 class Preconditioner:
-    """A cycle over all levels of a graph, the finest given."""
+    """Multigrid cycle from the given finest level."""
 
     def __init__(self, level: Level) -> None:
         device, self.levels, self.coarsenings = level.free.device, [level], []
@@ -423,10 +380,10 @@ class Preconditioner:
         self.residuals = [None, *(empty(coarse.count, vec3d, device) for coarse in self.levels[1:])]
         self.forces = [None, *(empty(coarse.count, vec3d, device) for coarse in self.levels[1:])]
         last = self.levels[-1]
-        self.inverse = invert(last) if last.count <= COARSEST else None  # else nobody has a neighbour there
+        self.inverse = invert(last) if last.count <= COARSEST else None  # else no vertex has a neighbor there
 
     def apply(self, residual: Positions, forces: Positions) -> None:
-        """Write to vec3d [m] forces what the cycle makes of a residual; allocates nothing."""
+        """Write the result of a cycle on a residual to `forces` (vec3d [m]); allocates nothing."""
         self.residuals[0], self.forces[0] = residual, forces
         for depth, coarsening in enumerate(self.coarsenings):
             level = self.levels[depth]

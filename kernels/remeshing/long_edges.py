@@ -1,8 +1,7 @@
-"""Edges longer than a length split in their middle, all at once.
+"""Split all edges above a length at their midpoints, at once.
 
-A triangle with one such edge becomes two, with two three, with all four. The vertex on an edge is shared by all its
-triangles, so nothing opens; parts of a crease are creases. New vertices follow the old ones in the order of their
-edges, triangles that of their first ones.
+A triangle becomes two, three, or four for one, two, or three long edges. Midpoints are shared, and parts of creases are
+creases. New vertices are sorted by edge, triangles by their original.
 """
 
 from ..algebra.transform import narrow, widen
@@ -16,7 +15,6 @@ from .creased_mesh import CreasedMesh, is_edge
 
 @kernel
 def mark_long_kernel(mesh: CreasedMesh, most: float64, marks: array(dtype=int32)):
-    """1 for edges longer than the root of `most`."""
     e = tid()
     mark = 0
     if is_edge(mesh.edges, e) == 1:
@@ -30,7 +28,6 @@ def mark_long_kernel(mesh: CreasedMesh, most: float64, marks: array(dtype=int32)
 def place_middles_kernel(
     mesh: CreasedMesh, marks: array(dtype=int32), places: array(dtype=int32), first: int, vertices: array(dtype=vec3)
 ):
-    """The middles of edges that split."""
     e = tid()
     if marks[e] == 1:
         middle = 0.5 * (widen(mesh.vertices[mesh.edges.lows[e]]) + widen(mesh.vertices[mesh.edges.highs[e]]))
@@ -39,7 +36,6 @@ def place_middles_kernel(
 
 @kernel
 def count_parts_kernel(mesh: CreasedMesh, marks: array(dtype=int32), counts: array(dtype=int32)):
-    """The triangles that each one becomes; none where it has gone."""
     i = tid()
     count = 0
     t = mesh.triangles[i]
@@ -50,7 +46,6 @@ def count_parts_kernel(mesh: CreasedMesh, marks: array(dtype=int32), counts: arr
 
 @func
 def put_part(place: int, t: vec3i, flags: vec3i, triangles: array(dtype=vec3i), creases: array(dtype=uint8)):
-    """Write a triangle and the flags of its half-edges."""
     triangles[place] = t
     creases[3 * place] = uint8(flags[0])
     creases[3 * place + 1] = uint8(flags[1])
@@ -68,13 +63,13 @@ def write_parts_kernel(
     triangles: array(dtype=vec3i),
     creases: array(dtype=uint8),
 ):
-    """The parts of a triangle: corners that are cut off, and what is left, parted along its shorter diagonal."""
+    """Parts of a triangle: corners cut off, and the rest split along its shorter diagonal."""
     i = tid()
     at = offsets[i]
     count = offsets[i + 1] - at
     if count == 0:
         return
-    # Begin where the corner is between the two edges that split, or with the one edge that does.
+    # Start at the corner between the two split edges, or with the single one.
     h = 3 * i
     for k in range(3):
         after = marks[mesh.edge_of[3 * i + k]]
@@ -117,7 +112,7 @@ def write_parts_kernel(
 def split_long_edges(
     mesh: CreasedMesh, longest: float, beside: Integers | None = None
 ) -> tuple[CreasedMesh, int, list[int]]:
-    """(the mesh with edges longer than `longest` split once, how many were, the numbers `beside`); one sync."""
+    """(mesh, number of edges split, the values `beside`); one sync."""
     device, count = mesh.vertices.device, mesh.vertices.size
     marks = empty(mesh.edges.count, int32, device)
     launch(mark_long_kernel, marks.size, [mesh, longest * longest, marks])

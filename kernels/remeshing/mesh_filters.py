@@ -1,9 +1,8 @@
-"""Values at vertices smoothed or sharpened along the edges of a mesh, pass by pass.
+"""Smoothing and sharpening filters of vertex values along edges.
 
-A pass reads the values of the pass before and sums over the neighbours of each vertex in ascending order, in float64
-throughout; the end alone is rounded. A neighbour that is not finite is left out, and a vertex that is not finite or has
-no neighbours stays. Per pass and array 24 B read and written a vertex, and 28 B read a neighbour. Source: Taubin, "A
-signal processing approach to fair surface design", SIGGRAPH 1995; weights after Open3D.
+Taubin, "A signal processing approach to fair surface design", SIGGRAPH 1995; weights as in Open3D. Each pass reads the
+previous one and sums over ascending neighbors in float64; only the result is rounded. Non-finite neighbors are ignored;
+non-finite or isolated vertices are unchanged.
 """
 
 from collections.abc import Iterable
@@ -14,17 +13,12 @@ from ..memory import empty
 from ..meshes.mesh_edges import MeshEdges
 from ..meshes.vertex_neighbors import VertexNeighbors
 
-NEAREST = 1.0e-12  # added to distances [m] in weights, so that vertices at one place have a finite one
+NEAREST = 1.0e-12  # added to distances [m] in weights, so that coincident vertices have finite ones
 
 
 @struct
 class FilterPass:
-    """What a pass works on.
-
-    Attributes:
-        around: The neighbours of each vertex.
-        positions: vec3d [m], which weights are taken from.
-    """
+    """Neighbors of each vertex, and positions vec3d [m] for the weights."""
 
     around: VertexNeighbors
     positions: array(dtype=vec3d)
@@ -35,7 +29,6 @@ class FilterPass:
 
 @kernel
 def average_kernel(rule: FilterPass, values: array(dtype=vec3d), factor: float64, out: array(dtype=vec3d)):
-    """The mean of a vertex and its neighbours."""
     i = tid()
     own = values[i]
     total = own + vec3d(0.0, 0.0, 0.0)
@@ -52,7 +45,7 @@ def average_kernel(rule: FilterPass, values: array(dtype=vec3d), factor: float64
 
 @kernel
 def sharpen_kernel(rule: FilterPass, values: array(dtype=vec3d), factor: float64, out: array(dtype=vec3d)):
-    """A vertex moved away from its neighbours: by `factor` times the sum of its differences from them."""
+    """Subtract from a vertex `factor` times the sum of its differences to neighbors."""
     i = tid()
     own = values[i]
     away = vec3d(0.0, 0.0, 0.0)
@@ -67,7 +60,6 @@ def sharpen_kernel(rule: FilterPass, values: array(dtype=vec3d), factor: float64
 
 @func
 def inverse_distance(p: vec3d, q: vec3d) -> float64:
-    """The weight of a neighbour at q; zero where either is not finite."""
     d = q - p
     sqdist = dot(d, d)
     weight = float64(0.0)
@@ -78,7 +70,7 @@ def inverse_distance(p: vec3d, q: vec3d) -> float64:
 
 @kernel
 def approach_mean_kernel(rule: FilterPass, values: array(dtype=vec3d), factor: float64, out: array(dtype=vec3d)):
-    """A vertex moved the share `factor` of the way to the mean of its neighbours, nearer ones with more weight."""
+    """Move a vertex by `factor` towards the weighted mean of its neighbors, closer ones with larger weights."""
     i = tid()
     own = values[i]
     way = vec3d(0.0, 0.0, 0.0)
@@ -102,18 +94,7 @@ def filter_values(
     wide: dict[str, Positions],
     passes: Iterable[tuple[Kernel, float]],
 ) -> dict[str, Positions]:
-    """Run passes over values at vertices.
-
-    Args:
-        triangles: vec3i [t].
-        positions: vec3d [m].
-        names: Of the values; those of "vertices" are the positions of the next pass.
-        wide: vec3d [m] arrays by name.
-        passes: (kernel, factor) of each.
-
-    Returns:
-        The values by name, vec3d [m]. One sync for the edges.
-    """
+    """Apply passes (kernel, factor) to vec3d [m] arrays; "vertices" are the positions of the next pass. One sync."""
     around = VertexNeighbors(MeshEdges(triangles, positions.size), positions.size)
     values = {name: wide[name] for name in names}
     for kernel_of_pass, factor in passes:

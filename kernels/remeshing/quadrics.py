@@ -1,12 +1,8 @@
-"""Quadrics: weighted sums of squared distances from planes, and the points where they are least.
+"""Quadric error metrics: x' A x + 2 b' x + c as ten float64, and their minimum.
 
-Garland and Heckbert, "Surface simplification using quadric error metrics", 1997, section 4; a plane counts with the
-area of its triangle, as in Open3D. A quadric is x' A x + 2 b' x + c as ten float64.
-
-The least point is found without a threshold on a determinant, which would depend on units: eigenvalues of A are raised
-by a share of their sum, with the middle of the edge as the point that is pulled to. Where the planes settle a point it
-moves by that share of its distance from the middle at most; where they leave a line or a plane open it stays close to
-the middle.
+Garland and Heckbert, "Surface simplification using quadric error metrics", 1997, section 4; planes are weighted by
+triangle area, as in Open3D. The minimum is regularized instead of testing a determinant, which would depend on units: a
+fraction of the trace is added to A, with the edge midpoint as prior.
 """
 
 from ..lang import dot, float64, func, vec3d, vector
@@ -16,7 +12,6 @@ quadric = vector(10, float64)  # xx xy xz yy yz zz of A, b, c
 
 @func
 def plane_quadric(n: vec3d, p: vec3d, weight: float64) -> quadric:
-    """The quadric of the plane through p with unit normal n."""
     d = -dot(n, p)
     w = n * weight
     return quadric(
@@ -27,7 +22,6 @@ def plane_quadric(n: vec3d, p: vec3d, weight: float64) -> quadric:
 
 @func
 def quadric_trace(q: quadric) -> float64:
-    """The sum of the planes' weights."""
     return q[0] + q[3] + q[5]
 
 
@@ -43,20 +37,19 @@ def quadric_slope(q: quadric, x: vec3d) -> vec3d:
 
 @func
 def quadric_error(q: quadric, x: vec3d) -> float64:
-    """The weighted sum of squared distances of x from the planes."""
     value = dot(x, quadric_slope(q, x)) + q[6] * x[0] + q[7] * x[1] + q[8] * x[2] + q[9]
     return max(value, 0.0)
 
 
 @func
 def least_point(q: quadric, middle: vec3d, share: float64) -> vec3d:
-    """Where the error is least, pulled to a point where that is not settled; `share` of the trace is added to A."""
+    """Regularized minimum near `middle`; `share` of the trace is added to A."""
     pull = quadric_trace(q) * share
     g = quadric_slope(q, middle)
     xx = q[0] + pull
     yy = q[3] + pull
     zz = q[5] + pull
-    # The inverse by cofactors: A is symmetric and its eigenvalues are no further apart than 1 / share.
+    # Inverse by cofactors: A is symmetric with a condition number of at most 1 / share.
     c00 = yy * zz - q[4] * q[4]
     c01 = q[2] * q[4] - q[1] * zz
     c02 = q[1] * q[4] - q[2] * yy

@@ -1,7 +1,7 @@
-"""Vertices moved along the surface to where their triangles become alike, and back where a triangle would turn.
+"""Tangential relaxation of vertices, undone where a triangle would flip.
 
-A free vertex goes to the mean of the middles of its triangles, weighted by their areas, and stays in the plane across
-its normal; one of a line goes to the middle between its neighbours, along the way between them.
+A free vertex moves in its tangent plane to the area-weighted mean of its triangle centers, one on a line to the middle
+between its neighbors along their direction.
 """
 
 import itertools
@@ -14,12 +14,11 @@ from ..meshes.mesh_measures import triangle_cross
 from .creased_mesh import FREE, LINE, CreasedMesh, line_neighbor
 from .flipped_edges import agrees
 
-TURNS = 2  # of taking back before the host looks: nearly always the first takes nothing
+TURNS = 2  # of restoring before the host reads the count: the first nearly always restores nothing
 
 
 @kernel
 def relax_kernel(mesh: CreasedMesh, moved: array(dtype=vec3)):
-    """Where each vertex goes; corners, and those without a way, stay."""
     i = tid()
     p = widen(mesh.vertices[i])
     x = mesh.vertices[i]
@@ -56,7 +55,7 @@ def relax_kernel(mesh: CreasedMesh, moved: array(dtype=vec3)):
 
 @kernel
 def mark_turned_kernel(mesh: CreasedMesh, moved: array(dtype=vec3), back: array(dtype=uint8)):
-    """1 for the vertices of triangles that turn; threads that meet write the same."""
+    """1 for vertices of triangles that flip; all threads write the same value."""
     i = tid()
     t = mesh.triangles[i]
     wrong = 0
@@ -74,7 +73,7 @@ def mark_turned_kernel(mesh: CreasedMesh, moved: array(dtype=vec3), back: array(
 def take_back_kernel(
     before: array(dtype=vec3), back: array(dtype=uint8), moved: array(dtype=vec3), taken: array(dtype=int32)
 ):
-    """Marked vertices where they were; how many of them had moved, a sum of whole numbers."""
+    """Restore marked vertices; the number that had moved is an integer sum."""
     i = tid()
     if back[i] != 0:
         p = before[i]
@@ -92,7 +91,6 @@ def choose_places_kernel(
     on_lines: array(dtype=vec3),
     chosen: array(dtype=vec3),
 ):
-    """For each kind of vertex its place."""
     i = tid()
     x = before[i]
     if int(kinds[i]) == FREE:
@@ -103,34 +101,27 @@ def choose_places_kernel(
 
 
 def relaxed(mesh: CreasedMesh) -> Points:
-    """Where the vertices go, vec3 [m]."""
     moved = empty(mesh.vertices.size, vec3, mesh.vertices.device)
     launch(relax_kernel, moved.size, [mesh, moved])
     return moved
 
 
 def choose_places(mesh: CreasedMesh, on_surface: Points, on_lines: Points) -> Points:
-    """Places of free vertices from one array, of those of lines from another; corners stay."""
     chosen = empty(mesh.vertices.size, vec3, mesh.vertices.device)
     launch(choose_places_kernel, chosen.size, [mesh.kinds, mesh.vertices, on_surface, on_lines, chosen])
     return chosen
 
 
 def move_where_nothing_turns(mesh: CreasedMesh, moved: Points, taken: Integers | None = None) -> None:
-    """Give a mesh other places, but for the vertices of triangles that would turn there by more than 60 degrees.
-
-    Args:
-        mesh: The mesh.
-        moved: vec3 [m], which are changed.
-        taken: int32 [1], zero; where it is given nothing waits: TURNS turns are made, and the last one adds how many
-            vertices it took back. Where that is none, all is as without it.
-    """
-    for turn in itertools.count(1):  # each turn takes a vertex back that had moved
+    """Move vertices, except those of triangles that would turn by more than 60 degrees; modifies `moved` (vec3 [m]).
+    With `taken` (int32 [1], zero) there is no sync: TURNS passes run, and the last adds the number of restored
+    vertices. If that is zero, the result is complete."""
+    for turn in itertools.count(1):  # each pass restores a vertex that had moved
         back, count = zeros(moved.size, uint8, moved.device), zeros(1, int32, moved.device)
         if taken is not None and turn == TURNS:
             count = taken
         launch(mark_turned_kernel, mesh.triangles.size, [mesh, moved, back])
         launch(take_back_kernel, moved.size, [mesh.vertices, back, moved, count])
-        if turn == TURNS if taken is not None else not download(count)[0]:  # sync, where it is not given
+        if turn == TURNS if taken is not None else not download(count)[0]:  # sync, if it is not given
             break
     mesh.vertices = moved

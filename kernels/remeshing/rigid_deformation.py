@@ -1,17 +1,9 @@
-"""A mesh bent to where some of its vertices are put, as rigidly as its triangles allow.
+"""As-rigid-as-possible deformation of a mesh with fixed vertices.
 
-In turns, each vertex takes the rotation that fits its edges best (local step), and all positions solve one linear
-system that the rotations give (global step). Source: Sorkine and Alexa, "As-rigid-as-possible
-surface modeling", SGP 2007, equations 5 to 9; Levi and Gotsman, "Smooth rotation enhanced as-rigid-as-possible mesh
-animation", IEEE TVCG 21(2), 2014, whose term keeps neighbouring rotations alike. Cotangent weights as Open3D
-has them: the mean over the triangles of an edge, not below 0. A turn takes some 3,000 operations a vertex for the
-rotations beside the solve; 250 B a vertex.
-
-Linear systems of a weighted graph Laplacian over a mesh, some of whose vertices are held: conjugate gradients. Row i
-says: sum over neighbours j of w_ij (x_i - x_j) = b_i. Weights are not negative, and whoever sets up a system sees to it
-that a path of positive weights leads from each free vertex to a held one; so it has one solution. The three coordinates
-are solved at once, as one system. A turn costs one product (40 B a neighbour), two reductions and one cycle of the
-preconditioner (graph_levels.py). All is float64, sums run in fixed orders, and the device sees the loop's end.
+Sorkine and Alexa, "As-rigid-as-possible surface modeling", SGP 2007, equations 5 to 9; smooth rotations by Levi and
+Gotsman, IEEE TVCG 21(2), 2014. Cotangent weights as in Open3D (mean over triangles, at least 0). The global step uses
+conjugate gradients with the preconditioner of graph_levels.py; a path of positive weights must connect each free vertex
+to a fixed one. Float64 in fixed orders. 250 B per vertex.
 """
 
 from ..algebra.rotations import best_rotation
@@ -51,16 +43,14 @@ from ..meshes.mesh_edges import MeshEdges, opposite_vertex
 from .graph_levels import Level, Preconditioner, row_product
 from .vertex_values import widen_rows
 
-MOST_TURNS = 5000  # of one solve: hundreds suffice where weights differ by less than 1e6
+MOST_TURNS = 5000  # of one solve: hundreds suffice if weights differ by less than 1e6
 
 
-class UnsolvedError(ArithmeticError):
-    """A linear system whose solution was not reached."""
+class UnsolvedError(ArithmeticError): ...
 
 
 @kernel
 def begin_residual_kernel(level: Level, right: array(dtype=vec3d), state: Gradients):
-    """The residual of what the solution is so far."""
     i = tid()
     rest = vec3d(0.0, 0.0, 0.0)
     if level.free[i] == 1:
@@ -70,7 +60,6 @@ def begin_residual_kernel(level: Level, right: array(dtype=vec3d), state: Gradie
 
 @kernel
 def map_search_kernel(level: Level, state: Gradients):
-    """The product of the matrix and the search direction."""
     i = tid()
     image = vec3d(0.0, 0.0, 0.0)
     if level.free[i] == 1:
@@ -79,15 +68,8 @@ def map_search_kernel(level: Level, state: Gradients):
 
 
 class LaplacianSolver:
-    """Solves systems over one mesh, each from where the last one ended.
-
-    Args:
-        level: The finest Level.
-        solution: vec3d [m], what it begins with; held vertices keep theirs.
-        limit: Solved where the residual, weighted by the preconditioner, has at most this square.
-        most: Turns of one solve.
-        unit: What the limit is measured in, the first number of vec2d [1]; 1 if None.
-    """
+    """Laplacian solver that starts from the last solution. It has converged when the square of the preconditioned
+    residual is at most `limit` (in units of `unit`, vec2d [1], or 1); `most` is the maximum number of iterations."""
 
     def __init__(
         self, level: Level, solution: Positions, limit: float, most: int = MOST_TURNS, unit: Array1[vec2d] | None = None
@@ -97,25 +79,19 @@ class LaplacianSolver:
         self._descent = ConjugateGradients(self.state, self._map, self._precondition)
 
     def solve(self, right: Positions) -> None:
-        """Make `state.solution` the solution of vec3d [m] right sides."""
+        """Solve for right-hand sides vec3d [m] in `state.solution`."""
         self.begin(right)
         self.descend()
 
     def begin(self, right: Positions) -> None:
-        """Set out for the solution of vec3d [m] right sides; launches over arrays that exist already."""
+        """Initialize for right-hand sides vec3d [m]; launches on existing arrays only."""
         launch(begin_residual_kernel, self.state.solution.size, [self.level, right, self.state])
         self._descent.begin()
 
     def descend(self) -> None:
-        """Go there; `begin` comes before."""
         self._descent.run()
 
     def check(self) -> None:
-        """Refuse solutions that are none.
-
-        Raises:
-            UnsolvedError: A solve ended before its limit.
-        """
         if download(self.state.stuck)[0]:  # sync
             raise UnsolvedError(
                 f"positions did not settle in {self.state.most:,} turns of conjugate gradients: the mesh has triangles "
@@ -129,12 +105,12 @@ class LaplacianSolver:
         self.preconditioner.apply(self.state.residual, self.state.forces)
 
 
-TOLERANCE = 1.0e-8  # of a solve: residuals beside the stretch of the mesh at rest, in the norm that weights give
+TOLERANCE = 1.0e-8  # of a solve: residuals relative to the stretch of the mesh at rest, in the norm of the weights
 
 
 @func
 def cotangent(a: vec3d, b: vec3d, tip: vec3d) -> float64:
-    """The cotangent of the angle at `tip`; infinite or NaN where the triangle has no area."""
+    """Cotangent of the angle at `tip`; inf or NaN for a triangle without area."""
     u = a - tip
     v = b - tip
     return dot(u, v) / length(cross(u, v))
@@ -144,7 +120,7 @@ def cotangent(a: vec3d, b: vec3d, tip: vec3d) -> float64:
 def weigh_edges_kernel(
     triangles: array(dtype=vec3i), edges: MeshEdges, rest: array(dtype=vec3d), weights: array(dtype=float64)
 ):
-    """The mean cotangent across each edge, 0 where it is negative; triangles without area are left out."""
+    """Mean cotangent across each edge, at least 0; degenerate triangles are ignored."""
     i = tid()
     a = edges.lows[i]
     b = edges.highs[i]
@@ -167,7 +143,6 @@ def weigh_edges_kernel(
 
 @kernel
 def unite_along_edges_kernel(edges: MeshEdges, weights: array(dtype=float64), parents: array(dtype=int32)):
-    """Make one set of the ends of each edge with weight."""
     i = tid()
     if weights[i] > 0.0:
         unite(parents, edges.lows[i], edges.highs[i])
@@ -182,7 +157,7 @@ def hold_vertices_kernel(
     reached: array(dtype=int32),
     marks: array(dtype=int32),
 ):
-    """Put the held vertices, each once, where they belong, and mark their sets; all threads write the same mark."""
+    """Place each fixed vertex and mark its set; all threads write the same mark."""
     i = tid()
     v = held[i]
     places[v] = targets[i]
@@ -194,7 +169,6 @@ def hold_vertices_kernel(
 def free_vertices_kernel(
     parents: array(dtype=int32), reached: array(dtype=int32), marks: array(dtype=int32), free: array(dtype=int32)
 ):
-    """1 for the vertices that are not held and hang together with one that is."""
     i = tid()
     free[i] = reached[parents[i]] * (1 - marks[i])
 
@@ -212,13 +186,7 @@ def measure_stretch(edges: MeshEdges, weights: array(dtype=float64), rest: array
 
 @struct
 class Bending:
-    """What the turns work on.
-
-    Attributes:
-        rest, places: Positions at rest and now, vec3d [m].
-        rotations, earlier: Of each vertex, now and in the turn before, mat33d [m].
-        right: The right sides of the global step, vec3d [m].
-    """
+    """Iteration state: positions at rest and now, `rotations` now and `earlier` (mat33d [m]), right-hand sides."""
 
     rest: array(dtype=vec3d)
     places: array(dtype=vec3d)
@@ -234,7 +202,7 @@ class Bending:
 
 @kernel
 def rotate_vertices_kernel(level: Level, bending: Bending, likeness: float64):
-    """The best rotation of each vertex' edges; `likeness` weighs the rotations around it, 0 where none are known."""
+    """Best rotation of each vertex; `likeness` weights the neighbors' rotations, 0 if unknown."""
     i = tid()
     zero = float64(0.0)
     S = mat33d(zero, zero, zero, zero, zero, zero, zero, zero, zero)
@@ -257,7 +225,6 @@ def rotate_vertices_kernel(level: Level, bending: Bending, likeness: float64):
 
 @kernel
 def pull_vertices_kernel(level: Level, bending: Bending):
-    """The right side of each free vertex: where the rotations want its edges."""
     i = tid()
     total = vec3d(0.0, 0.0, 0.0)
     if level.free[i] == 1:
@@ -275,7 +242,6 @@ def pull_vertices_kernel(level: Level, bending: Bending):
 def turn_directions_kernel(
     rotations: array(dtype=mat33d), rows: array(dtype=vec3), places: array(dtype=int32), turned: array(dtype=vec3)
 ):
-    """Directions turned with their vertices, or with those at their places where there are any."""
     i = tid()
     place = i
     if places.shape[0] > 0:
@@ -284,7 +250,7 @@ def turn_directions_kernel(
 
 
 def turn_directions(rotations: Array1[mat33d], rows: Vectors, places: Indices | None = None) -> Vectors:
-    """vec3 directions turned by the rotations of their vertices, or of the vertices at int32 places."""
+    """Rotate vec3 directions with their vertices, or with the vertices at int32 places."""
     turned = empty(rows.size, vec3, rows.device)
     of = empty(0, int32, rows.device) if places is None else places
     launch(turn_directions_kernel, rows.size, [rotations, rows, of, turned])
@@ -292,7 +258,7 @@ def turn_directions(rotations: Array1[mat33d], rows: Vectors, places: Indices | 
 
 
 def _hold(edges: MeshEdges, weights: Doubles, bending: Bending, held: Indices, targets: Positions) -> Integers:
-    """Put the held vertices; int32 [m], 1 for those that move."""
+    """Place the fixed vertices. Return int32 [m], 1 for those that move."""
     device, count = bending.rest.device, bending.rest.size
     parents = positions(count, device)
     launch(unite_along_edges_kernel, edges.count, [edges, weights, parents])
@@ -306,23 +272,9 @@ def _hold(edges: MeshEdges, weights: Doubles, bending: Bending, held: Indices, t
 def deform_rigidly(
     vertices: Points, triangles: Triangles, held: Indices, targets: Positions, turns: int, likeness: float
 ) -> tuple[Positions, Array1[mat33d]]:
-    """Bend a mesh.
-
-    Args:
-        vertices: vec3 [m].
-        triangles: vec3i [t].
-        held: Vertices that are put somewhere, each once, int32 [h].
-        targets: Where, vec3d [h].
-        turns: Local and global steps, at least one.
-        likeness: How much rotations take after those around them [m^2]; 0 for not at all.
-
-    Returns:
-        (positions, rotations): vec3d [m] and mat33d [m]. Vertices that no held one reaches along
-        edges with weight stay.
-
-    Raises:
-        UnsolvedError: A solve did not settle.
-    """
+    """Deform a mesh so that distinct vertices `held` (int32 [h]) are at `targets` (vec3d [h]), in `turns` >= 1
+    iterations. `likeness` [m^2] weights similar rotations. Returns (positions vec3d [m], rotations mat33d [m]);
+    vertices not connected to a fixed one stay. Raises UnsolvedError without convergence."""
     device, count = vertices.device, vertices.size
     edges = MeshEdges(triangles, count)  # sync
     bending, weights = Bending(widen_rows(vertices)), empty(edges.count, float64, device)
@@ -346,7 +298,7 @@ def _solve(level: Level, bending: Bending, solver: LaplacianSolver) -> None:
 
 
 class _Turn:
-    """A local and a global step: on CUDA what comes before the loop of the solve is recorded once."""
+    """Local and global step; on CUDA, the part before the solver loop is recorded once."""
 
     def __init__(self, level: Level, bending: Bending, solver: LaplacianSolver, likeness: float) -> None:
         self.level, self.bending, self.solver, self.likeness = level, bending, solver, likeness
@@ -364,7 +316,7 @@ class _Turn:
 
     def _prepare(self) -> None:
         bending = self.bending
-        if bending.rest.device.is_cuda:  # arrays of a recording stay where they are
+        if bending.rest.device.is_cuda:  # arrays of a recording keep their address
             copy(bending.earlier, bending.rotations, count=bending.rotations.size)
         else:
             bending.rotations, bending.earlier = bending.earlier, bending.rotations
@@ -375,7 +327,7 @@ class _Turn:
 
 @kernel
 def rest_rotations_kernel(rotations: array(dtype=mat33d)):
-    """No rotation: the first turn fits the mesh at rest to itself."""
+    """Identity rotations: the first iteration fits the mesh at rest to itself."""
     i = tid()
     one = float64(1.0)
     zero = float64(0.0)

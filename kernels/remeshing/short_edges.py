@@ -1,9 +1,8 @@
-"""Edges shorter than a length collapse, many at once, where the surface stays what it is.
+"""Collapse edges below a length in parallel where the surface stays valid.
 
-A free vertex goes to the other end where that lies on a crease, two free ones and two of one line to their middle, a
-line's vertex to its corner. An edge stays where that would join what it does not border (the link condition; Dey et al.
-1999), turn a triangle by more than 60 degrees, or make an edge longer than a length. Of the rest those collapse whose
-key, the length above a mixed number, is the least at all vertices around both ends: no two of them share a triangle.
+Free vertices move to a crease at the other end; otherwise to the midpoint; line vertices move to corners. Requires the
+link condition (Dey et al. 1999), triangles that turn by at most 60 degrees, and no edge above a length. Edges collapse
+whose key (length and hash) is minimal at all vertices around both ends, so no two share a triangle.
 """
 
 from ..algebra.transform import narrow, widen
@@ -39,7 +38,6 @@ LEAST_COSINE = 0.5  # between the normals of a triangle before and after
 
 @func
 def is_next_to(mesh: CreasedMesh, u: int, v: int) -> int:
-    """1 where an edge joins two vertices."""
     found = 0
     for j in range(mesh.around.starts[v], mesh.around.starts[v + 1]):
         t = mesh.triangles[mesh.around.corners[j] // 3]
@@ -50,7 +48,6 @@ def is_next_to(mesh: CreasedMesh, u: int, v: int) -> int:
 
 @func
 def breaks_link(mesh: CreasedMesh, a: int, b: int, c: int, d: int) -> int:
-    """1 where a vertex other than c and d is next to both a and b."""
     broken = 0
     for j in range(mesh.around.starts[a], mesh.around.starts[a + 1]):
         t = mesh.triangles[mesh.around.corners[j] // 3]
@@ -63,7 +60,7 @@ def breaks_link(mesh: CreasedMesh, a: int, b: int, c: int, d: int) -> int:
 
 @func
 def has_too_few(mesh: CreasedMesh, v: int) -> int:
-    """1 for a vertex that would be left with too few triangles if one went."""
+    """1 for a vertex that would have too few triangles after losing one."""
     count = mesh.around.starts[v + 1] - mesh.around.starts[v]
     least = 4
     if mesh.rims[v] != 0:
@@ -73,7 +70,7 @@ def has_too_few(mesh: CreasedMesh, v: int) -> int:
 
 @func
 def turns_around(mesh: CreasedMesh, a: int, b: int, x: vec3d, most: float64) -> int:
-    """1 where a triangle at a without b turns, or gets an edge longer than the root of `most`, if a goes to x."""
+    """1 if a triangle at a without b turns too far, or gets a squared edge length above `most`, when a moves to x."""
     wrong = 0
     for j in range(mesh.around.starts[a], mesh.around.starts[a + 1]):
         t = mesh.triangles[mesh.around.corners[j] // 3]
@@ -99,7 +96,7 @@ def turns_around(mesh: CreasedMesh, a: int, b: int, x: vec3d, most: float64) -> 
 
 @func
 def goal(mesh: CreasedMesh, e: int) -> int:
-    """Where an edge collapses to: 0 nowhere, 1 the lower vertex, 2 the higher one, 3 the middle."""
+    """Target of a collapse: 0 none, 1 the lower vertex, 2 the higher one, 3 the midpoint."""
     a = int(mesh.kinds[mesh.edges.lows[e]])
     b = int(mesh.kinds[mesh.edges.highs[e]])
     crease = int(mesh.creases[mesh.edges.halves[mesh.edges.starts[e]]])
@@ -122,7 +119,6 @@ def goal(mesh: CreasedMesh, e: int) -> int:
 
 @func
 def goal_place(mesh: CreasedMesh, e: int, way: int) -> vec3d:
-    """The place of that."""
     a = widen(mesh.vertices[mesh.edges.lows[e]])
     b = widen(mesh.vertices[mesh.edges.highs[e]])
     x = 0.5 * (a + b)
@@ -142,7 +138,7 @@ def price_short_kernel(
     keys: array(dtype=int64),
     lowest: array(dtype=int64),
 ):
-    """The key of each edge that may collapse, and the least at each vertex: a minimum is the same in any order."""
+    """Key of each edge that may collapse, and the minimum at each vertex, which does not depend on the order."""
     e = tid()
     keys[e] = int64(NO_NUMBER)
     if is_edge(mesh.edges, e) == 0:
@@ -185,7 +181,6 @@ def price_short_kernel(
 
 @func
 def is_lowest_around(mesh: CreasedMesh, v: int, key: int64, lowest: array(dtype=int64)) -> int:
-    """1 where no vertex of a triangle at v has a lower key."""
     found = 1
     for j in range(mesh.around.starts[v], mesh.around.starts[v + 1]):
         t = mesh.triangles[mesh.around.corners[j] // 3]
@@ -204,7 +199,7 @@ def collapse_short_kernel(
     fixed: array(dtype=uint8),
     count: array(dtype=int32),
 ):
-    """Move one end, give it the other's triangles, and let those of the edge go; `count` is a sum of whole numbers."""
+    """Merge the ends of edges and remove their triangles; `count` is an integer sum."""
     e = tid()
     key = keys[e]
     if key == int64(NO_NUMBER):
@@ -229,7 +224,6 @@ def collapse_short_kernel(
 
 @kernel(for_cpu=True)
 def mask_left_kernel(triangles: array(dtype=vec3i), mask: array(dtype=uint8)):
-    """1 for triangles that have not gone."""
     i = tid()
     t = triangles[i]
     mask[i] = uint8(1 if t[0] != t[1] else 0)
@@ -237,7 +231,6 @@ def mask_left_kernel(triangles: array(dtype=vec3i), mask: array(dtype=uint8)):
 
 @kernel(for_cpu=True)
 def gather_creases_kernel(creases: array(dtype=uint8), rows: array(dtype=int32), gathered: array(dtype=uint8)):
-    """The flags of some triangles' half-edges."""
     i = tid()
     gathered[i] = creases[3 * rows[i // 3] + i % 3]
 
@@ -245,18 +238,8 @@ def gather_creases_kernel(creases: array(dtype=uint8), rows: array(dtype=int32),
 def collapse_short_edges(
     mesh: CreasedMesh, shortest: float, longest: float, few: float, rounds: Integers | None = None
 ) -> tuple[CreasedMesh, int | None]:
-    """One round.
-
-    Args:
-        mesh: The mesh.
-        shortest: Edges shorter than this collapse.
-        longest: Where no edge gets longer than this.
-        few: As of `end_rounds`.
-        rounds: Those of `end_rounds`, on CUDA; where they are given nothing waits.
-
-    Returns:
-        (the mesh, how many edges collapsed, None where nothing waits); vertices without triangles stay.
-    """
+    """Collapse edges below `shortest` unless an edge exceeds `longest`. `few`, `rounds` as in `end_rounds` (no sync
+    with `rounds`). Returns (mesh, number of collapses or None); unused vertices stay."""
     device, edges = mesh.vertices.device, mesh.edges.count
     keys, lowest = full(edges, NO_NUMBER, int64, device), full(mesh.vertices.size, NO_NUMBER, int64, device)
     ended = zeros(1, int32, device) if rounds is None else rounds
@@ -274,7 +257,7 @@ def collapse_short_edges(
 
 
 def without_gone(triangles: Triangles, creases: Bytes) -> tuple[Triangles, Bytes]:
-    """The triangles that have not gone, and the flags of their half-edges; one sync."""
+    """Remaining triangles and the flags of their half-edges; one sync."""
     mask = empty(triangles.size, uint8, triangles.device)
     launch(mask_left_kernel, mask.size, [triangles, mask])
     rows = positions_of(mask)  # sync

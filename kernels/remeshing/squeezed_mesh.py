@@ -1,7 +1,7 @@
-"""What is left of a mesh whose edges collapse is renumbered, in its order, where the record asks for it.
+"""Compaction of a mesh during edge collapse, if the record requests it.
 
-Triangles and vertices are marked and counted as one list, triangles first. What is left goes to the twin and, on CUDA,
-whose loop has its arrays once and for all, back again; some 400 B read and written a triangle.
+Triangles and vertices are marked and counted as one list. The rest is copied to the twin and, on CUDA, where the loop
+has fixed arrays, back again; about 400 B per triangle.
 """
 
 from ..array_types import Integers
@@ -14,7 +14,6 @@ from .quadrics import quadric
 
 @kernel
 def mark_left_kernel(mesh: CollapseMesh, marks: array(dtype=int32)):
-    """1 for triangles that are left, and behind all triangles for vertices with any."""
     i = tid()
     slots = mesh.numbers[SLOTS]
     mark = 0
@@ -30,7 +29,7 @@ def mark_left_kernel(mesh: CollapseMesh, marks: array(dtype=int32)):
 
 @kernel
 def list_left_kernel(mesh: CollapseMesh, ranks: array(dtype=int32), old: array(dtype=int32)):
-    """What is left in its order: triangles, then vertices; `ranks` count from one."""
+    """Remaining triangles, then vertices, in order; `ranks` count from one."""
     i = tid()
     slots = mesh.numbers[SLOTS]
     if mesh.numbers[SQUEEZE] == 1 and i < slots + mesh.numbers[VERTICES]:
@@ -43,7 +42,6 @@ def list_left_kernel(mesh: CollapseMesh, ranks: array(dtype=int32), old: array(d
 
 @func
 def vertex_place(mesh: CollapseMesh, ranks: array(dtype=int32), v: int) -> int:
-    """The new number of a vertex that is left."""
     slots = mesh.numbers[SLOTS]
     return ranks[slots + v] - 1 - ranks[slots - 1]
 
@@ -59,7 +57,7 @@ def gather_edges_kernel(
     uvs: array(dtype=vec2),
     materials: array(dtype=int32),
 ):
-    """What belongs to the half-edges that are left; prices stay, above the new numbers: no two keys are equal."""
+    """Arrays of the remaining half-edges; costs stay with new unique numbers."""
     i = tid()
     if mesh.numbers[SQUEEZE] == 0 or i >= 3 * mesh.numbers[TRIANGLES]:
         return
@@ -92,7 +90,6 @@ def gather_vertices_kernel(
     touched: array(dtype=uint8),
     starts: array(dtype=int32),
 ):
-    """What belongs to the vertices that are left, all of which have corners."""
     i = tid()
     left = mesh.numbers[TRIANGLES]
     count = left_vertices(mesh, ranks)
@@ -110,7 +107,7 @@ def gather_vertices_kernel(
 
 @func
 def left_vertices(mesh: CollapseMesh, ranks: array(dtype=int32)) -> int:
-    """How many vertices are left, -1 where nothing is squeezed out."""
+    """Number of remaining vertices, -1 without compaction."""
     count = -1
     if mesh.numbers[SQUEEZE] == 1:
         slots = mesh.numbers[SLOTS]
@@ -126,7 +123,6 @@ def gather_left_kernel(
     rows: array(dtype=vec3),
     out: array(dtype=vec3),
 ):
-    """Rows of the vertices that are left."""
     i = tid()
     if i < left_vertices(mesh, ranks):
         out[i] = rows[old[mesh.numbers[TRIANGLES] + i]]
@@ -136,7 +132,6 @@ def gather_left_kernel(
 def renumber_corners_kernel(
     mesh: CollapseMesh, ranks: array(dtype=int32), corners: array(dtype=int32), spokes: array(dtype=vec2i)
 ):
-    """Corners and spokes by the new numbers."""
     i = tid()
     if mesh.numbers[SQUEEZE] == 0 or i >= 3 * mesh.numbers[TRIANGLES]:
         return
@@ -155,7 +150,6 @@ def keep_edges_kernel(
     uvs: array(dtype=vec2),
     materials: array(dtype=int32),
 ):
-    """What was gathered in the twin of half-edges, over what was."""
     i = tid()
     if mesh.numbers[SQUEEZE] == 0 or i >= 3 * mesh.numbers[TRIANGLES]:
         return
@@ -179,7 +173,6 @@ def keep_vertices_kernel(
     touched: array(dtype=uint8),
     starts: array(dtype=int32),
 ):
-    """What was gathered in the twin of vertices, over what was."""
     i = tid()
     count = left_vertices(mesh, ranks)
     if i <= count:
@@ -193,18 +186,13 @@ def keep_vertices_kernel(
 
 @kernel
 def keep_rows_kernel(mesh: CollapseMesh, ranks: array(dtype=int32), rows: array(dtype=vec3), out: array(dtype=vec3)):
-    """Rows of vertices, over those that were."""
     i = tid()
     if i < left_vertices(mesh, ranks):
         out[i] = rows[i]
 
 
 class Squeezing:
-    """Room to squeeze a mesh and its twin.
-
-    Attributes:
-        ranks: int32 [t + m], how many are left up to and with each triangle, and then vertex.
-    """
+    """Buffers for compaction; `ranks` int32 [t + m] count remaining triangles, then vertices."""
 
     def __init__(self, mesh: CollapseMesh) -> None:
         most, device = mesh.triangles.size + mesh.positions.size, mesh.numbers.device
@@ -215,7 +203,7 @@ class Squeezing:
         )
 
     def run(self, mesh: CollapseMesh, twin: CollapseMesh) -> None:
-        """Gather what is left; its counts stay as they are in the record until the round ends."""
+        """Compact; the counts in the record change at the end of the round."""
         ranks: Integers = self.ranks
         slots, count = mesh.live(SLOTS, mesh.triangles.size), mesh.live(VERTICES, mesh.positions.size)
         launch(mark_left_kernel, slots + count, [mesh, ranks])

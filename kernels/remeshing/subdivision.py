@@ -1,10 +1,9 @@
-"""Every triangle split into four, with a new vertex on each edge: at its middle, or where Loop's masks place it.
+"""Midpoint and Loop subdivision: each triangle becomes four.
 
-New vertices are numbered by the first half-edge that runs their edge, so in the order in which triangles name them:
-Open3D's. Values at vertices stay in float64 from round to round, and sums run in fixed orders. A round sorts the
-half-edges once; about 150 B a triangle. Source: Loop, "Smooth subdivision surfaces based on triangles", master's
-thesis, University of Utah 1987, with Warren's weights; edges of one triangle after Hoppe et al., "Piecewise smooth
-surface reconstruction", SIGGRAPH 1994; edges of more than two triangles as in Open3D.
+Loop, "Smooth subdivision surfaces based on triangles", master's thesis, University of Utah 1987, with Warren's weights;
+boundary edges after Hoppe et al., "Piecewise smooth surface reconstruction", SIGGRAPH 1994; non-manifold edges and
+vertex order (by first half-edge) as in Open3D. Values are float64 between rounds, with sums in fixed orders. About 150
+B per triangle.
 """
 
 from collections.abc import Sequence
@@ -20,7 +19,6 @@ from ..meshes.vertex_neighbors import VertexNeighbors
 
 @kernel
 def mark_first_halves_kernel(edges: MeshEdges, firsts: array(dtype=int32)):
-    """1 at the first half-edge of each edge."""
     i = tid()
     firsts[edges.halves[edges.starts[i]]] = 1
 
@@ -29,7 +27,6 @@ def mark_first_halves_kernel(edges: MeshEdges, firsts: array(dtype=int32)):
 def number_edges_kernel(
     edges: MeshEdges, places: array(dtype=int32), base: int, numbers: array(dtype=int32), middles: array(dtype=int32)
 ):
-    """The vertex on each edge, and the same for each of its half-edges."""
     i = tid()
     number = base + places[edges.halves[edges.starts[i]]]
     numbers[i] = number
@@ -39,14 +36,7 @@ def number_edges_kernel(
 
 @struct
 class EdgeSplit:
-    """The edges of a mesh and the vertices that will stand on them.
-
-    Attributes:
-        edges: The edges.
-        numbers: The vertex on each edge, int32 [e].
-        middles: The vertex on each half-edge, int32 [3 t].
-        vertex_count: Vertices before and after.
-    """
+    """Edges and new vertices: `numbers` by edge, `middles` by half-edge, `vertex_count` before and after."""
 
     edges: MeshEdges
     numbers: array(dtype=int32)
@@ -66,7 +56,7 @@ class EdgeSplit:
 
 @kernel
 def split_triangles_kernel(triangles: array(dtype=vec3i), middles: array(dtype=int32), quarters: array(dtype=vec3i)):
-    """The three triangles at the corners, then the one between the middles."""
+    """Three corner triangles, then the middle one."""
     i = tid()
     t = triangles[i]
     ab = middles[3 * i]
@@ -80,7 +70,6 @@ def split_triangles_kernel(triangles: array(dtype=vec3i), middles: array(dtype=i
 
 @kernel
 def split_corners_kernel(corners: array(dtype=vec2), quarters: array(dtype=vec2)):
-    """Values of corners for the four triangles of each, halfway on the edges."""
     i = tid()
     a = corners[3 * i]
     b = corners[3 * i + 1]
@@ -104,14 +93,12 @@ def split_corners_kernel(corners: array(dtype=vec2), quarters: array(dtype=vec2)
 
 @kernel
 def repeat_four_times_kernel(values: array(dtype=int32), repeated: array(dtype=int32)):
-    """Each value four times in a row."""
     i = tid()
     repeated[i] = values[i // 4]
 
 
 @kernel
 def halve_edges_kernel(split: EdgeSplit, values: array(dtype=vec3d), out: array(dtype=vec3d)):
-    """The mean of the ends of each edge."""
     i = tid()
     out[split.numbers[i]] = 0.5 * (values[split.edges.lows[i]] + values[split.edges.highs[i]])
 
@@ -124,7 +111,7 @@ def mask_edges_kernel(
     values: array(dtype=vec3d),
     out: array(dtype=vec3d),
 ):
-    """3/8 of the ends of each edge and together 1/4 of the vertices across; the mean where it has one triangle."""
+    """3/8 of each end plus 1/8 of each opposite vertex; the mean on boundary edges."""
     i = tid()
     a = split.edges.lows[i]
     b = split.edges.highs[i]
@@ -147,7 +134,7 @@ def mask_edges_kernel(
 def mask_vertices_kernel(
     around: VertexNeighbors, sharers: array(dtype=int32), values: array(dtype=vec3d), out: array(dtype=vec3d)
 ):
-    """An old vertex moved by its neighbours; by those along edges of one triangle alone where there are two or more."""
+    """Old vertex moved by its neighbors; only by those along boundary edges if there are at least two."""
     i = tid()
     everyone = vec3d(0.0, 0.0, 0.0)
     rim = vec3d(0.0, 0.0, 0.0)
@@ -170,35 +157,31 @@ def mask_vertices_kernel(
 
 
 def split_triangles(triangles: Triangles, split: EdgeSplit) -> Triangles:
-    """Four triangles of each, vec3i [4 t]."""
     quarters = empty(4 * triangles.size, vec3i, triangles.device)
     launch(split_triangles_kernel, triangles.size, [triangles, split.middles, quarters])
     return quarters
 
 
 def split_corners(corners: Array1[vec2]) -> Array1[vec2]:
-    """vec2 [3 t] values of corners for the four triangles of each."""
     quarters = empty(4 * corners.size, vec2, corners.device)
     launch(split_corners_kernel, corners.size // 3, [corners, quarters])
     return quarters
 
 
 def repeat_four_times(values: Integers) -> Integers:
-    """int32 [t] values of triangles for the four triangles of each."""
     repeated = empty(4 * values.size, int32, values.device)
     launch(repeat_four_times_kernel, repeated.size, [values, repeated])
     return repeated
 
 
 def mixed_ends(split: EdgeSplit) -> MixedRows:
-    """What the vertices are made of when those on edges stand in their middle."""
+    """Sources of the vertices if new ones are midpoints."""
     edges = split.edges
     halves = full(edges.count, 0.5, float64, edges.lows.device)
     return with_vertices_on_edges(split.vertex_count[0], split.numbers, edges.lows, edges.highs, halves)
 
 
 def halve(triangles: Triangles, split: EdgeSplit, values: Sequence[Positions]) -> list[Positions]:
-    """The vec3d arrays in a list with a row more an edge: the mean of its ends."""
     results = []
     for rows in values:
         out = empty(split.vertex_count[1], vec3d, rows.device)
@@ -209,7 +192,7 @@ def halve(triangles: Triangles, split: EdgeSplit, values: Sequence[Positions]) -
 
 
 def mask(triangles: Triangles, split: EdgeSplit, values: Sequence[Positions]) -> list[Positions]:
-    """The vec3d arrays in a list by Loop's masks: old rows moved, and a row more an edge."""
+    """Apply Loop's masks to vec3d arrays: old rows move, and one row is added per edge."""
     sharers, around = count_sharers(split.edges), VertexNeighbors(split.edges, split.vertex_count[0])
     results = []
     for rows in values:

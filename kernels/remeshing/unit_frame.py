@@ -1,6 +1,6 @@
-"""Points in a box of one unit about zero, in float64, and back: what is computed there depends on no unit of length.
+"""Points scaled to a unit box around zero in float64, for unit-independent computation.
 
-The scale is a power of two, so a point that is not moved comes back as it was.
+The scale is a power of two, so unmoved points are restored exactly.
 """
 
 import numpy as np
@@ -13,7 +13,7 @@ from ..memory import empty
 
 @kernel
 def scale_points_kernel(points: array(dtype=vec3), center: vec3d, scale: float64, scaled: array(dtype=vec3d)):
-    """Points in a box of one unit about zero; exact, since the scale is a power of two."""
+    """Scale points to the unit box; exact, since the scale is a power of two."""
     i = tid()
     p = points[i]
     scaled[i] = (vec3d(float64(p[0]), float64(p[1]), float64(p[2])) - center) * scale
@@ -21,22 +21,16 @@ def scale_points_kernel(points: array(dtype=vec3), center: vec3d, scale: float64
 
 @kernel
 def unscale_points_kernel(scaled: array(dtype=vec3d), center: vec3d, scale: float64, points: array(dtype=vec3)):
-    """The points as they were."""
     i = tid()
     p = scaled[i] / scale + center
     points[i] = vec3(float(p[0]), float(p[1]), float(p[2]))
 
 
 class UnitFrame:
-    """The box of finite points.
-
-    Attributes:
-        center: vec3d.
-        scale: A power of two.
-    """
+    """Center (vec3d) and power-of-two scale of finite points."""
 
     def __init__(self, points: Points, box: tuple[np.ndarray, np.ndarray, int] | None = None) -> None:
-        """Of points, whose box may be known, as `bound_points` gives it; else one sync."""
+        """`box` as of `bound_points` if known, else one sync."""
         low, high, count = box or bound_points(points)  # sync
         low, high = low.astype(np.float64), high.astype(np.float64)
         extent = float((high - low).max()) if count else 0.0
@@ -44,13 +38,11 @@ class UnitFrame:
         self.center = vec3d(*(((low + high) / 2).astype(np.float32) if count else np.zeros(3)))
 
     def scaled(self, points: Points) -> Positions:
-        """vec3d of vec3."""
         scaled = empty(points.size, vec3d, points.device)
         launch(scale_points_kernel, points.size, [points, self.center, self.scale, scaled])
         return scaled
 
     def unscaled(self, scaled: Positions) -> Points:
-        """vec3 of vec3d."""
         points = empty(scaled.size, vec3, scaled.device)
         launch(unscale_points_kernel, points.size, [scaled, self.center, self.scale, points])
         return points

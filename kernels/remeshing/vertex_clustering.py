@@ -1,9 +1,8 @@
-"""One vertex for the vertices of each voxel, and the triangles that still have three.
+"""Vertex clustering on a voxel grid.
 
 Rossignac and Borrel, "Multi-resolution 3D approximations for rendering complex scenes", 1993, with the mean of a
-voxel's vertices; or Lindstrom, "Out-of-core simplification of large polygonal models", 2000, with the point that is
-nearest to the planes of their triangles. Vertices are sorted by voxel and triangles by their vertices; a voxel is
-summed in the order of its vertices. Some 150 B of memory a triangle.
+voxel's vertices; or Lindstrom, "Out-of-core simplification of large polygonal models", 2000, with the point closest to
+the planes of their triangles. Sums in vertex order; about 150 B per triangle.
 """
 
 from collections.abc import Sequence
@@ -42,20 +41,13 @@ from .collapse_mesh import last_corner
 from .quadrics import least_point, plane_quadric, quadric
 from .unit_frame import UnitFrame
 
-PULL = 1e-3  # to the mean of a voxel, of the weight of its planes: less than this is a line or a plane left open
+PULL = 1e-3  # prior weight of a voxel's mean relative to its planes: less leaves a line or a plane undetermined
 
 
 @struct
 class VertexClusters:
-    """The vertices by voxel, voxels by their first vertices.
-
-    Attributes:
-        order: int32, finite vertices by voxel; within one in their order.
-        starts, stops: int32 [c], where each voxel's vertices begin and end in `order`.
-        labels: int32 [m], the voxel of each vertex; -1 where it is not finite.
-        count: Voxels c; on the host.
-        box: Of the vertices, as of `bound_points`.
-    """
+    """Vertices by voxel, voxels numbered by first vertex. `order` are finite vertices by voxel, delimited by `starts`
+    and `stops`; `labels` is the voxel of each vertex, -1 if not finite."""
 
     order: array(dtype=int32)
     starts: array(dtype=int32)
@@ -63,17 +55,13 @@ class VertexClusters:
     labels: array(dtype=int32)
 
     def __init__(self, vertices: Points, voxel_size: float) -> None:
-        """Sort vertices by voxels that are counted from half a voxel below the box.
-
-        Raises:
-            ValueError: The grid needs more than 62 bits.
-        """
+        """Sort by voxels from half a voxel below the box. Raises ValueError if the grid needs more than 62 bits."""
         device = vertices.device
         self.box = bound_points(vertices)  # sync
         low, high, finite = self.box
         low, high = (low.astype(np.float64), high.astype(np.float64)) if finite else (np.zeros(3), np.zeros(3))
         corner = low - 0.5 * voxel_size
-        with np.errstate(over="ignore"):  # more voxels than a float counts: refused below
+        with np.errstate(over="ignore"):  # more voxels than a float can count: rejected below
             cells = np.floor((high - corner) / voxel_size) + 1
         groups = VoxelGroups(vertices, corner, voxel_size, cells)  # sync
         self.order, self.count = groups.order, groups.count
@@ -88,7 +76,6 @@ class VertexClusters:
 
 @kernel
 def mark_first_vertices_kernel(order: array(dtype=int32), starts: array(dtype=int32), firsts: array(dtype=int32)):
-    """1 for the first vertex of each voxel."""
     i = tid()
     firsts[order[starts[i]]] = 1
 
@@ -102,7 +89,6 @@ def rank_clusters_kernel(
     last: array(dtype=int32),
     labels: array(dtype=int32),
 ):
-    """Number voxels by their first vertices."""
     i = tid()
     rank = ranks[order[starts[i]]]
     first[rank] = starts[i]
@@ -113,7 +99,7 @@ def rank_clusters_kernel(
 
 @kernel
 def average_clusters_kernel(clusters: VertexClusters, unit: int, rows: array(dtype=vec3), means: array(dtype=vec3)):
-    """The mean of the finite rows of each voxel, of unit length where `unit` is 1 and there is a length."""
+    """Mean of the finite rows of each voxel; normalized if `unit` is 1."""
     i = tid()
     total = vec3d(0.0, 0.0, 0.0)
     count = float64(0.0)
@@ -138,10 +124,7 @@ def place_clusters_kernel(
     reach: float64,
     points: array(dtype=vec3d),
 ):
-    """The point of each voxel that is nearest to the planes of its vertices' triangles; else the mean.
-
-    It is the mean where the point is further from it than `reach`.
-    """
+    """Point of each voxel closest to the planes of its triangles, or the mean if farther away than `reach`."""
     i = tid()
     mean = vec3d(0.0, 0.0, 0.0)
     for j in range(clusters.starts[i], clusters.stops[i]):
@@ -168,7 +151,7 @@ def place_clusters_kernel(
 def relabel_triangles_kernel(
     triangles: array(dtype=vec3i), labels: array(dtype=int32), relabeled: array(dtype=vec3i), mask: array(dtype=uint8)
 ):
-    """Triangles between voxels, the lowest first, and 1 for those between three."""
+    """Triangles by voxel, the lowest first, and 1 for those with three distinct voxels."""
     i = tid()
     t = triangles[i]
     a = labels[t[0]]
@@ -188,7 +171,6 @@ def relabel_triangles_kernel(
 
 @kernel
 def list_pair_keys_kernel(triangles: array(dtype=vec3i), rows: array(dtype=int32), bits: int, keys: array(dtype=int64)):
-    """The first two vertices of some triangles."""
     i = tid()
     t = triangles[rows[i]]
     keys[i] = (int64(t[0]) << int64(bits)) | int64(t[1])
@@ -198,7 +180,6 @@ def list_pair_keys_kernel(triangles: array(dtype=vec3i), rows: array(dtype=int32
 def list_triple_keys_kernel(
     pairs: UniqueKeys, triangles: array(dtype=vec3i), rows: array(dtype=int32), bits: int, keys: array(dtype=int64)
 ):
-    """The number of the pair, and the last vertex."""
     i = tid()
     for j in range(pairs.starts[i], pairs.starts[i + 1]):
         k = pairs.order[j]
@@ -207,18 +188,14 @@ def list_triple_keys_kernel(
 
 @kernel
 def mark_first_rows_kernel(groups: UniqueKeys, rows: array(dtype=int32), mask: array(dtype=uint8)):
-    """1 for the first row of each group."""
     i = tid()
     if groups.starts[i + 1] > groups.starts[i]:
         mask[rows[groups.order[groups.starts[i]]]] = 1
 
 
 def join_triangles(triangles: Triangles, labels: Integers, count: int) -> Triangles:
-    """The triangles between three of `count` voxels, each once, in the order in which they first appear.
-
-    Returns:
-        vec3i: lowest vertex first; two of opposite winding are two. Two syncs.
-    """
+    """Distinct triangles between three of `count` voxels in order of first appearance, vec3i, lowest vertex first;
+    opposite orientations differ. Two syncs."""
     device, bits = triangles.device, max(1, count.bit_length())
     relabeled, mask = empty(triangles.size, vec3i, device), empty(triangles.size, uint8, device)
     launch(relabel_triangles_kernel, triangles.size, [triangles, labels, relabeled, mask])
@@ -236,21 +213,9 @@ def join_triangles(triangles: Triangles, labels: Integers, count: int) -> Triang
 def cluster_vertices(
     triangles: Triangles, per_vertex: Sequence[Vectors], unit: Sequence[bool], voxel_size: float, with_planes: bool
 ) -> tuple[Triangles, list[Any]]:
-    """A mesh with one vertex a voxel.
-
-    Args:
-        triangles: vec3i [t].
-        per_vertex: vec3 [m] arrays, the vertices first.
-        unit: For each of the others whether its rows have unit length.
-        voxel_size: Edge of a voxel.
-        with_planes: Whether vertices go to the planes of triangles, and not to the mean.
-
-    Returns:
-        (triangles, arrays).
-
-    Raises:
-        ValueError: The grid needs more than 62 bits.
-    """
+    """Merge the vertices of each voxel, to their mean or (`with_planes`) the point closest to the triangle planes.
+    `per_vertex` are vec3 [m] arrays, vertices first; `unit` marks unit vectors. Returns (triangles, arrays). Raises
+    ValueError if the grid needs more than 62 bits."""
     vertices, device = per_vertex[0], triangles.device
     clusters = VertexClusters(vertices, voxel_size)
     joined = join_triangles(triangles, clusters.labels, clusters.count)

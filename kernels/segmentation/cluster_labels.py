@@ -1,8 +1,7 @@
-"""Labels of clusters from disjoint sets of cores: numbers, the points at their borders, sizes.
+"""Cluster labels from disjoint sets of core points: numbering, border points, sizes.
 
-Numbers are those of the first core of each cluster in the cloud's order. A border point, within reach of a core but
-none itself, takes the lowest label of those cores. The walk of a leaf's border points enters only nodes that hold a
-lower label than the worst found, and takes the lowest label of a node that lies wholly within reach as it stands.
+Clusters are numbered by their first core in cloud order. A border point, within the radius of a core, takes the lowest
+label of those cores; the tree traversal skips nodes without a lower label.
 """
 
 from ..array_types import Integers
@@ -27,23 +26,21 @@ from ..search.tree_walk import (
 from .core_sets import Cores
 
 NOISE = -1
-RUN = 64  # labels a thread counts; those of neighbours on the curve are mostly equal, so a run is one atomic
+RUN = 64  # labels per thread; neighbors on the curve mostly have equal ones, so a run needs one atomic
 
 
 @kernel
 def find_first_kernel(cores: Cores, firsts: array(dtype=int32)):
-    """The lowest index in the cloud of each set's cores, at its root."""
     i = tid()
     root = cores.owners[i]
     if root >= 0:
         row = cores.tree.order[i]
         if row < firsts[root]:
-            atomic_min(firsts, root, row)  # settles which of a set's cores comes first in the cloud
+            atomic_min(firsts, root, row)  # the minimum selects the first core of a set in the cloud
 
 
 @kernel
 def mark_first_kernel(cores: Cores, firsts: array(dtype=int32), marks: array(dtype=uint8)):
-    """1 at the first core of each set, in the order of the cloud."""
     i = tid()
     if cores.owners[i] == i:
         marks[firsts[i]] = 1
@@ -51,10 +48,7 @@ def mark_first_kernel(cores: Cores, firsts: array(dtype=int32), marks: array(dty
 
 @kernel
 def label_cores_kernel(cores: Cores, firsts: array(dtype=int32), labels: array(dtype=int32)):
-    """The label of each core of a leaf, in the cloud's order and, in place of its root, in the tree's.
-
-    `cores.lowest` gets the lowest label of the leaf. The label of a set's first core is there already.
-    """
+    """Label the cores of a leaf in cloud and tree order, and store its lowest label. First cores have labels."""
     leaf = tid()
     least = int(NO_NUMBER)
     for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, cores.tree.count)):
@@ -72,10 +66,7 @@ def label_cores_kernel(cores: Cores, firsts: array(dtype=int32), labels: array(d
 
 @kernel
 def rename_cores_kernel(renamed: array(dtype=int32), cores: Cores, labels: array(dtype=int32)):
-    """The new label of each core of a leaf, in the cloud's order and in the tree's; one renamed to NOISE is none.
-
-    `cores.lowest` gets the lowest label of the leaf.
-    """
+    """Relabel the cores of a leaf in cloud and tree order (NOISE removes them), and store its lowest label."""
     leaf = tid()
     least = int(NO_NUMBER)
     for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, cores.tree.count)):
@@ -91,7 +82,6 @@ def rename_cores_kernel(renamed: array(dtype=int32), cores: Cores, labels: array
 
 @func
 def lower_lanes(best: numbers, value: int) -> numbers:
-    """The lower of each lane's number and a value."""
     lower = numbers(0)
     for j in range(LEAF):
         lower[j] = min(best[j], value)
@@ -100,7 +90,6 @@ def lower_lanes(best: numbers, value: int) -> numbers:
 
 @func
 def largest_of(values: numbers) -> int:
-    """The largest of eight numbers."""
     largest = values[0]
     for j in range(1, LEAF):
         largest = max(largest, values[j])
@@ -109,7 +98,7 @@ def largest_of(values: numbers) -> int:
 
 @func
 def follow_leaf(best: numbers, xs: lanes, ys: lanes, zs: lanes, first: int, last: int, cores: Cores) -> numbers:
-    """The lower of each lane's label and those of the cores first..last - 1 within its reach."""
+    """Lower each lane's label to those of cores first..last - 1 within the radius."""
     lower = best
     for r in range(first, last):
         label = cores.owners[r]
@@ -125,7 +114,7 @@ def follow_leaf(best: numbers, xs: lanes, ys: lanes, zs: lanes, first: int, last
 
 @func
 def lower_children(lowest: array(dtype=int32), record: int, label: int) -> int:
-    """A byte: bit j is set where child j of a node holds a label below this one."""
+    """Bit mask of the children that contain a label below this one."""
     found = 0
     for j in range(FAN):
         found = found | ((1 << j) if lowest[record * FAN + j] < label else 0)
@@ -134,7 +123,7 @@ def lower_children(lowest: array(dtype=int32), record: int, label: int) -> int:
 
 @func
 def follow_cores(best: numbers, xs: lanes, ys: lanes, zs: lanes, a: vec3, b: vec3, leaf: int, cores: Cores) -> numbers:
-    """The lowest label of the cores within reach of each lane; (a, b) is the box of those that search."""
+    """Lowest label of the cores within the radius of each lane; (a, b) is the lanes' bounding box."""
     lower = best
     worst = largest_of(lower)
     near = 0
@@ -159,7 +148,6 @@ def follow_cores(best: numbers, xs: lanes, ys: lanes, zs: lanes, a: vec3, b: vec
 
 @kernel
 def label_borders_kernel(cores: Cores, labels: array(dtype=int32)):
-    """The labels of the points of a leaf that are no cores."""
     leaf = tid()
     head = leaf * LEAF
     xs = lanes(INFINITY)
@@ -167,7 +155,7 @@ def label_borders_kernel(cores: Cores, labels: array(dtype=int32)):
     zs = lanes(0.0)
     a = vec3(INFINITY, INFINITY, INFINITY)
     b = vec3(-INFINITY, -INFINITY, -INFINITY)
-    best = numbers(NOISE)  # no label is lower, so lanes without a border point neither change nor wait
+    best = numbers(NOISE)  # no label is lower, so lanes without a border point have no effect
     searching = 0
     for j, p in points_of(leaf, cores.tree):
         if cores.owners[head + j] < 0:
@@ -185,12 +173,9 @@ def label_borders_kernel(cores: Cores, labels: array(dtype=int32)):
                 labels[cores.tree.order[head + j]] = best[j]
 
 
-# ------------------------------------------------------------------------------------------------ sizes
-
-
 @kernel
 def count_labels_kernel(run: int, labels: array(dtype=int32), counts: array(dtype=int32)):
-    """How often each label occurs; whole numbers, so the order of the atomics does not matter."""
+    """Count each label; integers, so the order of the atomics does not matter."""
     i = tid()
     label = int(NOISE)
     held = 0
@@ -208,7 +193,7 @@ def count_labels_kernel(run: int, labels: array(dtype=int32), counts: array(dtyp
 
 @kernel
 def rank_sizes_kernel(counts: array(dtype=int32), least: int, most: int, keys: array(dtype=int64)):
-    """Keys in whose order the largest clusters come first, and those of other sizes last."""
+    """Keys that sort clusters by decreasing size, those of other sizes last."""
     i = tid()
     key = int(NO_NUMBER)
     if counts[i] >= least and counts[i] <= most:
@@ -218,7 +203,6 @@ def rank_sizes_kernel(counts: array(dtype=int32), least: int, most: int, keys: a
 
 @kernel
 def renumber_rows_kernel(keys: array(dtype=int64), order: array(dtype=int32), renamed: array(dtype=int32)):
-    """The new number of each cluster; NOISE for those of other sizes."""
     i = tid()
     label = int(NOISE)
     if int(keys[i]) < NO_NUMBER:
@@ -228,22 +212,13 @@ def renumber_rows_kernel(keys: array(dtype=int64), order: array(dtype=int32), re
 
 @kernel
 def rename_labels_kernel(renamed: array(dtype=int32), labels: array(dtype=int32)):
-    """Each label's new number, in place."""
     i = tid()
     if labels[i] >= 0:
         labels[i] = renamed[labels[i]]
 
 
-# ------------------------------------------------------------------------------------------------ host
-
-
 def label_cores(cores: Cores, labels: Integers) -> int:
-    """Number the clusters and label their cores; the number of clusters. One sync.
-
-    Args:
-        cores: Cores with the lowest core of each one's set; gets the labels in its place.
-        labels: int32 device array in the cloud's order, filled with NOISE; gets the labels.
-    """
+    """Number the clusters and label their cores in `labels` (int32, NOISE before). Return their number. One sync."""
     count, device = cores.tree.count, cores.tree.device
     firsts, marks = full(count, NO_NUMBER, int32, device), zeros(labels.size, uint8, device)
     launch(find_first_kernel, count, [cores, firsts])
@@ -255,35 +230,17 @@ def label_cores(cores: Cores, labels: Integers) -> int:
 
 
 def rename_cores(cores: Cores, renamed: Integers, labels: Integers) -> None:
-    """Give cores other labels, in whose order borders choose.
-
-    Args:
-        cores: Cores with their labels; gets the new ones.
-        renamed: int32 device array, the new label of each; NOISE where its cores are to count as none.
-        labels: int32 device array in the cloud's order, the labels of cores; gets the new ones.
-    """
+    """Relabel cores by `renamed` (NOISE removes them); borders then choose by the new order."""
     launch(rename_cores_kernel, cores.leaf_count, [renamed, cores, labels])
 
 
 def label_borders(cores: Cores, labels: Integers) -> None:
-    """Label the points within reach of a core that are none themselves.
-
-    Args:
-        cores: Cores with their labels.
-        labels: int32 device array in the cloud's order; gets the labels.
-    """
     cores.lower()
     launch(label_borders_kernel, cores.leaf_count, [cores, labels])
 
 
 def rank_by_size(labels: Integers, cluster_count: int, least: int, most: int) -> None:
-    """Number clusters by size, the largest first, ties in their order, in place; NOISE for those of other sizes.
-
-    Args:
-        labels: int32 device array of labels 0..cluster_count - 1, or below zero.
-        cluster_count: Clusters.
-        least, most: The sizes that are kept.
-    """
+    """Renumber clusters by decreasing size in place, ties in order; NOISE for sizes outside `least`..`most`."""
     device = labels.device
     counts, keys = zeros(cluster_count, int32, device), empty(cluster_count, int64, device)
     launch(count_labels_kernel, -(-labels.size // RUN), [RUN, labels, counts])

@@ -1,9 +1,8 @@
-"""Cores within reach of each other become one set: the walk of DBSCAN that goes from each leaf to all that follow it.
+"""Unite DBSCAN cores within the radius: a tree traversal from each leaf to later leaves.
 
-Only leaves later in the tree are visited, so a pair is seen once. A leaf's cores are one set already, or a few, each of
-which walks alone with a box of its own: `join_lanes` of dbscan.py saw to that. An edge is measured only between cores
-whose sets differ at that moment, so most of the walk is a comparison of roots; which edges are measured depends on the
-threads, the sets do not.
+The cores of a leaf already form one or a few sets (`join_lanes` of dbscan.py), each with its own traversal. Distances
+are measured only between cores of different sets, so most of the traversal compares roots. The pairs measured depend on
+the thread order, the sets do not.
 """
 
 from ..arrays.union_find import find_root, flatten_sets_kernel, unite
@@ -30,17 +29,8 @@ from ..search.tree_walk import (
 
 @struct
 class Cores:
-    """Which points of a tree are cores, and whom each belongs to: to a core of its set, in the end to its cluster.
-
-    Attributes:
-        tree: The PointTree.
-        reach: The squared distance [m^2] up to which two points are neighbours.
-        owners: int32 [tree.count], by place on the curve, NOISE for points that are no cores: disjoint sets
-            (union_find.py), then the lowest core of each core's set, then the label of its cluster.
-        lowest: int32, the lowest owner below each node of the tree, NO_NUMBER where there is no core; at
-            record * FAN + child, as NodeNumbers has it. While sets grow: the lowest core.
-        leaf_count: Leaves of the tree.
-    """
+    """Core points of a tree. `owners` (int32 by tree index, NOISE for others) are disjoint sets, then the lowest core
+    of each set, then labels. `lowest` is the lowest owner below each node at record * FAN + child, or NO_NUMBER."""
 
     tree: PointTree
     reach: float
@@ -48,19 +38,17 @@ class Cores:
     lowest: array(dtype=int32)
 
     def __init__(self, tree: PointTree, eps: float) -> None:
-        """Room for the cores among points closer than `eps` [m]; nothing is known of them."""
         self.tree, self.reach = tree, reach_of(eps)
         self.owners, self.nodes = empty(tree.count, int32, tree.device), NodeNumbers(tree)
         self.lowest, self.leaf_count = self.nodes.values, self.nodes.leaf_count
 
     def lower(self) -> None:
-        """Bring the leaves' lowest owners up to the nodes above."""
         self.nodes.lower()
 
 
 @func
 def dense_ancestor(leaf: int, cores: Cores) -> int:
-    """The level of the highest node above a leaf whose points all lie within reach of each other; 0 where none is."""
+    """Level of the highest ancestor whose points are all within the radius of each other; 0 if none."""
     level = 0
     climbing = 1
     while climbing == 1 and level < cores.tree.root:
@@ -76,10 +64,7 @@ def dense_ancestor(leaf: int, cores: Cores) -> int:
 
 @func
 def unite_leaf(core: int, xs: lanes, ys: lanes, zs: lanes, first: int, last: int, cores: Cores):
-    """Unite the set of `core`, some of whose points are the lanes, with those of the cores first..last - 1 in reach.
-
-    Cores that are in the set already are not measured.
-    """
+    """Unite the set of `core` (the lanes) with the cores first..last - 1 of other sets within the radius."""
     root = find_root(cores.owners, core)
     for r in range(first, last):
         if cores.owners[r] >= 0:
@@ -97,11 +82,8 @@ def unite_leaf(core: int, xs: lanes, ys: lanes, zs: lanes, first: int, last: int
 
 @func
 def sift_dense(children: int, core: int, record: int, a: vec3, b: vec3, cores: Cores) -> int:
-    """The children of a node that have to be entered to unite the set of `core` with all in reach of the box (a, b).
-
-    Not those without a core; nor those that are one set by their size, where that is the core's set already, or where
-    all of it is in reach: these are united here.
-    """
+    """Children of a node to enter in order to unite the set of `core` with all cores within the radius of box (a, b).
+    Skips children without cores, and those known to be one set by their size: these are united here if necessary."""
     dense = bits_within(measure_diagonals(cores.tree.boxes, record), cores.reach)
     inside = bits_within(measure_farthest(cores.tree.boxes, record, a, b), cores.reach)
     root = find_root(cores.owners, core)
@@ -123,7 +105,7 @@ def sift_dense(children: int, core: int, record: int, a: vec3, b: vec3, cores: C
 
 @func
 def set_part(candidates: int, head: int, core: int, owners: array(dtype=int32)) -> int:
-    """Which of a leaf's cores, given as bits from rank `head` on, share the set of `core`, itself always."""
+    """Bit mask of a leaf's cores from rank `head` on in the set of `core`, including itself."""
     root = find_root(owners, core)
     part = 1 << (core - head)
     for j in bits_of(candidates ^ part):
@@ -134,10 +116,8 @@ def set_part(candidates: int, head: int, core: int, owners: array(dtype=int32)) 
 
 @func
 def unite_part(core: int, xs: lanes, ys: lanes, zs: lanes, a: vec3, b: vec3, leaf: int, start: int, cores: Cores):
-    """Unite the set of `core` with those in reach of the lanes, in all that comes after its ancestor at level `start`.
-
-    Each pair is seen from its earlier end. The lanes are cores of one leaf and of one set, (a, b) is their box.
-    """
+    """Unite the set of `core` with all later cores within the radius of the lanes (cores of one leaf and set with box
+    (a, b)), beyond its ancestor at level `start`. Each pair is visited from its first element."""
     near = 0
     for height, level, node in nodes_after(start, leaf, near, cores.tree):
         record = record_of(cores.tree.levels, level, node)
@@ -152,7 +132,6 @@ def unite_part(core: int, xs: lanes, ys: lanes, zs: lanes, a: vec3, b: vec3, lea
 
 @kernel(most_registers=80)
 def unite_cores_kernel(cores: Cores):
-    """Unite the sets of all cores within reach of each other: a leaf's, one of its sets after the other."""
     leaf = tid()
     head = leaf * LEAF
     start = 0
@@ -186,6 +165,6 @@ def unite_cores_kernel(cores: Cores):
 
 
 def unite_cores(cores: Cores) -> None:
-    """Unite the sets of all cores within reach of each other, and let each core name the lowest of its set."""
+    """Unite all cores within the radius of each other; each then stores the lowest core of its set."""
     launch(unite_cores_kernel, cores.leaf_count, [cores])
     launch(flatten_sets_kernel, cores.tree.count, [cores.owners])

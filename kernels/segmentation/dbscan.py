@@ -1,18 +1,9 @@
-"""DBSCAN in O(n) memory: which points are cores, which cores belong together, whom the other points follow.
+"""DBSCAN with O(n) memory by tree traversals per leaf and disjoint sets.
 
-Ester et al., "A density-based algorithm for discovering clusters in large spatial databases with noise", KDD 1996. No
-neighbour is listed and no distance stored: three walks through the tree for each leaf (tree_walk.py), two here and one
-for the borders (cluster_labels.py), and a forest of disjoint sets (union_find.py), after Prokopenko et al., "Fast
-tree-based algorithms for DBSCAN for low-dimensional data on GPUs", ICPP 2023. The time stays bounded where a ball holds
-most of the cloud:
-
-- Counting stops once all points of a leaf are cores, and takes nodes that lie wholly within reach by their size.
-- A node whose diagonal is within reach holds cores of one set only, whatever lies around it. One link to it is enough,
-  and none is needed where it shares the leaf's set already; nor is an edge between two leaves of one set measured.
-- The lowest label wins at a border, so only nodes that hold a lower one than those found are entered.
-
-All work is done in the order of the tree. A set's root is its lowest rank there; a cluster's number is that of its
-first core in the cloud, so labels do not depend on the tree. 14 B a point beside the tree, 22 B on CUDA.
+Ester et al., KDD 1996; Prokopenko et al., "Fast tree-based algorithms for DBSCAN for low-dimensional data on GPUs",
+ICPP 2023. Counting stops once all points of a leaf are cores. Nodes with a diagonal within the radius contain one set
+of cores, so one link suffices. A cluster's number is that of its first core in the cloud. 14 B per point beside the
+tree, 22 B on CUDA.
 """
 
 from ..array_types import Integers
@@ -37,14 +28,14 @@ from ..search.tree_walk import (
 from .cluster_labels import NOISE, label_borders, label_cores
 from .core_sets import Cores, unite_cores
 
-MANY = 2**30  # counts end here; a sum that saturates is left to the lanes, a plain one LLVM spreads over the points
+MANY = 2**30  # counts saturate here per lane; LLVM would vectorize a plain sum over the points instead
 
 
 @func
 def count_leaf(
     counts: numbers, xs: lanes, ys: lanes, zs: lanes, first: int, last: int, points: array(dtype=vec3), reach: float
 ) -> numbers:
-    """The counts with the points first..last - 1 that lie within reach of each lane."""
+    """Add the points first..last - 1 within the radius of each lane to its count."""
     total = counts
     for r in range(first, last):
         q = points[r]
@@ -58,10 +49,7 @@ def count_leaf(
 
 @func
 def join_lanes(xs: lanes, ys: lanes, zs: lanes, reach: float) -> numbers:
-    """The lowest lane, as a bit, that each lane hangs together with by steps within reach; lanes at infinity are alone.
-
-    Lane by lane and without branches: the sets of all lanes within its reach become one.
-    """
+    """Lowest lane, as a bit, connected to each lane by steps within the radius; branch-free. Unused lanes are inf."""
     heads = numbers(0)
     for j in range(LEAF):
         heads[j] = 1 << j
@@ -80,7 +68,6 @@ def join_lanes(xs: lanes, ys: lanes, zs: lanes, reach: float) -> numbers:
 
 @func
 def least_of(values: numbers) -> int:
-    """The least of eight numbers."""
     least = values[0]
     for j in range(1, LEAF):
         least = min(least, values[j])
@@ -89,7 +76,7 @@ def least_of(values: numbers) -> int:
 
 @func
 def count_group(counts: numbers, xs: lanes, ys: lanes, zs: lanes, leaf: int, tree: PointTree, reach: float) -> numbers:
-    """The counts with the points within reach of each point of a leaf; once none is negative the rest is left out."""
+    """Add all points within the radius of a leaf's points to the counts, until none is negative."""
     total = counts
     a = box_corner(tree.boxes, leaf, 0)
     b = box_corner(tree.boxes, leaf, 1)
@@ -112,10 +99,7 @@ def count_group(counts: numbers, xs: lanes, ys: lanes, zs: lanes, leaf: int, tre
 
 @kernel(most_registers=80)
 def find_cores_kernel(cores: Cores, needed: int):
-    """Link each core of a leaf to the lowest core that it hangs together with there; other points to NOISE.
-
-    A core has `needed` points within reach. The leaf's lowest core goes to `cores.lowest`.
-    """
+    """Link each core of a leaf (`needed` points in the radius) to its lowest connected core, others to NOISE."""
     leaf = tid()
     head = leaf * LEAF
     xs = lanes(INFINITY)
@@ -144,15 +128,9 @@ def find_cores_kernel(cores: Cores, needed: int):
 
 
 def join_cores(tree: PointTree, eps: float, min_points: int) -> Cores:
-    """The Cores of a cloud, each with the lowest core of its set.
-
-    Args:
-        tree: A PointTree with at least one finite point.
-        eps: Points closer than this are neighbours [m].
-        min_points: Neighbours that make a point a core, itself included.
-    """
+    """Core points (`min_points` within `eps` [m], including itself), each with the lowest core of its set."""
     cores = Cores(tree, eps)
-    needed = 0 if min_points == 1 else min(min_points, tree.count + 1)  # every point is its own neighbour
+    needed = 0 if min_points == 1 else min(min_points, tree.count + 1)  # every point is its own neighbor
     launch(find_cores_kernel, cores.leaf_count, [cores, needed])
     cores.lower()
     unite_cores(cores)
@@ -160,34 +138,13 @@ def join_cores(tree: PointTree, eps: float, min_points: int) -> Cores:
 
 
 def cluster_cores(tree: PointTree, eps: float, min_points: int, labels: Integers) -> tuple[Cores, int]:
-    """The labels of DBSCAN's cores, without the points at their borders.
-
-    Args:
-        tree: A PointTree with at least one finite point.
-        eps: Points closer than this are neighbours [m].
-        min_points: Neighbours that make a point a core, itself included.
-        labels: int32 device array in the cloud's order, filled with NOISE; gets the labels.
-
-    Returns:
-        (cores with their labels, number of clusters), from which `label_borders` goes on.
-    """
+    """Label cores in `labels` (int32, NOISE before), not borders. Return (cores, cluster count) for `label_borders`."""
     cores = join_cores(tree, eps, min_points)
     return cores, label_cores(cores, labels)
 
 
 def cluster_points(tree: PointTree, point_count: int, eps: float, min_points: int) -> tuple[Integers, int]:
-    """The labels of DBSCAN.
-
-    Args:
-        tree: A PointTree.
-        point_count: Points of the cloud, those that are not finite included.
-        eps: Points closer than this are neighbours [m].
-        min_points: Neighbours that make a point a core, itself included.
-
-    Returns:
-        (labels, number of clusters): int32 device array in the cloud's order, shape [point_count]; NOISE for points of
-        no cluster.
-    """
+    """DBSCAN labels (int32 in cloud order, NOISE for none) and the number of clusters."""
     labels = full(point_count, NOISE, int32, tree.device)
     if tree.count == 0:
         return labels, 0

@@ -1,13 +1,8 @@
-"""Bare earth under a scan: lowest points on a grid, opened by growing windows, and the points near what is left.
+"""Ground segmentation by a simple morphological filter (SMRF) on a grid of lowest points.
 
-Pingel, Clarke and McBride, "An improved simple morphological filter for the terrain classification of airborne LIDAR
-data", ISPRS Journal 77, 2013 (SMRF), after Zhang et al., "A progressive morphological filter for removing nonground
-measurements from airborne LIDAR data", IEEE TGRS 41, 2003. Windows are octagons, each the sum of four segments, and a
-segment triples in a pass of three reads: a window of radius r takes some 8 log2(r) + 12 reads a cell where a disk takes
-3 r^2. Gaps are filled by springs between neighbouring cells, as the paper has it, from coarse to fine: a pyramid of
-means to start from, and at each level some passes in which a cell without a height takes the mean of its neighbours.
-
-28 B of memory a cell, 12 B read and 1 B written a point.
+Pingel, Clarke and McBride, ISPRS Journal 77, 2013, after Zhang et al., IEEE TGRS 41, 2003. Octagonal windows are built
+from segments by tripling: 8 log2(r) + 12 reads per cell. Gaps are filled by spring interpolation from coarse to fine.
+28 B per cell.
 """
 
 import math
@@ -40,20 +35,14 @@ from ..lang import (
 from ..memory import empty, full, zeros
 
 EROSION, DILATION = 1.0, -1.0
-LOW_RADIUS, LOW_SLOPE = 1, 5.0  # a cell five times deeper than it is wide is a stray return, as in the paper
-SPRING_PASSES = 16  # a level: a hole of 36 cells in a slope is then filled to 0.6 of a cell's rise
+LOW_RADIUS, LOW_SLOPE = 1, 5.0  # a cell five times deeper than wide is a stray return, as in the paper
+SPRING_PASSES = 16  # passes per level: a hole of 36 cells in a slope is then filled to 0.6 of a cell's rise
 DIAGONAL = 1 - math.sqrt(0.5)  # half length of the diagonal segments of a regular octagon of inner radius 1
 
 
 @struct
 class Cells:
-    """Where the cells of a grid lie; cell (x, y) is number x * rows + y.
-
-    Attributes:
-        x0, y0: The lowest corner [m].
-        cell: The side of a cell [m].
-        columns, rows: Cells along x and y.
-    """
+    """Grid of cells with lowest corner and cell size [m]; cell (x, y) has index x * rows + y."""
 
     x0: float64
     y0: float64
@@ -68,7 +57,7 @@ class Cells:
 
 @kernel
 def keep_lowest_kernel(points: array(dtype=vec3), cells: Cells, heights: array(dtype=float32)):
-    """The lowest point of each cell; the minimum is the same in any order."""
+    """Lowest point of each cell; the minimum does not depend on the order."""
     i = tid()
     p = points[i]
     if isfinite(p):
@@ -79,7 +68,7 @@ def keep_lowest_kernel(points: array(dtype=vec3), cells: Cells, heights: array(d
 
 @kernel
 def clear_cells_kernel(unwanted: array(dtype=uint8), heights: array(dtype=float32), out: array(dtype=float32)):
-    """The heights, NaN where there is none and where a cell is unwanted."""
+    """Heights, NaN for empty or unwanted cells."""
     i = tid()
     height = heights[i]
     if unwanted[i] != 0 or not isfinite(height):
@@ -89,7 +78,7 @@ def clear_cells_kernel(unwanted: array(dtype=uint8), heights: array(dtype=float3
 
 @kernel
 def average_cells_kernel(heights: array(dtype=float32), columns: int, rows: int, coarse: array(dtype=float32)):
-    """The mean of the up to four known cells under each coarse cell; NaN where none is known."""
+    """Mean of the known cells under each coarse cell; NaN if none."""
     i = tid()
     coarse_rows = (rows + 1) // 2
     x = 2 * (i // coarse_rows)
@@ -107,13 +96,12 @@ def average_cells_kernel(heights: array(dtype=float32), columns: int, rows: int,
 
 @func
 def clamp_cell(x: float, size: int) -> float:
-    """A place on an axis of cells, within the centres of the first and the last."""
     return min(max(x, 0.0), float(size - 1))
 
 
 @func
 def interpolate(heights: array(dtype=float32), columns: int, rows: int, x: float, y: float) -> float:
-    """The bilinear height at a place in cells, where cell centres are whole numbers."""
+    """Bilinear height at a position in cells; cell centers are integers."""
     u = clamp_cell(x, columns)
     v = clamp_cell(y, rows)
     a = min(int(u), max(columns - 2, 0))
@@ -131,7 +119,6 @@ def interpolate(heights: array(dtype=float32), columns: int, rows: int, x: float
 def fill_cells_kernel(
     known: array(dtype=float32), coarse: array(dtype=float32), columns: int, rows: int, heights: array(dtype=float32)
 ):
-    """The known heights, and where there is none that of the coarse grid."""
     i = tid()
     height = known[i]
     if not isfinite(height):
@@ -145,7 +132,7 @@ def fill_cells_kernel(
 def pull_cells_kernel(
     known: array(dtype=float32), heights: array(dtype=float32), columns: int, rows: int, out: array(dtype=float32)
 ):
-    """Give cells whose own height is not known the mean of their neighbours; beyond the edge lies the cell itself."""
+    """Replace unknown cells by the mean of their neighbors; the edge repeats the cell itself."""
     i = tid()
     height = known[i]
     if not isfinite(height):
@@ -170,12 +157,8 @@ def reach_along_kernel(
     side: float,
     out: array(dtype=float32),
 ):
-    """The least (side 1) or the largest (side -1) height of each cell and the two at a distance along a direction.
-
-    Of heights that are extremes of segments of half length h already, and a distance of up to 2 h + 1, they are those
-    of half length h + distance. Beyond the grid's edge is nothing: there the last cell before it stands for the one
-    that is missing, and its own segment, cut by the edge, covers what is left of that one's.
-    """
+    """Minimum (side 1) or maximum (side -1) of each cell and the two at distance `reach` along a direction. Extremes of
+    segments of half length h become those of h + reach (reach <= 2 h + 1). Beyond the grid, the last cell is used."""
     i = tid()
     x = i // rows
     y = i % rows
@@ -199,7 +182,6 @@ def reach_along_kernel(
 def flag_steps_kernel(
     heights: array(dtype=float32), opened: array(dtype=float32), limit: float, side: float, flags: array(dtype=uint8)
 ):
-    """Set the flag where opening changed a height by more than the limit."""
     i = tid()
     if side * (heights[i] - opened[i]) > limit:
         flags[i] = 1
@@ -209,7 +191,6 @@ def flag_steps_kernel(
 def grade_cells_kernel(
     heights: array(dtype=float32), columns: int, rows: int, cell: float, slopes: array(dtype=float32)
 ):
-    """The slope at each cell, by central differences, one-sided at the edges."""
     i = tid()
     x = i // rows
     y = i % rows
@@ -232,7 +213,6 @@ def mask_ground_kernel(
     scaling: float,
     mask: array(dtype=uint8),
 ):
-    """1 where a point lies close to the bare earth; how close depends on the slope there."""
     i = tid()
     p = points[i]
     ground = 0
@@ -246,14 +226,10 @@ def mask_ground_kernel(
 
 
 class HeightGrid:
-    """A grid of heights: the lowest points, then the bare earth.
-
-    Attributes:
-        heights: float32 device array [columns * rows], y fastest; NaN or infinite where unknown.
-    """
+    """Heights (float32, y fastest; NaN or inf if unknown): lowest points, then the ground."""
 
     def __init__(self, points: Points, corner: np.ndarray, cell: float, columns: int, rows: int) -> None:
-        """The lowest of the finite points of each cell; all must lie in the grid."""
+        """Lowest finite point of each cell; all points must be in the grid."""
         self.points, self.device = points, points.device
         self.cells = Cells(corner, cell, columns, rows)
         self.cell, self.columns, self.rows, self.size = float(cell), columns, rows, columns * rows
@@ -261,13 +237,7 @@ class HeightGrid:
         launch(keep_lowest_kernel, points.size, [points, self.cells, self.heights])
 
     def uncover(self, slope: float, max_window: float) -> None:
-        """Cut down to the bare earth what stands on it.
-
-        Args:
-            slope: Steepest slope of the terrain: what an opening by a window of radius r removes is an object where
-                it is higher than slope * r.
-            max_window: Radius [m] of the largest window.
-        """
+        """Remove objects: an opening by a window of radius r <= max_window [m] removes heights above slope * r."""
         unwanted = zeros(self.size, uint8, self.device)
         fill_gaps, surface = self.prepare_filling(unwanted)
         fill_gaps()
@@ -275,8 +245,8 @@ class HeightGrid:
         self._flag(surface, opened, LOW_SLOPE * self.cell, DILATION, unwanted)
         fill_gaps()
         bare = surface
-        # One cell more each time: a window that grew by a third would cut at once what slopes of 60 % rise to, and all
-        # ridges with it.
+        # Radius grows by one cell: growth by a third would remove at once what slopes of 60% rise to, including
+        # ridges.
         for radius in range(1, math.ceil(max_window / self.cell) + 1):
             opened = self._opened(surface, radius, EROSION)
             self._flag(surface, opened, slope * radius * self.cell, EROSION, unwanted)
@@ -285,8 +255,7 @@ class HeightGrid:
         self.heights = bare
 
     def near(self, threshold: float, scaling: float) -> Mask:
-        """uint8 device array [n]: 1 where a point is closer to the bare earth than the threshold [m] and scaling times
-        the slope there."""
+        """uint8 [n]: 1 for points closer to the ground than the threshold [m] plus scaling times the slope."""
         slopes = empty(self.size, float32, self.device)
         launch(grade_cells_kernel, self.size, [self.heights, self.columns, self.rows, self.cell, slopes])
         mask = empty(self.points.size, uint8, self.device)
@@ -295,10 +264,7 @@ class HeightGrid:
         return mask
 
     def prepare_filling(self, unwanted: Bytes) -> tuple[Callable[[], None], Scalars]:
-        """A function that fills unknown and unwanted cells by springs between neighbours, and where the heights come.
-
-        It is called again and again with other flags: on a GPU its launches are recorded once.
-        """
+        """A reusable function that fills unknown and unwanted cells by springs, and its output; recorded on a GPU."""
         levels = [(empty(self.size, float32, self.device), self.columns, self.rows)]
         while levels[-1][1] * levels[-1][2] > 1:
             columns, rows = (levels[-1][1] + 1) // 2, (levels[-1][2] + 1) // 2
@@ -312,7 +278,7 @@ class HeightGrid:
             filled = levels[-1][0]
             for (known, columns, rows), (heights, pulled) in zip(levels[-2::-1], spare[::-1], strict=True):
                 launch(fill_cells_kernel, known.size, [known, filled, columns, rows, heights])
-                for _ in range(SPRING_PASSES):  # an even number, so that the heights end where they began
+                for _ in range(SPRING_PASSES):  # an even number, so that the heights end in the original array
                     launch(pull_cells_kernel, known.size, [known, heights, columns, rows, pulled])
                     heights, pulled = pulled, heights
                 filled = heights
@@ -328,7 +294,7 @@ class HeightGrid:
         return fill_again, filled
 
     def _opened(self, heights: Scalars, radius: int, first: float) -> Scalars:
-        """The heights opened (first EROSION) or closed (first DILATION) by an octagon."""
+        """Open (first EROSION) or close (first DILATION) heights by an octagon."""
         diagonal = int(DIAGONAL * radius + 0.5)
         straight = radius - 2 * diagonal
         segments = [(1, 0, straight), (0, 1, straight), (1, 1, diagonal), (1, -1, diagonal)]
@@ -345,7 +311,7 @@ class HeightGrid:
 
 
 def reaches(half: int) -> list[int]:
-    """The distances whose passes, one after the other, make a segment of this half length; each triples it."""
+    """Distances of successive passes for a segment of this half length; each triples it."""
     steps, length = [], 0
     while length < half:
         steps.append(min(2 * length + 1, half - length))

@@ -1,7 +1,6 @@
-"""Which points have many neighbours: the counting half of DBSCAN, alone.
+"""Points with many neighbors: the counting step of DBSCAN.
 
-One thread a leaf: its points are eight lanes, a candidate is loaded once and measured against all of them, and counting
-stops once each lane has enough. 12 B read and 1 B written a point beside the walk; O(1) memory a thread.
+One thread per leaf of eight lanes; counting stops once each lane has enough.
 """
 
 from ..array_types import Mask
@@ -15,7 +14,6 @@ from .dbscan import count_group
 
 @kernel
 def mask_crowded_kernel(tree: PointTree, reach: float, needed: int, mask: array(dtype=uint8)):
-    """1 for the points of a leaf that have `needed` points within reach, themselves included."""
     leaf = tid()
     xs = lanes(INFINITY)
     ys = lanes(0.0)
@@ -37,11 +35,7 @@ def mask_crowded_kernel(tree: PointTree, reach: float, needed: int, mask: array(
 
 
 def mask_crowded(tree: PointTree, radius: float, needed: int) -> Mask:
-    """The points with at least `needed` points closer than a radius [m], themselves included.
-
-    Returns:
-        uint8 device array in the cloud's order, shape [n]; 0 for points that are not finite.
-    """
+    """uint8 [n]: 1 for finite points with at least `needed` points within a radius [m], including themselves."""
     mask = zeros(tree.source.size, uint8, tree.device)
     if tree.count:
         arguments = [tree, reach_of(radius), min(needed, tree.count + 1), mask]

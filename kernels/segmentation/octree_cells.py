@@ -1,7 +1,6 @@
-"""The cells of an octree over points, level by level, and which of them are still to be tested for something.
+"""Octree cells over points by level, and those that remain to be tested.
 
-Points are sorted by the code of their cell on the finest level, three bits a level, so the cells of each level are
-runs of that order. One sort, then a few passes over 8 B a point for each level.
+Points are sorted by Morton code, so cells of each level are runs. A few passes over 8 B per point and level.
 """
 
 import numpy as np
@@ -15,14 +14,13 @@ from ..lang import array, atomic_max, func, int32, int64, kernel, launch, tid, u
 from ..memory import download, empty, zeros
 from ..search.hilbert_order import spread_bits
 
-LEVELS = 16  # 65,536 cells an axis
+LEVELS = 16  # 65,536 cells per axis
 
 
 @kernel
 def encode_cells_kernel(
     points: array(dtype=vec3), rows: array(dtype=int32), low: vec3, scale: float, codes: array(dtype=int64)
 ):
-    """The cell of each point on the finest level, three bits a level."""
     i = tid()
     p = (points[rows[i]] - low) * scale
     top = float((1 << LEVELS) - 1)
@@ -34,7 +32,7 @@ def encode_cells_kernel(
 
 @kernel
 def find_deepest_kernel(codes: array(dtype=int64), fewest: int, deepest: array(dtype=int32)):
-    """The deepest level of a cell with enough points; the maximum of whole numbers is the same in any order."""
+    """Deepest level of a cell with enough points; the integer maximum does not depend on the order."""
     i = tid()
     differing = codes[i] ^ codes[i + fewest - 1]
     level = int(LEVELS)
@@ -46,7 +44,6 @@ def find_deepest_kernel(codes: array(dtype=int64), fewest: int, deepest: array(d
 
 @kernel
 def mark_cells_kernel(codes: array(dtype=int64), shift: int64, marks: array(dtype=int32)):
-    """1 where a cell begins."""
     i = tid()
     mark = 1
     if i > 0:
@@ -57,7 +54,6 @@ def mark_cells_kernel(codes: array(dtype=int64), shift: int64, marks: array(dtyp
 
 @kernel
 def start_cells_kernel(marks: array(dtype=int32), offsets: array(dtype=int32), starts: array(dtype=int32)):
-    """Where each cell begins, and the last one ends."""
     i = tid()
     if marks[i] == 1:
         starts[offsets[i]] = i
@@ -67,7 +63,6 @@ def start_cells_kernel(marks: array(dtype=int32), offsets: array(dtype=int32), s
 
 @func
 def cell_of(marks: array(dtype=int32), offsets: array(dtype=int32), i: int) -> int:
-    """The number of the cell that holds the i-th point."""
     return offsets[i] + marks[i] - 1
 
 
@@ -75,7 +70,7 @@ def cell_of(marks: array(dtype=int32), offsets: array(dtype=int32), i: int) -> i
 def find_covered_kernel(
     covered: array(dtype=uint8), marks: array(dtype=int32), offsets: array(dtype=int32), flat: array(dtype=int32)
 ):
-    """1 for cells with a flat cell within them; all threads write the same."""
+    """1 for cells that contain a flat cell; all threads write the same value."""
     i = tid()
     if covered[i] != 0:
         atomic_max(flat, cell_of(marks, offsets, i), 1)
@@ -89,7 +84,7 @@ def choose_cells_kernel(
     fewest: int,
     chosen: array(dtype=int32),
 ):
-    """1 for cells to test: enough points, and none within them is flat. Cells end with the last of the offsets."""
+    """1 for cells to test: enough points, and no flat cell within."""
     i = tid()
     wanted = 0
     if i < offsets[offsets.shape[0] - 1]:
@@ -102,7 +97,7 @@ def choose_cells_kernel(
 def number_cells_kernel(
     starts: array(dtype=int32), places: array(dtype=int32), numbers: array(dtype=int32), counts: array(dtype=int32)
 ):
-    """Number the chosen cells, -1 the others, and count their points."""
+    """Number the selected cells (-1 for others) and count their points."""
     i = tid()
     number = -1
     if places[i + 1] > places[i]:
@@ -115,7 +110,6 @@ def number_cells_kernel(
 def mark_points_kernel(
     marks: array(dtype=int32), offsets: array(dtype=int32), numbers: array(dtype=int32), inside: array(dtype=int32)
 ):
-    """1 for the points of chosen cells."""
     i = tid()
     found = 0
     if numbers[cell_of(marks, offsets, i)] >= 0:
@@ -133,7 +127,6 @@ def list_points_kernel(
     rows: array(dtype=int32),
     runs: array(dtype=int32),
 ):
-    """The points of chosen cells, and the number of the cell of each."""
     i = tid()
     if places[i + 1] > places[i]:
         rows[places[i]] = points[i]
@@ -149,7 +142,7 @@ def cover_cells_kernel(
     passed: array(dtype=int32),
     covered: array(dtype=uint8),
 ):
-    """1 for all points of cells that are flat or hold a flat one."""
+    """1 for all points of cells that are flat or contain a flat one."""
     i = tid()
     cell = cell_of(marks, offsets, i)
     if flat[cell] == 1:
@@ -160,7 +153,7 @@ def cover_cells_kernel(
 
 
 class Octree:
-    """The cells of an octree over some points, level by level; its box is a cube about theirs."""
+    """Octree cells over points by level, in a cube around them."""
 
     def __init__(self, points: Points, rows: Indices) -> None:
         low, high, _ = bound_points(gather_rows(points, rows))
@@ -174,17 +167,12 @@ class Octree:
         self.covered = zeros(rows.size, uint8, self.device)
 
     def deepest(self, fewest: int) -> int:
-        """The deepest level with a cell of at least so many points; 0 where there is none."""
         level = zeros(1, int32, self.device)
         launch(find_deepest_kernel, max(0, self.rows.size - fewest + 1), [self.codes, fewest, level])
         return int(download(level)[0])  # sync
 
     def runs(self, level: int, fewest: int) -> tuple[Integers, Integers, Integers] | None:
-        """The points of the cells of a level that are to be tested: (rows, runs, counts); None where there are none.
-
-        int32 device arrays: the points by cell, the number of the cell of each, and the points of each cell. One sync:
-        on CUDA there is room for a cell a point until then.
-        """
+        """Points of cells to test on a level: (rows by cell, cell numbers, counts), or None. One sync."""
         count, device = self.rows.size, self.device
         self.marks = empty(count, int32, device)
         launch(mark_cells_kernel, count, [self.codes, 3 * (LEVELS - level), self.marks])
@@ -210,6 +198,5 @@ class Octree:
         return rows, runs, counts[:runs_found]
 
     def cover(self, passed: Integers) -> None:
-        """Take note which of the tested cells are flat; their ancestors are not tested."""
         arguments = [self.marks, self.offsets, self.numbers, self.flat, passed, self.covered]
         launch(cover_cells_kernel, self.rows.size, arguments)

@@ -1,15 +1,9 @@
-"""Growing and merging flat patches over the graph of nearest neighbours.
+"""Grow and merge planar patches over the nearest-neighbor graph, and fit their bounding boxes.
 
-Araujo and Oliveira 2020, sections 3.3 and 3.4. Patches grow in rounds, all at once: the points that came in last offer
-their patch to their unclaimed neighbours, each of these takes the offer of the least noisy patch. So a patch does not
-wait for another to end, and a point between two patches goes to the one that is fewer steps away. A patch that touches
-a larger one and fits it becomes part of it. What has grown by half is fitted again, until nothing changes.
-
-One round reads 4 B a neighbour of the newest points and 8 B a point of the cloud.
-
-The boxes about flat patches: one side along the normal, the other two turned so that the face is smallest. DIRECTIONS
-angles over a quarter turn, then as many over the two steps about the best. A thread a slice of a patch's points and
-angle; 16 B read a point and angle, six atomics a thread.
+Araujo and Oliveira, Pattern Recognition 100, 2020, sections 3.3 and 3.4. Patches grow in parallel rounds: new points
+offer their patch to free neighbors, which accept the least noisy one. A patch that fits an adjacent larger one is
+merged. Patches that grew by half are refitted, until convergence. Boxes have one side along the normal and the in-plane
+rotation of minimum area.
 """
 
 from collections.abc import Iterator, Sequence
@@ -49,8 +43,8 @@ if TYPE_CHECKING:
     from .planar_patches import Runs
 
 
-DIRECTIONS = 45  # of a box's first side over a quarter turn; a second pass divides a step again
-SLICES = 32  # threads a patch and direction
+DIRECTIONS = 45  # of a box's first side over a quarter turn; a second pass subdivides a step
+SLICES = 32  # threads per patch and direction
 
 
 @kernel
@@ -64,7 +58,7 @@ def measure_boxes_kernel(
     lows: array(dtype=float32),
     highs: array(dtype=float32),
 ):
-    """How far a slice of a patch's points reaches along each axis of a box; minimum and maximum in any order."""
+    """Extent of a slice of a patch's points along each axis; minima and maxima do not depend on the order."""
     i = tid()
     box = i // SLICES
     part = i % SLICES
@@ -87,17 +81,8 @@ def measure_boxes_kernel(
 def tightest_boxes(
     points: Points, runs: "Runs", centers: np.ndarray, directions: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Of boxes with one side along the normal those whose face has the least area, to a tenth of a degree.
-
-    Args:
-        points: Positions of all points.
-        runs: Runs of the points of each patch.
-        centers, directions: A point and the normal of each, float32 [b, 3].
-
-    Returns:
-        (centers, rotations, extents): float64 [b, 3], [b, 3, 3] with the axes as columns and the normal last, and
-        [b, 3].
-    """
+    """Boxes along the normals [b, 3] with minimum face area, to a tenth of a degree. Returns float64 (centers [b, 3],
+    rotations [b, 3, 3] with axes as columns and the normal last, extents [b, 3])."""
     normals = directions.astype(np.float64)
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
     base = _basis(normals)
@@ -118,7 +103,6 @@ def tightest_boxes(
 
 
 def _measure(points: Points, runs: "Runs", centers: np.ndarray, axes: np.ndarray) -> Iterator[Any]:
-    """How far the points reach along the axes [b, d, 3, 3] of boxes: two arrays [b, d, 3]."""
     boxes = axes.shape[0] * axes.shape[1]
     reaches = full(6 * boxes, INFINITY, float32, points.device)
     lows, highs = reaches[: 3 * boxes], reaches[3 * boxes :]
@@ -131,14 +115,13 @@ def _measure(points: Points, runs: "Runs", centers: np.ndarray, axes: np.ndarray
 
 
 def _basis(normals: np.ndarray) -> np.ndarray:
-    """A unit vector orthogonal to each of the unit vectors [b, 3]."""
     smallest = np.eye(3)[np.argmin(np.abs(normals), axis=1)]
     across = np.cross(normals, smallest)
     return across / np.linalg.norm(across, axis=1, keepdims=True)
 
 
 def _turned(base: np.ndarray, normals: np.ndarray, angles: np.ndarray) -> np.ndarray:
-    """Right-handed axes [b, d, 3, 3] by rows: the base turned about the normal, its partner, the normal."""
+    """Right-handed axes [b, d, 3, 3] as rows: the rotated base, its complement, the normal."""
     partner = np.cross(normals, base)
     cos, sin = np.cos(angles)[..., None], np.sin(angles)[..., None]
     first = cos * base[:, None] + sin * partner[:, None]
@@ -152,13 +135,7 @@ GROWTH = 3  # a patch is fitted again when more than a third of its points are n
 
 @struct
 class PatchPoints:
-    """The points that patches grow over.
-
-    Attributes:
-        points, normals: vec3 [n].
-        neighbors: int32 [n, k], neighbours of each point; below zero for none.
-        labels: int32 [n], the patch of each point, -1 for none.
-    """
+    """Points with normals, neighbors int32 [n, k] (negative for none), and patch labels (-1 for none)."""
 
     points: array(dtype=vec3)
     normals: array(dtype=vec3)
@@ -171,13 +148,7 @@ class PatchPoints:
 
 @struct
 class PatchPlanes:
-    """The planes of patches.
-
-    Attributes:
-        centers, directions: A point and the unit normal of each.
-        similar: What the cosine between a point's normal and the plane's must exceed.
-        near: The distance [m] from the plane that a point's must stay below.
-    """
+    """Planes of patches. `similar`: exclusive minimum cosine of normals; `near`: exclusive maximum distance [m]."""
 
     centers: array(dtype=vec3)
     directions: array(dtype=vec3)
@@ -191,7 +162,6 @@ class PatchPlanes:
 
 @kernel
 def mask_growing_kernel(labels: array(dtype=int32), growing: array(dtype=int32), mask: array(dtype=uint8)):
-    """1 for points of patches that may still grow."""
     i = tid()
     inside = 0
     if labels[i] >= 0:
@@ -209,10 +179,7 @@ def offer_patches_kernel(
     offers: array(dtype=int32),
     going: array(dtype=int32),
 ):
-    """Offer the patch of each newest point to its neighbours; the atomic settles which patch wins: the lowest rank.
-
-    The newest are those of the frontier that are marked; `going` becomes 1 where an offer is taken.
-    """
+    """Offer the patch of each marked frontier point to its neighbors; an atomic minimum of ranks decides."""
     i = tid()
     if i == 0:
         going[0] = 0
@@ -239,7 +206,7 @@ def take_offers_kernel(
     mask: array(dtype=uint8),
     going: array(dtype=int32),
 ):
-    """Take the best offer; 1 where there was one. Whichever thread notes that in `going`, it writes 1."""
+    """Accept the best offer; all threads that set `going` write 1."""
     i = tid()
     taken = 0
     if offers[i] < NO_OFFER:
@@ -252,7 +219,7 @@ def take_offers_kernel(
 
 @func
 def fits_patch(i: int, patch: int, similar: float, near: float, cloud: PatchPoints, planes: PatchPlanes) -> int:
-    """1 where a point lies in the plane of a patch, by these limits of cosine and distance [m]."""
+    """1 if a point is within the cosine and distance limits of a patch."""
     direction = planes.directions[patch]
     distance = abs(dot(direction, cloud.points[i] - planes.centers[patch]))
     cosine = abs(dot(direction, cloud.normals[i]))
@@ -266,8 +233,7 @@ def fits_patch(i: int, patch: int, similar: float, near: float, cloud: PatchPoin
 def choose_partners_kernel(
     cloud: PatchPoints, planes: PatchPlanes, ranks: array(dtype=int32), partners: array(dtype=int32)
 ):
-    """For each patch the rank of the largest of the larger ones that it fits: neighbouring points of the two lie each
-    in the other's plane. The atomic settles which of several: the lowest rank."""
+    """Lowest rank (atomic minimum) of the larger patches that each fits: adjacent points are in each other's planes."""
     i = tid()
     a = cloud.labels[i]
     if a >= 0:
@@ -291,7 +257,6 @@ def choose_partners_kernel(
 
 @kernel
 def hand_over_kernel(cloud: PatchPoints, planes: PatchPlanes, targets: array(dtype=int32), names: array(dtype=int32)):
-    """Give the points of a merged patch to its partner where they lie in its plane; the others are free again."""
     i = tid()
     patch = cloud.labels[i]
     if patch >= 0:
@@ -305,7 +270,6 @@ def hand_over_kernel(cloud: PatchPoints, planes: PatchPlanes, targets: array(dty
 
 @kernel
 def count_labels_kernel(labels: array(dtype=int32), counts: array(dtype=int32)):
-    """The points of each patch; whole sums, the same in any order."""
     i = tid()
     if labels[i] >= 0:
         atomic_add(counts, labels[i], 1)
@@ -313,7 +277,6 @@ def count_labels_kernel(labels: array(dtype=int32), counts: array(dtype=int32)):
 
 @kernel
 def order_counts_kernel(counts: array(dtype=int32), keys: array(dtype=int64)):
-    """The more points, the lower the key."""
     i = tid()
     keys[i] = int64(NO_OFFER - counts[i])
 
@@ -326,7 +289,6 @@ def write_planes_kernel(
     centers: array(dtype=vec3),
     directions: array(dtype=vec3),
 ):
-    """The planes of the chosen patches, as they were fitted again."""
     i = tid()
     centers[patches[i]] = new_centers[i]
     directions[patches[i]] = new_directions[i]
@@ -334,26 +296,17 @@ def write_planes_kernel(
 
 @kernel
 def widen_labels_kernel(rows: array(dtype=int32), labels: array(dtype=int32), keys: array(dtype=int64)):
-    """The label of each chosen point as a key."""
     i = tid()
     keys[i] = int64(labels[rows[i]])
 
 
 class Patches:
-    """Flat patches that grow over the graph of neighbours.
-
-    Attributes:
-        labels: int32 device array [n], the patch of each point, -1 for none.
-        centers, directions: vec3 device arrays [p], a point and the unit normal of each plane.
-        similar, near: float32 [p], what the cosine of normals must exceed, and the distance [m] stay below.
-        counts, fitted: int64 [p], points of each patch, now and when its plane was fitted.
-        grew: booleans [p], whether a patch has outgrown its seeds.
-    """
+    """Planar patches over the neighbor graph: labels (-1 for none), planes with cosine and distance limits, point
+    counts now and at the last fit, and whether a patch outgrew its seeds."""
 
     def __init__(
         self, points: Points, normals: Vectors, labels: Integers, planes: Sequence[np.ndarray], neighbors: Array2[int32]
     ) -> None:
-        """Begin with seeds: labels, and (centers, directions, similar, near) of their planes."""
         self.points, self.normals, self.labels = points, normals, labels
         self.cloud = PatchPoints(points, normals, neighbors, labels)
         self.device, (centers, directions, self.similar, self.near) = points.device, planes
@@ -362,7 +315,6 @@ class Patches:
         self.counts = self.fitted = download(self._count()).astype(np.int64)  # sync
 
     def settle(self) -> None:
-        """Grow, merge and fit again until no patch changes."""
         merged, growing = True, np.ones(len(self.near), bool)
         while merged or growing.any():
             self._grow(growing | merged)
@@ -373,15 +325,7 @@ class Patches:
                 self.grew |= growing
 
     def boxes(self, shortest: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """The boxes of the patches that grew and are long enough, the one of the most points first.
-
-        Args:
-            shortest: Least length [m] of the longest edge of the points' box along the coordinate axes.
-
-        Returns:
-            (centers, rotations, extents): float64 [b, 3], [b, 3, 3] with the axes as columns and the normal last, and
-            [b, 3].
-        """
+        """`tightest_boxes` of grown patches with an extent >= `shortest` [m], by decreasing number of points."""
         kept = np.flatnonzero(self.grew & (self.counts > 0))
         if not len(kept):
             return np.empty((0, 3)), np.empty((0, 3, 3)), np.empty((0, 3))
@@ -405,7 +349,7 @@ class Patches:
         return counts
 
     def _ranked(self, values: np.ndarray) -> tuple[Integers, np.ndarray]:
-        """Ranks of the patches, the largest value first, and the patches by rank: device arrays and NumPy's."""
+        """Ranks by decreasing value, and patches by rank, on the device and in NumPy."""
         by_rank = np.argsort(-values, kind="stable")
         ranks = np.empty(len(values), np.int32)
         ranks[by_rank] = np.arange(len(values))
@@ -432,10 +376,7 @@ class Patches:
             frontier = positions_of(mask)
 
     def _merge(self) -> bool:
-        """Merge each patch into the largest that it fits, unless that one is merged itself; whether there was one.
-
-        So a small patch along an edge does not tie two walls together, which each fit it and not each other.
-        """
+        """Merge each patch into the largest that it fits, unless that is merged too, so that edges join no walls."""
         count, planes, numbers = len(self.near), self._planes(), self._count()
         keys, ranks = empty(count, int64, self.device), empty(count, int32, self.device)
         launch(order_counts_kernel, count, [numbers, keys])
@@ -464,7 +405,6 @@ class Patches:
         return True
 
     def _runs(self, chosen: np.ndarray) -> tuple[Runs, np.ndarray]:
-        """The points of the chosen patches as Runs, and the numbers of those patches."""
         mask = empty(self.labels.size, uint8, self.device)
         launch(mask_growing_kernel, self.labels.size, [self.labels, upload(chosen, int32, self.device), mask])
         rows, patches = positions_of(mask, int(self.counts[chosen].sum())), np.flatnonzero(chosen)
@@ -479,7 +419,6 @@ class Patches:
         return Runs(rows, runs, upload(self.counts[patches], int32, self.device)), patches
 
     def _fit(self, chosen: np.ndarray) -> tuple[Runs, RunPlanes]:
-        """Fit the planes of the chosen patches again; their Runs, and their planes."""
         runs, patches = self._runs(chosen)
         rows = upload(patches, int32, self.device)
         planes = runs.fit(self.points, self.normals, gather_rows(self.directions, rows))

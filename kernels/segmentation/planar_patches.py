@@ -1,11 +1,8 @@
-"""Seeds of flat patches: cells of an octree whose points pass a robust test of flatness.
+"""Seeds of planar patches: octree cells whose points pass a robust planarity test.
 
-Araujo and Oliveira, "A robust statistics approach for plane detection in unorganized point clouds", Pattern
-Recognition 100, 2020, sections 3.1 and 3.2. The smallest cells that hold enough points come first; a cell is tested
-where no cell within it was found flat. A plane's normal is the median of its points' normals, its place the median of
-their heights; how far points and normals may deviate comes from the median absolute deviation (MAD).
-
-All cells of a level are tested together: eleven sorts of the level's points (run_medians.py), the rest one pass each.
+Araujo and Oliveira, Pattern Recognition 100, 2020, sections 3.1 and 3.2. The smallest cells with enough points come
+first; cells with flat descendants are skipped. Planes are medians, tolerances are based on the median absolute
+deviation (MAD). Eleven sorts per level (run_medians.py).
 """
 
 from typing import TYPE_CHECKING, NamedTuple
@@ -24,21 +21,17 @@ from ..memory import download, empty, upload, zeros
 if TYPE_CHECKING:
     from .octree_cells import Octree
 
-FIRST_LEVEL = 3  # larger cells hold no plane: an eighth of the box is already a wall
-SPREAD = 3.0  # MADs about the median that still belong
-NORMAL_MAD = 1.4826  # makes the MAD of normally distributed numbers their standard deviation
-CLEAR = 1.0e-6  # below 1: similarity of normals that is never asked for
+FIRST_LEVEL = 3  # larger cells contain no plane: an eighth of the box is already a wall
+SPREAD = 3.0  # MADs around the median for inliers
+NORMAL_MAD = 1.4826  # scales the MAD of a normal distribution to its standard deviation
+CLEAR = 1.0e-6  # below 1: maximum required similarity of normals
 SPREAD_MAD, MOST_SIMILAR = SPREAD * NORMAL_MAD, 1.0 - CLEAR
-PACKED = 11  # numbers a run that the host reads
+PACKED = 11  # numbers per run that the host reads
 ROUNDING = 4.0e-7  # of the cloud's size [m]: positions are rounded by 6e-8 of it on three axes
-
-
-# ------------------------------------------------------------------------------------------------ planes of runs
 
 
 @kernel
 def multiply_normals_kernel(normals: array(dtype=vec3), rows: array(dtype=int32), out: array(dtype=float64, ndim=2)):
-    """The entries of n n^T on and above the diagonal."""
     i = tid()
     n = normals[rows[i]]
     at = 0
@@ -50,7 +43,6 @@ def multiply_normals_kernel(normals: array(dtype=vec3), rows: array(dtype=int32)
 
 @kernel
 def take_axis_kernel(values: array(dtype=vec3), rows: array(dtype=int32), axis: int, out: array(dtype=float32)):
-    """One coordinate of each point."""
     i = tid()
     out[i] = values[rows[i]][axis]
 
@@ -64,7 +56,7 @@ def take_normal_axis_kernel(
     axis: int,
     out: array(dtype=float32),
 ):
-    """One component of each normal, turned to the side of its run's reference."""
+    """One component of each normal, oriented to its run's reference."""
     i = tid()
     n = normals[rows[i]]
     if dot(n, references[runs[i]]) < 0.0:
@@ -83,7 +75,6 @@ def measure_points_kernel(
     similarities: array(dtype=float32),
     distances: array(dtype=float32),
 ):
-    """|cosine| between a point's normal and its plane's, and the point's distance [m] from it."""
     i = tid()
     run = runs[i]
     similarities[i] = abs(dot(directions[run], normals[rows[i]]))
@@ -99,7 +90,6 @@ def measure_heights_kernel(
     directions: array(dtype=vec3),
     heights: array(dtype=float32),
 ):
-    """The signed distance [m] of each point from its plane."""
     i = tid()
     run = runs[i]
     heights[i] = dot(directions[run], points[rows[i]] - centers[run])
@@ -109,7 +99,6 @@ def measure_heights_kernel(
 def deviate_kernel(
     values: array(dtype=float32), runs: array(dtype=int32), medians: array(dtype=float32), out: array(dtype=float32)
 ):
-    """Distance from the median."""
     i = tid()
     out[i] = abs(values[i] - medians[runs[i]])
 
@@ -123,7 +112,6 @@ def count_outliers_kernel(
     near: array(dtype=float32),
     outliers: array(dtype=int32),
 ):
-    """Points of each run beyond one of its limits."""
     i = tid()
     run = runs[i]
     if similarities[i] < similar[run] or distances[i] > near[run]:
@@ -141,7 +129,6 @@ def claim_seeds_kernel(
     names: array(dtype=int32),
     labels: array(dtype=int32),
 ):
-    """Give the points of flat cells the label of their plane, outliers excepted."""
     i = tid()
     run = runs[i]
     if names[run] >= 0 and similarities[i] >= similar[run] and distances[i] <= near[run]:
@@ -157,7 +144,7 @@ def note_axis_kernel(
     means: array(dtype=float32),
     edges: array(dtype=float32),
 ):
-    """One coordinate of each run's middle and of its normal, from the order statistics, and its longest edge so far."""
+    """One coordinate of each run's center and normal from the order statistics, and its longest edge so far."""
     i = tid()
     runs = edges.shape[0]
     middles[3 * i + axis] = places[runs + i]
@@ -173,7 +160,7 @@ def finish_directions_kernel(
     centers: array(dtype=vec3),
     directions: array(dtype=vec3),
 ):
-    """The unit normal of each run, its reference where there is none, and its middle."""
+    """Unit normal of each run, or its reference, and its center."""
     i = tid()
     x = means[3 * i]
     y = means[3 * i + 1]
@@ -188,7 +175,6 @@ def finish_directions_kernel(
 
 @kernel
 def lift_centers_kernel(heights: array(dtype=float32), directions: array(dtype=vec3), centers: array(dtype=vec3)):
-    """Each run's middle on its plane, at the median of the heights."""
     i = tid()
     centers[i] = centers[i] + directions[i] * heights[centers.shape[0] + i]
 
@@ -203,7 +189,7 @@ def bound_runs_kernel(
     similar: array(dtype=float32),
     near: array(dtype=float32),
 ):
-    """What is usual in each run: its median, and so many MADs about it."""
+    """Limits of each run: median and a number of MADs."""
     i = tid()
     runs = near.shape[0]
     similar[i] = min(similarities[runs + i] - SPREAD_MAD * similar_spreads[runs + i], MOST_SIMILAR)
@@ -221,7 +207,7 @@ def pack_planes_kernel(
     starts: array(dtype=int32),
     packed: array(dtype=int32, ndim=2),
 ):
-    """What the host wants to know of each run, in the bits of whole numbers."""
+    """Pack the results of each run as int32 for the host."""
     i = tid()
     for axis in range(3):
         packed[i, axis] = float_bits(centers[i][axis])
@@ -234,7 +220,7 @@ def pack_planes_kernel(
 
 
 class RunPlanes(NamedTuple):
-    """The plane of each run on the device: centres and unit normals, vec3 [r], and longest edges [m], float32 [r]."""
+    """Plane of each run on the device: centers and unit normals vec3 [r], longest edges [m] float32 [r]."""
 
     centers: Points
     directions: Vectors
@@ -242,30 +228,17 @@ class RunPlanes(NamedTuple):
 
 
 class Runs:
-    """Points in runs, a run a plane.
-
-    Attributes:
-        rows, runs: int32 device arrays [m], the points and the run of each, ascending.
-        starts: int32 device array [r + 1].
-        count: r.
-    """
+    """Points in runs, one per plane: sorted rows and runs, int32 [m], and starts [r + 1]."""
 
     def __init__(self, rows: Indices, runs: Integers, counts: Integers) -> None:
-        """From the points of each run, int32 device array [r]."""
+        """From the number of points of each run, int32 [r]."""
         self.rows, self.runs, self.count, self.device = rows, runs, counts.size, rows.device
         self.starts = offsets_of(counts)
 
     def fit(self, points: Points, normals: Vectors, references: Vectors | None = None) -> RunPlanes:
-        """The robust plane of each run: along the median of the normals, through the median of the heights along it.
-
-        The medians of the coordinates, which the paper takes, do not lie in the plane where it is not aligned with an
-        axis and its outline is not symmetric: they were up to 0.2 m off on a wall of 4 x 2.7 m.
-
-        Args:
-            points: Positions of all points.
-            normals: Their normals.
-            references: The side for the normals of each run, vec3 [r]; None takes their main direction: one sync.
-        """
+        """Robust plane of each run: median normal, median height along it (medians of coordinates, as in the paper,
+        were up to 0.2 m off on a wall of 4 x 2.7 m). Without `references`, the main direction orients normals: one
+        sync."""
         size, count, device = self.rows.size, self.count, self.device
         if references is None:
             references = upload(self._main_directions(normals), vec3, device)
@@ -283,32 +256,31 @@ class Runs:
         return planes
 
     def statistics(self, values: Scalars) -> Scalars:
-        """The least numbers of all runs, the medians, the largest: float32 device array [3 r]."""
+        """Minima, medians, and maxima of all runs: float32 [3 r]."""
         return find_statistics(values, self.runs, self.starts)
 
     def measure(self, points: Points, normals: Vectors, planes: RunPlanes) -> list[Scalars]:
-        """(similarities, distances): float32 device arrays [m], of the points to the planes of their runs."""
+        """(similarities, distances) of points to their planes, float32 [m]."""
         out = [empty(self.rows.size, float32, self.device) for _ in range(2)]
         arguments = [points, normals, self.rows, self.runs, planes.centers, planes.directions, *out]
         launch(measure_points_kernel, self.rows.size, arguments)
         return out
 
     def tolerate(self, similarities: Scalars, distances: Scalars, slack: float) -> list[Scalars]:
-        """(similar, near): what is usual in each run, the least cosine and the largest distance [m], float32 [r]."""
+        """(similar, near): minimum cosine and maximum distance [m] of each run, float32 [r]."""
         bounds = [empty(self.count, float32, self.device) for _ in range(2)]
         spreads = [*self.spread(similarities), *self.spread(distances)]
         launch(bound_runs_kernel, self.count, [*spreads, slack, *bounds])
         return bounds
 
     def spread(self, values: Scalars) -> list[Scalars]:
-        """The order statistics of each run's numbers, and of their distances from its median."""
+        """Order statistics of each run's values and of their deviations from the median."""
         found, deviations = self.statistics(values), empty(values.size, float32, self.device)
         medians = found[self.count : 2 * self.count]
         launch(deviate_kernel, values.size, [values, self.runs, medians, deviations])
         return [found, self.statistics(deviations)]
 
     def _main_directions(self, normals: Vectors) -> np.ndarray:
-        """The direction that the normals of each run have most in common, whatever their signs."""
         size = self.rows.size
         products, order = empty((size, 6), float64, self.device), empty(size, int32, self.device)
         launch(multiply_normals_kernel, size, [normals, self.rows, products])
@@ -319,14 +291,8 @@ class Runs:
 
 
 class Limits:
-    """When a run of points is flat.
-
-    Attributes:
-        similarity: Least cosine between the normals and the plane's.
-        coplanarity: Largest cosine between the plane's normal and a line as steep as the spread of its points.
-        outliers: Largest share of outliers.
-        fewest: Points at least.
-        slack: Distance [m] that is rounding, so points in an exact plane are near it.
+    """Planarity limits: minimum cosine to the normal, maximum cosine between the normal and a line as steep as the
+    spread (`coplanarity`), maximum fraction of outliers, minimum point count, and a rounding tolerance [m] (`slack`).
     """
 
     def __init__(self, similarity: float, coplanarity: float, outliers: float, fewest: int, slack: float) -> None:
@@ -336,11 +302,7 @@ class Limits:
     def judge(
         self, points: Points, normals: Vectors, runs: Runs, first: int, labels: Integers
     ) -> tuple[np.ndarray, tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]]:
-        """Test each run, and give the inliers of the flat ones the labels `first`, `first + 1`, ...
-
-        Returns:
-            (passed, planes): booleans [r], and of the flat runs (centers, directions, similar, near).
-        """
+        """Test runs and label inliers of flat ones from `first` on: (passed, (centers, directions, similar, near))."""
         device = points.device
         planes = runs.fit(points, normals)  # sync
         measured = runs.measure(points, normals, planes)
@@ -363,11 +325,7 @@ class Limits:
 def find_seeds(
     points: Points, normals: Vectors, labels: Integers, limits: Limits, octree: "Octree"
 ) -> list[np.ndarray]:
-    """Label the points of the smallest flat cells of an octree, -1 elsewhere.
-
-    Returns:
-        (centers, directions, similar, near) of the planes: NumPy arrays [p, 3], [p, 3], [p], [p].
-    """
+    """Label points of the smallest flat octree cells, else -1. Returns NumPy (centers, directions, similar, near)."""
     found = [(np.empty((0, 3), np.float32),) * 2 + (np.empty(0, np.float32),) * 2]
     for level in range(octree.deepest(limits.fewest), FIRST_LEVEL - 1, -1):
         runs = octree.runs(level, limits.fewest)

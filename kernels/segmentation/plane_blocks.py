@@ -1,26 +1,18 @@
-"""Points in blocks of the cloud's order, each with its box: what planes are scored on.
+"""Points in blocks with bounding boxes, for scoring planes.
 
-A block's coordinates stay in the nearest cache, and a block whose box lies beyond a plane's threshold is passed over.
-28 B of memory a point.
+A block fits in the L1 cache, and blocks beyond the threshold of a plane are skipped. 28 B per point.
 """
 
 from ..array_types import Indices, Points
 from ..lang import INFINITY, array, float32, float64, func, int32, kernel, launch, struct, tid, vec3, vec4d
 from ..memory import empty
 
-BLOCK = 512  # points whose coordinates (6 KB) stay in the nearest cache while a group of planes is scored
+BLOCK = 512  # points whose coordinates (6 KB) stay in the L1 cache while a group of planes is scored
 
 
 @struct
 class PointBlocks:
-    """Points relative to the middle of their box, an array an axis, in blocks of BLOCK with a box each.
-
-    Attributes:
-        count: Points.
-        xs, ys, zs: Coordinates [m], float32.
-        boxes: Six numbers a block: the middle of its box, and half its sides [m].
-        block_count: Blocks.
-    """
+    """Centered points, one array per axis, in blocks of BLOCK. `boxes` are six floats: center and half size [m]."""
 
     count: int
     xs: array(dtype=float32)
@@ -29,7 +21,6 @@ class PointBlocks:
     boxes: array(dtype=float32)
 
     def __init__(self, points: Points, rows: Indices, middle: vec3) -> None:
-        """The blocks of `points[rows]` relative to a place of the same type."""
         self.count, self.block_count, device = rows.size, -(-rows.size // BLOCK), points.device
         self.xs, self.ys, self.zs = (empty(self.count, float32, device) for _ in range(3))
         self.boxes = empty(6 * self.block_count, float32, device)
@@ -38,7 +29,6 @@ class PointBlocks:
 
 @kernel
 def split_axes_kernel(points: array(dtype=vec3), rows: array(dtype=int32), center: vec3, blocks: PointBlocks):
-    """Coordinates of a block of points relative to the middle, an array an axis, and the block's box."""
     i = tid()
     a = vec3(INFINITY, INFINITY, INFINITY)
     b = vec3(-INFINITY, -INFINITY, -INFINITY)
@@ -56,7 +46,6 @@ def split_axes_kernel(points: array(dtype=vec3), rows: array(dtype=int32), cente
 
 @func
 def reaches_block(blocks: PointBlocks, block: int, a: float, b: float, c: float, d: float, reach: float) -> int:
-    """1 where a point of a block may lie within `reach` of a plane."""
     at = 6 * block
     middle = abs(a * blocks.boxes[at] + b * blocks.boxes[at + 1] + c * blocks.boxes[at + 2] + d)
     near = 0
@@ -67,7 +56,6 @@ def reaches_block(blocks: PointBlocks, block: int, a: float, b: float, c: float,
 
 @func
 def distances_of_block(blocks: PointBlocks, block: int, plane: vec4d, threshold: float) -> float64:
-    """The sum [m] of the distances of a block's inliers of a plane."""
     a = float(plane[0])
     b = float(plane[1])
     c = float(plane[2])

@@ -1,17 +1,9 @@
-"""The plane with the most points near it: samples are scored, the best chosen and fitted again, where the points are.
+"""RANSAC plane fit: samples are scored, and the best is refitted, on the device.
 
-Fischler and Bolles, "Random sample consensus", CACM 1981. A thread scores GROUP planes on a run of blocks of points:
-the points of a block stay in the nearest cache, and the loop over them has no branch (about ten operations a point and
-plane, in vector registers on the CPU). A block whose box lies wholly beyond the threshold of a plane
-is passed over, which skips most of a scan whose points come in the order in which they were measured.
-
-Planes are (a, b, c, d) with a unit normal, relative to the middle of the points. They are made in float64 and scored in
-float32 on coordinates relative to that middle; counts are whole numbers, so neither the number of threads nor the
-compiler changes them. 28 B of memory a point.
-
-The best of some planes on a GPU, and what the host wants to know of it after each batch, in one wait. The most inliers
-win, of equal ones the least sum of distances, of these the first plane: as the host chooses where it sees all counts
-for nothing. The inliers of the best plane so far are counted beside, since the search may end there.
+Fischler and Bolles, "Random sample consensus", CACM 1981. A thread scores GROUP planes on a run of blocks; blocks
+beyond the threshold are skipped. Planes (a, b, c, d) are relative to the center, computed in float64 and scored in
+float32; integer counts do not depend on the threads. The most inliers win, then the smallest sum of distances, then the
+first plane. A GPU needs one sync per batch.
 """
 
 import math
@@ -52,13 +44,13 @@ if TYPE_CHECKING:
 
 
 PARTIALS = 2**22  # partial sums of distances at a time
-COUNT, SUM = 4, 5  # in the record: behind the plane how many inliers it has, and the sum of their distances [m]
+COUNT, SUM = 4, 5  # in the record: after the plane its inlier count, and the sum of their distances [m]
 RECORD = 6
 
 
 @kernel
 def find_top_kernel(counts: array(dtype=int32), top: array(dtype=int32)):
-    """The most inliers of any plane; the maximum of whole numbers is the same in any order."""
+    """Maximum inlier count; it does not depend on the order."""
     i = tid()
     atomic_max(top, 0, counts[i])
 
@@ -73,7 +65,7 @@ def sum_top_distances_kernel(
     threshold: float,
     partials: array(dtype=float64, ndim=2),
 ):
-    """As `sum_distances_kernel`, of the planes from the first on that have the most inliers."""
+    """`sum_distances_kernel` for planes with the maximum inlier count."""
     i = tid()
     k = i % partials.shape[0]
     block = i // partials.shape[0]
@@ -89,7 +81,7 @@ def fold_top_distances_kernel(
     first: int,
     sums: array(dtype=float64),
 ):
-    """The sums of their rows, in order; infinite of other planes."""
+    """Ordered sums of their rows; infinite for other planes."""
     i = tid()
     total = float64(INFINITY)
     if counts[first + i] == top[0]:
@@ -103,7 +95,6 @@ def fold_top_distances_kernel(
 def keep_best_kernel(
     planes: array(dtype=vec4d), top: array(dtype=int32), sums: array(dtype=float64), record: array(dtype=float64)
 ):
-    """Keep the best of these planes where it is better than the one that is kept. One thread."""
     i = tid()
     best = i
     for k in range(sums.shape[0]):
@@ -126,7 +117,7 @@ def mark_best_kernel(
     threshold: float64,
     marks: array(dtype=int32),
 ):
-    """As `mask_inliers_kernel`, of the plane that is kept."""
+    """`mask_inliers_kernel` of the stored plane."""
     i = tid()
     p = sampled_point(points, rows[i], center)
     inside = 0
@@ -136,13 +127,7 @@ def mark_best_kernel(
 
 
 class BestPlane:
-    """The best plane so far.
-
-    Attributes:
-        plane: float64 [4], when it was last read.
-        count: Inliers of it as planes are scored, 0 where there is none.
-        inliers: Those in float64.
-    """
+    """Best plane so far, float64 [4] when last read; `count` of inliers as scored (or 0), `inliers` in float64."""
 
     def __init__(self, search: "PlaneSearch", threshold: float) -> None:
         self._search, self._threshold = search, threshold
@@ -150,7 +135,7 @@ class BestPlane:
         self.plane, self.count, self.inliers = np.zeros(4), 0, 0
 
     def offer(self, planes: Array1[vec4d], counts: Integers) -> None:
-        """See whether one of these planes is better, by how many inliers each has; one sync."""
+        """Update the best plane from planes and their inlier counts; one sync."""
         search, blocks, size, device = self._search, self._search.blocks, planes.size, self._search.device
         top, sums = zeros(1, int32, device), empty(size, float64, device)
         launch(find_top_kernel, size, [counts, top])
@@ -170,9 +155,9 @@ class BestPlane:
         self.plane, self.count = record[:4].copy(), int(record[COUNT])
 
 
-GROUP = 8  # planes a thread
-CPU_RUN, CUDA_RUN = 16, 2  # blocks a thread: few atomics on the CPU, many threads on CUDA
-FIRST_BATCH, BATCH_GROWTH, MOST_PLANES = 32, 3, 4096  # planes between two looks at the result
+GROUP = 8  # planes per thread
+CPU_RUN, CUDA_RUN = 16, 2  # blocks per thread: few atomics on the CPU, many threads on CUDA
+FIRST_BATCH, BATCH_GROWTH, MOST_PLANES = 32, 3, 4096  # planes between two checks of the result
 ROUNDING = 4.0e-6  # of the largest coordinate: covers the rounding of two sums of four products in float32
 eight_counts = vector(GROUP, int32)
 
@@ -187,7 +172,7 @@ def score_planes_kernel(
     reach: float,
     counts: array(dtype=int32),
 ):
-    """How many points lie within the threshold of each plane; whole sums, so the order of the atomics is free."""
+    """Inlier counts of planes; integer sums, so the order of the atomics does not matter."""
     i = tid()
     groups = (plane_count + GROUP - 1) // GROUP
     head = (i // groups) * run
@@ -221,7 +206,7 @@ def sum_distances_kernel(
     threshold: float,
     partials: array(dtype=float64, ndim=2),
 ):
-    """The sum [m] of the distances of the inliers of each chosen plane, by block of points."""
+    """Sum [m] of the inlier distances of each selected plane by block."""
     i = tid()
     k = i % chosen.shape[0]
     block = i // chosen.shape[0]
@@ -230,15 +215,11 @@ def sum_distances_kernel(
 
 @kernel
 def fold_distances_kernel(partials: array(dtype=float64, ndim=2), sums: array(dtype=float64)):
-    """The sums of the rows, in order."""
     i = tid()
     total = float64(0.0)
     for j in range(partials.shape[1]):
         total += partials[i, j]
     sums[i] = total
-
-
-# ------------------------------------------------------------------------------------------------ inliers
 
 
 @kernel
@@ -250,7 +231,6 @@ def mask_inliers_kernel(
     threshold: float64,
     mask: array(dtype=uint8),
 ):
-    """1 where a point lies within the threshold, in float64."""
     i = tid()
     p = sampled_point(points, rows[i], center)
     inside = 0
@@ -261,28 +241,24 @@ def mask_inliers_kernel(
 
 @reduction
 def add_points(points: array(dtype=vec3), rows: array(dtype=int32), center: vec3d) -> vec3d:
-    """The sum of points relative to the middle."""
     i = tid()
     return sampled_point(points, rows[i], center)
 
 
 @kernel
 def average_points_kernel(total: array(dtype=vec3d), center: vec3d, count: float64, mean: array(dtype=vec3d)):
-    """The mean of points from their sum relative to the middle."""
     i = tid()
     mean[i] = center + total[i] / count
 
 
 @reduction
 def add_products(points: array(dtype=vec3), rows: array(dtype=int32), mean: array(dtype=vec3d)) -> six_sums:
-    """The sum of the products of the differences to the mean."""
     i = tid()
     return products(sampled_point(points, rows[i], mean[0]))
 
 
 @kernel
 def pack_fit_kernel(mean: array(dtype=vec3d), sums: array(dtype=six_sums), packed: array(dtype=float64)):
-    """The mean, then the products."""
     i = tid()
     for axis in range(3):
         packed[i + axis] = mean[i][axis]
@@ -292,26 +268,19 @@ def pack_fit_kernel(mean: array(dtype=vec3d), sums: array(dtype=six_sums), packe
 
 @kernel
 def label_rows_kernel(rows: array(dtype=int32), label: int, labels: array(dtype=int32)):
-    """Give some points a label."""
     i = tid()
     labels[rows[i]] = label
 
 
 def label_rows(rows: Indices, label: int, labels: Integers) -> None:
-    """labels[rows] = label."""
     launch(label_rows_kernel, rows.size, [rows, label, labels])
 
 
 class PlaneSearch:
-    """The search for the plane with the most inliers among some points.
-
-    Attributes:
-        rows: int32 device array, the points searched.
-        center: Middle of their box, float64 [3]; planes are relative to it.
-    """
+    """Search for the plane with the most inliers. Planes are relative to the center of the points' box, float64 [3]."""
 
     def __init__(self, points: Points, rows: Indices, box: tuple[np.ndarray, np.ndarray] | None = None) -> None:
-        """Prepare a search among `points[rows]`, all finite; one sync where their box is not given."""
+        """Prepare a search among finite `points[rows]`; one sync if no box is given."""
         self.points, self.rows, self.device = points, rows, points.device
         low, high = box if box is not None else bound_points(gather_rows(points, rows))[:2]  # sync
         self._inliers: int | None = None
@@ -324,19 +293,8 @@ class PlaneSearch:
     def find(
         self, threshold: float, sample_size: int, most: int, probability: float, seed: int, first: int = 0
     ) -> np.ndarray | None:
-        """The plane with the most points closer than the threshold; of equals the one with the smaller distances.
-
-        Args:
-            threshold: Distance [m], excluded.
-            sample_size: Points a sample.
-            most: Samples at most.
-            probability: Wanted of having drawn a sample of inliers alone: ends the search early.
-            seed: Of the samples.
-            first: Number of the first sample.
-
-        Returns:
-            float64 [4] relative to `center`, or None where no sample spans a plane.
-        """
+        """Plane with the most points closer than the threshold [m], then the smallest distances: float64 [4] relative
+        to `center`, or None. Stops at the `probability` of an outlier-free sample. `first`: first sample number."""
         if self.device.is_cuda:
             return self._find_on_device(threshold, sample_size, most, probability, seed, first)
         best, best_count, best_sum, done, batch, needed = None, 0, None, 0, FIRST_BATCH, float(most)
@@ -363,7 +321,7 @@ class PlaneSearch:
     def _find_on_device(
         self, threshold: float, sample_size: int, most: int, probability: float, seed: int, first: int
     ) -> np.ndarray | None:
-        """As `find`, the best plane being chosen by the GPU; one sync a batch."""
+        """`find` with selection on the GPU; one sync per batch."""
         best, done, batch, needed = BestPlane(self, threshold), 0, FIRST_BATCH, float(most)
         while done < min(most, needed):
             size = int(min(batch, most - done, math.ceil(needed) - done))
@@ -376,18 +334,14 @@ class PlaneSearch:
         return best.plane if best.count else None
 
     def inliers(self, plane: np.ndarray, threshold: float) -> tuple[Mask, Indices]:
-        """The points closer than the threshold to the plane that `find` gave with it.
-
-        Returns:
-            (mask, places): uint8 [rows], 1 for each of them; and where they are among the rows, int32. No sync.
-        """
+        """Inliers of the plane of `find`: (mask uint8 [rows], places int32). No sync."""
         mask = empty(self.rows.size, uint8, self.device)
         arguments = [self.points, self.rows, vec3d(*self.center), vec4d(*plane), threshold, mask]
         launch(mask_inliers_kernel, self.rows.size, arguments)
         return mask, positions_of(mask, self._inliers)
 
     def refit(self, plane: np.ndarray, rows: Indices) -> np.ndarray:
-        """The plane of least squared distances to some points; the old one where they span none. One sync."""
+        """Least-squares plane of some points; the old one if they span none. One sync."""
         if rows.size < TRIANGLE:
             return plane
         mean, packed = empty(1, vec3d, self.device), empty(9, float64, self.device)
@@ -427,7 +381,7 @@ class PlaneSearch:
             launch(sum_distances_kernel, part.size * block_count, arguments)
             out = empty(part.size, float64, self.device)
             launch(fold_distances_kernel, part.size, [partials, out])
-            sums.append(download(out).copy())  # sync: only where planes have as many inliers as another
+            sums.append(download(out).copy())  # sync: only if several planes have equally many inliers
         return np.concatenate(sums)
 
     def _sum_of(self, plane: np.ndarray, threshold: float) -> float:
@@ -436,11 +390,7 @@ class PlaneSearch:
 
 
 def samples_needed(share: float, sample_size: int, probability: float, most: int) -> float:
-    """Samples after which one of inliers alone was drawn with the wanted probability (Fischler and Bolles 1981, II.B).
-
-    Args:
-        share: Of the points that are inliers of the best plane so far.
-    """
+    """Samples until one is outlier-free with a probability (Fischler and Bolles 1981, II.B); `share` of inliers."""
     hit = share**sample_size
     if hit >= 1.0:
         return 0.0

@@ -1,8 +1,7 @@
-"""Planes through random samples of distinct points, one thread a sample.
+"""Planes through random samples of distinct points (Fischler and Bolles, CACM 1981), one thread per sample.
 
-Fischler and Bolles, "Random sample consensus", CACM 1981. A plane is (a, b, c, d) with a unit normal, made in float64
-relative to the middle of the points; samples whose points lie on a line give a plane that no point is near. 4 B a
-sampled point and 32 B a plane are written.
+Planes (a, b, c, d) with a unit normal are computed in float64 relative to the center; collinear samples give a plane
+without inliers.
 """
 
 from ..algebra.eigen import largest_entry, smallest_eigenvector, sorted_eigenvalues
@@ -26,27 +25,24 @@ from ..lang import (
     vector,
 )
 
-TRIANGLE = 3  # points that span a plane
-COLLINEAR = 1.0e-6  # sine of the angle between two edges below which rounding alone decides the plane
+TRIANGLE = 3  # points that define a plane
+COLLINEAR = 1.0e-6  # sine of the angle between two edges below which rounding dominates
 FLAT = COLLINEAR * COLLINEAR  # the same for the ratio of two variances
 six_sums = vector(6, float64)
 
 
 @func
 def no_plane() -> vec4d:
-    """A plane that no point is near."""
     return vec4d(0.0, 0.0, 0.0, float64(INFINITY))
 
 
 @func
 def plane_at(normal: vec3d, p: vec3d) -> vec4d:
-    """The plane through p with a unit normal."""
     return vec4d(normal[0], normal[1], normal[2], -dot(normal, p))
 
 
 @func
 def triangle_plane(p: vec3d, q: vec3d, r: vec3d) -> vec4d:
-    """The plane through three points; none where they lie on a line."""
     u = q - p
     v = r - p
     normal = cross(u, v)
@@ -59,7 +55,6 @@ def triangle_plane(p: vec3d, q: vec3d, r: vec3d) -> vec4d:
 
 @func
 def fitted_plane(mean: vec3d, covariance: mat33d) -> vec4d:
-    """The plane of least squared distances; none where the points lie on a line."""
     plane = no_plane()
     size = largest_entry(covariance)
     if size > 0.0:
@@ -71,13 +66,11 @@ def fitted_plane(mean: vec3d, covariance: mat33d) -> vec4d:
 
 @func
 def sampled_point(points: array(dtype=vec3), row: int, center: vec3d) -> vec3d:
-    """A point relative to the middle, in float64."""
     return widen(points[row]) - center
 
 
 @func
 def products(p: vec3d) -> six_sums:
-    """The entries of p p^T on and above the diagonal."""
     return six_sums(p[0] * p[0], p[0] * p[1], p[0] * p[2], p[1] * p[1], p[1] * p[2], p[2] * p[2])
 
 
@@ -92,11 +85,8 @@ def draw_planes_kernel(
     samples: array(dtype=int32),
     planes: array(dtype=vec4d),
 ):
-    """The plane of each sample of distinct points; sample `first + i` is the same in whatever batch it is drawn.
-
-    Floyd's way to draw distinct numbers (Bentley and Floyd, "A sample of brilliance", CACM 1987): the j-th is drawn
-    from the first count - sample_size + j + 1, and replaced by the last of these where it was drawn before.
-    """
+    """Plane of each sample, independent of the batch. Distinct points by Floyd's algorithm (Bentley and Floyd, "A
+    sample of brilliance", CACM 1987): a repetition becomes the last of the first count - sample_size + j + 1."""
     i = tid()
     base = i * sample_size
     for j in range(sample_size):

@@ -1,11 +1,7 @@
-"""Smooth regions: points joined to their neighbours where normals agree, through points of small curvature.
+"""Smooth regions: points connected to neighbors with similar normals through points of low curvature.
 
-Rabbani, van den Heuvel and Vosselman 2006, as PCL's RegionGrowing has it: a region grows from a point of small
-curvature to each of its nearest neighbours whose normal is within an angle of its own, and on from those of small
-curvature. So regions are the connected components of the points of small curvature over such edges, whichever way the
-list of neighbours names them: disjoint sets (union_find.py). Each other point joins the region of the neighbour of
-small curvature whose normal is nearest to its own, of equals the first listed. 4 B a neighbour are read twice, and 12
-B a point written.
+Rabbani, van den Heuvel and Vosselman 2006, as PCL's RegionGrowing. Regions are connected components of low-curvature
+points (union_find.py). Other points join the low-curvature neighbor with the most similar normal, the first on a tie.
 """
 
 from ..array_types import Array2, Integers, Scalars, Vectors
@@ -20,7 +16,7 @@ from .cluster_labels import NOISE, rank_by_size
 def begin_sets_kernel(
     normals: array(dtype=vec3), curvature: array(dtype=float32), limit: float, parents: array(dtype=int32)
 ):
-    """Each point of small curvature is a set of its own, the others are of none."""
+    """Low-curvature points start as sets of their own, others without a set."""
     i = tid()
     n = normals[i]
     parents[i] = NOISE
@@ -32,7 +28,7 @@ def begin_sets_kernel(
 def join_neighbors_kernel(
     normals: array(dtype=vec3), neighbors: array(dtype=int32, ndim=2), cosine: float, parents: array(dtype=int32)
 ):
-    """Unite the sets of neighbours whose normals agree; the sets are the same in any order."""
+    """Unite neighbors with similar normals; the sets do not depend on the order."""
     i = tid()
     if parents[i] >= 0:
         for k in range(neighbors.shape[1]):
@@ -44,7 +40,6 @@ def join_neighbors_kernel(
 
 @kernel
 def mark_roots_kernel(parents: array(dtype=int32), marks: array(dtype=uint8)):
-    """1 at the first point of each set."""
     i = tid()
     marks[i] = uint8(1 if parents[i] == i else 0)
 
@@ -58,7 +53,7 @@ def label_regions_kernel(
     numbers: array(dtype=int32),
     labels: array(dtype=int32),
 ):
-    """The number of each point's set, or of the neighbour's that agrees best."""
+    """Number of each point's set, or of the neighbor with the most similar normal."""
     i = tid()
     label = int(NOISE)
     if parents[i] >= 0:
@@ -78,16 +73,8 @@ def label_regions_kernel(
 def grow_regions(
     normals: Vectors, curvature: Scalars, neighbors: Array2[int32], cosine: float, limit: float, least: int, most: int
 ) -> tuple[Integers, int]:
-    """Labels of smooth regions, the largest first, ties by their first point; the number before sizes are looked at.
-
-    Args:
-        normals: Unit normals.
-        curvature: Surface variation of each point.
-        neighbors: The nearest neighbours of each point, -1 where there are fewer.
-        cosine: Of the largest angle between neighbours' normals, whichever way they face.
-        limit: Curvature below which a region grows on from a point.
-        least, most: Points of a region.
-    """
+    """Labels of smooth regions by decreasing size, and their number before the size limits. `cosine`: minimum between
+    unsigned normals, `limit`: maximum curvature to grow from."""
     count, device = normals.size, normals.device
     parents, labels = empty(count, int32, device), full(count, NOISE, int32, device)
     launch(begin_sets_kernel, count, [normals, curvature, limit, parents])

@@ -1,9 +1,8 @@
-"""A shape of least squared distances to some points: Levenberg-Marquardt on true distances, in float64.
+"""Least-squares shape fit by Levenberg-Marquardt on true distances, in float64.
 
-Lukacs, Martin and Marshall, "Faithful least-squares fitting of spheres, cylinders, cones and tori", ECCV 1998. The
-unknowns of a step are shifts along a frame (u, v, a) about the axis a, tilts of the axis towards u and v, and changes
-of the sizes; a tilt by 1 / size moves the far points as far as a shift by 1 does. The device takes all steps of all
-fits that are asked for at once (`shape_steps`); the host waits once and turns the sums into covariances.
+Lukacs, Martin and Marshall, "Faithful least-squares fitting of spheres, cylinders, cones and tori", ECCV 1998. Unknowns
+are shifts in a frame (u, v, a) along the axis a, tilts to u and v, scaled as lengths, and sizes. All fits run on the
+device (`shape_steps`) with one sync.
 """
 
 from collections.abc import Sequence
@@ -35,9 +34,9 @@ from .shape_fit_rows import (
 from .shape_models import CONE, CYLINDER, NUMBERS, PLANE, SPHERE, TORUS
 from .shape_steps import step_fits_kernel, tell_running_kernel
 
-OPEN = 1.0e-11  # ratio of eigenvalues of the scaled system below which the points leave something open
-EXACT = 1.0e-13  # of the squared distances: a step that gains less ends a fit
-ROUGHLY = 1.0e-7  # the same of fits that are only compared, or fitted again
+OPEN = 1.0e-11  # eigenvalue ratio of the scaled system below which a fit is undetermined
+EXACT = 1.0e-13  # of the squared distances: a smaller gain ends a fit
+ROUGHLY = 1.0e-7  # the same for fits that are only compared or fitted again
 NAMES = ("shift_u", "shift_v", "shift_axis", "tilt_u", "tilt_v", "first", "second")
 FREE = {PLANE: [2, 3, 4], SPHERE: [0, 1, 2, 5], CYLINDER: [0, 1, 3, 4, 5], CONE: [0, 1, 2, 3, 4, 5]}
 FREE[TORUS] = [0, 1, 2, 3, 4, 5, 6]
@@ -46,16 +45,8 @@ Shapes = Sequence[NDArray[np.float64]] | NDArray[np.float64]
 
 @dataclass(frozen=True)
 class ShapeFit:
-    """What a fit found.
-
-    Attributes:
-        shape: float64 [8], relative to the middle.
-        covariance: Of the unknowns in the order of FREE, about `frame` [unknowns, unknowns].
-        frame: Rows u, v, a: what shifts and tilts are along.
-        rms: Root of the mean squared distance [m].
-        count: Points.
-        reason: Why the numbers are not determined; empty where they are.
-    """
+    """Result of a fit: `shape` float64 [8] relative to the center, covariance of the unknowns in the order of FREE in
+    `frame` (rows u, v, a), `rms` distance [m], point count, and the reason if it is undetermined."""
 
     shape: NDArray[np.float64]
     covariance: NDArray[np.float64]
@@ -67,12 +58,7 @@ class ShapeFit:
 
 @dataclass(frozen=True)
 class FlatFit:
-    """The plane through some points.
-
-    Attributes:
-        shape: float64 [8], relative to the middle.
-        rms: Root of the mean squared distance [m].
-    """
+    """Plane fit: shape float64 [8] relative to the center, and rms distance [m]."""
 
     shape: NDArray[np.float64]
     rms: float
@@ -80,15 +66,8 @@ class FlatFit:
 
 @dataclass(frozen=True)
 class Selection:
-    """What makes a row one of a shape, for fits that choose their rows.
-
-    Attributes:
-        normals: Of all points.
-        threshold: Distance [m], excluded.
-        cosine: Least between normals.
-        smallest, largest: Sizes [m] beyond which no rows are chosen.
-        most_rounds: Fits of one shape, each to the points of the one before.
-    """
+    """Inlier limits for fits that select their rows: distance [m] (exclusive), minimum cosine between normals, sizes
+    [m], and maximum number of fits per shape."""
 
     normals: Vectors
     threshold: float
@@ -99,21 +78,19 @@ class Selection:
 
 
 def frame_of(direction: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Rows u, v, a of a right-handed frame about a unit direction."""
     u = np.cross(np.eye(3)[np.argmin(np.abs(direction))], direction)
     u /= norm(u)
     return np.stack([u, np.cross(direction, u), direction])
 
 
 def is_proper(kind: int, shape: NDArray[np.float64]) -> bool:
-    """Whether sizes are above zero, and a half angle between 0 and 90 degrees."""
     return bool(np.isfinite(shape).all()) and (
         kind == PLANE or (shape[6] > 0 and (kind in (SPHERE, CYLINDER) or shape[7] > 0))
     )
 
 
 def flat_fit(sums: NDArray[np.float64], count: int) -> FlatFit:
-    """The plane of sums about the middle: in float64 they tell distances of 1e-8 of the size of the points and more."""
+    """Plane from sums around the center; float64 resolves distances of 1e-8 of the point extent."""
     sums = sums.reshape(-1) / max(count, 1)
     mean, products = sums[:3], np.zeros((3, 3))
     products[np.triu_indices(3)] = sums[3:9]
@@ -123,28 +100,22 @@ def flat_fit(sums: NDArray[np.float64], count: int) -> FlatFit:
 
 
 class ShapeFitter:
-    """Fits to some of the points of a cloud."""
-
     def __init__(
         self, points: Points, center: NDArray[np.float64], size: float, weights: Doubles | None = None
     ) -> None:
-        """Of points whose middle is `center`; `size` [m] is how far they reach; weights have a mean of one."""
+        """`size` [m] is the extent of the points around `center`; weights have a mean of one."""
         self.points, self.center, self.size, self.weights = points, center, size, weights
 
     def fit(self, kind: int, shape: NDArray[np.float64], rows: Indices) -> ShapeFit:
-        """The shape of least squared distances to `points[rows]` that is reached from another; one sync.
-
-        Planes and cylinders move along themselves to the mean of the points first.
-        """
+        """Least-squares fit to `points[rows]` from an initial shape; one sync. Planes and cylinders are centered
+        first."""
         return self.fit_all([kind], [shape], rows, EXACT)[0]
 
     def fit_all(
         self, kinds: ArrayLike, shapes: Shapes, rows: Indices, gain: float = ROUGHLY, hopeless: float = 0.0
     ) -> list[ShapeFit]:
-        """The fit that is reached from each of some shapes, all to the same rows; one sync.
-
-        A fit whose distances stay beyond `hopeless` [m] in the root mean square is given up; 0 gives up none.
-        """
+        """Fits to the same rows from several shapes; one sync. Stops those with an rms above `hopeless` [m] (0:
+        none)."""
         found = self._run(kinds, shapes, rows, None, gain, hopeless)
         return [
             self.fit_of(int(kind), shape, sums)
@@ -154,11 +125,7 @@ class ShapeFitter:
     def refine_all(
         self, kinds: ArrayLike, shapes: Shapes, rows: Indices, chosen: Selection, gain: float = ROUGHLY
     ) -> list[tuple[ShapeFit, int] | None]:
-        """Each shape fitted to those of `rows` that are on it, again while these grow in number; one sync.
-
-        Returns:
-            The fit and how many rows are on it; None where none is, or the first fit has no size within the limits.
-        """
+        """Fit each shape to its inliers among `rows` while these increase; one sync: (fit, inlier count), or None."""
         found = self._run(kinds, shapes, rows, chosen, gain)
         each = zip(found["kinds"], found["bests"], found["best_sums"], found["best_counts"], strict=True)
         return [
@@ -167,15 +134,14 @@ class ShapeFitter:
         ]
 
     def fit_plane(self, rows: Indices) -> FlatFit:
-        """The plane of least squared distances to `points[rows]`, which have no weights here; one sync."""
+        """Unweighted least-squares plane of `points[rows]`; one sync."""
         return flat_fit(download(self.add_places(rows)), rows.size)  # sync
 
     def add_places(self, rows: Indices) -> Array1[Any]:
-        """What `flat_fit` makes a plane of, where it is."""
         return reduce(add_places, rows.size, [self.points, rows, vec3d(*self.center)])
 
     def fit_of(self, kind: int, shape: NDArray[np.float64], sums: NDArray[np.float64]) -> ShapeFit:
-        """What the sums over the rows at a shape say of it."""
+        """Fit statistics from the sums at a shape."""
         free, count, squares = np.array(FREE[kind]), int(sums[COUNT]), max(float(sums[SQUARES]), 0.0)
         scales = np.array([1.0, 1, 1, self.size, self.size, self.size if kind == CONE else 1, 1])[free]
         full = np.zeros((8, 8))
@@ -208,7 +174,6 @@ class ShapeFitter:
         gain: float,
         hopeless: float = 0.0,
     ) -> dict[str, NDArray]:
-        """Run all fits to their ends; one sync."""
         device, n = self.points.device, rows.size
         states = SideBySide(_first_state(kinds, shapes, chosen), device)
         k = states.arrays["kinds"].size

@@ -1,7 +1,6 @@
-"""Fits of several shapes at once, each over rows of its own: where each stands, and the sums that its step asks for.
+"""Simultaneous fits of several shapes, each over its own rows: state, and sums for a step.
 
-Lukacs, Martin and Marshall 1998: slopes of true distances with each unknown of a shape, their products added up over
-the rows of a fit. 9 B a row and fit, about 150 operations in float64.
+Lukacs, Martin and Marshall 1998: products of the derivatives of true distances. 9 B per row and fit.
 """
 
 from ..lang import (
@@ -24,29 +23,17 @@ from ..lang import (
 from .plane_samples import sampled_point
 from .shape_models import CONE, CYLINDER, PLANE, TORUS, eight, measure
 
-SQUARES, COUNT, PLACES = 35, 36, 37  # in the sums: squared distances, rows, places along u, v and the axis
-SELECT, BEGIN, STEP, ENDED = range(4)  # what the sums of this turn are for
+SQUARES, COUNT, PLACES = 35, 36, 37  # in the sums: squared distances, rows, positions along u, v and the axis
+SELECT, BEGIN, STEP, ENDED = range(4)  # purpose of the current sums
 fit_sums = vector(40, float64)
 place_sums = vector(9, float64)
 
 
 @struct
 class ShapeFits:
-    """Some fits, and where each stands.
-
-    Attributes:
-        rows, jobs: Of each element the row of its point and its fit, int32 [m].
-        mask: 1 where the element counts, uint8 [m].
-        kinds: Of `shape_models`, int32 [k].
-        shapes, offers: What was accepted last, and what the sums are asked for, float64 [k, 8].
-        frames: Of what is offered, u, v and the axis, vec3d [k, 3].
-        sums: Of the accepted shapes, [k].
-        dampings, longest: The damping, and the longest part of the step that is offered [m], float64 [k].
-        phases, steps, rounds, most_rounds: SELECT to ENDED; steps of this fit; fits done, and at most, int32 [k].
-        bests, best_sums, best_counts: Of the rounds that with the most rows on the fitted shape; -1 of none.
-        live: 1 while a fit goes on, int32 [k].
-        running: 1 while any does, int32 [1].
-    """
+    """State of fits. Elements: `rows` of points, `jobs` (fits), `mask` (1 if used). Fits: accepted `shapes` and trial
+    `offers` float64 [k, 8], trial `frames` (u, v, axis), `sums` of accepted shapes, `dampings`, longest step component
+    [m], `phases` (SELECT to ENDED), counters, the best round (-1 if none). `live` and `running` are 1 until done."""
 
     rows: array(dtype=int32)
     jobs: array(dtype=int32)
@@ -71,15 +58,8 @@ class ShapeFits:
 
 @struct
 class FitRules:
-    """What ends a fit, and what makes a row one of a shape.
-
-    Attributes:
-        size: How far the points reach [m].
-        gain: A step that gains less of the squared distances ends a fit.
-        hopeless: A mean squared distance [m^2] beyond which a fit is given up after some steps; 0 for none.
-        threshold, cosine: Of the rows on a shape: distance [m], and least cosine between normals.
-        smallest, largest: Radius [m] of a sphere, a cylinder, a torus (its tube's, its ring's).
-    """
+    """Convergence and inlier limits: `size` [m] of the points, minimum relative `gain`, mean squared distance [m^2] to
+    give up (0: none), distance [m], minimum cosine, and radii [m]."""
 
     size: float64
     gain: float64
@@ -92,19 +72,17 @@ class FitRules:
 
 @func
 def place_in(shapes: array(dtype=float64, ndim=2), k: int) -> vec3d:
-    """The place of a shape."""
     return vec3d(shapes[k, 0], shapes[k, 1], shapes[k, 2])
 
 
 @func
 def axis_in(shapes: array(dtype=float64, ndim=2), k: int) -> vec3d:
-    """The direction of a shape."""
     return vec3d(shapes[k, 3], shapes[k, 4], shapes[k, 5])
 
 
 @func
 def slopes(kind: int, p: vec3d, a: vec3d, u: vec3d, v: vec3d, r: float64, s: float64, x: vec3d) -> eight:
-    """How the distance of x changes with each unknown, and the distance last."""
+    """Derivatives of the distance of x by each unknown, then the distance."""
     y = x - p
     h = dot(y, a)
     across = y - a * h
@@ -136,7 +114,7 @@ def slopes(kind: int, p: vec3d, a: vec3d, u: vec3d, v: vec3d, r: float64, s: flo
 
 @func
 def sums_at(fits: ShapeFits, k: int, x: vec3d, weight: float64) -> fit_sums:
-    """A row's products on and above the diagonal times its weight, its count, and where it lies in the frame."""
+    """Weighted products (upper triangle) of a row, its count, and its position in the frame."""
     p = place_in(fits.offers, k)
     u = fits.frames[k, 0]
     v = fits.frames[k, 1]
@@ -157,7 +135,7 @@ def sums_at(fits: ShapeFits, k: int, x: vec3d, weight: float64) -> fit_sums:
 
 @segment_reduction
 def add_fit_rows(points: array(dtype=vec3), center: vec3d, fits: ShapeFits) -> fit_sums:
-    """A row's part of the sums of its fit at what is offered."""
+    """Contribution of a row to the sums of its fit at the trial shape."""
     t = tid()
     total = fit_sums(0.0)
     if fits.mask[t] != 0:
@@ -171,7 +149,7 @@ def add_fit_rows(points: array(dtype=vec3), center: vec3d, fits: ShapeFits) -> f
 def add_weighted_fit_rows(
     points: array(dtype=vec3), weights: array(dtype=float64), center: vec3d, fits: ShapeFits
 ) -> fit_sums:
-    """The same, each row's products times the weight of its point."""
+    """`add_fit_rows` with point weights."""
     t = tid()
     total = fit_sums(0.0)
     if fits.mask[t] != 0:
@@ -183,7 +161,6 @@ def add_weighted_fit_rows(
 
 @reduction
 def add_places(points: array(dtype=vec3), rows: array(dtype=int32), center: vec3d) -> place_sums:
-    """A point about the middle, and the products of its coordinates on and above the diagonal."""
     i = tid()
     x = sampled_point(points, rows[i], center)
     return place_sums(
@@ -193,7 +170,7 @@ def add_places(points: array(dtype=vec3), rows: array(dtype=int32), center: vec3
 
 @kernel
 def list_fit_rows_kernel(rows: array(dtype=int32), fits: ShapeFits):
-    """The same rows for each of some fits, all of them counted."""
+    """The same rows for several fits, all used."""
     i = tid()
     fits.rows[i] = rows[i % rows.shape[0]]
     fits.jobs[i] = i // rows.shape[0]
@@ -204,7 +181,6 @@ def list_fit_rows_kernel(rows: array(dtype=int32), fits: ShapeFits):
 def is_on(
     kind: int, p: vec3d, a: vec3d, r: float64, s: float64, x: vec3d, n: vec3, threshold: float64, cosine: float64
 ) -> int:
-    """1 where a point with a normal of any length is one of a shape."""
     m = measure(kind, p, a, r, s, x)
     size = sqrt(float64(dot(n, n)))
     facing = abs(m[1] * float64(n[0]) + m[2] * float64(n[1]) + m[3] * float64(n[2]))
@@ -218,7 +194,6 @@ def is_on(
 def select_fit_rows_kernel(
     points: array(dtype=vec3), normals: array(dtype=vec3), center: vec3d, rules: FitRules, fits: ShapeFits
 ):
-    """Choose the rows of fits that are to: those on the shape."""
     t = tid()
     k = fits.jobs[t]
     if fits.phases[k] == SELECT:

@@ -1,29 +1,21 @@
-"""Planes, spheres, cylinders, cones and tori: how far a point is from each, and which way its surface faces there.
+"""Distance and surface normal of planes, spheres, cylinders, cones and tori, in float64.
 
-A shape is eight numbers and a kind: a place p, a unit direction a, and two numbers r and s. A plane passes through p
-with normal a; a sphere is of radius r about p; a cylinder of radius r about the line through p along a; a cone opens
-from its apex p along a, r and s the cosine and the sine of its half angle; a torus lies about p across a, r the radius
-of its ring and s that of its tube. About 30 operations a point, in float64; positions are relative to the middle of the
-cloud.
+A shape is a kind and eight numbers: position p, unit direction a, sizes r and s. Plane through p with normal a; sphere
+of radius r; cylinder of radius r around p, a; cone from apex p along a, r and s the cosine and sine of its half angle;
+torus around p with axis a, ring radius r and tube radius s.
 """
 
 from ..lang import array, dot, float32, float64, func, int32, kernel, sqrt, struct, tid, vec3, vec3d, vec4d, vector
 
 PLANE, SPHERE, CYLINDER, CONE, TORUS = range(5)
-NONE = -1  # the kind of a sample that spans no shape
+NONE = -1  # kind of a sample that defines no shape
 NUMBERS = 8  # of a shape
 eight = vector(8, float64)
 
 
 @struct
 class ShapePoints:
-    """Points relative to a place, and their unit normals, an array an axis. 24 B of memory a point.
-
-    Attributes:
-        count: Points.
-        xs, ys, zs: Coordinates [m].
-        us, vs, ws: Components of the normals.
-    """
+    """Points relative to a position [m] and unit normals, one array per axis."""
 
     count: int
     xs: array(dtype=float32)
@@ -44,7 +36,6 @@ def split_points_kernel(
     first: int,
     out: ShapePoints,
 ):
-    """Every step-th of some rows, from the first on."""
     i = tid()
     row = rows[first + i * step]
     p = points[row] - center
@@ -62,19 +53,17 @@ def split_points_kernel(
 
 @func
 def place_at(cloud: ShapePoints, i: int) -> vec3d:
-    """A point."""
     return vec3d(float64(cloud.xs[i]), float64(cloud.ys[i]), float64(cloud.zs[i]))
 
 
 @func
 def normal_at(cloud: ShapePoints, i: int) -> vec3d:
-    """A point's normal."""
     return vec3d(float64(cloud.us[i]), float64(cloud.vs[i]), float64(cloud.ws[i]))
 
 
 @func
 def measure(kind: int, p: vec3d, a: vec3d, r: float64, s: float64, x: vec3d) -> vec4d:
-    """The signed distance of x from a shape, and the unit normal of the shape nearest to it."""
+    """Signed distance of x from a shape, and the unit normal at the nearest surface point."""
     y = x - p
     h = dot(y, a)
     across = y - a * h

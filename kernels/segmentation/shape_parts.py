@@ -1,8 +1,7 @@
-"""The points of a shape that hang together, those that no shape has yet, and how far points are from theirs.
+"""Connected parts of a shape's points, unlabeled points, and distances from shapes.
 
-Schnabel, Wahl and Klein 2007, section 4.5, count the largest connected part of a shape's points in a bitmap over its
-parameters. Here points hang together by steps in space, shorter than a reach: as exact, and no kind needs a chart of
-its own. A tree over the points, 20 B of memory each, and the disjoint sets of DBSCAN.
+Instead of the bitmap of Schnabel, Wahl and Klein 2007, section 4.5, points are connected by distance in space with the
+disjoint sets of DBSCAN. 20 B per point beside a tree.
 """
 
 import numpy as np
@@ -21,20 +20,18 @@ from .plane_samples import sampled_point
 from .shape_models import measure
 from .shape_search import Found, ShapeSearch, turn_points_kernel
 
-TAIL = 0.01  # of a face's points at either end that may be those of what it touches
-MOST_STEPS = 2_000_000_000  # of a height, which is whole for the atomics
+TAIL = 0.01  # of a face's points at either end that may belong to adjacent surfaces
+MOST_STEPS = 2_000_000_000  # of a height, an integer for the atomics
 
 
 @kernel
 def mask_label_kernel(labels: array(dtype=int32), rows: array(dtype=int32), label: int, mask: array(dtype=uint8)):
-    """1 where the point of a row has a label."""
     i = tid()
     mask[i] = uint8(1 if labels[rows[i]] == label else 0)
 
 
 @kernel
 def mask_first_part_kernel(labels: array(dtype=int32), mask: array(dtype=uint8)):
-    """1 for points of the first cluster."""
     i = tid()
     mask[i] = uint8(1 if labels[i] == 0 else 0)
 
@@ -50,7 +47,6 @@ def write_distances_kernel(
     sizes: vec3d,
     distances: array(dtype=float32),
 ):
-    """The signed distance of each point from a shape, at its row."""
     i = tid()
     m = measure(kind, p, a, sizes[0], sizes[1], sampled_point(points, rows[i], center))
     distances[rows[i]] = float32(m[0])
@@ -66,24 +62,21 @@ def stretch_reach_kernel(
     low: array(dtype=int32, ndim=2),
     high: array(dtype=int32, ndim=2),
 ):
-    """Stretch how far a plane's points reach across each plane, in steps, to one of them."""
+    """Extend the height range of each plane's points above each other plane, in steps."""
     i = tid()
     k = labels[i]
     if k >= 0:
         for j in range(places.shape[0]):
             height = dot(sampled_point(points, i, places[j]), normals[j]) / step
             height = max(float64(-2.0e9), min(float64(2.0e9), height))  # MOST_STEPS
-            atomic_min(low, k, j, int(height))  # the least, in any order
-            atomic_max(high, k, j, int(height))  # the most, in any order
+            atomic_min(low, k, j, int(height))  # the minimum does not depend on the order
+            atomic_max(high, k, j, int(height))  # the maximum does not depend on the order
 
 
 def reach_across(
     points: Points, labels: NDArray[np.int32], places: NDArray[np.float64], normals: NDArray[np.float64], step: float
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Least and most height [m] of the points of each plane, a row, above each plane, to a step; one wait.
-
-    `labels` are the planes of points, -1 of none; 8 B a pair of planes, 4 operations a point and plane.
-    """
+    """Minimum and maximum height [m] of each plane's points (row; label -1: none) above each plane; one sync."""
     count, device = len(places), points.device
     low, high = full((count, count), MOST_STEPS, int32, device), full((count, count), -MOST_STEPS, int32, device)
     there = [upload(labels, int32, device), upload(places, vec3d, device), upload(normals, vec3d, device)]
@@ -93,7 +86,6 @@ def reach_across(
 
 @kernel
 def lift_heights_kernel(turned: array(dtype=vec3), low: vec3d, heights: array(dtype=float64, ndim=2)):
-    """How far points are above the low corner of their box, along each axis."""
     i = tid()
     for k in range(3):
         heights[k, i] = float64(turned[i][k]) - low[k]
@@ -102,10 +94,7 @@ def lift_heights_kernel(turned: array(dtype=vec3), low: vec3d, heights: array(dt
 def bounds_in_frame(
     points: Points, rows: Indices, place: NDArray[np.float64], frame: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """How far evenly spread points reach about a place along the rows of a frame, whatever a few of them do; 4 syncs.
-
-    From the quantiles at TAIL and 1 - TAIL, as far again as even spread says, and no farther than the points.
-    """
+    """Robust bounds of uniform points in a frame: extrapolated quantiles at TAIL and 1 - TAIL, clamped. 4 syncs."""
     turned = empty(rows.size, vec3, rows.device)
     axes = [vec3d(*axis) for axis in frame]
     launch(turn_points_kernel, rows.size, [points, rows, vec3d(0.0, 0.0, 0.0), vec3d(*place), *axes, turned])
@@ -118,7 +107,7 @@ def bounds_in_frame(
 
 
 def largest_part(points: Points, rows: Indices, reach: float) -> Indices:
-    """The rows of the largest group of points that hang together by steps shorter than a reach, in their order."""
+    """Rows of the largest group of points connected by steps shorter than a radius, in order."""
     if rows.size == 0:
         return rows
     chosen = gather_rows(points, rows)
@@ -130,14 +119,13 @@ def largest_part(points: Points, rows: Indices, reach: float) -> Indices:
 
 
 def rows_labelled(labels: Integers, rows: Indices, label: int) -> Indices:
-    """Those of some rows whose points have a label, in their order; one sync."""
+    """Rows with a label, in order; one sync."""
     mask = empty(rows.size, uint8, rows.device)
     launch(mask_label_kernel, rows.size, [labels, rows, label, mask])
     return gather_rows(rows, positions_of(mask))
 
 
 def write_distances(search: ShapeSearch, found: Found, distances: Scalars) -> None:
-    """distances[rows of the shape] = their signed distance from it [m]."""
     shape = found.fit.shape
     place, axis, sizes = vec3d(*shape[:3]), vec3d(*shape[3:6]), vec3d(shape[6], shape[7], 0.0)
     arguments = [search.points, found.rows, vec3d(*search.center), found.kind, place, axis, sizes, distances]

@@ -1,9 +1,8 @@
-"""What else may explain the points of a found shape: how many lie beside it, and how well other kinds fit them.
+"""Alternative explanations of a detected shape: points next to it, and fits of other kinds.
 
-A shape that touches another surface along a strip has some of its points, and next to them those that part from it
-slowly: their distances grow with the square of the way from the strip, so that of what lies within three tolerances
-more than a third lies beyond one. On a true shape nearly nothing does. One thread a point, 20 B and some 60 operations.
-A rival of another kind is drawn among some of the shape's points and fitted to these in least squares.
+A shape that only touches another surface along a strip has slowly diverging points beside it: more than a third of the
+points within three tolerances are beyond one. On a true shape almost none are. Rivals of other kinds are sampled and
+fitted to some of the shape's points.
 """
 
 from collections.abc import Sequence
@@ -22,23 +21,18 @@ from .shape_models import measure
 from .shape_rows import every_of
 from .shape_search import Found, ShapeLimits, ShapeSearch, drawn_of
 
-BAND = 3.0  # tolerances within which a point lies beside a surface
-COMPARED = 4096  # points of a shape that rivals are fitted to
+BAND = 3.0  # tolerances up to which a point is beside a surface
+COMPARED = 4096  # points of a shape used to fit rivals
 DRAWN = 256  # samples of a rival kind
 STARTS = 2  # of them that are fitted
-HOPELESS = 5.0  # times the found shape's deviation: a rival that is no nearer after some steps is none
-COMPARED_GAIN = 1.0e-5  # of squared distances: a step that gains less ends a fit, whose rms is told to 1 %
-FREE_SIZE = 20.0  # sizes of the cloud: rounder ones are flat
+HOPELESS = 5.0  # times the shape's deviation: rivals farther away after some steps are dropped
+COMPARED_GAIN = 1.0e-5  # of squared distances: a smaller gain ends a fit, accurate to 1% of the rms
+FREE_SIZE = 20.0  # sizes of the cloud: larger radii are planes
 
 
 @dataclass(frozen=True)
 class Band:
-    """Points within the box of a shape's own, by their distance from it.
-
-    Attributes:
-        on, beside: Within the tolerance, and up to BAND times as far, whichever way they face.
-        on_facing, beside_facing: Those of them that face as the surface does.
-    """
+    """Points in the box of a shape: within the tolerance, up to BAND times as far, and those with matching normals."""
 
     on: int
     beside: int
@@ -48,14 +42,7 @@ class Band:
 
 @dataclass(frozen=True)
 class Rival:
-    """A shape of another kind, fitted to the points of a found one.
-
-    Attributes:
-        kind: Of `shape_models`.
-        fit: To COMPARED of the points at most.
-        ratio: Of the standard deviation of its distances to the found shape's, of the same points.
-        support: Points of the cloud on it.
-    """
+    """Another kind fitted to at most COMPARED points: `ratio` of standard deviations, and `support` in the cloud."""
 
     kind: int
     fit: ShapeFit
@@ -79,7 +66,7 @@ def count_band_kernel(
     cosine: float64,
     counts: array(dtype=int32),
 ):
-    """Count a point that lies on a shape or beside it, in the box of the shape's own points."""
+    """Count a point on or beside a shape, in the box of the shape's points."""
     i = tid()
     x = sampled_point(points, rows[i], center)
     y = x - p
@@ -100,13 +87,13 @@ def count_band_kernel(
         place = 0
         if abs(m[0]) >= near:
             place = 1
-        atomic_add(counts, place, 1)  # whole sums, the same in any order
+        atomic_add(counts, place, 1)  # integer sums do not depend on the order
         if facing >= cosine * size:
             atomic_add(counts, place + 2, 1)
 
 
 def count_band(search: ShapeSearch, found: Found, box: Array1[float32], distance: float, cosine: float) -> Integers:
-    """How many of the points searched lie on a shape and beside it, within its box: a `Band`'s numbers; no sync."""
+    """Numbers of a `Band` among the searched points; no sync."""
     counts, shape, frame = zeros(4, int32, search.device), found.fit.shape, frame_of(found.fit.shape[3:6])
     arguments = [search.points, search.normals, search.rows, vec3d(*search.center), found.kind, vec3d(*shape[:3])]
     arguments += [vec3d(*frame[0]), vec3d(*frame[2]), vec3d(shape[6], shape[7], 0.0), box]
@@ -115,10 +102,9 @@ def count_band(search: ShapeSearch, found: Found, box: Array1[float32], distance
 
 
 class RivalStarts:
-    """Samples of each other kind among the points of a found shape."""
+    """Samples of other kinds among the points of a detected shape."""
 
     def __init__(self, search: ShapeSearch, found: Found, limits: ShapeLimits) -> None:
-        """Draw among some of the points; rivals have any size."""
         self.search, self.found, self.limits, self.rows = search, found, limits, found.rows
         if found.rows.size > COMPARED:
             self.rows = every_of(found.rows, -(-found.rows.size // COMPARED))
@@ -128,12 +114,7 @@ class RivalStarts:
         self.unread = [values for kind in self.kinds for values in part.draw_unread(kind, DRAWN, 0, 0, wide)]
 
     def find(self, drawn: Sequence[NDArray[Any]], every: ShapeSearch) -> list[Rival]:
-        """The best shape of each other kind, where there is one; two syncs.
-
-        Args:
-            drawn: The arrays of `unread`.
-            every: All points, of which the support is counted.
-        """
+        """Best shape of each other kind, from the arrays of `unread`; support is counted in `every`; two syncs."""
         kinds, starts = [self.found.kind], [self.found.fit.shape]
         for kind, (shapes, _) in zip(self.kinds, drawn_of(drawn), strict=True):
             kinds += [kind] * len(shapes[:STARTS])

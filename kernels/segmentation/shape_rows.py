@@ -1,4 +1,4 @@
-"""Rows of a cloud in the order of its tree, in which runs are compact, and back. 5 B a point."""
+"""Rows of a cloud in tree order, in which runs are compact, and back. 5 B per point."""
 
 from ..array_types import Doubles, Indices, Points, Vectors
 from ..arrays.select import gather_rows, positions_of
@@ -11,7 +11,7 @@ from ..search.point_tree import PointTree
 def mask_ordered_kernel(
     points: array(dtype=vec3), normals: array(dtype=vec3), order: array(dtype=int32), mask: array(dtype=uint8)
 ):
-    """1 where the point at a place of an order, and its normal, are finite."""
+    """1 for finite points with finite normals, in some order."""
     i = tid()
     p = points[order[i]]
     n = normals[order[i]]
@@ -23,34 +23,30 @@ def mask_ordered_kernel(
 
 @kernel
 def take_every_kernel(rows: array(dtype=int32), step: int, taken: array(dtype=int32)):
-    """Every step-th of some rows."""
     i = tid()
     taken[i] = rows[i * step]
 
 
 @kernel
 def mark_rows_kernel(rows: array(dtype=int32), mask: array(dtype=uint8)):
-    """1 at some rows."""
     i = tid()
     mask[rows[i]] = uint8(1)
 
 
 def usable_in_order(tree: PointTree, points: Points, normals: Vectors) -> Indices:
-    """The rows of points that are finite and have a finite normal, in the order of their tree; one sync."""
+    """Rows of finite points with finite normals in tree order; one sync."""
     mask = zeros(tree.order.size, uint8, points.device)
     launch(mask_ordered_kernel, tree.count, [points, normals, tree.order, mask])
     return gather_rows(tree.order, positions_of(mask))
 
 
 def ascending(rows: Indices, count: int) -> Indices:
-    """Rows of a cloud of so many points, each once, in the order of the cloud."""
     mask = zeros(count, uint8, rows.device)
     launch(mark_rows_kernel, rows.size, [rows, mask])
     return positions_of(mask, rows.size)
 
 
 def every_of(rows: Indices, step: int) -> Indices:
-    """Every step-th of some rows."""
     taken = empty(rows.size // step, int32, rows.device)
     launch(take_every_kernel, taken.size, [rows, step, taken])
     return taken
@@ -58,13 +54,12 @@ def every_of(rows: Indices, step: int) -> Indices:
 
 @kernel
 def mask_weight_kernel(weights: array(dtype=float64), rows: array(dtype=int32), mask: array(dtype=uint8)):
-    """1 where the point of a row has a weight above zero."""
     i = tid()
     mask[i] = uint8(1 if weights[rows[i]] > 0.0 else 0)
 
 
 def rows_of_weight(weights: Doubles, rows: Indices) -> Indices:
-    """Those of some rows whose points have a weight above zero, in their order; one sync."""
+    """Rows with a positive weight, in order; one sync."""
     mask = empty(rows.size, uint8, rows.device)
     launch(mask_weight_kernel, rows.size, [weights, rows, mask])
     return gather_rows(rows, positions_of(mask))

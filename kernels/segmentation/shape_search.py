@@ -1,18 +1,9 @@
-"""The shape of a kind with the most points on it: samples are scored, the best refined, where the points are.
+"""RANSAC search for the shape of a kind with the most points.
 
-After Schnabel, Wahl and Klein 2007. Samples come in batches; each is scored on a part of the points, every n-th along
-the Hilbert curve, and those that promise the most there on all of them; the best few of all batches are fitted to their
-points again and again while these grow in number. Points must be in the order of the tree, in which runs are compact.
-24 B of memory a point, and 68 B a sample.
-
-Scores: a thread counts the points on one shape over a run of points, whose coordinates stay in the nearest cache. 15
-to 30 float32 operations a point and shape, and 24 B a point. Counts are integers, so the order of the atomics is free.
-
-Samples, one thread each: Schnabel, Wahl and Klein, "Efficient RANSAC for point-cloud shape detection", CGF 2007,
-section 4.1: a plane through three points, a sphere and a cylinder through two, a cone through three, a torus through
-four (Marshall, Lukacs and Martin, PAMI 2001). A shape that one of its own points contradicts is rejected. The points of
-a sample are from an aligned run of the cloud's order along a Hilbert curve; the length of the run is drawn too, the
-whole cloud or a power of two less (section 4.3, where cells of an octree do this).
+Schnabel, Wahl and Klein, "Efficient RANSAC for point-cloud shape detection", CGF 2007, section 4.1; tori by Marshall,
+Lukacs and Martin, PAMI 2001. Samples are drawn from runs of random length along a Hilbert curve, instead of octree
+cells. Each batch is scored on every n-th point, the best on all points, and the best of these are refitted while their
+inliers increase. Points must be in tree order. 24 B per point, 68 B per sample.
 """
 
 import math
@@ -69,7 +60,7 @@ from .shape_models import (
 )
 from .shape_rows import every_of
 
-LEAST_SINE = 0.05  # between normals: below it their lines meet where noise wants
+LEAST_SINE = 0.05  # between normals: below it, noise determines their intersection
 LEAST_WINDOW = 16  # points of the shortest run
 NARROW, WIDE = (
     0.9995,
@@ -79,19 +70,17 @@ NARROW, WIDE = (
 
 @func
 def no_shape() -> eight:
-    """A shape without a size, which `draw_shapes_kernel` drops."""
+    """A shape without a size, dropped by `draw_shapes_kernel`."""
     return eight(0.0, 0.0, 0.0, 0.0, 0.0, 1.0, -1.0, -1.0)
 
 
 @func
 def shape_of(p: vec3d, a: vec3d, r: float64, s: float64) -> eight:
-    """Its eight numbers."""
     return eight(p[0], p[1], p[2], a[0], a[1], a[2], r, s)
 
 
 @func
 def plane_through(p: vec3d, q: vec3d, o: vec3d) -> eight:
-    """The plane through three points."""
     u = q - p
     v = o - p
     n = cross(u, v)
@@ -104,7 +93,7 @@ def plane_through(p: vec3d, q: vec3d, o: vec3d) -> eight:
 
 @func
 def round_through(p: vec3d, m: vec3d, q: vec3d, n: vec3d, kind: int) -> eight:
-    """The sphere or the cylinder whose normals at two points are theirs."""
+    """Sphere or cylinder with the given normals at two points."""
     a = cross(m, n)
     size = sqrt(dot(a, a))
     shape = no_shape()
@@ -125,7 +114,6 @@ def round_through(p: vec3d, m: vec3d, q: vec3d, n: vec3d, kind: int) -> eight:
 
 @func
 def unit(v: vec3d) -> vec3d:
-    """A vector of length one, or zero."""
     size = sqrt(dot(v, v))
     u = vec3d(0.0, 0.0, 0.0)
     if size > 0.0:
@@ -135,7 +123,7 @@ def unit(v: vec3d) -> vec3d:
 
 @func
 def cone_through(p: vec3d, l: vec3d, q: vec3d, m: vec3d, o: vec3d, n: vec3d) -> eight:  # noqa: E741  the first normal
-    """The cone whose apex lies on the tangent planes of three points."""
+    """Cone with its apex on the tangent planes of three points."""
     volume = dot(l, cross(m, n))
     shape = no_shape()
     if abs(volume) > 0.001:
@@ -154,7 +142,7 @@ def cone_through(p: vec3d, l: vec3d, q: vec3d, m: vec3d, o: vec3d, n: vec3d) -> 
 
 @func
 def meeting_terms(d: vec3d, m: vec3d, n: vec3d, e: vec3d, o: vec3d) -> eight:
-    """The terms 1, t, u, tu of what is zero where the line from t m to d + u n meets that from e along o."""
+    """Coefficients of 1, t, u, tu of the condition that the line from t m to d + u n meets that from e along o."""
     zero = float64(0.0)
     return eight(
         dot(cross(d, e), o), -dot(cross(d, m) + cross(m, e), o), dot(cross(n, e), o), dot(cross(m, n), o),
@@ -164,11 +152,8 @@ def meeting_terms(d: vec3d, m: vec3d, n: vec3d, e: vec3d, o: vec3d) -> eight:
 
 @func
 def ring_about(c: vec3d, a: vec3d, xs: eight, ys: eight) -> eight:
-    """The torus about an axis whose tube's middle is nearest to the lines along four normals, turned into one plane.
-
-    Args:
-        xs, ys: Of each point its place and its normal: across the axis, along it, relative to c.
-    """
+    """Torus around an axis whose tube center is nearest to four normal lines rotated into one plane; `xs`, `ys` are
+    position and normal across and along the axis, relative to c."""
     aa = float64(0.0)
     ab = float64(0.0)
     bb = float64(0.0)
@@ -200,7 +185,6 @@ def ring_about(c: vec3d, a: vec3d, xs: eight, ys: eight) -> eight:
 
 @func
 def worst_of(shape: eight, p: vec3d, q: vec3d, o: vec3d, z: vec3d) -> float64:
-    """The largest distance of four points from a torus."""
     c = vec3d(shape[0], shape[1], shape[2])
     a = vec3d(shape[3], shape[4], shape[5])
     far = abs(measure(TORUS, c, a, shape[6], shape[7], p)[0])
@@ -213,7 +197,7 @@ def worst_of(shape: eight, p: vec3d, q: vec3d, o: vec3d, z: vec3d) -> float64:
 def torus_about(
     c: vec3d, a: vec3d, p: vec3d, k: vec3d, q: vec3d, j: vec3d, o: vec3d, m: vec3d, z: vec3d, n: vec3d
 ) -> eight:
-    """The torus about an axis through c through four points with normals k, j, m, n."""
+    """Torus around an axis through c through four points with normals k, j, m, n."""
     hp = dot(p - c, a)
     hq = dot(q - c, a)
     ho = dot(o - c, a)
@@ -232,7 +216,7 @@ def torus_about(
 
 @func
 def torus_through(p: vec3d, k: vec3d, q: vec3d, j: vec3d, o: vec3d, m: vec3d, z: vec3d, n: vec3d) -> eight:
-    """The torus through four points whose axis meets their normals; of the two axes the one that fits better."""
+    """Torus through four points whose axis meets their normals; the better of the two axes."""
     f = meeting_terms(q - p, k, j, o - p, m)
     g = meeting_terms(q - p, k, j, z - p, n)
     a2 = g[1] * f[3] - f[1] * g[3]
@@ -265,7 +249,7 @@ def torus_through(p: vec3d, k: vec3d, q: vec3d, j: vec3d, o: vec3d, m: vec3d, z:
 
 @func
 def row_near(rows: int, seed: int, number: int, stream: int, levels: int, anchor: int) -> int:
-    """A random place of the run of the anchor whose length the sample drew."""
+    """Random index in the run of the anchor with the sample's length."""
     level = random_below(random_bits(seed, number, 0), levels)
     width = max(rows >> level, min(rows, LEAST_WINDOW))
     start = min((anchor // width) * width, rows - width)
@@ -274,7 +258,6 @@ def row_near(rows: int, seed: int, number: int, stream: int, levels: int, anchor
 
 @func
 def contradicts(kind: int, shape: eight, p: vec3d, n: vec3d, threshold: float64, least_cosine: float64) -> int:
-    """1 where a point is not of a shape, by its distance or its normal."""
     c = vec3d(shape[0], shape[1], shape[2])
     a = vec3d(shape[3], shape[4], shape[5])
     m = measure(kind, c, a, shape[6], shape[7], p)
@@ -298,7 +281,7 @@ def draw_shapes_kernel(
     shapes: array(dtype=float64, ndim=2),
     kinds: array(dtype=int32),
 ):
-    """The shape of each sample, or none; sample `first + i` is the same in whatever batch it is drawn."""
+    """Shape of each sample, or none; independent of the batch."""
     i = tid()
     number = first + i
     at = random_below(random_bits(seed, number, 1), cloud.count)
@@ -341,12 +324,11 @@ def draw_shapes_kernel(
         shapes[i, entry] = shape[entry]
 
 
-CPU_RUN, CUDA_RUN = 2048, 128  # points a thread
+CPU_RUN, CUDA_RUN = 2048, 128  # points per thread
 
 
 @func
 def count_plane(cloud: ShapePoints, first: int, last: int, c: vec3, a: vec3, near: float, cosine: float) -> int:
-    """Points of a run on a plane."""
     found = 0
     for j in range(first, last):
         d = a[0] * (cloud.xs[j] - c[0]) + a[1] * (cloud.ys[j] - c[1]) + a[2] * (cloud.zs[j] - c[2])
@@ -359,7 +341,7 @@ def count_plane(cloud: ShapePoints, first: int, last: int, c: vec3, a: vec3, nea
 def count_round(
     cloud: ShapePoints, first: int, last: int, c: vec3, a: vec3, r: float, near: float, cosine: float
 ) -> int:
-    """Points of a run on a cylinder, or for a direction of zero on a sphere."""
+    """Points of a run on a cylinder, or on a sphere if the direction is zero."""
     found = 0
     for j in range(first, last):
         x = cloud.xs[j] - c[0]
@@ -379,7 +361,6 @@ def count_round(
 def count_cone(
     cloud: ShapePoints, first: int, last: int, c: vec3, a: vec3, r: float, s: float, near: float, cosine: float
 ) -> int:
-    """Points of a run on a cone."""
     found = 0
     for j in range(first, last):
         x = cloud.xs[j] - c[0]
@@ -401,7 +382,6 @@ def count_cone(
 def count_torus(
     cloud: ShapePoints, first: int, last: int, c: vec3, a: vec3, r: float, s: float, near: float, cosine: float
 ) -> int:
-    """Points of a run on a torus."""
     found = 0
     for j in range(first, last):
         x = cloud.xs[j] - c[0]
@@ -431,7 +411,6 @@ def score_shapes_kernel(
     cosine: float,
     counts: array(dtype=int32),
 ):
-    """How many points lie on each shape."""
     i = tid()
     k = i % kinds.shape[0]
     first = (i // kinds.shape[0]) * run
@@ -453,13 +432,12 @@ def score_shapes_kernel(
     if kind == TORUS:
         found = count_torus(cloud, first, last, c, a, r, s, near, cosine)
     if found > 0:
-        atomic_add(counts, k, found)  # a whole sum, the same in any order
+        atomic_add(counts, k, found)  # an integer sum does not depend on the order
 
 
 def score_shapes(
     cloud: ShapePoints, shapes: Array2[float64], kinds: Integers, threshold: float, least_cosine: float
 ) -> Integers:
-    """The points on each of some shapes."""
     counts = zeros(kinds.size, int32, kinds.device)
     run = CUDA_RUN if kinds.device.is_cuda else CPU_RUN
     arguments = [cloud, run, shapes, kinds, threshold, least_cosine, counts]
@@ -468,25 +446,19 @@ def score_shapes(
 
 
 SAMPLE_POINTS = {PLANE: 3, SPHERE: 2, CYLINDER: 2, CONE: 3, TORUS: 4}
-PART = 2048  # points that all samples are scored on
+PART = 2048  # points used to score all samples
 FIRST_BATCH, BATCH_GROWTH, MOST_BATCH = 256, 4, 8192
-PROMISING = 16  # samples of a batch that are scored on all points
-REFINED = 6  # samples that are fitted to their points
-FITTED_PART = 4096  # points at most that the best few samples are fitted to first
-MOST_FITS = 6  # of one sample, each to the points of the one before
-SECTORS, BANDS = 36, 18  # cells around a shape, along it: what share of them has points is its coverage
-STREAM = 7919  # kinds draw from seeds that lie so far apart
+PROMISING = 16  # samples of a batch scored on all points
+REFINED = 6  # samples fitted to their points
+FITTED_PART = 4096  # maximum number of points for the first fit of the best samples
+MOST_FITS = 6  # of one sample, each to the inliers of the previous one
+SECTORS, BANDS = 36, 18  # cells around a shape and along it: the fraction with points is its coverage
+STREAM = 7919  # offset between the seeds of kinds
 
 
 @dataclass(frozen=True)
 class ShapeLimits:
-    """What makes a point one of a shape, and what sizes shapes have.
-
-    Attributes:
-        distance: From the surface [m], excluded.
-        cosine: Least between the point's normal and the surface's, whichever way they face.
-        smallest, largest: Radius [m] of a sphere, a cylinder, a torus (its tube's, its ring's).
-    """
+    """Inlier limits (`distance` [m], exclusive; `cosine` between unsigned normals), and radii [m]."""
 
     distance: float
     cosine: float
@@ -494,24 +466,17 @@ class ShapeLimits:
     largest: float
 
     def allow(self, kind: int, shape: NDArray[np.float64]) -> bool:
-        """Whether a shape has such a size."""
         if kind in (PLANE, CONE):
             return True
         return bool(shape[7 if kind == TORUS else 6] >= self.smallest and shape[6] <= self.largest)
 
 
-Drawn = tuple[NDArray[np.float64], NDArray[np.int64]]  # shapes, and how many points are on each
+Drawn = tuple[NDArray[np.float64], NDArray[np.int64]]  # shapes and their inlier counts
 
 
 @dataclass(frozen=True)
 class Found:
-    """A shape, its points and how it fits them.
-
-    Attributes:
-        kind: Of `shape_models`.
-        fit: The fit to the points, relative to the middle of the search.
-        rows: int32 device array, the points within the limits of the fitted shape, in the order of the search.
-    """
+    """A shape with its fit relative to the search center, and its inlier rows in search order."""
 
     kind: int
     fit: ShapeFit
@@ -532,7 +497,6 @@ def mask_on_shape_kernel(
     least_cosine: float64,
     mask: array(dtype=uint8),
 ):
-    """1 where a point is one of a shape, in float64."""
     i = tid()
     x = sampled_point(points, rows[i], center)
     mask[i] = uint8(is_on(kind, p, a, sizes[0], sizes[1], x, normals[rows[i]], threshold, least_cosine))
@@ -549,7 +513,6 @@ def turn_points_kernel(
     a: vec3d,
     turned: array(dtype=vec3),
 ):
-    """Points in the frame of a shape."""
     i = tid()
     y = sampled_point(points, rows[i], center) - p
     turned[i] = vec3(float32(dot(y, u)), float32(dot(y, v)), float32(dot(y, a)))
@@ -559,7 +522,7 @@ def turn_points_kernel(
 def mark_cells_kernel(
     turned: array(dtype=vec3), kind: int, r: float, directions: array(dtype=float32), cells: array(dtype=int32)
 ):
-    """Mark the cell of each point: its sector about the axis, its band along a sphere or around a torus' tube."""
+    """Mark the cell of each point: sector around the axis, and band along a sphere or around a torus tube."""
     i = tid()
     p = turned[i]
     sector = 0
@@ -581,12 +544,11 @@ def mark_cells_kernel(
     if kind == SPHERE and r > 0.0:
         band = int(float(BANDS) * (p[2] + r) / (2.0 * r))
         band = max(0, min(BANDS - 1, band))
-    atomic_max(cells, sector * BANDS + band, 1)  # all write the same
+    atomic_max(cells, sector * BANDS + band, 1)  # all threads write the same value
 
 
 @kernel
 def key_scores_kernel(scores: array(dtype=int32), most: int, keys: array(dtype=int64)):
-    """Keys of which the least has the most points."""
     i = tid()
     keys[i] = int64(most - scores[i])
 
@@ -601,7 +563,6 @@ def take_shapes_kernel(
     of: array(dtype=int32),
     near: array(dtype=int32),
 ):
-    """The first shapes of an order, with their kinds and scores."""
     i = tid()
     k = order[i]
     for entry in range(NUMBERS):
@@ -611,7 +572,7 @@ def take_shapes_kernel(
 
 
 def drawn_of(found: Sequence[NDArray[Any]]) -> list[Drawn]:
-    """What came of `draw_unread`, three arrays a draw: (shapes, counts), the most points first."""
+    """Sort the results of `draw_unread` (three arrays per draw) by decreasing score: (shapes, counts)."""
     drawn = []
     for shapes, near, counts in zip(found[::3], found[1::3], found[2::3], strict=True):
         chosen = near > 0
@@ -622,19 +583,10 @@ def drawn_of(found: Sequence[NDArray[Any]]) -> list[Drawn]:
 
 
 class ShapeSearch:
-    """The search for shapes among some points with normals.
-
-    Attributes:
-        rows: int32 device array, the points searched.
-        center: Middle of their box, float64 [3]; shapes are relative to it.
-        size: How far they reach from it along an axis [m].
-    """
+    """Search among oriented points. Shapes are relative to the box center; `size` is half its longest side [m]."""
 
     def __init__(self, points: Points, normals: Vectors, rows: Indices, of: "ShapeSearch | None" = None) -> None:
-        """Prepare a search among `points[rows]`, all finite and in the tree's order.
-
-        `of` is one among more of the points, whose middle and size are kept; without it one sync.
-        """
+        """Search among finite `points[rows]` in tree order. `of`: a larger search with center, size; else one sync."""
         self.points, self.normals, self.rows, self.device = points, normals, rows, points.device
         if of is None:
             low, high = bound_points(gather_rows(points, rows))[:2] if rows.size else (np.zeros(3), np.zeros(3))  # sync
@@ -652,20 +604,16 @@ class ShapeSearch:
         self.fitter = ShapeFitter(points, self.center, max(self.size, 1e-30))
 
     def draw(self, kind: int, count: int, seed: int, first: int, limits: ShapeLimits) -> Drawn:
-        """The shapes of samples `first` .. `first + count` that promise the most, and how many points are on each."""
+        """Best shapes of samples `first` .. `first + count`, and their inlier counts."""
         return self.draw_each([(kind, count, first)], seed, limits)[0]
 
     def draw_each(self, samples: Sequence[tuple[int, int, int]], seed: int, limits: ShapeLimits) -> list[Drawn]:
-        """The same of several (kind, count, first); one sync for all.
-
-        Returns:
-            (shapes, counts) of each: float64 [m, 8] and int64 [m], m up to PROMISING, the most points first.
-        """
+        """`draw` for several (kind, count, first); one sync: (float64 [m, 8], int64 [m]), m <= PROMISING, sorted."""
         there = [self.draw_unread(*one, seed, limits) for one in samples]
         return drawn_of(read_together([values for one in there for values in one]))  # sync
 
     def draw_unread(self, kind: int, count: int, first: int, seed: int, limits: ShapeLimits) -> list[AnyArray]:
-        """What `drawn_of` makes that of, where it is: the shapes, and their points in the part and in all."""
+        """Device arrays for `drawn_of`: shapes, and inliers in the part and in all points."""
         shapes, kinds = empty((count, NUMBERS), float64, self.device), empty(count, int32, self.device)
         drawn = [self.cloud, kind, (seed + STREAM * kind) % 2**31, first, self.levels, limits.distance, limits.cosine]
         launch(draw_shapes_kernel, count, [*drawn, limits.smallest, limits.largest, shapes, kinds])
@@ -680,14 +628,14 @@ class ShapeSearch:
         return [best, near, score_shapes(self.cloud, best, of, limits.distance, limits.cosine)]
 
     def score(self, shapes: NDArray[np.float64], kinds: NDArray, limits: ShapeLimits) -> NDArray[np.int64]:
-        """How many points are on each of some shapes; one sync."""
+        """Inlier counts of shapes; one sync."""
         if not len(shapes):
             return np.zeros(0, np.int64)
         there, of = upload(shapes, float64, self.device), upload(kinds.astype(np.int32), int32, self.device)
         return download(score_shapes(self.cloud, there, of, limits.distance, limits.cosine)).astype(np.int64)
 
     def find(self, kind: int, limits: ShapeLimits, most: int, probability: float, seed: int) -> Found | None:
-        """The shape with the most points on it; None where no sample spans one."""
+        """Shape with the most inliers, or None."""
         pool, counts, done, batch, needed = np.zeros((0, NUMBERS)), np.zeros(0, np.int64), 0, FIRST_BATCH, float(most)
         while done < min(most, needed):
             size = int(min(batch, most - done))
@@ -708,7 +656,7 @@ class ShapeSearch:
         return max(found, key=lambda one: (one.rows.size, -one.fit.rms), default=None)
 
     def _part_search(self) -> "ShapeSearch | None":
-        """The search among every n-th of the points; None where there are few."""
+        """Search among every n-th point; None if there are few."""
         if self.rows.size <= FITTED_PART:
             return None
         step = -(-self.rows.size // FITTED_PART)
@@ -717,14 +665,14 @@ class ShapeSearch:
     def refine_all(
         self, kinds: Sequence[int], shapes: Shapes, limits: ShapeLimits, gain: float = ROUGHLY
     ) -> list[tuple[ShapeFit, int] | None]:
-        """Shapes fitted to their points while these grow in number, and how many; None of one without; one sync."""
+        """Shapes refitted while their inliers increase, with counts; None without inliers; one sync."""
         chosen = Selection(
             self.normals, limits.distance, limits.cosine, limits.smallest, limits.largest, MOST_FITS
         )  # fmt: skip
         return self.fitter.refine_all(kinds, shapes, self.rows, chosen, gain)
 
     def each_refined(self, kinds: Sequence[int], shapes: Shapes, limits: ShapeLimits) -> list[Found | None]:
-        """Shapes fitted to their points while these grow in number, exactly; None of one without; one sync."""
+        """`refine_all` to full accuracy."""
         each = zip(kinds, self.refine_all(kinds, shapes, limits, EXACT), strict=True)
         return [
             None if one is None else Found(kind, one[0], self.on(kind, one[0].shape, limits, one[1]))
@@ -732,25 +680,23 @@ class ShapeSearch:
         ]
 
     def on(self, kind: int, shape: NDArray[np.float64], limits: ShapeLimits, count: int | None = None) -> Indices:
-        """The rows of the points of a shape; one sync where it is not known how many."""
+        """Inlier rows of a shape; one sync if their number is unknown."""
         return gather_rows(self.rows, positions_of(self.mask(kind, shape, limits), count))
 
     def mask(self, kind: int, shape: NDArray[np.float64], limits: ShapeLimits) -> Mask:
-        """1 for each point of a shape."""
         mask = empty(self.rows.size, uint8, self.device)
         arguments = [self.points, self.normals, self.rows, vec3d(*self.center), kind, *_taken_apart(shape)]
         launch(mask_on_shape_kernel, mask.size, [*arguments, limits.distance, limits.cosine, mask])
         return mask
 
     def turned(self, shape: NDArray[np.float64], rows: Indices) -> Points:
-        """Points in the frame of a shape."""
         frame, out = frame_of(shape[3:6]), empty(rows.size, vec3, self.device)
         arguments = [self.points, rows, vec3d(*self.center), vec3d(*shape[:3]), *(vec3d(*axis) for axis in frame), out]
         launch(turn_points_kernel, rows.size, arguments)
         return out
 
     def spread_unread(self, found: Found) -> tuple[Integers, Array1[float32], Integers]:
-        """What `spread_of` makes of a shape's points, and their box in its frame, where they are; no sync."""
+        """Device input of `spread_of` for a shape's points, and their box in its frame; no sync."""
         shape, turned = found.fit.shape, self.turned(found.fit.shape, found.rows)
         extremes, box = find_extremes(turned), empty(6, float32, self.device)
         launch(fold_box_kernel, 6, [extremes, box])
@@ -771,7 +717,7 @@ class ShapeSearch:
 
 
 def spread_of(kind: int, extremes: NDArray[np.int32], cells: NDArray[np.int32]) -> tuple[NDArray[np.float64], float]:
-    """The box of a shape's points in its frame (low, high), and the share of its surface's cells that have some."""
+    """Box of a shape's points in its frame (low, high), and the fraction of its surface cells that contain some."""
     bounds = np.array([bound.astype(np.float64) for bound in box_of(extremes)[:2]])
     marks = cells.reshape(SECTORS, BANDS)
     if kind == PLANE:
@@ -784,16 +730,14 @@ def _taken_apart(shape: NDArray[np.float64]) -> list:
 
 
 def chance_of(share: float, kind: int, levels: int) -> float:
-    """The chance that a sample is of one shape alone (Schnabel, Wahl and Klein 2007, section 4.4).
-
-    Either all of the cloud is drawn from, or, at the best of the lengths of a run, half of the run is the shape's.
-    """
+    """Probability that a sample is of one shape only (Schnabel, Wahl and Klein 2007, section 4.4): from all points, or
+    from the best run length, of which half is the shape's."""
     points = SAMPLE_POINTS[kind]
     return max(share**points, share / 2 ** (points - 1)) / levels
 
 
 def samples_needed(share: float, kind: int, levels: int, probability: float, most: int) -> float:
-    """Samples after which one of the shape alone was drawn with the wanted probability."""
+    """Samples until one of the shape alone is drawn with the given probability."""
     hit = chance_of(share, kind, levels)
     if hit <= 0.0 or probability >= 1.0:
         return float(most)

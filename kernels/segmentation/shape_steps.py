@@ -1,9 +1,8 @@
-"""Fits of shapes in steps that the device decides, many at once.
+"""Levenberg-Marquardt steps of many shape fits on the device (Marquardt 1963).
 
-Levenberg and Marquardt (Marquardt 1963): one reduction over the rows of all fits, and one thread a fit that weighs the
-offer, solves the damped system of up to seven unknowns by LDL^T and offers the next; some 500 operations in float64. A
-fit may also choose its rows itself: those on its shape, again and again while they grow in number. Nothing goes back to
-the host before all have ended.
+One reduction over the rows of all fits, then one thread per fit that evaluates the trial, solves the damped system of
+up to seven unknowns by LDL^T, and proposes the next. A fit may also reselect its inliers while they increase. No data
+returns to the host before all fits have ended.
 """
 
 from ..lang import array, cross, dot, float64, func, kernel, sqrt, tid, vec3d, vector
@@ -25,9 +24,9 @@ from .shape_models import CONE, CYLINDER, PLANE, SPHERE, TORUS
 
 FIRST_DAMPING, LEAST_DAMPING, MOST_DAMPING = 1.0e-4, 1.0e-12, 1.0e12
 MOST_STEPS = 60
-PATIENCE = 12  # steps before a fit is given up: those of true shapes take 2 to 6
-SETTLED = 1.0e-12  # of the size of the points: a step as short changes nothing
-LOST = 1.0e-14  # of its diagonal: a pivot that is as small says nothing of its unknown
+PATIENCE = 12  # steps before a fit is given up: true shapes take 2 to 6
+SETTLED = 1.0e-12  # of the size of the points: a step as short has no effect
+LOST = 1.0e-14  # of its diagonal: a smaller pivot leaves its unknown undetermined
 HUGE = 1.0e300
 seven = vector(7, float64)
 seven_square = vector(49, float64)
@@ -35,7 +34,6 @@ seven_square = vector(49, float64)
 
 @func
 def first_across(a: vec3d, kind: int) -> vec3d:
-    """The first direction of the frame about a unit direction; x of a sphere, which has none."""
     e = vec3d(1.0, 0.0, 0.0)
     if abs(a[1]) < abs(a[0]):
         e = vec3d(0.0, 1.0, 0.0)
@@ -50,7 +48,6 @@ def first_across(a: vec3d, kind: int) -> vec3d:
 
 @func
 def third_of(a: vec3d, kind: int) -> vec3d:
-    """The last direction of that frame."""
     w = a * 1.0
     if kind == SPHERE:
         w = vec3d(0.0, 0.0, 1.0)
@@ -59,7 +56,6 @@ def third_of(a: vec3d, kind: int) -> vec3d:
 
 @func
 def frame_offer(kind: int, k: int, fits: ShapeFits) -> int:
-    """Write the frame of what is offered."""
     a = third_of(axis_in(fits.offers, k), kind)
     u = first_across(a, kind)
     fits.frames[k, 0] = u
@@ -70,7 +66,6 @@ def frame_offer(kind: int, k: int, fits: ShapeFits) -> int:
 
 @func
 def is_proper(kind: int, shapes: array(dtype=float64, ndim=2), k: int) -> int:
-    """1 where sizes are above zero, a half angle is between 0 and 90 degrees, and all is finite."""
     proper = 1
     count = int(8)
     for entry in range(count):
@@ -85,7 +80,6 @@ def is_proper(kind: int, shapes: array(dtype=float64, ndim=2), k: int) -> int:
 
 @func
 def is_allowed(kind: int, shapes: array(dtype=float64, ndim=2), k: int, smallest: float64, largest: float64) -> int:
-    """1 where a shape has a size within the limits."""
     allowed = 1
     least = shapes[k, 6]
     if kind == TORUS:
@@ -98,7 +92,7 @@ def is_allowed(kind: int, shapes: array(dtype=float64, ndim=2), k: int, smallest
 
 @func
 def is_free(kind: int, unknown: int) -> int:
-    """1 where a kind has an unknown: shifts along u, v and the axis, tilts to u and v, two sizes."""
+    """1 if a kind has an unknown: shifts along u, v and the axis, tilts to u and v, two sizes."""
     free = 1
     if kind == PLANE and (unknown < 2 or unknown > 4):
         free = 0
@@ -113,7 +107,6 @@ def is_free(kind: int, unknown: int) -> int:
 
 @func
 def scale_of(kind: int, unknown: int, size: float64) -> float64:
-    """What makes an unknown a length."""
     scale = float64(1.0)
     if unknown == 3 or unknown == 4 or (unknown == 5 and kind == CONE):
         scale = size * 1.0
@@ -122,7 +115,6 @@ def scale_of(kind: int, unknown: int, size: float64) -> float64:
 
 @func
 def free_count(kind: int) -> int:
-    """Unknowns of a kind."""
     count = 0
     n = int(7)
     for i in range(n):
@@ -132,13 +124,13 @@ def free_count(kind: int) -> int:
 
 @func
 def entry_at(row: int, column: int) -> int:
-    """Where the product of two entries of a row stands, row <= column."""
+    """Index of the product of two entries of a row, row <= column."""
     return row * 8 - (row * (row - 1)) // 2 + column - row
 
 
 @func
 def damped_step(kind: int, sums: fit_sums, damping: float64, size: float64) -> seven:
-    """The step of the damped system, each unknown as a length; zero of those that the rows say nothing of."""
+    """Step of the damped system, as lengths; zero for undetermined unknowns."""
     h = seven_square(0.0)
     x = seven(0.0)
     trace = float64(0.0)
@@ -154,7 +146,7 @@ def damped_step(kind: int, sums: fit_sums, damping: float64, size: float64) -> s
                 h[7 * j + i] = h[7 * i + j]
         x[i] = -sums[entry_at(i, 7)] / scale_of(kind, i, size)
         h[7 * i + i] = h[7 * i + i] + damping * (h[7 * i + i] + 1.0e-12 * max(trace, float64(1.0e-300)))
-    for i in range(n):  # LDL^T; what is not free, or lost to rounding, stays where it is
+    for i in range(n):  # LDL^T; fixed unknowns, or those lost to rounding, stay unchanged
         pivot = h[7 * i + i]
         for j in range(i):
             pivot -= h[7 * i + j] * h[7 * i + j] * h[7 * j + j]
@@ -184,7 +176,7 @@ def damped_step(kind: int, sums: fit_sums, damping: float64, size: float64) -> s
 
 @func
 def offer_step(kind: int, k: int, x: seven, size: float64, fits: ShapeFits) -> float64:
-    """Offer the accepted shape changed by a step of lengths; the longest of them."""
+    """Propose the accepted shape plus a step; returns the longest component."""
     old = axis_in(fits.shapes, k)
     a = third_of(old, kind)
     u = first_across(a, kind)
@@ -218,7 +210,6 @@ def offer_step(kind: int, k: int, x: seven, size: float64, fits: ShapeFits) -> f
 
 @func
 def take_over(to: array(dtype=float64, ndim=2), values: array(dtype=float64, ndim=2), k: int) -> int:
-    """Copy the numbers of a shape."""
     count = int(8)
     for entry in range(count):
         to[k, entry] = values[k, entry]
@@ -227,7 +218,7 @@ def take_over(to: array(dtype=float64, ndim=2), values: array(dtype=float64, ndi
 
 @func
 def centre_offer(kind: int, k: int, sums: fit_sums, fits: ShapeFits) -> int:
-    """Move the place of a plane or a cylinder along itself to the mean of its rows."""
+    """Move the position of a plane or cylinder along itself to the mean of its rows."""
     moved = fits.frames[k, 2] * (sums[PLACES + 2] / sums[COUNT])
     if kind == PLANE:
         moved = (fits.frames[k, 0] * sums[PLACES] + fits.frames[k, 1] * sums[PLACES + 1]) / sums[COUNT]
@@ -238,7 +229,7 @@ def centre_offer(kind: int, k: int, sums: fit_sums, fits: ShapeFits) -> int:
 
 @func
 def end_round(k: int, count: int, fits: ShapeFits) -> int:
-    """What follows when the rows on a shape have been counted: BEGIN, or ENDED where they have not grown."""
+    """Next phase after counting inliers: BEGIN, or ENDED if they did not increase."""
     phase = int(BEGIN)
     if fits.rounds[k] > 0:
         if count <= fits.best_counts[k]:
@@ -256,7 +247,7 @@ def end_round(k: int, count: int, fits: ShapeFits) -> int:
 
 @func
 def weigh_offer(k: int, trial: fit_sums, rules: FitRules, fits: ShapeFits) -> int:
-    """Accept what was offered where it is no worse; 1 where the fit is at its end."""
+    """Accept the trial if it is no worse; 1 if the fit has ended."""
     ended = 0
     short = fits.longest[k] <= float64(SETTLED) * rules.size
     proper = is_proper(fits.kinds[k], fits.offers, k)
@@ -282,14 +273,13 @@ def weigh_offer(k: int, trial: fit_sums, rules: FitRules, fits: ShapeFits) -> in
 
 @kernel
 def step_fits_kernel(rules: FitRules, trials: array(dtype=fit_sums), fits: ShapeFits):
-    """What a fit makes of the sums that it asked for."""
     k = tid()
     phase = fits.phases[k]
     kind = fits.kinds[k]
     if phase != ENDED:
         trial = trials[k]
         ended = 0
-        asks = 0  # whether it asks for sums before it goes on
+        asks = 0  # 1 if it needs sums before it continues
         if phase == SELECT:
             phase = end_round(k, int(trial[COUNT]), fits)
             if phase == BEGIN and (kind == PLANE or kind == CYLINDER):
@@ -325,7 +315,6 @@ def step_fits_kernel(rules: FitRules, trials: array(dtype=fit_sums), fits: Shape
 
 @kernel
 def tell_running_kernel(fits: ShapeFits):
-    """Whether any fit goes on."""
     i = tid()
     going = 0
     for k in range(fits.live.shape[0]):

@@ -1,8 +1,7 @@
-"""Rows of 8 voxels across the blocks of a volume: neighbours, and one bit a voxel.
+"""Rows of 8 voxels in volume blocks: neighbor lookup, and one bit per voxel.
 
-Row r of the volume belongs to block r // 64 and holds its voxels (x, y, 0..7), x = r // 8 % 8, y = r % 8. A row's word
-has the signs of its voxels and of the first voxel of the row above in bits 0..8 (set where the distance is negative),
-and in bits 16..24 which of these voxels are seen often enough.
+Row r belongs to block r // 64 and contains voxels (x, y, 0..7), x = r // 8 % 8, y = r % 8. In its word, bits 0..8 are
+set for negative distances of its voxels and the first voxel above, bits 16..24 for sufficient observations.
 """
 
 from typing import TYPE_CHECKING
@@ -18,22 +17,15 @@ from .voxel_blocks import VoxelBlocks
 if TYPE_CHECKING:
     from ..arrays.changes import Changes
 
-AROUND = 27  # a block and its neighbours; (dx, dy, dz) stands at 9 dx + 3 dy + dz + 13
-VALID = 16  # shift of the bits that say which voxels are valid
+AROUND = 27  # a block and its neighbors; (dx, dy, dz) is at 9 dx + 3 dy + dz + 13
+VALID = 16  # shift of the validity bits
 NINE = 0x1FF
 EIGHT = 0xFF
 
 
 @struct
 class SeenBlocks:
-    """The blocks of a volume and their neighbours, as far as enough frames have seen them.
-
-    Attributes:
-        blocks: The VoxelBlocks.
-        neighbors: int32 [blocks * 27 or more], the positions of the blocks around each; -1 where there is none.
-        threshold: Voxels seen by no more frames than this are as if absent.
-        row_count: Rows of 8 voxels.
-    """
+    """Blocks with their 27 neighbors (int32, -1 for none). Voxels with at most `threshold` frames count as absent."""
 
     blocks: VoxelBlocks
     neighbors: array(dtype=int32)
@@ -45,18 +37,13 @@ class SeenBlocks:
 
 
 class BlockNeighbors:
-    """The neighbours of a volume's blocks, kept with it and taken further as it grows.
-
-    Attributes:
-        listed: Positions int32 [27 a block or more]; those of the first `count` blocks are known.
-        changes: The Changes of the list of blocks that they are of.
-    """
+    """Cached neighbors of a volume's blocks, extended as it grows; the first `count` blocks are complete."""
 
     def __init__(self, changes: "Changes", device: Device) -> None:
         self.changes, self.listed, self.count = changes, empty(0, int32, device), 0
 
     def update(self, blocks: VoxelBlocks) -> Integers:
-        """The neighbours of all blocks; a repeated update after an interruption writes the same."""
+        """Complete the neighbors of all blocks; a repetition after an interruption writes the same values."""
         count, known = blocks.count, self.count
         if count > known:
             listed = self.listed
@@ -70,7 +57,6 @@ class BlockNeighbors:
 
 
 def neighbors_of(blocks: VoxelBlocks) -> Indices:
-    """The 27 blocks around each block of VoxelBlocks, int32 [27 a block or more]."""
     kept = blocks.kept.get("neighbors")
     if kept is None or kept.changes is not blocks.changes:
         kept = blocks.kept["neighbors"] = BlockNeighbors(blocks.changes, blocks.device)
@@ -79,7 +65,7 @@ def neighbors_of(blocks: VoxelBlocks) -> Indices:
 
 @kernel
 def find_neighbors_kernel(blocks: VoxelBlocks, known: int, neighbors: array(dtype=int32)):
-    """The 27 blocks around each new block, itself among them; -1 where there is none. Known blocks get new ones."""
+    """The 27 blocks around each new block including itself, or -1; known blocks get new neighbors."""
     i = tid()
     position = known + i // AROUND
     block = key_block(blocks.keys[position])
@@ -88,7 +74,7 @@ def find_neighbors_kernel(blocks: VoxelBlocks, known: int, neighbors: array(dtyp
     y = block[1] + side // 3 % 3 - 1
     z = block[2] + side % 3 - 1
     found = -1
-    if max(max(abs(x), abs(y)), abs(z)) < BIAS - 1:  # the key of the last block of all means an empty slot
+    if max(max(abs(x), abs(y)), abs(z)) < BIAS - 1:  # the key of the last possible block means an empty slot
         found = find_position(block_key(x, y, z), blocks.table)
     neighbors[position * AROUND + side] = found
     if found >= 0 and found < known:
@@ -97,7 +83,7 @@ def find_neighbors_kernel(blocks: VoxelBlocks, known: int, neighbors: array(dtyp
 
 @func
 def offset_of(c: int) -> int:
-    """The block that a local coordinate in -8..15 falls into: -1, 0 or 1."""
+    """Block of a local coordinate in -8..15: -1, 0 or 1."""
     o = 0
     if c < 0:
         o = -1
@@ -108,7 +94,7 @@ def offset_of(c: int) -> int:
 
 @func
 def row_near(block: int, x: int, y: int, dz: int, seen: SeenBlocks) -> int:
-    """The row at local (x, y), each in -8..15, of a block or its neighbours; -1 where there is no block."""
+    """Row at local (x, y), each in -8..15, or -1."""
     dx = offset_of(x)
     dy = offset_of(y)
     other = seen.neighbors[block * AROUND + 13 + 9 * dx + 3 * dy + dz]
@@ -120,7 +106,7 @@ def row_near(block: int, x: int, y: int, dz: int, seen: SeenBlocks) -> int:
 
 @func
 def voxel_near(block: int, x: int, y: int, z: int, seen: SeenBlocks) -> int:
-    """The voxel at local (x, y, z), each in -8..15; -1 where there is no block."""
+    """Voxel at local (x, y, z), each in -8..15, or -1."""
     dz = offset_of(z)
     row = row_near(block, x, y, dz, seen)
     voxel = -1
@@ -131,7 +117,7 @@ def voxel_near(block: int, x: int, y: int, z: int, seen: SeenBlocks) -> int:
 
 @func
 def word_near(words: array(dtype=int32), block: int, x: int, y: int, dz: int, seen: SeenBlocks) -> int:
-    """A row's word, 0 (nothing valid) where there is no block."""
+    """Word of a row, 0 (nothing valid) without a block."""
     row = row_near(block, x, y, dz, seen)
     word = 0
     if row >= 0:
@@ -141,7 +127,7 @@ def word_near(words: array(dtype=int32), block: int, x: int, y: int, dz: int, se
 
 @func
 def signs_of(voxel: int, place: int, seen: SeenBlocks) -> int:
-    """A voxel's bits in a word; it is valid where its weight exceeds the threshold."""
+    """A voxel's bits in a word; it is valid if its weight exceeds the threshold."""
     word = 0
     if float(seen.blocks.weights[voxel]) > seen.threshold:
         word = 1 << (place + VALID)
@@ -152,7 +138,6 @@ def signs_of(voxel: int, place: int, seen: SeenBlocks) -> int:
 
 @kernel
 def pack_rows_kernel(seen: SeenBlocks, words: array(dtype=int32)):
-    """Signs and validity of the 8 voxels of each row, and of the first voxel of the row above."""
     i = tid()
     word = 0
     for j in range(SIDE):
@@ -164,7 +149,6 @@ def pack_rows_kernel(seen: SeenBlocks, words: array(dtype=int32)):
 
 
 def pack_rows(seen: SeenBlocks) -> Integers:
-    """The words of all rows of SeenBlocks, int32 [blocks * 64]."""
     words = empty(seen.row_count, int32, seen.neighbors.device)
     launch(pack_rows_kernel, seen.row_count, [seen, words])
     return words

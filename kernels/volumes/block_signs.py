@@ -1,9 +1,7 @@
-"""Where in a volume rays may meet a surface: one bit a cell, of which a corner is behind one.
+"""Cells of a volume in which rays may meet a surface: one bit per cell with a corner behind a surface.
 
-A block has a word of 64 bits a slice x, bit 8 y + z. A voxel's bit is set where it was seen and its distance is not
-positive; a cell's bit where one of its eight corners' is, so that walks through the others need no distances. How often
-voxels were seen does not count here: cells that turn out unseen are merely looked at. Of a frame's changes the touched
-blocks alone are read again: 6 B a voxel, 128 B a block kept.
+A block has a 64-bit word per slice x, bit 8 y + z. A voxel's bit is set if it was observed with a distance <= 0, a
+cell's bit if one of its corners is. Only touched blocks are updated: 6 B read per voxel, 128 B stored per block.
 """
 
 import weakref
@@ -19,26 +17,20 @@ from .voxel_blocks import VoxelBlocks
 if TYPE_CHECKING:
     from ..arrays.changes import Changes
 
-MIDDLE = 13  # a block among its neighbours
-LOW_SEVEN = 0x7F7F7F7F7F7F7F7F  # the voxels that have one above along z in the slice
+MIDDLE = 13  # index of a block among its neighbors
+LOW_SEVEN = 0x7F7F7F7F7F7F7F7F  # voxels with one above along z in the slice
 LOWEST = 0x0101010101010101
 LOW_SEVEN_ROWS = 0x00FFFFFFFFFFFFFF  # y
 LOW_Y = 0x00000000FFFFFFFF
 LOW_Z = 0x0F0F0F0F0F0F0F0F
-HALF = SIDE // 2  # cells a part's edge
+HALF = SIDE // 2  # cells per edge of a part
 PARTS = 8  # of a block, bit 4 x + 2 y + z
 BYTE = 0xFF
 
 
 @struct
 class BlockSigns:
-    """The cells of a volume in which rays may meet a surface.
-
-    Attributes:
-        signs: int64 [blocks * 8 or more], the voxels behind a surface.
-        cells: int64, likewise, the cells with such a voxel at a corner.
-        parts: int32 [blocks or more], the parts of 4^3 cells with such a cell, a bit each.
-    """
+    """Cells that may contain a surface: int64 per slice for voxels (`signs`) and cells, and a bit per 4^3 part."""
 
     signs: array(dtype=int64)
     cells: array(dtype=int64)
@@ -50,7 +42,7 @@ class BlockSigns:
         self.signs, self.cells, self.parts = (empty(0, t, device) for t in (int64, int64, int32))
 
     def update(self, blocks: VoxelBlocks) -> None:
-        """Bring the bits to what the voxels are now; a repeated update after an interruption writes the same."""
+        """Update the bits; a repetition after an interruption writes the same values."""
         count, number = blocks.count, blocks.frame_count
         voxels = (blocks.distances, blocks.weights)
         is_same = len(self._voxels) == 2 and all(a() is b for a, b in zip(self._voxels, voxels, strict=True))
@@ -75,7 +67,6 @@ class BlockSigns:
 
 
 def signs_of(blocks: VoxelBlocks) -> BlockSigns:
-    """The BlockSigns of VoxelBlocks."""
     kept = blocks.kept.get("signs")
     if kept is None or kept.changes is not blocks.changes:
         kept = blocks.kept["signs"] = BlockSigns(blocks.changes, blocks.device)
@@ -85,7 +76,6 @@ def signs_of(blocks: VoxelBlocks) -> BlockSigns:
 
 @func
 def slice_signs(layer: int, blocks: VoxelBlocks) -> int64:
-    """The bits of the voxels of a slice that were seen behind a surface."""
     word = int64(0)
     n = int(8)
     for y in range(n):
@@ -99,14 +89,12 @@ def slice_signs(layer: int, blocks: VoxelBlocks) -> int64:
 
 @kernel
 def find_signs_kernel(blocks: VoxelBlocks, signs: array(dtype=int64)):
-    """The signs of a slice of a block."""
     i = tid()
     signs[i] = slice_signs(i, blocks)
 
 
 @kernel
 def find_touched_signs_kernel(touched: array(dtype=int32), blocks: VoxelBlocks, signs: array(dtype=int64)):
-    """The signs of a slice of a touched block."""
     i = tid()
     layer = touched[i // SIDE] * SIDE + i % SIDE
     signs[layer] = slice_signs(layer, blocks)
@@ -114,7 +102,6 @@ def find_touched_signs_kernel(touched: array(dtype=int32), blocks: VoxelBlocks, 
 
 @func
 def slice_at(block: int, x: int, signs: array(dtype=int64)) -> int64:
-    """The signs of a slice, none where there is no block."""
     word = int64(0)
     if block >= 0:
         word = signs[block * SIDE + x]
@@ -123,8 +110,7 @@ def slice_at(block: int, x: int, signs: array(dtype=int64)) -> int64:
 
 @func
 def spread_slice(first: int, x: int, neighbors: array(dtype=int32), signs: array(dtype=int64)) -> int64:
-    """The bits y, z of a slice x of the block whose neighbours in its layer of x begin at `first`, and of those one
-    above along y, z or both."""
+    """Bits y, z of a slice x, combined with those one above along y, z or both. `first`: first neighbor in layer."""
     w = slice_at(neighbors[first], x, signs)
     above_z = slice_at(neighbors[first + 1], x, signs)
     above_y = slice_at(neighbors[first + 3], x, signs)
@@ -136,7 +122,6 @@ def spread_slice(first: int, x: int, neighbors: array(dtype=int32), signs: array
 
 @func
 def parts_of(word: int64) -> int:
-    """Of a slice of cells the four parts y, z with one, a bit each."""
     y_low = word & int64(LOW_Y)
     y_high = (word >> 32) & int64(LOW_Y)
     found = int((y_low & int64(LOW_Z)) != 0) | (int((y_low & ~int64(LOW_Z)) != 0) << 1)
@@ -147,7 +132,7 @@ def parts_of(word: int64) -> int:
 def find_cells_with_signs_kernel(
     neighbors: array(dtype=int32), signs: array(dtype=int64), cells: array(dtype=int64), parts: array(dtype=int32)
 ):
-    """The cells of a block with a corner behind a surface: those of its last slices have corners in blocks above."""
+    """Cells of a block with a corner behind a surface; cells of the last slices use the blocks above."""
     i = tid()
     first = i * AROUND + MIDDLE
     word = spread_slice(first, 0, neighbors, signs)

@@ -1,9 +1,8 @@
-"""The surface of a volume of blocks by marching cubes, with vertices shared between cells and between blocks.
+"""Marching cubes on a block volume, with vertices shared between cells and blocks.
 
-Each edge of the grid belongs to its lower voxel, and makes at most one vertex. Four passes over the rows of 8 voxels:
-which cells the surface cuts (all 8 corners valid), which edges these cells use, then vertices and triangles at places
-known from prefix sums. Nothing is hashed or merged afterwards, and the order is fixed: the same bits from run to run.
-Scratch 32 B a row. Lorensen and Cline, SIGGRAPH 1987; cases from cube_table.py.
+Each grid edge belongs to its lower voxel. Passes over rows of 8 voxels find cut cells (8 valid corners), then their
+edges, then write vertices and triangles at prefix sums: bitwise reproducible. 32 B of scratch memory per row. Lorensen
+and Cline, SIGGRAPH 1987.
 """
 
 from collections.abc import Iterable
@@ -18,13 +17,13 @@ from .cube_table import CubeTables, device_tables
 from .tsdf_blocks import ROWS, SIDE
 from .voxel_blocks import COLOR_SCALE, VoxelBlocks, voxel_color
 
-EDGES = 3 * SIDE * ROWS  # of the grid that belong to a block
-MAX_EDGES = 15  # entries of a case in the table of triangles
+EDGES = 3 * SIDE * ROWS  # grid edges that belong to a block
+MAX_EDGES = 15  # entries of a case in the triangle table
 
 
 @func
 def case_of(s00: int, s10: int, s01: int, s11: int, z: int) -> int:
-    """The case of the cell at z between four rows: bit x + 2 y + 4 z of a corner is its sign."""
+    """Case of the cell at z between four rows: bit x + 2 y + 4 z of a corner is its sign."""
     low = ((s00 >> z) & 1) | (((s10 >> z) & 1) << 1) | (((s01 >> z) & 1) << 2) | (((s11 >> z) & 1) << 3)
     up = z + 1
     high = ((s00 >> up) & 1) | (((s10 >> up) & 1) << 1) | (((s01 >> up) & 1) << 2) | (((s11 >> up) & 1) << 3)
@@ -33,18 +32,8 @@ def case_of(s00: int, s10: int, s01: int, s11: int, z: int) -> int:
 
 @struct
 class BlockSurface:
-    """The cells of a volume that the surface cuts and the edges that it crosses, ready to be emitted.
-
-    Attributes:
-        seen: The SeenBlocks.
-        words: From block_rows.pack_rows, one a row.
-        cells: int32, the cut cells of each row, a bit each.
-        edges: int32, the edges of each row that make a vertex: 8 bits for those along x, then y, then z.
-        rows: How many rows there are.
-        offsets: int32 [2 * rows + 1]: where the vertices of each row begin, then, behind these, its triangles.
-        tables: The cases.
-        vertex_count, triangle_count: How many there are.
-    """
+    """Cut cells and crossing edges of a volume. `cells` has a bit per cell of a row, `edges` 8 bits each for x, y and
+    z. `offsets` int32 [2 * rows + 1] are the first vertices of rows, then their first triangles."""
 
     seen: SeenBlocks
     words: array(dtype=int32)
@@ -57,10 +46,7 @@ class BlockSurface:
     def __init__(
         self, seen: SeenBlocks, need_cells: bool, within: tuple[Iterable[int], Iterable[int]] | None = None
     ) -> None:
-        """Find them; with `need_cells` only edges of cells with triangles make vertices.
-
-        `within` are a low block and the one beyond the highest: only cells of blocks from one to the other make any.
-        """
+        """`need_cells`: only edges of cells with triangles get vertices. `within`: low and exclusive high block."""
         rows, device = seen.row_count, seen.neighbors.device
         self.rows = rows
         self.seen, self.device, self.tables, self.words = seen, device, device_tables(device), pack_rows(seen)
@@ -75,7 +61,7 @@ class BlockSurface:
         self.triangle_count = total - self.vertex_count
 
     def vertices(self, has_color: bool, has_normals: bool) -> tuple[Points, Vectors | None, Vectors | None]:
-        """(vertices, colors or None, normals or None), vec3 device arrays."""
+        """(vertices, colors or None, normals or None), vec3."""
         vertices = empty(self.vertex_count, vec3, self.device)
         colors = empty(self.vertex_count if has_color else 1, vec3, self.device)
         normals = empty(self.vertex_count if has_normals else 1, vec3, self.device)
@@ -84,14 +70,12 @@ class BlockSurface:
         return vertices, colors if has_color else None, normals if has_normals else None
 
     def vertex_edges(self) -> tuple[LongIntegers, Integers]:
-        """What tells vertices of one volume apart, whichever part of it they are taken from: the block that holds the
-        lower voxel of a vertex' edge, as an int64 key, and the edge within it, below EDGES, int32."""
+        """Identify vertices across parts of a volume: int64 block key of the lower voxel, int32 edge in the block."""
         blocks, places = empty(self.vertex_count, int64, self.device), empty(self.vertex_count, int32, self.device)
         launch(emit_edges_kernel, self.edges.size, [self, blocks, places])
         return blocks, places
 
     def triangles(self) -> Triangles:
-        """The triangles, vec3i [t]."""
         triangles = empty(self.triangle_count, vec3i, self.device)
         launch(emit_triangles_kernel, self.cells.size, [self, triangles])
         return triangles
@@ -99,7 +83,7 @@ class BlockSurface:
 
 @kernel
 def find_cells_kernel(surface: BlockSurface, counts: array(dtype=int32)):
-    """The cells of each row that the surface cuts, and the number of their triangles in the counts' second half."""
+    """Cut cells of each row; their triangle counts go to the second half of `counts`."""
     i = tid()
     block = i // ROWS
     x = i // SIDE % SIDE
@@ -128,7 +112,6 @@ def find_cells_kernel(surface: BlockSurface, counts: array(dtype=int32)):
 
 @kernel
 def drop_cells_kernel(surface: BlockSurface, low: vec3i, high: vec3i, counts: array(dtype=int32)):
-    """Leave the cells out whose blocks are not from `low` to below `high`."""
     i = tid()
     block = key_block(surface.seen.blocks.keys[i // ROWS])
     inside = block[0] >= low[0] and block[1] >= low[1] and block[2] >= low[2]
@@ -139,13 +122,12 @@ def drop_cells_kernel(surface: BlockSurface, low: vec3i, high: vec3i, counts: ar
 
 @func
 def cells_near(block: int, x: int, y: int, surface: BlockSurface) -> int:
-    """The cut cells of the row at local (x, y)."""
     return word_near(surface.cells, block, x, y, 0, surface.seen)
 
 
 @func
 def cells_beside(block: int, x: int, y: int, surface: BlockSurface) -> int:
-    """Bit z: the cell at z or the one below it is cut, in the row at (x, y)."""
+    """Bit z: the cell at z or below it is cut in the row at (x, y)."""
     here = cells_near(block, x, y, surface)
     below = word_near(surface.cells, block, x, y, -1, surface.seen)
     return (here | (here << 1) | (below >> (SIDE - 1))) & EIGHT
@@ -153,10 +135,7 @@ def cells_beside(block: int, x: int, y: int, surface: BlockSurface) -> int:
 
 @kernel
 def find_edges_kernel(surface: BlockSurface, need_cells: int, counts: array(dtype=int32)):
-    """The edges of each row that make a vertex, and their number in the counts' first half.
-
-    With `need_cells` only those of cells that make triangles; else all between two valid voxels.
-    """
+    """Edges of each row with a vertex (`need_cells`: of cells with triangles); counts go to the first half."""
     i = tid()
     block = i // ROWS
     x = i // SIDE % SIDE
@@ -184,7 +163,7 @@ def find_edges_kernel(surface: BlockSurface, need_cells: int, counts: array(dtyp
 
 @func
 def gradient_along(low: int, here: float, high: int, blocks: VoxelBlocks) -> float:
-    """The slope between the voxels before and behind, one-sided where one was never seen, 0 where both."""
+    """Central difference, one-sided next to an unobserved voxel, 0 between two."""
     a = here
     b = here
     span = 0.0
@@ -204,7 +183,6 @@ def gradient_along(low: int, here: float, high: int, blocks: VoxelBlocks) -> flo
 
 @func
 def gradient_at(block: int, x: int, y: int, z: int, seen: SeenBlocks) -> vec3:
-    """The gradient of the distance at a voxel, local coordinates in 0..8."""
     here = seen.blocks.distances[voxel_near(block, x, y, z, seen)]
     low = voxel_near(block, x - 1, y, z, seen)
     gx = gradient_along(low, here, voxel_near(block, x + 1, y, z, seen), seen.blocks)
@@ -224,7 +202,6 @@ def emit_vertices_kernel(
     colors: array(dtype=vec3),
     normals: array(dtype=vec3),
 ):
-    """The vertices of each row's edges, where the distance between the two voxels is zero."""
     i = tid()
     marks = surface.edges[i]
     if marks == 0:
@@ -270,7 +247,6 @@ def emit_vertices_kernel(
 
 @kernel
 def emit_edges_kernel(surface: BlockSurface, blocks: array(dtype=int64), places: array(dtype=int32)):
-    """The edge of each vertex: its block's key, and its place among the edges of the block."""
     i = tid()
     marks = surface.edges[i]
     at = surface.offsets[i]
@@ -283,14 +259,12 @@ def emit_edges_kernel(surface: BlockSurface, blocks: array(dtype=int64), places:
 
 @func
 def vertex_of(row: int, axis: int, z: int, surface: BlockSurface) -> int:
-    """The vertex of the edge along an axis from voxel z of a row."""
     place = axis * SIDE + z
     return surface.offsets[row] + bit_count(surface.edges[row] & ((1 << place) - 1))
 
 
 @kernel
 def emit_triangles_kernel(surface: BlockSurface, triangles: array(dtype=vec3i)):
-    """The triangles of each row's cells."""
     i = tid()
     cut = surface.cells[i]
     if cut == 0:

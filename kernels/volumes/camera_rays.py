@@ -1,8 +1,7 @@
-"""The rays of a camera into a volume, and the depths between which they can meet a surface.
+"""Camera rays into a volume, with depth bounds per tile of 8 x 8 pixels.
 
-The picture is parted into tiles of 8 x 8 pixels. One thread a block projects the boxes around those of its parts of 4^3
-cells in which rays may meet a surface (block_signs.py), and lowers the nearest and raises the farthest depth of the
-tiles that they may be seen in: what the rays of a tile pass before that is of no interest. 8 B a tile.
+One thread per block projects the boxes of its 4^3 parts that may contain a surface (block_signs.py) and extends the
+depth range of the tiles that they cover. 8 B per tile.
 """
 
 import numpy as np
@@ -33,26 +32,16 @@ from .block_signs import HALF, PARTS, BlockSigns
 from .tsdf_blocks import SIDE
 from .voxel_blocks import VoxelBlocks
 
-TILE = 8  # pixels a side
-MARGIN = 1.0  # [px] about a block's picture: more than rounding moves it
-HALF_PART = 2.0  # [voxels] from the middle of a part to its faces
+TILE = 8  # pixels per side
+MARGIN = 1.0  # [px] margin around a projected block, above rounding
+HALF_PART = 2.0  # [voxels] from the center of a part to its faces
 FARTHEST = 0x7F800000  # the bits of infinity
 
 
 @struct
 class CameraRays:
-    """The rays of a camera into a volume; places count in voxels from the camera's own voxel.
-
-    Attributes:
-        camera: A Camera, or what has its attributes.
-        R: Camera to volume.
-        sight: From a pixel (column, row, 1) to its ray, in voxels a metre of depth.
-        base: The camera's own voxel.
-        start: The camera.
-        nearest, farthest: Depths [m] where rays begin and end.
-        columns: Tiles a row.
-        nears, fars: int32 [tiles], the bits of the depths [m] between which blocks are seen in each tile.
-    """
+    """Camera rays in voxels relative to the camera's voxel `base`. `R` is camera to volume; `sight` maps a pixel
+    (column, row, 1) to its ray per meter of depth; `nears` and `fars` are bits of the depth range [m] of tiles."""
 
     camera: Camera
     R: mat33d
@@ -74,7 +63,6 @@ class CameraRays:
         blocks: VoxelBlocks,
         signs: BlockSigns,
     ) -> None:
-        """`signs` are the BlockSigns of the VoxelBlocks."""
         self.camera, self.nearest, self.farthest = camera, nearest, farthest  # type: ignore[assignment]  # like a Camera
         place = T_volume_camera[:3, 3] / blocks.voxel_size
         if np.abs(place).max() >= BIAS * SIDE:
@@ -96,13 +84,11 @@ class CameraRays:
 
 @func
 def ray_of(column: int, row: int, rays: CameraRays) -> vec3:
-    """The ray of a pixel, in voxels a metre of depth."""
     return narrow(rays.sight @ vec3d(float64(column), float64(row), 1.0))
 
 
 @func
 def in_camera(x: float64, y: float64, z: float64, R: mat33d) -> vec3d:
-    """A direction of the volume in the camera's frame."""
     return vec3d(
         R[0, 0] * x + R[1, 0] * y + R[2, 0] * z,
         R[0, 1] * x + R[1, 1] * y + R[2, 1] * z,
@@ -112,7 +98,6 @@ def in_camera(x: float64, y: float64, z: float64, R: mat33d) -> vec3d:
 
 @func
 def tile_of(place: float64, count: int) -> int:
-    """The tile of a row or column of pixels, the first or last of `count` beyond the picture."""
     inside = max(0.0, min(place, float64(count * TILE - 1)))
     return int(inside) // TILE
 
@@ -121,7 +106,7 @@ def tile_of(place: float64, count: int) -> int:
 def bound_box(
     middle: vec3d, reach: vec3d, rays: CameraRays, rows: int, nears: array(dtype=int32), fars: array(dtype=int32)
 ):
-    """Widen the depths of the tiles that a box about a place in the camera's frame [m] may be seen in."""
+    """Extend the depth range of the tiles that a box in the camera frame [m] may cover."""
     near = max(middle[2] - reach[2], float64(rays.nearest))
     far = middle[2] + reach[2]
     if far >= near and near <= float64(rays.farthest):
@@ -153,8 +138,7 @@ def bound_tiles_kernel(
     nears: array(dtype=int32),
     fars: array(dtype=int32),
 ):
-    """Widen the depths of the tiles that the parts of a block may be seen in, of which cells have a corner behind a
-    surface; minima and maxima do not depend on the order."""
+    """Extend the depth range of tiles that surface parts of a block may cover, by order-independent extremes."""
     i = tid()
     parts = signs.parts[i]
     if parts != 0:

@@ -1,18 +1,9 @@
-"""The 256 cases of marching cubes, derived when the module is imported; no published table is copied.
+"""The 256 cases of marching cubes (Lorensen and Cline, SIGGRAPH 1987), derived at import time.
 
-Corner c of a cell lies at (c & 1, (c >> 1) & 1, (c >> 2) & 1) = (x, y, z). Bit c of a case is set where the corner's
-value is below the level: "inside". The 12 edges are numbered axis * 4 + k: edge e starts at its lower corner
-`EDGE_CORNER[e]`, which owns it, and runs along `EDGE_AXIS[e]`.
-
-How a case is made: on each face the contour separates inside corners from outside ones. Where a face has two inside
-corners across a diagonal, each is cut off by itself. The rule sees nothing but the four signs of the face, so both
-cells at the face draw the same contour, and the surface has no holes. The contours of the six faces join into loops,
-each loop is triangulated, and no diagonal of a triangulation lies in a face: the neighbour could have the same one, and
-an edge would have four triangles. Triangles turn counter-clockwise seen from outside: their normals point from below
-the level to above it, outward where the field is a distance that is negative inside.
-
-Sources: Lorensen and Cline, "Marching cubes", SIGGRAPH 1987; the rule for faces is that of Montani, Scateni and
-Scopigno, "A modified look-up table for implicit disambiguation of marching cubes", The Visual Computer 10, 1994.
+Corner c of a cell is at (c & 1, (c >> 1) & 1, (c >> 2) & 1) = (x, y, z); bit c of a case is set if its value is below
+the level (inside). Edge e = axis * 4 + k starts at its lower corner `EDGE_CORNER[e]`. Ambiguous faces separate inside
+corners (Montani, Scateni and Scopigno, The Visual Computer 10, 1994). No diagonal of a triangulation is in a face,
+since the neighbor could have the same one. Triangles are counter-clockwise seen from outside.
 """
 
 from functools import cache
@@ -31,7 +22,6 @@ _EDGE_OF = {frozenset((corner, corner | 1 << axis)): edge for edge, (corner, axi
 
 
 def _face_corners(axis: int, side: int) -> list[int]:
-    """The four corners of a face, counter-clockwise seen from outside the cell."""
     u, v = 1 << (axis + 1) % 3, 1 << (axis + 2) % 3
     turn = [0, u, u | v, v] if side else [0, v, u | v, u]
     return [corner | side << axis for corner in turn]
@@ -42,10 +32,7 @@ FACE_EDGES = [{_EDGE_OF[frozenset((f[k], f[k - 1]))] for k in range(4)} for f in
 
 
 def face_segments(case: int, face: list[int]) -> list[tuple[int, int]]:
-    """The contour on a face as directed (edge, edge) pairs, the inside on the left seen from inside the cell.
-
-    Around the face, a run of inside corners is entered through one edge and left through another: that is its segment.
-    """
+    """Directed (edge, edge) contours of a face, one per run of inside corners, inside on the left seen from inside."""
     inside = [case >> corner & 1 for corner in face]
     segments = []
     for k in range(4):
@@ -60,7 +47,6 @@ def face_segments(case: int, face: list[int]) -> list[tuple[int, int]]:
 
 
 def _loops(case: int) -> list[list[int]]:
-    """The closed contours of a case, each from its smallest edge on."""
     following = dict(segment for face in FACES for segment in face_segments(case, face))
     loops = []
     while following:
@@ -72,7 +58,6 @@ def _loops(case: int) -> list[list[int]]:
 
 
 def _triangulations(first: int, last: int) -> list[list[tuple[int, int, int]]]:
-    """Every triangulation of the polygon first..last as triples of places."""
     if last - first < 2:
         return [[]]
     return [
@@ -91,7 +76,7 @@ def _midpoint(edge: int) -> np.ndarray:
 
 
 def _triangulate(loop: list[int]) -> list[tuple[int, int, int]]:
-    """The triangulation with no diagonal in a face; among those the one with the shortest diagonals, then the first."""
+    """Triangulation with no diagonal in a face, with the shortest diagonals, then the first."""
     size = len(loop)
 
     def cost(triangles: list[tuple[int, int, int]]) -> tuple[int, float]:
@@ -106,7 +91,6 @@ def _triangulate(loop: list[int]) -> list[tuple[int, int, int]]:
 
 
 def case_triangles(case: int) -> list[tuple[int, int, int]]:
-    """The triangles of a case as triples of edges."""
     return [triangle for loop in _loops(case) for triangle in _triangulate(loop)]
 
 
@@ -129,8 +113,6 @@ TRIANGLE_COUNT, TRIANGLE_EDGES, EDGE_MASK = _build()  # [256], [256 * 15] padded
 
 @struct
 class CubeTables:
-    """The tables as int32 arrays on one device: TRIANGLE_COUNT and those that follow it here."""
-
     triangle_count: array(dtype=int32)
     triangle_edges: array(dtype=int32)
     edge_corner: array(dtype=int32)
@@ -144,7 +126,6 @@ class CubeTables:
 
 
 def device_tables(device: Device) -> CubeTables:
-    """The tables on a device (a name or a device of Warp), uploaded once."""
     return _tables_on(str(device))
 
 

@@ -1,12 +1,9 @@
-"""Depth frames folded into blocks of voxels by a GPU alone: what they touch and lack is found, numbered and appended
-there, and the host waits for nothing.
+"""Depth integration on a GPU without a sync: touched and missing blocks are found on the device.
 
-Rays mark the blocks that they touch in a grid over the frame's box; marked cells are looked up, counted by groups of
-32 and numbered by a prefix sum in the order of their keys, so that blocks come in the order in which the CPU appends
-them, whatever threads come first. All launches of a frame have sizes that its camera and its farthest depth bound, so
-they are recorded once and run again with another pose (frame_record.py). Scratch 1.5 B a cell of the box and 12 B a
-ray's block; room for as many new blocks as rays could touch is made beforehand, or, where that is much of the device's
-memory, as many as were counted, for which the host waits once.
+Rays mark blocks in a grid over the frame's box; marked cells are numbered by a prefix sum in key order, as on the CPU.
+Launch sizes depend only on the camera and the maximum depth, so they are recorded once (frame_record.py). 1.5 B per
+cell and 12 B per block of a ray. Room for all blocks that rays could touch is reserved, or, if too large, for the
+counted ones after one sync.
 """
 
 from types import ModuleType
@@ -68,15 +65,15 @@ from .tsdf_blocks import (
 from .voxel_blocks import VoxelBlocks, check_block_count
 
 LONGEST_STRIDE = float(MAX_STRIDE)
-GROUP = 32  # cells that are counted together
-MARKED, LACKED = 1, 2  # what a cell of the grid says: touched; touched, and no block of the volume yet
-FURTHER = 1  # times the blocks that count, and an eighth of those that a frame may touch: room for frames to come
-ROOM_SHARE = 0.125  # of the memory that is free, for blocks that a frame may touch but will hardly all
+GROUP = 32  # cells counted together
+MARKED, LACKED = 1, 2  # states of a cell: touched; touched without a block in the volume
+FURTHER = 1  # times the existing blocks, plus an eighth of those a frame may touch: reserve for later frames
+ROOM_SHARE = 0.125  # of the free memory, for blocks that a frame may touch but will hardly need
 
 
 @func
 def greatest_of(i: int, values: array(dtype=int32)) -> int:
-    """The greatest of some numbers, none negative; the same for all threads i."""
+    """Maximum of nonnegative numbers, the same for all threads."""
     most = 0
     for k in range(values.shape[0]):
         most = max(most, values[k])
@@ -85,7 +82,7 @@ def greatest_of(i: int, values: array(dtype=int32)) -> int:
 
 @greatest_of.on_cuda
 def greatest_of_lanes(i: int, values: array(dtype=int32)) -> int:
-    """The lanes of a warp read some each; all 32 come here together."""
+    """Each lane of a warp reads some; all 32 lanes must be active."""
     most = 0
     k = i % WARP
     while k < values.shape[0]:
@@ -98,7 +95,6 @@ def greatest_of_lanes(i: int, values: array(dtype=int32)) -> int:
 
 @func
 def stride_of(largest: int, camera: Camera, block_size: float64) -> int:
-    """As tsdf_blocks.ray_stride, of the bits of the frame's largest depth."""
     spacing = float64(bits_float(largest)) / min(camera.fx, camera.fy)
     stride = int(MAX_STRIDE)
     if spacing > 0.0:
@@ -117,13 +113,13 @@ def mark_touched_kernel(
     slots: int,
     grid: array(dtype=uint8),
 ):
-    """Mark the blocks on the piece of a ray around its depth; a thread a ray, some too many, in whole warps."""
+    """Mark the blocks around the depth of a ray; one thread per ray, rounded up to complete warps."""
     i = tid()
     stride = stride_of(greatest_of(i, largest), camera, block_size)
     columns = (camera.width + stride - 2) // stride + 1
     rows = (camera.height + stride - 2) // stride + 1
     if i < columns * rows:
-        u = min((i % columns) * stride, camera.width - 1)  # the last column and row too
+        u = min((i % columns) * stride, camera.width - 1)  # including the last column and row
         v = min((i // columns) * stride, camera.height - 1)
         d = float64(depth[v * camera.width + u])
         if d > 0.0:
@@ -145,7 +141,6 @@ def mark_touched_kernel(
 
 @func
 def cell_key(cell: int, record: array(dtype=float64)) -> int64:
-    """The key of the block of a cell of the frame's box."""
     ny = int(record[SIZE + 1])
     nz = int(record[SIZE + 2])
     x = cell // (ny * nz) + int(record[LOW])
@@ -157,7 +152,7 @@ def cell_key(cell: int, record: array(dtype=float64)) -> int64:
 def count_touched_kernel(
     record: array(dtype=float64), table: HashTable, groups: int, grid: array(dtype=uint8), sizes: array(dtype=int32)
 ):
-    """How many cells of each group are touched, and behind these how many the volume lacks: whole numbers' sums."""
+    """Touched cells of each group, followed by the number of missing blocks; integer sums."""
     i = tid()
     if grid[i] != 0:
         atomic_add(sizes, i // GROUP, 1)
@@ -177,7 +172,6 @@ def list_touched_kernel(
     keys: array(dtype=int64),
     touched: array(dtype=int32),
 ):
-    """The positions of the touched blocks in the order of their keys; those that lack get theirs, and are keyed."""
     i = tid()
     if i == 0:
         counts[TOUCHED] = offsets[groups]
@@ -201,7 +195,7 @@ def list_touched_kernel(
 
 @kernel
 def insert_new_kernel(counts: array(dtype=int32), keys: array(dtype=int64), table: HashTable):
-    """Insert the keys of the new blocks; a thread each, some too many."""
+    """Insert the keys of new blocks; the number of threads is an upper bound."""
     i = tid()
     if i < counts[MISSING]:
         insert_key(keys[counts[COUNTED] + i], table)
@@ -209,21 +203,14 @@ def insert_new_kernel(counts: array(dtype=int32), keys: array(dtype=int64), tabl
 
 @kernel
 def store_all_positions_kernel(counts: array(dtype=int32), keys: array(dtype=int64), table: HashTable):
-    """Store each key's position beside it, since insertion moves keys; a thread each, some too many."""
+    """Store each key's position, since insertion moves keys; the number of threads is an upper bound."""
     i = tid()
     if i < counts[COUNTED] + counts[MISSING]:
         table.positions[find_slot(keys[i], table)] = i
 
 
 class FrameShape:
-    """What frames have in common that the same launches serve.
-
-    Attributes:
-        stride: Pixels between rays, where depth is as far as it may be.
-        slots: Blocks that a ray touches at most.
-        most: Blocks that a frame touches at most.
-        threads: Of the walk of rays.
-    """
+    """Sizes shared by frames with the same launches: pixels between rays, maximum blocks per ray and frame."""
 
     def __init__(self, scale: float, farthest: float, camera: CameraLike, has_color: bool, blocks: VoxelBlocks) -> None:
         self.block_size = SIDE * blocks.voxel_size
@@ -236,13 +223,13 @@ class FrameShape:
 
 
 class DeviceFrames:
-    """The frames of a volume on a GPU: what their launches write to, and the recording of these."""
+    """Buffers and recorded launches for the frames of a volume on a GPU."""
 
     def __init__(self, blocks: VoxelBlocks, images: ModuleType) -> None:
-        """`images` is images/depth.py, of a room that comes behind this one."""
+        """`images` is images/depth.py of a higher package."""
         self._blocks, self._images = blocks, images
         self._shape: FrameShape | None = None
-        self._key: Any = None  # what tells the frames at hand from those of another shape
+        self._key: Any = None  # identifies frames that reuse these arrays
         self._graph, self._recorded, self._cells = None, None, 0
 
     def integrate(
@@ -254,21 +241,8 @@ class DeviceFrames:
         T_volume_camera: np.ndarray,
         pixels: Array2[uint8] | None = None,
     ) -> FrameCounts | None:
-        """Fold in a frame without waiting for it; whole or, where that is interrupted, not at all.
-
-        Args:
-            raw: Depth on the device, uint16 (divided by `scale`) or float32 [m], [height * width].
-            scale: Integer units a metre.
-            farthest: Depths beyond this are no measurements [m].
-            camera: A Camera, or what has its attributes.
-            T_volume_camera: float64 [4, 4].
-            pixels: uint8 [height * width, 3] where the frame has colour.
-
-        Returns:
-            The frame's FrameCounts; None, and nothing done, where its box is too large for a grid.
-
-        Raises:
-            ValueError: More blocks than 32 bits can index; the blocks stay as they were.
+        """Integrate a frame atomically without a sync. `raw` is uint16 / `scale` or float32 [m], ignored beyond
+        `farthest`. Returns FrameCounts, or None for a box too large for a grid. Raises ValueError beyond int32 blocks.
         """
         blocks, limit = self._blocks, float(np.float32(farthest))
         if not np.isfinite(limit):
@@ -276,7 +250,7 @@ class DeviceFrames:
         low, size, _ = frame_box(limit, camera, T_volume_camera, blocks.truncation, blocks.voxel_size)
         if beyond_reach(low, size) or size.prod() > MAX_GRID:
             return None
-        known = blocks.count  # as the last frame sent it
+        known = blocks.count  # as sent by the last frame
         self._prepare(raw, scale, limit, camera, pixels is not None, int(size.prod()))
         copy(self._raw, raw, count=raw.size)
         if pixels is not None:
@@ -307,7 +281,6 @@ class DeviceFrames:
         has_color: bool,
         cells: int,
     ) -> None:
-        """Arrays for frames of this shape, where those at hand are for others."""
         numbers = (camera.width, camera.height, camera.fx, camera.fy, camera.cx, camera.cy)
         key = (*numbers, raw.dtype, scale, farthest, has_color)
         if self._shape is not None and key == self._key and cells <= self._cells:
@@ -327,7 +300,7 @@ class DeviceFrames:
         self._shape, self._key = shape, key
 
     def _has_room(self, known: int) -> bool:
-        """Whether all blocks that a frame could touch have room, which is made where it costs little."""
+        """True if all blocks that a frame could touch fit, possibly after a modest reallocation."""
         blocks, most = self._blocks, self._touched.size
         if not blocks.has_room(known + most):
             free, room = free_bytes(blocks.device), most + FURTHER * (known + most // 8)
@@ -350,7 +323,6 @@ class DeviceFrames:
         inclusive_scan(self._sizes, self._offsets[1:])
 
     def _fold(self) -> None:
-        """Launch what numbers them, makes the new ones known, and folds the frame into all."""
         blocks, counts, values = self._blocks, self._blocks.record.counts, self._blocks.record.values
         listed = [values, blocks.table, self._grid, self._offsets, self._groups, counts, blocks.keys]
         launch(list_touched_kernel, self._grid.size, [*listed, self._touched])
@@ -359,7 +331,7 @@ class DeviceFrames:
         launch_integration(self._touched, self._touched.size, self._frame, blocks)
 
     def _count_missing(self) -> int:
-        """How many of the blocks that were found the volume lacks (sync)."""
+        """Number of touched blocks that are missing (sync)."""
         first, last = self._groups, 2 * self._groups
         ends = [int(download(self._offsets[k : k + 1])[0]) for k in (first, last)]
         return ends[1] - ends[0]
@@ -369,7 +341,7 @@ class DeviceFrames:
         self._fold()
 
     def _run_all(self) -> None:
-        """Find and fold: by launches the first time, by a recording of them from the second on."""
+        """Find blocks and integrate; recorded on the first run, replayed from the second on."""
         blocks = self._blocks
         voxels = (blocks.distances, blocks.weights, blocks.colors)
         arrays = (blocks.keys, *voxels, blocks.table.keys, blocks.record.counts, self._grid)

@@ -1,9 +1,8 @@
-"""Blocks of 8^3 voxels around occupied voxels, with the exact squared distance to the nearest of these at each.
+"""Exact squared distances to the nearest occupied voxel, in blocks of 8^3 voxels.
 
-Blocks are those within reach of an occupied block along each axis; once the distances are known (distance_sweeps.py),
-those without any are given back. A dense box has all its blocks. A voxel is 8 B (4 of squared distance, 4 of the number
-of the nearest occupied voxel), 16 B more while it is made and 24 B where it is signed; a block is 8 B of key and 24 to
-48 B of hash table.
+Blocks within the distance limit of an occupied block along each axis are created; those without any known distance are
+then removed. A dense box has all its blocks. 8 B per voxel (squared distance and index), 16 B more during construction,
+24 B if signed; 32 to 56 B per block.
 """
 
 import math
@@ -22,17 +21,11 @@ from .distance_sweeps import FAR, FARTHEST, LONGEST, sweep_blocks
 from .tsdf_blocks import BLOCK_VOXELS, SIDE, voxel_cell, voxel_in_block
 
 MOST_BLOCKS = (2**31 - 1) // BLOCK_VOXELS  # voxels are counted in 32 bits
-BYTES = 32 * BLOCK_VOXELS + 64  # of memory a block, while signed distances are found
+BYTES = 32 * BLOCK_VOXELS + 64  # of memory per block while signed distances are computed
 
 
 class Reach(NamedTuple):
-    """How far distances are known [voxels].
-
-    Attributes:
-        along: Along an axis.
-        limit: Squared.
-        box: Voxels of a dense box along x, y and z, whose distances have no other limit; None where they have one.
-    """
+    """Distance limits [voxels]: `along` an axis, `limit` squared; or the size of a dense box."""
 
     along: int
     limit: int
@@ -40,32 +33,24 @@ class Reach(NamedTuple):
 
     @property
     def blocks(self) -> int:
-        """Blocks around an occupied one that may hold a voxel in reach."""
+        """Radius in blocks around an occupied block."""
         return 0 if self.box else (self.along + SIDE - 1) // SIDE
 
     @property
     def largest_coordinate(self) -> int:
-        """What coordinates of occupied voxels stay below."""
+        """Upper bound of occupied coordinates."""
         return SIDE * (BIAS - 2 - self.blocks)
 
 
 def reach_of(distance: float) -> Reach:
-    """The reach of a distance [voxels].
-
-    Raises:
-        ValueError: More than 32 bits hold squared.
-    """
+    """Limits for a distance [voxels]. Raises ValueError if its square exceeds int32."""
     if distance > FARTHEST:
         raise ValueError(f"max_distance: {distance:.0f} voxels, more than {FARTHEST:,}; take larger voxels")
     return Reach(int(distance), int(distance * distance))
 
 
 def reach_of_box(shape: tuple[int, int, int]) -> Reach:
-    """The reach of a dense box: all of it.
-
-    Raises:
-        ValueError: Its diagonal is more than 32 bits hold squared.
-    """
+    """Limits of a dense box. Raises ValueError if the squared diagonal exceeds int32."""
     diagonal = math.sqrt(sum(n * n for n in shape))
     if diagonal > LONGEST:
         raise ValueError(
@@ -76,16 +61,9 @@ def reach_of_box(shape: tuple[int, int, int]) -> Reach:
 
 @struct
 class DistanceBlocks:
-    """Squared distances at the voxels of blocks.
-
-    Attributes:
-        keys: int64 [m], ascending.
-        table: The HashTable of the keys.
-        sqdists: int32 [m * 512], squared distances [voxels^2] to the nearest occupied voxel; FAR where none is known.
-            Signed ones are negative in occupied voxels, and those to the nearest free one.
-        nearest: int32 [m * 512], the row of the nearest occupied voxel; any number where none is known.
-        occupied: vec3i [k], the occupied voxels by blocks.
-    """
+    """Squared distances [voxels^2] at the voxels of blocks with ascending int64 keys. `sqdists` are FAR if unknown; if
+    signed, occupied voxels have the negative distance to the nearest free one. `nearest` is the row of the nearest
+    occupied voxel, undefined if unknown. `occupied` are sorted by block."""
 
     keys: array(dtype=int64)
     table: HashTable
@@ -99,25 +77,22 @@ class DistanceBlocks:
 
     @property
     def device(self) -> Device:
-        """Where they are."""
         return self.keys.device
 
     @property
     def memory_bytes(self) -> int:
-        """Bytes of device memory."""
         arrays = (self.keys, self.sqdists, self.nearest, self.occupied, self.table.keys, self.table.positions)
         return sum(a.capacity for a in arrays)
 
 
 @func
 def block_of(cell: vec3i) -> vec3i:
-    """The block of a voxel."""
     return vec3i(cell[0] // SIDE, cell[1] // SIDE, cell[2] // SIDE)
 
 
 @func
 def find_voxel(cell: vec3i, table: HashTable) -> int:
-    """Where a voxel stands among those of a table's blocks, or -1."""
+    """Index of a voxel among those of a table's blocks, or -1."""
     block = block_of(cell)
     position = find_position(block_key(block[0], block[1], block[2]), table)
     voxel = -1
@@ -128,7 +103,7 @@ def find_voxel(cell: vec3i, table: HashTable) -> int:
 
 @kernel
 def find_block_keys_kernel(cells: array(dtype=vec3i), largest: int, keys: array(dtype=int64), far: array(dtype=int32)):
-    """The key of each voxel's block; NO_KEY for NOWHERE, and where it is too far away, which raises the flag."""
+    """Key of each voxel's block; NO_KEY for NOWHERE and beyond the limit, which sets the flag."""
     i = tid()
     cell = cells[i]
     key = int64(NO_KEY)
@@ -137,13 +112,13 @@ def find_block_keys_kernel(cells: array(dtype=vec3i), largest: int, keys: array(
             block = block_of(cell)
             key = block_key(block[0], block[1], block[2])
         else:
-            atomic_max(far, 0, 1)  # whoever comes first, the flag ends as 1
+            atomic_max(far, 0, 1)  # all threads write 1
     keys[i] = key
 
 
 @kernel
 def mark_cells_kernel(cells: array(dtype=vec3i), table: HashTable, marks: array(dtype=uint8)):
-    """Mark the voxels in blocks that have them all."""
+    """Mark voxels of existing blocks."""
     i = tid()
     cell = cells[i]
     if cell[0] != NOWHERE:
@@ -152,14 +127,13 @@ def mark_cells_kernel(cells: array(dtype=vec3i), table: HashTable, marks: array(
 
 @kernel
 def list_cells_kernel(voxels: array(dtype=int32), keys: array(dtype=int64), cells: array(dtype=vec3i)):
-    """The coordinates of marked voxels."""
     i = tid()
     cells[i] = voxel_cell(voxels[i], keys)
 
 
 @kernel
 def spread_keys_kernel(keys: array(dtype=int64), axis: int, step: int, spread: array(dtype=int64)):
-    """The keys of each block and of those one step before and behind it along an axis."""
+    """Keys of each block and its two neighbors along an axis."""
     i = tid()
     b = key_block(keys[i // 3])
     shift = (i % 3 - 1) * step
@@ -173,7 +147,6 @@ def spread_keys_kernel(keys: array(dtype=int64), axis: int, step: int, spread: a
 
 @kernel
 def list_box_keys_kernel(size: vec3i, keys: array(dtype=int64)):
-    """The keys of all blocks of a box, ascending."""
     i = tid()
     keys[i] = block_key(i // (size[1] * size[2]), (i // size[2]) % size[1], i % size[2])
 
@@ -182,7 +155,6 @@ def list_box_keys_kernel(size: vec3i, keys: array(dtype=int64)):
 def plant_seeds_kernel(
     cells: array(dtype=vec3i), table: HashTable, sqdists: array(dtype=int32), nearest: array(dtype=int32)
 ):
-    """Distance 0 at each occupied voxel, and its row."""
     i = tid()
     voxel = find_voxel(cells[i], table)
     sqdists[voxel] = 0
@@ -203,7 +175,6 @@ def plant_free_kernel(size: vec3i, keys: array(dtype=int64), sqdists: array(dtyp
 
 @kernel
 def sign_distances_kernel(inner: array(dtype=int32), sqdists: array(dtype=int32)):
-    """Put in the distance to the nearest free voxel, below zero, at occupied ones."""
     i = tid()
     if sqdists[i] == 0:
         sqdists[i] = -inner[i]
@@ -211,7 +182,6 @@ def sign_distances_kernel(inner: array(dtype=int32), sqdists: array(dtype=int32)
 
 @kernel
 def mark_known_kernel(sqdists: array(dtype=int32), known: array(dtype=uint8)):
-    """1 for the blocks in which any distance is known."""
     i = tid()
     found = 0
     k = 0
@@ -224,7 +194,6 @@ def mark_known_kernel(sqdists: array(dtype=int32), known: array(dtype=uint8)):
 
 @kernel
 def gather_voxels_kernel(values: array(dtype=int32), blocks: array(dtype=int32), out: array(dtype=int32)):
-    """The voxels of listed blocks."""
     i = tid()
     out[i] = values[blocks[i // BLOCK_VOXELS] * BLOCK_VOXELS + i % BLOCK_VOXELS]
 
@@ -239,11 +208,7 @@ def _check_blocks(count: int, device: Device) -> None:
 
 
 def _distinct(cells: Cells, reach: Reach) -> tuple[Keys, Cells]:
-    """The keys of the blocks of voxels, ascending, and each voxel once, by blocks.
-
-    Raises:
-        ValueError: A voxel beyond what keys can tell.
-    """
+    """Ascending block keys, and each voxel once, sorted by block. Raises ValueError for voxels beyond the key range."""
     device = cells.device
     keys, far = empty(cells.size, int64, device), zeros(1, int32, device)
     launch(find_block_keys_kernel, cells.size, [cells, reach.largest_coordinate, keys, far])
@@ -264,12 +229,7 @@ def _distinct(cells: Cells, reach: Reach) -> tuple[Keys, Cells]:
 
 
 def _blocks_in_reach(keys: Keys, reach: Reach) -> Keys:
-    """The keys of all blocks that may hold a voxel in reach, ascending.
-
-    Raises:
-        ValueError: More than can be counted.
-        MemoryError: They have no room.
-    """
+    """Ascending keys of all blocks within the limit. Raises ValueError if too many, MemoryError if they do not fit."""
     device = keys.device
     if reach.box:
         size = [-(-n // SIDE) for n in reach.box]
@@ -281,7 +241,7 @@ def _blocks_in_reach(keys: Keys, reach: Reach) -> Keys:
     if keys.size:
         _check_blocks((2 * reach.blocks + 1) ** 3, device)  # around one alone
     for axis in (2, 1, 0):
-        along = 0  # blocks on either side that are there
+        along = 0  # existing blocks on either side
         while along < reach.blocks:
             step = min(2 * along + 1, reach.blocks - along)
             spread = empty(3 * keys.size, int64, device)
@@ -292,19 +252,9 @@ def _blocks_in_reach(keys: Keys, reach: Reach) -> Keys:
 
 
 def find_distances(cells: Cells, reach: Reach, signed_in: tuple[int, int, int] | None = None) -> DistanceBlocks:
-    """Distances around occupied voxels.
-
-    Args:
-        cells: vec3i device array, in any order, repeated or not; those at NOWHERE do not count. Those of a dense box
-            lie in it.
-        reach: How far.
-        signed_in: Voxels along x, y and z of the box whose other voxels are known to be free, where distances are
-            to be negative in occupied ones.
-
-    Raises:
-        ValueError: A voxel beyond what keys can tell, or more blocks than can be counted.
-        MemoryError: They have no room.
-    """
+    """Distances around occupied voxels vec3i in any order (NOWHERE is ignored). `signed_in` is the size of a box whose
+    other voxels are free, to get signed distances. Raises ValueError for voxels beyond the key range or too many
+    blocks, MemoryError if they do not fit."""
     device = cells.device
     keys, occupied = _distinct(cells, reach)
     keys = _blocks_in_reach(keys, reach)

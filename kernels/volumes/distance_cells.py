@@ -1,7 +1,6 @@
-"""The voxels in which points lie, and those that are set in a dense box: 12 B a voxel, one thread each.
+"""Voxels that contain points, or are set in a dense box.
 
-A coordinate is rounded down in float64 from a float32 position, the shift of the origins and the voxel's size, by one
-sum and one quotient: exact at any coordinates.
+Coordinates are rounded down in float64 from one sum and one quotient.
 """
 
 from ..array_types import Cells, Mask, Points
@@ -9,14 +8,14 @@ from ..arrays.select import positions_of
 from ..lang import array, float64, floor, func, int32, isfinite, kernel, launch, tid, vec3, vec3d, vec3i
 from ..memory import empty
 
-NOWHERE = 1 << 30  # the coordinate of a point that is not finite
-BEYOND = 1 << 29  # of one that is too far away
+NOWHERE = 1 << 30  # coordinate for a point that is not finite
+BEYOND = 1 << 29  # coordinate for a point out of range
 WIDEST = 2.0**29
 
 
 @func
 def cell_number(x: float64) -> int:
-    """The coordinate of a voxel along one axis; BEYOND where 32 bits would not hold it."""
+    """Voxel coordinate along an axis; BEYOND if it exceeds int32."""
     number = BEYOND
     if abs(x) < WIDEST:
         number = int(floor(x))
@@ -25,7 +24,7 @@ def cell_number(x: float64) -> int:
 
 @kernel
 def find_cells_kernel(points: array(dtype=vec3), shift: vec3d, voxel_size: float64, cells: array(dtype=vec3i)):
-    """The voxel of each point; NOWHERE where it is not finite."""
+    """Voxel of each point; NOWHERE if it is not finite."""
     i = tid()
     p = points[i]
     cell = vec3i(NOWHERE, NOWHERE, NOWHERE)
@@ -39,21 +38,20 @@ def find_cells_kernel(points: array(dtype=vec3), shift: vec3d, voxel_size: float
 
 @kernel
 def find_set_cells_kernel(rows: array(dtype=int32), size: vec3i, cells: array(dtype=vec3i)):
-    """The voxels of a dense box that stand at some places of it, z fastest."""
     i = tid()
     r = rows[i]
     cells[i] = vec3i(r // (size[1] * size[2]), (r // size[2]) % size[1], r % size[2])
 
 
 def find_cells(points: Points, shift: tuple[float, float, float], voxel_size: float) -> Cells:
-    """The voxels in which points lie, whose coordinates count from -shift."""
+    """Voxels that contain points; coordinates start at -shift."""
     cells = empty(points.size, vec3i, points.device)
     launch(find_cells_kernel, points.size, [points, vec3d(*shift), voxel_size, cells])
     return cells
 
 
 def find_set_cells(occupied: Mask, shape: tuple[int, int, int]) -> Cells:
-    """The occupied voxels of a dense box, uint8, z fastest; one sync."""
+    """Occupied voxels of a dense box, uint8, z fastest; one sync."""
     rows = positions_of(occupied)  # sync
     cells = empty(rows.size, vec3i, rows.device)
     launch(find_set_cells_kernel, rows.size, [rows, vec3i(*shape), cells])

@@ -1,12 +1,8 @@
-"""Distances, gradients and nearest obstacles at points; spheres and bodies of spheres against a distance field.
+"""Distances, gradients and nearest obstacles at points; collision queries of spheres and bodies.
 
-One thread a point, a sphere, a body or a voxel of a lattice; 8 to 40 B a query. A lookup is one probe of the hash
-table; between voxels up to 8. All in float64, rounded once where it is written.
-
-A sphere is told to be free by three lengths that add up (Oleynikova et al., "Voxblox", IROS 2017, takes the first
-alone): from its centre to that of its voxel, from there to the nearest occupied voxel's centre, and half a voxel's
-diagonal from that to whatever lies in it. So none that touches what lies in an occupied voxel is told to be free, and
-none whose centre is two diagonals further away than its radius is told not to be.
+Up to 8 hash lookups per query, in float64. The free distance at a point is that to the nearest occupied voxel center
+minus its offset from the voxel center and half a voxel diagonal (Oleynikova et al., "Voxblox", IROS 2017, uses the
+first term alone), so collisions are never missed.
 """
 
 from typing import Any, NamedTuple
@@ -43,22 +39,14 @@ from ..memory import empty
 from .distance_blocks import DistanceBlocks, find_voxel
 from .distance_sweeps import FAR
 
-OUTERMOST = 8.0e6  # voxels from the origin: no block is further out
+OUTERMOST = 8.0e6  # voxels from the origin: no block is farther
 HALF_DIAGONAL = 0.8660254037844387  # of a voxel [voxels]
 
 
 @struct
 class DistanceGrid:
-    """Blocks of squared distances where they lie in space.
-
-    Attributes:
-        table, sqdists, nearest, occupied: As of DistanceBlocks.
-        origin: The lowest corner of voxel (0, 0, 0) [m].
-        voxel_size: Edge of a voxel [m].
-        beyond: What is told of voxels whose distance is not known [m]: how far these reach; infinite where all are.
-        outside: What is told where there is no block [m]; NaN where nothing is known there.
-        device: Where it is.
-    """
+    """Distance blocks with an origin and voxel size [m]. `beyond` is the distance reported for unknown voxels (inf if
+    all are known), `outside` that reported without a block (NaN if unknown)."""
 
     table: HashTable
     sqdists: array(dtype=int32)
@@ -78,7 +66,7 @@ class DistanceGrid:
 
 
 class Found(NamedTuple):
-    """Distances float32 [m], and uint8 1 where they are known."""
+    """Distances float32 [m], and uint8 1 if they are known."""
 
     distances: Scalars
     known: Mask
@@ -86,13 +74,12 @@ class Found(NamedTuple):
 
 @func
 def grid_place(p: vec3d, grid: DistanceGrid) -> vec3d:
-    """A point in voxels from the origin."""
     return (p - grid.origin) / grid.voxel_size
 
 
 @func
 def is_inner(q: vec3d) -> int:
-    """1 where a place lies where blocks can be; what is not finite does not."""
+    """1 if a position is finite and in the range of blocks."""
     inner = 0
     if abs(q[0]) < OUTERMOST and abs(q[1]) < OUTERMOST and abs(q[2]) < OUTERMOST:
         inner = 1
@@ -101,13 +88,12 @@ def is_inner(q: vec3d) -> int:
 
 @func
 def cell_at(q: vec3d) -> vec3i:
-    """The voxel of a place."""
     return vec3i(int(floor(q[0])), int(floor(q[1])), int(floor(q[2])))
 
 
 @func
 def voxel_at(q: vec3d, grid: DistanceGrid) -> int:
-    """Where the voxel of a place stands, or -1."""
+    """Index of the voxel of a position, or -1."""
     voxel = -1
     if is_inner(q) == 1:
         voxel = find_voxel(cell_at(q), grid.table)
@@ -116,13 +102,11 @@ def voxel_at(q: vec3d, grid: DistanceGrid) -> int:
 
 @func
 def cell_centre(cell: vec3i) -> vec3d:
-    """The centre of a voxel, in voxels."""
     return vec3d(float64(cell[0]) + 0.5, float64(cell[1]) + 0.5, float64(cell[2]) + 0.5)
 
 
 @func
 def is_known(voxel: int, grid: DistanceGrid) -> int:
-    """1 where the distance of a voxel is known."""
     known = 0
     if voxel >= 0:
         if abs(grid.sqdists[voxel]) != FAR:
@@ -132,7 +116,6 @@ def is_known(voxel: int, grid: DistanceGrid) -> int:
 
 @func
 def distance_at(voxel: int, grid: DistanceGrid) -> float64:
-    """The distance of a voxel [m]; what is told of it where it is not known."""
     d = grid.outside
     if voxel >= 0:
         sqdist = grid.sqdists[voxel]
@@ -146,7 +129,7 @@ def distance_at(voxel: int, grid: DistanceGrid) -> float64:
 
 @func
 def interpolate(q: vec3d, grid: DistanceGrid) -> float64:
-    """The distance [m] between the eight voxel centres around a place; NaN where one of them is not known."""
+    """Trilinear distance [m] at a position; NaN if one of the eight voxels is unknown."""
     base = vec3d(floor(q[0] - 0.5), floor(q[1] - 0.5), floor(q[2] - 0.5))
     t = vec3d(q[0] - 0.5 - base[0], q[1] - 0.5 - base[1], q[2] - 0.5 - base[2])
     low = cell_at(base)
@@ -172,13 +155,13 @@ def interpolate(q: vec3d, grid: DistanceGrid) -> float64:
 
 @func
 def slope_along(q: vec3d, step: vec3d, grid: DistanceGrid) -> float64:
-    """How the distance changes [1] from half a voxel behind a place to half a voxel before it."""
+    """Slope of the distance over one voxel along a step."""
     return (interpolate(q + step, grid) - interpolate(q - step, grid)) / grid.voxel_size
 
 
 @func
 def free_room(p: vec3d, grid: DistanceGrid) -> float64:
-    """What is surely free around a point [m]; -infinite where nothing is known."""
+    """Free distance that is certain around a point [m]; -inf if unknown."""
     q = grid_place(p, grid)
     voxel = voxel_at(q, grid)
     corner = float64(HALF_DIAGONAL)
@@ -201,7 +184,7 @@ def find_distances_kernel(
     distances: array(dtype=float32),
     known: array(dtype=uint8),
 ):
-    """The distance of each point's voxel, or `between` voxels where all around it are known."""
+    """Distance of each point's voxel, or interpolated with `between` if all around it are known."""
     i = tid()
     p = points[i]
     q = grid_place(p, grid)
@@ -219,7 +202,7 @@ def find_distances_kernel(
 
 @kernel
 def find_gradients_kernel(points: array(dtype=vec3d), grid: DistanceGrid, gradients: array(dtype=vec3)):
-    """The slopes of the distance at each point; NaN where not all voxels around it are known."""
+    """Gradient at each point; NaN if a voxel around it is unknown."""
     i = tid()
     q = grid_place(points[i], grid)
     g = vec3d(NAN, NAN, NAN)
@@ -241,7 +224,7 @@ def find_obstacles_kernel(
     positions: array(dtype=vec3d),
     distances: array(dtype=float32),
 ):
-    """The occupied voxel nearest to each point's voxel: its row, its centre, and how far the point is from that."""
+    """Nearest occupied voxel to each point's voxel: row, center, and distance of the point from it."""
     i = tid()
     p = points[i]
     voxel = voxel_at(grid_place(p, grid), grid)
@@ -264,7 +247,6 @@ def find_obstacles_kernel(
 def find_room_kernel(
     centers: array(dtype=vec3d), radii: array(dtype=float64), grid: DistanceGrid, hits: array(dtype=uint8)
 ):
-    """1 for each sphere that is not surely free."""
     i = tid()
     hit = 1
     if free_room(centers[i], grid) > radii[i % radii.shape[0]]:
@@ -276,7 +258,6 @@ def find_room_kernel(
 def find_body_room_kernel(
     spheres: array(dtype=float64, ndim=2), poses: array(dtype=mat44d), grid: DistanceGrid, room: array(dtype=float64)
 ):
-    """The least room around the spheres of a body at each pose."""
     i = tid()
     T = poses[i]
     least = float64(INFINITY)
@@ -288,7 +269,7 @@ def find_body_room_kernel(
 
 @func
 def lattice_voxel(i: int, low: vec3i, size: vec3i, grid: DistanceGrid) -> int:
-    """Where the i-th voxel of a box stands, z fastest, or -1."""
+    """Index of the i-th voxel of a box, z fastest, or -1."""
     cell = vec3i(low[0] + i // (size[1] * size[2]), low[1] + (i // size[2]) % size[1], low[2] + i % size[2])
     return find_voxel(cell, grid.table)
 
@@ -297,7 +278,6 @@ def lattice_voxel(i: int, low: vec3i, size: vec3i, grid: DistanceGrid) -> int:
 def list_distances_kernel(
     low: vec3i, size: vec3i, grid: DistanceGrid, distances: array(dtype=float32), known: array(dtype=uint8)
 ):
-    """The distances of a box of voxels."""
     i = tid()
     voxel = lattice_voxel(i, low, size, grid)
     distances[i] = float(distance_at(voxel, grid))
@@ -306,7 +286,7 @@ def list_distances_kernel(
 
 @kernel
 def list_sqdists_kernel(low: vec3i, size: vec3i, grid: DistanceGrid, sqdists: array(dtype=int32)):
-    """The squared distances of a box of voxels [voxels^2]; FAR where they are not known."""
+    """Squared distances of a box of voxels [voxels^2]; FAR if unknown."""
     i = tid()
     voxel = lattice_voxel(i, low, size, grid)
     sqdist = int(FAR)
@@ -317,7 +297,7 @@ def list_sqdists_kernel(low: vec3i, size: vec3i, grid: DistanceGrid, sqdists: ar
 
 @kernel
 def list_nearest_kernel(low: vec3i, size: vec3i, grid: DistanceGrid, rows: array(dtype=int32)):
-    """The row of the occupied voxel nearest to each of a box of voxels; -1 where it is not known."""
+    """Row of the nearest occupied voxel to each voxel of a box; -1 if unknown."""
     i = tid()
     voxel = lattice_voxel(i, low, size, grid)
     row = -1
@@ -328,21 +308,18 @@ def list_nearest_kernel(low: vec3i, size: vec3i, grid: DistanceGrid, rows: array
 
 
 def find_distances_at(points: Positions, grid: DistanceGrid, *, interpolate: bool) -> Found:
-    """Distances at points: those of their voxels, or between voxels."""
     found = Found(empty(points.size, float32, grid.device), empty(points.size, uint8, grid.device))
     launch(find_distances_kernel, points.size, [points, int(interpolate), grid, *found])
     return found
 
 
 def find_gradients(points: Positions, grid: DistanceGrid) -> Any:
-    """Gradients at points, vec3."""
     gradients = empty(points.size, vec3, grid.device)
     launch(find_gradients_kernel, points.size, [points, grid, gradients])
     return gradients
 
 
 def find_obstacles(points: Positions, grid: DistanceGrid) -> tuple[Integers, Positions, Scalars]:
-    """The rows of the occupied voxels nearest to points, their centres, and the distances from these [m]."""
     n, device = points.size, grid.device
     found = empty(n, int32, device), empty(n, vec3d, device), empty(n, float32, device)
     launch(find_obstacles_kernel, n, [points, grid, *found])
@@ -350,47 +327,41 @@ def find_obstacles(points: Positions, grid: DistanceGrid) -> tuple[Integers, Pos
 
 
 def find_hits(centers: Positions, radii: Doubles, grid: DistanceGrid) -> Mask:
-    """1 for each sphere that is not surely free; one radius for all, or one each."""
+    """1 for each sphere that is not certainly free; one radius, or one for each."""
     hits = empty(centers.size, uint8, grid.device)
     launch(find_room_kernel, centers.size, [centers, radii, grid, hits])
     return hits
 
 
 def find_body_room(spheres: Array2[float64], poses: Poses, grid: DistanceGrid) -> Doubles:
-    """The room around the spheres (x, y, z, radius) of a body at each pose [m], float64."""
+    """Free distance around the spheres (x, y, z, radius) of a body at each pose [m], float64."""
     room = empty(poses.size, float64, grid.device)
     launch(find_body_room_kernel, poses.size, [spheres, poses, grid, room])
     return room
 
 
 class Box(NamedTuple):
-    """Voxels from the low one on, and how many there are along each axis."""
-
     low: tuple[int, int, int]
     size: tuple[int, int, int]
 
     @property
     def voxel_count(self) -> int:
-        """Voxels."""
         return int(np.prod(self.size, dtype=np.int64))
 
 
 def list_distances(box: Box, grid: DistanceGrid) -> Found:
-    """The distances of a box of voxels, z fastest."""
     found = Found(empty(box.voxel_count, float32, grid.device), empty(box.voxel_count, uint8, grid.device))
     launch(list_distances_kernel, box.voxel_count, [vec3i(*box.low), vec3i(*box.size), grid, *found])
     return found
 
 
 def list_sqdists(box: Box, grid: DistanceGrid) -> Integers:
-    """The squared distances of a box of voxels [voxels^2]; FAR where they are not known."""
     sqdists = empty(box.voxel_count, int32, grid.device)
     launch(list_sqdists_kernel, box.voxel_count, [vec3i(*box.low), vec3i(*box.size), grid, sqdists])
     return sqdists
 
 
 def list_nearest(box: Box, grid: DistanceGrid) -> Integers:
-    """The rows of the occupied voxels nearest to a box of voxels; -1 where they are not known."""
     rows = empty(box.voxel_count, int32, grid.device)
     launch(list_nearest_kernel, box.voxel_count, [vec3i(*box.low), vec3i(*box.size), grid, rows])
     return rows

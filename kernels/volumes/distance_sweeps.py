@@ -1,17 +1,9 @@
-"""Exact squared distances to the nearest seed, one axis after the other, along lines of blocks.
+"""Exact squared Euclidean distance transform, axis by axis along lines of blocks.
 
-Along one line the nearest of all seeds is the lower envelope of the parabolas (p - site)^2 + f(site), where f is what
-the axes before have found: a scan forwards keeps the sites that win somewhere, each with the first place that it wins,
-on a stack; a scan backwards reads them off. All numbers are whole, so every device and compiler gives the same. A site
-wins where it is strictly nearer than the one before it: of equally near ones the first along x is it, of those the
-first along y, of those the first along z.
-
-A line passes through blocks that follow each other without a gap, one thread a line. Blocks reach as far around seeds
-as distances count, so that no seed behind a gap could matter. Each axis reads and writes 8 B a voxel, and up to 16 B
-a voxel of stack, each in constant time on average, however far distances reach.
-
-Source: Meijster, Roerdink and Hesselink, "A general algorithm for computing distance transforms in linear time", 2000;
-Felzenszwalb and Huttenlocher, "Distance transforms of sampled functions", Theory of Computing 8, 2012.
+Meijster, Roerdink and Hesselink, "A general algorithm for computing distance transforms in linear time", 2000;
+Felzenszwalb and Huttenlocher, Theory of Computing 8, 2012: a forward scan builds the lower envelope of parabolas on a
+stack, a backward scan reads it. Integers; ties go to the first site along x, then y, then z. 8 B per voxel and axis, up
+to 16 B of stack.
 """
 
 import numpy as np
@@ -24,14 +16,13 @@ from ..lang import array, func, int32, int64, kernel, launch, struct, tid, uint8
 from ..memory import copy, empty, upload
 from .tsdf_blocks import BLOCK_VOXELS, ROWS, SIDE
 
-FAR = 2**31 - 1  # the squared distance of a voxel that no seed is known of
+FAR = 2**31 - 1  # squared distance of a voxel without a known seed
 LONGEST = 2**15 - 1  # voxels: squares of distances up to it, and sums of two, are int32
-FARTHEST = LONGEST // 2  # voxels that distances reach to at most
+FARTHEST = LONGEST // 2  # maximum range of distances in voxels
 
 
 @kernel
 def turn_keys_kernel(keys: array(dtype=int64), axis: int, turned: array(dtype=int64)):
-    """Keys in whose order blocks follow each other along an axis."""
     i = tid()
     b = key_block(keys[i])
     key = block_key(b[1], b[2], b[0])
@@ -42,7 +33,6 @@ def turn_keys_kernel(keys: array(dtype=int64), axis: int, turned: array(dtype=in
 
 @kernel
 def mark_gaps_kernel(keys: array(dtype=int64), marks: array(dtype=uint8)):
-    """1 where a key does not follow the one before it."""
     i = tid()
     first = 1
     if i > 0:
@@ -53,21 +43,14 @@ def mark_gaps_kernel(keys: array(dtype=int64), marks: array(dtype=uint8)):
 
 @struct
 class BlockLines:
-    """Blocks in runs without gaps along one axis.
-
-    Attributes:
-        axis: 0, 1 or 2.
-        order: int32 [m], the blocks, run by run.
-        starts: int32 [runs + 1], where each run begins.
-        count: Runs.
-    """
+    """Runs of adjacent blocks along an axis: sorted `order` int32 [m], and `starts` of runs."""
 
     axis: int
     order: array(dtype=int32)
     starts: array(dtype=int32)
 
     def __init__(self, keys: Keys, axis: int) -> None:
-        """Of blocks by their ascending keys, none of them at the border of what keys can tell; one sync."""
+        """From ascending keys, none at the limit of the key range; one sync."""
         device = keys.device
         self.axis = axis
         if axis == 2:
@@ -87,9 +70,9 @@ class BlockLines:
 
 @func
 def first_place_won(a: int, fa: int, b: int, fb: int) -> int:
-    """The first place where a site b is strictly nearer than a site a before it."""
+    """First position at which site b is strictly nearer than a site a before it."""
     apart = b - a
-    place = a + apart // 2  # where neither reaches any more
+    place = a + apart // 2  # beyond the range of both
     if apart <= LONGEST:
         place = a + (apart * apart + fb - fa) // (2 * apart) + 1
     return place
@@ -97,7 +80,6 @@ def first_place_won(a: int, fa: int, b: int, fb: int) -> int:
 
 @func
 def row_offset(row: int, axis: int) -> int:
-    """Where the first of a line's voxels stands in a block."""
     offset = row
     if axis == 1:
         offset = (row // SIDE) * ROWS + row % SIDE
@@ -108,7 +90,6 @@ def row_offset(row: int, axis: int) -> int:
 
 @func
 def row_step(axis: int) -> int:
-    """How far apart a line's voxels stand in a block."""
     step = ROWS
     if axis == 1:
         step = SIDE
@@ -126,7 +107,7 @@ def sweep_lines_kernel(
     nearest: array(dtype=int32),
     stack: array(dtype=vec4i),
 ):
-    """The least of (p - site)^2 + sqdists[site] along each line, and the nearest seed of that site."""
+    """Minimum of (p - site)^2 + sqdists[site] along each line, and the nearest seed of that site."""
     i = tid()
     begin = lines.starts[i // ROWS]
     end = lines.starts[i // ROWS + 1]
@@ -137,7 +118,7 @@ def sweep_lines_kernel(
     base = begin * BLOCK_VOXELS + i % ROWS
     depth = 0
     place = 0
-    top = vec4i(0, 0, 0, 0)  # of the stack: a site, the first place that it wins, what was found there, its seed
+    top = vec4i(0, 0, 0, 0)  # of the stack: a site, the first position that it wins, its squared distance, its seed
     for b in range(begin, end):
         voxel = lines.order[b] * BLOCK_VOXELS + offset
         for _ in range(size):
@@ -178,16 +159,9 @@ def sweep_lines_kernel(
 
 
 def sweep_blocks(keys: Keys, reach: int, limit: int, sqdists: Integers, nearest: Integers) -> None:
-    """Spread seeds over blocks, in place.
-
-    Args:
-        keys: int64 [m], ascending: the blocks, up to `reach` voxels around each seed.
-        reach: Voxels along an axis that a distance may span, at most LONGEST.
-        limit: The largest squared distance [voxels^2] that counts, below FAR.
-        sqdists: int32 [m * 512], 0 at seeds and FAR elsewhere; then the squared distance to the nearest seed, FAR
-            where it is beyond the limit.
-        nearest: int32 [m * 512], the number of each seed at it; then that of the nearest, where there is one.
-    """
+    """Propagate distances and seeds in place. `keys` are ascending blocks up to `reach` voxels (at most LONGEST) around
+    each seed; squared distances beyond `limit` (below FAR) become FAR. `sqdists` starts as 0 at seeds and FAR
+    elsewhere, `nearest` as the seed indices."""
     if not keys.size:
         return
     stack: Array1[vec4i] = empty(sqdists.size, vec4i, keys.device)

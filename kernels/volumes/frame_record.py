@@ -1,6 +1,4 @@
-"""What a launch of a frame needs to know beside its pictures, on the device: a recording of launches is made once and
-reads another frame's poses, box and number in each run.
-"""
+"""Per-frame parameters on the device (poses, box, number), read by recorded launches."""
 
 import numpy as np
 
@@ -8,24 +6,19 @@ from ..array_types import Device
 from ..lang import array, float64, func, int32, mat33d, vec3d
 from ..memory import Readback, write, zeros
 
-INTO_VOLUME, INTO_CAMERA = 0, 12  # places in a record: a rotation by rows, then a translation
+INTO_VOLUME, INTO_CAMERA = 0, 12  # offsets in a record: a rotation by rows, then a translation
 LOW, SIZE = 24, 27  # the frame's box in blocks
-NUMBER = 30  # of the frame among the changes of its blocks
+NUMBER = 30  # number of the frame among the changes of its blocks
 LENGTH = 31
-COUNTED, TOUCHED, MISSING = 0, 1, 2  # places among counts
+COUNTED, TOUCHED, MISSING = 0, 1, 2  # indices of counts
 
 
 class FrameRecord:
-    """The record of the frame in progress, and how many blocks it finds.
-
-    Attributes:
-        values: float64 [LENGTH].
-        counts: int32 [3]: blocks that count, blocks that the frame touches, those of them that the volume lacks.
-    """
+    """Record of the current frame: `values` float64, and `counts` int32 [3] of valid, touched and missing blocks."""
 
     def __init__(self, device: Device, counted: int = 0) -> None:
         self.values, self.counts = zeros(LENGTH, float64, device), zeros(3, int32, device)
-        self._host = np.zeros(LENGTH)  # what is written next; the places in it of both poses
+        self._host = np.zeros(LENGTH)  # next record to write; offsets of both poses
         self._poses = [
             (self._host[at : at + 9].reshape(3, 3), self._host[at + 9 : at + 12]) for at in (INTO_VOLUME, INTO_CAMERA)
         ]
@@ -36,7 +29,6 @@ class FrameRecord:
     def write(
         self, T_volume_camera: np.ndarray, T_camera_volume: np.ndarray, low: np.ndarray, size: np.ndarray, number: int
     ) -> None:
-        """Write down a frame's poses, float64 [4, 4], its box in blocks, and its number."""
         for (rotation, translation), T in zip(self._poses, (T_volume_camera, T_camera_volume), strict=True):
             rotation[:], translation[:] = T[:3, :3], T[:3, 3]
         host = self._host
@@ -44,18 +36,17 @@ class FrameRecord:
         write(self.values, host)
 
     def write_counts(self, counted: int, touched: int, missing: int) -> None:
-        """Write down the numbers of blocks, where the host knows them."""
         write(self.counts, np.array([counted, touched, missing], np.int32))
 
 
 class FrameCounts:
-    """How many blocks a frame touched and how many count since; waits for the device when first asked."""
+    """Numbers of touched and valid blocks after a frame; waits for the device on first use."""
 
     def __init__(self, record: FrameRecord) -> None:
         self._record, self._found = record, None
 
     def settle(self) -> tuple[int, int]:
-        """Wait for the numbers (sync), which the next frame writes over."""
+        """Read the numbers (sync) before the next frame overwrites them."""
         if self._found is None:
             counts = self._record.readback.read()
             self._found = int(counts[COUNTED]), int(counts[TOUCHED])
@@ -63,18 +54,15 @@ class FrameCounts:
 
     @property
     def counted(self) -> int:
-        """Blocks that count since."""
         return self.settle()[0]
 
     @property
     def touched(self) -> int:
-        """Blocks that the frame touched."""
         return self.settle()[1]
 
 
 @func
 def recorded_rotation(record: array(dtype=float64), at: int) -> mat33d:
-    """The rotation at a place of a record."""
     return mat33d(
         record[at],
         record[at + 1],
@@ -90,5 +78,4 @@ def recorded_rotation(record: array(dtype=float64), at: int) -> mat33d:
 
 @func
 def recorded_translation(record: array(dtype=float64), at: int) -> vec3d:
-    """The translation behind the rotation at a place of a record."""
     return vec3d(record[at + 9], record[at + 10], record[at + 11])

@@ -1,13 +1,8 @@
-"""Integration of depth frames into blocks of truncated signed distances.
+"""TSDF integration of depth frames into blocks.
 
-Curless and Levoy, "A volumetric method for building complex models from range images", SIGGRAPH 1996: each voxel keeps
-the running mean of min(1, (d - z) / truncation) over the frames that see it no more than the truncation behind their
-surface, d the depth at its pixel and z its own depth. 6 B read and written a voxel without colour, 12 B with it, and
-one pixel. On the CPU a thread takes a run of rows of 8 voxels; on CUDA a group of 512 threads takes a block and then
-the one that lies `stride` further on, a thread a voxel, so that neighbouring threads meet neighbouring voxels. Places
-are those of a run's first row plus whole steps in float32, the same bits either way.
-
-The launch also notes that the frame is in, and how many blocks count then: it alone writes to what counts.
+Curless and Levoy, SIGGRAPH 1996: running mean of min(1, (d - z) / truncation) over frames that observe a voxel at most
+the truncation behind the surface. 6 B per voxel, 12 B with color. A CPU thread processes rows of 8 voxels, a CUDA
+thread single voxels, with bitwise equal results.
 """
 
 import numpy as np
@@ -39,8 +34,8 @@ from .frame_record import COUNTED, INTO_CAMERA, MISSING, NUMBER, TOUCHED, record
 from .tsdf_blocks import BLOCK_VOXELS, ROWS, SIDE
 from .voxel_blocks import COLOR_SCALE, VoxelBlocks
 
-CPU_RUN = 8  # rows a thread: the pose is applied once for 64 voxels
-CUDA_GROUPS = 264  # of 512 threads: what 132 SMs hold at a time; each has some blocks of a frame in turn
+CPU_RUN = 8  # rows per thread: the pose is applied once per 64 voxels
+CUDA_GROUPS = 264  # groups of 512 threads: capacity of 132 SMs; each processes several blocks of a frame
 MAX_WEIGHT = 65535.0
 NEAREST = 1.0e-6  # [m] keeps the division finite for voxels behind the camera, which are not used
 UNSEEN = -2.0  # below every truncated distance
@@ -50,15 +45,7 @@ run_pixels = vector(64, int32)
 
 @struct
 class Frame:
-    """A depth picture, perhaps with colour, and its camera.
-
-    Attributes:
-        depth: float32 [h * w] in metres, 0 without measurement.
-        farthest: No depth is beyond this [m].
-        pixels: uint8 [h * w, 3], the colours; one row where there are none.
-        has_color: Whether there are.
-        camera: A Camera, or what has its attributes.
-    """
+    """A depth image [m] (0: none, at most `farthest`), its camera, and colors uint8 [h * w, 3] if `has_color`."""
 
     depth: array(dtype=float32)
     pixels: array(dtype=uint8, ndim=2)
@@ -75,7 +62,7 @@ class Frame:
 
 @func
 def fold_color(voxel: int, pixel: int, frame: Frame, blocks: VoxelBlocks):
-    """Fold a pixel's colour into a voxel's mean; before its weight changes."""
+    """Fold a pixel's color into a voxel's mean, before its weight changes."""
     w = float(blocks.weights[voxel])
     for c in range(3):
         shade = float(frame.pixels[pixel, c]) * COLOR_SCALE
@@ -85,21 +72,19 @@ def fold_color(voxel: int, pixel: int, frame: Frame, blocks: VoxelBlocks):
 
 @func
 def pixel_of(u: float, v: float, right: float, bottom: float, width: int) -> int:
-    """The pixel at a place counted from the picture's corner; the nearest one beyond the picture."""
     column = int(smaller(larger(u, 0.0), right - 1.0))
     return int(smaller(larger(v, 0.0), bottom - 1.0)) * width + column
 
 
 @func
 def margin_of(u: float, v: float, right: float, bottom: float, z: float, d: float, truncation: float) -> float:
-    """Positive where a voxel is seen: in the picture, before the camera, measured, not behind the truncation."""
+    """Positive if a voxel is observed: in the image, before the camera, measured, and not behind the truncation."""
     inside = smaller(smaller(u, right - u), smaller(v, bottom - v))
     return smaller(inside, smaller(smaller(z, d), d - z + truncation))
 
 
 @func
 def note_frame(i: int, counts: array(dtype=int32), record: array(dtype=float64), blocks: VoxelBlocks):
-    """The first thread notes the frame's number and the blocks that count from now on."""
     if i == 0:
         counts[COUNTED] = counts[COUNTED] + counts[MISSING]
         blocks.changes.latest[0] = int64(record[NUMBER])
@@ -114,11 +99,7 @@ def integrate_depth_kernel(
     frame: Frame,
     blocks: VoxelBlocks,
 ):
-    """Fold one frame into the touched blocks: `stride` rows of a block a thread.
-
-    All rows are measured before the first is folded: which rows are seen is a branch that is often foreseen wrongly,
-    and then costs the folding alone.
-    """
+    """Integrate `stride` rows per thread. All are computed before the first is stored: the branch is unpredictable."""
     i = tid()
     note_frame(i, counts, record, blocks)
     block = touched[i * stride // ROWS]
@@ -147,7 +128,7 @@ def integrate_depth_kernel(
         p0 = p[0] + next_row[0] * float(row)
         p1 = p[1] + next_row[1] * float(row)
         p2 = p[2] + next_row[2] * float(row)
-        # The first and the last loop have no branches, and the first stores to registers alone: vector code on the CPU.
+        # The first and last loop have no branches, and the first stores to registers only: vector code on the CPU.
         for j in range(SIDE):
             depth_z = p2 + step[2] * float(j)
             scale = 1.0 / larger(depth_z, NEAREST)
@@ -193,7 +174,7 @@ def integrate_voxels_kernel(
     frame: Frame,
     blocks: VoxelBlocks,
 ):
-    """A thread a voxel, of every `stride`-th of the touched blocks."""
+    """One thread per voxel of every `stride`-th touched block."""
     i = tid()
     note_frame(i, counts, record, blocks)
     x = i // ROWS % SIDE
@@ -232,7 +213,7 @@ def integrate_voxels_kernel(
 
 
 def launch_integration(touched: Integers, count: int, frame: Frame, blocks: VoxelBlocks) -> None:
-    """Fold a frame into `count` of its blocks; on CUDA into as many as blocks.record.counts say."""
+    """Integrate a frame into `count` blocks; on CUDA into blocks.record.counts."""
     stride, threads = CPU_RUN, count * ROWS // CPU_RUN
     if touched.device.is_cuda:
         stride, threads = CUDA_GROUPS, CUDA_GROUPS * BLOCK_VOXELS
@@ -241,17 +222,7 @@ def launch_integration(touched: Integers, count: int, frame: Frame, blocks: Voxe
 
 
 def integrate_depth(keys: Keys, frame: Frame, T_camera_volume: np.ndarray, blocks: VoxelBlocks) -> None:
-    """Fold one frame into the blocks that it touches, wholly or, where that is interrupted, not at all.
-
-    Args:
-        keys: int64 keys of the touched blocks.
-        frame: A Frame.
-        T_camera_volume: float64 [4, 4].
-        blocks: The VoxelBlocks.
-
-    Raises:
-        ValueError: More blocks than 32 bits can index; the blocks stay as they were.
-    """
+    """Integrate a frame atomically into blocks `keys`. Raises ValueError for more blocks than int32 can index."""
     touched = blocks.begin(keys)
     nowhere = np.zeros(3)
     blocks.record.write(np.eye(4), T_camera_volume, nowhere, nowhere, blocks.changes.number)

@@ -1,26 +1,8 @@
-"""Marching cubes over a dense field: packed signs, counts, a prefix sum, then vertices and triangles written in place.
+"""Marching cubes on a dense field (Lorensen and Cline, SIGGRAPH 1987).
 
-The field is [rows, nz], a row for each (x, y) with y fastest; samples along z are packed into words of 32 signs. A cell
-or edge is named by its lower corner. Each pass works on words, so that 32 cells away from the surface cost one test:
-
-1. pack: signs (value < level) and finiteness of 32 samples a thread; reads the field once, 4 B a sample.
-2. count: per row, crossing edges as XORs of sign words, cells that hold surface, triangles by table.
-3. prefix sum over the rows, the one wait for the device: sizes are then known.
-4. vertices: per row, one for each crossing edge; 5. triangles: per row, corners found again by counting bits.
-
-The number of the vertex on an edge: that of its row, plus that of its word in the row, plus the crossing edges below it
-in the word, so no map of the grid is kept: 28 B a word, 0.9 B a sample. No atomics order anything: the same bits from
-run to run. Rows without surface are skipped.
-
-A cell with a corner that is not finite makes no triangles, and an edge without a finite cell no vertex. A sample
-exactly at the level counts as above it: its vertices coincide there, and triangles may have no area.
-
-Sources: Lorensen and Cline, "Marching cubes", SIGGRAPH 1987; the passes by rows are those of Schroeder, Maynard and
-Geveci, "Flying edges", LDAV 2015.
-
-A sampled field, and on which side of a level its samples lie: words of 32 signs along the rows of the grid. A thread a
-word: reads the field once, 4 B a sample, and writes 8 B a word, 4 more where cells are looked at for samples that are
-not finite. On CUDA the lanes of a warp read neighbouring samples and pack a word together.
+Row passes after Schroeder, Maynard and Geveci, "Flying edges", LDAV 2015: the field is [rows, nz], y fastest over rows;
+signs along z are packed into 32-bit words. 28 B per word, one sync, no atomics: bitwise reproducible. Cells with a
+non-finite corner have no triangles. Samples at the level count as above it, which may give zero-area triangles.
 """
 
 import numpy as np
@@ -54,14 +36,7 @@ from .cube_table import MAX_TRIANGLES, CubeTables, device_tables
 
 @struct
 class SampledField:
-    """A field on a grid of samples.
-
-    Attributes:
-        values: float32 [nx * ny, nz].
-        nx, ny, nz: Samples along each axis.
-        level: The value on the surface.
-        origin, spacing: Place [m] of sample (0, 0, 0), and the distance [m] between neighbours along each axis.
-    """
+    """Field on a grid of `nx`, `ny`, `nz` samples, with isovalue `level`, origin and spacing [m]."""
 
     values: array(dtype=float32, ndim=2)
     ny: int
@@ -84,17 +59,8 @@ class SampledField:
 
 @struct
 class SignGrid:
-    """On which side of the level the samples of a field lie, a bit each.
-
-    Attributes:
-        width: Words a row.
-        rows: Rows, one for each (x, y).
-        ny, nz: Rows with one x, and samples a row.
-        signs: int32 [rows * width], set below the level.
-        finite: Likewise, set for finite samples.
-        whole: Likewise, set for cells whose eight corners are finite; undefined where all samples are.
-        has_gaps: int32 [1], 1 where a sample is not finite.
-    """
+    """Packed signs of a field: `signs` (below the level), `finite` samples, and `whole` cells (8 finite corners;
+    undefined if all samples are finite). `has_gaps` int32 [1] is 1 if a sample is not finite."""
 
     width: int
     rows: int
@@ -111,21 +77,21 @@ class SignGrid:
         self.signs, self.finite, self.whole = (empty(self.rows * self.width, int32, device) for _ in range(3))
         self.has_gaps = zeros(1, int32, device)
         words = self.rows * self.width
-        launch(pack_signs_kernel, -(-words // WORD) * WORD if device.is_cuda else words, [field, self])  # whole warps
+        launch(pack_signs_kernel, -(-words // WORD) * WORD if device.is_cuda else words, [field, self])  # full warps
         if device.is_cuda or host_view(self.has_gaps)[0]:
             launch(find_whole_cells_kernel, self.rows, [self])
 
 
 @kernel
 def pack_signs_kernel(field: SampledField, grid: SignGrid):
-    """One thread a word; bits beyond the end of the row are zero."""
+    """One thread per word; bits beyond the row are zero."""
     i = tid()
     row = i // grid.width
     first = (i - row * grid.width) * WORD
     size = min(field.nz - first, WORD)
     below = 0
     known = 0
-    if size == WORD:  # a count that compilers know: vector code
+    if size == WORD:  # a constant count: vector code
         for j in range(WORD):
             value = field.values[row, first + j]
             below = below | (int(value < field.level) << j)
@@ -143,7 +109,7 @@ def pack_signs_kernel(field: SampledField, grid: SignGrid):
 
 @pack_signs_kernel.on_cuda
 def pack_lanes_kernel(field: SampledField, grid: SignGrid):
-    """A warp packs the words of its threads in turn, a sample a lane: neighbouring lanes read neighbouring samples."""
+    """A warp packs the words of its threads together, one sample per lane: coalesced reads."""
     i = tid()
     lane = i % WORD
     below = 0
@@ -173,13 +139,13 @@ def pack_lanes_kernel(field: SampledField, grid: SignGrid):
 
 @func
 def finite_pairs(row: int, w: int, grid: SignGrid) -> int:
-    """The samples of a word that are finite, as is the one above them."""
+    """Finite samples of a word whose upper neighbor is finite too."""
     return grid.finite[row * grid.width + w] & above(grid.finite, row, w, grid.width)
 
 
 @kernel
 def find_whole_cells_kernel(grid: SignGrid):
-    """The cells whose eight corners are finite; one thread a row. Does nothing where the whole field is finite."""
+    """Cells with eight finite corners; one thread per row. No effect if the field is finite."""
     i = tid()
     if grid.has_gaps[0] == 0:
         return
@@ -192,18 +158,13 @@ def find_whole_cells_kernel(grid: SignGrid):
         grid.whole[i * grid.width + w] = cells
 
 
-EDGES = 3 * MAX_TRIANGLES  # entries of the triangle table a case
+EDGES = 3 * MAX_TRIANGLES  # entries of a case in the triangle table
 cell_edges = vector(12, int32)
 
 
 @struct
 class SurfaceEdges:
-    """The edges that cross the level, and where the vertices and triangles of each row begin.
-
-    Attributes:
-        words: vec4i [rows * width]: vertices of the row before this word, then the crossing edges along x, y, z.
-        offsets: int32 [2 * rows + 1], of the vertices of all rows, then of the triangles of all rows.
-    """
+    """Crossing edges: `words` vec4i (vertices of the row before, bits x, y, z); `offsets` of vertices, triangles."""
 
     words: array(dtype=vec4i)
     offsets: array(dtype=int32)
@@ -217,19 +178,16 @@ class SurfaceEdges:
 
 @func
 def sign_word(row: int, w: int, grid: SignGrid) -> int:
-    """The signs of a word's samples."""
     return grid.signs[row * grid.width + w]
 
 
 @func
 def signs_above(row: int, w: int, grid: SignGrid) -> int:
-    """The signs of the samples above those of a word."""
     return above(grid.signs, row, w, grid.width)
 
 
 @func
 def surface_cells(row: int, w: int, grid: SignGrid) -> int:
-    """The cells of a word with corners on both sides of the level."""
     a = sign_word(row, w, grid)
     b = sign_word(row + 1, w, grid)
     c = sign_word(row + grid.ny, w, grid)
@@ -245,10 +203,7 @@ def surface_cells(row: int, w: int, grid: SignGrid) -> int:
 
 @loop
 def surface_cases(row: int, w: int, cells: int, grid: SignGrid) -> tuple[int, int]:
-    """The sample and the case of each of the cells of a word, ascending; bit c of a case is corner c.
-
-    The eight words of signs are read once: what a body writes might lie among them, as far as compilers know.
-    """
+    """Sample and case of each surface cell of a word. Sign words are read once, as the loop body might alias them."""
     left = cells
     a = 0
     b = 0
@@ -278,7 +233,7 @@ def surface_cases(row: int, w: int, cells: int, grid: SignGrid) -> tuple[int, in
 
 @func
 def crossing_edges(row: int, w: int, grid: SignGrid) -> vec4i:
-    """(0, x, y, z): the edges of the samples of a word that cross the level, by axis."""
+    """(0, x, y, z): crossing edges of a word by axis."""
     y = row % grid.ny
     a = sign_word(row, w, grid)
     ex = 0
@@ -288,7 +243,7 @@ def crossing_edges(row: int, w: int, grid: SignGrid) -> vec4i:
         ex = a ^ sign_word(row + grid.ny, w, grid)
     if y + 1 < grid.ny:
         ey = a ^ sign_word(row + 1, w, grid)
-    if grid.has_gaps[0] != 0:  # an edge needs one whole cell of the four around it
+    if grid.has_gaps[0] != 0:  # an edge needs one complete cell of the four around it
         along_x = with_below(grid.whole, row, w, grid.width)
         along_y = along_x
         along_z = grid.whole[row * grid.width + w]
@@ -308,7 +263,7 @@ def crossing_edges(row: int, w: int, grid: SignGrid) -> vec4i:
 
 @kernel
 def count_surface_kernel(grid: SignGrid, tables: CubeTables, edges: SurfaceEdges, counts: array(dtype=int32)):
-    """Per row: the edge words, and in `counts` the vertices of all rows followed by the triangles of all rows."""
+    """Edge words per row; `counts` are the vertices of all rows, then their triangles."""
     i = tid()
     vertices = 0
     triangles = 0
@@ -330,13 +285,12 @@ def count_surface_kernel(grid: SignGrid, tables: CubeTables, edges: SurfaceEdges
 
 @func
 def crossing_place(a: float, b: float, level: float) -> float:
-    """Where between a and b the level lies, 0..1; in double precision, since b - a may pass the range of a float."""
+    """Fraction between a and b of the level; in float64, since b - a may overflow float32."""
     return float((float64(level) - float64(a)) / (float64(b) - float64(a)))
 
 
 @kernel
 def write_vertices_kernel(field: SampledField, grid: SignGrid, edges: SurfaceEdges, vertices: array(dtype=vec3)):
-    """The vertices of a row, by z, then axis."""
     i = tid()
     n = edges.offsets[i]
     if edges.offsets[i + 1] == n:
@@ -368,14 +322,13 @@ def write_vertices_kernel(field: SampledField, grid: SignGrid, edges: SurfaceEdg
 
 @func
 def word_of(row: int, w: int, grid: SignGrid, edges: SurfaceEdges) -> vec4i:
-    """The crossing edges of a word, and the number of the first vertex on them."""
     word = edges.words[row * grid.width + w]
     return vec4i(edges.offsets[row] + word[0], word[1], word[2], word[3])
 
 
 @func
 def x_edges_above(word: vec4i, row: int, w: int, grid: SignGrid, edges: SurfaceEdges) -> int:
-    """Of the samples above those of a word, whether their edges along x cross the level."""
+    """Crossing x edges of the samples above those of a word."""
     carry = 0
     if w + 1 < grid.width:
         carry = edges.words[row * grid.width + w + 1][1] << 31
@@ -384,7 +337,7 @@ def x_edges_above(word: vec4i, row: int, w: int, grid: SignGrid, edges: SurfaceE
 
 @func
 def vertices_before(word: vec4i, j: int) -> vec3i:
-    """The number of sample j's first vertex, if it has one, that of its edge along z, and of the first one above it."""
+    """First vertex of sample j, its vertex along z, and the first one of the sample above."""
     below = bits_below(j)
     first = word[0] + bit_count(word[1] & below) + bit_count(word[2] & below) + bit_count(word[3] & below)
     along_z = first + bit(word[1], j) + bit(word[2], j)
@@ -393,10 +346,7 @@ def vertices_before(word: vec4i, j: int) -> vec3i:
 
 @kernel
 def write_triangles_kernel(grid: SignGrid, edges: SurfaceEdges, tables: CubeTables, triangles: array(dtype=vec3i)):
-    """The triangles of a row of cells, by z, then in the order of the table.
-
-    The vertices on all twelve edges of a cell are numbered at once: four rows have them, each in order.
-    """
+    """Triangles of a row of cells, by z, then table order; a cell's vertices are numbered at once from four rows."""
     i = tid()
     first = edges.offsets[grid.rows + i]
     n = first - edges.offsets[grid.rows]
@@ -404,7 +354,7 @@ def write_triangles_kernel(grid: SignGrid, edges: SurfaceEdges, tables: CubeTabl
         return
     for w in range(grid.width):
         cells = surface_cells(i, w, grid)
-        low = vec4i(0, 0, 0, 0)  # of the four rows: this one, that beyond it along x, those beyond both along y
+        low = vec4i(0, 0, 0, 0)  # of the four rows: this one, the next along x, and the next along y of both
         low_x = vec4i(0, 0, 0, 0)
         high = vec4i(0, 0, 0, 0)
         high_x = vec4i(0, 0, 0, 0)
@@ -439,21 +389,8 @@ def write_triangles_kernel(grid: SignGrid, edges: SurfaceEdges, tables: CubeTabl
 def extract_surface(
     field: Array2[float32], shape: tuple[int, int, int], level: float, origin: np.ndarray, spacing: np.ndarray
 ) -> tuple[Points, Triangles]:
-    """The surface where a field passes a level.
-
-    Args:
-        field: float32 device array of shape [nx * ny, nz].
-        shape: (nx, ny, nz), each at least 2.
-        level: The value on the surface.
-        origin: Position of sample (0, 0, 0), three numbers.
-        spacing: Distance of neighbouring samples along each axis.
-
-    Returns:
-        (vertices, triangles): vec3 [m] and vec3i [t] device arrays; every vertex belongs to a triangle.
-
-    Raises:
-        ValueError: More vertices or triangles than 32 bits can index.
-    """
+    """Isosurface of a field [nx * ny, nz], each size >= 2. Returns (vertices vec3, triangles vec3i) without unused
+    vertices. Raises ValueError for more vertices or triangles than int32 can index."""
     samples, device = SampledField(field, shape, level, origin, spacing), field.device
     grid, tables = SignGrid(samples), device_tables(device)
     edges = SurfaceEdges(grid, tables)

@@ -1,10 +1,8 @@
-"""Log odds of occupancy in blocks of 8^3 voxels that appear where rays pass.
+"""Occupancy grid: log odds in hashed blocks of 8^3 voxels along rays.
 
-A voxel is 4 B, a block 8 B of key and 24 to 48 B of hash table more; 1 B a voxel of the blocks that a scan touches
-while it is folded in. Memory at least doubles when it grows. A scan is folded in whole or not at all, whatever
-interrupts it (arrays/changes.py): one launch writes to the voxels that count.
-
-The update is that of `OccupancyOcTreeBase::updateNode` of OctoMap: float32 sums, clamped.
+The update is `OccupancyOcTreeBase::updateNode` of OctoMap: clamped float32 sums. 4 B per voxel, 32 to 56 B per block,
+and 1 B per voxel of touched blocks during a scan. Memory at least doubles when it grows. One launch writes a scan, so
+updates are atomic (arrays/changes.py).
 """
 
 from typing import Any
@@ -49,25 +47,17 @@ from .occupancy_rays import (
 from .tsdf_blocks import BLOCK_VOXELS, MAX_BLOCKS, SIDE, BlockMarks, voxel_cell, voxel_in_block
 from .voxel_blocks import begin_blocks
 
-UNKNOWN = 1.0e9  # the log odds of voxels that no ray has met; those of others are clamped far below
+UNKNOWN = 1.0e9  # log odds of unobserved voxels; observed ones are clamped far below
 KNOWN_BELOW = 1.0e8
 FIRST_CAPACITY = 256
-MAX_CELLS = 1 << 26  # blocks in the box of a scan: 64 MB of marks
-OUTERMOST = 2.0**22  # [voxels] from the grid's origin: half of what blocks have keys for
+MAX_CELLS = 1 << 26  # blocks in the box of a scan: 64 MB of flags
+OUTERMOST = 2.0**22  # [voxels] from the grid's origin: half the range of block keys
 
 
 @struct
 class OddsBlocks:
-    """Blocks of log odds on one device.
-
-    Attributes:
-        lattice: The voxels.
-        keys: int64 [capacity], those of the blocks in the order in which they came.
-        table: The HashTable of the keys.
-        odds: float32 [capacity * 512], log odds; UNKNOWN where no ray was.
-        changes: Scans that were folded in.
-        hit, miss, lowest, highest: What an end point adds, what a ray that passes adds, and the clamps: log odds.
-    """
+    """Blocks of log odds (UNKNOWN if never observed). `hit` and `miss` are increments of end points and passing rays,
+    `lowest` and `highest` the clamps."""
 
     lattice: Lattice
     keys: array(dtype=int64)
@@ -87,13 +77,11 @@ class OddsBlocks:
 
     @property
     def count(self) -> int:
-        """Blocks."""
         self.changes.settle(self._list_keys)
         return int(self.changes.value)
 
     @property
     def scan_count(self) -> int:
-        """Scans that were folded in."""
         self.changes.settle(self._list_keys)
         return self.changes.count
 
@@ -102,11 +90,9 @@ class OddsBlocks:
 
     @property
     def memory_bytes(self) -> int:
-        """Bytes of device memory held by voxels, keys and the hash table."""
         return sum(a.capacity for a in (self.odds, self.keys, self.table.keys, self.table.positions))
 
     def reserve(self, count: int) -> None:
-        """Make room for so many blocks, at least doubling, and keep those that count."""
         if count <= self.keys.size:
             return
         capacity, known = min(MAX_BLOCKS, max(count, 2 * self.keys.size)), int(self.changes.value)
@@ -115,14 +101,13 @@ class OddsBlocks:
             copy(keys, self.keys, count=known)
             copy(odds, self.odds, count=known * BLOCK_VOXELS)
         self.odds = odds
-        self.keys = keys  # last: its size says how much room there is
+        self.keys = keys  # last: its size defines the capacity
 
     def begin(self, keys: Keys) -> Indices:
-        """Begin a scan over the blocks with these int64 keys: their positions, int32; new ones are appended."""
+        """Begin a scan over blocks with these int64 keys, appending new ones. Return their positions, int32."""
         return begin_blocks(self, keys, "grid")[0]
 
     def clone(self) -> "OddsBlocks":
-        """The same blocks in arrays of their own."""
         count, other = self.count, OddsBlocks(self.lattice, self.log_odds, self.device)
         other.reserve(count)
         if count:
@@ -132,7 +117,6 @@ class OddsBlocks:
         return other
 
     def fill(self, keys: Keys, odds: Scalars) -> None:
-        """Take over blocks into a grid that has none."""
         self.reserve(keys.size)
         if keys.size:
             copy(self.keys, keys, count=keys.size)
@@ -142,7 +126,6 @@ class OddsBlocks:
 
 @kernel
 def fold_scan_kernel(found: array(dtype=int32), flags: array(dtype=uint8), blocks: OddsBlocks):
-    """Add a hit or a miss to each voxel that a scan marked; one thread a voxel of the blocks that it touched."""
     i = tid()
     note_change(i, blocks.changes)
     flag = int(flags[i])
@@ -159,11 +142,11 @@ def fold_scan_kernel(found: array(dtype=int32), flags: array(dtype=uint8), block
 
 
 class WildScanError(ValueError):
-    """A scan that reaches further than a grid of such voxels takes at once."""
+    """A scan covers more blocks than supported at once."""
 
 
 def prepare_rays(points: Points, shift: tuple[float, float, float], starts: Points, longest: float, lattice: Lattice):
-    """The rays of a scan, and whether a point of it is infinite (sync)."""
+    """Rays of a scan, and whether a point is infinite (sync)."""
     n, device = points.size, points.device
     rays = ScanRays(lattice, starts, empty(n, vec3, device), empty(n, uint8, device))
     infinite = zeros(1, int32, device)
@@ -172,11 +155,7 @@ def prepare_rays(points: Points, shift: tuple[float, float, float], starts: Poin
 
 
 def fold_scan(rays: ScanRays, blocks: OddsBlocks) -> int:
-    """Fold the rays of a scan into the blocks; how many of these it touches.
-
-    Raises:
-        WildScanError: They reach too far.
-    """
+    """Integrate a scan. Return the number of touched blocks. Raises WildScanError if the rays are too long."""
     boxes = bound_each([rays.ends, rays.starts])  # sync
     if not boxes[0][2]:
         return 0
@@ -204,12 +183,9 @@ def fold_scan(rays: ScanRays, blocks: OddsBlocks) -> int:
     return int(found.size)
 
 
-# ------------------------------------------------------------------------------------------------ questions
-
-
 @func
 def odds_at(x: int, y: int, z: int, blocks: OddsBlocks) -> float:
-    """The log odds of a voxel; UNKNOWN where there is no block."""
+    """Log odds of a voxel; UNKNOWN without a block."""
     position = find_position(block_key(x >> 3, y >> 3, z >> 3), blocks.table)
     value = float(UNKNOWN)
     if position >= 0:
@@ -219,7 +195,7 @@ def odds_at(x: int, y: int, z: int, blocks: OddsBlocks) -> float:
 
 @kernel
 def look_up_kernel(points: array(dtype=vec3), shift: vec3d, blocks: OddsBlocks, out: array(dtype=float32)):
-    """The log odds of the voxel of each point; UNKNOWN of points beyond all voxels or not finite."""
+    """Log odds at each point; UNKNOWN if it is out of range or not finite."""
     i = tid()
     p = narrow(widen(points[i]) + shift)
     value = float(UNKNOWN)
@@ -232,7 +208,6 @@ def look_up_kernel(points: array(dtype=vec3), shift: vec3d, blocks: OddsBlocks, 
 
 @kernel
 def look_up_box_kernel(low: vec3i, size: vec3i, blocks: OddsBlocks, out: array(dtype=float32)):
-    """The log odds of the voxels of a box, z fastest."""
     i = tid()
     x = i // (size[1] * size[2])
     y = (i // size[2]) % size[1]
@@ -242,7 +217,6 @@ def look_up_box_kernel(low: vec3i, size: vec3i, blocks: OddsBlocks, out: array(d
 
 @kernel
 def mark_occupied_kernel(blocks: OddsBlocks, threshold: float, mask: array(dtype=uint8)):
-    """1 for voxels whose log odds reach the threshold."""
     i = tid()
     value = blocks.odds[i]
     taken = 0
@@ -253,14 +227,12 @@ def mark_occupied_kernel(blocks: OddsBlocks, threshold: float, mask: array(dtype
 
 @kernel
 def list_voxels_kernel(rows: array(dtype=int32), blocks: OddsBlocks, out: array(dtype=vec3i)):
-    """The coordinates of voxels by their numbers."""
     i = tid()
     out[i] = voxel_cell(rows[i], blocks.keys)
 
 
 @kernel
 def place_voxels_kernel(voxels: array(dtype=vec3i), lattice: Lattice, out: array(dtype=vec3)):
-    """The centres of voxels about the grid's origin [m]."""
     i = tid()
     v = voxels[i]
     q = vec3d(float64(v[0]) + 0.5, float64(v[1]) + 0.5, float64(v[2]) + 0.5)
@@ -276,7 +248,7 @@ def cast_rays_kernel(
     distances: array(dtype=float64),
     voxels: array(dtype=vec3i),
 ):
-    """What each ray meets first that is not known to be free: 1 occupied, -1 unknown, 0 nothing; and where."""
+    """First non-free voxel on each ray: 1 occupied, -1 unknown, 0 none; distance and voxel."""
     i = tid()
     state = int(0)
     distance = float64(0.0)
@@ -298,21 +270,19 @@ def cast_rays_kernel(
 
 
 def look_up(points: Points, shift: tuple[float, float, float], blocks: OddsBlocks) -> Scalars:
-    """The log odds of the voxels of points."""
     out = empty(points.size, float32, points.device)
     launch(look_up_kernel, points.size, [points, vec3d(*shift), blocks, out])
     return out
 
 
 def look_up_box(low: tuple[int, int, int], size: tuple[int, int, int], blocks: OddsBlocks) -> Scalars:
-    """The log odds of the voxels of a box, z fastest."""
     out = empty(size[0] * size[1] * size[2], float32, blocks.device)
     launch(look_up_box_kernel, out.size, [vec3i(*low), vec3i(*size), blocks, out])
     return out
 
 
 def list_occupied(blocks: OddsBlocks, threshold: float) -> Array:
-    """The occupied voxels, vec3i, block by block in the order in which these came (sync)."""
+    """Occupied voxels, vec3i, in block order (sync)."""
     count = blocks.count * BLOCK_VOXELS
     mask = empty(count, uint8, blocks.device)
     launch(mark_occupied_kernel, count, [blocks, threshold, mask])
@@ -323,14 +293,13 @@ def list_occupied(blocks: OddsBlocks, threshold: float) -> Array:
 
 
 def place_voxels(voxels: Array, lattice: Lattice) -> Points:
-    """The centres of voxels about the grid's origin."""
     out = empty(voxels.size, vec3, voxels.device)
     launch(place_voxels_kernel, voxels.size, [voxels, lattice, out])
     return out
 
 
 def cast_rays(starts: Points, ends: Points, threshold: float, blocks: OddsBlocks) -> tuple[Integers, Any, Array]:
-    """What rays meet first that is not known to be free: states int32, distances [m] float64, voxels vec3i."""
+    """First non-free voxel on each ray: states int32, distances [m] float64, voxels vec3i."""
     n, device = starts.size, starts.device
     rays = ScanRays(blocks.lattice, starts, ends, empty(1, uint8, device))
     states, distances = empty(n, int32, device), empty(n, float64, device)

@@ -1,12 +1,8 @@
-"""Rays of range scans through voxels: the walk of OctoMap, the ends of a scan's rays, and what they mark.
+"""Voxel traversal of range scans, identical to OctoMap's `OcTreeBaseImpl::computeRayKeys`.
 
-The walk is `OcTreeBaseImpl::computeRayKeys` of OctoMap (Hornung et al., "OctoMap", Autonomous Robots 34, 2013; after
-Amanatides and Woo, "A fast voxel traversal algorithm", Eurographics 1987), with its numbers: places and the unit
-direction are float32, crossings float64 that grow by one step each. At a corner, where crossings are equal, the ray
-goes on along z before y and along y before x. All of it is IEEE arithmetic, so the voxels are the same on every device.
-
-A thread takes a ray. Two walks a scan: the first marks blocks of 8^3 voxels, the second the voxels that are passed,
-1 B each; some 20 operations a voxel, and a look-up in the hash table a block.
+Hornung et al., "OctoMap", Autonomous Robots 34, 2013; after Amanatides and Woo, "A fast voxel traversal algorithm",
+Eurographics 1987. Positions and directions are float32, crossings float64 sums; at equal crossings z goes before y
+before x. The first pass marks blocks, the second voxels (1 B each).
 """
 
 from ..algebra.transform import narrow, widen
@@ -31,18 +27,12 @@ from ..lang import (
 )
 from .tsdf_blocks import BLOCK_VOXELS, NO_CROSSING, BlockMarks, leave_mark, step_along, voxel_in_block
 
-NO_RAY, HIT, PASSED = 0, 1, 2  # a ray that is none, one with an end point, one that was cut
+NO_RAY, HIT, PASSED = 0, 1, 2  # no ray, one with an end point, one that was cut
 
 
 @struct
 class Lattice:
-    """Voxels in space: voxel k along an axis reaches from k * voxel_size to (k + 1) * voxel_size [m].
-
-    Attributes:
-        voxel_size: [m].
-        per_meter: 1 / voxel_size.
-        half: Half a voxel [m], through float32 as OctoMap has it.
-    """
+    """Lattice of voxels k * voxel_size .. (k + 1) * voxel_size [m]. `half` [m] is rounded to float32 as in OctoMap."""
 
     voxel_size: float64
     per_meter: float64
@@ -54,20 +44,18 @@ class Lattice:
 
 @func
 def voxel_of(a: float, lattice: Lattice) -> int:
-    """The voxel of a coordinate along an axis."""
     return int(floor(lattice.per_meter * float64(a)))
 
 
 @func
 def span_of(d: vec3) -> float:
-    """The length of a vector, summed in float32 and rounded once from a root in float64."""
+    """Vector length: float32 sum, float64 root, rounded once."""
     square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2]
     return float(sqrt(float64(square)))
 
 
 @func
 def unit_of(d: vec3) -> vec3:
-    """A vector over its length; itself where this is zero."""
     span = span_of(d)
     u = d
     if span > 0.0:
@@ -77,7 +65,6 @@ def unit_of(d: vec3) -> vec3:
 
 @func
 def crossing_of(k: int, a: float, d: float, lattice: Lattice) -> float64:
-    """How far [m] along the ray it leaves voxel k of an axis, at first."""
     t = float64(NO_CROSSING)
     if d != 0.0:
         border = (float64(k) + 0.5) * lattice.voxel_size
@@ -91,7 +78,6 @@ def crossing_of(k: int, a: float, d: float, lattice: Lattice) -> float64:
 
 @func
 def stride_of(d: float, lattice: Lattice) -> float64:
-    """How far [m] along the ray it is from one crossing of an axis to the next."""
     t = float64(NO_CROSSING)
     if d != 0.0:
         t = lattice.voxel_size / abs(float64(d))
@@ -100,7 +86,7 @@ def stride_of(d: float, lattice: Lattice) -> float64:
 
 @loop
 def voxels_on_way(a: vec3, b: vec3, with_end: int, lattice: Lattice) -> tuple[int, int, int, float64]:
-    """The voxels from a to b and how far [m] along the ray each begins; the one of b only if `with_end` is 1."""
+    """Voxels from a to b with their entry distances [m]; the last one only if `with_end` is 1."""
     way = b - a
     u = unit_of(way)
     reach = float64(span_of(way))
@@ -148,15 +134,7 @@ def voxels_on_way(a: vec3, b: vec3, with_end: int, lattice: Lattice) -> tuple[in
 
 @struct
 class ScanRays:
-    """The rays of a scan about the grid's origin.
-
-    Attributes:
-        lattice: The voxels.
-        starts: vec3, one a ray, or one of all.
-        shared: 1 where it is one of all.
-        ends: vec3, NaN where there is no ray.
-        kinds: uint8, NO_RAY, HIT or PASSED.
-    """
+    """Rays relative to the grid's origin; one start if `shared`. `ends` are NaN and `kinds` NO_RAY for none."""
 
     lattice: Lattice
     starts: array(dtype=vec3)
@@ -171,7 +149,6 @@ class ScanRays:
 
 @func
 def start_of(i: int, rays: ScanRays) -> vec3:
-    """Where a ray begins."""
     k = i
     if rays.shared == 1:
         k = 0
@@ -182,7 +159,7 @@ def start_of(i: int, rays: ScanRays) -> vec3:
 def prepare_rays_kernel(
     points: array(dtype=vec3), shift: vec3d, longest: float, rays: ScanRays, infinite: array(dtype=int32)
 ):
-    """The end and the kind of each ray; those longer than `longest` [m] are cut there. Flags infinite points."""
+    """End and kind of each ray, cut at `longest` [m]; sets a flag for infinite points."""
     i = tid()
     p = points[i]
     q = narrow(widen(p) + shift)
@@ -205,7 +182,6 @@ def prepare_rays_kernel(
 
 @kernel
 def mark_blocks_kernel(rays: ScanRays, marks: BlockMarks):
-    """Mark the blocks of the voxels that each ray passes, and that of its end point."""
     i = tid()
     bx = int(1 << 30)
     by = int(0)
@@ -229,7 +205,6 @@ def mark_blocks_kernel(rays: ScanRays, marks: BlockMarks):
 
 @kernel
 def mark_passed_kernel(rays: ScanRays, table: HashTable, rows: array(dtype=int32), flags: array(dtype=uint8)):
-    """1 for each voxel that a ray passes; `rows` says where the voxels of a block stand."""
     i = tid()
     bx = int(1 << 30)
     by = int(0)
@@ -249,7 +224,7 @@ def mark_passed_kernel(rays: ScanRays, table: HashTable, rows: array(dtype=int32
 
 @kernel
 def mark_hits_kernel(rays: ScanRays, table: HashTable, rows: array(dtype=int32), flags: array(dtype=uint8)):
-    """2 for each voxel with an end point, whatever passed it."""
+    """2 for each voxel with an end point, overriding passes."""
     i = tid()
     if int(rays.kinds[i]) == HIT:
         q = rays.ends[i]

@@ -1,7 +1,7 @@
-"""The pictures of a volume that rays have met: points, normals, colours and brightness at their hits.
+"""Points, normals, colors and intensity at the ray hits of a volume.
 
-One thread a pixel. A normal is the gradient of the trilinear distance over one voxel; a colour is the nearest voxel's,
-as it was seen; brightness is the trilinear mean of the seen voxels around, smooth enough to have slopes.
+Normals are gradients of the trilinear distance over one voxel, colors those of the nearest voxel, intensities trilinear
+means of observed voxels, which are differentiable.
 """
 
 from collections.abc import Sequence
@@ -33,19 +33,9 @@ from .voxel_samples import (
 
 @struct
 class RayImages:
-    """What a camera sees, by pixel; pictures that are not asked for have one element.
-
-    Attributes:
-        depth: float32 [h * w] along z [m]; 0 where nothing is hit.
-        met: int32 [h * w], the block in which the hit was found; any number where there is none.
-        points: vec3 [h * w] in the volume's frame [m]; NaN where nothing is hit.
-        normals: vec3 [h * w] in the volume's frame, or in the camera's; NaN where nothing is hit.
-        colors: vec3 [h * w], 0 to 1; 0 where nothing is hit.
-        intensities: float32 [h * w], brightness 0 to 1; 0 where nothing is hit.
-        shares: Of red, green and blue in brightness.
-        has_points, has_normals, has_colors, has_intensities: Which are made.
-        in_camera: Whether normals are in the camera's frame.
-    """
+    """Rendered images [h * w]; images not requested have one element. `depth` is along z [m], 0 without a hit, `met`
+    the block of the hit. `points` and `normals` are NaN, `colors` and `intensities` (0..1) 0 without a hit. `shares`
+    are the weights of red, green and blue in intensity; `in_camera` selects the frame of normals."""
 
     depth: array(dtype=float32)
     met: array(dtype=int32)
@@ -71,7 +61,7 @@ class RayImages:
         shares: Sequence[float] | None = None,
         in_camera: bool = False,
     ) -> None:
-        """Room for so many pixels; brightness is made where its `shares` are given."""
+        """Intensity is rendered if its `shares` are given."""
 
         def room(dtype: Any, is_wanted: bool) -> Scalars | Vectors:
             return empty(count if is_wanted else 1, dtype, device)
@@ -86,21 +76,14 @@ class RayImages:
 
 @func
 def side_distance(block: int, x: int, y: int, z: int, seen: SeenBlocks) -> float:
-    """The distance at a voxel beside a cell, each coordinate in -8..15; UNSEEN where it was not seen often enough."""
+    """Distance at a voxel next to a cell, coordinates in -8..15; UNSEEN if not observed often enough."""
     return seen_distance(voxel_around(block, x, y, z, seen), seen)
 
 
 @func
 def slope_along(low: float, high: float, beyond: float, middle: float, share: float, is_up: int) -> float:
-    """The slope over one voxel about a place between two planes of voxels, of which a third lies beyond the nearer.
-
-    Args:
-        low, high: The distance on the two planes.
-        beyond: That on the third; UNSEEN where there is none: then the slope is that of the other half voxel.
-        middle: That at the place.
-        share: Where the place lies between the planes, 0 to 1.
-        is_up: 1 where the third plane is above.
-    """
+    """Slope over one voxel, centered at a fraction `share` between two planes with distances `low` and `high`. `beyond`
+    is the third plane's distance (above if `is_up`); if UNSEEN, the slope over the other half voxel is used."""
     slope = float(UNSEEN)
     if is_up == 1:
         before = between(low, high, share - 0.5)
@@ -117,7 +100,7 @@ def slope_along(low: float, high: float, beyond: float, middle: float, share: fl
 
 @func
 def mean_of_four(a: float, b: float, c: float, d: float, fu: float, fv: float) -> float:
-    """The bilinear value between four, v fastest; UNSEEN where one of them is."""
+    """Bilinear interpolation, v fastest; UNSEEN if one value is."""
     mean = between(between(a, b, fv), between(c, d, fv), fu)
     if max(max(a, b), max(c, d)) >= UNSEEN:
         mean = float(UNSEEN)
@@ -126,15 +109,8 @@ def mean_of_four(a: float, b: float, c: float, d: float, fu: float, fv: float) -
 
 @func
 def slopes_at(block: int, x: int, y: int, z: int, f: vec3, c: octet, seen: SeenBlocks) -> vec3:
-    """The slopes over one voxel of the trilinear distance along the axes, at a place in a cell that is seen.
-
-    Half a voxel to one side the place is still in the cell, to the other in the next one: four voxels more an axis.
-
-    Args:
-        block, x, y, z: The cell.
-        f: The place in it, 0 to 1.
-        c: The distances at its corners.
-    """
+    """Slopes of the trilinear distance over one voxel at a position f (0..1) in an observed cell with corner distances
+    c; reads four more voxels per axis."""
     up_x = int(f[0] >= 0.5)
     up_y = int(f[1] >= 0.5)
     up_z = int(f[2] >= 0.5)
@@ -171,7 +147,6 @@ def slopes_at(block: int, x: int, y: int, z: int, f: vec3, c: octet, seen: SeenB
 
 @func
 def brightness_of(voxels: cube, f: vec3, seen: SeenBlocks, shares: vec3) -> float:
-    """The trilinear mean brightness of the seen ones of a cell's voxels; 0 where there are none."""
     total = 0.0
     weight = 0.0
     n = int(8)
@@ -193,7 +168,6 @@ def brightness_of(voxels: cube, f: vec3, seen: SeenBlocks, shares: vec3) -> floa
 
 @func
 def turned_back(v: vec3, R: mat33d) -> vec3:
-    """A direction in the camera's frame, of one in the volume's."""
     return vec3(
         float(R[0, 0]) * v[0] + float(R[1, 0]) * v[1] + float(R[2, 0]) * v[2],
         float(R[0, 1]) * v[0] + float(R[1, 1]) * v[1] + float(R[2, 1]) * v[2],
@@ -203,7 +177,6 @@ def turned_back(v: vec3, R: mat33d) -> vec3:
 
 @kernel(most_registers=128)
 def shade_hits_kernel(rays: CameraRays, seen: SeenBlocks, images: RayImages):
-    """The pictures of one pixel from its depth."""
     i = tid()
     if images.has_points == 1:
         images.points[i] = vec3(NAN, NAN, NAN)
@@ -246,6 +219,6 @@ def shade_hits_kernel(rays: CameraRays, seen: SeenBlocks, images: RayImages):
 
 
 def shade_hits(rays: CameraRays, seen: SeenBlocks, images: RayImages) -> None:
-    """Make the pictures that are asked for, from depth and `met`."""
+    """Render the requested images from depth and `met`."""
     if images.has_points or images.has_normals or images.has_colors or images.has_intensities:
         launch(shade_hits_kernel, images.depth.size, [rays, seen, images])

@@ -1,13 +1,8 @@
-"""LiDAR scans folded into blocks of truncated signed distances.
+"""Integration of LiDAR scans into TSDF blocks.
 
-A ray gives each voxel on its way the distance along the ray from the voxel to the point, over the truncation and cut at
-1 (the "simple" integrator of Oleynikova et al., "Voxblox", IROS 2017, section IV; Vizzo et al., "VDBFusion", Sensors
-2022, section 3.2). Voxels farther than the truncation behind the point take nothing.
-
-Where many rays of a scan meet in a voxel, the mean of their values is the scan's: one scan is one frame, of weight 1,
-as a depth frame is, however dense it is there. The sums are whole numbers, so their order does not matter. 12 B of sums
-a voxel of the touched blocks, 44 B with colour, until the scan is folded in; that is one launch, so a scan is in the
-volume whole or not at all.
+Truncated distance along the ray ("simple" integrator of Oleynikova et al., "Voxblox", IROS 2017, section IV; Vizzo et
+al., "VDBFusion", Sensors 2022, section 3.2). A voxel's mean over a scan counts as one frame. Integer sums, so the order
+does not matter; 12 B per voxel of touched blocks, 44 B with color. One launch writes the volume.
 """
 
 import numpy as np
@@ -47,22 +42,15 @@ from .scan_rays import (
 from .tsdf_blocks import BLOCK_VOXELS, blocks_on_way, voxel_in_block
 from .voxel_blocks import VoxelBlocks
 
-STEPS = 16777216.0  # a value's steps, 2^24: those of float32; sums stay exact for 2^38 rays
+STEPS = 16777216.0  # steps of a value, 2^24: the float32 resolution; sums stay exact for 2^38 rays
 SHADES = 65535.0
-SURFACE_SHADE = 65536  # what a colour counts near its point, to 1 in front of it: space takes one where nothing else is
+SURFACE_SHADE = 65536  # weight of a color at its point, over that of 1 in the free space before it
 
 
 @struct
 class ScanSums:
-    """What the rays of a scan add up to in the voxels of the touched blocks.
-
-    Attributes:
-        slots: int32, one a block of the volume: its place among the touched ones; -1 where it is not touched.
-        values: int64 [512 m], sums of values in steps.
-        counts: int32 [512 m], rays.
-        colors: int64 [512 m * 4]: red, green and blue times what they count, and the sum of what they count; 4 numbers
-            where the scan has no colour.
-    """
+    """Sums of a scan over the voxels of touched blocks. `slots` are the indices of blocks among these, or -1. `values`
+    are in steps; `colors` int64 [512 m * 4] are weighted red, green, blue, and the weight."""
 
     slots: array(dtype=int32)
     values: array(dtype=int64)
@@ -79,7 +67,6 @@ class ScanSums:
 
 @func
 def slot_of(key: int64, blocks: VoxelBlocks, sums: ScanSums) -> int:
-    """The place of a block among the touched ones, or -1."""
     found = find_position(key, blocks.table)
     slot = -1
     if found >= 0:
@@ -89,7 +76,6 @@ def slot_of(key: int64, blocks: VoxelBlocks, sums: ScanSums) -> int:
 
 @func
 def shade_steps(shade: float) -> int64:
-    """A colour in 0..1 as a whole number."""
     return int64(floor(float64(min(max(shade, 0.0), 1.0)) * float64(SHADES) + 0.5))
 
 
@@ -97,7 +83,7 @@ def shade_steps(shade: float) -> int64:
 def add_value(
     i: int, slot: int, x: int, y: int, z: int, reach: float64, d: vec3d, o: vec3d, rays: ScanRays, sums: ScanSums
 ):
-    """Add a ray's value at a voxel to the sums; they are whole numbers, the same in any order."""
+    """Add a ray's value at a voxel; integer sums do not depend on the order."""
     to_voxel = vec3d(float64(x), float64(y), float64(z)) * rays.voxel_size - o
     value = (reach - dot(to_voxel, d)) / rays.truncation
     if value > -1.0:
@@ -117,8 +103,7 @@ def add_value(
 
 @kernel
 def sum_rays_kernel(rays: ScanRays, carve: int, steps: int, blocks: VoxelBlocks, sums: ScanSums):
-    """Add each ray to the voxels around its point, and where it carves to those that it passes before, in blocks that
-    are touched. The voxel where its end begins is met once."""
+    """Add each ray to the voxels around its point and, if it carves, before it, in touched blocks, each voxel once."""
     i = tid()
     reach = ray_range(i, rays)
     if reach > 0.0:
@@ -162,7 +147,7 @@ def fold_sums_kernel(
     sums: ScanSums,
     blocks: VoxelBlocks,
 ):
-    """Fold a scan's means into the touched blocks: one voxel a thread."""
+    """Fold a scan's means into the touched blocks; one thread per voxel."""
     i = tid()
     note_frame(i, counts, record, blocks)
     rays = sums.counts[i]
@@ -180,24 +165,13 @@ def fold_sums_kernel(
 
 
 def scan_blocks(rays: ScanRays, carve: bool, blocks: VoxelBlocks) -> Keys:
-    """The keys of the blocks that a scan touches, int64, ascending: those around its points, which the volume may lack,
-    and where it carves those of the volume that rays pass."""
+    """Ascending int64 keys of the blocks around the points and, with `carve`, of existing blocks that rays pass."""
     ends = end_blocks(rays)
     return distinct_keys([ends, passed_blocks(rays, blocks)], rays.points.device) if carve else ends
 
 
 def integrate_scan(keys: Keys, rays: ScanRays, carve: bool, blocks: VoxelBlocks) -> None:
-    """Fold one scan into the blocks that it touches, wholly or, where that is interrupted, not at all.
-
-    Args:
-        keys: int64 keys of the touched blocks.
-        rays: The ScanRays.
-        carve: Whether rays clear what they pass.
-        blocks: The VoxelBlocks.
-
-    Raises:
-        ValueError: More blocks than 32 bits can index; the blocks stay as they were.
-    """
+    """Integrate a scan atomically into blocks `keys`, and carve space. Raises ValueError beyond int32 blocks."""
     touched = blocks.begin(keys)
     room: Array1[int64] = blocks.keys
     sums = ScanSums(touched, room.size, bool(rays.has_color))

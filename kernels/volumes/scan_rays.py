@@ -1,11 +1,8 @@
-"""The rays of a LiDAR scan through the blocks of a volume: which blocks they need, and which they pass.
+"""LiDAR rays through volume blocks: required blocks, and blocks passed.
 
-A ray runs from where the scanner stood to a point. Around its end, from the truncation before the point to the
-truncation behind it, it walks all voxels whose cells it crosses (Amanatides and Woo, "A fast voxel traversal
-algorithm", Eurographics 1987), in float64; the blocks of these are what the scan needs. Before that it may pass blocks
-that are there already, which are marked. Cells are centred on their voxels, at whole multiples of the voxel size.
-
-24 B read a ray and scanner, 8 B written for each block that an end can touch: 5 for the usual truncation.
+The end of a ray, the truncation before and behind the point, traverses all voxel cells (Amanatides and Woo, "A fast
+voxel traversal algorithm", Eurographics 1987) in float64; the scan requires their blocks. Before that, only existing
+blocks are marked. Cells are centered at multiples of the voxel size.
 """
 
 import math
@@ -38,26 +35,17 @@ from ..memory import copy, download, empty, full, zeros
 from .tsdf_blocks import SIDE, blocks_on_way
 from .voxel_blocks import VoxelBlocks
 
-HALF_SIDE_BITS = 3  # 2^3 voxels a block edge
-DIAGONAL = 1.7320509  # cells that a walk of length 1 enters at most, beside those where it begins
-SPARE = 4  # those, and one for rounding
-INFINITE = 1.0e100  # [m] as large, or the root of its square overflows
-RAYS_AT_A_TIME = 1 << 20  # whose blocks are listed together
+HALF_SIDE_BITS = 3  # 2^3 voxels per block edge
+DIAGONAL = 1.7320509  # maximum number of cells on a path of length 1, besides the first
+SPARE = 4  # the same, plus one for rounding
+INFINITE = 1.0e100  # [m] same limit, to prevent overflow of squares
+RAYS_AT_A_TIME = 1 << 20  # blocks listed together
 
 
 @struct
 class ScanRays:
-    """Rays from scanners to points, about a volume's origin.
-
-    Attributes:
-        points: vec3d [n] [m].
-        scanners: vec3d [n], or [1] for all.
-        step: 1 where each point has a scanner of its own, else 0.
-        colors: float32 [n, 3] in 0..1; one row where there are none.
-        has_color: Whether there are.
-        least, most: Ranges [m] that count; beyond the most a ray passes space, and has no end.
-        voxel_size, truncation: [m].
-    """
+    """Rays from scanners to points relative to a volume's origin. `step` is 1 if each point has its own scanner, else
+    0. `least` and `most` are the valid ranges [m]; a longer ray passes space and has no end."""
 
     points: array(dtype=vec3d)
     scanners: array(dtype=vec3d)
@@ -85,22 +73,15 @@ class ScanRays:
 
     @property
     def slots(self) -> int:
-        """Blocks that the end of a ray touches at most."""
         return math.ceil(2 * self.truncation / (SIDE * self.voxel_size) * DIAGONAL) + SPARE
 
     @property
     def end_steps(self) -> int:
-        """Voxels that it touches at most."""
         return math.ceil(2 * self.truncation / self.voxel_size * DIAGONAL) + SPARE
 
 
 class Faults(NamedTuple):
-    """The first rays that no volume takes, as many as there are rays where none is such.
-
-    Attributes:
-        infinite: A point or a distance that is not finite, NaN aside.
-        far: An end, or a scanner, beyond what block keys reach.
-    """
+    """First invalid rays, or the ray count: `infinite` for a non-finite point or distance, `far` out of range."""
 
     infinite: int
     far: int
@@ -108,7 +89,7 @@ class Faults(NamedTuple):
 
 @func
 def ray_range(i: int, rays: ScanRays) -> float64:
-    """How far a point is from its scanner [m]; -1 where it does not count."""
+    """Range of a point [m]; -1 if it is ignored."""
     along = rays.points[i] - rays.scanners[i * rays.step]
     reach = float64(-1.0)
     if isfinite(along):
@@ -120,25 +101,24 @@ def ray_range(i: int, rays: ScanRays) -> float64:
 
 @func
 def cell_at(reach: float64, direction: vec3d, scanner: vec3d, rays: ScanRays) -> vec3d:
-    """The place in cells, which voxels lie in the middle of, at a range along a ray."""
+    """Position in cells at a range along a ray; voxels are at cell centers."""
     return (scanner + direction * reach) / rays.voxel_size + vec3d(0.5, 0.5, 0.5)
 
 
 @func
 def voxel_block_key(x: int, y: int, z: int) -> int64:
-    """The key of a voxel's block."""
     return block_key(x >> HALF_SIDE_BITS, y >> HALF_SIDE_BITS, z >> HALF_SIDE_BITS)
 
 
 @kernel
 def find_faults_kernel(rays: ScanRays, limit: float64, faults: array(dtype=int32)):
-    """The first infinite point, and the first that is farther than the limit from the origin; NaN is neither."""
+    """First infinite point, and the first beyond the limit; NaN is neither."""
     i = tid()
     p = rays.points[i]
     o = rays.scanners[i * rays.step]
     largest = max(abs(p[0]), max(abs(p[1]), abs(p[2])))
     if largest > float64(INFINITE):
-        atomic_min(faults, 0, i)  # the least in any order
+        atomic_min(faults, 0, i)  # the minimum does not depend on the order
     if largest <= float64(INFINITE) and isfinite(p):
         reach = length(p - o)
         beyond = max(abs(o[0]), max(abs(o[1]), abs(o[2])))
@@ -150,7 +130,7 @@ def find_faults_kernel(rays: ScanRays, limit: float64, faults: array(dtype=int32
 
 @kernel
 def list_end_blocks_kernel(rays: ScanRays, first: int, slots: int, steps: int, keys: array(dtype=int64)):
-    """The keys of the blocks around each point, `slots` a ray; the rest stay NO_KEY."""
+    """Keys of the blocks around each point, `slots` per ray, padded with NO_KEY."""
     i = tid()
     ray = first + i
     reach = ray_range(ray, rays)
@@ -171,7 +151,6 @@ def list_end_blocks_kernel(rays: ScanRays, first: int, slots: int, steps: int, k
 
 @kernel
 def mark_passed_blocks_kernel(rays: ScanRays, blocks: VoxelBlocks, passed: array(dtype=uint8)):
-    """1 for the blocks of the volume that a ray passes before its end."""
     i = tid()
     reach = ray_range(i, rays)
     free = min(reach, rays.most) - rays.truncation
@@ -188,7 +167,6 @@ def mark_passed_blocks_kernel(rays: ScanRays, blocks: VoxelBlocks, passed: array
 
 
 def find_faults(rays: ScanRays) -> Faults:
-    """The first rays that the volume cannot take (one sync)."""
     limit = (BIAS - 2) * SIDE * rays.voxel_size - rays.truncation - rays.voxel_size
     faults = full(2, rays.points.size, int32, rays.points.device)
     launch(find_faults_kernel, rays.points.size, [rays, limit, faults])
@@ -197,7 +175,7 @@ def find_faults(rays: ScanRays) -> Faults:
 
 
 def end_blocks(rays: ScanRays) -> Keys:
-    """The keys of the blocks around the points, int64, ascending: those that the scan needs."""
+    """Ascending int64 keys of the blocks around the points."""
     device, count, parts = rays.points.device, rays.points.size, []
     for first in range(0, count, RAYS_AT_A_TIME):
         some = min(RAYS_AT_A_TIME, count - first)
@@ -210,7 +188,7 @@ def end_blocks(rays: ScanRays) -> Keys:
 
 
 def passed_blocks(rays: ScanRays, blocks: VoxelBlocks) -> Keys:
-    """The keys of the volume's blocks that rays pass before their ends, int64."""
+    """Keys of existing blocks that rays pass before their ends, int64."""
     known = blocks.count
     passed: Mask = zeros(known, uint8, rays.points.device)
     launch(mark_passed_blocks_kernel, rays.points.size, [rays, blocks, passed])
@@ -218,7 +196,6 @@ def passed_blocks(rays: ScanRays, blocks: VoxelBlocks) -> Keys:
 
 
 def distinct_keys(parts: list[Any], device: Device) -> Keys:
-    """The distinct ones among several lists of keys, ascending."""
     parts = [keys for keys in parts if keys.size]
     if len(parts) == 1:
         return parts[0]

@@ -1,11 +1,7 @@
-"""How well points would lie on a volume's surface if they were shifted: one number for each of many shifts.
+"""Score shifts of points by their closeness to a volume's surface, to find ambiguous positions such as repeated doors.
 
-A frame of a corridor with like doors lies on the model at its place, and as well a door further on. Which shifts there
-are is asked of the distances themselves: a point on the surface counts 1, one a truncation away or where nothing was
-seen 0. Rotations are not tried, and what a point hides is not asked: that is for an alignment to tell.
-
-One thread a shift: a look-up in the hash table and 6 B a point; what is hopeless by its first points ends early.
-Points come in an order in which the first ones are spread over the picture.
+A point counts 1 on the surface, 0 at the truncation or if unobserved. 6 B per point. The first points decide on early
+termination, so these should be spread over the image.
 """
 
 from ..array_types import Points, Scalars, Vectors
@@ -16,7 +12,7 @@ from ..memory import empty
 from .tsdf_blocks import BLOCK_VOXELS, SIDE
 from .voxel_blocks import VoxelBlocks
 
-FIRST_LOOK = 24  # points after which a shift is first given up
+FIRST_LOOK = 24  # points before the first test for early termination
 
 
 @kernel
@@ -29,7 +25,7 @@ def score_shifts_kernel(
     is_coarse: int,
     scores: array(dtype=float32),
 ):
-    """The mean closeness of the shifted points, all in voxels; of the points looked at, where it was given up."""
+    """Mean closeness of shifted points in voxels, over the points evaluated."""
     i = tid()
     shift = shifts[i]
     total = 0.0
@@ -56,16 +52,8 @@ def score_shifts_kernel(
 def score_shifts(
     points: Points, shifts: Vectors, blocks: VoxelBlocks, threshold: float, least: float, *, is_coarse: bool = False
 ) -> Scalars:
-    """The score of each shift, 0 to 1, float32 device array.
-
-    Args:
-        points: vec3 [n], in voxels of the blocks.
-        shifts: vec3 [m], likewise.
-        blocks: The VoxelBlocks.
-        threshold: Voxels seen by no more frames than this are as if absent.
-        least: Shifts whose first points score less are not looked at further.
-        is_coarse: Whether a point counts 1 wherever a block of the volume is, for steps of a block's size.
-    """
+    """Score of each shift, 0..1, float32, all in voxels. Voxels with at most `threshold` frames count as absent. Shifts
+    whose first points score below `least` stop early. With `is_coarse`, a point counts 1 in any block."""
     scores = empty(shifts.size, float32, points.device)
     launch(score_shifts_kernel, shifts.size, [points, shifts, blocks, threshold, least, int(is_coarse), scores])
     return scores

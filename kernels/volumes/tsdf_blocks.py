@@ -1,9 +1,8 @@
-"""Which blocks of a volume a depth frame touches.
+"""Blocks of 8^3 voxels touched by a depth frame.
 
-A block is 8^3 voxels. A ray through every stride-th pixel walks the blocks between depth - truncation and depth +
-truncation (Amanatides and Woo, "A fast voxel traversal algorithm", Eurographics 1987), so none on the ray is missed;
-the stride is chosen so that neighbouring rays are less than half a block apart. Touched blocks are marked in a dense
-grid over the frame's box where that is small, else listed and sorted: both give ascending keys.
+Rays through every stride-th pixel traverse the blocks from depth - truncation to depth + truncation (Amanatides and
+Woo, "A fast voxel traversal algorithm", Eurographics 1987). The stride keeps neighboring rays less than half a block
+apart. Blocks are marked in a dense grid if that is small, else listed and sorted.
 """
 
 import functools
@@ -39,24 +38,22 @@ from ..lang import (
 from ..linear_algebra import matmul
 from ..memory import download, empty, full, upload, zeros
 
-SIDE = 8  # voxels a block edge
-ROWS = SIDE**2  # rows a block: voxel (x, y, z) of a block stands at (x * 8 + y) * 8 + z
+SIDE = 8  # voxels per block edge
+ROWS = SIDE**2  # rows per block: voxel (x, y, z) of a block has index (x * 8 + y) * 8 + z
 BLOCK_VOXELS = SIDE**3
-MAX_BLOCKS = (2**31 - 1) // (3 * BLOCK_VOXELS)  # colours of a volume stay below 2^31 numbers
-MAX_GRID = 1 << 24  # cells of a dense grid: clearing 16 MB takes less than sorting a frame's keys
+MAX_BLOCKS = (2**31 - 1) // (3 * BLOCK_VOXELS)  # colors of a volume have fewer than 2^31 numbers
+MAX_GRID = 1 << 24  # cells of a dense grid: clearing 16 MB is faster than sorting a frame's keys
 MAX_STRIDE = 4  # pixels between rays
-NO_CROSSING = 1.0e30  # the parameter of a ray that leaves its cell nowhere along an axis
+NO_CROSSING = 1.0e30  # parameter of a ray parallel to an axis
 
 
 @func
 def voxel_in_block(x: int, y: int, z: int) -> int:
-    """Where a voxel stands in its block."""
     return ((x & (SIDE - 1)) * SIDE + (y & (SIDE - 1))) * SIDE + (z & (SIDE - 1))
 
 
 @func
 def voxel_cell(voxel: int, keys: array(dtype=int64)) -> vec3i:
-    """The coordinates of a voxel of blocks."""
     block = key_block(keys[voxel // BLOCK_VOXELS])
     k = voxel % BLOCK_VOXELS
     return vec3i(SIDE * block[0] + k // ROWS, SIDE * block[1] + (k // SIDE) % SIDE, SIDE * block[2] + k % SIDE)
@@ -64,7 +61,6 @@ def voxel_cell(voxel: int, keys: array(dtype=int64)) -> vec3i:
 
 @func
 def first_crossing(start: float64, step: int, delta: float64) -> float64:
-    """Ray parameter at which a ray leaves its first cell along one axis."""
     t = float64(NO_CROSSING)
     if step > 0:
         t = (floor(start) + 1.0 - start) * delta
@@ -75,7 +71,6 @@ def first_crossing(start: float64, step: int, delta: float64) -> float64:
 
 @func
 def step_along(d: float64) -> int:
-    """The sign of a direction: -1, 0 or 1."""
     s = 0
     if d > 0.0:
         s = 1
@@ -86,7 +81,6 @@ def step_along(d: float64) -> int:
 
 @func
 def crossing_length(d: float64) -> float64:
-    """Ray parameter between two crossings along one axis."""
     t = float64(NO_CROSSING)
     if d != 0.0:
         t = 1.0 / abs(d)
@@ -95,7 +89,7 @@ def crossing_length(d: float64) -> float64:
 
 @loop
 def blocks_on_way(a: vec3d, b: vec3d, slots: int) -> tuple[int, int, int, int]:
-    """The blocks from a to b, places in blocks, numbered as they are met: at most `slots` of them."""
+    """At most `slots` blocks from a to b (positions in blocks), numbered in order."""
     along = b - a
     x = int(floor(a[0]))
     y = int(floor(a[1]))
@@ -127,15 +121,7 @@ def blocks_on_way(a: vec3d, b: vec3d, slots: int) -> tuple[int, int, int, int]:
 
 @struct
 class BlockMarks:
-    """Where rays leave the blocks that they touch: marks in a dense grid, or a list of keys.
-
-    Attributes:
-        is_dense: Whether it is the grid.
-        low, size: The grid's low block, and how many it has along each axis.
-        grid: uint8, one a block, z fastest.
-        slots: Blocks that a ray touches at most.
-        keys: int64, `slots` a ray; NO_KEY where it touches fewer.
-    """
+    """Blocks touched by rays: marks in a dense uint8 grid (z fastest), or `slots` keys per ray, padded with NO_KEY."""
 
     is_dense: int
     low: vec3i
@@ -153,7 +139,6 @@ class BlockMarks:
         self.keys = empty(1, int64, device) if self.is_dense else full(ray_count * slots, NO_KEY, int64, device)
 
     def touched(self) -> LongIntegers:
-        """The keys of the touched blocks, int64, ascending."""
         if self.is_dense and self.grid.device.is_cpu:
             x, y, z = np.unravel_index(np.flatnonzero(download(self.grid)), self.size)
             return upload(box_keys(x + self.low[0], y + self.low[1], z + self.low[2]), int64, self.grid.device)
@@ -191,9 +176,9 @@ def walk_rays_kernel(
     block_size: float64,
     marks: BlockMarks,
 ):
-    """Mark or list the blocks on the piece of each ray around its depth; at most `slots` of them."""
+    """Mark or list at most `slots` blocks around the depth of each ray."""
     i = tid()
-    u = min((i % columns) * stride, camera.width - 1)  # the last column and row too
+    u = min((i % columns) * stride, camera.width - 1)  # including the last column and row
     v = min((i // columns) * stride, depth.shape[0] // camera.width - 1)
     d = float64(depth[v * camera.width + u])
     if d > 0.0:
@@ -207,7 +192,6 @@ def walk_rays_kernel(
 
 @kernel
 def encode_cells_kernel(cells: array(dtype=int32), marks: BlockMarks, keys: array(dtype=int64)):
-    """The block keys of cells of the dense grid."""
     i = tid()
     c = cells[i]
     x = c // (marks.size[1] * marks.size[2])
@@ -217,25 +201,19 @@ def encode_cells_kernel(cells: array(dtype=int32), marks: BlockMarks, keys: arra
 
 
 def ray_stride(farthest: float, camera: CameraLike, block_size: float) -> int:
-    """Every how many-th pixel's ray is walked, where no depth is beyond `farthest` [m]."""
+    """Pixel distance of rays for depths up to `farthest` [m]."""
     spacing = farthest / min(camera.fx, camera.fy)
     return int(min(max(block_size / 2 / spacing, 1), MAX_STRIDE)) if spacing > 0 else MAX_STRIDE
 
 
 def ray_grid(camera: CameraLike, stride: int) -> tuple[int, int]:
-    """(columns, rows) of rays, the last column and row of pixels among them."""
     return -(-(camera.width - 1) // stride) + 1, -(-(camera.height - 1) // stride) + 1
 
 
 def frame_box(
     farthest: float, camera: CameraLike, T_volume_camera: np.ndarray, truncation: float, voxel_size: float
 ) -> tuple[np.ndarray, np.ndarray, int]:
-    """What a frame can touch with no depth beyond `farthest` [m].
-
-    Returns:
-        (low, size, slots): The low block of its box and how many blocks this has along each axis, float64 [3]; the
-        blocks that a ray touches at most.
-    """
+    """Frame bounds for depths up to `farthest` [m]: (low block, size in blocks, maximum number of blocks per ray)."""
     block_size = SIDE * voxel_size
     corners, _ = _corner_rays(camera.width, camera.height, camera.fx, camera.fy, camera.cx, camera.cy)
     ends = corners * (farthest + truncation)
@@ -246,7 +224,7 @@ def frame_box(
 
 
 def ray_slots(camera: CameraLike, truncation: float, voxel_size: float) -> int:
-    """The blocks that a ray of a frame touches at most, wherever its camera is."""
+    """Maximum number of blocks per ray for any pose."""
     _, longest = _corner_rays(camera.width, camera.height, camera.fx, camera.fy, camera.cx, camera.cy)
     return int(math.ceil(2 * truncation * longest / (SIDE * voxel_size) * math.sqrt(3))) + 3
 
@@ -255,14 +233,13 @@ def ray_slots(camera: CameraLike, truncation: float, voxel_size: float) -> int:
 def _corner_rays(
     width: int, height: int, fx: float, fy: float, cx: float, cy: float
 ) -> tuple[NDArray[np.float64], float]:
-    """The rays through a picture's corners at depth 1 and the camera, float64 [5, 3]; the longest ray's length."""
+    """Rays through the image corners at depth 1 and the camera, float64 [5, 3]; the length of the longest."""
     corners = np.array([[u, v, 1.0] for u in (0, width - 1) for v in (0, height - 1)])
     corners = (corners - [cx, cy, 0]) / [fx, fy, 1]
     return np.vstack([corners, np.zeros((1, 3))]), float(np.linalg.norm(corners, axis=1).max())
 
 
 def beyond_reach(low: np.ndarray, size: np.ndarray) -> bool:
-    """Whether a box has blocks that have no key."""
     return not max(np.abs(low).max(), np.abs(low + size).max()) < BIAS
 
 
@@ -274,21 +251,7 @@ def touched_blocks(
     truncation: float,
     voxel_size: float,
 ) -> LongIntegers:
-    """The keys of the blocks within the truncation of a depth frame, ascending.
-
-    Args:
-        depth: float32 device array [height * width] in metres, 0 without measurement.
-        farthest: No depth is beyond this [m].
-        camera: A Camera, or what has its attributes.
-        T_volume_camera: float64 [4, 4].
-        truncation, voxel_size: [m].
-
-    Returns:
-        int64 device array.
-
-    Raises:
-        ValueError: The frame reaches beyond 2^20 blocks from the volume's origin.
-    """
+    """Ascending keys of blocks within the truncation of depth [m] (0: none). Raises ValueError beyond 2^20 blocks."""
     block_size = SIDE * voxel_size
     stride = ray_stride(farthest, camera, block_size)
     columns, rows = ray_grid(camera, stride)
@@ -306,11 +269,9 @@ def touched_blocks(
 
 
 def box_keys(x: np.ndarray, y: np.ndarray, z: np.ndarray) -> np.ndarray:
-    """Keys of blocks by their coordinates, NumPy arrays; as block_keys.block_key."""
     return (((x + BIAS) << AXIS_BITS | (y + BIAS)) << AXIS_BITS) | (z + BIAS)
 
 
 def block_box(keys: np.ndarray) -> np.ndarray:
-    """Block coordinates of a NumPy array of keys, int64 [m, 3]."""
     mask = (1 << AXIS_BITS) - 1
     return np.stack([keys >> (2 * AXIS_BITS), (keys >> AXIS_BITS) & mask, keys & mask], axis=1) - BIAS

@@ -1,15 +1,10 @@
-"""What a camera would see of a volume, by ray casting: the depth of its surface, from which other pictures follow.
+"""Ray casting of a volume: depth images of its surface.
 
-One thread a pixel, tile by tile. A ray begins where its tile may first meet a surface (camera_rays.py) and goes from
-cell to cell: in one step through blocks that are not there, blocks and parts of blocks (4^3 cells) none of whose cells
-has a corner behind a surface, and single cells of that kind (block_signs.py: 64 bytes a block tell, no distances are
-read). In a cell with such a corner the distance is trilinear; where it changes sign between the ray's entry and exit,
-a step of regula falsi and a line find the zero. Where a corner was not seen the nearest voxel's distance at the
-entry, the middle and the exit serves. Amanatides and Woo, Eurographics 1987; Newcombe et al., "KinectFusion", ISMAR
-2011, section 3.4; Parker et al., "Interactive ray tracing for isosurface rendering", IEEE Visualization 1998.
-
-Positions count from the camera's own voxel, so that float32 is exact far from the volume's origin. Where a ray enters
-and leaves a cell follows from the cell alone, so a picture does not depend on which cells it passed before.
+One thread per pixel, tile by tile. Rays start at the tile's depth bound (camera_rays.py) and skip blocks, 4^3 parts and
+cells without a corner behind a surface (block_signs.py). Elsewhere, the zero of the trilinear distance is found by
+regula falsi; next to unobserved corners the nearest voxels are used. Amanatides and Woo, Eurographics 1987; Newcombe et
+al., "KinectFusion", ISMAR 2011, section 3.4; Parker et al., IEEE Visualization 1998. Positions are relative to the
+camera's voxel for float32.
 """
 
 import numpy as np
@@ -38,15 +33,15 @@ from .voxel_samples import (
 )
 
 MAX_STEPS = 8192  # of a ray
-NOWHERE = 1 << 30  # beyond every voxel
-ACROSS = 1.0e30  # the inverse of a direction that goes nowhere along an axis
-FLAT = 1.0e-12  # [voxels a metre] below it a direction goes nowhere
-EARLIER = 0.999999  # of a tile's depth: rays begin before rounding can pass a surface
+NOWHERE = 1 << 30  # beyond all voxels
+ACROSS = 1.0e30  # inverse of a direction parallel to an axis plane
+FLAT = 1.0e-12  # [voxels per meter] below it a component counts as zero
+EARLIER = 0.999999  # of a tile's depth: rays begin before rounding can skip a surface
 
 
 @func
 def inverse_of(direction: float) -> float:
-    """One over a direction, of the sign that it goes by; positive where it goes nowhere."""
+    """Inverse of a direction component with its sign; positive for zero."""
     inverse = float(ACROSS)
     if abs(direction) > FLAT:
         inverse = 1.0 / direction
@@ -55,7 +50,6 @@ def inverse_of(direction: float) -> float:
 
 @func
 def value_in_cell(t: float, cell: vec3, corners: octet, ray: vec3, rays: CameraRays) -> float:
-    """The trilinear distance at a place of a ray in a cell."""
     return interpolate(
         corners,
         rays.start[0] + ray[0] * t - cell[0],
@@ -66,22 +60,18 @@ def value_in_cell(t: float, cell: vec3, corners: octet, ray: vec3, rays: CameraR
 
 @func
 def nearest_value(t: float, block: int, corner: vec3i, ray: vec3, rays: CameraRays, seen: SeenBlocks) -> float:
-    """The distance at the voxel nearest to a place of a ray; UNSEEN where there is none."""
+    """Distance at the voxel nearest to a ray position, or UNSEEN."""
     return seen_distance(nearest_voxel(rays.start + ray * t, block, corner, seen), seen)
 
 
 @func
 def zero_between(before: float, before_d: float, here: float, here_d: float) -> float:
-    """Where the line through two distances of different sign is zero."""
     return before + (here - before) * before_d / (before_d - here_d)
 
 
 @func
 def zero_in_cell(ends: vec4, cell: vec3, corners: octet, ray: vec3, rays: CameraRays) -> float:
-    """Where the trilinear distance along a ray is zero, by a step of regula falsi and a line.
-
-    `ends` holds a parameter before it and the positive distance there, then one behind it and the distance there.
-    """
+    """Zero of the trilinear distance by regula falsi and a line. `ends`: parameter and distance before, then behind."""
     a = ends[0]
     a_d = ends[1]
     b = ends[2]
@@ -101,10 +91,7 @@ def zero_in_cell(ends: vec4, cell: vec3, corners: octet, ray: vec3, rays: Camera
 
 @func
 def hit_unseen(ends: vec4, block: int, corner: vec3i, ray: vec3, rays: CameraRays, seen: SeenBlocks) -> float:
-    """Where a ray meets a surface in a cell with an unseen corner, 0 where it does not.
-
-    `ends` holds the entry, the distance there, the exit, and the distance there.
-    """
+    """Hit in a cell with an unobserved corner, or 0. `ends` are the entry, its distance, the exit, and its distance."""
     middle = 0.5 * (ends[0] + ends[2])
     m_d = nearest_value(middle, block, corner, ray, rays, seen)
     a = ends[0]
@@ -122,7 +109,7 @@ def hit_unseen(ends: vec4, block: int, corner: vec3i, ray: vec3, rays: CameraRay
 
 @func
 def block_at(cell: vec3i, base: vec3i, seen: SeenBlocks) -> int:
-    """The block around a cell that counts from the voxel `base`; -1 where there is none."""
+    """Block of a cell relative to voxel `base`, or -1."""
     return find_position(
         block_key((cell[0] + base[0]) >> 3, (cell[1] + base[1]) >> 3, (cell[2] + base[2]) >> 3), seen.blocks.table
     )
@@ -130,7 +117,6 @@ def block_at(cell: vec3i, base: vec3i, seen: SeenBlocks) -> int:
 
 @func
 def clamped(t: float, start: float, direction: float, low: int, size: int) -> int:
-    """The cell of a place of a ray along one axis, within a box that it is on the border of."""
     return min(max(int(floor(start + direction * t)), low), low + size - 1)
 
 
@@ -138,10 +124,7 @@ def clamped(t: float, start: float, direction: float, low: int, size: int) -> in
 def hit_in_cell(
     ends: vec3, cell: vec3i, block: int, corner: vec3i, ray: vec3, rays: CameraRays, seen: SeenBlocks
 ) -> vec2:
-    """Where a ray meets a surface in a cell, 0 where it does not; and the distance where it leaves.
-
-    `ends` holds the entry, the distance there as far as the cell before told it, else UNSEEN, and the exit.
-    """
+    """Hit in a cell, or 0, and the distance at its exit. `ends` are the entry, its distance (or UNSEEN), the exit."""
     hit = 0.0
     before = ends[1]
     after = float(UNSEEN)
@@ -164,10 +147,7 @@ def hit_in_cell(
 
 @func
 def cell_beyond(t: float, exits: vec3, low: vec3i, size: int, ahead: vec3i, ray: vec3, rays: CameraRays) -> vec3i:
-    """The cell that a ray enters where it leaves a box, through the face that it meets first.
-
-    Branches, not choices: foreseen, they let the next cell begin before this one's exit is known.
-    """
+    """Cell that a ray enters when it leaves a box. Predicted branches, so that the next cell can start early."""
     x = low[0]
     y = low[1]
     z = low[2]
@@ -189,7 +169,7 @@ def cell_beyond(t: float, exits: vec3, low: vec3i, size: int, ahead: vec3i, ray:
 def cast_rays_kernel(
     rays: CameraRays, seen: SeenBlocks, signs: BlockSigns, depth: array(dtype=float32), met: array(dtype=int32)
 ):
-    """One ray; the parameter is depth along z [m]. Threads go tile by tile: neighbours meet the same voxels."""
+    """One ray; the parameter is depth along z [m]. Threads go tile by tile to read the same voxels."""
     i = tid()
     tile = i // (TILE * TILE)
     column = tile % rays.columns * TILE + i % TILE
@@ -199,14 +179,14 @@ def cast_rays_kernel(
     pixel = row * rays.camera.width + column
     ray = ray_of(column, row, rays)
     inverse = vec3(inverse_of(ray[0]), inverse_of(ray[1]), inverse_of(ray[2]))
-    ahead = vec3i(-int(inverse[0] > 0.0), -int(inverse[1] > 0.0), -int(inverse[2] > 0.0))  # all bits where it goes up
+    ahead = vec3i(-int(inverse[0] > 0.0), -int(inverse[1] > 0.0), -int(inverse[2] > 0.0))  # all bits set if it goes up
     t = max(rays.nearest, bits_float(rays.nears[tile]) * EARLIER)
     last = min(rays.farthest, bits_float(rays.fars[tile]))
     hit = 0.0
     steps = 0
     if t <= last:
         cell = floor_cell(rays.start + ray * t)
-        before = float(UNSEEN)  # the distance at the entry, where the cell before told it
+        before = float(UNSEEN)  # distance at the entry, if known from the previous cell
         block = block_at(cell, rays.base, seen)
         corner = vec3i(
             ((cell[0] + rays.base[0]) & -SIDE) - rays.base[0],
@@ -268,18 +248,7 @@ def cast_rays(
     farthest: float,
     images: RayImages,
 ) -> None:
-    """What a camera sees of a volume.
-
-    Args:
-        seen: The SeenBlocks.
-        camera: A Camera, or what has its attributes.
-        T_volume_camera: float64 [4, 4].
-        nearest, farthest: Depths [m] where rays begin and end.
-        images: RayImages that are made.
-
-    Raises:
-        ValueError: The camera stands beyond 2^20 blocks from the volume's origin.
-    """
+    """Render a volume with depths `nearest` to `farthest` [m]. Raises ValueError for a camera beyond 2^20 blocks."""
     signs = signs_of(seen.blocks)
     rays = CameraRays(camera, T_volume_camera, nearest, farthest, seen.blocks, signs)
     places = [images.depth, images.met]

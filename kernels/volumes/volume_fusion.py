@@ -1,14 +1,8 @@
-"""Volumes fused into one, each moved by a rigid pose: a gather from each into the blocks that it reaches.
+"""Fusion of rigidly moved volumes into one, by trilinear resampling.
 
-A voxel of the result asks each volume at its own place there: the trilinear mean of the distances, weights and colours
-of the eight voxels around it, all of which have to have been seen; those that the place does not lean on are not asked,
-so a voxel on top of another takes its bits over. What it gets is folded into its running mean as a frame is, but by its
-weight and in float64. Distances are signed lengths along some camera's z, which no motion changes: nothing is turned.
-
-A thread takes a run of voxels along z on the CPU, one on CUDA. For each voxel that a volume reaches: one look-up in its
-hash table, 80 B read and 24 B of the result read and written. Blocks of the result are found from the boxes of the
-volumes' blocks, some 2 to 3 for each, and those without a seen voxel are dropped at the end. Curless and Levoy,
-SIGGRAPH 1996, section 3.3 for the mean; Kaehler, Prisacariu and Murray, ECCV 2016, for volumes moved as a whole.
+Each voxel of the result reads distance, weight and color at its position in each volume, if all contributing voxels are
+observed; a coincident voxel copies its bits. Weighted running mean in float64. Curless and Levoy, SIGGRAPH 1996,
+section 3.3; Kaehler, Prisacariu and Murray, ECCV 2016.
 """
 
 import itertools
@@ -50,24 +44,17 @@ from .integrate import MAX_WEIGHT
 from .tsdf_blocks import BLOCK_VOXELS, ROWS, SIDE, beyond_reach, block_box
 from .voxel_blocks import VoxelBlocks, check_block_count
 
-CPU_RUN = 8  # voxels a thread: a row, whose places mostly lie in one block of the other volume
-SNAP = 1.0e-6  # [voxels] a place so near to a voxel is that voxel: sums of float64 miss it by some 1e-10
+CPU_RUN = 8  # voxels per thread: a row, mostly in one block of the other volume
+SNAP = 1.0e-6  # [voxels] closer positions are snapped to the voxel: float64 sums deviate by some 1e-10
 KEYS_AT_ONCE = 1 << 23  # keys listed together: 64 MB
 EDGE = 8.0  # [voxels] SIDE, for 64 bits
-HALF = 4.0  # [voxels] from the middle of a block of places to its face
-sample = vector(5, float64)  # distance, weight, colour
+HALF = 4.0  # [voxels] from the center of a block of positions to its face
+sample = vector(5, float64)  # distance, weight, color
 
 
 @struct
 class MovedVolume:
-    """A volume as seen from the voxels of the result.
-
-    Attributes:
-        seen: Its SeenBlocks, each voxel that was seen at all.
-        R, t: A place of the result in its voxels, q = R p + t, p in the voxels of the result.
-        shrink: Its truncation over the result's.
-        has_color: Whether its colours are folded in.
-    """
+    """A volume and its pose: q = R p + t maps voxels of the result to its own. `shrink`: ratio of truncations."""
 
     seen: SeenBlocks
     R: mat33d
@@ -76,14 +63,12 @@ class MovedVolume:
     has_color: int
 
     def __init__(self, blocks: VoxelBlocks, matrix: np.ndarray, shrink: float, has_color: bool) -> None:
-        """`matrix` is the float64 [4, 4] of R and t."""
         self.seen, self.shrink, self.has_color = SeenBlocks(blocks, 0.0), shrink, int(has_color)
         self.R, self.t = mat33d(*matrix[:3, :3].ravel()), vec3d(*matrix[:3, 3])
 
 
 @func
 def snapped(a: float64) -> float64:
-    """A coordinate in voxels, whole where it is all but whole."""
     whole = floor(a + 0.5)
     b = a
     if abs(a - whole) < float64(SNAP):
@@ -93,20 +78,17 @@ def snapped(a: float64) -> float64:
 
 @func
 def place_in(x: int, y: int, z: int, moved: MovedVolume) -> vec3d:
-    """Where a voxel of the result lies, in voxels of another volume."""
     q = moved.R @ vec3d(float64(x), float64(y), float64(z)) + moved.t
     return vec3d(snapped(q[0]), snapped(q[1]), snapped(q[2]))
 
 
 @func
 def block_at(a: float64) -> int:
-    """The block that a coordinate in voxels lies in, along one axis."""
     return int(floor(a / float64(EDGE)))
 
 
 @func
 def block_around(b: vec3i, moved: MovedVolume) -> int:
-    """The position of a volume's block, or -1."""
     found = -1
     if max(max(abs(b[0]), abs(b[1])), abs(b[2])) < BIAS - 1:
         found = find_position(block_key(b[0], b[1], b[2]), moved.seen.blocks.table)
@@ -115,7 +97,6 @@ def block_around(b: vec3i, moved: MovedVolume) -> int:
 
 @func
 def share_of(f: float64, side: int) -> float64:
-    """What the lower or the upper of two voxels counts at a fraction between them."""
     share = 1.0 - f
     if side == 1:
         share = f
@@ -124,7 +105,7 @@ def share_of(f: float64, side: int) -> float64:
 
 @func
 def sample_volume(q: vec3d, block: int, b: vec3i, moved: MovedVolume) -> sample:
-    """The trilinear mean at a place in a block; the weight is 0 where a voxel that counts was not seen."""
+    """Trilinear mean at a position in a block; weight 0 if a contributing voxel is unobserved."""
     x = int(floor(q[0]))
     y = int(floor(q[1]))
     z = int(floor(q[2]))
@@ -159,7 +140,6 @@ def sample_volume(q: vec3d, block: int, b: vec3i, moved: MovedVolume) -> sample:
 
 @func
 def fold_sample(voxel: int, found: sample, moved: MovedVolume, blocks: VoxelBlocks):
-    """Fold what another volume holds at a voxel's place into the voxel's mean."""
     weight = max(floor(found[1] + 0.5), 1.0)
     old = float64(blocks.weights[voxel])
     total = old + weight
@@ -174,7 +154,7 @@ def fold_sample(voxel: int, found: sample, moved: MovedVolume, blocks: VoxelBloc
 
 @kernel
 def fold_volume_kernel(touched: array(dtype=int32), run: int, moved: MovedVolume, blocks: VoxelBlocks):
-    """Fold another volume into the voxels of the touched blocks, `run` of them a thread."""
+    """Merge another volume into the voxels of touched blocks, `run` voxels per thread."""
     i = tid()
     first = i * run
     own = touched[first // BLOCK_VOXELS]
@@ -198,15 +178,8 @@ def fold_volume_kernel(touched: array(dtype=int32), run: int, moved: MovedVolume
 
 @struct
 class BlockReach:
-    """Which blocks of the result a block of a moved volume may reach.
-
-    Attributes:
-        R, t: A place in the moved volume's voxels in those of the result.
-        half: How far a block of places reaches from its middle along the result's axes [voxels].
-        R_back, t_back: The way back.
-        half_back: How far the voxels of a block of the result reach from their middle along the other's axes.
-        slots: Blocks along each axis at most.
-    """
+    """Mapping of a moved volume's blocks to those of the result: `R`, `t` to the result's voxels, `R_back`, `t_back`
+    from them; half sizes of the bounding boxes [voxels]; maximum `slots` per axis."""
 
     R: mat33d
     t: vec3d
@@ -217,7 +190,6 @@ class BlockReach:
     slots: int
 
     def __init__(self, back: np.ndarray) -> None:
-        """`back` is the float64 [4, 4] of R_back and t_back."""
         there = inv(back)
         half = np.abs(there[:3, :3]).sum(axis=1) * HALF
         half_back = np.abs(back[:3, :3]).sum(axis=1) * (HALF - 0.5)
@@ -229,7 +201,7 @@ class BlockReach:
 
 @kernel
 def list_reached_kernel(own_keys: array(dtype=int64), reach: BlockReach, reached: array(dtype=int64)):
-    """One of the blocks that a block may reach: its key, or NO_KEY where their boxes lie apart."""
+    """Key of a block that may be reached, or NO_KEY if the boxes are disjoint."""
     i = tid()
     per_block = reach.slots * reach.slots * reach.slots
     slot = i % per_block
@@ -256,7 +228,6 @@ def list_reached_kernel(own_keys: array(dtype=int64), reach: BlockReach, reached
 
 @kernel
 def mark_seen_blocks_kernel(blocks: VoxelBlocks, seen: array(dtype=uint8)):
-    """1 for each block with a voxel that was seen."""
     i = tid()
     some = 0
     n = int(BLOCK_VOXELS)
@@ -267,15 +238,7 @@ def mark_seen_blocks_kernel(blocks: VoxelBlocks, seen: array(dtype=uint8)):
 
 
 def reached_blocks(blocks: VoxelBlocks, back: np.ndarray) -> Keys:
-    """The keys of the blocks that a moved volume may reach, int64, ascending.
-
-    Args:
-        blocks: Its VoxelBlocks.
-        back: float64 [4, 4], the result's voxels in its own.
-
-    Raises:
-        ValueError: It reaches beyond 2^20 blocks from the result's origin.
-    """
+    """Ascending int64 keys of the result's blocks that a volume may reach. Raises ValueError beyond 2^20 blocks."""
     reach, device = BlockReach(back), blocks.device
     per_block = reach.slots**3
     parts = []
@@ -299,7 +262,6 @@ def _distinct(parts: Sequence[Keys], device: Device) -> Keys:
 
 
 def check_reach(keys: np.ndarray, back: np.ndarray) -> None:
-    """Refuse a moved volume that reaches beyond what blocks have keys for; NumPy keys of its blocks, at least one."""
     boxes = block_box(keys)
     low, high = boxes.min(axis=0) * SIDE, (boxes.max(axis=0) + 1) * SIDE
     corners = np.array(list(itertools.product(*zip(low, high, strict=True))), np.float64)
@@ -321,18 +283,8 @@ def fuse_moved(
     has_color: bool,
     device: Device,
 ) -> VoxelBlocks:
-    """The VoxelBlocks of several, each moved.
-
-    Args:
-        volumes: Their VoxelBlocks, in the order in which they are folded in: another gives other last bits.
-        backs: The result's voxels in those of each, float64 [4, 4].
-        colored: Whether their colours are folded in.
-        voxel_size, truncation: Of the result [m].
-        has_color: Whether the result keeps colour.
-
-    Raises:
-        ValueError: More blocks than 32 bits can index.
-    """
+    """Fuse volumes with poses `backs` (voxels of the result to those of each); their order affects the last bits.
+    `colored` selects the volumes whose colors are merged. Raises ValueError for more blocks than int32 can index."""
     reached = [reached_blocks(blocks, back) for blocks, back in zip(volumes, backs, strict=True)]
     keys = _distinct(reached, device)
     check_block_count(keys.size)
@@ -347,7 +299,6 @@ def fuse_moved(
 
 
 def blocks_of(keys: Keys, voxel_size: float, truncation: float, has_color: bool, device: Device) -> VoxelBlocks:
-    """VoxelBlocks of these distinct keys, none of whose voxels was seen."""
     blocks = VoxelBlocks(voxel_size, truncation, has_color, device)
     blocks.reserve(keys.size)
     if keys.size:
@@ -358,7 +309,6 @@ def blocks_of(keys: Keys, voxel_size: float, truncation: float, has_color: bool,
 
 
 def drop_unseen(blocks: VoxelBlocks) -> VoxelBlocks:
-    """The VoxelBlocks without those of which no voxel was seen."""
     count = blocks.count
     if not count:
         return blocks

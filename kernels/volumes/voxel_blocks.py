@@ -1,11 +1,8 @@
-"""The voxels of a volume: truncated signed distances in blocks of 8^3 that appear where depth is.
+"""TSDF voxels in hashed blocks of 8^3.
 
-A voxel is 4 B of distance, 2 B of weight (it stops at 65535 frames) and, where colour is kept, 6 B of colour (16-bit
-fixed point, so that a long mean does not stall as it would in 8 bits). A block is 8 B of key and 24 to 48 B of hash
-table more. Memory at least doubles when it grows, and nothing is moved within it.
-
-A frame is folded in whole or not at all, whatever interrupts it (arrays/changes.py): until the launch that writes its
-voxels was made, new blocks lie behind those that count.
+4 B of distance, 2 B of weight (at most 65535 frames), and optionally 6 B of 16-bit color per voxel, since an 8-bit
+running mean would stall; 32 to 56 B per block. Memory at least doubles when it grows, and nothing is moved. Frames are
+integrated atomically (arrays/changes.py): new blocks do not count before the launch that writes them.
 """
 
 from typing import Any
@@ -27,23 +24,10 @@ COLOR_SCALE = 257.0  # 8-bit to 16-bit: 255 becomes 65535
 
 @struct
 class VoxelBlocks:
-    """Blocks of voxels on one device.
-
-    Attributes:
-        voxel_size: Edge of a voxel [m].
-        truncation: Distance [m] at which signed distances are cut.
-        keys: int64 [capacity], those of the blocks in the order in which they came.
-        table: The HashTable of the keys.
-        distances: float32 [capacity * 512], signed distances over the truncation, -1 to 1.
-        weights: uint16 [capacity * 512], frames that saw each voxel.
-        colors: uint16 [capacity * 512, 3]; one row where no colour is kept.
-        changes: Frames that were folded in.
-        has_color: Whether colour is kept.
-        record: The FrameRecord of the frame in progress.
-        kept: What other files know of the blocks and take further as these change, by name (block_rows.py,
-            block_signs.py). Who writes to voxels announces a change, who lists blocks anew makes new Changes.
-        latest: (number of a change, int32 positions of the blocks that it touched), where they are listed: the last.
-    """
+    """Blocks of voxels on one device: signed `distances` over the truncation (-1..1), `weights`, and `colors` uint16
+    (one row without color); `keys` in order of creation. `record` is that of the current frame. `kept` caches derived
+    data by name (block_rows.py, block_signs.py): writers must announce a change, and reordering needs new Changes.
+    `latest` is the last change and its touched blocks, if listed."""
 
     voxel_size: float64
     truncation: float64
@@ -63,7 +47,6 @@ class VoxelBlocks:
 
     @property
     def count(self) -> int:
-        """Blocks."""
         self._settle()
         return self._counted()
 
@@ -73,18 +56,15 @@ class VoxelBlocks:
 
     @property
     def frame_count(self) -> int:
-        """Frames that were folded in."""
         self._settle()
         return self.changes.count
 
     @property
     def memory_bytes(self) -> int:
-        """Bytes of device memory held by voxels, keys and the hash table."""
         voxels = (self.distances, self.weights, self.colors)
         return sum(a.capacity for a in (*voxels, self.keys, self.table.keys, self.table.positions))
 
     def reserve(self, count: int) -> None:
-        """Make room for so many blocks, at least doubling, and keep those that count."""
         if count > self.keys.size:
             self._move(min(MAX_BLOCKS, max(count, 2 * self.keys.size)))
 
@@ -95,19 +75,16 @@ class VoxelBlocks:
         distances, weights = zeros(voxels, float32, self.device), zeros(voxels, uint16, self.device)
         self._copy_to(keys, distances, weights, colors)
         self.distances, self.weights, self.colors = distances, weights, colors
-        self.keys = keys  # last: its size says how much room there is
+        self.keys = keys  # last: its size defines the capacity
 
     @property
     def block_bytes(self) -> int:
-        """Bytes that a block takes, with its key and its slots in the table."""
         return BLOCK_VOXELS * (12 if self.has_color else 6) + 56
 
     def has_room(self, count: int) -> bool:
-        """Whether so many blocks have room, in the table too."""
         return count <= self.keys.size and 2 * self.keys.size <= self.table.capacity
 
     def make_room(self, count: int) -> None:
-        """Make room for so many blocks and no more, in the table too."""
         if count > self.keys.size:
             self._move(count)
         if not self.has_room(count):
@@ -115,7 +92,7 @@ class VoxelBlocks:
 
     def _copy_to(self, keys: Keys, distances: Scalars, weights: Array1[uint16], colors: Array2[uint16]) -> None:
         count = self._counted()
-        if not count:  # nor any arrays, at first
+        if not count:  # initially no arrays either
             return
         voxels = count * BLOCK_VOXELS
         copy(keys, self.keys, count=count)
@@ -125,38 +102,31 @@ class VoxelBlocks:
             copy(colors, self.colors, count=3 * voxels)
 
     def begin(self, keys: Keys) -> Integers:
-        """Begin a frame over the blocks with these int64 keys, and give their positions, int32; new ones are appended.
-
-        They count, and so does the frame, once a launch that writes to voxels notes `changes`, and `end` follows.
-
-        Raises:
-            ValueError: More blocks than 32 bits can index.
-        """
+        """Begin a frame over blocks `keys`, appending new ones. Return their positions, int32. They count once a launch
+        records `changes` and `end` follows. Raises ValueError for more blocks than int32 can index."""
         found, known, new = begin_blocks(self, keys, "volume")
         self.record.write_counts(known, keys.size, new)
         return found
 
     def begin_on_device(self) -> FrameCounts:
-        """Begin a frame whose blocks the device finds, for which there is room; its FrameCounts."""
+        """Begin a frame whose blocks the device finds, with enough room. Return its FrameCounts."""
         counts = FrameCounts(self.record)
         self.changes.begin(counts)
         self.record.readback.forget()
         return counts
 
     def end(self) -> None:
-        """The launch of the frame that was begun is made."""
         self.changes.end()
 
     def _settle(self) -> None:
-        """Bring a frame that was interrupted to its end where its launch was made, else undo it (sync)."""
+        """Complete or undo an interrupted frame, depending on its launch (sync)."""
         self.changes.settle(self._list_keys)
 
     def _list_keys(self) -> None:
-        room = self.keys.size if self.device.is_cuda else 0  # where launches insert without asking the host
+        room = self.keys.size if self.device.is_cuda else 0  # if launches insert without the host
         self.table = list_keys(self.keys, self._counted(), room)
 
     def clone(self) -> "VoxelBlocks":
-        """The same blocks in arrays of their own."""
         count, other = self.count, VoxelBlocks(self.voxel_size, self.truncation, self.has_color, self.device)
         other.reserve(count)
         self._copy_to(other.keys, other.distances, other.weights, other.colors)
@@ -165,15 +135,13 @@ class VoxelBlocks:
         return other
 
     def without_voxels(self, keys: Keys) -> "VoxelBlocks":
-        """Blocks with these keys alone, of the same sizes: what rays pass is looked up in them."""
+        """Blocks with these keys and no voxels, for lookups along rays."""
         other = VoxelBlocks(self.voxel_size, self.truncation, False, self.device)
         other.keys, other.table = keys, list_keys(keys, keys.size)
         other.changes = Changes(keys.size, self.device)
         return other
 
     def fill(self, arrays: dict[str, np.ndarray]) -> None:
-        """Take blocks over from NumPy arrays "keys", "distances", "weights" and, where there are any, "colors", into a
-        volume that has none."""
         count = len(arrays["keys"])
         self.reserve(count)
         for name, values in arrays.items():
@@ -184,19 +152,8 @@ class VoxelBlocks:
 
 
 def begin_blocks(blocks: Any, keys: Keys, what: str) -> tuple[Integers, int, int]:
-    """Begin a change over the blocks with some keys, those that are new appended behind the ones that count.
-
-    Args:
-        blocks: What has `count`, `keys`, `table`, `changes` and `reserve` as VoxelBlocks has.
-        keys: int64, distinct.
-        what: What the blocks are of, for messages.
-
-    Returns:
-        (the position of each key, int32; how many blocks there were; how many are new).
-
-    Raises:
-        ValueError: More blocks than 32 bits can index.
-    """
+    """Begin a change over blocks with distinct int64 keys. Return (positions int32, previous count, new count). Raises
+    ValueError, with the name `what`, for more blocks than int32 can index."""
     known = blocks.count
     found, absent = blocks.table.find(keys)
     missing = positions_of(absent)
@@ -212,12 +169,11 @@ def begin_blocks(blocks: Any, keys: Keys, what: str) -> tuple[Integers, int, int
 
 
 def check_block_count(count: int, what: str = "volume") -> None:
-    """Refuse more blocks than 32 bits can index."""
+    """Raise ValueError for more blocks than int32 can index."""
     if count > MAX_BLOCKS:
         raise ValueError(f"the {what} would need {count:,} blocks, more than {MAX_BLOCKS:,}; take larger voxels")
 
 
 @func
 def voxel_color(voxel: int, blocks: VoxelBlocks) -> vec3:
-    """The colour of a voxel, 0 to 65535."""
     return vec3(float(blocks.colors[voxel, 0]), float(blocks.colors[voxel, 1]), float(blocks.colors[voxel, 2]))

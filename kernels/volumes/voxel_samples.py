@@ -1,34 +1,32 @@
-"""Distances between the voxels of a volume: at the nearest voxel, and trilinear in the cell of eight around a place.
+"""Nearest and trilinear distances between voxels.
 
-Places count in voxels from any voxel; `corner` is the low voxel of the block around a place, counted likewise, and
-`block` its position among the blocks. A cell is named by its low voxel, local to the block.
+Positions are in voxels from any reference voxel; `corner` is the lowest voxel of the surrounding block, `block` its
+index. A cell is named by its lowest voxel, local to the block.
 """
 
 from ..lang import float32, floor, func, int32, vec3, vec3i, vector
 from .block_rows import AROUND, SeenBlocks, voxel_near
 from .tsdf_blocks import BLOCK_VOXELS, SIDE
 
-MIDDLE = 13  # a block among its neighbours
-UNSEEN = 2.0  # no truncated distance is beyond 1
+MIDDLE = 13  # index of a block among its neighbors
+UNSEEN = 2.0  # above all truncated distances
 octet = vector(8, float32)
 cube = vector(8, int32)
 
 
 @func
 def floor_cell(p: vec3) -> vec3i:
-    """The voxel at or below a point, in voxels."""
     return vec3i(int(floor(p[0])), int(floor(p[1])), int(floor(p[2])))
 
 
 @func
 def to_float(v: vec3i) -> vec3:
-    """The same vector in float32."""
     return vec3(float(v[0]), float(v[1]), float(v[2]))
 
 
 @func
 def seen_distance(voxel: int, seen: SeenBlocks) -> float:
-    """The truncated distance at a voxel, UNSEEN where there is none."""
+    """Truncated distance at a voxel, or UNSEEN."""
     d = float(UNSEEN)
     if voxel >= 0:
         if float(seen.blocks.weights[voxel]) > seen.threshold:
@@ -38,14 +36,14 @@ def seen_distance(voxel: int, seen: SeenBlocks) -> float:
 
 @func
 def nearest_voxel(p: vec3, block: int, corner: vec3i, seen: SeenBlocks) -> int:
-    """The voxel nearest to a point in voxels, or -1."""
+    """Voxel nearest to a position in voxels, or -1."""
     cell = floor_cell(p + vec3(0.5, 0.5, 0.5)) - corner
     return voxel_near(block, cell[0], cell[1], cell[2], seen)
 
 
 @func
 def voxel_around(block: int, x: int, y: int, z: int, seen: SeenBlocks) -> int:
-    """As voxel_near, without a branch but the last."""
+    """`voxel_near` with only one branch, at the end."""
     other = seen.neighbors[block * AROUND + MIDDLE + 9 * (x >> 3) + 3 * (y >> 3) + (z >> 3)]
     voxel = -1
     if other >= 0:
@@ -55,7 +53,7 @@ def voxel_around(block: int, x: int, y: int, z: int, seen: SeenBlocks) -> int:
 
 @func
 def cell_voxels(block: int, x: int, y: int, z: int, seen: SeenBlocks) -> cube:
-    """The eight voxels of a cell, x slowest, each coordinate in -8..14; -1 where there is no block."""
+    """Eight voxels of a cell, x slowest, coordinates in -8..14; -1 without a block."""
     voxels = cube(-1)
     if min(x, min(y, z)) >= 0 and max(x, max(y, z)) < SIDE - 1:  # all eight in one block
         first = block * BLOCK_VOXELS + (x * SIDE + y) * SIDE + z
@@ -69,7 +67,6 @@ def cell_voxels(block: int, x: int, y: int, z: int, seen: SeenBlocks) -> cube:
 
 @func
 def corner_distances(voxels: cube, seen: SeenBlocks) -> octet:
-    """The distances at eight voxels, UNSEEN where one was not seen often enough."""
     values = octet(UNSEEN)
     for c in range(8):
         values[c] = seen_distance(voxels[c], seen)
@@ -78,26 +75,23 @@ def corner_distances(voxels: cube, seen: SeenBlocks) -> octet:
 
 @func
 def cell_distances(block: int, x: int, y: int, z: int, seen: SeenBlocks) -> octet:
-    """The distances at the eight corners of a cell, UNSEEN where one was not seen often enough."""
+    """Distances at the corners of a cell, UNSEEN if not observed often enough."""
     return corner_distances(cell_voxels(block, x, y, z, seen), seen)
 
 
 @func
 def greatest(corners: octet) -> float:
-    """The greatest of eight values."""
     low = max(max(corners[0], corners[1]), max(corners[2], corners[3]))
     return max(low, max(max(corners[4], corners[5]), max(corners[6], corners[7])))
 
 
 @func
 def between(a: float, b: float, share: float) -> float:
-    """From a to b by a share."""
     return a + share * (b - a)
 
 
 @func
 def interpolate(corners: octet, fx: float, fy: float, fz: float) -> float:
-    """The trilinear value inside a cube of corner values, x slowest."""
     low = between(between(corners[0], corners[1], fz), between(corners[2], corners[3], fz), fy)
     high = between(between(corners[4], corners[5], fz), between(corners[6], corners[7], fz), fy)
     return between(low, high, fx)
